@@ -1,0 +1,32 @@
+# One folder, one target: estampe_module(scene DEPENDS core LINK PNG::PNG) makes the library estampe_scene from the
+# sources beside the calling CMakeLists.txt. Tests live beside the code: *_test.cpp needs no device, *_gpu_test.cpp does.
+
+add_library(estampe_flags INTERFACE)
+target_compile_options(estampe_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(ESTAMPE_WERROR)
+  target_compile_options(estampe_flags INTERFACE -Werror)
+endif()
+if(ESTAMPE_SANITIZE)
+  target_compile_options(estampe_flags INTERFACE -fsanitize=${ESTAMPE_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(estampe_flags INTERFACE -fsanitize=${ESTAMPE_SANITIZE})
+endif()
+target_include_directories(estampe_flags INTERFACE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+target_compile_definitions(estampe_flags INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_XYZW_ONLY)
+
+function(estampe_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 module "" "" "DEPENDS;LINK")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  add_library(estampe_${name} STATIC ${sources})
+  target_link_libraries(estampe_${name} PUBLIC estampe_flags ${module_LINK})
+  foreach(dependency ${module_DEPENDS})
+    target_link_libraries(estampe_${name} PUBLIC estampe_${dependency})
+  endforeach()
+
+  file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp)
+  set(gpu_tests ${unit_tests})
+  list(FILTER unit_tests EXCLUDE REGEX "_gpu_test\\.cpp$")
+  list(FILTER gpu_tests INCLUDE REGEX "_gpu_test\\.cpp$")
+  set_property(GLOBAL APPEND PROPERTY estampe_unit_tests ${unit_tests})
+  set_property(GLOBAL APPEND PROPERTY estampe_gpu_tests ${gpu_tests})
+endfunction()

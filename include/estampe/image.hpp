@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace estampe {
+
+/// An 8-bit picture: rows from top to bottom, four bytes a pixel (red, green, blue, alpha), sRGB-encoded.
+struct Image {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<uint8_t> rgba; ///< width * height * 4 bytes
+
+    [[nodiscard]] bool empty() const noexcept { return rgba.empty(); }
+    bool operator==(const Image&) const = default;
+};
+
+/// Writes `image` as PNG, beside `path` first and renamed into place, so that a failure leaves no half file.
+/// Throws Error when the folder cannot be written or the image is empty. Cost: about 10 ms a megapixel.
+void save_png(const Image& image, const std::filesystem::path& path);
+
+/// Reads a PNG, JPEG or WebP file into an Image. Throws Error naming the file when it is missing, truncated or too large.
+[[nodiscard]] Image load_image(const std::filesystem::path& path);
+
+} // namespace estampe

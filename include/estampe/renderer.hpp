@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <estampe/image.hpp>
+#include <estampe/scene.hpp>
+#include <estampe/style.hpp>
+
+namespace estampe {
+
+struct DeviceInfo {
+    uint32_t index = 0;      ///< what `--device N` takes
+    std::string name;        ///< "NVIDIA H200", "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string driver;      ///< driver name and version
+    bool software = false;   ///< runs on the processor
+    bool usable = true;
+    std::string why_not;     ///< what it lacks, when it is not usable
+};
+
+/// The Vulkan devices of this machine, in the loader's order. Empty when there is no driver at all.
+[[nodiscard]] std::vector<DeviceInfo> list_devices();
+
+/// Which device draws: "auto" (a GPU if there is one, else the processor), "cpu", or an index of list_devices().
+struct RendererOptions {
+    std::string device = "auto";
+    bool validation = false; ///< Khronos validation with synchronization validation; needs the layer installed
+};
+
+struct RenderSettings {
+    uint32_t width = 1280;
+    uint32_t height = 720;
+    uint32_t samples = 1;  ///< sub-pixel jittered frames to accumulate
+    double time_s = 0.0;   ///< moment of the scene's animation
+    Index animation = 0;
+};
+
+/// GPU time of one pass of the last frame.
+struct PassTiming {
+    std::string name;
+    double gpu_ms = 0.0;
+};
+
+/// Draws scenes. One renderer owns one device; it is not thread-safe, but several may live side by side.
+class Renderer {
+public:
+    /// Throws Error when no usable device matches, naming what there is and what it lacks.
+    explicit Renderer(const RendererOptions& options = {});
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    [[nodiscard]] const DeviceInfo& device() const;
+
+    /// Uploads `scene`; it replaces the one before. Throws Error when it does not fit the device's memory or limits.
+    void set_scene(const Scene& scene);
+
+    /// Draws the scene. The same scene, camera, style and settings give the same bytes on the same device.
+    /// Throws Error when the size is zero or beyond the device's limits, or when no scene was set.
+    [[nodiscard]] Image render(const Camera& camera, const Style& style, const RenderSettings& settings);
+
+    /// GPU time by pass of the last frame drawn, in the order of execution.
+    [[nodiscard]] const std::vector<PassTiming>& timings() const;
+
+    /// The frame graph of the last frame drawn, as Graphviz text.
+    [[nodiscard]] const std::string& graph_dot() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace estampe

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A 3D scene as data: meshes, materials, nodes, lights, cameras and animations. No GPU type appears here.
+// Conventions are glTF's: right-handed, y up, metres, radians, column vectors, linear colour, seconds.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <estampe/image.hpp>
+
+namespace estampe {
+
+/// Index into one of the scene's arrays; `no_index` means "none".
+using Index = uint32_t;
+inline constexpr Index no_index = std::numeric_limits<Index>::max();
+
+enum class Wrap : uint8_t { repeat, clamp, mirror };
+
+struct Texture {
+    std::string name;
+    Image image; ///< never empty after a load: a missing texture is replaced by one white pixel, with a warning
+    Wrap wrap_u = Wrap::repeat;
+    Wrap wrap_v = Wrap::repeat;
+};
+
+/// How a material looks a texture up: which one, which UV set, and uv' = transform * (u, v, 1).
+struct TextureRef {
+    Index texture = no_index;
+    uint32_t uv_set = 0; ///< 0 or 1
+    glm::mat3 uv_transform{1.0F};
+};
+
+enum class AlphaMode : uint8_t { opaque, mask, blend };
+
+/// What VRMC_materials_mtoon adds: a second colour for shade, and an outline of its own.
+struct ToonShade {
+    glm::vec3 shade_color{1.0F};
+    TextureRef shade_texture;
+    float outline_width_m = 0.0F;
+    glm::vec3 outline_color{0.0F};
+};
+
+struct Material {
+    std::string name;
+    glm::vec4 base_color{1.0F}; ///< linear, alpha straight
+    TextureRef base_color_texture;
+    TextureRef normal_texture;
+    float normal_scale = 1.0F;
+    TextureRef occlusion_texture;
+    float occlusion_strength = 1.0F;
+    glm::vec3 emissive{0.0F}; ///< linear, KHR_materials_emissive_strength multiplied in
+    TextureRef emissive_texture;
+    float metallic = 1.0F;
+    float roughness = 1.0F;
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    float alpha_cutoff = 0.5F;
+    bool double_sided = false;
+    bool unlit = false;
+    std::optional<ToonShade> toon;
+};
+
+enum class Topology : uint8_t { points, lines, triangles };
+
+struct MorphTarget {
+    std::vector<glm::vec3> position_offsets; ///< empty, or one per vertex
+    std::vector<glm::vec3> normal_offsets;   ///< empty, or one per vertex
+};
+
+/// One drawable piece of a mesh. Every array is empty or has one entry per vertex; strips, fans and loops have been
+/// turned into plain lists. Triangles always have normals after a load.
+struct Primitive {
+    Topology topology = Topology::triangles;
+    Index material = 0;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec4> tangents; ///< xyz, and the sign of the bitangent in w; computed when a normal map needs them
+    std::array<std::vector<glm::vec2>, 2> uvs;
+    std::vector<glm::vec4> colors;
+    std::vector<glm::u16vec4> joints_0, joints_1; ///< up to eight influences
+    std::vector<glm::vec4> weights_0, weights_1;  ///< sum to one over both sets
+    std::vector<uint32_t> indices;                ///< 3 a triangle, 2 a line, 1 a point
+    std::vector<MorphTarget> morph_targets;
+};
+
+struct Mesh {
+    std::string name;
+    std::vector<Primitive> primitives;
+    std::vector<float> morph_weights; ///< defaults, one per target
+};
+
+struct Transform {
+    glm::dvec3 translation{0.0};
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+    glm::dvec3 scale{1.0};
+    [[nodiscard]] glm::dmat4 matrix() const;
+};
+
+struct Node {
+    std::string name;
+    Index parent = no_index;
+    std::vector<Index> children;
+    Transform transform;
+    std::optional<glm::dmat4> matrix; ///< replaces `transform` where the file gives one; never animated
+    Index mesh = no_index;
+    Index skin = no_index;
+    Index camera = no_index;
+    Index light = no_index;
+    std::vector<float> morph_weights;   ///< empty: the mesh's own
+    std::vector<glm::mat4> instances;   ///< EXT_mesh_gpu_instancing: node_from_instance; empty means one, identity
+};
+
+struct Skin {
+    std::string name;
+    std::vector<Index> joints;                 ///< nodes
+    std::vector<glm::mat4> joint_from_bind;    ///< inverse bind matrices, one per joint
+};
+
+enum class LightType : uint8_t { directional, point, spot };
+
+/// KHR_lights_punctual: shines along its node's -z. Intensity in lux (directional) or candela (point, spot).
+struct Light {
+    std::string name;
+    LightType type = LightType::point;
+    glm::vec3 color{1.0F};
+    float intensity = 1.0F;
+    float range_m = 0.0F; ///< 0: unlimited
+    float inner_cone_rad = 0.0F;
+    float outer_cone_rad = 0.7853982F;
+};
+
+/// A camera of the file. Looks along its node's -z.
+struct SceneCamera {
+    std::string name;
+    bool orthographic = false;
+    double vertical_fov_rad = 0.8;
+    double half_height_m = 1.0; ///< orthographic only
+    double near_m = 0.01;
+};
+
+enum class Interpolation : uint8_t { step, linear, cubic_spline };
+enum class AnimatedPath : uint8_t { translation, rotation, scale, weights };
+
+struct AnimationChannel {
+    Index node = no_index;
+    AnimatedPath path = AnimatedPath::translation;
+    Interpolation interpolation = Interpolation::linear;
+    std::vector<float> times_s;  ///< ascending
+    std::vector<float> values;   ///< 3, 4 (x, y, z, w) or target-count floats a key; three times that for cubic splines
+};
+
+struct Animation {
+    std::string name;
+    std::vector<AnimationChannel> channels;
+    float duration_s = 0.0F;
+};
+
+struct Scene {
+    std::string name;
+    std::vector<Texture> textures;
+    std::vector<Material> materials; ///< at least one
+    std::vector<Mesh> meshes;
+    std::vector<Node> nodes; ///< a forest: parents and children agree, and there is no cycle
+    std::vector<Index> roots;
+    std::vector<Skin> skins;
+    std::vector<Light> lights;
+    std::vector<SceneCamera> cameras;
+    std::vector<Animation> animations;
+    std::vector<std::string> extensions_used;
+    std::vector<std::string> extensions_ignored;
+    std::vector<std::string> warnings; ///< what was repaired on the way in, one line each
+};
+
+/// Reads a scene: .gltf and .glb, and .obj .ply .stl .fbx .dae.
+///
+/// Throws Error naming file and place (a JSON pointer or a byte offset) when the file is broken beyond repair; what can
+/// be repaired is, and is listed in `Scene::warnings`. Never allocates more than a small multiple of the file's size.
+[[nodiscard]] Scene load_scene(const std::filesystem::path& path);
+
+/// The scene at a moment: every node's place, and every node's morph weights.
+struct ScenePose {
+    std::vector<glm::dmat4> world_from_node;
+    std::vector<std::vector<float>> morph_weights; ///< per node; empty without morph targets
+};
+
+/// Evaluates the hierarchy at `time_s` of animation `animation` (looping; no_index, or no animation: the rest pose).
+/// Cost: linear in nodes and channels.
+[[nodiscard]] ScenePose pose_scene(const Scene& scene, double time_s, Index animation = 0);
+
+struct Bounds {
+    glm::dvec3 min{std::numeric_limits<double>::infinity()};
+    glm::dvec3 max{-std::numeric_limits<double>::infinity()};
+
+    void extend(const glm::dvec3& point) { min = glm::min(min, point); max = glm::max(max, point); }
+    [[nodiscard]] bool empty() const { return !(min.x <= max.x); }
+    [[nodiscard]] glm::dvec3 center() const { return 0.5 * (min + max); }
+    [[nodiscard]] double radius() const { return empty() ? 0.0 : 0.5 * glm::length(max - min); }
+};
+
+/// World bounds of all vertices in `pose`, skinned and morphed (exactly, on the CPU). Cost: linear in vertices.
+[[nodiscard]] Bounds scene_bounds(const Scene& scene, const ScenePose& pose);
+
+/// Where the picture is taken from, in world space.
+struct Camera {
+    glm::dvec3 eye{0.0, 0.0, 5.0};
+    glm::dvec3 target{0.0};
+    glm::dvec3 up{0.0, 1.0, 0.0};
+    double vertical_fov_rad = 0.6;
+    std::optional<double> orthographic_half_height_m; ///< set: parallel projection
+    double near_m = 0.01;
+};
+
+/// The camera of the file named `name`, placed by `pose`; a number picks by index. Throws Error listing the names there are.
+[[nodiscard]] Camera scene_camera(const Scene& scene, const ScenePose& pose, const std::string& name);
+
+/// Frames the whole scene as a person would: three-quarter view from slightly above, whole, with a margin; inside a
+/// closed room it looks through the wall that faces it. `aspect` is width / height.
+[[nodiscard]] Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect);
+
+} // namespace estampe

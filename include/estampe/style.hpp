@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace estampe {
+
+namespace frame {
+struct StyleTables;
+}
+
+/// How a picture is drawn: every parameter of every technique, with a value.
+///
+/// A default-constructed style is the house's default. Copying is deep and cheap (a few hundred bytes).
+class Style {
+public:
+    Style();
+    ~Style();
+    Style(const Style&);
+    Style(Style&&) noexcept;
+    Style& operator=(const Style&);
+    Style& operator=(Style&&) noexcept;
+
+    /// Reads a TOML file, or the preset of that name. Throws Error with file:line:column, the key, what is allowed,
+    /// and the nearest known key for an unknown one.
+    [[nodiscard]] static Style load(const std::string& file_or_preset);
+
+    /// Applies one assignment, "hatch.contrast=12". Throws Error as load() does.
+    void set(std::string_view assignment);
+
+    /// Every parameter with its value, as a TOML text that load() reads back to an equal style.
+    [[nodiscard]] std::string to_toml() const;
+
+    /// The manual of all parameters: name, type, range, default, unit and one line of help each.
+    [[nodiscard]] static std::string help();
+
+    /// Names of the presets that load() knows.
+    [[nodiscard]] static std::vector<std::string> presets();
+
+    [[nodiscard]] const frame::StyleTables& tables() const { return *tables_; }
+    [[nodiscard]] frame::StyleTables& tables() { return *tables_; }
+
+private:
+    std::unique_ptr<frame::StyleTables> tables_;
+};
+
+} // namespace estampe

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <estampe/error.hpp>
+
+namespace estampe {
+namespace {
+
+std::string one_line(const std::string& what_failed, const std::string& where, const std::string& remedy)
+{
+    std::string line = where.empty() ? what_failed : where + ": " + what_failed;
+    if (!remedy.empty()) {
+        line += "; " + remedy;
+    }
+    return line;
+}
+
+} // namespace
+
+Error::Error(const std::string& what_failed, const std::string& where, const std::string& remedy)
+    : std::runtime_error(one_line(what_failed, where, remedy)), where_(where), remedy_(remedy)
+{
+}
+
+} // namespace estampe

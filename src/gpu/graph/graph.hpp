@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The frame graph: passes say what they read and write; order, culling, memory reuse and barriers follow.
+//
+// A technique is a function from handles to handles. Writing to a handle gives a new version of it; the old one may
+// still be read by passes declared before the write, and is an error afterwards. Nothing here touches a device:
+// building and compiling run (and are tested) without one; src/gpu/graph/execute.hpp records the result.
+//
+//     auto pass = graph.compute("hatch", shaders::hatch_comp);
+//     pass.sample(in.light).sample(in.coordinates);
+//     const ImageId ink = pass.write(graph.image("hatch/ink", {.width = w, .height = h, .format = Format::rgba8}));
+//     pass.push(HatchParams{...}).dispatch_over(w, h);
+//     return ink;
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace estampe::gpu {
+
+class Image;  // a device image owned outside the graph
+class Buffer; // a device buffer owned outside the graph
+class Recorder; // what a custom pass records into
+
+enum class Format : uint8_t { r32ui, rg32ui, rgba32ui, rgba8, r16f, rg16f, rgba16f, r32f, rgba32f, rgba8_srgb, depth32f };
+
+struct ImageDesc {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    Format format = Format::rgba8;
+    uint32_t layers = 1;
+    uint32_t mips = 1;
+    bool operator==(const ImageDesc&) const = default;
+};
+
+struct BufferDesc {
+    uint64_t size_bytes = 0;
+    bool operator==(const BufferDesc&) const = default;
+};
+
+/// One version of an image of one graph. There is no "none": a forgotten input does not compile.
+struct ImageId {
+    uint32_t resource;
+    uint32_t version;
+    bool operator==(const ImageId&) const = default;
+};
+
+/// One version of a buffer of one graph.
+struct BufferId {
+    uint32_t resource;
+    uint32_t version;
+    bool operator==(const BufferId&) const = default;
+};
+
+/// How a pass touches a resource: decides stage, access mask and image layout.
+enum class Access : uint8_t {
+    compute_sampled,       ///< texelFetch or a sampler; image only
+    compute_storage_read,  ///< storage image or buffer, read
+    compute_storage_write, ///< storage image or buffer, every texel or byte that matters is written
+    compute_storage_modify,///< read and written, atomics
+    compute_uniform,       ///< uniform buffer
+    indirect,              ///< dispatch arguments
+    transfer_read,
+    transfer_write,
+    color_attachment,      ///< written by the fragment stage
+    depth_attachment,      ///< tested and written
+    host_read,             ///< read back after the frame
+};
+
+[[nodiscard]] constexpr bool is_write(Access access)
+{
+    return access == Access::compute_storage_write || access == Access::compute_storage_modify ||
+           access == Access::transfer_write || access == Access::color_attachment || access == Access::depth_attachment;
+}
+
+/// Whether what was there before matters: false for a plain overwrite.
+[[nodiscard]] constexpr bool is_read(Access access)
+{
+    return access != Access::compute_storage_write && access != Access::transfer_write &&
+           access != Access::color_attachment;
+}
+
+enum class Layout : uint8_t { undefined, general, shader_read, transfer_source, transfer_target, color, depth };
+
+/// A compiled compute shader: SPIR-V words embedded in the program.
+struct Shader {
+    const char* name;
+    std::span<const uint32_t> spirv;
+};
+
+/// Filtering of a sampled image.
+enum class Sampling : uint8_t { nearest, linear, linear_repeat };
+
+struct Use {
+    uint32_t resource = 0;
+    uint32_t version = 0;      ///< read version; for a write, the version before
+    Access access = Access::compute_sampled;
+    Sampling sampling = Sampling::nearest;
+    bool bound = true;         ///< takes the next binding number of the pass (indirect arguments do not)
+};
+
+struct Dispatch {
+    uint32_t groups_x = 0, groups_y = 0, groups_z = 0;
+    uint32_t indirect_resource = UINT32_MAX; ///< when set, the groups come from this buffer
+    uint64_t indirect_offset_bytes = 0;
+};
+
+struct PassRecord {
+    std::string name;
+    const Shader* shader = nullptr; ///< null for a custom pass
+    std::vector<Use> uses;
+    std::vector<std::byte> push;
+    Dispatch dispatch;
+    std::function<void(Recorder&)> record; ///< custom passes only
+    bool has_side_effect = false;          ///< never culled
+};
+
+struct ResourceRecord {
+    std::string name;
+    bool is_image = false;
+    ImageDesc image;
+    BufferDesc buffer;
+    Image* imported_image = nullptr;
+    Buffer* imported_buffer = nullptr;
+    Layout initial_layout = Layout::undefined; ///< imported images: the layout they come in
+    bool exported = false;                     ///< its content is wanted after the frame
+    uint32_t newest_version = 0;
+};
+
+class Graph;
+
+/// Declares one pass. Bindings are numbered 0, 1, 2, ... in the order of the calls that bind.
+class Pass {
+public:
+    Pass& sample(ImageId image, Sampling sampling = Sampling::nearest);
+    Pass& read(ImageId image);
+    Pass& read(BufferId buffer);
+    Pass& uniform(BufferId buffer);
+    [[nodiscard]] ImageId write(ImageId image);
+    [[nodiscard]] BufferId write(BufferId buffer);
+    [[nodiscard]] ImageId modify(ImageId image);
+    [[nodiscard]] BufferId modify(BufferId buffer);
+
+    /// For custom passes: an access that takes no binding.
+    Pass& touch(ImageId image, Access access);
+    Pass& touch(BufferId buffer, Access access);
+    [[nodiscard]] ImageId touch_write(ImageId image, Access access);
+    [[nodiscard]] BufferId touch_write(BufferId buffer, Access access);
+
+    /// Constants of this dispatch: any trivially copyable struct of at most 128 bytes.
+    template <class T>
+        requires(std::is_trivially_copyable_v<T> && sizeof(T) <= 128)
+    Pass& push(const T& constants)
+    {
+        return push_bytes(std::as_bytes(std::span<const T, 1>(&constants, 1)));
+    }
+
+    /// One thread a pixel, in groups of 8 x 8 as the shaders declare.
+    void dispatch_over(uint32_t width, uint32_t height);
+    void dispatch(uint32_t groups_x, uint32_t groups_y = 1, uint32_t groups_z = 1);
+    void dispatch_indirect(BufferId arguments, uint64_t offset_bytes = 0);
+    /// Custom passes: `record` is called when the pass is executed.
+    void execute(std::function<void(Recorder&)> record);
+    /// Keeps the pass even if nobody reads what it writes.
+    Pass& keep();
+
+private:
+    friend class Graph;
+    Pass(Graph& graph, uint32_t index) : graph_(graph), index_(index) {}
+    Pass& push_bytes(std::span<const std::byte> bytes);
+
+    Graph& graph_;
+    uint32_t index_;
+};
+
+class Graph {
+public:
+    /// Transient: lives from its first write to its last read, and shares memory with others outside that time.
+    [[nodiscard]] ImageId image(std::string name, const ImageDesc& desc);
+    [[nodiscard]] BufferId buffer(std::string name, const BufferDesc& desc);
+
+    [[nodiscard]] ImageId import_image(std::string name, Image& image, const ImageDesc& desc, Layout initial_layout);
+    [[nodiscard]] BufferId import_buffer(std::string name, Buffer& buffer, const BufferDesc& desc);
+
+    /// Marks the content as wanted after the frame: what makes it is not culled, and its memory is not reused.
+    void export_image(ImageId image);
+    void export_buffer(BufferId buffer);
+
+    [[nodiscard]] Pass compute(std::string name, const Shader& shader);
+    [[nodiscard]] Pass custom(std::string name);
+
+    [[nodiscard]] const ImageDesc& describe(ImageId image) const;
+    [[nodiscard]] const BufferDesc& describe(BufferId buffer) const;
+
+    [[nodiscard]] const std::vector<PassRecord>& passes() const { return passes_; }
+    [[nodiscard]] const std::vector<ResourceRecord>& resources() const { return resources_; }
+
+private:
+    friend class Pass;
+    std::vector<PassRecord> passes_;
+    std::vector<ResourceRecord> resources_;
+};
+
+} // namespace estampe::gpu
