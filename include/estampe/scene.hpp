@@ -225,4 +225,9 @@ struct Camera {
 /// closed room it looks through the wall that faces it. `aspect` is width / height.
 [[nodiscard]] Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect);
 
+/// Reads "eye=x,y,z target=x,y,z [fov=degrees] [up=x,y,z] [ortho=half_height]", in any order, separated by blanks.
+/// `fov` is vertical, 1 to 170; `ortho` makes a parallel projection, half its height in metres. Throws Error saying
+/// which part is wrong and what is allowed.
+[[nodiscard]] Camera parse_camera(const std::string& text);
+
 } // namespace estampe

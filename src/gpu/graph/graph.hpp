@@ -3,13 +3,14 @@
 
 // The frame graph: passes say what they read and write; order, culling, memory reuse and barriers follow.
 //
-// A technique is a function from handles to handles. Writing to a handle gives a new version of it; the old one may
-// still be read by passes declared before the write, and is an error afterwards. Nothing here touches a device:
-// building and compiling run (and are tested) without one; src/gpu/graph/execute.hpp records the result.
+// A technique is a function from handles to handles. Writing to a handle gives a new version of it; the old
+// one may still be read by passes declared before the write, and is an error afterwards. Nothing here touches
+// a device: building and compiling run (and are tested) without one; src/gpu/graph/execute.hpp records the
+// result.
 //
 //     auto pass = graph.compute("hatch", shaders::hatch_comp);
 //     pass.sample(in.light).sample(in.coordinates);
-//     const ImageId ink = pass.write(graph.image("hatch/ink", {.width = w, .height = h, .format = Format::rgba8}));
+//     const ImageId ink = pass.write(graph.image("hatch/ink", {.width = w, .height = h}));
 //     pass.push(HatchParams{...}).dispatch_over(w, h);
 //     return ink;
 
@@ -24,11 +25,23 @@
 
 namespace estampe::gpu {
 
-class Image;  // a device image owned outside the graph
-class Buffer; // a device buffer owned outside the graph
+class Image;    // a device image owned outside the graph
+class Buffer;   // a device buffer owned outside the graph
 class Recorder; // what a custom pass records into
 
-enum class Format : uint8_t { r32ui, rg32ui, rgba32ui, rgba8, r16f, rg16f, rgba16f, r32f, rgba32f, rgba8_srgb, depth32f };
+enum class Format : uint8_t {
+    r32ui,
+    rg32ui,
+    rgba32ui,
+    rgba8,
+    r16f,
+    rg16f,
+    rgba16f,
+    r32f,
+    rgba32f,
+    rgba8_srgb,
+    depth32f
+};
 
 struct ImageDesc {
     uint32_t width = 0;
@@ -60,23 +73,24 @@ struct BufferId {
 
 /// How a pass touches a resource: decides stage, access mask and image layout.
 enum class Access : uint8_t {
-    compute_sampled,       ///< texelFetch or a sampler; image only
-    compute_storage_read,  ///< storage image or buffer, read
-    compute_storage_write, ///< storage image or buffer, every texel or byte that matters is written
-    compute_storage_modify,///< read and written, atomics
-    compute_uniform,       ///< uniform buffer
-    indirect,              ///< dispatch arguments
+    compute_sampled,        ///< texelFetch or a sampler; image only
+    compute_storage_read,   ///< storage image or buffer, read
+    compute_storage_write,  ///< storage image or buffer, every texel or byte that matters is written
+    compute_storage_modify, ///< read and written, atomics
+    compute_uniform,        ///< uniform buffer
+    indirect,               ///< dispatch arguments
     transfer_read,
     transfer_write,
-    color_attachment,      ///< written by the fragment stage
-    depth_attachment,      ///< tested and written
-    host_read,             ///< read back after the frame
+    color_attachment, ///< written by the fragment stage
+    depth_attachment, ///< tested and written
+    host_read,        ///< read back after the frame
 };
 
 [[nodiscard]] constexpr bool is_write(Access access)
 {
     return access == Access::compute_storage_write || access == Access::compute_storage_modify ||
-           access == Access::transfer_write || access == Access::color_attachment || access == Access::depth_attachment;
+           access == Access::transfer_write || access == Access::color_attachment ||
+           access == Access::depth_attachment;
 }
 
 /// Whether what was there before matters: false for a plain overwrite.
@@ -86,7 +100,15 @@ enum class Access : uint8_t {
            access != Access::color_attachment;
 }
 
-enum class Layout : uint8_t { undefined, general, shader_read, transfer_source, transfer_target, color, depth };
+enum class Layout : uint8_t {
+    undefined,
+    general,
+    shader_read,
+    transfer_source,
+    transfer_target,
+    color,
+    depth
+};
 
 /// A compiled compute shader: SPIR-V words embedded in the program.
 struct Shader {
@@ -99,10 +121,10 @@ enum class Sampling : uint8_t { nearest, linear, linear_repeat };
 
 struct Use {
     uint32_t resource = 0;
-    uint32_t version = 0;      ///< read version; for a write, the version before
+    uint32_t version = 0; ///< read version; for a write, the version before
     Access access = Access::compute_sampled;
     Sampling sampling = Sampling::nearest;
-    bool bound = true;         ///< takes the next binding number of the pass (indirect arguments do not)
+    bool bound = true; ///< takes the next binding number of the pass (indirect arguments do not)
 };
 
 struct Dispatch {
@@ -114,18 +136,18 @@ struct Dispatch {
 struct PassRecord {
     std::string name;
     const Shader* shader = nullptr; ///< null for a custom pass
-    std::vector<Use> uses;
-    std::vector<std::byte> push;
-    Dispatch dispatch;
-    std::function<void(Recorder&)> record; ///< custom passes only
-    bool has_side_effect = false;          ///< never culled
+    std::vector<Use> uses = {};
+    std::vector<std::byte> push = {};
+    Dispatch dispatch = {};
+    std::function<void(Recorder&)> record = {}; ///< custom passes only
+    bool has_side_effect = false;               ///< never culled
 };
 
 struct ResourceRecord {
     std::string name;
     bool is_image = false;
-    ImageDesc image;
-    BufferDesc buffer;
+    ImageDesc image = {};
+    BufferDesc buffer = {};
     Image* imported_image = nullptr;
     Buffer* imported_buffer = nullptr;
     Layout initial_layout = Layout::undefined; ///< imported images: the layout they come in
@@ -147,7 +169,9 @@ public:
     [[nodiscard]] ImageId modify(ImageId image);
     [[nodiscard]] BufferId modify(BufferId buffer);
 
-    /// For custom passes: an access that takes no binding.
+    /// For custom passes: an access that takes no binding. `touch` is for reads, `touch_write` for writes;
+    /// the wrong kind, or one that the resource cannot have, throws std::logic_error. So does a handle of
+    /// another graph, anywhere.
     Pass& touch(ImageId image, Access access);
     Pass& touch(BufferId buffer, Access access);
     [[nodiscard]] ImageId touch_write(ImageId image, Access access);
@@ -155,14 +179,16 @@ public:
 
     /// Constants of this dispatch: any trivially copyable struct of at most 128 bytes.
     template <class T>
-        requires(std::is_trivially_copyable_v<T> && sizeof(T) <= 128)
-    Pass& push(const T& constants)
+
+    requires(std::is_trivially_copyable_v<T> && sizeof(T) <= 128) Pass& push(const T& constants)
     {
         return push_bytes(std::as_bytes(std::span<const T, 1>(&constants, 1)));
     }
 
     /// One thread a pixel, in groups of 8 x 8 as the shaders declare.
     void dispatch_over(uint32_t width, uint32_t height);
+    /// One thread an item, in groups of 64; shaders number items by item_index() of shaders/items.glsl.
+    void dispatch_items(uint32_t count);
     void dispatch(uint32_t groups_x, uint32_t groups_y = 1, uint32_t groups_z = 1);
     void dispatch_indirect(BufferId arguments, uint64_t offset_bytes = 0);
     /// Custom passes: `record` is called when the pass is executed.
@@ -172,8 +198,13 @@ public:
 
 private:
     friend class Graph;
+
     Pass(Graph& graph, uint32_t index) : graph_(graph), index_(index) {}
+
     Pass& push_bytes(std::span<const std::byte> bytes);
+    PassRecord& record();
+    uint32_t use(uint32_t resource, uint32_t version, bool is_image,
+                 Use how); ///< returns the version afterwards
 
     Graph& graph_;
     uint32_t index_;
@@ -181,14 +212,17 @@ private:
 
 class Graph {
 public:
-    /// Transient: lives from its first write to its last read, and shares memory with others outside that time.
+    /// Transient: lives from its first write to its last read, and shares memory with others outside that
+    /// time.
     [[nodiscard]] ImageId image(std::string name, const ImageDesc& desc);
     [[nodiscard]] BufferId buffer(std::string name, const BufferDesc& desc);
 
-    [[nodiscard]] ImageId import_image(std::string name, Image& image, const ImageDesc& desc, Layout initial_layout);
+    [[nodiscard]] ImageId import_image(std::string name, Image& image, const ImageDesc& desc,
+                                       Layout initial_layout);
     [[nodiscard]] BufferId import_buffer(std::string name, Buffer& buffer, const BufferDesc& desc);
 
-    /// Marks the content as wanted after the frame: what makes it is not culled, and its memory is not reused.
+    /// Marks the content as wanted after the frame: what makes it is not culled, and its memory is not
+    /// reused. Throws std::logic_error when the handle has been overwritten.
     void export_image(ImageId image);
     void export_buffer(BufferId buffer);
 
@@ -199,10 +233,15 @@ public:
     [[nodiscard]] const BufferDesc& describe(BufferId buffer) const;
 
     [[nodiscard]] const std::vector<PassRecord>& passes() const { return passes_; }
+
     [[nodiscard]] const std::vector<ResourceRecord>& resources() const { return resources_; }
 
 private:
     friend class Pass;
+    [[nodiscard]] const ResourceRecord& checked(uint32_t resource, bool is_image,
+                                                const std::string& user) const;
+    void mark_exported(uint32_t resource, uint32_t version, bool is_image);
+
     std::vector<PassRecord> passes_;
     std::vector<ResourceRecord> resources_;
 };

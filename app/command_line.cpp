@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "option_values.hpp"
+#include "options.hpp"
+#include "text.hpp"
+#include "usage_error.hpp"
+
+namespace estampe::app {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  estampe render helmet.gltf -o helmet.png
+  estampe render helmet.gltf -o helmet.png --size 1920x1080 --samples 16
+  estampe render fox.glb -o fox.png --animation Run --time 0.4
+  estampe render bunny.obj -o bunny.png --camera "eye=2,1,3 target=0,0.5,0 fov=35"
+  estampe render temple.glb -o temple.png --style my.toml --set hatch.width_mm=0.5
+  estampe info helmet.gltf --json
+
+Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
+
+/// The options as they are typed, before they are looked at.
+struct Typed {
+    std::string scene;
+    std::string output;
+    std::string size = "1280x720";
+    std::string camera;
+    std::string style;
+    std::vector<std::string> assignments;
+    std::string animation;
+    std::string device = "auto";
+    double time_s = 0.0;
+    uint32_t samples = 1;
+    uint32_t repeat = 1;
+    bool timings = false;
+    bool json = false;
+    bool style_manual = false;
+};
+
+void add_draw_options(CLI::App& command, Typed& typed)
+{
+    command.add_option("SCENE", typed.scene, "Scene: .gltf .glb .obj .ply .stl .fbx .dae")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("-o,--output", typed.output, "File to write")->required()->type_name("FILE");
+    command.add_option("--size", typed.size, "Width and height in pixels")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command
+        .add_option("--camera", typed.camera,
+                    "A camera of the file by name or index, auto (frame the whole scene), or\n"
+                    "\"eye=x,y,z target=x,y,z fov=degrees\" [the file's first camera, else auto]")
+        ->type_name("CAMERA");
+    command.add_option("--time", typed.time_s, "Moment of the animation, in seconds")
+        ->type_name("S")
+        ->capture_default_str();
+    command.add_option("--animation", typed.animation, "Animation by name or index [the first]")
+        ->type_name("NAME");
+    command.add_option("--style", typed.style, "Preset, or TOML file (see estampe styles)")
+        ->type_name("STYLE");
+    command
+        .add_option(
+            "--set", typed.assignments,
+            "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.add_option("--device", typed.device, "auto, cpu, or an index that estampe devices lists")
+        ->type_name("DEVICE")
+        ->capture_default_str();
+}
+
+void add_render(CLI::App& app, Typed& typed)
+{
+    CLI::App& command = *app.add_subcommand("render", "Draw a scene and write the picture as PNG");
+    command.footer(examples);
+    add_draw_options(command, typed);
+    command.add_option("--samples", typed.samples, "Jittered frames to accumulate, for smooth edges")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_option("--repeat", typed.repeat, "Draw N times and time the median of all after the first")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag("--timings", typed.timings, "Print the time of every pass");
+    command.add_flag("--json", typed.json, "Print the timings as JSON");
+}
+
+void add_commands(CLI::App& app, Typed& typed)
+{
+    add_render(app, typed);
+    CLI::App& info = *app.add_subcommand("info", "Tell what a scene file holds");
+    info.add_option("SCENE", typed.scene, "Scene file")->required()->type_name("FILE");
+    info.add_flag("--json", typed.json, "Print JSON");
+    CLI::App& devices = *app.add_subcommand("devices", "List the devices that can draw");
+    devices.add_flag("--json", typed.json, "Print JSON");
+    CLI::App& graph = *app.add_subcommand("graph", "Write the frame graph of a scene as Graphviz text");
+    add_draw_options(graph, typed);
+    CLI::App& styles = *app.add_subcommand("styles", "List the presets, or print a style in full as TOML");
+    styles.add_option("style", typed.style, "Preset or TOML file")->type_name("STYLE");
+    app.add_flag("--help-style", typed.style_manual, "Print the manual of all style parameters and exit");
+}
+
+void check_count(const char* option, uint32_t count, uint32_t most)
+{
+    if (count < 1 || count > most) {
+        throw UsageError(fmt::format("{} is out of range", count), option,
+                         fmt::format("allowed: 1 to {}", most));
+    }
+}
+
+Style read_style(const Typed& typed)
+{
+    Style style = typed.style.empty() ? Style() : Style::load(typed.style);
+    for (const std::string& assignment : typed.assignments) {
+        try {
+            style.set(assignment);
+        } catch (const Error& problem) {
+            throw UsageError(problem.what());
+        }
+    }
+    return style;
+}
+
+DrawOptions read_draw_options(const Typed& typed)
+{
+    DrawOptions draw;
+    draw.scene = typed.scene;
+    draw.output = typed.output;
+    std::tie(draw.width, draw.height) = parse_size(typed.size);
+    draw.time_s = typed.time_s;
+    if (!std::isfinite(typed.time_s)) {
+        throw UsageError("is not a finite number", "--time");
+    }
+    draw.animation = typed.animation;
+    constexpr uint32_t most_samples = 4096;
+    check_count("--samples", typed.samples, most_samples);
+    draw.samples = typed.samples;
+    check_device(typed.device);
+    draw.device.device = typed.device;
+    draw.style = read_style(typed);
+    return draw;
+}
+
+Command to_command(const CLI::App& app, const Typed& typed)
+{
+    if (typed.style_manual) {
+        return StyleManualCommand{};
+    }
+    if (app.got_subcommand("info")) {
+        return InfoCommand{typed.scene, typed.json};
+    }
+    if (app.got_subcommand("devices")) {
+        return DevicesCommand{typed.json};
+    }
+    if (app.got_subcommand("styles")) {
+        return StylesCommand{typed.style};
+    }
+    const bool render = app.got_subcommand("render");
+    if (!render && !app.got_subcommand("graph")) {
+        throw UsageError("a command is missing", {}, "estampe --help lists them");
+    }
+    DrawOptions draw = read_draw_options(typed);
+    if (app.get_subcommands().front()->count("--camera") > 0) {
+        draw.camera = parse_camera(typed.camera);
+    }
+    if (render) {
+        constexpr uint32_t most_frames = 100000;
+        check_count("--repeat", typed.repeat, most_frames);
+        return RenderCommand{std::move(draw), typed.repeat, typed.timings, typed.json};
+    }
+    return GraphCommand{std::move(draw)};
+}
+
+} // namespace
+
+std::optional<Command> read_command_line(int argc, char** argv)
+{
+    Typed typed;
+    CLI::App app("Draws 3D scenes as a hand would: pen, ink and paper.", "estampe");
+    app.set_version_flag("--version", "estampe " ESTAMPE_VERSION);
+    app.require_subcommand(0, 1);
+    app.get_formatter()->column_width(34);
+    app.footer(examples);
+    add_commands(app, typed);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+        if (problem.get_exit_code() == 0) {
+            app.exit(problem);
+            return std::nullopt;
+        }
+        const bool command = !app.get_subcommands().empty();
+        throw UsageError(one_line(problem.what()), {},
+                         fmt::format("see estampe {}--help",
+                                     command ? app.get_subcommands().front()->get_name() + " " : ""));
+    }
+    return to_command(app, typed);
+}
+
+} // namespace estampe::app

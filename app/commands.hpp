@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options.hpp"
+
+namespace estampe::app {
+
+// Each does one job, prints to stdout what was asked for and nothing else, and throws Error when it cannot.
+
+void run(const RenderCommand& command);
+void run(const GraphCommand& command);
+void run(const InfoCommand& command);
+void run(const DevicesCommand& command);
+void run(const StylesCommand& command);
+void run(const StyleManualCommand& command);
+
+} // namespace estampe::app

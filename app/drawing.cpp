@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "drawing.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "text.hpp"
+
+namespace estampe::app {
+namespace {
+
+Index first_placed_camera(const Scene& scene)
+{
+    Index first = no_index;
+    for (const Node& node : scene.nodes) {
+        first = std::min(first, node.camera);
+    }
+    return first;
+}
+
+} // namespace
+
+Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animation)
+{
+    if (draw.camera.kind == CameraChoice::Kind::placed) {
+        return draw.camera.placed;
+    }
+    const ScenePose pose = pose_scene(scene, draw.time_s, animation);
+    if (draw.camera.kind == CameraChoice::Kind::named) {
+        return scene_camera(scene, pose, draw.camera.name);
+    }
+    const Index first = first_placed_camera(scene);
+    if (draw.camera.kind == CameraChoice::Kind::automatic && first != no_index) {
+        return scene_camera(scene, pose, std::to_string(first));
+    }
+    return framing_camera(scene, pose, static_cast<double>(draw.width) / draw.height);
+}
+
+Index choose_animation(const DrawOptions& draw, const Scene& scene)
+{
+    if (draw.animation.empty()) {
+        return 0;
+    }
+    std::vector<std::string> names;
+    for (const Animation& animation : scene.animations) {
+        if (animation.name == draw.animation) {
+            return static_cast<Index>(names.size());
+        }
+        names.push_back(in_quotes(animation.name));
+    }
+    Index index = 0;
+    const char* const end = draw.animation.data() + draw.animation.size();
+    const auto [stop, problem] = std::from_chars(draw.animation.data(), end, index);
+    if (problem == std::errc{} && stop == end && index < names.size()) {
+        return index;
+    }
+    throw Error(fmt::format("no animation {}", in_quotes(draw.animation)), draw.scene,
+                names.empty() ? "the file has none" : fmt::format("it has {}", fmt::join(names, ", ")));
+}
+
+RenderSettings settings_of(const DrawOptions& draw, Index animation)
+{
+    return {.width = draw.width,
+            .height = draw.height,
+            .samples = draw.samples,
+            .time_s = draw.time_s,
+            .animation = animation};
+}
+
+} // namespace estampe::app

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options.hpp"
+
+namespace estampe::app {
+
+/// The camera that `draw` asks for. Throws Error listing the file's cameras when it has none of that name.
+[[nodiscard]] Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animation);
+
+/// The animation that `draw` asks for. Throws Error listing the file's animations when it has none of that
+/// name.
+[[nodiscard]] Index choose_animation(const DrawOptions& draw, const Scene& scene);
+
+/// Size, samples and moment of a picture.
+[[nodiscard]] RenderSettings settings_of(const DrawOptions& draw, Index animation);
+
+} // namespace estampe::app

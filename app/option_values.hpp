@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "options.hpp"
+
+namespace estampe::app {
+
+inline constexpr uint32_t largest_side_px = 16384;
+
+/// "1920x1080". Throws UsageError when it is none, or a side is 0 or beyond largest_side_px.
+[[nodiscard]] std::pair<uint32_t, uint32_t> parse_size(const std::string& text);
+
+/// "auto", a name or index, or "eye=x,y,z target=x,y,z fov=degrees". Throws UsageError when the last is
+/// malformed.
+[[nodiscard]] CameraChoice parse_camera(const std::string& text);
+
+/// Throws UsageError unless `text` is "auto", "cpu" or an index.
+void check_device(const std::string& text);
+
+} // namespace estampe::app

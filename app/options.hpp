@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+#include <estampe/scene.hpp>
+
+namespace estampe::app {
+
+/// Where --camera looks from.
+struct CameraChoice {
+    enum class Kind : uint8_t {
+        automatic, ///< the file's first camera, else framing
+        framing,   ///< the whole scene, whatever the file says
+        named,     ///< a camera of the file
+        placed,    ///< eye, target and fov
+    };
+    Kind kind = Kind::automatic;
+    std::string name;
+    Camera placed;
+};
+
+/// What drawing needs, whether a picture or a graph comes of it.
+struct DrawOptions {
+    std::string scene;
+    std::string output;
+    uint32_t width = 1280;
+    uint32_t height = 720;
+    CameraChoice camera;
+    double time_s = 0.0;
+    std::string animation; ///< a name or an index; empty: the first
+    uint32_t samples = 1;
+    Style style;
+    RendererOptions device;
+};
+
+struct RenderCommand {
+    DrawOptions draw;
+    uint32_t repeat = 1;
+    bool timings = false;
+    bool json = false;
+};
+
+struct GraphCommand {
+    DrawOptions draw;
+};
+
+struct InfoCommand {
+    std::string scene;
+    bool json = false;
+};
+
+struct DevicesCommand {
+    bool json = false;
+};
+
+/// Lists the presets, or prints one style in full.
+struct StylesCommand {
+    std::string style;
+};
+
+struct StyleManualCommand {};
+
+using Command =
+    std::variant<RenderCommand, GraphCommand, InfoCommand, DevicesCommand, StylesCommand, StyleManualCommand>;
+
+/// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or
+/// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file
+/// that cannot be read.
+[[nodiscard]] std::optional<Command> read_command_line(int argc, char** argv);
+
+} // namespace estampe::app

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "drawing.hpp"
+#include "report.hpp"
+#include "text.hpp"
+#include "usage_error.hpp"
+
+namespace estampe::app {
+namespace {
+
+/// Wall time of the steps of a job.
+class StepClock {
+public:
+    void finish(const std::string& step)
+    {
+        const auto now = Clock::now();
+        steps_.emplace_back(step, Milliseconds(now - last_).count());
+        last_ = now;
+    }
+
+    [[nodiscard]] double last_ms() const { return steps_.back().second; }
+
+    [[nodiscard]] double total_ms() const { return Milliseconds(last_ - start_).count(); }
+
+    [[nodiscard]] const std::vector<std::pair<std::string, double>>& steps() const { return steps_; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    using Milliseconds = std::chrono::duration<double, std::milli>;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_ = start_;
+    std::vector<std::pair<std::string, double>> steps_;
+};
+
+double median(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// GPU times of frames, by pass.
+class PassHistory {
+public:
+    void add(const std::vector<PassTiming>& passes)
+    {
+        if (passes.size() != times_.size()) {
+            times_.assign(passes.size(), {});
+        }
+        for (size_t i = 0; i < passes.size(); ++i) {
+            times_[i].push_back(passes[i].gpu_ms);
+        }
+        last_ = passes;
+    }
+
+    void forget() { times_.clear(); }
+
+    [[nodiscard]] std::vector<PassTiming> medians() const
+    {
+        std::vector<PassTiming> result = last_;
+        for (size_t i = 0; i < result.size(); ++i) {
+            result[i].gpu_ms = median(times_[i]);
+        }
+        return result;
+    }
+
+private:
+    std::vector<std::vector<double>> times_;
+    std::vector<PassTiming> last_;
+};
+
+void check_extension(const std::string& output)
+{
+    std::string extension = std::filesystem::path(output).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    if (extension != ".png") {
+        throw UsageError(fmt::format("cannot write a picture as {}", in_quotes(extension)), "-o " + output,
+                         "the name must end in .png");
+    }
+}
+
+void warn_of_idle_time(const DrawOptions& draw, const Scene& scene)
+{
+    if (draw.time_s != 0.0 && scene.animations.empty()) {
+        print_warnings({fmt::format("{}: has no animation, so --time changes nothing", draw.scene)});
+    }
+}
+
+} // namespace
+
+void run(const RenderCommand& command)
+{
+    const DrawOptions& draw = command.draw;
+    check_extension(draw.output);
+    check_output(draw.output, {draw.scene});
+
+    StepClock clock;
+    const Scene scene = load_scene(draw.scene);
+    print_warnings(scene.warnings);
+    warn_of_idle_time(draw, scene);
+    const Index animation = choose_animation(draw, scene);
+    const Camera camera = choose_camera(draw, scene, animation);
+    clock.finish("load");
+    Renderer renderer(draw.device);
+    clock.finish("device");
+    renderer.set_scene(scene);
+    clock.finish("upload");
+
+    const RenderSettings settings = settings_of(draw, animation);
+    PassHistory passes;
+    Image image = renderer.render(camera, draw.style, settings);
+    clock.finish("first frame");
+    passes.add(renderer.timings());
+    std::vector<double> later_frames_ms;
+    for (uint32_t frame = 1; frame < command.repeat; ++frame) {
+        if (frame == 1) {
+            passes.forget();
+        }
+        StepClock frame_clock;
+        image = renderer.render(camera, draw.style, settings);
+        frame_clock.finish("frame");
+        later_frames_ms.push_back(frame_clock.last_ms());
+        passes.add(renderer.timings());
+    }
+    if (!later_frames_ms.empty()) {
+        clock.finish("later frames");
+    }
+    save_png(image, draw.output);
+    clock.finish("write");
+
+    if (command.timings || command.json) {
+        TimingReport report{renderer.device().name, draw.output,      settings,
+                            command.repeat,         passes.medians(), clock.steps()};
+        report.cpu_ms.emplace_back("total", clock.total_ms());
+        if (!later_frames_ms.empty()) {
+            report.cpu_ms.emplace_back("median later frame", median(later_frames_ms));
+        }
+        fmt::print("{}", report_timings(report, command.json));
+    }
+}
+
+} // namespace estampe::app

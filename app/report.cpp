@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "report.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "scene_summary.hpp"
+#include "text.hpp"
+
+namespace estampe::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Names come from files and may hold bytes that are not UTF-8.
+std::string to_text(const Json& json)
+{
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string with_underscores(std::string text)
+{
+    std::replace(text.begin(), text.end(), ' ', '_');
+    return text;
+}
+
+Json vector_json(const glm::dvec3& vector)
+{
+    return Json::array({vector.x, vector.y, vector.z});
+}
+
+Json scene_json(const SceneSummary& summary, const Scene& scene, const std::string& path)
+{
+    Json json;
+    json["file"] = path;
+    for (const auto& [name, count] : summary.counts) {
+        json[with_underscores(name)] = count;
+    }
+    json["bounds"] = summary.bounds.empty() ? Json()
+                                            : Json{{"min", vector_json(summary.bounds.min)},
+                                                   {"max", vector_json(summary.bounds.max)}};
+    json["animation_list"] = Json::array();
+    for (const Animation& animation : scene.animations) {
+        json["animation_list"].push_back({{"name", animation.name}, {"duration_s", animation.duration_s}});
+    }
+    json["camera_list"] = summary.camera_names;
+    json["extensions_used"] = scene.extensions_used;
+    json["extensions_ignored"] = scene.extensions_ignored;
+    json["warnings"] = scene.warnings;
+    return json;
+}
+
+std::string listed(const std::vector<std::string>& names)
+{
+    return names.empty() ? "none" : one_line(fmt::format("{}", fmt::join(names, ", ")));
+}
+
+std::string scene_text(const SceneSummary& summary, const Scene& scene, const std::string& path)
+{
+    std::string text = one_line(path) + "\n";
+    for (const auto& [name, count] : summary.counts) {
+        text += fmt::format("  {:<18} {}\n", name, count);
+    }
+    for (const Animation& animation : scene.animations) {
+        text += fmt::format("  {:<18} {}, {:.3g} s\n", "animation", in_quotes(animation.name),
+                            animation.duration_s);
+    }
+    for (const std::string& name : summary.camera_names) {
+        text += fmt::format("  {:<18} {}\n", "camera", in_quotes(name));
+    }
+    text += fmt::format("  {:<18} {}\n", "extensions used", listed(scene.extensions_used));
+    text += fmt::format("  {:<18} {}\n", "extensions ignored", listed(scene.extensions_ignored));
+    if (summary.bounds.empty()) {
+        return text + fmt::format("  {:<18} empty\n", "bounds");
+    }
+    const glm::dvec3& low = summary.bounds.min;
+    const glm::dvec3& high = summary.bounds.max;
+    return text + fmt::format("  {:<18} ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m\n", "bounds",
+                              low.x, low.y, low.z, high.x, high.y, high.z);
+}
+
+std::string timings_json(const TimingReport& report, double gpu_ms)
+{
+    Json json;
+    json["device"] = report.device;
+    json["output"] = report.output;
+    json["width"] = report.settings.width;
+    json["height"] = report.settings.height;
+    json["samples"] = report.settings.samples;
+    json["frames"] = report.frames;
+    json["passes"] = Json::array();
+    for (const PassTiming& pass : report.passes) {
+        json["passes"].push_back({{"name", pass.name}, {"gpu_ms", pass.gpu_ms}});
+    }
+    json["gpu_ms"] = gpu_ms;
+    for (const auto& [step, milliseconds] : report.cpu_ms) {
+        json["cpu_ms"][with_underscores(step)] = milliseconds;
+    }
+    return to_text(json);
+}
+
+std::string timings_text(const TimingReport& report, double gpu_ms)
+{
+    size_t width = std::string_view("median later frame").size();
+    for (const PassTiming& pass : report.passes) {
+        width = std::max(width, pass.name.size());
+    }
+    const auto row = [width](const std::string& name, double milliseconds) {
+        return fmt::format("{:<{}}  {:>10.3f}\n", name, width, milliseconds);
+    };
+    std::string text = fmt::format("{}, {}x{}\n\n{:<{}}  {:>10}\n", report.device, report.settings.width,
+                                   report.settings.height, "pass", width, "GPU ms");
+    for (const PassTiming& pass : report.passes) {
+        text += row(pass.name, pass.gpu_ms);
+    }
+    text += row("all passes", gpu_ms) + fmt::format("\n{:<{}}  {:>10}\n", "step", width, "wall ms");
+    for (const auto& [step, milliseconds] : report.cpu_ms) {
+        text += row(step, milliseconds);
+    }
+    return text;
+}
+
+} // namespace
+
+std::string report_scene(const Scene& scene, const std::string& path, bool json)
+{
+    const SceneSummary summary = summarize(scene);
+    return json ? to_text(scene_json(summary, scene, path)) : scene_text(summary, scene, path);
+}
+
+std::string report_devices(const std::vector<DeviceInfo>& devices, bool json)
+{
+    Json list = Json::array();
+    std::string text;
+    for (const DeviceInfo& device : devices) {
+        list.push_back({{"index", device.index},
+                        {"name", device.name},
+                        {"driver", device.driver},
+                        {"software", device.software},
+                        {"usable", device.usable},
+                        {"why_not", device.why_not}});
+        const std::string state =
+            device.usable ? (device.software ? "processor" : "GPU") : "lacks " + device.why_not;
+        text += fmt::format("{}  {}  ({})  {}\n", device.index, device.name, device.driver, state);
+    }
+    return json ? to_text(list) : text;
+}
+
+std::string report_timings(const TimingReport& report, bool json)
+{
+    double gpu_ms = 0.0;
+    for (const PassTiming& pass : report.passes) {
+        gpu_ms += pass.gpu_ms;
+    }
+    return json ? timings_json(report, gpu_ms) : timings_text(report, gpu_ms);
+}
+
+} // namespace estampe::app

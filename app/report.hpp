@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+#include <estampe/scene.hpp>
+
+namespace estampe::app {
+
+// What the program prints, as text for people (`json` false) or as JSON for programs.
+
+[[nodiscard]] std::string report_scene(const Scene& scene, const std::string& path, bool json);
+
+[[nodiscard]] std::string report_devices(const std::vector<DeviceInfo>& devices, bool json);
+
+/// Where the time of one `render` went.
+struct TimingReport {
+    std::string device;
+    std::string output;
+    RenderSettings settings;
+    uint32_t frames = 1;
+    std::vector<PassTiming> passes; ///< medians, over all frames after the first when there are any
+    std::vector<std::pair<std::string, double>> cpu_ms; ///< wall time of the steps of the command, in order
+};
+
+[[nodiscard]] std::string report_timings(const TimingReport& report, bool json);
+
+} // namespace estampe::app

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "text.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+#include <unistd.h>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+
+namespace estampe::app {
+
+std::string one_line(std::string_view text)
+{
+    std::string line;
+    for (const char character : text) {
+        const auto byte = static_cast<unsigned char>(character);
+        if (byte < 0x20 || byte == 0x7F) {
+            line += fmt::format("\\x{:02x}", byte);
+        } else {
+            line += character;
+        }
+    }
+    return line;
+}
+
+std::string in_quotes(std::string_view text)
+{
+    return '"' + one_line(text) + '"';
+}
+
+void print_warnings(const std::vector<std::string>& warnings)
+{
+    for (const std::string& warning : warnings) {
+        fmt::print(stderr, "estampe: warning: {}\n", one_line(warning));
+    }
+}
+
+void check_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs)
+{
+    std::error_code problem;
+    const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
+    if (!std::filesystem::is_directory(folder, problem)) {
+        throw Error("there is no such folder", folder.string(),
+                    "create it first, or write elsewhere with -o");
+    }
+    const std::filesystem::file_status status = std::filesystem::status(output, problem);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        throw Error("exists and is not a regular file", output.string(), "choose another name for -o");
+    }
+    for (const std::filesystem::path& input : inputs) {
+        if (std::filesystem::equivalent(output, input, problem)) {
+            throw Error("the output would overwrite an input", output.string(), "choose another name for -o");
+        }
+    }
+    std::string probe = (folder / ".estampe-XXXXXX").string();
+    const int file = mkstemp(probe.data());
+    if (file < 0) {
+        throw Error(fmt::format("cannot write into this folder: {}", std::strerror(errno)), folder.string(),
+                    "write elsewhere with -o");
+    }
+    close(file);
+    unlink(probe.c_str());
+}
+
+} // namespace estampe::app

@@ -1,0 +1,23 @@
+# estampe_shaders(hatch hatch.comp ...) compiles each shader with glslc and gives the target estampe_hatch a header
+# "shaders/hatch_comp.hpp" with `estampe::shaders::hatch_comp`. GLSL may include from src/ ("shaders/noise.glsl").
+
+find_program(GLSLC glslc REQUIRED)
+
+function(estampe_shaders name)
+  foreach(shader ${ARGN})
+    string(REPLACE "." "_" symbol ${shader})
+    set(source ${CMAKE_CURRENT_SOURCE_DIR}/${shader})
+    set(words ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.words)
+    set(header ${CMAKE_CURRENT_BINARY_DIR}/shaders/${symbol}.hpp)
+    add_custom_command(
+      OUTPUT ${words}
+      COMMAND ${GLSLC} --target-env=vulkan1.3 -O -Werror -I ${PROJECT_SOURCE_DIR}/src -mfmt=num -MD -MF ${words}.d -MT ${words}
+              -o ${words} ${source}
+      DEPENDS ${source}
+      DEPFILE ${words}.d
+      COMMENT "Compiling ${shader}")
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/shader.hpp.in ${header} @ONLY)
+    target_sources(estampe_${name} PRIVATE ${words})
+  endforeach()
+  target_include_directories(estampe_${name} PUBLIC ${CMAKE_CURRENT_BINARY_DIR})
+endfunction()

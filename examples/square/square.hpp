@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The things that stand on the square, each on y = 0 at the origin, and the square itself.
+
+#include <filesystem>
+
+#include <estampe/scene.hpp>
+
+#include "kit.hpp"
+
+namespace square {
+
+/// A building of arches along x whose front faces +z at z = 0.
+struct Arcade {
+    uint32_t arches = 9;
+    float opening = 3.8F;
+    float pier = 1.4F;
+    float springing = 3.4F;
+    float height = 8.6F;
+    float thickness = 1.0F;
+    float depth = 5.5F;  ///< of the walk behind the arches; 0: a wall that stands alone
+    bool windows = true; ///< in the storey above
+};
+
+[[nodiscard]] float length_of(const Arcade& arcade);
+[[nodiscard]] Kit build_arcade(const Arcade& arcade);
+
+/// A square tower under a ring of columns, with flags.
+[[nodiscard]] Kit build_tower();
+
+/// A fluted column on its block, with a capital, 7.6 m high.
+[[nodiscard]] Kit build_column();
+
+/// A piece of a broken column, lying along x.
+[[nodiscard]] Kit build_drum();
+
+/// A plinth with a figure lying on it, along x.
+[[nodiscard]] Kit build_statue();
+
+/// A person, 1.75 m.
+[[nodiscard]] Kit build_person(bool cloak);
+
+/// An engine with its tender, along x, chimney towards -x, under steam.
+[[nodiscard]] Kit build_train();
+
+/// The whole picture: things, sun and the camera "square".
+[[nodiscard]] estampe::Scene build_square();
+
+/// Writes the meshes, materials, nodes, lights and cameras of `scene` as binary glTF, the same bytes for the
+/// same scene. Throws estampe::Error when the file cannot be written.
+void write_glb(const estampe::Scene& scene, const std::filesystem::path& path);
+
+} // namespace square

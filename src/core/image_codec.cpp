@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#include "core/image_codec.hpp"
+
+#include <algorithm>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+
+#include <jpeglib.h>
+#include <png.h>
+#include <webp/decode.h>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+namespace estampe {
+namespace {
+
+/// Both libpng and libjpeg report errors by calling a function that must not return; each decoder below
+/// therefore keeps everything with a destructor outside the frame that longjmp leaves.
+struct Failure {
+    std::jmp_buf jump;
+    char message[256] = {};
+};
+
+Image make_image(uint64_t width, uint64_t height, const std::string& name)
+{
+    if (width == 0 || height == 0 || width > max_image_side || height > max_image_side ||
+        width * height > max_image_pixels) {
+        throw Error(fmt::format("image of {} x {} pixels is beyond the limit of {} x {} and {} megapixels",
+                                width, height, max_image_side, max_image_side, max_image_pixels >> 20),
+                    name);
+    }
+    Image image{.width = static_cast<uint32_t>(width), .height = static_cast<uint32_t>(height), .rgba = {}};
+    image.rgba.resize(width * height * 4);
+    return image;
+}
+
+struct PngSource {
+    std::span<const std::byte> data;
+    size_t position = 0;
+};
+
+struct PngReader {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    Failure failure;
+    PngSource source;
+    std::vector<png_bytep> rows;
+
+    ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+void png_failed(png_structp png, png_const_charp message)
+{
+    auto* failure = static_cast<Failure*>(png_get_error_ptr(png));
+    std::snprintf(failure->message, sizeof failure->message, "%s", message);
+    std::longjmp(failure->jump, 1);
+}
+
+void png_warned(png_structp /*png*/, png_const_charp /*message*/) {}
+
+void png_take(png_structp png, png_bytep target, png_size_t count)
+{
+    auto* source = static_cast<PngSource*>(png_get_io_ptr(png));
+    if (count > source->data.size() - source->position) {
+        png_error(png, "the data ends too early");
+    }
+    std::memcpy(target, source->data.data() + source->position, count);
+    source->position += count;
+}
+
+bool read_png_header(PngReader& reader)
+{
+    if (setjmp(reader.failure.jump) != 0) {
+        return false;
+    }
+    png_set_user_limits(reader.png, max_image_side, max_image_side);
+    png_set_chunk_malloc_max(reader.png, png_alloc_size_t{1} << 24);
+    png_set_crc_action(reader.png, PNG_CRC_ERROR_QUIT, PNG_CRC_QUIET_USE);
+    png_set_read_fn(reader.png, &reader.source, png_take);
+    png_read_info(reader.png, reader.info);
+    png_set_expand(reader.png);
+    png_set_scale_16(reader.png);
+    png_set_gray_to_rgb(reader.png);
+    png_set_add_alpha(reader.png, 0xFF, PNG_FILLER_AFTER);
+    png_set_interlace_handling(reader.png);
+    png_read_update_info(reader.png, reader.info);
+    return true;
+}
+
+bool read_png_pixels(PngReader& reader)
+{
+    if (setjmp(reader.failure.jump) != 0) {
+        return false;
+    }
+    png_read_image(reader.png, reader.rows.data());
+    return true;
+}
+
+Image decode_png(std::span<const std::byte> data, const std::string& name)
+{
+    PngReader reader;
+    reader.source.data = data;
+    reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader.failure, png_failed, png_warned);
+    reader.info = reader.png == nullptr ? nullptr : png_create_info_struct(reader.png);
+    if (reader.info == nullptr) {
+        throw Error("out of memory", name);
+    }
+    if (!read_png_header(reader)) {
+        throw Error(fmt::format("corrupt PNG: {}", reader.failure.message), name);
+    }
+    const uint64_t width = png_get_image_width(reader.png, reader.info);
+    const uint64_t height = png_get_image_height(reader.png, reader.info);
+    const uint64_t bits = uint64_t{png_get_channels(reader.png, reader.info)} * 8;
+    constexpr uint64_t best_deflate_ratio = 1040;
+    if (width * height * bits / 8 > 64 * best_deflate_ratio * data.size()) {
+        throw Error(
+            fmt::format("corrupt PNG: {} x {} pixels cannot come from {} bytes", width, height, data.size()),
+            name);
+    }
+    Image image = make_image(width, height, name);
+    for (uint64_t row = 0; row < height; ++row) {
+        reader.rows.push_back(image.rgba.data() + row * width * 4);
+    }
+    if (!read_png_pixels(reader)) {
+        throw Error(fmt::format("corrupt PNG: {}", reader.failure.message), name);
+    }
+    return image;
+}
+
+struct JpegReader {
+    jpeg_decompress_struct jpeg{};
+    jpeg_error_mgr errors{};
+    jpeg_progress_mgr progress{};
+    Failure failure;
+
+    ~JpegReader() { jpeg_destroy_decompress(&jpeg); }
+};
+
+[[noreturn]] void jpeg_failed(j_common_ptr jpeg)
+{
+    auto* failure = static_cast<Failure*>(jpeg->client_data);
+    char message[JMSG_LENGTH_MAX] = {};
+    jpeg->err->format_message(jpeg, message);
+    std::snprintf(failure->message, sizeof failure->message, "%s", message);
+    std::longjmp(failure->jump, 1);
+}
+
+/// A negative level is a warning: data that is corrupt or ends early, which libjpeg would paint grey.
+void jpeg_warned(j_common_ptr jpeg, int level)
+{
+    if (level < 0) {
+        jpeg_failed(jpeg);
+    }
+}
+
+/// A progressive image may ask for any number of passes over all of its pixels.
+void jpeg_progressed(j_common_ptr jpeg)
+{
+    constexpr int max_scans = 200;
+    if (jpeg->is_decompressor && reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > max_scans) {
+        auto* failure = static_cast<Failure*>(jpeg->client_data);
+        std::snprintf(failure->message, sizeof failure->message, "more than %d scans", max_scans);
+        std::longjmp(failure->jump, 1);
+    }
+}
+
+bool read_jpeg_header(JpegReader& reader, std::span<const std::byte> data)
+{
+    if (setjmp(reader.failure.jump) != 0) {
+        return false;
+    }
+    jpeg_create_decompress(&reader.jpeg);
+    reader.jpeg.client_data = &reader.failure;
+    reader.jpeg.progress = &reader.progress;
+    reader.jpeg.mem->max_memory_to_use = 1L << 29;
+    jpeg_mem_src(&reader.jpeg, reinterpret_cast<const unsigned char*>(data.data()), data.size());
+    jpeg_read_header(&reader.jpeg, TRUE);
+    return true;
+}
+
+bool read_jpeg_pixels(JpegReader& reader, Image& image)
+{
+    if (setjmp(reader.failure.jump) != 0) {
+        return false;
+    }
+    reader.jpeg.out_color_space = JCS_EXT_RGBA;
+    reader.jpeg.dct_method = JDCT_ISLOW;
+    jpeg_start_decompress(&reader.jpeg);
+    while (reader.jpeg.output_scanline < reader.jpeg.output_height) {
+        JSAMPROW row = image.rgba.data() + size_t{reader.jpeg.output_scanline} * image.width * 4;
+        jpeg_read_scanlines(&reader.jpeg, &row, 1);
+    }
+    jpeg_finish_decompress(&reader.jpeg);
+    return true;
+}
+
+Image decode_jpeg(std::span<const std::byte> data, const std::string& name)
+{
+    JpegReader reader;
+    reader.jpeg.err = jpeg_std_error(&reader.errors);
+    reader.jpeg.client_data = &reader.failure;
+    reader.errors.error_exit = jpeg_failed;
+    reader.errors.emit_message = jpeg_warned;
+    reader.progress.progress_monitor = jpeg_progressed;
+    if (!read_jpeg_header(reader, data)) {
+        throw Error(fmt::format("corrupt JPEG: {}", reader.failure.message), name);
+    }
+    Image image = make_image(reader.jpeg.image_width, reader.jpeg.image_height, name);
+    if (!read_jpeg_pixels(reader, image)) {
+        throw Error(fmt::format("corrupt JPEG: {}", reader.failure.message), name);
+    }
+    return image;
+}
+
+Image decode_webp(std::span<const std::byte> data, const std::string& name)
+{
+    const auto* bytes = reinterpret_cast<const uint8_t*>(data.data());
+    int width = 0;
+    int height = 0;
+    if (WebPGetInfo(bytes, data.size(), &width, &height) == 0 || width <= 0 || height <= 0) {
+        throw Error("corrupt WebP: bad header", name);
+    }
+    Image image = make_image(static_cast<uint64_t>(width), static_cast<uint64_t>(height), name);
+    if (WebPDecodeRGBAInto(bytes, data.size(), image.rgba.data(), image.rgba.size(), width * 4) == nullptr) {
+        throw Error("corrupt WebP: the data is damaged or ends too early", name);
+    }
+    return image;
+}
+
+bool starts_with(std::span<const std::byte> data, size_t offset, std::string_view magic)
+{
+    return data.size() >= offset + magic.size() &&
+           std::memcmp(data.data() + offset, magic.data(), magic.size()) == 0;
+}
+
+} // namespace
+
+Image decode_image(std::span<const std::byte> data, const std::string& name)
+{
+    if (starts_with(data, 0, "\x89PNG\r\n\x1a\n")) {
+        return decode_png(data, name);
+    }
+    if (starts_with(data, 0, "\xFF\xD8\xFF")) {
+        return decode_jpeg(data, name);
+    }
+    if (starts_with(data, 0, "RIFF") && starts_with(data, 8, "WEBP")) {
+        return decode_webp(data, name);
+    }
+    throw Error("is not a PNG, JPEG or WebP image", name);
+}
+
+std::vector<std::byte> encode_png(const Image& image)
+{
+    if (image.empty() || image.rgba.size() != uint64_t{image.width} * image.height * 4) {
+        throw Error(fmt::format("an image of {} x {} pixels with {} bytes cannot be written", image.width,
+                                image.height, image.rgba.size()));
+    }
+
+    struct Writer {
+        png_structp png = nullptr;
+        png_infop info = nullptr;
+        Failure failure;
+        std::vector<std::byte> bytes;
+
+        ~Writer() { png_destroy_write_struct(&png, &info); }
+    } writer;
+
+    writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.failure, png_failed, png_warned);
+    writer.info = writer.png == nullptr ? nullptr : png_create_info_struct(writer.png);
+    if (writer.info == nullptr) {
+        throw Error("out of memory");
+    }
+    const auto append = [](png_structp png, png_bytep data, png_size_t count) {
+        auto* bytes = static_cast<std::vector<std::byte>*>(png_get_io_ptr(png));
+        const auto* first = reinterpret_cast<const std::byte*>(data);
+        bytes->insert(bytes->end(), first, first + count);
+    };
+    writer.bytes.reserve(image.rgba.size() / 4);
+    if (setjmp(writer.failure.jump) != 0) {
+        throw Error(fmt::format("cannot encode PNG: {}", writer.failure.message));
+    }
+    png_set_write_fn(writer.png, &writer.bytes, append, nullptr);
+    png_set_compression_level(writer.png, 3);
+    png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    png_set_IHDR(writer.png, writer.info, image.width, image.height, 8, PNG_COLOR_TYPE_RGBA,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info(writer.png, writer.info);
+    for (uint32_t row = 0; row < image.height; ++row) {
+        png_write_row(writer.png, image.rgba.data() + size_t{row} * image.width * 4);
+    }
+    png_write_end(writer.png, writer.info);
+    return std::move(writer.bytes);
+}
+
+} // namespace estampe

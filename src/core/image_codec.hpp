@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <estampe/image.hpp>
+
+namespace estampe {
+
+/// The longest side and the most pixels of an image that is read.
+inline constexpr uint32_t max_image_side = 16384;
+inline constexpr uint64_t max_image_pixels = uint64_t{1} << 26;
+
+/// Decodes PNG (libpng), JPEG (libjpeg) or WebP (libwebp), told apart by their first bytes. Grey, palette,
+/// 16-bit and opaque images all become four 8-bit channels; the colours are not converted.
+///
+/// Throws Error with `name` as its place when the data is of another kind, truncated, corrupt, or beyond the
+/// limits above. Cost: about 20 ms a megapixel for PNG, half of it for JPEG. Any number of threads may call
+/// it.
+[[nodiscard]] Image decode_image(std::span<const std::byte> data, const std::string& name);
+
+/// Encodes as PNG, for speed rather than size. Throws Error when the image is empty or its size and bytes
+/// disagree.
+[[nodiscard]] std::vector<std::byte> encode_png(const Image& image);
+
+} // namespace estampe

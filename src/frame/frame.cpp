@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "frame/frame.hpp"
+
+#include <algorithm>
+
+#include "gpu/graph/execute.hpp"
+#include "techniques/raster/raster.hpp"
+#include "techniques/surface/surface.hpp"
+
+namespace estampe::frame {
+namespace {
+
+gpu::BufferId import_buffer(gpu::Graph& graph, const char* name, gpu::Buffer& buffer)
+{
+    return graph.import_buffer(name, buffer, {.size_bytes = buffer.size_bytes()});
+}
+
+std::array<gpu::ImageId, 5> import_textures(gpu::Graph& graph, surface::MaterialBuffers& materials)
+{
+    const auto import = [&](size_t i) {
+        gpu::Image& image = materials.textures[i];
+        return graph.import_image("textures", image, image.desc(), gpu::Layout::shader_read);
+    };
+    return {import(0), import(1), import(2), import(3), import(4)};
+}
+
+auto copy_buffer(gpu::BufferId from, gpu::BufferId to)
+{
+    return [from, to](gpu::Recorder& recorder) {
+        const gpu::Buffer& target = recorder.buffer(to);
+        const VkBufferCopy region{.size = target.size_bytes()};
+        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(from).handle(), target.handle(), 1, &region);
+    };
+}
+
+std::vector<raster::Batch> batches(const pose::MeshData& layout, bool with_ground)
+{
+    std::vector<raster::Batch> result{
+        {layout.opaque.first, layout.opaque.count, false},
+        {layout.masked.first, layout.masked.count, true},
+        {layout.blended.first, layout.blended.count, false},
+    };
+    if (with_ground) {
+        result.push_back({layout.ground.first, layout.ground.count, false});
+    }
+    return result;
+}
+
+} // namespace
+
+void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResources& resources, const FramePlan& plan,
+                   const StyleTables& style)
+{
+    pose::MeshBuffers& meshes = resources.meshes;
+    const auto frame = import_buffer(graph, "frame", resources.frame_globals);
+    const auto lighting = import_buffer(graph, "lighting", resources.light_globals);
+    const auto lights = import_buffer(graph, "lights", resources.lights);
+    const auto triangles = import_buffer(graph, "triangles", meshes.triangles);
+    const auto draws = import_buffer(graph, "draws", meshes.draws);
+    const auto rest_vertices = import_buffer(graph, "rest vertices", meshes.rest_vertices);
+    const auto materials = import_buffer(graph, "materials", resources.materials.materials);
+    const auto textures = import_textures(graph, resources.materials);
+    const glm::uvec2 size_px = plan.size_px;
+    const shared::ToneConstants tone = light::tone_constants(style.tone);
+
+    // Pose: whatever moves writes vertices.
+    const auto posed_vertices =
+        pose::add_pose(graph,
+                       {.draws = draws,
+                        .draw_of_vertex = import_buffer(graph, "draw of vertex", meshes.draw_of_vertex),
+                        .rest_vertices = rest_vertices,
+                        .skin_vertices = import_buffer(graph, "skin vertices", meshes.skin_vertices),
+                        .morph_offsets = import_buffer(graph, "morph offsets", meshes.morph_offsets),
+                        .joints = import_buffer(graph, "joints", meshes.joints),
+                        .morph_weights = import_buffer(graph, "morph weights", meshes.morph_weights)},
+                       import_buffer(graph, "posed vertices", meshes.posed_vertices[0]), meshes.vertex_count);
+
+    // Visibility: rasterisation only writes identities.
+    const raster::RasterInputs raster_inputs{.triangles = triangles,
+                                             .posed_vertices = posed_vertices,
+                                             .draws = draws,
+                                             .rest_vertices = rest_vertices,
+                                             .materials = materials,
+                                             .textures = textures};
+    const auto visibility =
+        raster::add_visibility(graph, "visibility", raster_inputs, batches(layout, plan.ground_drawn),
+                               {.clip_from_anchor = plan.clip_from_anchor, .size_px = size_px});
+
+    // Surface: what is seen at each pixel.
+    const auto surface = surface::add_resolve(
+        graph, {.frame = frame,
+                .visibility = visibility,
+                .triangles = triangles,
+                .posed_vertices = posed_vertices,
+                .draws = draws,
+                .rest_vertices = rest_vertices,
+                .stroke_coordinates = import_buffer(graph, "stroke coordinates", meshes.stroke_coordinates),
+                .materials = materials,
+                .textures = textures,
+                .size_px = size_px});
+
+    // Shadow: how far the sun sees. The ground receives but does not throw.
+    const auto shadow_map =
+        raster::add_depth(graph, "shadow", raster_inputs,
+                          plan.shadow_size > 0 ? batches(layout, false) : std::vector<raster::Batch>{},
+                          {.clip_from_anchor = plan.sun.clip_from_anchor,
+                           .size_px = glm::uvec2(std::max(plan.shadow_size, 4U)),
+                           .cull_back_faces = false});
+
+    // Light: what arrives there.
+    const auto light = light::add_light(graph, {.frame = frame,
+                                                .lighting = lighting,
+                                                .lights = lights,
+                                                .draw = surface.draw,
+                                                .depth = surface.depth,
+                                                .normal = surface.normal,
+                                                .draws = draws,
+                                                .materials = materials,
+                                                .shadow_map = shadow_map,
+                                                .size_px = size_px});
+
+    // Hatch: light becomes strokes.
+    const auto hatch = hatch::add_hatch(graph,
+                                        {.frame = frame,
+                                         .draw = surface.draw,
+                                         .depth = surface.depth,
+                                         .normal = surface.normal,
+                                         .color = surface.color,
+                                         .coordinate = surface.coordinate,
+                                         .footprint = surface.footprint,
+                                         .light = light,
+                                         .draws = draws,
+                                         .tone = tone,
+                                         .pixels_per_mm = plan.pixels_per_mm,
+                                         .size_px = size_px},
+                                        style.hatch);
+
+    // Contour: lines where surfaces end, meet or fold.
+    const auto lines = contour::add_contours(graph,
+                                             {.frame = frame,
+                                              .visibility = visibility,
+                                              .triangles = triangles,
+                                              .posed_vertices = posed_vertices,
+                                              .draws = draws,
+                                              .materials = materials,
+                                              .draw = surface.draw,
+                                              .depth = surface.depth,
+                                              .normal = surface.normal,
+                                              .coordinate = surface.coordinate,
+                                              .light = light,
+                                              .pixels_per_mm = plan.pixels_per_mm,
+                                              .pixel_angle = plan.pixel_angle,
+                                              .size_px = size_px},
+                                             style.contour);
+
+    // Sky and wash: colour, flat.
+    const auto sky = sky::add_sky(graph,
+                                  {.frame = frame,
+                                   .towards_sun = plan.towards_sun,
+                                   .pixels_per_mm = plan.pixels_per_mm,
+                                   .drawn = plan.sky_drawn,
+                                   .size_px = size_px},
+                                  style.sky);
+    const auto wash = wash::add_wash(graph,
+                                     {.frame = frame,
+                                      .draw = surface.draw,
+                                      .depth = surface.depth,
+                                      .color = surface.color,
+                                      .light = light,
+                                      .draws = draws,
+                                      .materials = materials,
+                                      .background = sky.wash,
+                                      .tone = tone,
+                                      .size_px = size_px},
+                                     style.wash);
+
+    // Compose: the layers on paper.
+    const auto picture = paper::add_compose(
+        graph, {.frame = frame, .wash = wash, .hatch = hatch, .lines = lines, .sky_ink = sky.ink, .size_px = size_px},
+        style.paper);
+    const auto developed =
+        paper::add_develop(graph, picture, import_buffer(graph, "sums", resources.sums),
+                           graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y}), size_px, plan.accumulation);
+
+    // Read-back: the picture for the processor.
+    const auto read_back = import_buffer(graph, "read-back", resources.pixels);
+    auto copy = graph.custom("read back");
+    copy.touch(developed.pixels, gpu::Access::transfer_read);
+    const auto copied = copy.touch_write(read_back, gpu::Access::transfer_write);
+    copy.execute(copy_buffer(developed.pixels, copied));
+    graph.custom("host").touch(copied, gpu::Access::host_read).keep();
+}
+
+} // namespace estampe::frame

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <estampe/renderer.hpp>
+
+#include "frame/style_tables.hpp"
+#include "frame/view.hpp"
+#include "gpu/graph/graph.hpp"
+#include "techniques/light/light.hpp"
+#include "techniques/pose/pose.hpp"
+#include "techniques/shadow/sun_view.hpp"
+#include "techniques/surface/materials.hpp"
+
+namespace estampe::frame {
+
+/// The buffers of the outside world that a frame reads and writes.
+struct FrameResources {
+    pose::MeshBuffers& meshes;
+    surface::MaterialBuffers& materials;
+    gpu::Buffer& frame_globals;
+    gpu::Buffer& light_globals;
+    gpu::Buffer& lights;
+    gpu::Buffer& sums;   ///< one vec4 a pixel, for pictures of several samples
+    gpu::Buffer& pixels; ///< the picture, four bytes a pixel, for reading back
+};
+
+/// What is decided on the processor before a frame is declared.
+struct FramePlan {
+    glm::uvec2 size_px{0};
+    glm::mat4 clip_from_anchor{1.0F};
+    float pixels_per_mm = 1.0F;
+    float pixel_angle = 0.001F;
+    bool ground_drawn = false;
+    bool sky_drawn = false;
+    uint32_t shadow_size = 0; ///< texels a side; 0 for no shadow
+    glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
+    shadow::SunView sun;
+    paper::Accumulation accumulation;
+};
+
+/// Declares one frame, top to bottom.
+void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResources& resources, const FramePlan& plan,
+                   const StyleTables& style);
+
+} // namespace estampe::frame

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include <estampe/renderer.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "frame/frame.hpp"
+#include "gpu/graph/execute.hpp"
+#include "gpu/upload.hpp"
+
+namespace estampe {
+
+/// Everything of one scene that lives on the device, and the scene itself without its pictures.
+struct LoadedScene {
+    Scene scene;
+    pose::MeshData layout;
+    pose::MeshBuffers meshes;
+    surface::MaterialBuffers materials;
+    std::optional<pose::PoseData> pose; ///< what the device holds now
+};
+
+struct Renderer::Impl {
+    explicit Impl(const RendererOptions& options) : device(options), executor(device) {}
+
+    void check_size(const RenderSettings& settings) const;
+    void provide_pixels(const RenderSettings& settings);
+    void update_pose(const ScenePose& scene_pose);
+    [[nodiscard]] frame::FramePlan plan(const light::Lighting& lighting, const frame::StyleTables& style,
+                                        const Camera& camera, const RenderSettings& settings) const;
+    void draw_sample(const Camera& camera, const frame::StyleTables& style, frame::FramePlan& plan);
+
+    gpu::Device device;
+    gpu::Executor executor;
+    std::optional<LoadedScene> loaded;
+    gpu::Buffer frame_globals;
+    gpu::Buffer light_globals;
+    gpu::Buffer lights;
+    gpu::Buffer sums;
+    gpu::Buffer pixels;
+    std::string dot;
+};
+
+namespace {
+
+template <class T>
+gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const T* items, size_t count)
+{
+    gpu::Buffer buffer(device, name, std::max<size_t>(count, 1) * sizeof(T), gpu::MemoryUse::upload);
+    std::memcpy(buffer.mapped().data(), items, count * sizeof(T));
+    return buffer;
+}
+
+/// A copy of the scene that is enough to pose it: geometry and images are on the device by now.
+Scene without_images(const Scene& scene)
+{
+    Scene copy = scene;
+    for (Texture& texture : copy.textures) {
+        texture.image = {};
+    }
+    return copy;
+}
+
+} // namespace
+
+Renderer::Renderer(const RendererOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+
+Renderer::~Renderer() = default;
+
+Renderer::Renderer(Renderer&&) noexcept = default;
+
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+const DeviceInfo& Renderer::device() const
+{
+    return impl_->device.info();
+}
+
+void Renderer::set_scene(const Scene& scene)
+{
+    impl_->loaded.reset();
+    LoadedScene loaded;
+    loaded.layout = pose::build_meshes(scene, static_cast<Index>(scene.materials.size()));
+    loaded.meshes = pose::upload_meshes(impl_->device, loaded.layout);
+    loaded.materials = surface::upload_materials(impl_->device, scene);
+    loaded.scene = without_images(scene);
+    impl_->loaded = std::move(loaded);
+}
+
+void Renderer::Impl::check_size(const RenderSettings& settings) const
+{
+    const uint32_t limit = std::min(device.limits().maxImageDimension2D, 16384U);
+    if (settings.width == 0 || settings.height == 0 || settings.width > limit || settings.height > limit) {
+        throw Error(fmt::format("a picture of {} x {} pixels cannot be drawn", settings.width, settings.height),
+                    "size", fmt::format("{} draws from 1 x 1 to {} x {}", device.info().name, limit, limit));
+    }
+    if (settings.samples == 0) {
+        throw Error("a picture needs at least one sample", "samples");
+    }
+}
+
+void Renderer::Impl::provide_pixels(const RenderSettings& settings)
+{
+    const uint64_t count = static_cast<uint64_t>(settings.width) * settings.height;
+    const uint64_t sum_bytes = settings.samples > 1 ? count * sizeof(glm::vec4) : sizeof(glm::vec4);
+    if (sums.empty() || sums.size_bytes() != sum_bytes) {
+        sums = gpu::Buffer(device, "sums", sum_bytes, gpu::MemoryUse::device);
+    }
+    if (pixels.empty() || pixels.size_bytes() != std::max<uint64_t>(4 * count, 16)) {
+        pixels = gpu::Buffer(device, "pixels", 4 * count, gpu::MemoryUse::readback);
+    }
+}
+
+void Renderer::Impl::update_pose(const ScenePose& scene_pose)
+{
+    pose::PoseData now = pose::pose_meshes(loaded->layout, loaded->scene, scene_pose);
+    std::swap(loaded->meshes.posed_vertices[0], loaded->meshes.posed_vertices[1]);
+    if (!loaded->pose || !(*loaded->pose == now)) {
+        pose::upload_pose(device, loaded->meshes, now);
+    }
+    loaded->pose = std::move(now);
+}
+
+frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const frame::StyleTables& style,
+                                      const Camera& camera, const RenderSettings& settings) const
+{
+    const Scene& scene = loaded->scene;
+    const bool brings_sun = lighting.directional_count > 0 && !scene.lights.empty();
+    const bool is_bare = scene.lights.empty() && scene.cameras.empty();
+    frame::FramePlan plan;
+    plan.size_px = {settings.width, settings.height};
+    plan.pixels_per_mm = static_cast<float>(settings.height) / style.paper.height_mm;
+    plan.pixel_angle = frame::pixel_angle(camera, settings.height);
+    plan.ground_drawn = style.picture.ground == frame::Ground::drawn ||
+                        (style.picture.ground == frame::Ground::automatic && is_bare);
+    plan.sky_drawn =
+        style.sky.mode == sky::SkyMode::drawn || (style.sky.mode == sky::SkyMode::automatic && brings_sun);
+    plan.shadow_size = style.light.shadows && lighting.directional_count > 0 && lighting.towards_sun.y > -0.999
+                           ? static_cast<uint32_t>(style.light.shadow_size)
+                           : 0U;
+    plan.towards_sun = glm::vec3(lighting.towards_sun);
+    plan.sun = shadow::sun_view(loaded->pose->casters, loaded->layout.anchor, lighting.towards_sun,
+                                std::max(plan.shadow_size, 4U));
+    return plan;
+}
+
+void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style, frame::FramePlan& plan)
+{
+    const shared::FrameGlobals globals = frame::frame_globals(
+        camera, loaded->layout.bounds, loaded->layout.anchor,
+        {.size_px = plan.size_px,
+         .jitter_px = frame::jitter(plan.accumulation.sample_index, plan.accumulation.sample_count),
+         .page_height_mm = style.paper.height_mm});
+    plan.clip_from_anchor = globals.clip_from_anchor;
+    frame_globals = mapped_buffer(device, "frame", &globals, 1);
+    frame::FrameResources resources{loaded->meshes, loaded->materials, frame_globals, light_globals,
+                                    lights,         sums,              pixels};
+    gpu::Graph graph;
+    frame::declare_frame(graph, loaded->layout, resources, plan, style);
+    executor.run(graph);
+    if (plan.accumulation.sample_index + 1 == plan.accumulation.sample_count) {
+        dot = gpu::to_dot(graph, gpu::compile(graph));
+    }
+}
+
+Image Renderer::render(const Camera& camera, const Style& style, const RenderSettings& settings)
+{
+    Impl& impl = *impl_;
+    if (!impl.loaded) {
+        throw Error("there is no scene to draw", "", "call set_scene first");
+    }
+    impl.check_size(settings);
+    impl.provide_pixels(settings);
+    const frame::StyleTables& tables = style.tables();
+    const pose::MeshData& layout = impl.loaded->layout;
+    const ScenePose scene_pose = pose_scene(impl.loaded->scene, settings.time_s, settings.animation);
+    impl.update_pose(scene_pose);
+    const light::Lighting lighting =
+        light::gather_lights(impl.loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light);
+    frame::FramePlan plan = impl.plan(lighting, tables, camera, settings);
+    const shared::LightGlobals light_globals{
+        .shadow_clip_from_anchor = plan.sun.clip_from_anchor,
+        .sky_ambient = lighting.ambient * 1.25F,
+        .shadow_texel_m = plan.sun.texel_m,
+        .ground_ambient = lighting.ambient * 0.75F,
+        .shadow_size = plan.shadow_size,
+        .directional_count = lighting.directional_count,
+        .local_count = static_cast<uint32_t>(lighting.records.size()) - lighting.directional_count,
+        .shadow_depth_m = plan.sun.depth_m};
+    impl.light_globals = mapped_buffer(impl.device, "lighting", &light_globals, 1);
+    impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
+    for (uint32_t sample = 0; sample < settings.samples; ++sample) {
+        plan.accumulation = {.sample_index = sample, .sample_count = settings.samples};
+        impl.draw_sample(camera, tables, plan);
+    }
+    const auto bytes = impl.pixels.mapped();
+    Image image{.width = settings.width, .height = settings.height};
+    const auto* first = reinterpret_cast<const uint8_t*>(bytes.data());
+    image.rgba.assign(first, first + 4ULL * settings.width * settings.height);
+    return image;
+}
+
+const std::vector<PassTiming>& Renderer::timings() const
+{
+    return impl_->executor.timings();
+}
+
+const std::string& Renderer::graph_dot() const
+{
+    return impl_->dot;
+}
+
+} // namespace estampe

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "style/sheet.hpp"
+#include "techniques/contour/contour.hpp"
+#include "techniques/hatch/hatch.hpp"
+#include "techniques/light/light_style.hpp"
+#include "techniques/paper/paper.hpp"
+#include "techniques/sky/sky.hpp"
+#include "techniques/wash/wash.hpp"
+
+namespace estampe::frame {
+
+enum class Ground : uint8_t { automatic, drawn, none };
+
+/// What belongs to no technique: what stands on the page.
+struct PictureStyle {
+    Ground ground = Ground::automatic;
+};
+
+inline const style::Table<PictureStyle>& picture_table()
+{
+    static const auto table = style::Table<PictureStyle>("picture", "What stands on the page")
+                                  .choice("ground", &PictureStyle::ground,
+                                          {{"auto", Ground::automatic}, {"drawn", Ground::drawn}, {"none", Ground::none}},
+                                          "A blank ground that takes the scene's shadow: drawn, none, or (auto) where the "
+                                          "scene brings neither light nor camera of its own");
+    return table;
+}
+
+/// Every parameter of every technique.
+struct StyleTables {
+    PictureStyle picture;
+    light::LightStyle light;
+    light::ToneStyle tone;
+    hatch::HatchStyle hatch;
+    contour::ContourStyle contour;
+    wash::WashStyle wash;
+    sky::SkyStyle sky;
+    paper::PaperStyle paper;
+};
+
+/// The readers and writers of `tables`, which must outlive the sheet.
+[[nodiscard]] inline style::Sheet sheet_of(StyleTables& tables)
+{
+    style::Sheet sheet;
+    sheet.bind(picture_table(), tables.picture);
+    sheet.bind(light::light_table(), tables.light);
+    sheet.bind(light::tone_table(), tables.tone);
+    sheet.bind(hatch::hatch_table(), tables.hatch);
+    sheet.bind(contour::contour_table(), tables.contour);
+    sheet.bind(wash::wash_table(), tables.wash);
+    sheet.bind(sky::sky_table(), tables.sky);
+    sheet.bind(paper::paper_table(), tables.paper);
+    return sheet;
+}
+
+} // namespace estampe::frame

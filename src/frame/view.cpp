@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "frame/view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace estampe::frame {
+namespace {
+
+glm::dmat4 perspective(const Camera& camera, double aspect)
+{
+    const double f = 1.0 / std::tan(0.5 * camera.vertical_fov_rad);
+    glm::dmat4 clip_from_view(0.0);
+    clip_from_view[0][0] = f / aspect;
+    clip_from_view[1][1] = -f;
+    clip_from_view[2][3] = -1.0;
+    clip_from_view[3][2] = camera.near_m;
+    return clip_from_view;
+}
+
+glm::dmat4 parallel(const Camera& camera, double aspect, const Bounds& bounds)
+{
+    const double half_height = *camera.orthographic_half_height_m;
+    const double radius = std::max(bounds.radius(), 1e-6) * 64.0;
+    const double middle = glm::dot(bounds.center() - camera.eye, glm::normalize(camera.target - camera.eye));
+    const double nearest = middle - radius;
+    const double farthest = middle + radius;
+    glm::dmat4 clip_from_view(0.0);
+    clip_from_view[0][0] = 1.0 / (half_height * aspect);
+    clip_from_view[1][1] = -1.0 / half_height;
+    clip_from_view[2][2] = 1.0 / (farthest - nearest);
+    clip_from_view[3][2] = farthest / (farthest - nearest);
+    clip_from_view[3][3] = 1.0;
+    return clip_from_view;
+}
+
+double halton(uint32_t index, uint32_t base)
+{
+    double result = 0.0;
+    double digit = 1.0;
+    for (; index > 0; index /= base) {
+        digit /= base;
+        result += digit * (index % base);
+    }
+    return result;
+}
+
+} // namespace
+
+shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds, const glm::dvec3& anchor,
+                                   const ViewSettings& settings)
+{
+    const double aspect = static_cast<double>(settings.size_px.x) / settings.size_px.y;
+    const bool is_parallel = camera.orthographic_half_height_m.has_value();
+    const glm::dmat4 clip_from_view = is_parallel ? parallel(camera, aspect, bounds) : perspective(camera, aspect);
+    const glm::dmat4 view_from_anchor = glm::lookAt(camera.eye - anchor, camera.target - anchor, camera.up);
+    const glm::dvec3 shift(2.0 * settings.jitter_px / glm::dvec2(settings.size_px), 0.0);
+    const glm::dmat4 clip_from_anchor = glm::translate(glm::dmat4(1.0), shift) * clip_from_view * view_from_anchor;
+    return {.clip_from_anchor = glm::mat4(clip_from_anchor),
+            .anchor_from_clip = glm::mat4(glm::inverse(clip_from_anchor)),
+            .eye_anchor = glm::vec3(camera.eye - anchor),
+            .pixels_per_mm = static_cast<float>(settings.size_px.y / settings.page_height_mm),
+            .view_forward = glm::vec3(glm::normalize(camera.target - camera.eye)),
+            .is_orthographic = is_parallel ? 1U : 0U,
+            .size_px = settings.size_px,
+            .near_m = is_parallel ? 0.0F : static_cast<float>(camera.near_m),
+            .scene_radius_m = static_cast<float>(std::max(bounds.radius(), 1e-9))};
+}
+
+float pixel_angle(const Camera& camera, uint32_t height_px)
+{
+    const double height = camera.orthographic_half_height_m.has_value() ? 0.02 : 2.0 * std::tan(0.5 * camera.vertical_fov_rad);
+    return static_cast<float>(height / height_px);
+}
+
+glm::dvec2 jitter(uint32_t index, uint32_t count)
+{
+    return count <= 1 ? glm::dvec2(0.0) : glm::dvec2(halton(index + 1, 2), halton(index + 1, 3)) - 0.5;
+}
+
+} // namespace estampe::frame

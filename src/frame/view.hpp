@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <estampe/scene.hpp>
+
+#include "shaders/frame.glsl.h"
+
+namespace estampe::frame {
+
+/// What a picture looks like from where: all that the shaders' FrameGlobals hold.
+struct ViewSettings {
+    glm::uvec2 size_px{0};
+    glm::dvec2 jitter_px{0.0}; ///< shift of the picture, within half a pixel
+    double page_height_mm = 150.0;
+};
+
+/// Camera matrices in reversed z: infinite far plane in perspective; in parallel projection a depth that holds `bounds`.
+/// Positions are taken relative to `anchor` in double precision before they become floats.
+[[nodiscard]] shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds, const glm::dvec3& anchor,
+                                                 const ViewSettings& settings);
+
+/// Size of a pixel at distance one, or relative to the scene in parallel projection.
+[[nodiscard]] float pixel_angle(const Camera& camera, uint32_t height_px);
+
+/// The `index`th of `count` shifts that cover a pixel evenly (Halton 2, 3), none for a single one.
+[[nodiscard]] glm::dvec2 jitter(uint32_t index, uint32_t count);
+
+} // namespace estampe::frame

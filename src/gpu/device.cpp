@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/device.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "gpu/device_choice.hpp"
+
+namespace estampe::gpu {
+namespace {
+
+constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
+
+VKAPI_ATTR VkBool32 VKAPI_CALL on_validation_message(VkDebugUtilsMessageSeverityFlagBitsEXT /*severity*/,
+                                                     VkDebugUtilsMessageTypeFlagsEXT /*types*/,
+                                                     const VkDebugUtilsMessengerCallbackDataEXT* data, void* log)
+{
+    static_cast<ValidationLog*>(log)->add(data->pMessage);
+    return VK_FALSE;
+}
+
+bool has_validation_layer()
+{
+    uint32_t count = 0;
+    vkEnumerateInstanceLayerProperties(&count, nullptr);
+    std::vector<VkLayerProperties> layers(count);
+    vkEnumerateInstanceLayerProperties(&count, layers.data());
+    return std::any_of(layers.begin(), layers.end(), [](const VkLayerProperties& layer) {
+        return std::strcmp(layer.layerName, validation_layer) == 0;
+    });
+}
+
+VkInstance make_instance(const void* next, bool validation)
+{
+    const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
+                                        .pApplicationName = "estampe",
+                                        .pEngineName = "estampe",
+                                        .apiVersion = VK_API_VERSION_1_3};
+    const char* debug_extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+    const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                                    .pNext = next,
+                                    .pApplicationInfo = &application,
+                                    .enabledLayerCount = validation ? 1U : 0U,
+                                    .ppEnabledLayerNames = &validation_layer,
+                                    .enabledExtensionCount = validation ? 1U : 0U,
+                                    .ppEnabledExtensionNames = &debug_extension};
+    VkInstance instance = VK_NULL_HANDLE;
+    const VkResult result = vkCreateInstance(&info, nullptr, &instance);
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER) {
+        throw Error("no Vulkan driver on this machine", "", "install mesa-vulkan-drivers to draw on the processor");
+    }
+    vk_check(result, "vkCreateInstance");
+    volkLoadInstance(instance);
+    return instance;
+}
+
+} // namespace
+
+void ValidationLog::add(std::string message)
+{
+    const std::lock_guard lock(mutex_);
+    messages_.push_back(std::move(message));
+}
+
+std::vector<std::string> ValidationLog::take()
+{
+    const std::lock_guard lock(mutex_);
+    return std::exchange(messages_, {});
+}
+
+Device::Device(const RendererOptions& options)
+{
+    create_instance(options.validation);
+    pick_physical(options.device);
+    create_device();
+    memory_ = std::make_unique<MemoryAllocator>(physical_, device_);
+}
+
+Device::~Device()
+{
+    if (device_ != VK_NULL_HANDLE) {
+        vkDeviceWaitIdle(device_);
+        vkDestroyFence(device_, fence_, nullptr);
+        memory_.reset();
+        vkDestroyDevice(device_, nullptr);
+    }
+    if (messenger_ != VK_NULL_HANDLE) {
+        vkDestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
+    }
+    if (instance_ != VK_NULL_HANDLE) {
+        vkDestroyInstance(instance_, nullptr);
+    }
+}
+
+void Device::create_instance(bool validation)
+{
+    load_vulkan();
+    if (validation && !has_validation_layer()) {
+        throw Error("validation was asked for, but its layer is not installed", "", "install vulkan-validationlayers");
+    }
+    const VkDebugUtilsMessengerCreateInfoEXT messenger_info{
+        .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
+        .messageSeverity =
+            VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT,
+        .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
+        .pfnUserCallback = on_validation_message,
+        .pUserData = validation_.get()};
+    const auto synchronization = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+    const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
+                                           .pNext = &messenger_info,
+                                           .enabledValidationFeatureCount = 1,
+                                           .pEnabledValidationFeatures = &synchronization};
+    instance_ = make_instance(validation ? &features : nullptr, validation);
+    if (validation) {
+        vk_check(vkCreateDebugUtilsMessengerEXT(instance_, &messenger_info, nullptr, &messenger_),
+                 "vkCreateDebugUtilsMessengerEXT");
+    }
+}
+
+void Device::pick_physical(const std::string& choice)
+{
+    const std::vector<Candidate> candidates = list_candidates(instance_);
+    const Candidate& chosen = choose(candidates, choice);
+    physical_ = chosen.physical;
+    info_ = chosen.info;
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(physical_, &properties);
+    limits_ = properties.limits;
+}
+
+void Device::create_device()
+{
+    uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, families.data());
+    constexpr VkQueueFlags wanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    const auto family = std::find_if(families.begin(), families.end(), [](const VkQueueFamilyProperties& f) {
+        return (f.queueFlags & wanted) == wanted && f.timestampValidBits > 0;
+    });
+    if (family == families.end()) {
+        throw Error("the graphics device has no queue for both drawing and computing", info_.name);
+    }
+    queue_family_ = static_cast<uint32_t>(family - families.begin());
+
+    Features features;
+    features.v13.synchronization2 = VK_TRUE;
+    features.v12.scalarBlockLayout = VK_TRUE;
+    features.v12.shaderBufferInt64Atomics = VK_TRUE;
+    features.v12.hostQueryReset = VK_TRUE;
+    features.core.features.shaderInt64 = VK_TRUE;
+    features.core.features.shaderStorageImageExtendedFormats = VK_TRUE;
+    const float priority = 1.0F;
+    const VkDeviceQueueCreateInfo queue_info{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                             .queueFamilyIndex = queue_family_,
+                                             .queueCount = 1,
+                                             .pQueuePriorities = &priority};
+    const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                  .pNext = &features.core,
+                                  .queueCreateInfoCount = 1,
+                                  .pQueueCreateInfos = &queue_info};
+    vk_check(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
+    vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
+    const VkFenceCreateInfo fence_info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    vk_check(vkCreateFence(device_, &fence_info, nullptr, &fence_), "vkCreateFence");
+}
+
+void Device::submit_and_wait(VkCommandBuffer commands)
+{
+    const VkCommandBufferSubmitInfo command_info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                                 .commandBuffer = commands};
+    const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+                               .commandBufferInfoCount = 1,
+                               .pCommandBufferInfos = &command_info};
+    vk_check(vkResetFences(device_, 1, &fence_), "vkResetFences");
+    vk_check(vkQueueSubmit2(queue_, 1, &submit, fence_), "vkQueueSubmit2");
+    vk_check(vkWaitForFences(device_, 1, &fence_, VK_TRUE, UINT64_MAX), "vkWaitForFences");
+}
+
+void Device::name(VkObjectType type, uint64_t object, const std::string& name) const
+{
+    if (messenger_ == VK_NULL_HANDLE) {
+        return;
+    }
+    const VkDebugUtilsObjectNameInfoEXT info{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
+                                             .objectType = type,
+                                             .objectHandle = object,
+                                             .pObjectName = name.c_str()};
+    vkSetDebugUtilsObjectNameEXT(device_, &info);
+}
+
+} // namespace estampe::gpu
+
+namespace estampe {
+
+std::vector<DeviceInfo> list_devices()
+{
+    gpu::load_vulkan();
+    VkInstance instance = gpu::make_instance(nullptr, false);
+    std::vector<DeviceInfo> infos;
+    for (const gpu::Candidate& candidate : gpu::list_candidates(instance)) {
+        infos.push_back(candidate.info);
+    }
+    vkDestroyInstance(instance, nullptr);
+    return infos;
+}
+
+} // namespace estampe

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+
+#include "gpu/memory.hpp"
+#include "gpu/vulkan.hpp"
+
+namespace estampe::gpu {
+
+/// What the validation layer said: filled by its callback, which may come from any thread.
+class ValidationLog {
+public:
+    void add(std::string message);
+    /// Hands the messages over and forgets them.
+    [[nodiscard]] std::vector<std::string> take();
+
+private:
+    std::mutex mutex_;
+    std::vector<std::string> messages_;
+};
+
+/// One Vulkan device with one queue, which does everything: compute, copies, and raster where it is used.
+///
+/// Needs Vulkan 1.3 with 64-bit buffer atomics and scalar block layout; throws Error saying what a device lacks.
+class Device {
+public:
+    explicit Device(const RendererOptions& options);
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    [[nodiscard]] VkDevice handle() const { return device_; }
+    [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
+    [[nodiscard]] VkQueue queue() const { return queue_; }
+    [[nodiscard]] uint32_t queue_family() const { return queue_family_; }
+    [[nodiscard]] const DeviceInfo& info() const { return info_; }
+    [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return limits_; }
+    [[nodiscard]] double timestamp_period_ns() const { return limits_.timestampPeriod; }
+    [[nodiscard]] MemoryAllocator& memory() { return *memory_; }
+    [[nodiscard]] ValidationLog& validation() { return *validation_; }
+
+    /// Runs `commands` and waits until the GPU is done. Throws Error when the device is lost.
+    void submit_and_wait(VkCommandBuffer commands);
+
+    /// Gives an object its name, for debuggers and validation messages; free without the validation layer.
+    void name(VkObjectType type, uint64_t object, const std::string& name) const;
+
+private:
+    void create_instance(bool validation);
+    void pick_physical(const std::string& choice);
+    void create_device();
+
+    VkInstance instance_ = VK_NULL_HANDLE;
+    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    VkFence fence_ = VK_NULL_HANDLE;
+    uint32_t queue_family_ = 0;
+    DeviceInfo info_;
+    VkPhysicalDeviceLimits limits_{};
+    std::unique_ptr<ValidationLog> validation_ = std::make_unique<ValidationLog>();
+    std::unique_ptr<MemoryAllocator> memory_;
+};
+
+} // namespace estampe::gpu

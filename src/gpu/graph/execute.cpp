@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/graph/execute.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <estampe/error.hpp>
+
+#include "gpu/graph/access.hpp"
+
+namespace estampe::gpu {
+namespace {
+
+constexpr uint32_t max_passes = 256;
+constexpr uint32_t max_bindings_per_frame = 2048;
+
+VkDescriptorType descriptor_type(const Use& use, bool is_image)
+{
+    if (!is_image) {
+        return use.access == Access::compute_uniform ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+                                                     : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    }
+    return use.access == Access::compute_sampled ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                                 : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+}
+
+} // namespace
+
+const Image& Recorder::image(ImageId id) const
+{
+    return executor_.image_of(id.resource);
+}
+
+const Buffer& Recorder::buffer(BufferId id) const
+{
+    return executor_.buffer_of(id.resource);
+}
+
+Executor::Executor(Device& device) : device_(device), pipelines_(device)
+{
+    const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                            .queueFamilyIndex = device.queue_family()};
+    vk_check(vkCreateCommandPool(device.handle(), &pool_info, nullptr, &commands_pool_),
+             "vkCreateCommandPool");
+    const VkCommandBufferAllocateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                           .commandPool = commands_pool_,
+                                           .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                           .commandBufferCount = 1};
+    vk_check(vkAllocateCommandBuffers(device.handle(), &info, &commands_), "vkAllocateCommandBuffers");
+    const std::array<VkDescriptorPoolSize, 4> sizes{{
+        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, max_bindings_per_frame},
+        {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, max_bindings_per_frame},
+        {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, max_bindings_per_frame},
+        {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, max_bindings_per_frame},
+    }};
+    const VkDescriptorPoolCreateInfo descriptor_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                                     .maxSets = max_passes,
+                                                     .poolSizeCount = static_cast<uint32_t>(sizes.size()),
+                                                     .pPoolSizes = sizes.data()};
+    vk_check(vkCreateDescriptorPool(device.handle(), &descriptor_info, nullptr, &descriptor_pool_),
+             "vkCreateDescriptorPool");
+    const VkQueryPoolCreateInfo query_info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                                           .queryType = VK_QUERY_TYPE_TIMESTAMP,
+                                           .queryCount = max_passes + 1};
+    vk_check(vkCreateQueryPool(device.handle(), &query_info, nullptr, &queries_), "vkCreateQueryPool");
+}
+
+Executor::~Executor()
+{
+    vkDestroyQueryPool(device_.handle(), queries_, nullptr);
+    vkDestroyDescriptorPool(device_.handle(), descriptor_pool_, nullptr);
+    vkDestroyCommandPool(device_.handle(), commands_pool_, nullptr);
+}
+
+const Image& Executor::image_of(uint32_t resource) const
+{
+    const ResourceRecord& record = graph_->resources()[resource];
+    return record.imported_image != nullptr
+               ? *record.imported_image
+               : images_[physical_of_slot_[compiled_.slot_of_resource[resource]]];
+}
+
+const Buffer& Executor::buffer_of(uint32_t resource) const
+{
+    const ResourceRecord& record = graph_->resources()[resource];
+    return record.imported_buffer != nullptr
+               ? *record.imported_buffer
+               : buffers_[physical_of_slot_[compiled_.slot_of_resource[resource]]];
+}
+
+void Executor::run(const Graph& graph)
+{
+    compiled_ = compile(graph);
+    if (compiled_.passes.size() > max_passes) {
+        throw Error("the frame has too many passes");
+    }
+    graph_ = &graph;
+    provide_slots();
+    reset_frame();
+    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+    vk_check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");
+    record(commands_);
+    vk_check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
+    device_.submit_and_wait(commands_);
+    read_timings();
+    graph_ = nullptr;
+}
+
+void Executor::provide_slots()
+{
+    std::vector<Image> old_images = std::exchange(images_, {});
+    std::vector<Buffer> old_buffers = std::exchange(buffers_, {});
+    physical_of_slot_.clear();
+    for (const Slot& slot : compiled_.slots) {
+        if (slot.is_image) {
+            physical_of_slot_.push_back(static_cast<uint32_t>(images_.size()));
+            const auto fits = std::find_if(old_images.begin(), old_images.end(), [&](const Image& image) {
+                return !image.empty() && image.desc() == slot.image;
+            });
+            images_.push_back(fits != old_images.end() ? std::move(*fits)
+                                                       : Image(device_, "transient", slot.image));
+        } else {
+            physical_of_slot_.push_back(static_cast<uint32_t>(buffers_.size()));
+            const auto fits = std::find_if(old_buffers.begin(), old_buffers.end(), [&](const Buffer& buffer) {
+                return !buffer.empty() &&
+                       buffer.size_bytes() == std::max<uint64_t>(slot.buffer.size_bytes, 16);
+            });
+            buffers_.push_back(fits != old_buffers.end()
+                                   ? std::move(*fits)
+                                   : Buffer(device_, "transient", slot.buffer.size_bytes, MemoryUse::device));
+        }
+    }
+}
+
+void Executor::reset_frame()
+{
+    vk_check(vkResetCommandPool(device_.handle(), commands_pool_, 0), "vkResetCommandPool");
+    vk_check(vkResetDescriptorPool(device_.handle(), descriptor_pool_, 0), "vkResetDescriptorPool");
+    vkResetQueryPool(device_.handle(), queries_, 0, max_passes + 1);
+}
+
+void Executor::record(VkCommandBuffer commands)
+{
+    uint32_t query = 0;
+    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query++);
+    for (const CompiledPass& compiled : compiled_.passes) {
+        const PassRecord& pass = graph_->passes()[compiled.pass];
+        record_barriers(commands, compiled.barriers);
+        if (pass.shader != nullptr) {
+            record_dispatch(commands, pass);
+        } else if (pass.record) {
+            Recorder recorder(*this, commands);
+            pass.record(recorder);
+        }
+        vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query++);
+    }
+}
+
+void Executor::record_barriers(VkCommandBuffer commands, const std::vector<Barrier>& barriers)
+{
+    std::vector<VkImageMemoryBarrier2> image_barriers;
+    std::vector<VkBufferMemoryBarrier2> buffer_barriers;
+    for (const Barrier& barrier : barriers) {
+        const ResourceRecord& resource = graph_->resources()[barrier.resource];
+        // Nothing in this frame came before, and the frame before was waited for: there is nothing to wait
+        // on.
+        const StageAccess before = stage_access(barrier.before);
+        const StageAccess after = stage_access(barrier.after);
+        if (resource.is_image) {
+            const Image& image = image_of(barrier.resource);
+            const VkImageAspectFlags aspect = image.desc().format == Format::depth32f
+                                                  ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                                  : VK_IMAGE_ASPECT_COLOR_BIT;
+            image_barriers.push_back(
+                {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+                 .srcStageMask = before.stage,
+                 .srcAccessMask = before.access,
+                 .dstStageMask = after.stage,
+                 .dstAccessMask = after.access,
+                 .oldLayout = vulkan_layout(barrier.old_layout),
+                 .newLayout = vulkan_layout(barrier.new_layout),
+                 .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                 .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                 .image = image.handle(),
+                 .subresourceRange = {aspect, 0, image.desc().mips, 0, image.desc().layers}});
+        } else if (!barrier.first_use()) {
+            buffer_barriers.push_back({.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2,
+                                       .srcStageMask = before.stage,
+                                       .srcAccessMask = before.access,
+                                       .dstStageMask = after.stage,
+                                       .dstAccessMask = after.access,
+                                       .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                       .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                       .buffer = buffer_of(barrier.resource).handle(),
+                                       .size = VK_WHOLE_SIZE});
+        }
+    }
+    if (image_barriers.empty() && buffer_barriers.empty()) {
+        return;
+    }
+    const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                      .bufferMemoryBarrierCount =
+                                          static_cast<uint32_t>(buffer_barriers.size()),
+                                      .pBufferMemoryBarriers = buffer_barriers.data(),
+                                      .imageMemoryBarrierCount = static_cast<uint32_t>(image_barriers.size()),
+                                      .pImageMemoryBarriers = image_barriers.data()};
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+void Executor::record_dispatch(VkCommandBuffer commands, const PassRecord& pass)
+{
+    std::vector<VkDescriptorType> types;
+    for (const Use& use : pass.uses) {
+        if (use.bound) {
+            types.push_back(descriptor_type(use, graph_->resources()[use.resource].is_image));
+        }
+    }
+    const Pipeline& pipeline = pipelines_.get(*pass.shader, types, static_cast<uint32_t>(pass.push.size()));
+    const VkDescriptorSet set = bind(pass, pipeline);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.pipeline);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout, 0, 1, &set, 0,
+                            nullptr);
+    if (!pass.push.empty()) {
+        vkCmdPushConstants(commands, pipeline.layout, VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                           static_cast<uint32_t>(pass.push.size()), pass.push.data());
+    }
+    const Dispatch& dispatch = pass.dispatch;
+    if (dispatch.indirect_resource != UINT32_MAX) {
+        vkCmdDispatchIndirect(commands, buffer_of(dispatch.indirect_resource).handle(),
+                              dispatch.indirect_offset_bytes);
+    } else {
+        vkCmdDispatch(commands, dispatch.groups_x, dispatch.groups_y, dispatch.groups_z);
+    }
+}
+
+VkDescriptorSet Executor::bind(const PassRecord& pass, const Pipeline& pipeline)
+{
+    const VkDescriptorSetAllocateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                           .descriptorPool = descriptor_pool_,
+                                           .descriptorSetCount = 1,
+                                           .pSetLayouts = &pipeline.set_layout};
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    vk_check(vkAllocateDescriptorSets(device_.handle(), &info, &set), "vkAllocateDescriptorSets");
+
+    std::vector<VkDescriptorImageInfo> images(pass.uses.size());
+    std::vector<VkDescriptorBufferInfo> buffers(pass.uses.size());
+    std::vector<VkWriteDescriptorSet> writes;
+    for (size_t i = 0; i < pass.uses.size(); ++i) {
+        const Use& use = pass.uses[i];
+        if (!use.bound) {
+            continue;
+        }
+        const bool is_image = graph_->resources()[use.resource].is_image;
+        if (is_image) {
+            images[i] = {.sampler = use.access == Access::compute_sampled ? pipelines_.sampler(use.sampling)
+                                                                          : VK_NULL_HANDLE,
+                         .imageView = image_of(use.resource).view(),
+                         .imageLayout = vulkan_layout(layout_for(use.access))};
+        } else {
+            buffers[i] = {.buffer = buffer_of(use.resource).handle(), .range = VK_WHOLE_SIZE};
+        }
+        writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                          .dstSet = set,
+                          .dstBinding = static_cast<uint32_t>(writes.size()),
+                          .descriptorCount = 1,
+                          .descriptorType = descriptor_type(use, is_image),
+                          .pImageInfo = &images[i],
+                          .pBufferInfo = &buffers[i]});
+    }
+    vkUpdateDescriptorSets(device_.handle(), static_cast<uint32_t>(writes.size()), writes.data(), 0, nullptr);
+    return set;
+}
+
+void Executor::read_timings()
+{
+    const uint32_t count = static_cast<uint32_t>(compiled_.passes.size()) + 1;
+    std::vector<uint64_t> ticks(count);
+    vk_check(vkGetQueryPoolResults(device_.handle(), queries_, 0, count, count * sizeof(uint64_t),
+                                   ticks.data(), sizeof(uint64_t),
+                                   VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+             "vkGetQueryPoolResults");
+    timings_.clear();
+    for (uint32_t i = 0; i + 1 < count; ++i) {
+        const double elapsed_ns =
+            static_cast<double>(ticks[i + 1] - ticks[i]) * device_.timestamp_period_ns();
+        timings_.push_back({graph_->passes()[compiled_.passes[i].pass].name, elapsed_ns * 1e-6});
+    }
+}
+
+} // namespace estampe::gpu

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/graph/graph.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "gpu/graph/compile.hpp"
+
+namespace estampe::gpu {
+
+namespace {
+
+constexpr uint32_t group_size_px = 8;
+
+uint32_t groups_over(uint32_t pixels)
+{
+    return pixels / group_size_px + (pixels % group_size_px != 0 ? 1 : 0);
+}
+
+bool suits(Access access, bool is_image)
+{
+    switch (access) {
+    case Access::compute_sampled:
+    case Access::color_attachment:
+    case Access::depth_attachment:
+        return is_image;
+    case Access::compute_uniform:
+    case Access::indirect:
+    case Access::host_read:
+        return !is_image;
+    case Access::compute_storage_read:
+    case Access::compute_storage_write:
+    case Access::compute_storage_modify:
+    case Access::transfer_read:
+    case Access::transfer_write:
+        return true;
+    }
+    return false;
+}
+
+void require_kind(const PassRecord& pass, Access access, bool wants_write)
+{
+    if (is_write(access) != wants_write)
+        throw std::logic_error(fmt::format("pass '{}': {} is a {}: use {}", pass.name, name_of(access),
+                                           is_write(access) ? "write" : "read",
+                                           is_write(access) ? "touch_write" : "touch"));
+}
+
+} // namespace
+
+PassRecord& Pass::record()
+{
+    return graph_.passes_[index_];
+}
+
+uint32_t Pass::use(uint32_t resource, uint32_t version, bool is_image, Use how)
+{
+    const ResourceRecord& used = graph_.checked(resource, is_image, fmt::format("pass '{}'", record().name));
+    if (!suits(how.access, is_image))
+        throw std::logic_error(fmt::format("pass '{}': '{}' is {}, which has no access {}", record().name,
+                                           used.name, is_image ? "an image" : "a buffer",
+                                           name_of(how.access)));
+    how.resource = resource;
+    how.version = version;
+    record().uses.push_back(how);
+    if (!is_write(how.access))
+        return version;
+    uint32_t& newest = graph_.resources_[resource].newest_version;
+    newest = std::max(newest, version + 1);
+    return version + 1;
+}
+
+Pass& Pass::sample(ImageId image, Sampling sampling)
+{
+    use(image.resource, image.version, true, {.access = Access::compute_sampled, .sampling = sampling});
+    return *this;
+}
+
+Pass& Pass::read(ImageId image)
+{
+    use(image.resource, image.version, true, {.access = Access::compute_storage_read});
+    return *this;
+}
+
+Pass& Pass::read(BufferId buffer)
+{
+    use(buffer.resource, buffer.version, false, {.access = Access::compute_storage_read});
+    return *this;
+}
+
+Pass& Pass::uniform(BufferId buffer)
+{
+    use(buffer.resource, buffer.version, false, {.access = Access::compute_uniform});
+    return *this;
+}
+
+ImageId Pass::write(ImageId image)
+{
+    return {image.resource,
+            use(image.resource, image.version, true, {.access = Access::compute_storage_write})};
+}
+
+BufferId Pass::write(BufferId buffer)
+{
+    return {buffer.resource,
+            use(buffer.resource, buffer.version, false, {.access = Access::compute_storage_write})};
+}
+
+ImageId Pass::modify(ImageId image)
+{
+    return {image.resource,
+            use(image.resource, image.version, true, {.access = Access::compute_storage_modify})};
+}
+
+BufferId Pass::modify(BufferId buffer)
+{
+    return {buffer.resource,
+            use(buffer.resource, buffer.version, false, {.access = Access::compute_storage_modify})};
+}
+
+Pass& Pass::touch(ImageId image, Access access)
+{
+    require_kind(record(), access, false);
+    use(image.resource, image.version, true, {.access = access, .bound = false});
+    return *this;
+}
+
+Pass& Pass::touch(BufferId buffer, Access access)
+{
+    require_kind(record(), access, false);
+    use(buffer.resource, buffer.version, false, {.access = access, .bound = false});
+    return *this;
+}
+
+ImageId Pass::touch_write(ImageId image, Access access)
+{
+    require_kind(record(), access, true);
+    return {image.resource, use(image.resource, image.version, true, {.access = access, .bound = false})};
+}
+
+BufferId Pass::touch_write(BufferId buffer, Access access)
+{
+    require_kind(record(), access, true);
+    return {buffer.resource, use(buffer.resource, buffer.version, false, {.access = access, .bound = false})};
+}
+
+Pass& Pass::push_bytes(std::span<const std::byte> bytes)
+{
+    record().push.assign(bytes.begin(), bytes.end());
+    return *this;
+}
+
+void Pass::dispatch_over(uint32_t width, uint32_t height)
+{
+    dispatch(groups_over(width), groups_over(height));
+}
+
+void Pass::dispatch_items(uint32_t count)
+{
+    constexpr uint32_t most_groups_x = 32768; // devices promise 65535 in each direction
+    const uint32_t groups = (count + 63) / 64;
+    const uint32_t across = std::min(groups, most_groups_x);
+    dispatch(across, across == 0 ? 0 : (groups + across - 1) / across);
+}
+
+void Pass::dispatch(uint32_t groups_x, uint32_t groups_y, uint32_t groups_z)
+{
+    record().dispatch = {.groups_x = groups_x, .groups_y = groups_y, .groups_z = groups_z};
+}
+
+void Pass::dispatch_indirect(BufferId arguments, uint64_t offset_bytes)
+{
+    use(arguments.resource, arguments.version, false, {.access = Access::indirect, .bound = false});
+    record().dispatch = {.indirect_resource = arguments.resource, .indirect_offset_bytes = offset_bytes};
+}
+
+void Pass::execute(std::function<void(Recorder&)> callback)
+{
+    record().record = std::move(callback);
+}
+
+Pass& Pass::keep()
+{
+    record().has_side_effect = true;
+    return *this;
+}
+
+ImageId Graph::image(std::string name, const ImageDesc& desc)
+{
+    resources_.push_back({.name = std::move(name), .is_image = true, .image = desc});
+    return {static_cast<uint32_t>(resources_.size() - 1), 0};
+}
+
+BufferId Graph::buffer(std::string name, const BufferDesc& desc)
+{
+    resources_.push_back({.name = std::move(name), .buffer = desc});
+    return {static_cast<uint32_t>(resources_.size() - 1), 0};
+}
+
+ImageId Graph::import_image(std::string name, Image& image, const ImageDesc& desc, Layout initial_layout)
+{
+    resources_.push_back({.name = std::move(name),
+                          .is_image = true,
+                          .image = desc,
+                          .imported_image = &image,
+                          .initial_layout = initial_layout});
+    return {static_cast<uint32_t>(resources_.size() - 1), 0};
+}
+
+BufferId Graph::import_buffer(std::string name, Buffer& buffer, const BufferDesc& desc)
+{
+    resources_.push_back({.name = std::move(name), .buffer = desc, .imported_buffer = &buffer});
+    return {static_cast<uint32_t>(resources_.size() - 1), 0};
+}
+
+void Graph::export_image(ImageId image)
+{
+    mark_exported(image.resource, image.version, true);
+}
+
+void Graph::export_buffer(BufferId buffer)
+{
+    mark_exported(buffer.resource, buffer.version, false);
+}
+
+void Graph::mark_exported(uint32_t resource, uint32_t version, bool is_image)
+{
+    const ResourceRecord& wanted = checked(resource, is_image, "export");
+    if (version != wanted.newest_version)
+        throw std::logic_error(
+            fmt::format("export: this version of '{}' has been overwritten; export the newest", wanted.name));
+    resources_[resource].exported = true;
+}
+
+Pass Graph::compute(std::string name, const Shader& shader)
+{
+    passes_.push_back({.name = std::move(name), .shader = &shader});
+    return {*this, static_cast<uint32_t>(passes_.size() - 1)};
+}
+
+Pass Graph::custom(std::string name)
+{
+    passes_.push_back({.name = std::move(name)});
+    return {*this, static_cast<uint32_t>(passes_.size() - 1)};
+}
+
+const ImageDesc& Graph::describe(ImageId image) const
+{
+    return checked(image.resource, true, "describe").image;
+}
+
+const BufferDesc& Graph::describe(BufferId buffer) const
+{
+    return checked(buffer.resource, false, "describe").buffer;
+}
+
+const ResourceRecord& Graph::checked(uint32_t resource, bool is_image, const std::string& user) const
+{
+    if (resource >= resources_.size())
+        throw std::logic_error(fmt::format("{}: resource {} is not of this graph", user, resource));
+    if (resources_[resource].is_image != is_image)
+        throw std::logic_error(fmt::format("{}: the handle of '{}' is of another graph: it names {} here",
+                                           user, resources_[resource].name,
+                                           is_image ? "a buffer" : "an image"));
+    return resources_[resource];
+}
+
+} // namespace estampe::gpu

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the tests of the frame graph share: resources to import that are never looked at, readable failures,
+// and the text of the error that something throws.
+
+#include <cstddef>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "gpu/graph/compile.hpp"
+
+namespace estampe::gpu {
+
+/// Building and compiling only pass these references on, so any address will do.
+inline Image& fake_image()
+{
+    alignas(std::max_align_t) static std::byte storage[16];
+    return *reinterpret_cast<Image*>(storage);
+}
+
+inline Buffer& fake_buffer()
+{
+    alignas(std::max_align_t) static std::byte storage[16];
+    return *reinterpret_cast<Buffer*>(storage);
+}
+
+inline constexpr Shader fake_shader{"fake.comp", {}};
+inline constexpr ImageDesc small_image{.width = 32, .height = 16};
+
+inline std::ostream& operator<<(std::ostream& out, AccessSet set)
+{
+    out << '{';
+    set.for_each([&](Access access) { out << ' ' << name_of(access); });
+    return out << " }";
+}
+
+inline std::ostream& operator<<(std::ostream& out, const Barrier& barrier)
+{
+    return out << "resource " << barrier.resource << ": " << barrier.before << " -> " << barrier.after
+               << ", layout " << static_cast<int>(barrier.old_layout) << " -> "
+               << static_cast<int>(barrier.new_layout);
+}
+
+/// The barriers before the kept pass called `name`.
+inline std::vector<Barrier> barriers_of(const Graph& graph, const CompiledGraph& compiled,
+                                        const std::string& name)
+{
+    for (const CompiledPass& pass : compiled.passes) {
+        if (graph.passes()[pass.pass].name == name)
+            return pass.barriers;
+    }
+    throw std::runtime_error("no kept pass " + name);
+}
+
+inline std::vector<std::string> kept_names(const Graph& graph, const CompiledGraph& compiled)
+{
+    std::vector<std::string> names;
+    for (const CompiledPass& pass : compiled.passes)
+        names.push_back(graph.passes()[pass.pass].name);
+    return names;
+}
+
+template <class Action>
+std::string logic_error_of(Action&& action)
+{
+    try {
+        action();
+    } catch (const std::logic_error& error) {
+        return error.what();
+    }
+    return "(nothing was thrown)";
+}
+
+} // namespace estampe::gpu

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "gpu/device.hpp"
+#include "gpu/graph/graph.hpp"
+
+namespace estampe::gpu {
+
+/// A compute pipeline with the layouts that a pass's declaration implies.
+struct Pipeline {
+    VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+};
+
+/// Makes pipelines on first use and keeps them. Cost of a first use: 1 to 100 ms of driver compilation.
+class PipelineCache {
+public:
+    explicit PipelineCache(Device& device);
+    ~PipelineCache();
+    PipelineCache(const PipelineCache&) = delete;
+    PipelineCache& operator=(const PipelineCache&) = delete;
+
+    /// The pipeline of `shader` whose bindings 0, 1, ... have these types, with `push_bytes` of push constants.
+    [[nodiscard]] const Pipeline& get(const Shader& shader, std::span<const VkDescriptorType> bindings,
+                                      uint32_t push_bytes);
+
+    [[nodiscard]] VkSampler sampler(Sampling sampling) const { return samplers_[static_cast<size_t>(sampling)]; }
+
+private:
+    using Key = std::pair<const uint32_t*, std::vector<VkDescriptorType>>;
+
+    [[nodiscard]] Pipeline make(const Shader& shader, std::span<const VkDescriptorType> bindings, uint32_t push_bytes);
+
+    Device& device_;
+    std::map<Key, Pipeline> pipelines_;
+    VkSampler samplers_[3]{};
+};
+
+} // namespace estampe::gpu

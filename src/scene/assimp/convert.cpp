@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "scene/assimp/convert.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <estampe/error.hpp>
+
+#include "scene/assimp/converter.hpp"
+
+namespace estampe {
+namespace {
+
+bool has_bones(const Conversion& conversion, unsigned mesh)
+{
+    return conversion.source.mMeshes[mesh]->HasBones();
+}
+
+Index add_node(Conversion& conversion, const aiNode& source, Index parent)
+{
+    Scene& scene = conversion.scene();
+    const auto index = static_cast<Index>(scene.nodes.size());
+    Node& node = scene.nodes.emplace_back();
+    node.name = name_of(source.mName);
+    node.parent = parent;
+    node.matrix = matrix_of(source.mTransformation);
+    if (parent == no_index)
+        scene.roots.push_back(index);
+    else
+        scene.nodes[parent].children.push_back(index);
+    conversion.node_of_name.emplace(node.name, index);
+    return index;
+}
+
+void add_nodes(Conversion& conversion, std::vector<std::pair<const aiNode*, Index>>& drawn)
+{
+    std::vector<std::pair<const aiNode*, Index>> pending{{conversion.source.mRootNode, no_index}};
+    while (!pending.empty()) {
+        const auto [source, parent] = pending.back();
+        pending.pop_back();
+        const Index index = add_node(conversion, *source, parent);
+        if (source->mNumMeshes > 0)
+            drawn.emplace_back(source, index);
+        for (unsigned child = source->mNumChildren; child > 0; --child)
+            pending.emplace_back(source->mChildren[child - 1], index);
+    }
+}
+
+Index add_mesh(Conversion& conversion, const std::string& name, std::vector<Primitive> primitives)
+{
+    Mesh& mesh = conversion.scene().meshes.emplace_back();
+    mesh.name = name;
+    mesh.primitives = std::move(primitives);
+    return static_cast<Index>(conversion.scene().meshes.size() - 1);
+}
+
+/// A node has one skin and here every mesh may have its own, so each skinned mesh gets a node for itself.
+void add_skinned(Conversion& conversion, unsigned source, Index parent)
+{
+    const aiMesh& mesh = *conversion.source.mMeshes[source];
+    Primitive primitive = convert_primitive(mesh);
+    const Index skin = convert_skin(conversion, mesh, primitive);
+    std::vector<Primitive> primitives;
+    primitives.push_back(std::move(primitive));
+    Node node;
+    node.name = name_of(mesh.mName);
+    node.parent = parent;
+    node.mesh = add_mesh(conversion, node.name, std::move(primitives));
+    node.skin = skin;
+    Scene& scene = conversion.scene();
+    scene.nodes[parent].children.push_back(static_cast<Index>(scene.nodes.size()));
+    scene.nodes.push_back(std::move(node));
+}
+
+void add_meshes(Conversion& conversion, const std::vector<std::pair<const aiNode*, Index>>& drawn)
+{
+    std::map<std::vector<unsigned>, Index> known;
+    for (const auto& [source, index] : drawn) {
+        std::vector<unsigned> plain;
+        for (unsigned i = 0; i < source->mNumMeshes; ++i) {
+            if (has_bones(conversion, source->mMeshes[i]))
+                add_skinned(conversion, source->mMeshes[i], index);
+            else
+                plain.push_back(source->mMeshes[i]);
+        }
+        if (plain.empty())
+            continue;
+        const auto [found, is_new] = known.emplace(plain, no_index);
+        if (is_new) {
+            std::vector<Primitive> primitives;
+            for (const unsigned mesh : plain)
+                primitives.push_back(convert_primitive(*conversion.source.mMeshes[mesh]));
+            found->second = add_mesh(conversion, name_of(source->mName), std::move(primitives));
+        }
+        conversion.scene().nodes[index].mesh = found->second;
+    }
+}
+
+/// FBX says how many centimetres its unit is.
+void scale_to_metres(Conversion& conversion)
+{
+    float centimetres = 0.0F;
+    const aiMetadata* const facts = conversion.source.mMetaData;
+    if (facts == nullptr || !facts->Get("UnitScaleFactor", centimetres) || !(centimetres > 0.0F))
+        return;
+    Scene& scene = conversion.scene();
+    Node units;
+    units.name = "metres";
+    units.matrix = glm::scale(glm::dmat4(1.0), glm::dvec3(0.01 * static_cast<double>(centimetres)));
+    units.children = scene.roots;
+    for (const Index root : scene.roots)
+        scene.nodes[root].parent = static_cast<Index>(scene.nodes.size());
+    scene.roots = {static_cast<Index>(scene.nodes.size())};
+    scene.nodes.push_back(std::move(units));
+}
+
+} // namespace
+
+Index Conversion::find_node(const aiString& name) const
+{
+    const auto found = node_of_name.find(name_of(name));
+    return found == node_of_name.end() ? no_index : found->second;
+}
+
+glm::dmat4 matrix_of(const aiMatrix4x4& m)
+{
+    return {{m.a1, m.b1, m.c1, m.d1},
+            {m.a2, m.b2, m.c2, m.d2},
+            {m.a3, m.b3, m.c3, m.d3},
+            {m.a4, m.b4, m.c4, m.d4}};
+}
+
+std::string name_of(const aiString& name)
+{
+    return {name.data, std::min<size_t>(name.length, sizeof(name.data) - 1)};
+}
+
+TransferScene read_with_assimp(const std::filesystem::path& path)
+{
+    Assimp::Importer importer;
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    const aiScene* const source =
+        importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_SortByPType);
+    if (source == nullptr || source->mRootNode == nullptr)
+        throw Error(importer.GetErrorString());
+    Conversion conversion{.source = *source, .transfer = {}, .node_of_name = {}};
+    conversion.scene().name = path.stem().string();
+    std::vector<std::pair<const aiNode*, Index>> drawn;
+    add_nodes(conversion, drawn);
+    convert_materials(conversion);
+    add_meshes(conversion, drawn);
+    convert_lights(conversion);
+    convert_cameras(conversion);
+    convert_animations(conversion);
+    scale_to_metres(conversion);
+    return std::move(conversion.transfer);
+}
+
+} // namespace estampe

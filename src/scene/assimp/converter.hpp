@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The parts of the conversion from Assimp's scene, one function a subject. Included by convert*.cpp alone.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <assimp/scene.h>
+
+#include "scene/assimp/transfer.hpp"
+
+namespace estampe {
+
+/// The conversion under way: nodes by name, as Assimp refers to them.
+struct Conversion {
+    const aiScene& source;
+    TransferScene transfer;
+    std::map<std::string, Index> node_of_name;
+
+    [[nodiscard]] Scene& scene() { return transfer.scene; }
+
+    [[nodiscard]] Index find_node(const aiString& name) const;
+};
+
+[[nodiscard]] glm::dmat4 matrix_of(const aiMatrix4x4& matrix);
+[[nodiscard]] std::string name_of(const aiString& name);
+
+void convert_materials(Conversion& conversion);
+[[nodiscard]] Primitive convert_primitive(const aiMesh& mesh);
+
+/// Fills joints and weights of `primitive` from the mesh's bones and returns the skin they belong to.
+[[nodiscard]] Index convert_skin(Conversion& conversion, const aiMesh& mesh, Primitive& primitive);
+
+void convert_lights(Conversion& conversion);
+void convert_cameras(Conversion& conversion);
+void convert_animations(Conversion& conversion);
+
+} // namespace estampe

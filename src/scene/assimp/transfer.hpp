@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A scene on its way from the process that read the file.
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <estampe/scene.hpp>
+
+namespace estampe {
+
+/// Where the picture of a texture is to come from: a file, or the bytes of one inside the scene's own file.
+struct ImageSource {
+    std::string file;
+    std::vector<std::byte> bytes;
+};
+
+/// A scene whose textures have no pictures yet; `images` has one entry per texture.
+struct TransferScene {
+    Scene scene;
+    std::vector<ImageSource> images;
+};
+
+[[nodiscard]] std::vector<std::byte> pack(const TransferScene& transfer);
+
+/// The inverse of pack(). Throws Error, with `where` as its place, when the bytes end early, when a count is
+/// larger than what follows, or when an enumeration has a value it does not know. Indices and numbers are not
+/// looked at.
+[[nodiscard]] TransferScene unpack(std::span<const std::byte> bytes, const std::string& where);
+
+} // namespace estampe

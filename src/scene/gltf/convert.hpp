@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <estampe/scene.hpp>
+
+#include "scene/gltf/data.hpp"
+
+// The parts of the importer, in the order they run. Each fills its part of the scene and throws Error with a
+// pointer.
+
+namespace estampe::gltf {
+
+/// Materials, and the textures they use, decoded on up to four threads. The last one is the default, when a
+/// mesh needs it.
+void import_materials(Data& data, Scene& scene);
+
+/// Meshes, decompressed, as plain lists, with normals and tangents.
+void import_meshes(Data& data, Scene& scene);
+
+/// Nodes, lights, cameras, skins, and which of them belong to the file's scene.
+void import_nodes(Data& data, Scene& scene);
+
+void import_animations(Data& data, Scene& scene);
+
+} // namespace estampe::gltf

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// glTF files on disk, with buffers and images beside them.
+
+#include <filesystem>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+#include <estampe/image.hpp>
+
+#include "core/file.hpp"
+#include "scene/gltf/test_file.hpp"
+#include "scene/gltf/uri.hpp"
+
+namespace estampe::gltf {
+namespace {
+
+class GltfFiles : public testing::Test {
+protected:
+    GltfFiles()
+    {
+        std::string name = (std::filesystem::temp_directory_path() / "estampe-XXXXXX").string();
+        folder_ = mkdtemp(name.data());
+        std::filesystem::create_directory(folder_ / "a b");
+        buffer_["byteLength"] = file_.binary.size();
+    }
+
+    ~GltfFiles() override { std::filesystem::remove_all(folder_); }
+
+    /// Writes the .gltf with its buffer as `buffer_` says.
+    std::filesystem::path write()
+    {
+        file_.document["buffers"] = json::array({buffer_});
+        const std::string text = file_.document.dump(2);
+        write_file_atomically(folder_ / "scene.gltf", bytes_of(std::vector<char>(text.begin(), text.end())));
+        return folder_ / "scene.gltf";
+    }
+
+    std::filesystem::path folder_;
+    TestFile file_ = triangle_file();
+    json buffer_;
+};
+
+TEST_F(GltfFiles, external_buffer_with_escapes_in_its_name)
+{
+    write_file_atomically(folder_ / "a b" / "data#1.bin", file_.binary);
+    buffer_["uri"] = "a%20b/data%231.bin";
+    EXPECT_EQ(load_gltf(write()).meshes[0].primitives[0].positions.size(), 3U);
+    buffer_["uri"] = "./a b/../a b/data#1.bin";
+    EXPECT_EQ(load_gltf(write()).meshes[0].primitives[0].positions.size(), 3U);
+}
+
+TEST_F(GltfFiles, embedded_buffer)
+{
+    buffer_["uri"] = "data:application/octet-stream;base64," + base64(file_.binary);
+    EXPECT_EQ(load_gltf(write()).meshes[0].primitives[0].positions[1], glm::vec3(1, 0, 0));
+}
+
+TEST_F(GltfFiles, binary_file)
+{
+    write_file_atomically(folder_ / "scene.glb", file_.glb());
+    EXPECT_EQ(load_gltf(folder_ / "scene.glb").meshes.size(), 1U);
+    write_file_atomically(folder_ / "avatar.vrm", file_.glb());
+    EXPECT_EQ(load_scene(folder_ / "avatar.vrm").meshes.size(), 1U);
+}
+
+TEST_F(GltfFiles, missing_buffer_names_the_file)
+{
+    buffer_["uri"] = "gone.bin";
+    const std::filesystem::path path = write();
+    try {
+        (void)load_gltf(path);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.where(), path.string() + "#/buffers/0/uri");
+        EXPECT_NE(std::string(error.what()).find("gone.bin"), std::string::npos);
+    }
+}
+
+TEST_F(GltfFiles, short_buffer_and_strange_buffers)
+{
+    write_file_atomically(folder_ / "short.bin", std::span(file_.binary).first(20));
+    for (const char* uri : {"short.bin", "a b", "../../../../../../../../dev/zero", "%00", ""}) {
+        buffer_["uri"] = uri;
+        EXPECT_THROW((void)load_gltf(write()), Error) << uri;
+    }
+}
+
+TEST_F(GltfFiles, texture_beside_the_file)
+{
+    const Image image{.width = 1, .height = 2, .rgba = {1, 2, 3, 255, 4, 5, 6, 255}};
+    save_png(image, folder_ / "a b" / "wood.png");
+    write_file_atomically(folder_ / "scene.bin", file_.binary);
+    buffer_["uri"] = "scene.bin";
+    file_.document["images"] = json::array({{{"uri", "a%20b/wood.png"}}});
+    file_.document["textures"] = json::array({{{"source", 0}}});
+    file_.document["materials"] = json::array({{{"emissiveTexture", {{"index", 0}}}}});
+    const Scene scene = load_gltf(write());
+    EXPECT_EQ(scene.textures.at(0).image, image);
+    EXPECT_EQ(scene.textures[0].name, "a b/wood.png");
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(GltfFiles, other_files)
+{
+    EXPECT_THROW((void)load_gltf(folder_ / "none.gltf"), Error);
+    EXPECT_THROW((void)load_gltf(folder_), Error);
+    try {
+        (void)load_scene(folder_ / "film.mp4");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("give one of: .gltf .glb .vrm .obj"), std::string::npos)
+            << error.what();
+    }
+    EXPECT_THROW((void)load_scene(folder_ / "none"), Error);
+}
+
+TEST(GltfUri, decoding)
+{
+    EXPECT_EQ(decode_relative_uri("a%20b.png"), "a b.png");
+    EXPECT_EQ(decode_relative_uri("a\\b.png"), "a/b.png");
+    EXPECT_EQ(decode_relative_uri("100%.png"), "100%.png");
+    EXPECT_EQ(decode_relative_uri("%2Fetc/passwd"), std::nullopt);
+    EXPECT_EQ(decode_relative_uri("file:///x"), std::nullopt);
+    EXPECT_EQ(decode_relative_uri("a%00b"), std::nullopt);
+    EXPECT_EQ(decode_data_uri("data:;base64,AQID")->size(), 3U);
+    EXPECT_EQ(decode_data_uri("data:;base64,AQ==")->at(0), std::byte{1});
+    EXPECT_EQ(decode_data_uri("data:text/plain,AQID"), std::nullopt);
+    EXPECT_EQ(decode_data_uri("data:;base64,A*ID"), std::nullopt);
+}
+
+} // namespace
+} // namespace estampe::gltf

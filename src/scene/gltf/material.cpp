@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "scene/gltf/convert.hpp"
+#include "scene/gltf/texture.hpp"
+
+namespace estampe::gltf {
+namespace {
+
+template <int Size>
+glm::vec<Size, float> vector_of(const std::vector<double>& numbers, const glm::vec<Size, float>& otherwise)
+{
+    if (numbers.size() < Size) {
+        return otherwise;
+    }
+    glm::vec<Size, float> vector;
+    for (int i = 0; i < Size; ++i) {
+        vector[i] = static_cast<float>(numbers[static_cast<size_t>(i)]);
+    }
+    return vector;
+}
+
+/// Reads the JSON of an extension; the document's check has seen the types.
+class Extension {
+public:
+    explicit Extension(const tinygltf::Value& value) : value_(value) {}
+
+    [[nodiscard]] float number(const char* key, float otherwise) const
+    {
+        return value_.Has(key) ? static_cast<float>(value_.Get(key).GetNumberAsDouble()) : otherwise;
+    }
+
+    [[nodiscard]] std::string text(const char* key) const
+    {
+        return value_.Has(key) ? value_.Get(key).Get<std::string>() : std::string();
+    }
+
+    template <int Size>
+    [[nodiscard]] glm::vec<Size, float> vector(const char* key, const glm::vec<Size, float>& otherwise) const
+    {
+        if (!value_.Has(key)) {
+            return otherwise;
+        }
+        std::vector<double> numbers;
+        for (int i = 0; i < Size; ++i) {
+            numbers.push_back(value_.Get(key).Get(i).GetNumberAsDouble());
+        }
+        return vector_of<Size>(numbers, otherwise);
+    }
+
+    [[nodiscard]] tinygltf::TextureInfo texture(const char* key) const
+    {
+        tinygltf::TextureInfo info;
+        if (value_.Has(key)) {
+            const tinygltf::Value& value = value_.Get(key);
+            info.index = value.Get("index").GetNumberAsInt();
+            info.texCoord = value.Has("texCoord") ? value.Get("texCoord").GetNumberAsInt() : 0;
+            if (value.Has("extensions")) {
+                info.extensions = value.Get("extensions").Get<tinygltf::Value::Object>();
+            }
+        }
+        return info;
+    }
+
+private:
+    const tinygltf::Value& value_;
+};
+
+std::optional<Extension> extension(const tinygltf::ExtensionMap& extensions, const char* name)
+{
+    const auto found = extensions.find(name);
+    return found == extensions.end() ? std::nullopt : std::optional(Extension(found->second));
+}
+
+/// uv' = translation * rotation * scale * uv, with the rotation as KHR_texture_transform turns it.
+glm::mat3 uv_transform(const Extension& transform)
+{
+    const glm::vec2 offset = transform.vector<2>("offset", glm::vec2(0.0F));
+    const glm::vec2 scale = transform.vector<2>("scale", glm::vec2(1.0F));
+    const float angle = transform.number("rotation", 0.0F);
+    const float c = std::cos(angle);
+    const float s = std::sin(angle);
+    return glm::mat3(c * scale.x, -s * scale.x, 0.0F, s * scale.y, c * scale.y, 0.0F, offset.x, offset.y,
+                     1.0F);
+}
+
+template <typename Info>
+TextureRef texture_ref(Data& data, TextureTable& textures, const Info& info, const std::string& pointer)
+{
+    TextureRef ref;
+    if (info.index < 0) {
+        return ref;
+    }
+    ref.texture = textures.use(info.index);
+    int uv_set = info.texCoord;
+    if (const auto transform = extension(info.extensions, "KHR_texture_transform")) {
+        ref.uv_transform = uv_transform(*transform);
+        uv_set = static_cast<int>(transform->number("texCoord", static_cast<float>(uv_set)));
+    }
+    if (uv_set > 1) {
+        data.warn(pointer + "/texCoord", fmt::format("UV set {} is not supported; set 0 is used", uv_set));
+        uv_set = 0;
+    }
+    ref.uv_set = static_cast<uint32_t>(uv_set);
+    return ref;
+}
+
+/// A factor that belongs between 0 and 1.
+float fraction(Data& data, double value, const std::string& pointer)
+{
+    const double clamped = std::clamp(value, 0.0, 1.0);
+    if (std::abs(clamped - value) > 1e-3) {
+        data.warn(pointer, fmt::format("is {}, outside 0 to 1; {} is used", value, clamped));
+    }
+    return static_cast<float>(clamped);
+}
+
+ToonShade toon_shade(Data& data, TextureTable& textures, const Extension& mtoon, const std::string& pointer)
+{
+    ToonShade toon;
+    toon.shade_color = mtoon.vector<3>("shadeColorFactor", glm::vec3(1.0F));
+    toon.shade_texture =
+        texture_ref(data, textures, mtoon.texture("shadeMultiplyTexture"), pointer + "/shadeMultiplyTexture");
+    const std::string mode = mtoon.text("outlineWidthMode");
+    if (mode == "worldCoordinates") {
+        toon.outline_width_m = mtoon.number("outlineWidthFactor", 0.0F);
+    } else if (mode == "screenCoordinates") {
+        data.warn(pointer + "/outlineWidthMode",
+                  "outlines by the screen's size are not supported; it has none of its own");
+    }
+    toon.outline_color = mtoon.vector<3>("outlineColorFactor", glm::vec3(0.0F));
+    return toon;
+}
+
+void apply_extensions(Data& data, TextureTable& textures, const tinygltf::Material& source,
+                      const std::string& pointer, Material& material)
+{
+    material.unlit = source.extensions.contains("KHR_materials_unlit");
+    if (const auto strength = extension(source.extensions, "KHR_materials_emissive_strength")) {
+        material.emissive *= strength->number("emissiveStrength", 1.0F);
+    }
+    if (const auto gloss = extension(source.extensions, "KHR_materials_pbrSpecularGlossiness")) {
+        material.base_color = gloss->vector<4>("diffuseFactor", glm::vec4(1.0F));
+        material.base_color_texture =
+            texture_ref(data, textures, gloss->texture("diffuseTexture"),
+                        pointer + "/extensions/KHR_materials_pbrSpecularGlossiness/diffuseTexture");
+        material.metallic = 0.0F;
+        material.roughness = 1.0F - std::clamp(gloss->number("glossinessFactor", 1.0F), 0.0F, 1.0F);
+    }
+    if (const auto mtoon = extension(source.extensions, "VRMC_materials_mtoon")) {
+        material.toon = toon_shade(data, textures, *mtoon, pointer + "/extensions/VRMC_materials_mtoon");
+    }
+}
+
+Material import_material(Data& data, TextureTable& textures, const tinygltf::Material& source,
+                         const std::string& pointer)
+{
+    const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+    Material material;
+    material.name = source.name;
+    material.base_color = vector_of<4>(pbr.baseColorFactor, glm::vec4(1.0F));
+    material.base_color_texture =
+        texture_ref(data, textures, pbr.baseColorTexture, pointer + "/pbrMetallicRoughness/baseColorTexture");
+    material.metallic = fraction(data, pbr.metallicFactor, pointer + "/pbrMetallicRoughness/metallicFactor");
+    material.roughness =
+        fraction(data, pbr.roughnessFactor, pointer + "/pbrMetallicRoughness/roughnessFactor");
+    material.normal_texture = texture_ref(data, textures, source.normalTexture, pointer + "/normalTexture");
+    material.normal_scale = static_cast<float>(source.normalTexture.scale);
+    material.occlusion_texture =
+        texture_ref(data, textures, source.occlusionTexture, pointer + "/occlusionTexture");
+    material.occlusion_strength =
+        fraction(data, source.occlusionTexture.strength, pointer + "/occlusionTexture/strength");
+    material.emissive = vector_of<3>(source.emissiveFactor, glm::vec3(0.0F));
+    material.emissive_texture =
+        texture_ref(data, textures, source.emissiveTexture, pointer + "/emissiveTexture");
+    material.alpha_mode = source.alphaMode == "MASK"    ? AlphaMode::mask
+                          : source.alphaMode == "BLEND" ? AlphaMode::blend
+                                                        : AlphaMode::opaque;
+    material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
+    material.double_sided = source.doubleSided;
+    apply_extensions(data, textures, source, pointer, material);
+    return material;
+}
+
+bool needs_default_material(const tinygltf::Model& model)
+{
+    for (const tinygltf::Mesh& mesh : model.meshes) {
+        for (const tinygltf::Primitive& primitive : mesh.primitives) {
+            if (primitive.material < 0) {
+                return true;
+            }
+        }
+    }
+    return model.materials.empty();
+}
+
+} // namespace
+
+void import_materials(Data& data, Scene& scene)
+{
+    TextureTable textures(data);
+    const auto& sources = data.model().materials;
+    for (size_t i = 0; i < sources.size(); ++i) {
+        scene.materials.push_back(
+            import_material(data, textures, sources[i], fmt::format("/materials/{}", i)));
+    }
+    if (needs_default_material(data.model())) {
+        scene.materials.emplace_back().name = "default";
+    }
+    scene.textures = textures.decode();
+}
+
+} // namespace estampe::gltf

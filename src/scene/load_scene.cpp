@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+#include <estampe/scene.hpp>
+
+#include "scene/assimp/assimp_import.hpp"
+#include "scene/gltf/gltf_import.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr std::array<std::string_view, 3> gltf_extensions = {".gltf", ".glb", ".vrm"};
+constexpr std::array<std::string_view, 5> assimp_extensions = {".obj", ".ply", ".stl", ".fbx", ".dae"};
+
+bool is_among(std::string_view extension, std::span<const std::string_view> extensions)
+{
+    return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+} // namespace
+
+Scene load_scene(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char character) { return static_cast<char>(std::tolower(character)); });
+    if (is_among(extension, gltf_extensions)) {
+        return load_gltf(path);
+    }
+    if (is_among(extension, assimp_extensions)) {
+        return load_with_assimp(path);
+    }
+    throw Error(extension.empty() ? "has no file name extension"
+                                  : fmt::format("files of type {} are not read", extension),
+                path.string(),
+                fmt::format("give one of: {} {}", fmt::join(gltf_extensions, " "),
+                            fmt::join(assimp_extensions, " ")));
+}
+
+} // namespace estampe

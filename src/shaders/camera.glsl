@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CAMERA
+#define ESTAMPE_CAMERA
+
+#include "shaders/frame.glsl.h"
+
+// Position in normalised device coordinates of a point of the page in pixels; y grows downwards in both.
+vec2 ndc_at(vec2 position_px, uvec2 size_px) { return 2.0 * position_px / vec2(size_px) - 1.0; }
+
+// The point seen at `position_px` with reversed depth `depth` (0 at infinity: pass something above).
+vec3 anchor_at(FrameGlobals frame, vec2 position_px, float depth)
+{
+    vec4 p = frame.anchor_from_clip * vec4(ndc_at(position_px, frame.size_px), depth, 1.0);
+    return p.xyz / p.w;
+}
+
+// Unit vector from the surface towards the eye.
+vec3 towards_eye(FrameGlobals frame, vec3 point_anchor)
+{
+    return frame.is_orthographic != 0u ? -frame.view_forward : normalize(frame.eye_anchor - point_anchor);
+}
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_HASH
+#define ESTAMPE_HASH
+
+// Integer hashing after O'Neill's PCG output permutation, as surveyed by Jarzynski and Olano, "Hash Functions for GPU
+// Rendering", JCGT 2020.
+
+uint hash(uint x)
+{
+    uint state = x * 747796405u + 2891336453u;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
+}
+
+uint hash(uint x, uint y) { return hash(x ^ hash(y)); }
+
+uint hash(uint x, uint y, uint z) { return hash(x ^ hash(y ^ hash(z))); }
+
+// Uniform in [0, 1), from the top 24 bits.
+float unit_float(uint bits) { return float(bits >> 8u) * (1.0 / 16777216.0); }
+
+#endif

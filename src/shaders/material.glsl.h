@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_MATERIAL_GLSL_H
+#define ESTAMPE_MATERIAL_GLSL_H
+// Materials as the shaders see them. Textures live in array images, one array per size class; a slot says where.
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#endif
+
+// Where a texture lives and how its coordinates are made: uv' = column_u * u + column_v * v + offset.
+struct TextureSlot {
+    uint location; // no_texture, or: size class in bits 0-3, layer in 4-23, UV set in 24, wrap of u in 25-26, of v in 27-28
+    vec2 column_u;
+    vec2 column_v;
+    vec2 offset;
+};
+
+struct MaterialRecord {
+    vec4 base_color;
+    vec3 mean_color;  // of texture times factor: what a flat wash takes
+    vec3 shade_color; // multiplied into the wash in shadow
+    vec3 emissive;
+    float normal_scale;
+    float alpha_cutoff;
+    float outline_scale;
+    uint flags;
+    TextureSlot base_texture;
+    TextureSlot normal_texture;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(TextureSlot) == 28);
+static_assert(sizeof(MaterialRecord) == 124);
+inline constexpr uint no_texture = 0xffffffffU;
+inline constexpr uint material_unlit = 1U;
+inline constexpr uint material_masked = 2U;
+inline constexpr uint material_blended = 4U;
+inline constexpr uint material_paper = 8U; // takes shadow, but neither wash nor outline
+} // namespace estampe::shared
+#else
+#define NO_TEXTURE 0xffffffffu
+#define MATERIAL_UNLIT 1u
+#define MATERIAL_MASKED 2u
+#define MATERIAL_BLENDED 4u
+#define MATERIAL_PAPER 8u
+#endif
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_MESH_GLSL_H
+#define ESTAMPE_MESH_GLSL_H
+// The one kind of mesh that the renderer knows: what is uploaded, and what a pose makes of it.
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#endif
+
+// A vertex as the file has it. Normal octahedral in two signed 16-bit parts; colour in four unsigned 8-bit parts.
+struct RestVertex {
+    vec3 position;
+    uint normal;
+    vec2 uv_0;
+    vec2 uv_1;
+    uint color;
+};
+
+// Up to eight influences: joint numbers in 16-bit pairs, weights in unsigned normalised 16-bit pairs.
+struct SkinVertex {
+    uvec4 joints;
+    uvec4 weights;
+};
+
+struct MorphOffset {
+    vec3 position;
+    vec3 normal;
+};
+
+// One mesh primitive in one place of the scene.
+struct DrawRecord {
+    mat4 anchor_from_object;
+    uint first_posed_vertex;
+    uint first_rest_vertex;
+    uint vertex_count;
+    uint material;
+    uint first_skin_vertex; // no_skin: rigid
+    uint first_joint;       // into the joint matrices, anchor_from_bind
+    uint first_morph_offset;
+    uint morph_target_count;
+    uint first_morph_weight;
+    uint object; // what an outline goes around: one number a node
+    uint strokes_follow_uv;
+};
+
+// Position relative to the anchor; normal as in RestVertex.
+struct PosedVertex {
+    vec3 position;
+    uint normal;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(RestVertex) == 36);
+static_assert(sizeof(DrawRecord) == 108);
+static_assert(sizeof(PosedVertex) == 16);
+inline constexpr uint no_skin = 0xffffffffU;
+
+// A triangle's fourth number: the draw, and two flags that the rasteriser needs at once.
+inline constexpr uint triangle_mirrored = 1U << 31U;
+inline constexpr uint triangle_two_sided = 1U << 30U;
+inline constexpr uint triangle_draw_mask = triangle_two_sided - 1U;
+} // namespace estampe::shared
+#else
+#define NO_SKIN 0xffffffffu
+#define TRIANGLE_MIRRORED (1u << 31)
+#define TRIANGLE_TWO_SIDED (1u << 30)
+#define TRIANGLE_DRAW_MASK (TRIANGLE_TWO_SIDED - 1u)
+#endif
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_NOISE
+#define ESTAMPE_NOISE
+
+#include "shaders/hash.glsl"
+
+float lattice_value(ivec2 cell, uint seed) { return unit_float(hash(uint(cell.x), uint(cell.y), seed)); }
+
+// Value noise in [0, 1], one feature a unit of `p`, with continuous first derivatives.
+float value_noise(vec2 p, uint seed)
+{
+    ivec2 cell = ivec2(floor(p));
+    vec2 f = p - vec2(cell);
+    f = f * f * (3.0 - 2.0 * f);
+    float bottom = mix(lattice_value(cell, seed), lattice_value(cell + ivec2(1, 0), seed), f.x);
+    float top = mix(lattice_value(cell + ivec2(0, 1), seed), lattice_value(cell + ivec2(1, 1), seed), f.x);
+    return mix(bottom, top, f.y);
+}
+
+// Three octaves of value noise, in [0, 1].
+float fractal_noise(vec2 p, uint seed)
+{
+    return (4.0 * value_noise(p, seed) + 2.0 * value_noise(2.0 * p + 17.0, seed + 1u) +
+            value_noise(4.0 * p + 31.0, seed + 2u)) / 7.0;
+}
+
+#endif

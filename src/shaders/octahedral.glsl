@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_OCTAHEDRAL
+#define ESTAMPE_OCTAHEDRAL
+
+// Unit vectors as two numbers in [-1, 1]: Cigolle et al., "A Survey of Efficient Representations for Independent Unit
+// Vectors", JCGT 2014.
+
+vec2 sign_not_zero(vec2 v) { return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0); }
+
+vec2 octahedral_encode(vec3 n)
+{
+    vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
+    return n.z >= 0.0 ? p : (1.0 - abs(p.yx)) * sign_not_zero(p);
+}
+
+vec3 octahedral_decode(vec2 e)
+{
+    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));
+    if (n.z < 0.0) {
+        n.xy = (1.0 - abs(n.yx)) * sign_not_zero(n.xy);
+    }
+    return normalize(n);
+}
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Lets the headers named *.glsl.h, which describe data that C++ and GLSL share, compile as C++: GLSL's type names become
+// GLM's, and the scalar block layout that the shaders use is C++'s own.
+
+#include <cstddef>
+#include <cstdint>
+
+#include <glm/glm.hpp>
+
+namespace estampe::shared {
+
+using glm::mat4;
+using glm::uvec2;
+using glm::uvec4;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using uint = uint32_t;
+
+} // namespace estampe::shared

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_TONE
+#define ESTAMPE_TONE
+
+#include "shaders/tone.glsl.h"
+
+// Darkness to be drawn, 0 (paper) to 1 (ink), of a surface that is lit with `light` and has brightness `local_value`.
+// The contrast is the thesis's (annex 1): multiply about the middle, saturate. Below the floor the paper stays white.
+float darkness(ToneConstants tone, float light, float local_value)
+{
+    float value = light * tone.exposure * mix(1.0, local_value, tone.local_value);
+    float dark = 1.0 - pow(clamp(value, 0.0, 1.0), tone.gamma);
+    dark = clamp((dark - 0.5) * tone.contrast + 0.5, 0.0, 1.0);
+    return clamp((dark - tone.floor) / (tone.ceiling - tone.floor), 0.0, 1.0) * tone.ceiling;
+}
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_TONE_GLSL_H
+#define ESTAMPE_TONE_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#endif
+
+// How light becomes darkness on the page.
+struct ToneConstants {
+    float exposure;
+    float gamma;
+    float contrast;
+    float floor;       // darkness under it stays paper
+    float ceiling;     // darkness over it is no darker
+    float local_value; // how much a dark material is drawn darker, 0 to 1
+};
+
+#ifdef __cplusplus
+} // namespace estampe::shared
+#endif
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "style/raw.hpp"
+#include "style/sheet.hpp"
+
+namespace estampe::style {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Without the quotes that TOML needs: a column of the manual reads better.
+std::string bare(std::string text)
+{
+    text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
+    return text;
+}
+
+std::string range_column(const Parameter& parameter)
+{
+    return parameter.kind == Kind::color ? "#rrggbb" : allowed(parameter);
+}
+
+std::string default_column(const Parameter& parameter)
+{
+    return bare(format_value(parameter.default_value));
+}
+
+/// A float as the decimal a person wrote, not as the double nearest to the float.
+double decimal(float value)
+{
+    return std::stod(fmt::format("{}", value));
+}
+
+Json describe(const Parameter& parameter)
+{
+    Json json;
+    const std::string unit = parameter.unit.empty() ? "" : fmt::format(" ({})", parameter.unit);
+    json["description"] = parameter.help + unit;
+    switch (parameter.kind) {
+    case Kind::number:
+        json["type"] = "number";
+        json["minimum"] = decimal(parameter.range.minimum);
+        json["maximum"] = decimal(parameter.range.maximum);
+        json["default"] = decimal(std::get<float>(parameter.default_value));
+        break;
+    case Kind::integer:
+        json["type"] = "integer";
+        json["minimum"] = parameter.integers.minimum;
+        json["maximum"] = parameter.integers.maximum;
+        json["default"] = std::get<int64_t>(parameter.default_value);
+        break;
+    case Kind::toggle:
+        json["type"] = "boolean";
+        json["default"] = std::get<bool>(parameter.default_value);
+        break;
+    case Kind::color: {
+        const Json part = {{"type", "number"}, {"minimum", 0}, {"maximum", 1}};
+        const Json hex = {{"type", "string"}, {"pattern", "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"}};
+        const Json array = {{"type", "array"}, {"items", part}, {"minItems", 3}, {"maxItems", 3}};
+        json["anyOf"] = Json::array({hex, array});
+        json["default"] = Json::parse(format_value(parameter.default_value));
+        break;
+    }
+    case Kind::choice:
+        json["enum"] = parameter.choices;
+        json["default"] = std::get<std::string>(parameter.default_value);
+        break;
+    }
+    return json;
+}
+
+} // namespace
+
+std::string Sheet::to_toml() const
+{
+    std::string text;
+    for (const Section& section : sections_) {
+        text += fmt::format("{}# {}\n[{}]\n", text.empty() ? "" : "\n", section.help, section.name);
+        for (const Parameter& parameter : section.parameters) {
+            text += fmt::format("{} = {}\n", parameter.key, format_value(parameter.get(section.values)));
+        }
+    }
+    return text;
+}
+
+std::string Sheet::help() const
+{
+    constexpr size_t widest_range = 28;
+    size_t key_width = 0;
+    size_t range_width = 0;
+    size_t default_width = 0;
+    for (const Section& section : sections_) {
+        for (const Parameter& parameter : section.parameters) {
+            key_width = std::max(key_width, section.name.size() + 1 + parameter.key.size());
+            range_width = std::max(range_width, std::min(widest_range, range_column(parameter).size()));
+            default_width = std::max(default_width, default_column(parameter).size());
+        }
+    }
+    constexpr std::array<const char*, 5> kinds = {"number", "integer", "toggle", "colour", "choice"};
+    std::string text;
+    for (const Section& section : sections_) {
+        text += fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", section.name, section.help);
+        for (const Parameter& parameter : section.parameters) {
+            text +=
+                fmt::format("  {:<{}}  {:<7}  {:<{}}  {:<{}}  {}\n", section.name + "." + parameter.key,
+                            key_width, kinds.at(static_cast<size_t>(parameter.kind)), range_column(parameter),
+                            range_width, default_column(parameter), default_width, parameter.help);
+        }
+    }
+    return text;
+}
+
+std::string Sheet::json_schema() const
+{
+    Json properties;
+    properties["extends"] = {{"description", "A preset or a style file whose values come first"},
+                             {"type", "string"}};
+    for (const Section& section : sections_) {
+        Json keys = Json::object();
+        for (const Parameter& parameter : section.parameters) {
+            keys[parameter.key] = describe(parameter);
+        }
+        properties[section.name] = {{"description", section.help},
+                                    {"type", "object"},
+                                    {"properties", keys},
+                                    {"additionalProperties", false}};
+    }
+    const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                         {"title", "Estampe style"},
+                         {"type", "object"},
+                         {"properties", properties},
+                         {"additionalProperties", false}};
+    return schema.dump(2) + "\n";
+}
+
+} // namespace estampe::style

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "style/color.hpp"
+
+namespace estampe::style {
+
+enum class Kind : uint8_t { number, integer, toggle, color, choice };
+
+/// A parameter's value without its C++ type. A colour is linear; a choice is its name.
+using Value = std::variant<float, int64_t, bool, glm::vec3, std::string>;
+
+/// Both ends are allowed.
+struct Range {
+    float minimum = 0.0F;
+    float maximum = 1.0F;
+};
+
+struct IntegerRange {
+    int64_t minimum = 0;
+    int64_t maximum = 1;
+};
+
+/// One parameter as every reader sees it. `get` and `set` take a pointer to the style struct of the table it
+/// belongs to; `set` expects a value of the right kind and range.
+struct Parameter {
+    std::string key; ///< without the section
+    Kind kind = Kind::number;
+    Range range;                      ///< numbers
+    IntegerRange integers;            ///< integers
+    std::vector<std::string> choices; ///< choices, in the order of the table
+    std::string unit;                 ///< "mm", "px", "deg"; empty for none
+    std::string help;                 ///< one line
+    Value default_value;
+    std::function<Value(const void*)> get;
+    std::function<void(void*, const Value&)> set;
+};
+
+/// The parameters of one style struct: each described once, in the order they are shown.
+///
+///     struct HatchStyle {
+///         float width_mm = 0.35F;
+///         bool cross = true;
+///         glm::vec3 ink = style::srgb(0x1b1a22);
+///     };
+///
+///     inline const style::Table<HatchStyle>& hatch_table()
+///     {
+///         static const auto table = style::Table<HatchStyle>("hatch", "Pen strokes that carry the tone")
+///             .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke on the
+///             page") .toggle("cross", &HatchStyle::cross, "Draw the layers across each other") .color("ink",
+///             &HatchStyle::ink, "Colour of the ink");
+///         return table;
+///     }
+///
+/// The defaults are those of a default-constructed Style; they must lie within the ranges (Sheet::bind
+/// asserts it).
+template <typename Style>
+class Table {
+public:
+    Table(std::string section, std::string help) : section_(std::move(section)), help_(std::move(help)) {}
+
+    [[nodiscard]] const std::string& section() const { return section_; }
+
+    [[nodiscard]] const std::string& help() const { return help_; }
+
+    [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
+
+    /// A number; integers are taken too. Not finite or out of `range` is an error.
+    Table& number(std::string key, float Style::*member, Range range, std::string unit, std::string help)
+    {
+        Parameter& parameter = add(std::move(key), Kind::number, std::move(unit), std::move(help));
+        parameter.range = range;
+        connect<float>(parameter, member);
+        return *this;
+    }
+
+    /// A whole number, for int and uint32_t members.
+    template <typename Integer>
+    Table& integer(std::string key, Integer Style::*member, IntegerRange range, std::string unit,
+                   std::string help)
+    {
+        Parameter& parameter = add(std::move(key), Kind::integer, std::move(unit), std::move(help));
+        parameter.integers = range;
+        connect<int64_t>(parameter, member);
+        return *this;
+    }
+
+    /// true or false.
+    Table& toggle(std::string key, bool Style::*member, std::string help)
+    {
+        connect<bool>(add(std::move(key), Kind::toggle, {}, std::move(help)), member);
+        return *this;
+    }
+
+    /// A colour: linear in the struct, sRGB in texts, "#rrggbb" or [r, g, b] of 0 to 1.
+    Table& color(std::string key, glm::vec3 Style::*member, std::string help)
+    {
+        connect<glm::vec3>(add(std::move(key), Kind::color, {}, std::move(help)), member);
+        return *this;
+    }
+
+    /// One of several names, each for a value of an enumeration.
+    template <typename Enum>
+    Table& choice(std::string key, Enum Style::*member, std::vector<std::pair<std::string, Enum>> names,
+                  std::string help)
+    {
+        Parameter& parameter = add(std::move(key), Kind::choice, {}, std::move(help));
+        for (const auto& name : names) {
+            parameter.choices.push_back(name.first);
+        }
+        parameter.get = [member, names](const void* style) -> Value {
+            const Enum held = static_cast<const Style*>(style)->*member;
+            for (const auto& [name, value] : names) {
+                if (value == held) {
+                    return name;
+                }
+            }
+            return std::string();
+        };
+        parameter.set = [member, names](void* style, const Value& chosen) {
+            for (const auto& [name, value] : names) {
+                if (name == std::get<std::string>(chosen)) {
+                    static_cast<Style*>(style)->*member = value;
+                }
+            }
+        };
+        parameter.default_value = parameter.get(&defaults_);
+        return *this;
+    }
+
+private:
+    Parameter& add(std::string key, Kind kind, std::string unit, std::string help)
+    {
+        Parameter& parameter = parameters_.emplace_back();
+        parameter.key = std::move(key);
+        parameter.kind = kind;
+        parameter.unit = std::move(unit);
+        parameter.help = std::move(help);
+        return parameter;
+    }
+
+    template <typename Held, typename Member>
+    void connect(Parameter& parameter, Member Style::*member)
+    {
+        parameter.get = [member](const void* style) -> Value {
+            return static_cast<Held>(static_cast<const Style*>(style)->*member);
+        };
+        parameter.set = [member](void* style, const Value& value) {
+            static_cast<Style*>(style)->*member = static_cast<Member>(std::get<Held>(value));
+        };
+        parameter.default_value = parameter.get(&defaults_);
+    }
+
+    std::string section_;
+    std::string help_;
+    Style defaults_{};
+    std::vector<Parameter> parameters_;
+};
+
+} // namespace estampe::style

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "style/parameter.hpp"
+
+namespace estampe::style {
+
+/// A value as a text gives it, before its parameter has looked at it.
+struct Raw {
+    std::variant<std::monostate, bool, int64_t, double, std::string, std::vector<double>> value;
+    std::string shown; ///< for messages: `0.5`, `"uv"`, `a table`
+};
+
+/// One line of a style text. A value outside any section has an empty `section`.
+struct Entry {
+    std::string section;
+    std::string key;
+    Raw raw;
+    std::string key_where;   ///< file:line:column
+    std::string value_where; ///< file:line:column
+};
+
+/// A TOML text in the order of its lines. `sections` names every table, the empty ones too.
+struct Document {
+    struct Header {
+        std::string name;
+        std::string where;
+    };
+
+    std::vector<Header> sections;
+    std::vector<Entry> entries;
+};
+
+/// Parses a TOML text. Throws Error with name:line:column when it is not TOML, or holds a key twice.
+[[nodiscard]] Document parse_toml(std::string_view text, const std::string& name);
+
+/// The value of the TOML expression `text`; nothing when it is not one.
+[[nodiscard]] std::optional<Raw> parse_toml_value(std::string_view text);
+
+/// A word without quotes, as --set takes them for names and colours.
+[[nodiscard]] Raw raw_word(std::string_view text);
+
+/// `raw` as a value of `parameter`, named `name` in messages. Throws Error when the type is wrong or the
+/// range is left.
+[[nodiscard]] Value check(const Parameter& parameter, const std::string& name, const Raw& raw,
+                          const std::string& where);
+
+/// "0.02 to 10 mm", "1 to 6", "true or false", "#rrggbb", "auto, uv".
+[[nodiscard]] std::string allowed(const Parameter& parameter);
+
+/// The TOML text of a value: 0.35, 3, true, "#1b1a22", "auto".
+[[nodiscard]] std::string format_value(const Value& value);
+
+/// `text` in double quotes, control characters escaped, cut when it is long: fit for one line of a message.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+} // namespace estampe::style

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "style/sheet.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "style/raw.hpp"
+#include "style/suggest.hpp"
+
+namespace estampe::style {
+namespace {
+
+constexpr const char* manual = "estampe --help-style lists every key";
+
+std::string full_key(const Sheet::Section& section, const Parameter& parameter)
+{
+    return section.name + "." + parameter.key;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view blanks = " \t\r\n";
+    const size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// A checked value on its way to its struct.
+struct Change {
+    const Parameter* parameter;
+    void* values;
+    Value value;
+};
+
+void apply(const std::vector<Change>& changes)
+{
+    for (const Change& change : changes) {
+        change.parameter->set(change.values, change.value);
+    }
+}
+
+/// Turns entries of texts into changes; whatever a text may get wrong is found here.
+class Reader {
+public:
+    Reader(std::span<const Sheet::Section> sections, const Resolver& resolver)
+        : sections_(sections), resolver_(resolver)
+    {
+    }
+
+    void read(const Source& source)
+    {
+        const Document document = parse_toml(source.text, source.name);
+        chain_.push_back(source.name);
+        for (const Document::Header& header : document.sections) {
+            require_section(header);
+        }
+        for (const Entry& entry : document.entries) {
+            if (entry.section.empty() && entry.key == "extends") {
+                extend(entry);
+            }
+        }
+        for (const Entry& entry : document.entries) {
+            if (!entry.section.empty() || entry.key != "extends") {
+                assign(entry);
+            }
+        }
+        chain_.pop_back();
+    }
+
+    void assign(const Entry& entry)
+    {
+        const auto [section, parameter] = find(entry.section, entry.key, entry.key_where);
+        changes_.push_back({parameter, section->values,
+                            check(*parameter, full_key(*section, *parameter), entry.raw, entry.value_where)});
+    }
+
+    [[nodiscard]] std::pair<const Sheet::Section*, const Parameter*>
+    find(const std::string& section_name, const std::string& key, const std::string& where) const
+    {
+        for (const Sheet::Section& section : sections_) {
+            for (const Parameter& parameter : section.parameters) {
+                if (section.name == section_name && parameter.key == key) {
+                    return {&section, &parameter};
+                }
+            }
+        }
+        unknown(section_name, key, where);
+    }
+
+    [[nodiscard]] const std::vector<Change>& changes() const { return changes_; }
+
+private:
+    [[noreturn]] void unknown(const std::string& section_name, const std::string& key,
+                              const std::string& where) const
+    {
+        const std::string name = section_name.empty() ? key : section_name + "." + key;
+        if (section_name.empty() &&
+            std::any_of(sections_.begin(), sections_.end(),
+                        [&key](const auto& section) { return section.name == key; })) {
+            throw Error(fmt::format("{} is a section, not a key", in_quotes(name)), where,
+                        fmt::format("put its keys below a line [{}]", key));
+        }
+        const std::string meant = suggestion(name, key);
+        throw Error(fmt::format("unknown key {}", in_quotes(name)), where,
+                    meant.empty() ? manual : fmt::format("did you mean {}?", in_quotes(meant)));
+    }
+
+    /// A key in the wrong section is meant before one that looks alike.
+    [[nodiscard]] std::string suggestion(const std::string& name, const std::string& key) const
+    {
+        std::vector<std::string> names;
+        std::vector<std::string> misplaced;
+        for (const Sheet::Section& section : sections_) {
+            for (const Parameter& parameter : section.parameters) {
+                names.push_back(full_key(section, parameter));
+                if (parameter.key == key) {
+                    misplaced.push_back(names.back());
+                }
+            }
+        }
+        names.emplace_back("extends");
+        if (misplaced.size() == 1) {
+            return misplaced.front();
+        }
+        if (std::string near = nearest(name, names); !near.empty()) {
+            return near;
+        }
+        return misplaced.empty() ? std::string() : misplaced.front();
+    }
+
+    void require_section(const Document::Header& header) const
+    {
+        std::vector<std::string> names;
+        for (const Sheet::Section& section : sections_) {
+            names.push_back(section.name);
+        }
+        if (std::find(names.begin(), names.end(), header.name) != names.end()) {
+            return;
+        }
+        const std::string meant = nearest(header.name, names);
+        throw Error(fmt::format("unknown section {}", in_quotes(header.name)), header.where,
+                    meant.empty() ? fmt::format("sections are {}", fmt::join(names, ", "))
+                                  : fmt::format("did you mean {}?", in_quotes(meant)));
+    }
+
+    void extend(const Entry& entry)
+    {
+        constexpr size_t deepest = 16;
+        const auto* name = std::get_if<std::string>(&entry.raw.value);
+        if (name == nullptr || name->empty()) {
+            throw Error(fmt::format("extends = {} is not a name", entry.raw.shown), entry.value_where,
+                        "write the name of a preset or a style file in quotes");
+        }
+        Source base;
+        try {
+            base = resolver_(*name, chain_.back());
+        } catch (const Error& problem) {
+            throw Error(problem.what(), entry.value_where);
+        }
+        if (std::find(chain_.begin(), chain_.end(), base.name) != chain_.end() || chain_.size() >= deepest) {
+            throw Error(
+                fmt::format("extends goes in a circle: {} -> {}", fmt::join(chain_, " -> "), base.name),
+                entry.value_where, "remove one extends line");
+        }
+        read(base);
+    }
+
+    std::span<const Sheet::Section> sections_;
+    const Resolver& resolver_;
+    std::vector<std::string> chain_; ///< names of the texts being read, outermost first
+    std::vector<Change> changes_;
+};
+
+} // namespace
+
+void Sheet::add(Section section)
+{
+    for (const Parameter& parameter : section.parameters) {
+        [[maybe_unused]] const Value& value = parameter.default_value;
+        if (parameter.kind == Kind::number) {
+            assert(std::get<float>(value) >= parameter.range.minimum);
+            assert(std::get<float>(value) <= parameter.range.maximum);
+        } else if (parameter.kind == Kind::integer) {
+            assert(std::get<int64_t>(value) >= parameter.integers.minimum);
+            assert(std::get<int64_t>(value) <= parameter.integers.maximum);
+        } else if (parameter.kind == Kind::choice) {
+            assert(!std::get<std::string>(value).empty());
+        }
+    }
+    sections_.push_back(std::move(section));
+}
+
+void Sheet::read(const std::string& preset_or_file, const Resolver& resolver)
+{
+    Reader reader(sections_, resolver);
+    reader.read(resolver(preset_or_file, {}));
+    apply(reader.changes());
+}
+
+void Sheet::read_toml_file(const std::filesystem::path& path, const Resolver& resolver)
+{
+    Reader reader(sections_, resolver);
+    reader.read(load_source(path));
+    apply(reader.changes());
+}
+
+void Sheet::read_toml_text(std::string_view text, const std::string& where, const Resolver& resolver)
+{
+    Reader reader(sections_, resolver);
+    reader.read({where, std::string(text)});
+    apply(reader.changes());
+}
+
+void Sheet::set(std::string_view assignment, const std::string& where)
+{
+    const size_t equals = assignment.find('=');
+    const std::string_view name = trimmed(assignment.substr(0, equals));
+    if (equals == std::string_view::npos || name.empty()) {
+        throw Error(fmt::format("{} is not an assignment", in_quotes(assignment)), where,
+                    "write section.key=value, such as hatch.width_mm=0.5");
+    }
+    const size_t dot = name.find('.');
+    const bool has_section = dot != std::string_view::npos;
+    Entry entry;
+    entry.section = has_section ? name.substr(0, dot) : std::string_view();
+    entry.key = has_section ? name.substr(dot + 1) : name;
+    entry.key_where = where;
+    entry.value_where = where;
+
+    Reader reader(sections_, resolve);
+    const Parameter& parameter = *reader.find(entry.section, entry.key, where).second;
+    const std::string_view value = trimmed(assignment.substr(equals + 1));
+    const bool one_line = value.find_first_of("\r\n") == std::string_view::npos;
+    const std::optional<Raw> parsed = one_line ? parse_toml_value(value) : std::nullopt;
+    entry.raw = parsed && !value.starts_with('#') ? *parsed : raw_word(value);
+    if (parameter.kind == Kind::choice && !value.starts_with('"') && !value.starts_with('\'')) {
+        entry.raw = raw_word(value);
+    }
+    reader.assign(entry);
+    apply(reader.changes());
+}
+
+} // namespace estampe::style

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "style/sheet.hpp"
+#include "style/style_test_support.hpp"
+
+namespace estampe::style::test {
+namespace {
+
+std::string read_error(const std::string& text)
+{
+    Styles styles;
+    const Styles before = styles;
+    std::string message = message_of([&] { styles.sheet().read_toml_text(text, "ink.toml"); });
+    EXPECT_EQ(styles, before) << "a failed read changed a value";
+    return message;
+}
+
+std::string set_error(const std::string& assignment)
+{
+    Styles styles;
+    return message_of([&] { styles.sheet().set(assignment); });
+}
+
+/// A folder of its own for one test, removed afterwards.
+class StyleFiles : public testing::Test {
+protected:
+    StyleFiles()
+    {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::temp_directory_path() /
+                  fmt::format("estampe_style_{}_{}", info->name(), getpid());
+        std::filesystem::create_directories(folder_);
+    }
+
+    ~StyleFiles() override { std::filesystem::remove_all(folder_); }
+
+    std::filesystem::path write(const std::string& name, const std::string& text)
+    {
+        std::filesystem::create_directories((folder_ / name).parent_path());
+        std::ofstream(folder_ / name) << text;
+        return folder_ / name;
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST(StyleErrors, ValuesOutOfRange)
+{
+    EXPECT_EQ(read_error("[hatch]\nwidth_mm = 20"),
+              "ink.toml:2:12: hatch.width_mm = 20 is out of range; allowed: 0.02 to 10 mm");
+    EXPECT_EQ(read_error("[hatch]\nlayers = 0"),
+              "ink.toml:2:10: hatch.layers = 0 is out of range; allowed: 1 to 6");
+    EXPECT_EQ(set_error("hatch.width_mm=-1"),
+              "--set: hatch.width_mm = -1 is out of range; allowed: 0.02 to 10 mm");
+    EXPECT_EQ(set_error("hatch.width_mm=1e300"),
+              "--set: hatch.width_mm = 1e+300 is out of range; allowed: 0.02 to 10 mm");
+    for (const std::string value : {"nan", "inf", "-inf"}) {
+        EXPECT_EQ(
+            read_error("hatch.width_mm = " + value),
+            fmt::format("ink.toml:1:18: hatch.width_mm = {} is not a finite number; allowed: 0.02 to 10 mm",
+                        value));
+    }
+}
+
+TEST(StyleErrors, ValuesOfTheWrongType)
+{
+    EXPECT_EQ(read_error("hatch.width_mm = \"thick\""),
+              "ink.toml:1:18: hatch.width_mm = \"thick\" is not a number; allowed: 0.02 to 10 mm");
+    EXPECT_EQ(read_error("hatch.layers = 2.5"),
+              "ink.toml:1:16: hatch.layers = 2.5 is not a whole number; allowed: 1 to 6");
+    EXPECT_EQ(read_error("hatch.cross = 1"),
+              "ink.toml:1:15: hatch.cross = 1 is neither true nor false; allowed: true or false");
+    EXPECT_EQ(read_error("hatch.coordinates = 1"),
+              "ink.toml:1:21: hatch.coordinates = 1 is not a name in quotes; allowed: auto, uv, projected");
+    EXPECT_EQ(read_error("[hatch.width_mm]\nx = 1"),
+              "ink.toml:1:1: hatch.width_mm = a table is not a number; allowed: 0.02 to 10 mm");
+    EXPECT_EQ(read_error("hatch.width_mm = 1979-05-27"),
+              "ink.toml:1:18: hatch.width_mm = a date or time is not a number; allowed: 0.02 to 10 mm");
+    EXPECT_EQ(set_error("hatch.width_mm=thick"),
+              "--set: hatch.width_mm = \"thick\" is not a number; allowed: 0.02 to 10 mm");
+    EXPECT_EQ(set_error("hatch.width_mm="),
+              "--set: hatch.width_mm = \"\" is not a number; allowed: 0.02 to 10 mm");
+    EXPECT_EQ(set_error("hatch.width_mm=1\nline.wobble=1"),
+              "--set: hatch.width_mm = \"1\\x0aline.wobble=1\" is not a number; allowed: 0.02 to 10 mm");
+}
+
+TEST(StyleErrors, Colors)
+{
+    for (const std::string value : {"\"red\"", "\"#12345\"", "\"#12345g\"", "\"#+12345\"", "[0.0, 0.5]",
+                                    "[0, 0, 1.5]", "[0, 0, nan]", "7"}) {
+        const std::string message = read_error("hatch.ink = " + value);
+        EXPECT_NE(message.find("is not a colour; allowed: \"#rrggbb\", or [r, g, b] of 0 to 1"),
+                  std::string::npos)
+            << value << " gave " << message;
+    }
+    EXPECT_EQ(read_error("hatch.ink = [\"a\"]"),
+              "ink.toml:1:13: hatch.ink = an array is not a colour; allowed: "
+              "\"#rrggbb\", or [r, g, b] of 0 to 1");
+}
+
+TEST(StyleErrors, UnknownNamesSuggestTheNearest)
+{
+    EXPECT_EQ(read_error("[hatch]\nwidht_mm = 1"),
+              "ink.toml:2:1: unknown key \"hatch.widht_mm\"; did you mean \"hatch.width_mm\"?");
+    EXPECT_EQ(set_error("hatch.width=1"),
+              "--set: unknown key \"hatch.width\"; did you mean \"hatch.width_mm\"?");
+    EXPECT_EQ(read_error("[hatches]"), "ink.toml:1:2: unknown section \"hatches\"; did you mean \"hatch\"?");
+    EXPECT_EQ(read_error("[weather]"), "ink.toml:1:2: unknown section \"weather\"; sections are hatch, line");
+    EXPECT_EQ(read_error("hatch.coordinates = \"uvs\""),
+              "ink.toml:1:21: hatch.coordinates = \"uvs\" is not one of its choices; did you mean \"uv\"? "
+              "allowed: auto, uv, projected");
+    EXPECT_EQ(read_error("extend = \"pencil\""),
+              "ink.toml:1:1: unknown key \"extend\"; did you mean \"extends\"?");
+    EXPECT_EQ(set_error("hatch.qqqqqqqq=1"),
+              "--set: unknown key \"hatch.qqqqqqqq\"; estampe --help-style lists every key");
+}
+
+TEST(StyleErrors, MisplacedKeysAreFoundInOtherSections)
+{
+    EXPECT_EQ(read_error("[line]\ntone_floor = 0.1"),
+              "ink.toml:2:1: unknown key \"line.tone_floor\"; did you mean \"hatch.tone_floor\"?");
+    EXPECT_EQ(read_error("wobble = 0.1"),
+              "ink.toml:1:1: unknown key \"wobble\"; did you mean \"line.wobble\"?");
+    EXPECT_EQ(set_error("width_mm=1"), "--set: unknown key \"width_mm\"; did you mean \"hatch.width_mm\"?");
+    EXPECT_EQ(read_error("hatch = 3"),
+              "ink.toml:1:1: \"hatch\" is a section, not a key; put its keys below a line [hatch]");
+    EXPECT_EQ(read_error("[[hatch]]\nlayers = 3"),
+              "ink.toml:1:3: \"hatch\" is a section, not a key; put its keys below a line [hatch]");
+}
+
+TEST(StyleErrors, TheFirstMistakeOfTheTextIsTold)
+{
+    EXPECT_EQ(read_error("[line]\nzz = 1\n[hatch]\naa = 1").substr(0, 13), "ink.toml:2:1:");
+    EXPECT_EQ(read_error("[line]\nzz = 1\naa = 1").substr(0, 13), "ink.toml:2:1:");
+}
+
+TEST(StyleErrors, NotToml)
+{
+    for (const std::string text :
+         {"hatch", "[hatch", "= 3", "hatch.layers = 3\nhatch.layers = 4", "[hatch]\n[hatch]",
+          "a = \"\xff\xfe\"", "a = 99999999999999999999", "a = \"\n\"", "a = {", "\x01"}) {
+        const std::string message = read_error(text);
+        EXPECT_TRUE(message.starts_with("ink.toml:")) << message;
+        EXPECT_NE(message.find("not TOML"), std::string::npos) << message;
+    }
+    EXPECT_NE(read_error(std::string(100000, '[')).find("not TOML"), std::string::npos);
+    EXPECT_NE(read_error("a = " + std::string(100000, '[')).find("not TOML"), std::string::npos);
+    EXPECT_EQ(read_error("[hatch]\n [=]"), "ink.toml:2:2: not TOML: a table header without a name");
+    EXPECT_TRUE(read_error("hatch.layers = 3\nhatch.layers = 4").starts_with("ink.toml:2:")) << "a key twice";
+}
+
+TEST(StyleErrors, NotAnAssignment)
+{
+    for (const std::string text : {"", "=", "=1", "hatch.width_mm"}) {
+        EXPECT_NE(set_error(text).find("write section.key=value"), std::string::npos) << text;
+    }
+    EXPECT_FALSE(set_error(".=1").empty());
+    EXPECT_FALSE(set_error(std::string(100000, 'x') + "=1").empty());
+}
+
+TEST_F(StyleFiles, ExtendsPutsTheBaseFirst)
+{
+    write("base.toml", "[hatch]\nlayers = 5\ncross = false\n");
+    write("sub/middle.toml", "extends = \"../base.toml\"\nline.wobble = 0.25\n");
+    const auto top = write("top.toml", "hatch.layers = 2\n");
+    const auto path = write("sub/top.toml", "line.width_mm = 1\nextends = \"./middle.toml\"");
+    Styles styles;
+    styles.sheet().read_toml_file(path);
+    EXPECT_EQ(styles.hatch.layers, 5);
+    EXPECT_FALSE(styles.hatch.cross);
+    EXPECT_EQ(styles.line.wobble, 0.25F);
+    EXPECT_EQ(styles.line.width_mm, 1.0F);
+    styles.sheet().read(top.string());
+    EXPECT_EQ(styles.hatch.layers, 2);
+}
+
+TEST_F(StyleFiles, ExtendsMayNotGoInACircle)
+{
+    const auto itself = write("itself.toml", "extends = \"itself.toml\"");
+    const auto first = write("first.toml", "\nextends = \"./second.toml\"");
+    write("second.toml", "extends = \"first.toml\"");
+    Styles styles;
+    EXPECT_EQ(message_of([&] { styles.sheet().read_toml_file(itself); }),
+              fmt::format("{0}:1:11: extends goes in a circle: {0} -> {0}; remove one extends line",
+                          itself.string()));
+    EXPECT_NE(message_of([&] { styles.sheet().read_toml_file(first); }).find("in a circle"),
+              std::string::npos);
+}
+
+TEST_F(StyleFiles, ExtendsOfNothing)
+{
+    const auto path = write("a.toml", "extends = \"missing.toml\"");
+    Styles styles;
+    const std::string message = message_of([&] { styles.sheet().read_toml_file(path); });
+    EXPECT_TRUE(message.starts_with(path.string() + ":1:11: ")) << message;
+    EXPECT_NE(message.find("missing.toml: cannot open"), std::string::npos) << message;
+    EXPECT_NE(read_error("extends = 3").find("is not a name"), std::string::npos);
+    EXPECT_NE(read_error("extends = \"\"").find("is not a name"), std::string::npos);
+    EXPECT_NE(read_error("[extends]").find("unknown section"), std::string::npos);
+}
+
+TEST_F(StyleFiles, FilesThatCannotBeStyles)
+{
+    Styles styles;
+    Sheet sheet = styles.sheet();
+    EXPECT_NE(message_of([&] {
+                  sheet.read((folder_ / "none.toml").string());
+              }).find("none.toml: cannot open: No such file"),
+              std::string::npos);
+    EXPECT_NE(message_of([&] { sheet.read("no_preset_of_this_name"); }).find("no preset or style file"),
+              std::string::npos);
+    EXPECT_NE(message_of([&] { sheet.read(folder_.string()); }).find("is not a regular file"),
+              std::string::npos);
+    const auto huge = write("huge.toml", "");
+    std::filesystem::resize_file(huge, uintmax_t{1} << 40);
+    EXPECT_NE(message_of([&] { sheet.read(huge.string()); }).find("more than the limit of 1048576"),
+              std::string::npos);
+    EXPECT_NE(message_of([&] { sheet.read("/dev/zero/"); }), "");
+    EXPECT_NE(message_of([&] { sheet.read(""); }), "");
+}
+
+} // namespace
+} // namespace estampe::style::test

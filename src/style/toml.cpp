@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "style/raw.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace estampe::style {
+namespace {
+
+/// What toml++ asserts did not hold: it takes `[=` for a header and finds no name in it.
+struct ParserLost : std::exception {};
+
+[[noreturn]] void lose_parser()
+{
+    throw ParserLost();
+}
+
+} // namespace
+} // namespace estampe::style
+
+// Left to itself, toml++ turns its assertions into undefined behaviour in a release build.
+#undef NDEBUG
+#define TOML_ASSERT(condition) ((condition) ? static_cast<void>(0) : estampe::style::lose_parser())
+#include <toml++/toml.h>
+
+namespace estampe::style {
+namespace {
+
+std::string place(const std::string& name, const toml::source_position& position)
+{
+    return fmt::format("{}:{}:{}", name, position.line, position.column);
+}
+
+/// Nothing but numbers: a colour. Anything else in an array is no value of ours.
+std::optional<std::vector<double>> numbers(const toml::array& array)
+{
+    std::vector<double> result;
+    for (const toml::node& node : array) {
+        const std::optional<double> number = node.is_number() ? node.value<double>() : std::nullopt;
+        if (!number) {
+            return std::nullopt;
+        }
+        result.push_back(*number);
+    }
+    return result;
+}
+
+Raw raw_from(const toml::node& node)
+{
+    if (const auto* text = node.as_string()) {
+        return raw_word(text->get());
+    }
+    if (const auto* integer = node.as_integer()) {
+        return {integer->get(), fmt::format("{}", integer->get())};
+    }
+    if (const auto* real = node.as_floating_point()) {
+        return {real->get(), fmt::format("{}", real->get())};
+    }
+    if (const auto* toggle = node.as_boolean()) {
+        return {toggle->get(), toggle->get() ? "true" : "false"};
+    }
+    if (const auto* array = node.as_array()) {
+        if (auto parts = numbers(*array); parts && parts->size() <= 4) {
+            std::string shown = fmt::format("[{}]", fmt::join(*parts, ", "));
+            return {std::move(*parts), std::move(shown)};
+        }
+        return {{}, "an array"};
+    }
+    return {{}, node.is_table() ? "a table" : "a date or time"};
+}
+
+/// Keys of a table in the order of the text; toml++ keeps them sorted by name.
+std::vector<std::pair<const toml::key*, const toml::node*>> in_order(const toml::table& table)
+{
+    std::vector<std::pair<const toml::key*, const toml::node*>> result;
+    for (const auto& [key, node] : table) {
+        result.emplace_back(&key, &node);
+    }
+    std::sort(result.begin(), result.end(),
+              [](const auto& a, const auto& b) { return a.first->source().begin < b.first->source().begin; });
+    return result;
+}
+
+/// Where a table header without a name stands.
+toml::source_position nameless_header(std::string_view text)
+{
+    toml::source_position position{1, 1};
+    for (; !text.empty(); ++position.line) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        const size_t first = line.find_first_not_of(" \t");
+        const size_t name = std::min(line.size(), line.find_first_not_of(" \t["));
+        const auto brackets = std::count(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(name), '[');
+        const bool named =
+            name < line.size() && (std::isalnum(static_cast<unsigned char>(line[name])) != 0 ||
+                                   std::string_view("_-\"'").find(line[name]) != std::string_view::npos);
+        if (brackets > 2 || (brackets > 0 && !named)) {
+            position.column = static_cast<toml::source_index>(first + 1);
+            break;
+        }
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+    }
+    return position;
+}
+
+void append(Document& document, const std::string& section, const toml::table& table, const std::string& name)
+{
+    for (const auto& [key, node] : in_order(table)) {
+        document.entries.push_back({section, std::string(key->str()), raw_from(*node),
+                                    place(name, key->source().begin), place(name, node->source().begin)});
+    }
+}
+
+} // namespace
+
+Document parse_toml(std::string_view text, const std::string& name)
+{
+    Document document;
+    try {
+        const toml::table root = toml::parse(text);
+        for (const auto& [key, node] : in_order(root)) {
+            const std::string where = place(name, key->source().begin);
+            if (const toml::table* section = node->as_table()) {
+                document.sections.push_back({std::string(key->str()), where});
+                append(document, document.sections.back().name, *section, name);
+            } else {
+                document.entries.push_back(
+                    {{}, std::string(key->str()), raw_from(*node), where, place(name, node->source().begin)});
+            }
+        }
+    } catch (const toml::parse_error& problem) {
+        throw Error(fmt::format("not TOML: {}", problem.description()), place(name, problem.source().begin));
+    } catch (const ParserLost&) {
+        throw Error("not TOML: a table header without a name", place(name, nameless_header(text)));
+    }
+    return document;
+}
+
+std::optional<Raw> parse_toml_value(std::string_view text)
+{
+    try {
+        const toml::table root = toml::parse(fmt::format("value = {}", text));
+        if (root.size() == 1) {
+            return raw_from(*root.get("value"));
+        }
+    } catch (const toml::parse_error&) {
+        return std::nullopt;
+    } catch (const ParserLost&) {
+        return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+Raw raw_word(std::string_view text)
+{
+    return {std::string(text), in_quotes(text)};
+}
+
+} // namespace estampe::style

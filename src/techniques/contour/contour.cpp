@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/contour/contour.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "shaders/edges_comp.hpp"
+#include "shaders/flood_comp.hpp"
+#include "shaders/stroke_comp.hpp"
+#include "techniques/contour/contour.glsl.h"
+
+namespace estampe::contour {
+namespace {
+
+constexpr float most_swelling = 2.2F; // pressure, shade and nearness together widen a line by no more
+
+struct Seeds {
+    gpu::ImageId seed;
+    gpu::ImageId nearest;
+};
+
+Seeds add_edges(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style)
+{
+    auto pass = graph.compute("contour/edges", shaders::edges_comp);
+    pass.uniform(in.frame).read(in.visibility).read(in.triangles).read(in.posed_vertices).read(in.draws);
+    pass.read(in.materials).sample(in.draw).sample(in.depth).sample(in.normal).sample(in.coordinate).sample(in.light);
+    const gpu::ImageId seed = pass.write(graph.image(
+        "contour/seed", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
+    const gpu::ImageId nearest = pass.write(graph.image(
+        "contour/nearest", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32ui}));
+    const float on = style.drawn ? in.pixels_per_mm : 0.0F;
+    pass.push(shared::EdgeConstants{.outline_px = style.outline_mm * on,
+                                    .boundary_px = style.boundary_mm * on,
+                                    .crease_px = style.crease_mm * on,
+                                    .crease_cosine = std::cos(glm::radians(style.crease_deg)),
+                                    .depth_step = 12.0F * style.depth_step * in.pixel_angle,
+                                    .pressure = style.pressure,
+                                    .distance_thinning = style.distance_thinning})
+        .dispatch_over(in.size_px.x, in.size_px.y);
+    return {seed, nearest};
+}
+
+gpu::ImageId add_flood(gpu::Graph& graph, gpu::ImageId nearest, glm::uvec2 size_px, uint32_t step_px)
+{
+    auto pass = graph.compute("contour/flood", shaders::flood_comp);
+    pass.sample(nearest);
+    const gpu::ImageId flooded = pass.write(graph.image("contour/nearest", graph.describe(nearest)));
+    pass.push(shared::FloodConstants{.width = size_px.x, .height = size_px.y, .step_px = step_px})
+        .dispatch_over(size_px.x, size_px.y);
+    return flooded;
+}
+
+} // namespace
+
+gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style)
+{
+    Seeds seeds = add_edges(graph, in, style);
+    const float widest = std::max({style.outline_mm, style.boundary_mm, style.crease_mm}) * in.pixels_per_mm;
+    const float reach = 0.5F * widest * most_swelling + 1.0F;
+    for (uint32_t step = std::bit_ceil(static_cast<uint32_t>(std::ceil(reach))); step > 0; step /= 2) {
+        seeds.nearest = add_flood(graph, seeds.nearest, in.size_px, step);
+    }
+    auto pass = graph.compute("contour/stroke", shaders::stroke_comp);
+    pass.sample(seeds.nearest).sample(seeds.seed);
+    const gpu::ImageId ink = pass.write(
+        graph.image("contour/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    pass.push(shared::StrokeConstants{.width = in.size_px.x, .height = in.size_px.y, .reach_px = reach})
+        .dispatch_over(in.size_px.x, in.size_px.y);
+    return ink;
+}
+
+} // namespace estampe::contour

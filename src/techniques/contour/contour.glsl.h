@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CONTOUR_GLSL_H
+#define ESTAMPE_CONTOUR_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#endif
+
+struct EdgeConstants {
+    float outline_px; // whole widths
+    float boundary_px;
+    float crease_px;
+    float crease_cosine;
+    float depth_step; // share of the distance by which a surface must fall away within one pixel
+    float pressure;   // 0: even, 1: from hair-thin in the light to double in the shade
+    float distance_thinning;
+};
+
+struct FloodConstants {
+    uint width;
+    uint height;
+    uint step_px;
+};
+
+struct StrokeConstants {
+    uint width;
+    uint height;
+    float reach_px; // no stroke is wider than twice this
+};
+
+#ifdef __cplusplus
+inline constexpr uint no_seed = 0xffffffffU;
+} // namespace estampe::shared
+#else
+#define NO_SEED 0xffffffffu
+#endif
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "gpu/graph/graph.hpp"
+#include "shaders/shared.hpp"
+#include "style/parameter.hpp"
+
+namespace estampe::contour {
+
+struct ContourStyle {
+    bool drawn = true;
+    float outline_mm = 0.42F;
+    float boundary_mm = 0.24F;
+    float crease_mm = 0.26F;
+    float crease_deg = 34.0F;
+    float depth_step = 1.0F;
+    float pressure = 0.8F;
+    float distance_thinning = 0.7F;
+};
+
+inline const style::Table<ContourStyle>& contour_table()
+{
+    static const auto table =
+        style::Table<ContourStyle>("contour", "Ink lines where surfaces end, meet or fold")
+            .toggle("drawn", &ContourStyle::drawn, "Whether there are lines at all")
+            .number("outline_mm", &ContourStyle::outline_mm, {0.0F, 20.0F}, "mm", "Width around objects and before what lies behind")
+            .number("boundary_mm", &ContourStyle::boundary_mm, {0.0F, 20.0F}, "mm", "Width between materials")
+            .number("crease_mm", &ContourStyle::crease_mm, {0.0F, 20.0F}, "mm", "Width along sharp folds")
+            .number("crease_deg", &ContourStyle::crease_deg, {1.0F, 180.0F}, "deg", "Fold from which it is sharp")
+            .number("depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
+                    "How far a surface must fall away behind another to be lined: less draws more")
+            .number("pressure", &ContourStyle::pressure, {0.0F, 1.0F}, "",
+                    "How much a line swells in the shade and thins in the light")
+            .number("distance_thinning", &ContourStyle::distance_thinning, {0.0F, 1.0F}, "",
+                    "How much lines thin with distance");
+    return table;
+}
+
+struct ContourInputs {
+    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId visibility;
+    gpu::BufferId triangles;
+    gpu::BufferId posed_vertices;
+    gpu::BufferId draws;
+    gpu::BufferId materials;
+    gpu::ImageId draw;
+    gpu::ImageId depth;
+    gpu::ImageId normal;
+    gpu::ImageId coordinate;
+    gpu::ImageId light;
+    float pixels_per_mm = 1.0F;
+    float pixel_angle = 0.001F; ///< size of a pixel at distance one
+    glm::uvec2 size_px{0};
+};
+
+/// Draws lines in screen space: breaks of identity, depth and normal become seeds, placed where the front triangle
+/// ends; jump flooding gives every pixel its nearest seed, and with it an antialiased line of any width.
+///
+/// Writes  r16f: coverage, 0 paper to 1 ink
+/// Cost    two full-screen dispatches, and one for each doubling of the width
+/// Source  Saito and Takahashi, "Comprehensible Rendering of 3-D Shapes", 1990; Rong and Tan, "Jump Flooding", 2006
+[[nodiscard]] gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style);
+
+} // namespace estampe::contour

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// One thread inks one pixel with the pieces of line near it, antialiased by distance.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/contour/contour.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform usampler2D nearest_image;
+layout(binding = 1) uniform sampler2D seed_image;
+layout(binding = 2, r16f) writeonly uniform image2D out_ink;
+
+layout(push_constant, scalar) uniform Constants { StrokeConstants constants; };
+
+const float half_piece_px = 0.75;
+
+float piece_coverage(vec2 position, ivec2 seed_pixel)
+{
+    vec4 seed = texelFetch(seed_image, seed_pixel, 0);
+    vec2 away = position - (vec2(seed_pixel) + 0.5 + seed.xy);
+    vec2 direction = vec2(cos(seed.z), sin(seed.z));
+    float along = clamp(dot(away, direction), -half_piece_px, half_piece_px);
+    float distance = length(away - along * direction);
+    // A line thinner than a pixel keeps its width and loses darkness.
+    float half_width = max(seed.w, 0.5);
+    return clamp(half_width + 0.5 - distance, 0.0, 1.0) * min(seed.w / 0.5, 1.0);
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = ivec2(constants.width, constants.height);
+    if (any(greaterThanEqual(pixel, size))) {
+        return;
+    }
+    vec2 position = vec2(pixel) + 0.5;
+    float ink = 0.0;
+    uint own = texelFetch(nearest_image, pixel, 0).x;
+    float own_distance = distance(vec2(pixel), vec2(own & 0xffffu, own >> 16));
+    if (own != NO_SEED && own_distance <= constants.reach_px + 2.5) {
+        for (int y = -1; y <= 1; ++y) {
+            for (int x = -1; x <= 1; ++x) {
+                uint seed = texelFetch(nearest_image, clamp(pixel + ivec2(x, y), ivec2(0), size - 1), 0).x;
+                if (seed != NO_SEED) {
+                    ink = max(ink, piece_coverage(position, ivec2(seed & 0xffffu, seed >> 16)));
+                }
+            }
+        }
+    }
+    imageStore(out_ink, pixel, vec4(ink));
+}

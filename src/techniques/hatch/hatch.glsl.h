@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_HATCH_GLSL_H
+#define ESTAMPE_HATCH_GLSL_H
+#include "shaders/tone.glsl.h"
+#ifdef __cplusplus
+namespace estampe::shared {
+#endif
+
+struct HatchConstants {
+    ToneConstants tone;
+    float width_px;
+    float wobble_px;
+    float gap_px;
+    float taper_px;
+    float cell_px; // shortest distance between two ends of one stroke's line; the longest is twice that
+    float pressure;
+    float fade; // darkness left at infinity, 1 for no fade
+    float fade_distance_m;
+    uint layers;
+    uint seed;
+    float slant_rad;
+    float black_above; // darkness from which the paper is simply covered
+};
+
+#ifdef __cplusplus
+} // namespace estampe::shared
+#endif
+
+#endif

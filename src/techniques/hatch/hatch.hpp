@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "gpu/graph/graph.hpp"
+#include "shaders/tone.glsl.h"
+#include "style/parameter.hpp"
+
+namespace estampe::hatch {
+
+enum class Coordinates : uint8_t { automatic, uv, solid };
+
+struct HatchStyle {
+    bool drawn = true;
+    float width_mm = 0.30F;
+    int layers = 3;
+    Coordinates coordinates = Coordinates::automatic;
+    float slant_deg = 24.0F;
+    float wobble_mm = 0.32F;
+    float gap_mm = 0.8F;
+    float taper_mm = 3.2F;
+    float length_mm = 11.0F;
+    float pressure = 0.28F;
+    float fade = 1.0F;
+    float fade_distance_m = 60.0F;
+    float black_above = 0.96F;
+    int seed = 1;
+};
+
+inline const style::Table<HatchStyle>& hatch_table()
+{
+    static const auto table =
+        style::Table<HatchStyle>("hatch", "Pen strokes that carry the tone")
+            .toggle("drawn", &HatchStyle::drawn, "Whether there are strokes at all")
+            .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke on the page")
+            .integer("layers", &HatchStyle::layers, {1, 3}, "", "Layers of strokes that cross as tones deepen")
+            .choice("coordinates", &HatchStyle::coordinates,
+                    {{"auto", Coordinates::automatic}, {"uv", Coordinates::uv}, {"solid", Coordinates::solid}},
+                    "What strokes follow: UVs, slices through the solid, or (auto) UVs where they run unbroken")
+            .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg", "Turn of the first layer over UVs")
+            .number("wobble_mm", &HatchStyle::wobble_mm, {0.0F, 5.0F}, "mm", "How far a stroke strays sideways")
+            .number("gap_mm", &HatchStyle::gap_mm, {0.0F, 20.0F}, "mm", "White between the end of a stroke and the next")
+            .number("taper_mm", &HatchStyle::taper_mm, {0.0F, 50.0F}, "mm", "Length over which a stroke thins to its end")
+            .number("length_mm", &HatchStyle::length_mm, {1.0F, 500.0F}, "mm", "Length of the shortest strokes")
+            .number("pressure", &HatchStyle::pressure, {0.0F, 1.0F}, "", "How much the width varies along a stroke")
+            .number("fade", &HatchStyle::fade, {0.0F, 1.0F}, "", "Share of the darkness left in the far distance")
+            .number("fade_distance_m", &HatchStyle::fade_distance_m, {0.001F, 1e6F}, "m",
+                    "Distance by which half of the fading has happened")
+            .number("black_above", &HatchStyle::black_above, {0.1F, 2.0F}, "",
+                    "Darkness from which the paper is covered whole; above 1 never")
+            .integer("seed", &HatchStyle::seed, {0, 1000000}, "", "Another number, another hand");
+    return table;
+}
+
+struct HatchInputs {
+    gpu::BufferId frame; ///< FrameGlobals
+    gpu::ImageId draw;
+    gpu::ImageId depth;
+    gpu::ImageId normal;
+    gpu::ImageId color;
+    gpu::ImageId coordinate;
+    gpu::ImageId footprint;
+    gpu::ImageId light;
+    gpu::BufferId draws;
+    shared::ToneConstants tone;
+    float pixels_per_mm = 1.0F;
+    glm::uvec2 size_px{0};
+};
+
+/// Turns light into strokes whose ink, on average, is the darkness wanted: see shaders/lines.glsl for the construction.
+///
+/// Writes  r16f: coverage, 0 paper to 1 ink
+/// Cost    one full-screen dispatch, no texture; nothing where the paper stays white
+[[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);
+
+} // namespace estampe::hatch

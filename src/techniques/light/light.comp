@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// One thread lights one pixel; the 64 threads of a tile first agree on the lights that can reach it.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/camera.glsl"
+#include "shaders/color.glsl"
+#include "shaders/material.glsl.h"
+#include "shaders/mesh.glsl.h"
+#include "shaders/octahedral.glsl"
+#include "techniques/light/light.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
+layout(scalar, binding = 1) uniform Lighting { LightGlobals lighting; };
+layout(scalar, binding = 2) readonly buffer Lights { LightRecord lights[]; };
+layout(binding = 3) uniform usampler2D draw_image;
+layout(binding = 4) uniform sampler2D depth_image;
+layout(binding = 5) uniform sampler2D normal_image;
+layout(scalar, binding = 6) readonly buffer Draws { DrawRecord draws[]; };
+layout(scalar, binding = 7) readonly buffer Materials { MaterialRecord materials[]; };
+layout(scalar, binding = 8) readonly buffer ShadowMap { uint shadow_map[]; };
+layout(binding = 9, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
+
+const uint lights_per_round = 256u;
+shared uint tile_nearest;  // bits of reversed depth, which order as numbers do
+shared uint tile_farthest;
+shared uint reaching[lights_per_round / 32u];
+
+float shadow_depth_at(ivec2 texel)
+{
+    ivec2 inside = clamp(texel, ivec2(0), ivec2(lighting.shadow_size) - 1);
+    return uintBitsToFloat(shadow_map[uint(inside.y) * lighting.shadow_size + uint(inside.x)]);
+}
+
+// Share of the sun that arrives: four comparisons, blended as a bilinear lookup would (Reeves et al. 1987).
+float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
+{
+    if (lighting.shadow_size == 0u) {
+        return 1.0;
+    }
+    float slope = sqrt(max(0.0, 1.0 - pow(dot(normal, towards_sun), 2.0)));
+    vec3 lifted = point + normal * (lighting.shadow_texel_m * (0.4 + 1.8 * slope));
+    vec4 clip = lighting.shadow_clip_from_anchor * vec4(lifted, 1.0);
+    vec2 texel = (0.5 * clip.xy + 0.5) * float(lighting.shadow_size) - 0.5;
+    if (any(lessThan(texel, vec2(0.0))) || any(greaterThan(texel, vec2(lighting.shadow_size - 1u)))) {
+        return 1.0;
+    }
+    ivec2 corner = ivec2(floor(texel));
+    vec2 f = texel - vec2(corner);
+    float receiver = clip.z + lighting.shadow_texel_m / lighting.shadow_depth_m;
+    vec4 blocker = vec4(shadow_depth_at(corner), shadow_depth_at(corner + ivec2(1, 0)),
+                        shadow_depth_at(corner + ivec2(0, 1)), shadow_depth_at(corner + ivec2(1, 1)));
+    vec4 lit = vec4(greaterThanEqual(vec4(receiver), blocker));
+    return mix(mix(lit.x, lit.y, f.x), mix(lit.z, lit.w, f.x), f.y);
+}
+
+vec3 local_light(LightRecord light, vec3 point, vec3 normal)
+{
+    vec3 to_light = light.position - point;
+    float distance_2 = max(dot(to_light, to_light), 1e-6);
+    vec3 direction = to_light * inversesqrt(distance_2);
+    // KHR_lights_punctual: inverse square, windowed to reach zero at the range.
+    float ratio = distance_2 / (light.range_m * light.range_m);
+    float window = clamp(1.0 - ratio * ratio, 0.0, 1.0);
+    float attenuation = window / distance_2;
+    if (light.type == LIGHT_SPOT) {
+        float cone = clamp(dot(-direction, light.direction) * light.cone_scale + light.cone_offset, 0.0, 1.0);
+        attenuation *= cone * cone;
+    }
+    return light.color * (attenuation * max(dot(normal, direction), 0.0));
+}
+
+// Bounds of the tile's visible points in anchor space.
+void tile_box(out vec3 low, out vec3 high)
+{
+    vec2 corner = vec2(gl_WorkGroupID.xy * 8u);
+    float near = uintBitsToFloat(tile_nearest);
+    float far = uintBitsToFloat(tile_farthest);
+    low = vec3(1e30);
+    high = vec3(-1e30);
+    for (int i = 0; i < 8; ++i) {
+        vec2 at = corner + 8.0 * vec2(i & 1, (i >> 1) & 1);
+        vec3 point = anchor_at(frame, at, (i & 4) != 0 ? near : far);
+        low = min(low, point);
+        high = max(high, point);
+    }
+}
+
+void find_reaching(uint first, uint count)
+{
+    uint thread = gl_LocalInvocationIndex;
+    if (thread < lights_per_round / 32u) {
+        reaching[thread] = 0u;
+    }
+    barrier();
+    vec3 low, high;
+    tile_box(low, high);
+    for (uint i = thread; i < count; i += 64u) {
+        LightRecord light = lights[first + i];
+        vec3 gap = max(max(low - light.position, light.position - high), vec3(0.0));
+        if (tile_nearest != 0u && dot(gap, gap) < light.range_m * light.range_m) {
+            atomicOr(reaching[i >> 5], 1u << (i & 31u));
+        }
+    }
+    barrier();
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    bool on_page = all(lessThan(uvec2(pixel), frame.size_px));
+    uint draw = on_page ? texelFetch(draw_image, pixel, 0).x : 0u;
+    float depth = draw != 0u ? texelFetch(depth_image, pixel, 0).x : 0.0;
+    vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9));
+    vec3 normal = octahedral_decode(texelFetch(normal_image, min(pixel, ivec2(frame.size_px) - 1), 0).xy);
+
+    vec3 light = mix(lighting.ground_ambient, lighting.sky_ambient, 0.5 + 0.5 * normal.y);
+    if (draw != 0u) {
+        vec3 smooth_normal = octahedral_decode(texelFetch(normal_image, pixel, 0).zw);
+        for (uint i = 0u; i < lighting.directional_count; ++i) {
+            LightRecord sun = lights[i];
+            float lambert = max(dot(normal, sun.direction), 0.0);
+            bool faces = dot(smooth_normal, sun.direction) > 0.0;
+            if (lambert > 0.0 && faces) {
+                light += sun.color * (lambert * (i == 0u ? sun_visibility(point, smooth_normal, sun.direction) : 1.0));
+            }
+        }
+    }
+    if (lighting.local_count != 0u) {
+        if (gl_LocalInvocationIndex == 0u) {
+            tile_nearest = 0u;
+            tile_farthest = 0xffffffffu;
+        }
+        barrier();
+        if (draw != 0u) {
+            atomicMax(tile_nearest, floatBitsToUint(depth));
+            atomicMin(tile_farthest, floatBitsToUint(depth));
+        }
+        barrier();
+        for (uint done = 0u; done < lighting.local_count; done += lights_per_round) {
+            uint first = lighting.directional_count + done;
+            find_reaching(first, min(lights_per_round, lighting.local_count - done));
+            for (uint word = 0u; word < lights_per_round / 32u; ++word) {
+                uint bits = reaching[word];
+                while (bits != 0u) {
+                    uint bit = uint(findLSB(bits));
+                    bits &= bits - 1u;
+                    light += local_light(lights[first + word * 32u + bit], point, normal);
+                }
+            }
+            barrier();
+        }
+    }
+    if (!on_page) {
+        return;
+    }
+    if (draw != 0u) {
+        MaterialRecord material = materials[draws[draw - 1u].material];
+        light = (material.flags & MATERIAL_UNLIT) != 0u ? vec3(1.0) : light + material.emissive;
+    } else {
+        light = vec3(1.0);
+    }
+    imageStore(out_light, pixel, vec4(light, luminance(light)));
+}

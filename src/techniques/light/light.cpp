@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/light/light.hpp"
+
+#include "shaders/light_comp.hpp"
+
+namespace estampe::light {
+
+shared::ToneConstants tone_constants(const ToneStyle& style)
+{
+    return {.exposure = style.exposure,
+            .gamma = style.gamma,
+            .contrast = style.contrast,
+            .floor = style.floor,
+            .ceiling = style.ceiling,
+            .local_value = style.local_value};
+}
+
+gpu::ImageId add_light(gpu::Graph& graph, const LightInputs& in)
+{
+    auto pass = graph.compute("light", shaders::light_comp);
+    pass.uniform(in.frame).uniform(in.lighting).read(in.lights);
+    pass.sample(in.draw).sample(in.depth).sample(in.normal).read(in.draws).read(in.materials).read(in.shadow_map);
+    const gpu::ImageId light = pass.write(graph.image(
+        "light", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
+    pass.dispatch_over(in.size_px.x, in.size_px.y);
+    return light;
+}
+
+} // namespace estampe::light

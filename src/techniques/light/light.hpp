@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Light that arrives at each pixel: the sun with its shadow, and any number of local lights, found per tile.
+
+#include <vector>
+
+#include <estampe/scene.hpp>
+
+#include "gpu/graph/graph.hpp"
+#include "shaders/tone.glsl.h"
+#include "techniques/light/light.glsl.h"
+#include "techniques/light/light_style.hpp"
+
+namespace estampe::light {
+
+/// The lights of a frame: directional ones first, the strongest first of all, because it throws the shadow.
+struct Lighting {
+    std::vector<shared::LightRecord> records;
+    uint32_t directional_count = 0;
+    glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< of the first directional light; straight up when there is none
+    glm::vec3 ambient{0.0F};
+};
+
+/// Places the scene's lights in anchor space, or the style's sun where it has none. Intensities (lux, candela) are scaled
+/// so that the scene's well-lit parts come to about one, whatever units the file was made in. A light without a range
+/// gets one where it falls under 1/400 of that.
+[[nodiscard]] Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
+                                     const glm::dvec3& anchor, const LightStyle& style);
+
+/// The style's tone curve as the shaders want it.
+[[nodiscard]] shared::ToneConstants tone_constants(const ToneStyle& style);
+
+struct LightInputs {
+    gpu::BufferId frame;    ///< FrameGlobals
+    gpu::BufferId lighting; ///< LightGlobals
+    gpu::BufferId lights;   ///< LightRecord
+    gpu::ImageId draw;
+    gpu::ImageId depth;
+    gpu::ImageId normal;
+    gpu::BufferId draws;
+    gpu::BufferId materials;
+    gpu::BufferId shadow_map; ///< bits of reversed depth, row by row
+    glm::uvec2 size_px{0};
+};
+
+/// Lights the surface.
+///
+/// Writes  rgba16f: irradiance over pi, and its luminance; 1 where a material is unlit or nothing is seen
+/// Cost    one full-screen dispatch; local lights cost where they reach
+/// Source  tiled culling after Olsson and Assarsson, "Tiled Shading", 2011
+[[nodiscard]] gpu::ImageId add_light(gpu::Graph& graph, const LightInputs& in);
+
+} // namespace estampe::light

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "style/parameter.hpp"
+
+namespace estampe::light {
+
+enum class LightSource : uint8_t { automatic, scene, sun };
+
+struct LightStyle {
+    LightSource source = LightSource::automatic;
+    float sun_azimuth_deg = -48.0F;
+    float sun_elevation_deg = 40.0F;
+    float exposure_stops = 0.0F;
+    float ambient = 0.16F;
+    bool shadows = true;
+    int shadow_size = 2048;
+};
+
+inline const style::Table<LightStyle>& light_table()
+{
+    static const auto table =
+        style::Table<LightStyle>("light", "Where the light comes from")
+            .choice("source", &LightStyle::source,
+                    {{"auto", LightSource::automatic}, {"scene", LightSource::scene}, {"sun", LightSource::sun}},
+                    "The scene's own lights, the sun below, or (auto) the sun only where the scene has no light")
+            .number("sun_azimuth_deg", &LightStyle::sun_azimuth_deg, {-360.0F, 360.0F}, "deg",
+                    "Bearing of the sun: 0 at the viewer's back in the framed view (+z), 90 to the right (+x)")
+            .number("sun_elevation_deg", &LightStyle::sun_elevation_deg, {-10.0F, 90.0F}, "deg",
+                    "Height of the sun above the horizon")
+            .number("exposure_stops", &LightStyle::exposure_stops, {-10.0F, 10.0F}, "stops",
+                    "Brighter or darker than the exposure that the scene's lights suggest")
+            .number("ambient", &LightStyle::ambient, {0.0F, 1.0F}, "",
+                    "Light from everywhere, as a share of the sun's")
+            .toggle("shadows", &LightStyle::shadows, "Whether the sun throws shadows")
+            .integer("shadow_size", &LightStyle::shadow_size, {64, 8192}, "texels", "Side of the sun's shadow map");
+    return table;
+}
+
+struct ToneStyle {
+    float exposure = 1.12F;
+    float gamma = 0.85F;
+    float contrast = 1.12F;
+    float floor = 0.10F;
+    float ceiling = 0.97F;
+    float local_value = 0.45F;
+};
+
+inline const style::Table<ToneStyle>& tone_table()
+{
+    static const auto table =
+        style::Table<ToneStyle>("tone", "How light becomes darkness on the page")
+            .number("exposure", &ToneStyle::exposure, {0.05F, 20.0F}, "", "Light is multiplied by this first")
+            .number("gamma", &ToneStyle::gamma, {0.1F, 4.0F}, "", "Exponent of light; below 1 opens the shadows")
+            .number("contrast", &ToneStyle::contrast, {0.1F, 20.0F}, "",
+                    "Darkness is multiplied about its middle by this, and saturates")
+            .number("floor", &ToneStyle::floor, {0.0F, 0.9F}, "", "Darkness under this stays white paper")
+            .number("ceiling", &ToneStyle::ceiling, {0.1F, 1.0F}, "", "No tone is darker than this")
+            .number("local_value", &ToneStyle::local_value, {0.0F, 1.0F}, "",
+                    "How much a dark material is drawn darker than a pale one in the same light");
+    return table;
+}
+
+} // namespace estampe::light

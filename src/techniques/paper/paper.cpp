@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/paper/paper.hpp"
+
+#include "shaders/compose_comp.hpp"
+#include "shaders/develop_comp.hpp"
+#include "techniques/paper/paper.glsl.h"
+
+namespace estampe::paper {
+
+gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style)
+{
+    auto pass = graph.compute("compose", shaders::compose_comp);
+    pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
+    const gpu::ImageId picture = pass.write(
+        graph.image("picture", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
+    pass.push(shared::PaperConstants{.paper_color = style.color,
+                                     .grain = style.grain,
+                                     .ink_color = style.ink,
+                                     .granulation = style.granulation,
+                                     .line_color = style.line_ink,
+                                     .ink_break = style.ink_break,
+                                     .seed = static_cast<uint32_t>(style.seed)})
+        .dispatch_over(in.size_px.x, in.size_px.y);
+    return picture;
+}
+
+Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::BufferId sums, gpu::BufferId pixels,
+                      glm::uvec2 size_px, const Accumulation& accumulation)
+{
+    auto pass = graph.compute("develop", shaders::develop_comp);
+    pass.sample(picture);
+    const gpu::BufferId added = pass.modify(sums);
+    const gpu::BufferId written = pass.write(pixels);
+    pass.push(shared::DevelopConstants{.width = size_px.x,
+                                       .height = size_px.y,
+                                       .sample_index = accumulation.sample_index,
+                                       .sample_count = accumulation.sample_count})
+        .dispatch_over(size_px.x, size_px.y);
+    return {added, written};
+}
+
+} // namespace estampe::paper

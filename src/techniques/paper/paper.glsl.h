@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_PAPER_GLSL_H
+#define ESTAMPE_PAPER_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#endif
+
+struct PaperConstants {
+    vec3 paper_color;
+    float grain;       // relief of the paper, 0 to 1
+    vec3 ink_color;
+    float granulation; // how far paint settles in the hollows
+    vec3 line_color;
+    float ink_break;   // how far ink skips the heights
+    uint seed;
+};
+
+struct DevelopConstants {
+    uint width;
+    uint height;
+    uint sample_index;
+    uint sample_count;
+};
+
+#ifdef __cplusplus
+} // namespace estampe::shared
+#endif
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "gpu/graph/graph.hpp"
+#include "shaders/shared.hpp"
+#include "style/parameter.hpp"
+
+namespace estampe::paper {
+
+struct PaperStyle {
+    float height_mm = 150.0F;
+    glm::vec3 color = style::srgb(0xf6f0e2);
+    float grain = 0.55F;
+    float granulation = 0.5F;
+    glm::vec3 ink = style::srgb(0x1c1a20);
+    glm::vec3 line_ink = style::srgb(0x141318);
+    float ink_break = 0.25F;
+    int seed = 1;
+};
+
+inline const style::Table<PaperStyle>& paper_table()
+{
+    static const auto table =
+        style::Table<PaperStyle>("paper", "The page, and how ink and paint lie on it")
+            .number("height_mm", &PaperStyle::height_mm, {10.0F, 5000.0F}, "mm",
+                    "Height of the picture on the page: what millimetres of pen width refer to")
+            .color("color", &PaperStyle::color, "Colour of the paper")
+            .number("grain", &PaperStyle::grain, {0.0F, 1.0F}, "", "Relief of the paper")
+            .number("granulation", &PaperStyle::granulation, {0.0F, 1.0F}, "", "How far paint settles in the hollows")
+            .color("ink", &PaperStyle::ink, "Ink of the strokes")
+            .color("line_ink", &PaperStyle::line_ink, "Ink of the contours")
+            .number("ink_break", &PaperStyle::ink_break, {0.0F, 1.0F}, "", "How far ink skips the heights of the paper")
+            .integer("seed", &PaperStyle::seed, {0, 1000000}, "", "Another number, another sheet");
+    return table;
+}
+
+struct ComposeInputs {
+    gpu::BufferId frame; ///< FrameGlobals
+    gpu::ImageId wash;
+    gpu::ImageId hatch;
+    gpu::ImageId lines;
+    gpu::ImageId sky_ink;
+    glm::uvec2 size_px{0};
+};
+
+/// Lays the layers on paper. Writes rgba16f, linear colour. Cost: one full-screen dispatch.
+[[nodiscard]] gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style);
+
+/// Which of the jittered frames of one picture this is.
+struct Accumulation {
+    uint32_t sample_index = 0;
+    uint32_t sample_count = 1;
+};
+
+/// Adds a frame to `sums` (one vec4 a pixel) and, with the last one, writes `pixels`: sRGB, four bytes a pixel.
+/// Returns the new version of `pixels`. Cost: one full-screen dispatch.
+struct Developed {
+    gpu::BufferId sums;
+    gpu::BufferId pixels;
+};
+[[nodiscard]] Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::BufferId sums, gpu::BufferId pixels,
+                                    glm::uvec2 size_px, const Accumulation& accumulation);
+
+} // namespace estampe::paper

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/pose/mesh_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/packing.hpp>
+
+#include <estampe/error.hpp>
+
+#include "scene/pose.hpp"
+
+namespace estampe::pose {
+namespace {
+
+constexpr uint64_t most_vertices = 1ULL << 31;
+
+uint32_t pack_normal(glm::vec3 n)
+{
+    const float sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+    if (!(sum > 0.0F)) {
+        return pack_normal({0.0F, 1.0F, 0.0F});
+    }
+    glm::vec2 e = glm::vec2(n.x, n.y) / sum;
+    if (n.z < 0.0F) {
+        const glm::vec2 sign(e.x >= 0.0F ? 1.0F : -1.0F, e.y >= 0.0F ? 1.0F : -1.0F);
+        e = (1.0F - glm::abs(glm::vec2(e.y, e.x))) * sign;
+    }
+    return glm::packSnorm2x16(e);
+}
+
+template <typename T>
+T value_or(const std::vector<T>& values, size_t index, const T& otherwise)
+{
+    return index < values.size() ? values[index] : otherwise;
+}
+
+shared::SkinVertex pack_influences(const Primitive& primitive, size_t vertex)
+{
+    const auto joints_0 = value_or(primitive.joints_0, vertex, glm::u16vec4(0));
+    const auto joints_1 = value_or(primitive.joints_1, vertex, glm::u16vec4(0));
+    const auto weights_0 = value_or(primitive.weights_0, vertex, glm::vec4(0.0F));
+    const auto weights_1 = value_or(primitive.weights_1, vertex, glm::vec4(0.0F));
+    const auto pair = [](uint32_t low, uint32_t high) { return low | high << 16U; };
+    return {.joints = {pair(joints_0.x, joints_0.y), pair(joints_0.z, joints_0.w), pair(joints_1.x, joints_1.y),
+                       pair(joints_1.z, joints_1.w)},
+            .weights = {glm::packUnorm2x16({weights_0.x, weights_0.y}), glm::packUnorm2x16({weights_0.z, weights_0.w}),
+                        glm::packUnorm2x16({weights_1.x, weights_1.y}), glm::packUnorm2x16({weights_1.z, weights_1.w})}};
+}
+
+/// Where a primitive's vertices have been put, so that nodes that share a mesh share its vertices.
+struct UploadedPrimitive {
+    uint32_t first_rest_vertex = 0;
+    uint32_t first_skin_vertex = shared::no_skin;
+    uint32_t first_morph_offset = 0;
+    Bounds bounds;
+    bool follows_uv = false;
+};
+
+class Builder {
+public:
+    Builder(const Scene& scene, MeshData& data)
+        : scene_(scene), data_(data), rest_pose_(pose_scene(scene, 0.0, no_index))
+    {
+    }
+
+    void run(Index ground_material)
+    {
+        data_.bounds = scene_bounds(scene_, rest_pose_);
+        data_.anchor = data_.bounds.center();
+        data_.stroke_unit_m = std::exp2(std::ceil(std::log2(std::max(data_.bounds.radius(), 1e-9))));
+        for (Index node = 0; node < scene_.nodes.size(); ++node) {
+            if (scene_.nodes[node].mesh != no_index) {
+                add_node(node);
+            }
+        }
+        data_.opaque = append(opaque_);
+        data_.masked = append(masked_);
+        data_.blended = append(blended_);
+        add_ground(ground_material);
+    }
+
+private:
+    Range append(const std::vector<glm::uvec4>& triangles)
+    {
+        const Range range{static_cast<uint32_t>(data_.triangles.size()), static_cast<uint32_t>(triangles.size())};
+        data_.triangles.insert(data_.triangles.end(), triangles.begin(), triangles.end());
+        return range;
+    }
+
+    void add_node(Index node_index)
+    {
+        const Node& node = scene_.nodes[node_index];
+        const Mesh& mesh = scene_.meshes[node.mesh];
+        const std::vector<glm::mat4> joints = skin_matrices(scene_, rest_pose_, node_index);
+        const uint32_t first_joint = data_.joint_count;
+        data_.joint_count += static_cast<uint32_t>(joints.size());
+        const uint32_t first_weight = data_.morph_weight_count;
+        data_.morph_weight_count += static_cast<uint32_t>(rest_pose_.morph_weights[node_index].size());
+        const size_t places = joints.empty() ? std::max<size_t>(node.instances.size(), 1) : 1;
+        for (const Primitive& primitive : mesh.primitives) {
+            if (primitive.topology != Topology::triangles || primitive.indices.empty()) {
+                continue;
+            }
+            const UploadedPrimitive& uploaded = upload(primitive);
+            for (uint32_t instance = 0; instance < places; ++instance) {
+                shared::DrawRecord draw{};
+                draw.first_posed_vertex = static_cast<uint32_t>(data_.draw_of_vertex.size());
+                draw.first_rest_vertex = uploaded.first_rest_vertex;
+                draw.vertex_count = static_cast<uint32_t>(primitive.positions.size());
+                draw.material = primitive.material;
+                draw.first_skin_vertex = joints.empty() ? shared::no_skin : uploaded.first_skin_vertex;
+                draw.first_joint = first_joint;
+                draw.first_morph_offset = uploaded.first_morph_offset;
+                draw.morph_target_count = static_cast<uint32_t>(
+                    std::min(primitive.morph_targets.size(), rest_pose_.morph_weights[node_index].size()));
+                draw.first_morph_weight = first_weight;
+                draw.object = node_index;
+                draw.strokes_follow_uv = uploaded.follows_uv ? 1U : 0U;
+                data_.sources.push_back({.node = node_index, .instance = instance, .local_bounds = uploaded.bounds});
+                add_draw(primitive, draw, place_of(node_index, instance), joints);
+            }
+        }
+    }
+
+    glm::dmat4 place_of(Index node, uint32_t instance) const
+    {
+        const auto& instances = scene_.nodes[node].instances;
+        const glm::dmat4 place = rest_pose_.world_from_node[node];
+        return instances.empty() ? place : place * glm::dmat4(instances[instance]);
+    }
+
+    const UploadedPrimitive& upload(const Primitive& primitive)
+    {
+        const auto [entry, is_new] = uploaded_.try_emplace(&primitive);
+        UploadedPrimitive& result = entry->second;
+        if (!is_new) {
+            return result;
+        }
+        result.first_rest_vertex = static_cast<uint32_t>(data_.rest_vertices.size());
+        result.first_morph_offset = static_cast<uint32_t>(data_.morph_offsets.size());
+        result.follows_uv = uvs_are_usable(primitive);
+        const size_t count = primitive.positions.size();
+        for (size_t i = 0; i < count; ++i) {
+            const glm::vec4 color = value_or(primitive.colors, i, glm::vec4(1.0F));
+            const glm::vec4 stored(glm::sqrt(glm::clamp(glm::vec3(color), 0.0F, 1.0F)), color.w);
+            data_.rest_vertices.push_back({.position = primitive.positions[i],
+                                           .normal = pack_normal(value_or(primitive.normals, i, glm::vec3(0, 1, 0))),
+                                           .uv_0 = value_or(primitive.uvs[0], i, glm::vec2(0.0F)),
+                                           .uv_1 = value_or(primitive.uvs[1], i, glm::vec2(0.0F)),
+                                           .color = glm::packUnorm4x8(stored)});
+            result.bounds.extend(primitive.positions[i]);
+        }
+        if (!primitive.weights_0.empty()) {
+            result.first_skin_vertex = static_cast<uint32_t>(data_.skin_vertices.size());
+            for (size_t i = 0; i < count; ++i) {
+                data_.skin_vertices.push_back(pack_influences(primitive, i));
+            }
+        }
+        for (const MorphTarget& target : primitive.morph_targets) {
+            for (size_t i = 0; i < count; ++i) {
+                data_.morph_offsets.push_back({.position = value_or(target.position_offsets, i, glm::vec3(0.0F)),
+                                               .normal = value_or(target.normal_offsets, i, glm::vec3(0.0F))});
+            }
+        }
+        return result;
+    }
+
+    void add_draw(const Primitive& primitive, const shared::DrawRecord& draw, const glm::dmat4& place,
+                  const std::vector<glm::mat4>& joints)
+    {
+        const auto index = static_cast<uint32_t>(data_.draws.size());
+        if (data_.draw_of_vertex.size() + draw.vertex_count > most_vertices ||
+            index >= shared::triangle_draw_mask) {
+            throw Error("the scene draws more vertices than can be numbered", scene_.name, "use a lighter scene");
+        }
+        data_.draws.push_back(draw);
+        data_.draw_of_vertex.insert(data_.draw_of_vertex.end(), draw.vertex_count, index);
+        for (size_t i = 0; i < primitive.positions.size(); ++i) {
+            glm::dmat4 vertex_place = place;
+            if (draw.first_skin_vertex != shared::no_skin) {
+                vertex_place = blended_joints(primitive, i, joints);
+            }
+            const glm::dvec3 world(vertex_place * glm::dvec4(primitive.positions[i], 1.0));
+            data_.stroke_coordinates.emplace_back((world - data_.anchor) / data_.stroke_unit_m);
+        }
+        const Material& material = scene_.materials[primitive.material];
+        const bool mirrored = joints.empty() && glm::determinant(glm::dmat3(place)) < 0.0;
+        const uint32_t flags = index | (mirrored ? shared::triangle_mirrored : 0U) |
+                               (material.double_sided ? shared::triangle_two_sided : 0U);
+        auto& list = material.alpha_mode == AlphaMode::opaque ? opaque_
+                     : material.alpha_mode == AlphaMode::mask ? masked_
+                                                              : blended_;
+        for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+            list.push_back({draw.first_posed_vertex + primitive.indices[i],
+                            draw.first_posed_vertex + primitive.indices[i + 1],
+                            draw.first_posed_vertex + primitive.indices[i + 2], flags});
+        }
+    }
+
+    static glm::dmat4 blended_joints(const Primitive& primitive, size_t vertex, const std::vector<glm::mat4>& joints)
+    {
+        glm::mat4 sum(0.0F);
+        const auto add = [&](const std::vector<glm::u16vec4>& indices, const std::vector<glm::vec4>& weights) {
+            for (int k = 0; vertex < weights.size() && vertex < indices.size() && k < 4; ++k) {
+                if (indices[vertex][k] < joints.size()) {
+                    sum += weights[vertex][k] * joints[indices[vertex][k]];
+                }
+            }
+        };
+        add(primitive.joints_0, primitive.weights_0);
+        add(primitive.joints_1, primitive.weights_1);
+        return {sum};
+    }
+
+    void add_ground(Index material)
+    {
+        const double radius = std::max(data_.bounds.radius(), 1e-6);
+        const auto reach = static_cast<float>(60.0 * radius);
+        Primitive quad;
+        const float height = static_cast<float>(data_.bounds.min.y - data_.anchor.y - 1e-3 * radius);
+        for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
+            quad.positions.emplace_back(corner.x * reach, height, corner.y * reach);
+            quad.normals.emplace_back(0.0F, 1.0F, 0.0F);
+        }
+        quad.indices = {0, 1, 2, 0, 2, 3};
+        const auto index = static_cast<uint32_t>(data_.draws.size());
+        shared::DrawRecord draw{};
+        draw.anchor_from_object = glm::mat4(1.0F);
+        draw.first_posed_vertex = static_cast<uint32_t>(data_.draw_of_vertex.size());
+        draw.first_rest_vertex = static_cast<uint32_t>(data_.rest_vertices.size());
+        draw.vertex_count = 4;
+        draw.material = material;
+        draw.first_skin_vertex = shared::no_skin;
+        draw.object = static_cast<uint32_t>(scene_.nodes.size());
+        for (const glm::vec3& position : quad.positions) {
+            data_.rest_vertices.push_back(
+                {.position = position, .normal = pack_normal({0.0F, 1.0F, 0.0F}), .color = 0xffffffffU});
+            data_.stroke_coordinates.push_back(position / static_cast<float>(data_.stroke_unit_m));
+        }
+        data_.draws.push_back(draw);
+        data_.draw_of_vertex.insert(data_.draw_of_vertex.end(), 4, index);
+        const uint32_t v = draw.first_posed_vertex;
+        data_.ground = append({{v, v + 1, v + 2, index}, {v, v + 2, v + 3, index}});
+    }
+
+    const Scene& scene_;
+    MeshData& data_;
+    ScenePose rest_pose_;
+    std::map<const Primitive*, UploadedPrimitive> uploaded_;
+    std::vector<glm::uvec4> opaque_, masked_, blended_;
+};
+
+} // namespace
+
+MeshData build_meshes(const Scene& scene, Index ground_material)
+{
+    MeshData data;
+    Builder(scene, data).run(ground_material);
+    return data;
+}
+
+} // namespace estampe::pose

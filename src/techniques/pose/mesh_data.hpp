@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The meshes of a scene in the form the GPU wants, made on the processor: one vertex list, one triangle list, one record
+// for every place where a primitive is drawn.
+
+#include <cstdint>
+#include <vector>
+
+#include <estampe/scene.hpp>
+
+#include "shaders/mesh.glsl.h"
+
+namespace estampe::pose {
+
+/// Consecutive triangles.
+struct Range {
+    uint32_t first = 0;
+    uint32_t count = 0;
+};
+
+/// Where a draw comes from, for posing it later.
+struct DrawSource {
+    Index node = 0;
+    uint32_t instance = 0; ///< into Node::instances; 0 when there are none
+    Bounds local_bounds;   ///< of the rest vertices, in object space
+};
+
+/// Draws, vertices and triangles of a scene. Triangles come in the order opaque, masked, blended, ground.
+struct MeshData {
+    std::vector<shared::RestVertex> rest_vertices;
+    std::vector<shared::SkinVertex> skin_vertices;
+    std::vector<shared::MorphOffset> morph_offsets;
+    std::vector<glm::uvec4> triangles;         ///< three posed vertices, and draw with flags
+    std::vector<glm::vec3> stroke_coordinates; ///< one a posed vertex: place in the rest pose, in units of `stroke_unit_m`
+    std::vector<uint32_t> draw_of_vertex;      ///< one a posed vertex
+    std::vector<shared::DrawRecord> draws;     ///< matrices not filled in
+    std::vector<DrawSource> sources;           ///< one a draw; the ground has none and comes last
+    Range opaque, masked, blended, ground;
+    uint32_t joint_count = 0;
+    uint32_t morph_weight_count = 0;
+    glm::dvec3 anchor{0.0}; ///< origin of anchor space in the world
+    double stroke_unit_m = 1.0;
+    Bounds bounds; ///< of the rest pose
+};
+
+/// Builds the mesh data of `scene`. Strokes follow UVs where `uvs_are_usable` of a primitive says so, otherwise the place
+/// in the rest pose, so that they stick to skinned and morphing bodies. Draws a ground of material `ground_material`
+/// under the scene, as a range of its own. Throws Error when the scene has more vertices than 32 bits can number.
+/// Cost: linear in vertices drawn.
+[[nodiscard]] MeshData build_meshes(const Scene& scene, Index ground_material);
+
+/// Whether a primitive's first UV set can carry strokes: present, finite, hardly stretched, and not cut into islands, at
+/// whose borders strokes would break. Cost: linear in triangles.
+[[nodiscard]] bool uvs_are_usable(const Primitive& primitive);
+
+/// What moves from frame to frame, ready to be copied to the GPU.
+struct PoseData {
+    std::vector<shared::DrawRecord> draws;
+    std::vector<glm::mat4> joints; ///< anchor_from_bind
+    std::vector<float> morph_weights;
+    Bounds casters; ///< world bounds of all that can throw a shadow: everything but a floor that lies lowest
+    bool operator==(const PoseData& other) const;
+};
+
+[[nodiscard]] PoseData pose_meshes(const MeshData& meshes, const Scene& scene, const ScenePose& pose);
+
+} // namespace estampe::pose

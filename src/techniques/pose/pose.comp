@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// One thread poses one vertex: morph targets first, then the skin, then the place of its object.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/items.glsl"
+#include "shaders/mesh.glsl.h"
+#include "shaders/octahedral.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) readonly buffer Draws { DrawRecord draws[]; };
+layout(scalar, binding = 1) readonly buffer DrawOfVertex { uint draw_of_vertex[]; };
+layout(scalar, binding = 2) readonly buffer RestVertices { RestVertex rest_vertices[]; };
+layout(scalar, binding = 3) readonly buffer SkinVertices { SkinVertex skin_vertices[]; };
+layout(scalar, binding = 4) readonly buffer MorphOffsets { MorphOffset morph_offsets[]; };
+layout(scalar, binding = 5) readonly buffer Joints { mat4 anchor_from_bind[]; };
+layout(scalar, binding = 6) readonly buffer MorphWeights { float morph_weights[]; };
+layout(scalar, binding = 7) writeonly buffer PosedVertices { PosedVertex posed_vertices[]; };
+
+layout(push_constant, scalar) uniform Constants { uint vertex_count; };
+
+mat4 skin_matrix(DrawRecord draw, uint local)
+{
+    SkinVertex skin = skin_vertices[draw.first_skin_vertex + local];
+    mat4 blended = mat4(0.0);
+    for (uint pair = 0u; pair < 4u; ++pair) {
+        uint joints = skin.joints[pair];
+        vec2 weights = unpackUnorm2x16(skin.weights[pair]);
+        if (weights.x > 0.0) {
+            blended += weights.x * anchor_from_bind[draw.first_joint + (joints & 0xffffu)];
+        }
+        if (weights.y > 0.0) {
+            blended += weights.y * anchor_from_bind[draw.first_joint + (joints >> 16)];
+        }
+    }
+    return blended;
+}
+
+void main()
+{
+    uint index = item_index();
+    if (index >= vertex_count) {
+        return;
+    }
+    DrawRecord draw = draws[draw_of_vertex[index]];
+    uint local = index - draw.first_posed_vertex;
+    RestVertex rest = rest_vertices[draw.first_rest_vertex + local];
+    vec3 position = rest.position;
+    vec3 normal = octahedral_decode(unpackSnorm2x16(rest.normal));
+    for (uint target = 0u; target < draw.morph_target_count; ++target) {
+        float weight = morph_weights[draw.first_morph_weight + target];
+        if (weight != 0.0) {
+            MorphOffset offset = morph_offsets[draw.first_morph_offset + target * draw.vertex_count + local];
+            position += weight * offset.position;
+            normal += weight * offset.normal;
+        }
+    }
+    mat4 place = draw.anchor_from_object;
+    if (draw.first_skin_vertex != NO_SKIN) {
+        place = skin_matrix(draw, local);
+    }
+    vec4 posed = place * vec4(position, 1.0);
+    mat3 linear = mat3(place);
+    // The cofactor matrix turns normals as the inverse transpose does, and survives a flattening scale.
+    mat3 cofactor = mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
+    vec3 turned = cofactor * normal;
+    float turned_length = length(turned);
+    turned = turned_length > 0.0 ? turned / turned_length : vec3(0.0, 1.0, 0.0);
+    posed_vertices[index].position = posed.xyz;
+    posed_vertices[index].normal = packSnorm2x16(octahedral_encode(turned));
+}

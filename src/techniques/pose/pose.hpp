@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Puts the meshes on the GPU and poses them there, every vertex in one dispatch.
+
+#include "gpu/graph/graph.hpp"
+#include "gpu/resources.hpp"
+#include "techniques/pose/mesh_data.hpp"
+
+namespace estampe::pose {
+
+/// A scene's meshes on the GPU. The posed vertices are kept twice: of this frame and of the one before.
+struct MeshBuffers {
+    gpu::Buffer rest_vertices;
+    gpu::Buffer skin_vertices;
+    gpu::Buffer morph_offsets;
+    gpu::Buffer triangles;
+    gpu::Buffer stroke_coordinates;
+    gpu::Buffer draw_of_vertex;
+    gpu::Buffer draws;
+    gpu::Buffer joints;
+    gpu::Buffer morph_weights;
+    gpu::Buffer posed_vertices[2];
+    uint32_t vertex_count = 0;
+};
+
+/// Uploads `data`. Throws Error when it does not fit the device. Cost: one copy of everything.
+[[nodiscard]] MeshBuffers upload_meshes(gpu::Device& device, const MeshData& data);
+
+/// Overwrites what moves: draws, joints, weights. Waits for the copy.
+void upload_pose(gpu::Device& device, MeshBuffers& meshes, const PoseData& pose);
+
+/// What a pose reads, as handles of one graph.
+struct PoseInputs {
+    gpu::BufferId draws;
+    gpu::BufferId draw_of_vertex;
+    gpu::BufferId rest_vertices;
+    gpu::BufferId skin_vertices;
+    gpu::BufferId morph_offsets;
+    gpu::BufferId joints;
+    gpu::BufferId morph_weights;
+};
+
+/// Poses all vertices: morph targets, then skin, then place.
+///
+/// Writes  posed vertices, relative to the anchor
+/// Cost    one dispatch, one thread a vertex
+/// Source  linear blend skinning as glTF 2.0, section 3.7.3, has it
+[[nodiscard]] gpu::BufferId add_pose(gpu::Graph& graph, const PoseInputs& in, gpu::BufferId posed_vertices,
+                                     uint32_t vertex_count);
+
+} // namespace estampe::pose

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstring>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "scene/pose.hpp"
+#include "techniques/pose/mesh_data.hpp"
+
+namespace estampe::pose {
+namespace {
+
+Bounds transformed(const Bounds& local, const glm::dmat4& place)
+{
+    Bounds result;
+    for (int i = 0; i < 8 && !local.empty(); ++i) {
+        const glm::dvec3 corner((i & 1) != 0 ? local.max.x : local.min.x, (i & 2) != 0 ? local.max.y : local.min.y,
+                                (i & 4) != 0 ? local.max.z : local.min.z);
+        result.extend(glm::dvec3(place * glm::dvec4(corner, 1.0)));
+    }
+    return result;
+}
+
+/// A floor: flat, level, and nothing below it, so that its shadow can fall on nothing.
+bool is_lowest_floor(const Bounds& draw, const Bounds& scene)
+{
+    const double extent = std::max({scene.max.x - scene.min.x, scene.max.y - scene.min.y, scene.max.z - scene.min.z});
+    return draw.max.y - draw.min.y <= 1e-3 * extent && draw.max.y <= scene.min.y + 2e-3 * extent;
+}
+
+} // namespace
+
+bool PoseData::operator==(const PoseData& other) const
+{
+    return draws.size() == other.draws.size() && joints == other.joints && morph_weights == other.morph_weights &&
+           std::memcmp(draws.data(), other.draws.data(), draws.size() * sizeof(shared::DrawRecord)) == 0;
+}
+
+PoseData pose_meshes(const MeshData& meshes, const Scene& scene, const ScenePose& pose)
+{
+    PoseData data;
+    data.draws = meshes.draws;
+    const glm::dmat4 anchor_from_world = glm::translate(glm::dmat4(1.0), -meshes.anchor);
+    bool has_deforming = false;
+    std::vector<Bounds> draw_bounds;
+    Bounds all;
+    for (size_t i = 0; i < meshes.sources.size(); ++i) {
+        const DrawSource& source = meshes.sources[i];
+        const auto& instances = scene.nodes[source.node].instances;
+        glm::dmat4 place = pose.world_from_node[source.node];
+        if (!instances.empty()) {
+            place = place * glm::dmat4(instances[source.instance]);
+        }
+        data.draws[i].anchor_from_object = glm::mat4(anchor_from_world * place);
+        has_deforming |= data.draws[i].first_skin_vertex != shared::no_skin || data.draws[i].morph_target_count > 0;
+        draw_bounds.push_back(transformed(source.local_bounds, place));
+        if (!draw_bounds.back().empty()) {
+            all.extend(draw_bounds.back().min);
+            all.extend(draw_bounds.back().max);
+        }
+    }
+    for (Index node = 0; node < scene.nodes.size(); ++node) {
+        if (scene.nodes[node].mesh == no_index) {
+            continue;
+        }
+        for (const glm::mat4& world_from_bind : skin_matrices(scene, pose, node)) {
+            data.joints.emplace_back(anchor_from_world * glm::dmat4(world_from_bind));
+        }
+        const auto& weights = pose.morph_weights[node];
+        data.morph_weights.insert(data.morph_weights.end(), weights.begin(), weights.end());
+    }
+    if (has_deforming) {
+        data.casters = scene_bounds(scene, pose);
+        return data;
+    }
+    for (const Bounds& bounds : draw_bounds) {
+        if (!bounds.empty() && !is_lowest_floor(bounds, all)) {
+            data.casters.extend(bounds.min);
+            data.casters.extend(bounds.max);
+        }
+    }
+    return data;
+}
+
+} // namespace estampe::pose

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Fills a buffer with one 32-bit value, four a thread.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "shaders/items.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) writeonly buffer Words { uvec4 words[]; };
+
+layout(push_constant) uniform Constants { uint value; uint quad_count; };
+
+void main()
+{
+    uint index = item_index();
+    if (index < quad_count) {
+        words[index] = uvec4(value);
+    }
+}

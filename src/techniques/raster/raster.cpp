@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/raster/raster.hpp"
+
+#include <algorithm>
+
+#include "shaders/bin_depth_comp.hpp"
+#include "shaders/bin_depth_masked_comp.hpp"
+#include "shaders/bin_ids_comp.hpp"
+#include "shaders/bin_masked_comp.hpp"
+#include "shaders/fill_comp.hpp"
+#include "shaders/small_depth_comp.hpp"
+#include "shaders/small_depth_masked_comp.hpp"
+#include "shaders/small_ids_comp.hpp"
+#include "shaders/small_masked_comp.hpp"
+#include "shaders/tile_depth_comp.hpp"
+#include "shaders/tile_depth_masked_comp.hpp"
+#include "shaders/tile_ids_comp.hpp"
+#include "shaders/tile_masked_comp.hpp"
+#include "techniques/raster/raster.glsl.h"
+
+namespace estampe::raster {
+namespace {
+
+constexpr uint32_t looping_groups = 512; // workgroups that share a list of unknown length
+constexpr uint32_t most_large_triangles = 1U << 20U;
+constexpr uint32_t most_tiles = 1U << 18U;
+
+struct Stages {
+    const gpu::Shader& small;
+    const gpu::Shader& bin;
+    const gpu::Shader& tile;
+};
+
+Stages stages(bool depth_only, bool masked)
+{
+    if (depth_only) {
+        return masked ? Stages{shaders::small_depth_masked_comp, shaders::bin_depth_masked_comp,
+                               shaders::tile_depth_masked_comp}
+                      : Stages{shaders::small_depth_comp, shaders::bin_depth_comp, shaders::tile_depth_comp};
+    }
+    return masked ? Stages{shaders::small_masked_comp, shaders::bin_masked_comp, shaders::tile_masked_comp}
+                  : Stages{shaders::small_ids_comp, shaders::bin_ids_comp, shaders::tile_ids_comp};
+}
+
+gpu::BufferId cleared(gpu::Graph& graph, const std::string& name, uint64_t size_bytes)
+{
+    struct {
+        uint32_t value;
+        uint32_t quad_count;
+    } constants{0, static_cast<uint32_t>((size_bytes + 15) / 16)};
+    auto pass = graph.compute(name + "/clear", shaders::fill_comp);
+    const gpu::BufferId buffer =
+        pass.write(graph.buffer(name, {.size_bytes = static_cast<uint64_t>(constants.quad_count) * 16}));
+    pass.push(constants).dispatch_items(constants.quad_count);
+    return buffer;
+}
+
+void bind_masks(gpu::Pass& pass, const RasterInputs& in)
+{
+    pass.read(in.draws).read(in.rest_vertices).read(in.materials);
+    for (const gpu::ImageId texture : in.textures) {
+        pass.sample(texture, gpu::Sampling::linear_repeat);
+    }
+}
+
+gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in, const Batch& batch,
+                        const View& view, gpu::BufferId target, bool depth_only)
+{
+    const Stages shaders = stages(depth_only, batch.masked);
+    const uint32_t large_capacity = std::min(2 * batch.triangle_count, most_large_triangles);
+    const shared::RasterConstants constants{.clip_from_anchor = view.clip_from_anchor,
+                                            .size_px = view.size_px,
+                                            .first_triangle = batch.first_triangle,
+                                            .triangle_count = batch.triangle_count,
+                                            .large_capacity = large_capacity,
+                                            .tile_capacity = most_tiles,
+                                            .cull_back_faces = view.cull_back_faces ? 1U : 0U};
+    gpu::BufferId counters = cleared(graph, name + "/counters", sizeof(shared::RasterCounters));
+    gpu::BufferId large =
+        graph.buffer(name + "/large", {.size_bytes = large_capacity * sizeof(shared::LargeTriangle)});
+    gpu::BufferId tiles = graph.buffer(name + "/tiles", {.size_bytes = most_tiles * sizeof(shared::TriangleTile)});
+    const auto begin_stage = [&](const char* stage, const gpu::Shader& shader) {
+        auto pass = graph.compute(name + "/" + stage, shader);
+        pass.read(in.triangles).read(in.posed_vertices);
+        const bool first = &shader == &shaders.small;
+        counters = pass.modify(counters);
+        large = first ? pass.write(large) : pass.modify(large);
+        tiles = first ? pass.write(tiles) : pass.modify(tiles);
+        target = pass.modify(target);
+        if (batch.masked) {
+            bind_masks(pass, in);
+        }
+        pass.push(constants);
+        return pass;
+    };
+    begin_stage("small", shaders.small).dispatch_items(batch.triangle_count);
+    begin_stage("bin", shaders.bin).dispatch(std::min(looping_groups, large_capacity));
+    begin_stage("tile", shaders.tile).dispatch(looping_groups);
+    return target;
+}
+
+gpu::BufferId add_picture(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                          const std::vector<Batch>& batches, const View& view, bool depth_only)
+{
+    const uint64_t word_bytes = depth_only ? sizeof(uint32_t) : sizeof(uint64_t);
+    gpu::BufferId target = cleared(graph, name, word_bytes * view.size_px.x * view.size_px.y);
+    for (const Batch& batch : batches) {
+        if (batch.triangle_count > 0) {
+            target = add_batch(graph, name + (batch.masked ? "/masked" : ""), in, batch, view, target, depth_only);
+        }
+    }
+    return target;
+}
+
+} // namespace
+
+gpu::BufferId add_visibility(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                             const std::vector<Batch>& batches, const View& view)
+{
+    return add_picture(graph, name, in, batches, view, false);
+}
+
+gpu::BufferId add_depth(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                        const std::vector<Batch>& batches, const View& view)
+{
+    return add_picture(graph, name, in, batches, view, true);
+}
+
+} // namespace estampe::raster

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_RASTER
+#define ESTAMPE_RASTER
+
+// Rasterisation in compute: exact integer edge functions on positions snapped to 1/256 pixel with the top-left rule, so
+// that triangles that share an edge never overlap and never leave a gap. The winner of a pixel is the largest 64-bit
+// value (reversed depth above, triangle below), which does not depend on the order of execution.
+
+#include "techniques/raster/raster.glsl.h"
+#include "shaders/mesh.glsl.h"
+
+layout(scalar, binding = 0) readonly buffer Triangles { uvec4 triangles[]; };
+layout(scalar, binding = 1) readonly buffer PosedVertices { PosedVertex posed_vertices[]; };
+layout(scalar, binding = 2) buffer Counters { RasterCounters counters; };
+layout(scalar, binding = 3) buffer LargeTriangles { LargeTriangle large_triangles[]; };
+layout(scalar, binding = 4) buffer Tiles { TriangleTile tiles[]; };
+#ifdef RASTER_DEPTH_ONLY
+layout(scalar, binding = 5) buffer Target { uint target[]; };
+#else
+layout(scalar, binding = 5) buffer Target { uint64_t target[]; };
+#endif
+
+layout(push_constant, scalar) uniform Constants { RasterConstants constants; };
+
+const float subpixels = 256.0;
+const float guard_px = 4194304.0; // 2^22: edge functions of such coordinates still fit 64 bits
+
+// A triangle on the page: positions in 1/256 pixel, y down, in an order that makes its area positive.
+struct PageTriangle {
+    ivec2 p[3];
+    vec3 depth; // reversed, at the corners
+};
+
+struct ClippedTriangle {
+    vec4 clip[4];
+    int count;
+};
+
+// Clips against the near plane (w - z >= 0). New corners are always computed from the inside outwards, so that both
+// triangles of a shared edge get the same bits.
+ClippedTriangle clip_near(vec4 a, vec4 b, vec4 c)
+{
+    vec4 corner[3] = vec4[3](a, b, c);
+    ClippedTriangle result;
+    result.count = 0;
+    for (int i = 0; i < 3; ++i) {
+        vec4 here = corner[i];
+        vec4 next = corner[(i + 1) % 3];
+        float here_inside = here.w - here.z;
+        float next_inside = next.w - next.z;
+        if (here_inside >= 0.0) {
+            result.clip[result.count++] = here;
+        }
+        if ((here_inside >= 0.0) != (next_inside >= 0.0)) {
+            vec4 inside = here_inside >= 0.0 ? here : next;
+            vec4 outside = here_inside >= 0.0 ? next : here;
+            float inside_distance = max(here_inside, next_inside);
+            float t = inside_distance / (inside_distance - min(here_inside, next_inside));
+            result.clip[result.count++] = inside + t * (outside - inside);
+        }
+    }
+    return result;
+}
+
+ClippedTriangle load_clipped(uint triangle)
+{
+    uvec4 corners = triangles[triangle];
+    vec4 a = constants.clip_from_anchor * vec4(posed_vertices[corners.x].position, 1.0);
+    vec4 b = constants.clip_from_anchor * vec4(posed_vertices[corners.y].position, 1.0);
+    vec4 c = constants.clip_from_anchor * vec4(posed_vertices[corners.z].position, 1.0);
+    bool all_inside = a.w - a.z >= 0.0 && b.w - b.z >= 0.0 && c.w - c.z >= 0.0;
+    if (all_inside) {
+        ClippedTriangle whole;
+        whole.clip[0] = a;
+        whole.clip[1] = b;
+        whole.clip[2] = c;
+        whole.count = 3;
+        return whole;
+    }
+    return clip_near(a, b, c);
+}
+
+ivec2 snap(vec4 clip)
+{
+    vec2 px = (0.5 * clip.xy / clip.w + 0.5) * vec2(constants.size_px);
+    return ivec2(round(clamp(px, vec2(-guard_px), vec2(guard_px)) * subpixels));
+}
+
+// False when the triangle is degenerate, turned away, or beside the picture.
+bool to_page(vec4 a, vec4 b, vec4 c, uint flags, out PageTriangle t)
+{
+    t.p[0] = snap(a);
+    t.p[1] = snap(b);
+    t.p[2] = snap(c);
+    t.depth = vec3(a.z / a.w, b.z / b.w, c.z / c.w);
+    ivec2 u = t.p[1] - t.p[0];
+    ivec2 v = t.p[2] - t.p[0];
+    int64_t area = int64_t(u.x) * int64_t(v.y) - int64_t(u.y) * int64_t(v.x);
+    bool front = (area < 0) != ((flags & TRIANGLE_MIRRORED) != 0u); // y points down the page
+    bool culled = constants.cull_back_faces != 0u && !front && (flags & TRIANGLE_TWO_SIDED) == 0u;
+    if (area == 0 || culled) {
+        return false;
+    }
+    if (area < 0) {
+        ivec2 swapped = t.p[1];
+        t.p[1] = t.p[2];
+        t.p[2] = swapped;
+        t.depth = t.depth.xzy;
+    }
+    ivec2 low = min(min(t.p[0], t.p[1]), t.p[2]);
+    ivec2 high = max(max(t.p[0], t.p[1]), t.p[2]);
+    ivec2 limit = ivec2(constants.size_px) * int(subpixels);
+    return high.x >= 0 && high.y >= 0 && low.x < limit.x && low.y < limit.y;
+}
+
+bool page_part(ClippedTriangle clipped, uint part, uint flags, out PageTriangle t)
+{
+    if (clipped.count < 3 + int(part)) {
+        return false;
+    }
+    return to_page(clipped.clip[0], clipped.clip[1 + part], clipped.clip[2 + part], flags, t);
+}
+
+// First and last pixel, inclusive, whose centres may be covered; empty when high < low.
+void pixel_bounds(PageTriangle t, out ivec2 low, out ivec2 high)
+{
+    ivec2 smallest = min(min(t.p[0], t.p[1]), t.p[2]);
+    ivec2 largest = max(max(t.p[0], t.p[1]), t.p[2]);
+    low = max((smallest + 127) >> 8, ivec2(0));
+    high = min((largest - 128) >> 8, ivec2(constants.size_px) - 1);
+}
+
+// One for edges that own the pixels exactly on them: top edges and left edges.
+int owns_its_pixels(ivec2 from, ivec2 to)
+{
+    ivec2 d = to - from;
+    return (d.y < 0 || (d.y == 0 && d.x > 0)) ? 0 : -1;
+}
+
+#ifdef RASTER_MASKED
+#include "techniques/raster/mask.glsl"
+#endif
+
+void write_pixel(ivec2 pixel, float depth, uint triangle)
+{
+#ifdef RASTER_MASKED
+    if (!passes_mask(triangle, pixel)) {
+        return;
+    }
+#endif
+    uint index = uint(pixel.y) * constants.size_px.x + uint(pixel.x);
+    uint depth_bits = floatBitsToUint(clamp(depth, 1e-30, 1.0));
+#ifdef RASTER_DEPTH_ONLY
+    atomicMax(target[index], depth_bits);
+#else
+    atomicMax(target[index], (uint64_t(depth_bits) << 32) | uint64_t(triangle));
+#endif
+}
+
+// Fills the part of a triangle within [low, high], for triangles of at most 32 pixels a side: 32-bit arithmetic.
+void fill_small(PageTriangle t, ivec2 low, ivec2 high, uint triangle)
+{
+    ivec2 e0 = t.p[2] - t.p[1];
+    ivec2 e1 = t.p[0] - t.p[2];
+    ivec2 e2 = t.p[1] - t.p[0];
+    float inverse_area = 1.0 / float(e2.x * -e1.y + e2.y * e1.x);
+    ivec3 owned = ivec3(owns_its_pixels(t.p[1], t.p[2]), owns_its_pixels(t.p[2], t.p[0]),
+                        owns_its_pixels(t.p[0], t.p[1]));
+    ivec2 start = low * 256 + 128;
+    ivec3 row = ivec3(e0.x * (start.y - t.p[1].y) - e0.y * (start.x - t.p[1].x),
+                      e1.x * (start.y - t.p[2].y) - e1.y * (start.x - t.p[2].x),
+                      e2.x * (start.y - t.p[0].y) - e2.y * (start.x - t.p[0].x));
+    ivec3 right = -256 * ivec3(e0.y, e1.y, e2.y);
+    ivec3 down = 256 * ivec3(e0.x, e1.x, e2.x);
+    for (int y = low.y; y <= high.y; ++y) {
+        ivec3 edge = row;
+        for (int x = low.x; x <= high.x; ++x) {
+            if (all(greaterThanEqual(edge + owned, ivec3(0)))) {
+                write_pixel(ivec2(x, y), dot(vec3(edge), t.depth) * inverse_area, triangle);
+            }
+            edge += right;
+        }
+        row += down;
+    }
+}
+
+// One edge of a large triangle: value at a pixel's centre, and what it gains to the right and down, in 64 bits.
+struct LargeEdge {
+    int64_t value;
+    int64_t right;
+    int64_t down;
+    int64_t owned;
+};
+
+LargeEdge large_edge(ivec2 from, ivec2 to, ivec2 pixel)
+{
+    ivec2 d = to - from;
+    ivec2 centre = pixel * 256 + 128;
+    LargeEdge edge;
+    edge.value = int64_t(d.x) * int64_t(centre.y - from.y) - int64_t(d.y) * int64_t(centre.x - from.x);
+    edge.right = int64_t(-256) * int64_t(d.y);
+    edge.down = int64_t(256) * int64_t(d.x);
+    edge.owned = int64_t(owns_its_pixels(from, to));
+    return edge;
+}
+
+// Visits the pixels of one column of a tile.
+void fill_column(PageTriangle t, ivec2 top, int count, uint triangle)
+{
+    LargeEdge e0 = large_edge(t.p[1], t.p[2], top);
+    LargeEdge e1 = large_edge(t.p[2], t.p[0], top);
+    LargeEdge e2 = large_edge(t.p[0], t.p[1], top);
+    float inverse_area = 1.0 / float(e0.value + e1.value + e2.value);
+    for (int i = 0; i < count; ++i) {
+        if (e0.value + e0.owned >= 0 && e1.value + e1.owned >= 0 && e2.value + e2.owned >= 0) {
+            vec3 weights = vec3(float(e0.value), float(e1.value), float(e2.value)) * inverse_area;
+            write_pixel(top + ivec2(0, i), dot(weights, t.depth), triangle);
+        }
+        e0.value += e0.down;
+        e1.value += e1.down;
+        e2.value += e2.down;
+    }
+}
+
+#endif

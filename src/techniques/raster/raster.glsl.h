@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_RASTER_GLSL_H
+#define ESTAMPE_RASTER_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#endif
+
+// Which triangles to draw into which picture.
+struct RasterConstants {
+    mat4 clip_from_anchor;
+    uvec2 size_px;
+    uint first_triangle;
+    uint triangle_count;
+    uint large_capacity;
+    uint tile_capacity;
+    uint cull_back_faces;
+};
+
+// A triangle too large for one thread, after clipping: `part` is 0 or 1, since clipping can make two of one.
+struct LargeTriangle {
+    uint triangle;
+    uint part;
+};
+
+// A tile of the picture that a large triangle touches.
+struct TriangleTile {
+    uint triangle;
+    uint part_and_tile; // part in bit 31, tile row in bits 15-29, tile column in 0-14
+};
+
+// Counts of the two lists above.
+struct RasterCounters {
+    uint large_count;
+    uint tile_count;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(RasterConstants) == 92);
+inline constexpr uint raster_tile_px = 64;
+} // namespace estampe::shared
+#else
+#define RASTER_TILE_PX 64
+#endif
+
+#endif

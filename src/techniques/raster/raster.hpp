@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Rasterisation in compute: writes which triangle is seen at each pixel, or only how far it is.
+
+#include <array>
+#include <string>
+
+#include "gpu/graph/graph.hpp"
+#include "shaders/shared.hpp"
+
+namespace estampe::raster {
+
+/// The meshes to draw, and what alpha masks look up.
+struct RasterInputs {
+    gpu::BufferId triangles;
+    gpu::BufferId posed_vertices;
+    gpu::BufferId draws;
+    gpu::BufferId rest_vertices;
+    gpu::BufferId materials;
+    std::array<gpu::ImageId, 5> textures;
+};
+
+/// Triangles to draw: consecutive in the triangle list.
+struct Batch {
+    uint32_t first_triangle = 0;
+    uint32_t triangle_count = 0;
+    bool masked = false; ///< alpha masks are tested
+};
+
+struct View {
+    glm::mat4 clip_from_anchor{1.0F}; ///< reversed z, y down
+    glm::uvec2 size_px{0};
+    bool cull_back_faces = true; ///< of triangles that are not two-sided
+};
+
+/// A picture of 64-bit words, row by row: reversed depth above, triangle below; 0 where nothing is seen.
+///
+/// Cost    two clears, and three dispatches a batch; time goes with triangles and covered pixels
+/// Source  Kenzel et al., "A High-Performance Software Graphics Pipeline Architecture for the GPU", 2018, for the
+///         division by size; exact edge functions after Pineda, "A Parallel Algorithm for Polygon Rasterization", 1988
+[[nodiscard]] gpu::BufferId add_visibility(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                                           const std::vector<Batch>& batches, const View& view);
+
+/// A picture of 32-bit words: the bits of reversed depth as float; 0 where nothing is seen.
+[[nodiscard]] gpu::BufferId add_depth(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                                      const std::vector<Batch>& batches, const View& view);
+
+} // namespace estampe::raster

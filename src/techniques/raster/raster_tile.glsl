@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// One workgroup draws one triangle in one tile of the picture after another; each thread takes one column.
+
+#include "techniques/raster/raster.glsl"
+
+layout(local_size_x = RASTER_TILE_PX) in;
+
+void main()
+{
+    uint count = min(counters.tile_count, constants.tile_capacity);
+    for (uint i = gl_WorkGroupID.x; i < count; i += gl_NumWorkGroups.x) {
+        TriangleTile tile = tiles[i];
+        uint part = tile.part_and_tile >> 31;
+        ivec2 corner = ivec2(tile.part_and_tile & 0x7fffu, (tile.part_and_tile >> 15) & 0xffffu) * RASTER_TILE_PX;
+        PageTriangle t;
+        ivec2 low, high;
+        if (!page_part(load_clipped(tile.triangle), part, triangles[tile.triangle].w, t)) {
+            continue;
+        }
+        pixel_bounds(t, low, high);
+        low = max(low, corner);
+        high = min(high, corner + RASTER_TILE_PX - 1);
+        int x = corner.x + int(gl_LocalInvocationID.x);
+        if (x >= low.x && x <= high.x && high.y >= low.y) {
+            fill_column(t, ivec2(x, low.y), high.y - low.y + 1, tile.triangle);
+        }
+    }
+}

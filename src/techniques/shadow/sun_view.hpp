@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <estampe/scene.hpp>
+
+namespace estampe::shadow {
+
+/// The sun's parallel view of everything that throws a shadow.
+struct SunView {
+    glm::mat4 clip_from_anchor{1.0F}; ///< reversed z: 1 nearest to the sun, 0 farthest
+    float texel_m = 0.0F;             ///< the longer side of a texel
+    float depth_m = 1.0F;             ///< what clip z of 0 to 1 spans
+};
+
+/// Fits the view to `casters` (world space), whatever receives: outside of it nothing can be in shadow. `towards_sun` is a
+/// unit vector, `size` the map's side in texels. Empty casters give a view of one metre.
+[[nodiscard]] SunView sun_view(const Bounds& casters, const glm::dvec3& anchor, const glm::dvec3& towards_sun,
+                               uint32_t size);
+
+} // namespace estampe::shadow

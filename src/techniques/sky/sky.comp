@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// One thread paints one pixel of the background: a wash from the horizon to the zenith, and long level strokes that thin
+// out towards the light.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/camera.glsl"
+#include "shaders/lines.glsl"
+#include "techniques/sky/sky.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
+layout(binding = 1, rgba16f) writeonly uniform image2D out_wash;
+layout(binding = 2, r16f) writeonly uniform image2D out_ink;
+
+layout(push_constant, scalar) uniform Constants { SkyConstants constants; };
+
+vec3 direction_at(vec2 position_px) { return -towards_eye(frame, anchor_at(frame, position_px, 0.5)); }
+
+// Height above the horizon, bent so that the strokes bow like a vault.
+vec2 vault(vec3 d) { return vec2(atan(d.x, -d.z), d.y / (0.35 + length(d.xz))); }
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
+        return;
+    }
+    vec3 wash = vec3(1.0);
+    float ink = 0.0;
+    if (constants.drawn != 0u) {
+        vec2 position = vec2(pixel) + 0.5;
+        vec3 d = direction_at(position);
+        float height = clamp(d.y * 1.9, 0.0, 1.0);
+        wash = mix(constants.horizon_color, constants.zenith_color, smoothstep(0.0, 1.0, sqrt(height)));
+        vec2 here = vault(d);
+        vec2 right = vault(direction_at(position + vec2(1.0, 0.0))) - here;
+        vec2 down = vault(direction_at(position + vec2(0.0, 1.0))) - here;
+        right.x -= 6.2831853 * round(right.x / 6.2831853);
+        down.x -= 6.2831853 * round(down.x / 6.2831853);
+        vec2 gradient = vec2(right.y, down.y);
+        LineField field;
+        field.v = here.y;
+        field.v_per_px = length(gradient);
+        vec2 along = vec2(-gradient.y, gradient.x) / max(field.v_per_px, 1e-12);
+        field.u = here.x;
+        field.u_per_px = abs(right.x * along.x + down.x * along.y);
+        field.wander = here;
+        float towards_light = 0.5 + 0.5 * dot(normalize(vec3(d.x, 0.0, d.z) + 1e-6), normalize(vec3(constants.towards_sun.x, 0.0, constants.towards_sun.z) + 1e-6));
+        float dark = constants.darkness * smoothstep(0.04, 0.55, height) * mix(1.0, 0.25, towards_light);
+        float pen = constants.stroke_width_px;
+        ink = line_ink(field, LineLook(pen, 2.2 * pen, 26.0 * pen, 40.0 * pen, 190.0 * pen, 0.35), dark, 77u);
+    }
+    imageStore(out_wash, pixel, vec4(wash, 1.0));
+    imageStore(out_ink, pixel, vec4(ink));
+}

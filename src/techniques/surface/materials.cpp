@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/surface/materials.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "gpu/upload.hpp"
+#include "techniques/surface/mips.hpp"
+
+namespace estampe::surface {
+namespace {
+
+size_t class_of(const Image& image)
+{
+    const uint32_t side = std::max(image.width, image.height);
+    size_t size_class = 0;
+    while (size_class + 1 < texture_class_px.size() && texture_class_px[size_class] < side) {
+        ++size_class;
+    }
+    return size_class;
+}
+
+shared::TextureSlot slot(const Scene& scene, const TexturePlan& plan, const TextureRef& reference)
+{
+    shared::TextureSlot result{.location = shared::no_texture, .column_u = {1, 0}, .column_v = {0, 1}};
+    if (reference.texture == no_index || plan.location[reference.texture] == shared::no_texture) {
+        return result;
+    }
+    const Texture& texture = scene.textures[reference.texture];
+    result.location = plan.location[reference.texture] | std::min(reference.uv_set, 1U) << 24U |
+                      static_cast<uint32_t>(texture.wrap_u) << 25U | static_cast<uint32_t>(texture.wrap_v) << 27U;
+    result.column_u = glm::vec2(reference.uv_transform[0]);
+    result.column_v = glm::vec2(reference.uv_transform[1]);
+    result.offset = glm::vec2(reference.uv_transform[2]);
+    return result;
+}
+
+float linear(uint8_t encoded)
+{
+    const float x = static_cast<float>(encoded) / 255.0F;
+    return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+}
+
+/// Mean linear colour of a texture, over about four thousand texels; see-through ones do not count.
+glm::vec3 mean_color(const Image& image)
+{
+    const size_t texels = static_cast<size_t>(image.width) * image.height;
+    const size_t stride = std::max<size_t>(1, texels / 4096) | 1U; // odd, so that it does not keep to one column
+    glm::vec4 sum(0.0F);
+    for (size_t i = 0; i < texels; i += stride) {
+        const uint8_t* texel = &image.rgba[4 * i];
+        const float alpha = static_cast<float>(texel[3]) / 255.0F;
+        sum += glm::vec4(alpha * glm::vec3(linear(texel[0]), linear(texel[1]), linear(texel[2])), alpha);
+    }
+    return sum.w > 0.0F ? glm::vec3(sum) / sum.w : glm::vec3(1.0F);
+}
+
+uint32_t flags_of(const Material& material)
+{
+    return (material.unlit ? shared::material_unlit : 0U) |
+           (material.alpha_mode == AlphaMode::mask ? shared::material_masked : 0U) |
+           (material.alpha_mode == AlphaMode::blend ? shared::material_blended : 0U);
+}
+
+} // namespace
+
+TexturePlan plan_textures(const Scene& scene)
+{
+    TexturePlan plan;
+    plan.location.assign(scene.textures.size(), shared::no_texture);
+    const auto use = [&](const TextureRef& reference) {
+        if (reference.texture == no_index || plan.location[reference.texture] != shared::no_texture) {
+            return;
+        }
+        const size_t size_class = class_of(scene.textures[reference.texture].image);
+        auto& layers = plan.layers[size_class];
+        plan.location[reference.texture] =
+            static_cast<uint32_t>(size_class) | static_cast<uint32_t>(layers.size()) << 4U;
+        layers.push_back(reference.texture);
+    };
+    for (const Material& material : scene.materials) {
+        use(material.base_color_texture);
+        use(material.normal_texture);
+    }
+    return plan;
+}
+
+std::vector<shared::MaterialRecord> material_records(const Scene& scene, const TexturePlan& plan)
+{
+    std::vector<shared::MaterialRecord> records;
+    for (const Material& material : scene.materials) {
+        const TextureRef& base = material.base_color_texture;
+        const glm::vec3 mean =
+            base.texture != no_index ? mean_color(scene.textures[base.texture].image) : glm::vec3(1.0F);
+        records.push_back({.base_color = material.base_color,
+                           .mean_color = glm::vec3(material.base_color) * mean,
+                           .shade_color = material.toon ? material.toon->shade_color : glm::vec3(1.0F),
+                           .emissive = material.emissive,
+                           .normal_scale = material.normal_scale,
+                           .alpha_cutoff = material.alpha_cutoff,
+                           .outline_scale = 1.0F,
+                           .flags = flags_of(material),
+                           .base_texture = slot(scene, plan, base),
+                           .normal_texture = slot(scene, plan, material.normal_texture)});
+    }
+    const shared::TextureSlot none{.location = shared::no_texture};
+    records.push_back({.base_color = glm::vec4(1.0F),
+                       .mean_color = glm::vec3(1.0F),
+                       .shade_color = glm::vec3(1.0F),
+                       .outline_scale = 1.0F,
+                       .flags = shared::material_paper,
+                       .base_texture = none,
+                       .normal_texture = none});
+    return records;
+}
+
+MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene)
+{
+    const TexturePlan plan = plan_textures(scene);
+    MaterialBuffers buffers;
+    buffers.materials = gpu::upload_buffer(device, "materials", material_records(scene, plan));
+    for (size_t size_class = 0; size_class < texture_class_px.size(); ++size_class) {
+        const std::vector<Index>& layers = plan.layers[size_class];
+        const uint32_t side = layers.empty() ? 1 : texture_class_px[size_class];
+        const gpu::ImageDesc desc{.width = side,
+                                  .height = side,
+                                  .format = gpu::Format::rgba8,
+                                  .layers = std::max<uint32_t>(1, static_cast<uint32_t>(layers.size())),
+                                  .mips = static_cast<uint32_t>(std::bit_width(side))};
+        gpu::Image& image = buffers.textures[size_class];
+        image = gpu::Image(device, "textures", desc, true);
+        MipQueue queue(scene, layers, side);
+        gpu::upload_layers(device, image, [&](uint32_t layer) { return queue.take(layer); });
+    }
+    return buffers;
+}
+
+} // namespace estampe::surface

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Materials and their textures on the GPU. Textures are sorted into five size classes, each one array image, because not
+// every device can index textures freely.
+
+#include <array>
+#include <vector>
+
+#include <estampe/scene.hpp>
+
+#include "gpu/resources.hpp"
+#include "shaders/material.glsl.h"
+
+namespace estampe::surface {
+
+inline constexpr std::array<uint32_t, 5> texture_class_px{256, 512, 1024, 2048, 4096};
+
+struct MaterialBuffers {
+    gpu::Buffer materials; ///< MaterialRecord, one a material, and the ground's last
+    std::array<gpu::Image, 5> textures;
+};
+
+/// Where each texture of `scene` that a colour or normal uses will live; `layers` counts the layers by class.
+struct TexturePlan {
+    std::vector<uint32_t> location; ///< class in bits 0-3, layer in 4-23; no_texture when unused
+    std::array<std::vector<Index>, 5> layers;
+};
+
+[[nodiscard]] TexturePlan plan_textures(const Scene& scene);
+
+/// The records of all materials, with one more for the ground.
+[[nodiscard]] std::vector<shared::MaterialRecord> material_records(const Scene& scene, const TexturePlan& plan);
+
+/// Uploads textures, resized to their class and with all mip levels, and materials. Throws Error when memory runs out.
+/// Cost: about 30 ms for a texture of 2048 x 2048, on two threads.
+[[nodiscard]] MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene);
+
+} // namespace estampe::surface

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <future>
+#include <vector>
+
+#include <estampe/scene.hpp>
+
+#include "gpu/upload.hpp"
+
+namespace estampe::surface {
+
+/// All mip levels of `image`, stretched to `side` x `side` (a power of two): each level is the mean of four texels of the
+/// one above. Cost: about 10 ns a texel.
+[[nodiscard]] gpu::LayerPixels make_mips(const Image& image, uint32_t side);
+
+/// Makes the mips of several textures ahead, two at a time, so that uploads need not wait.
+class MipQueue {
+public:
+    /// `scene` and `layers` must outlive the queue. No layers at all gives one white texel.
+    MipQueue(const Scene& scene, const std::vector<Index>& layers, uint32_t side);
+
+    /// The pixels of the next layer; to be called with 0, 1, 2, ...
+    [[nodiscard]] gpu::LayerPixels take(uint32_t layer);
+
+private:
+    void start(uint32_t layer);
+
+    const Scene& scene_;
+    const std::vector<Index>& layers_;
+    uint32_t side_;
+    std::vector<std::future<gpu::LayerPixels>> pending_;
+};
+
+} // namespace estampe::surface

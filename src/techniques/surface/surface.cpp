@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/surface/surface.hpp"
+
+#include "shaders/resolve_comp.hpp"
+
+namespace estampe::surface {
+
+Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in)
+{
+    const auto image = [&](const char* name, gpu::Format format) {
+        return graph.image(name, {.width = in.size_px.x, .height = in.size_px.y, .format = format});
+    };
+    auto pass = graph.compute("surface", shaders::resolve_comp);
+    pass.uniform(in.frame).read(in.visibility).read(in.triangles).read(in.posed_vertices).read(in.draws);
+    pass.read(in.rest_vertices).read(in.stroke_coordinates).read(in.materials);
+    for (const gpu::ImageId texture : in.textures) {
+        pass.sample(texture, gpu::Sampling::linear_repeat);
+    }
+    const gpu::ImageId draw = pass.write(image("surface/draw", gpu::Format::r32ui));
+    const gpu::ImageId depth = pass.write(image("surface/depth", gpu::Format::r32f));
+    const gpu::ImageId normal = pass.write(image("surface/normal", gpu::Format::rgba16f));
+    const gpu::ImageId color = pass.write(image("surface/color", gpu::Format::rgba8));
+    const gpu::ImageId coordinate = pass.write(image("surface/coordinate", gpu::Format::rgba32f));
+    const gpu::ImageId footprint = pass.write(image("surface/footprint", gpu::Format::rgba32ui));
+    pass.dispatch_over(in.size_px.x, in.size_px.y);
+    return {draw, depth, normal, color, coordinate, footprint};
+}
+
+} // namespace estampe::surface

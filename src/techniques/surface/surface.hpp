@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// From identities to surfaces: what is seen at each pixel, as images that all later techniques read.
+
+#include <array>
+
+#include "gpu/graph/graph.hpp"
+#include "shaders/shared.hpp"
+
+namespace estampe::surface {
+
+struct ResolveInputs {
+    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId visibility;
+    gpu::BufferId triangles;
+    gpu::BufferId posed_vertices;
+    gpu::BufferId draws;
+    gpu::BufferId rest_vertices;
+    gpu::BufferId stroke_coordinates;
+    gpu::BufferId materials;
+    std::array<gpu::ImageId, 5> textures;
+    glm::uvec2 size_px{0};
+};
+
+struct Surface {
+    gpu::ImageId draw;       ///< r32ui: draw + 1, 0 where nothing is
+    gpu::ImageId depth;      ///< r32f: reversed, 0 where nothing is
+    gpu::ImageId normal;     ///< rgba16f: octahedral, bent by normal maps in xy, smooth in zw; towards the eye
+    gpu::ImageId color;      ///< rgba8: square root of linear colour, alpha
+    gpu::ImageId coordinate; ///< rgba32f: what strokes follow: (u, v, 0), or the place in the rest pose
+    gpu::ImageId footprint;  ///< rgba32ui: its change over a pixel, see shaders/footprint.glsl
+};
+
+/// Cost    one full-screen dispatch; 72 bytes written a pixel
+/// Source  Schied and Dachsbacher, "Deferred Attribute Interpolation for Memory-Efficient Deferred Shading", 2015
+[[nodiscard]] Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in);
+
+} // namespace estampe::surface

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/wash/wash.hpp"
+
+#include "shaders/wash_comp.hpp"
+#include "techniques/wash/wash.glsl.h"
+
+namespace estampe::wash {
+
+gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const WashStyle& style)
+{
+    auto pass = graph.compute("wash", shaders::wash_comp);
+    pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.color).sample(in.light);
+    pass.read(in.draws).read(in.materials).sample(in.background);
+    const gpu::ImageId wash = pass.write(
+        graph.image("wash", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
+    pass.push(shared::WashConstants{.tone = in.tone,
+                                    .shadow_tint = style.shadow_tint,
+                                    .shadow_from = style.shadow_from,
+                                    .softness = style.softness,
+                                    .detail = style.detail,
+                                    .strength = style.strength,
+                                    .air = style.air,
+                                    .air_color = style.air_color,
+                                    .air_distance_m = style.air_distance_m})
+        .dispatch_over(in.size_px.x, in.size_px.y);
+    return wash;
+}
+
+} // namespace estampe::wash

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_WASH_GLSL_H
+#define ESTAMPE_WASH_GLSL_H
+#include "shaders/tone.glsl.h"
+#ifdef __cplusplus
+namespace estampe::shared {
+#endif
+
+struct WashConstants {
+    ToneConstants tone;
+    vec3 shadow_tint; // multiplied into the colour in shadow
+    float shadow_from; // darkness at which shadow begins
+    float softness;    // half the width of the step, in darkness
+    float detail;      // 0: the material's mean colour, 1: its texture
+    float strength;    // 0: bare paper, 1: full colour
+    float air;         // share of the horizon's colour at the far end
+    vec3 air_color;
+    float air_distance_m;
+};
+
+#ifdef __cplusplus
+} // namespace estampe::shared
+#endif
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "gpu/graph/graph.hpp"
+#include "shaders/tone.glsl.h"
+#include "style/parameter.hpp"
+
+namespace estampe::wash {
+
+struct WashStyle {
+    float strength = 0.62F;
+    float detail = 0.35F;
+    glm::vec3 shadow_tint = style::srgb(0xb9c3be);
+    float shadow_from = 0.52F;
+    float softness = 0.03F;
+    float air = 0.0F;
+    glm::vec3 air_color = style::srgb(0xf0dca2);
+    float air_distance_m = 120.0F;
+};
+
+inline const style::Table<WashStyle>& wash_table()
+{
+    static const auto table =
+        style::Table<WashStyle>("wash", "Flat colour by material, cooler in shadow")
+            .number("strength", &WashStyle::strength, {0.0F, 1.0F}, "", "0 leaves the paper bare, 1 is full colour")
+            .number("detail", &WashStyle::detail, {0.0F, 1.0F}, "",
+                    "0 is one flat colour a material, 1 its whole texture")
+            .color("shadow_tint", &WashStyle::shadow_tint, "Laid over the colour in shadow")
+            .number("shadow_from", &WashStyle::shadow_from, {0.0F, 1.0F}, "", "Darkness at which shadow begins")
+            .number("softness", &WashStyle::softness, {0.001F, 0.5F}, "", "Half the width of that step, in darkness")
+            .number("air", &WashStyle::air, {0.0F, 1.0F}, "", "Share of the air's colour in the far distance")
+            .color("air_color", &WashStyle::air_color, "Colour of the air")
+            .number("air_distance_m", &WashStyle::air_distance_m, {0.001F, 1e6F}, "m",
+                    "Distance by which half of the air's colour is reached");
+    return table;
+}
+
+struct WashInputs {
+    gpu::BufferId frame; ///< FrameGlobals
+    gpu::ImageId draw;
+    gpu::ImageId depth;
+    gpu::ImageId color;
+    gpu::ImageId light;
+    gpu::BufferId draws;
+    gpu::BufferId materials;
+    gpu::ImageId background; ///< the wash where nothing is
+    shared::ToneConstants tone;
+    glm::uvec2 size_px{0};
+};
+
+/// Paints flat colours.
+///
+/// Writes  rgba16f: what the paint lets through (1: bare paper); alpha 1 where there is a surface
+/// Cost    one full-screen dispatch
+[[nodiscard]] gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const WashStyle& style);
+
+} // namespace estampe::wash

@@ -1,0 +1,161 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Runs the built program on good and bad input and checks exit status, messages and what is left on disk.
+# Usage: cli_test.sh ESTAMPE MAKE_EXAMPLE     the program, and the one that writes the example scene
+set -euo pipefail
+estampe="$(realpath "$1")"
+make_example="$(realpath "$2")"
+folder="$(mktemp -d)"
+name="$(basename "$folder")"
+trap 'chmod -R u+w "$folder"; rm -rf "$folder" "$folder".out "$folder".err' EXIT
+cd "$folder"
+failures=0
+
+wrong() {
+    echo "FAILED: $*" >&2
+    failures=$((failures + 1))
+}
+
+# expect_error STATUS PATTERN ARGUMENT...: ends with STATUS, says one line on stderr that matches PATTERN and nothing on
+# stdout, and leaves the folder as it was.
+expect_error() {
+    local wanted="$1" pattern="$2" status=0 before after
+    shift 2
+    before="$(ls -lAR --time-style=full-iso .)"
+    "$estampe" "$@" >../"$name".out 2>../"$name".err || status=$?
+    after="$(ls -lAR --time-style=full-iso .)"
+    [[ $status -eq $wanted ]] || wrong "estampe $*: status $status instead of $wanted"
+    [[ "$(grep -cv '^estampe: warning: ' ../"$name".err)" -eq 1 ]] || wrong "estampe $*: not one line: $(cat ../"$name".err)"
+    grep -q "^estampe: error: .*$pattern" ../"$name".err || wrong "estampe $*: no '$pattern' in: $(cat ../"$name".err)"
+    [[ ! -s ../"$name".out ]] || wrong "estampe $*: printed on stdout: $(cat ../"$name".out)"
+    [[ "$before" == "$after" ]] || wrong "estampe $*: changed files: $after"
+}
+
+# expect_success ARGUMENT...: ends with 0 and says no error; stdout goes to ../NAME.out
+expect_success() {
+    "$estampe" "$@" >../"$name".out 2>../"$name".err || wrong "estampe $*: $(cat ../"$name".err)"
+    ! grep -q error ../"$name".err || wrong "estampe $*: $(cat ../"$name".err)"
+}
+
+# expect_printed PATTERN: the last success printed a line that matches
+expect_printed() {
+    grep -q -- "$1" ../"$name".out || wrong "no '$1' in: $(head -20 ../"$name".out)"
+}
+
+"$make_example" scene.glb >/dev/null
+small=(--size 96x54 --device cpu)
+
+# What it tells without drawing
+expect_success --version
+expect_printed '^estampe [0-9]'
+expect_success --help
+expect_printed 'Examples:'
+expect_success render --help
+expect_printed '--samples'
+expect_success --help-style
+expect_printed '^  [a-z_]*\.[a-z_]*  *number '
+expect_success styles
+expect_success devices
+expect_success devices --json
+expect_success info scene.glb
+expect_printed 'triangles  *[1-9]'
+expect_success info scene.glb --json
+expect_printed '"triangles": [1-9]'
+
+# The command line
+expect_error 2 'a command is missing'
+expect_error 2 'rendr' rendr
+expect_error 2 'SCENE is required' render
+expect_error 2 'output is required' render scene.glb
+expect_error 2 'bogus' render scene.glb -o a.png --bogus
+for size in 0x0 banana 16385x1 1x 10x10x10 -1x5 99999999999x1 '' 3.5x2 '1 x 1'; do
+    expect_error 2 '--size: ' render scene.glb -o a.png --size "$size"
+done
+expect_error 2 '--samples' render scene.glb -o a.png --samples 0
+expect_error 2 '--samples' render scene.glb -o a.png --samples many
+expect_error 2 '--repeat' render scene.glb -o a.png --repeat 0
+expect_error 2 '--time' render scene.glb -o a.png --time nan
+expect_error 2 '--time' render scene.glb -o a.png --time soon
+expect_error 2 '--device' render scene.glb -o a.png --device fast
+expect_error 2 '--device' render scene.glb -o a.png --device -1
+expect_error 2 '--camera' render scene.glb -o a.png --camera ''
+expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=1,2 target=0,0,0'
+expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=1,2,3 target=1,2,3'
+expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=nan,2,3 target=1,2,3'
+expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=1,2,3 fov=0'
+expect_error 2 '--camera' render scene.glb -o a.png --camera 'fov=30'
+expect_error 2 '--set: unknown key .*--help-style' render scene.glb -o a.png --set nosuch.key=1
+expect_error 2 '--set: .* is not an assignment' render scene.glb -o a.png --set nothing
+expect_error 2 'must end in .png' render scene.glb -o a.jpg
+expect_error 2 'must end in .png' render scene.glb -o a
+
+# A typing mistake in a key that there is gets the right one suggested
+key="$("$estampe" --help-style | awk '$1 ~ /\./ { print $1; exit }')"
+expect_error 2 "did you mean \"$key\"" render scene.glb -o a.png --set "${key}x=1"
+
+# Files
+echo 'no scene' >text.gltf
+head -c 100 scene.glb >truncated.glb
+printf '[nosuch]\n' >unknown.toml
+printf 'not toml' >broken.toml
+mkdir folder.png
+expect_error 1 'missing.glb' render missing.glb -o a.png
+expect_error 1 'text.gltf' render text.gltf -o a.png
+expect_error 1 'truncated.glb' render truncated.glb -o a.png
+expect_error 1 'missing.glb' info missing.glb
+expect_error 1 'truncated.glb' info truncated.glb --json
+expect_error 1 'unknown.toml:1:' render scene.glb -o a.png --style unknown.toml
+expect_error 1 'broken.toml:1:' render scene.glb -o a.png --style broken.toml
+expect_error 1 'nosuchpreset' render scene.glb -o a.png --style nosuchpreset
+expect_error 1 'nosuchcamera' render scene.glb -o a.png --camera nosuchcamera
+expect_error 1 'nosuchanimation' render scene.glb -o a.png --animation nosuchanimation
+expect_error 1 'no such folder' render scene.glb -o nowhere/a.png
+expect_error 1 'not a regular file' render scene.glb -o folder.png
+expect_error 1 'cannot write into this folder' render scene.glb -o /proc/a.png
+expect_error 1 'overwrite an input' graph scene.glb -o scene.glb
+ln scene.glb scene.png
+expect_error 1 'overwrite an input' render scene.glb -o scene.png
+rm scene.png
+mkdir locked
+chmod a-w locked
+if [[ $(id -u) -ne 0 ]]; then
+    expect_error 1 'cannot write into this folder' render scene.glb -o locked/a.png
+fi
+expect_error 1 '' render scene.glb -o a.png --device 4000000000
+
+# Control characters of names do not reach the terminal
+expect_error 1 'red.glb' info $'\e[31mred.glb'
+! grep -q $'\e' ../"$name".err || wrong "an escape character reached stderr"
+
+# Drawing
+expect_success render scene.glb -o a.png "${small[@]}"
+[[ ! -s ../"$name".out ]] || wrong "render printed on stdout"
+expect_success render scene.glb -o b.png "${small[@]}"
+cmp a.png b.png || wrong "the same command gave other bytes"
+[[ "$(head -c 4 a.png | tail -c 3)" == PNG ]] || wrong "a.png is no PNG"
+expect_success render scene.glb -o B.PNG "${small[@]}" --samples 2 --timings --repeat 3
+expect_printed 'GPU ms'
+expect_printed 'median later frame'
+expect_success render scene.glb -o b.png "${small[@]}" --json
+expect_printed '"gpu_ms": '
+expect_success render scene.glb -o b.png "${small[@]}" --camera auto
+expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=0,50,0 target=0,0,0 fov=40'
+expect_success graph scene.glb -o frame.dot "${small[@]}"
+grep -q digraph frame.dot || wrong "frame.dot is no graph"
+"$estampe" styles | while read -r preset; do
+    "$estampe" styles "$preset" >"$preset".toml
+    "$estampe" styles "$preset".toml | cmp - "$preset".toml || exit 1
+done || wrong "a preset does not read back equal"
+
+# A failure keeps the picture that was there
+expect_error 1 'truncated.glb' render truncated.glb -o a.png
+
+# Output that goes nowhere is a failure
+if "$estampe" --help-style >/dev/full 2>../"$name".err; then
+    wrong "a full disk went unnoticed"
+fi
+left="$(find . -name '.*' -type f -o -name '*.tmp*')"
+[[ -z "$left" ]] || wrong "left over: $left"
+
+[[ $failures -eq 0 ]] || exit 1
+echo "All is as it should be."

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// libFuzzer target: whatever the bytes, the glTF importer gives a scene or an Error.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <estampe/error.hpp>
+
+#include "scene/gltf/gltf_import.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+{
+    try {
+        (void)estampe::load_gltf_bytes({reinterpret_cast<const std::byte*>(data), size}, "fuzz.glb");
+    } catch (const estampe::Error&) {
+        return 0;
+    }
+    return 0;
+}

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The check of include directions sees each kind of wrong include, and lets right ones pass.
+set -euo pipefail
+check="$(cd "$(dirname "$0")" && pwd)/check"
+tree="$(mktemp -d)"
+trap 'rm -rf "$tree"' EXIT
+mkdir -p "$tree"/src/{core,scene,style,gpu,frame,techniques/hatch,techniques/light} "$tree"/app "$tree"/examples
+
+# write FILE INCLUDE: one file with one include
+write() { printf '#include "%s"\n' "$2" >"$tree/$1"; }
+
+write app/main.cpp frame/frame.hpp
+write src/frame/frame.cpp techniques/hatch/hatch.hpp
+write src/techniques/hatch/hatch.cpp gpu/device.hpp
+write src/techniques/hatch/own.cpp techniques/hatch/hatch.hpp
+write src/techniques/hatch/public.cpp estampe/scene.hpp
+write src/techniques/hatch/hatch.comp shaders/noise.glsl
+write src/techniques/hatch/hatch_gpu_test.cpp techniques/light/light.hpp
+write src/scene/scene.cpp core/file.hpp
+bash "$check" "$tree" || { echo "right includes were refused"; exit 1; }
+
+failures=0
+expect_refused() {
+    write "$1" "$2"
+    if bash "$check" "$tree" >/dev/null; then
+        echo "not seen: $1 includes $2"
+        failures=1
+    fi
+    rm "$tree/$1"
+}
+expect_refused src/core/bad.cpp scene/scene.hpp
+expect_refused src/scene/bad.cpp style/sheet.hpp
+expect_refused src/gpu/bad.hpp techniques/hatch/hatch.hpp
+expect_refused src/techniques/hatch/bad.cpp techniques/light/light.hpp
+expect_refused src/techniques/hatch/bad.comp techniques/light/light.glsl.h
+expect_refused src/techniques/light/bad.cpp frame/frame.hpp
+expect_refused src/frame/bad.cpp app/text.hpp
+exit "$failures"
