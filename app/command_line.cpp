@@ -17,7 +17,7 @@ constexpr const char* examples = R"(Examples:
   estampe render helmet.gltf -o helmet.png --size 1920x1080 --samples 16
   estampe render fox.glb -o fox.png --animation Run --time 0.4
   estampe render bunny.obj -o bunny.png --camera "eye=2,1,3 target=0,0.5,0 fov=35"
-  estampe render temple.glb -o temple.png --style my.toml --set hatch.width_mm=0.5
+  estampe render temple.glb -o temple.png --style pencil --set hatch.width_mm=0.5
   estampe info helmet.gltf --json
 
 Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";

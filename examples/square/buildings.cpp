@@ -65,16 +65,19 @@ void add_bay(Kit& kit, const Arcade& arcade, float x, bool door)
         kit.add(Stuff::shutter, shapes::box({1.7F, 3.1F, 0.1F}), at({x, 0.0F, 0.42F - arcade.depth}));
 }
 
+/// The walk behind the arches: back wall, ceiling and two ends. No two faces lie in one plane.
 void add_walk(Kit& kit, const Arcade& arcade, float ceiling)
 {
+    constexpr float back = 0.4F;
     const float length = length_of(arcade);
-    kit.add(Stuff::plaster, shapes::box({length, arcade.height, 0.4F}),
-            at({0.0F, 0.0F, 0.2F - arcade.depth}));
-    kit.add(Stuff::plaster, shapes::box({length, 0.3F, arcade.depth - arcade.thickness}),
-            at({0.0F, ceiling, -0.5F * (arcade.depth + arcade.thickness)}));
+    const float inner = arcade.depth - arcade.thickness - back;
+    const float middle = -arcade.thickness - 0.5F * inner;
+    kit.add(Stuff::plaster, shapes::box({length, arcade.height, back}),
+            at({0.0F, 0.0F, 0.5F * back - arcade.depth}));
+    kit.add(Stuff::plaster, shapes::box({length - 0.9F, 0.3F, inner}), at({0.0F, ceiling, middle}));
     for (const float end : {-1.0F, 1.0F})
-        kit.add(Stuff::plaster, shapes::box({0.5F, arcade.height, arcade.depth - arcade.thickness}),
-                at({end * (0.5F * length - 0.25F), 0.0F, -0.5F * (arcade.depth + arcade.thickness)}));
+        kit.add(Stuff::plaster, shapes::box({0.5F, arcade.height, inner}),
+                at({end * (0.5F * length - 0.25F), 0.0F, middle}));
 }
 
 Kit build_flag(float pole, float width, float height, float phase)
@@ -92,8 +95,8 @@ Kit build_flag(float pole, float width, float height, float phase)
     }
     Kit kit;
     kit.add(Stuff::red, cloth);
-    kit.add(Stuff::iron, rod({0.0F, 0.0F, 0.0F}, {0.0F, pole, 0.0F}, 0.07F, 0.05F, 8));
-    kit.add(Stuff::iron, shapes::sphere(0.14F, 10, 6), at({0.0F, pole + 0.1F, 0.0F}));
+    kit.add(Stuff::iron, rod({0.0F, 0.0F, 0.0F}, {0.0F, pole, 0.0F}, 0.13F, 0.1F, 8));
+    kit.add(Stuff::iron, shapes::sphere(0.24F, 10, 6), at({0.0F, pole + 0.1F, 0.0F}));
     return kit;
 }
 
@@ -173,9 +176,9 @@ Kit build_tower()
     add_ring_of_columns(kit, 3.4F, 4.0F, 12, 24.5F);
     kit.add(Stuff::stone, shapes::cylinder(4.2F, 0.5F, 48), at({0.0F, 28.5F, 0.0F}));
     kit.add(Stuff::red, shapes::cone(3.9F, 2.6F, 40), at({0.0F, 29.0F, 0.0F}));
-    kit.add(build_flag(5.4F, 4.4F, 2.2F, 0.4F), at({0.0F, 31.2F, 0.0F}));
-    kit.add(build_flag(5.0F, 3.2F, 1.7F, 2.0F), at({-5.0F, 17.6F, 5.0F}));
-    kit.add(build_flag(5.0F, 3.2F, 1.7F, 3.4F), at({5.0F, 17.6F, 5.0F}));
+    kit.add(build_flag(5.4F, 4.4F, 2.2F, 0.4F), at({0.0F, 31.2F, 0.0F}, 70.0F));
+    kit.add(build_flag(5.0F, 3.2F, 1.7F, 2.0F), at({-5.0F, 17.6F, 5.0F}, 70.0F));
+    kit.add(build_flag(5.0F, 3.2F, 1.7F, 3.4F), at({5.0F, 17.6F, 5.0F}, 70.0F));
     return kit;
 }
 

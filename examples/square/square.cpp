@@ -105,12 +105,12 @@ Scene build_square()
     stage.put("tower", build_tower(), {1.5F, 0.0F, -100.0F}, -30.0);
     stage.put("low wall", low_wall(), {0.0F, 0.0F, -76.0F});
     stage.put("train", build_train(), {16.0F, 0.9F, -84.0F});
-    stage.put("statue", build_statue(), {3.9F, 0.0F, -17.0F}, 24.0);
-    stage.put("column", build_column(), {6.6F, 0.0F, -10.2F}, 8.0);
+    stage.put("statue", build_statue(), {2.9F, 0.0F, -19.0F}, 28.0);
+    stage.put("column", build_column(), {6.1F, 0.0F, -10.4F}, 14.0);
     stage.put("drum", build_drum(), {-1.6F, 0.0F, -11.5F}, 28.0);
-    stage.put("person", build_person(false), {0.2F, 0.0F, -41.0F}, 20.0);
-    stage.put("person in red", build_person(true), {1.6F, 0.0F, -41.6F}, -30.0);
-    stage.light(68.0, 16.5);
+    stage.put("person", build_person(false), {-0.2F, 0.0F, -41.0F}, 20.0);
+    stage.put("person in red", build_person(true), {2.0F, 0.0F, -41.4F}, -30.0);
+    stage.light(80.0, 17.0);
     stage.view({0.0, 3.8, 0.0}, 6.0, -2.5, 46.0);
     return stage.take();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ struct DeviceInfo {
 struct RendererOptions {
     std::string device = "auto";
     bool validation = false; ///< Khronos validation with synchronization validation; needs the layer installed
+    /// Receives each validation message, from any thread; without it they go to stderr.
+    std::function<void(const std::string&)> on_validation_message;
 };
 
 struct RenderSettings {

@@ -84,7 +84,9 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                              .textures = textures};
     const auto visibility =
         raster::add_visibility(graph, "visibility", raster_inputs, batches(layout, plan.ground_drawn),
-                               {.clip_from_anchor = plan.clip_from_anchor, .size_px = size_px});
+                               {.clip_from_anchor = plan.clip_from_anchor,
+                                .size_px = size_px,
+                                .small_area_px = plan.small_triangle_px});
 
     // Surface: what is seen at each pixel.
     const auto surface = surface::add_resolve(
@@ -105,7 +107,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                           plan.shadow_size > 0 ? batches(layout, false) : std::vector<raster::Batch>{},
                           {.clip_from_anchor = plan.sun.clip_from_anchor,
                            .size_px = glm::uvec2(std::max(plan.shadow_size, 4U)),
-                           .cull_back_faces = false});
+                           .cull_back_faces = false,
+                           .small_area_px = plan.small_triangle_px});
 
     // Light: what arrives there.
     const auto light = light::add_light(graph, {.frame = frame,

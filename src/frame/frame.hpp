@@ -30,6 +30,7 @@ struct FramePlan {
     glm::mat4 clip_from_anchor{1.0F};
     float pixels_per_mm = 1.0F;
     float pixel_angle = 0.001F;
+    uint32_t small_triangle_px = 192; ///< see raster::View
     bool ground_drawn = false;
     bool sky_drawn = false;
     uint32_t shadow_size = 0; ///< texels a side; 0 for no shadow

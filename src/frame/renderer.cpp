@@ -135,6 +135,8 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
     plan.size_px = {settings.width, settings.height};
     plan.pixels_per_mm = static_cast<float>(settings.height) / style.paper.height_mm;
     plan.pixel_angle = frame::pixel_angle(camera, settings.height);
+    // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
+    plan.small_triangle_px = device.info().software ? 2048U : 192U;
     plan.ground_drawn = style.picture.ground == frame::Ground::drawn ||
                         (style.picture.ground == frame::Ground::automatic && is_bare);
     plan.sky_drawn =
@@ -190,7 +192,8 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
         .shadow_size = plan.shadow_size,
         .directional_count = lighting.directional_count,
         .local_count = static_cast<uint32_t>(lighting.records.size()) - lighting.directional_count,
-        .shadow_depth_m = plan.sun.depth_m};
+        .shadow_depth_m = plan.sun.depth_m,
+        .falloff = tables.light.falloff};
     impl.light_globals = mapped_buffer(impl.device, "lighting", &light_globals, 1);
     impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {

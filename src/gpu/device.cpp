@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,9 +18,15 @@ constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 
 VKAPI_ATTR VkBool32 VKAPI_CALL on_validation_message(VkDebugUtilsMessageSeverityFlagBitsEXT /*severity*/,
                                                      VkDebugUtilsMessageTypeFlagsEXT /*types*/,
-                                                     const VkDebugUtilsMessengerCallbackDataEXT* data, void* log)
+                                                     const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                                     void* receiver)
 {
-    static_cast<ValidationLog*>(log)->add(data->pMessage);
+    const auto& receive = *static_cast<std::function<void(const std::string&)>*>(receiver);
+    if (receive) {
+        receive(data->pMessage);
+    } else {
+        fmt::print(stderr, "estampe: validation: {}\n", data->pMessage);
+    }
     return VK_FALSE;
 }
 
@@ -62,19 +67,8 @@ VkInstance make_instance(const void* next, bool validation)
 
 } // namespace
 
-void ValidationLog::add(std::string message)
-{
-    const std::lock_guard lock(mutex_);
-    messages_.push_back(std::move(message));
-}
-
-std::vector<std::string> ValidationLog::take()
-{
-    const std::lock_guard lock(mutex_);
-    return std::exchange(messages_, {});
-}
-
 Device::Device(const RendererOptions& options)
+    : on_validation_message_(std::make_unique<std::function<void(const std::string&)>>(options.on_validation_message))
 {
     create_instance(options.validation);
     pick_physical(options.device);
@@ -110,7 +104,7 @@ void Device::create_instance(bool validation)
             VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT,
         .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
         .pfnUserCallback = on_validation_message,
-        .pUserData = validation_.get()};
+        .pUserData = on_validation_message_.get()};
     const auto synchronization = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
     const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
                                            .pNext = &messenger_info,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -12,18 +11,6 @@
 #include "gpu/vulkan.hpp"
 
 namespace estampe::gpu {
-
-/// What the validation layer said: filled by its callback, which may come from any thread.
-class ValidationLog {
-public:
-    void add(std::string message);
-    /// Hands the messages over and forgets them.
-    [[nodiscard]] std::vector<std::string> take();
-
-private:
-    std::mutex mutex_;
-    std::vector<std::string> messages_;
-};
 
 /// One Vulkan device with one queue, which does everything: compute, copies, and raster where it is used.
 ///
@@ -43,7 +30,6 @@ public:
     [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return limits_; }
     [[nodiscard]] double timestamp_period_ns() const { return limits_.timestampPeriod; }
     [[nodiscard]] MemoryAllocator& memory() { return *memory_; }
-    [[nodiscard]] ValidationLog& validation() { return *validation_; }
 
     /// Runs `commands` and waits until the GPU is done. Throws Error when the device is lost.
     void submit_and_wait(VkCommandBuffer commands);
@@ -65,7 +51,7 @@ private:
     uint32_t queue_family_ = 0;
     DeviceInfo info_;
     VkPhysicalDeviceLimits limits_{};
-    std::unique_ptr<ValidationLog> validation_ = std::make_unique<ValidationLog>();
+    std::unique_ptr<std::function<void(const std::string&)>> on_validation_message_; ///< stays put for the messenger
     std::unique_ptr<MemoryAllocator> memory_;
 };
 

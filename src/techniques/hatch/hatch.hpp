@@ -11,14 +11,14 @@ enum class Coordinates : uint8_t { automatic, uv, solid };
 
 struct HatchStyle {
     bool drawn = true;
-    float width_mm = 0.30F;
+    float width_mm = 0.27F;
     int layers = 3;
     Coordinates coordinates = Coordinates::automatic;
     float slant_deg = 24.0F;
-    float wobble_mm = 0.32F;
-    float gap_mm = 0.8F;
-    float taper_mm = 3.2F;
-    float length_mm = 11.0F;
+    float wobble_mm = 0.18F;
+    float gap_mm = 0.6F;
+    float taper_mm = 2.6F;
+    float length_mm = 15.0F;
     float pressure = 0.28F;
     float fade = 1.0F;
     float fade_distance_m = 60.0F;

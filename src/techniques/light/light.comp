@@ -50,7 +50,8 @@ float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
     }
     ivec2 corner = ivec2(floor(texel));
     vec2 f = texel - vec2(corner);
-    float receiver = clip.z + lighting.shadow_texel_m / lighting.shadow_depth_m;
+    // What lies beyond the farthest caster is as far as it; texels that no caster covers hold zero.
+    float receiver = max(clip.z, 0.0) + lighting.shadow_texel_m / lighting.shadow_depth_m;
     vec4 blocker = vec4(shadow_depth_at(corner), shadow_depth_at(corner + ivec2(1, 0)),
                         shadow_depth_at(corner + ivec2(0, 1)), shadow_depth_at(corner + ivec2(1, 1)));
     vec4 lit = vec4(greaterThanEqual(vec4(receiver), blocker));
@@ -70,7 +71,7 @@ vec3 local_light(LightRecord light, vec3 point, vec3 normal)
         float cone = clamp(dot(-direction, light.direction) * light.cone_scale + light.cone_offset, 0.0, 1.0);
         attenuation *= cone * cone;
     }
-    return light.color * (attenuation * max(dot(normal, direction), 0.0));
+    return light.color * (attenuation * pow(max(dot(normal, direction), 1e-6), lighting.falloff));
 }
 
 // Bounds of the tile's visible points in anchor space.
@@ -125,7 +126,7 @@ void main()
             float lambert = max(dot(normal, sun.direction), 0.0);
             bool faces = dot(smooth_normal, sun.direction) > 0.0;
             if (lambert > 0.0 && faces) {
-                light += sun.color * (lambert * (i == 0u ? sun_visibility(point, smooth_normal, sun.direction) : 1.0));
+                light += sun.color * (pow(lambert, lighting.falloff) * (i == 0u ? sun_visibility(point, smooth_normal, sun.direction) : 1.0));
             }
         }
     }

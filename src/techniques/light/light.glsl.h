@@ -26,11 +26,12 @@ struct LightGlobals {
     uint directional_count; // these come first in the list; the first casts the shadow
     uint local_count;
     float shadow_depth_m;
+    float falloff; // exponent of the cosine; 1 is Lambert's
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(LightRecord) == 52);
-static_assert(sizeof(LightGlobals) == 108);
+static_assert(sizeof(LightGlobals) == 112);
 inline constexpr uint light_directional = 0;
 inline constexpr uint light_point = 1;
 inline constexpr uint light_spot = 2;

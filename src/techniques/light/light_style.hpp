@@ -9,10 +9,11 @@ enum class LightSource : uint8_t { automatic, scene, sun };
 
 struct LightStyle {
     LightSource source = LightSource::automatic;
-    float sun_azimuth_deg = -48.0F;
-    float sun_elevation_deg = 40.0F;
+    float sun_azimuth_deg = -34.0F;
+    float sun_elevation_deg = 44.0F;
     float exposure_stops = 0.0F;
-    float ambient = 0.16F;
+    float ambient = 0.21F;
+    float falloff = 0.62F;
     bool shadows = true;
     int shadow_size = 2048;
 };
@@ -32,16 +33,18 @@ inline const style::Table<LightStyle>& light_table()
                     "Brighter or darker than the exposure that the scene's lights suggest")
             .number("ambient", &LightStyle::ambient, {0.0F, 1.0F}, "",
                     "Light from everywhere, as a share of the sun's")
+            .number("falloff", &LightStyle::falloff, {0.05F, 4.0F}, "",
+                    "Exponent of the cosine: 1 is Lambert's law, less keeps slanted light bright")
             .toggle("shadows", &LightStyle::shadows, "Whether the sun throws shadows")
             .integer("shadow_size", &LightStyle::shadow_size, {64, 8192}, "texels", "Side of the sun's shadow map");
     return table;
 }
 
 struct ToneStyle {
-    float exposure = 1.12F;
-    float gamma = 0.85F;
-    float contrast = 1.12F;
-    float floor = 0.10F;
+    float exposure = 1.14F;
+    float gamma = 0.9F;
+    float contrast = 1.05F;
+    float floor = 0.12F;
     float ceiling = 0.97F;
     float local_value = 0.45F;
 };

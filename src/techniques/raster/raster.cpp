@@ -74,7 +74,8 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
                                             .triangle_count = batch.triangle_count,
                                             .large_capacity = large_capacity,
                                             .tile_capacity = most_tiles,
-                                            .cull_back_faces = view.cull_back_faces ? 1U : 0U};
+                                            .cull_back_faces = view.cull_back_faces ? 1U : 0U,
+                                            .small_area_px = view.small_area_px};
     gpu::BufferId counters = cleared(graph, name + "/counters", sizeof(shared::RasterCounters));
     gpu::BufferId large =
         graph.buffer(name + "/large", {.size_bytes = large_capacity * sizeof(shared::LargeTriangle)});

@@ -157,7 +157,7 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
 #endif
 }
 
-// Fills the part of a triangle within [low, high], for triangles of at most 32 pixels a side: 32-bit arithmetic.
+// Fills the part of a triangle within [low, high], for triangles of at most 64 pixels a side: 32-bit arithmetic.
 void fill_small(PageTriangle t, ivec2 low, ivec2 high, uint triangle)
 {
     ivec2 e0 = t.p[2] - t.p[1];

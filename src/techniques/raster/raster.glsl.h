@@ -15,6 +15,7 @@ struct RasterConstants {
     uint large_capacity;
     uint tile_capacity;
     uint cull_back_faces;
+    uint small_area_px; // up to this many pixels of bounding box one thread draws a triangle whole
 };
 
 // A triangle too large for one thread, after clipping: `part` is 0 or 1, since clipping can make two of one.
@@ -36,7 +37,7 @@ struct RasterCounters {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RasterConstants) == 92);
+static_assert(sizeof(RasterConstants) == 96);
 inline constexpr uint raster_tile_px = 64;
 } // namespace estampe::shared
 #else

@@ -31,7 +31,8 @@ struct Batch {
 struct View {
     glm::mat4 clip_from_anchor{1.0F}; ///< reversed z, y down
     glm::uvec2 size_px{0};
-    bool cull_back_faces = true; ///< of triangles that are not two-sided
+    bool cull_back_faces = true;  ///< of triangles that are not two-sided
+    uint32_t small_area_px = 192; ///< largest bounding box of a triangle that one thread draws alone
 };
 
 /// A picture of 64-bit words, row by row: reversed depth above, triangle below; 0 where nothing is seen.

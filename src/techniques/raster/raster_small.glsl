@@ -6,8 +6,7 @@
 
 layout(local_size_x = 64) in;
 
-const int small_side_px = 31;
-const int small_area_px = 192;
+const int small_side_px = 63; // edge functions of such triangles fit 32 bits
 
 void draw_part(ClippedTriangle clipped, uint part, uint triangle, uint flags)
 {
@@ -22,7 +21,7 @@ void draw_part(ClippedTriangle clipped, uint part, uint triangle, uint flags)
     }
     ivec2 extent = max(max(t.p[0], t.p[1]), t.p[2]) - min(min(t.p[0], t.p[1]), t.p[2]);
     ivec2 covered = high - low + 1;
-    if (all(lessThan(extent, ivec2(small_side_px * 256))) && covered.x * covered.y <= small_area_px) {
+    if (all(lessThan(extent, ivec2(small_side_px * 256))) && uint(covered.x * covered.y) <= constants.small_area_px) {
         fill_small(t, low, high, triangle);
         return;
     }

@@ -13,7 +13,7 @@ struct SkyStyle {
     SkyMode mode = SkyMode::automatic;
     glm::vec3 horizon = style::srgb(0xf0dca2);
     glm::vec3 zenith = style::srgb(0x5f9a92);
-    float darkness = 0.34F;
+    float darkness = 0.22F;
     float width_mm = 0.34F;
 };
 

@@ -8,10 +8,10 @@
 namespace estampe::wash {
 
 struct WashStyle {
-    float strength = 0.62F;
+    float strength = 0.8F;
     float detail = 0.35F;
-    glm::vec3 shadow_tint = style::srgb(0xb9c3be);
-    float shadow_from = 0.52F;
+    glm::vec3 shadow_tint = style::srgb(0xa4b4b2);
+    float shadow_from = 0.40F;
     float softness = 0.03F;
     float air = 0.0F;
     glm::vec3 air_color = style::srgb(0xf0dca2);

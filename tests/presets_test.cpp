@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The presets and the whole set of parameters, through the public header.
+#include <algorithm>
+
+#include <estampe/error.hpp>
+#include <estampe/style.hpp>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "frame/style_tables.hpp"
+#include "style/presets.hpp"
+
+namespace estampe {
+namespace {
+
+TEST(Presets, LoadByNameAndChangeThePicture)
+{
+    const std::string plain = Style().to_toml();
+    ASSERT_FALSE(Style::presets().empty());
+    for (const std::string& name : Style::presets()) {
+        EXPECT_NE(Style::load(name).to_toml(), plain) << name;
+    }
+}
+
+TEST(Presets, BeginWithALineThatDescribesThem)
+{
+    for (const std::string& name : Style::presets()) {
+        EXPECT_TRUE(style::preset_text(name)->starts_with("# ")) << name;
+    }
+}
+
+TEST(Presets, ReadBackEqual)
+{
+    for (const std::string& name : Style::presets()) {
+        const std::string text = Style::load(name).to_toml();
+        frame::StyleTables tables;
+        frame::sheet_of(tables).read_toml_text(text, name);
+        EXPECT_EQ(frame::sheet_of(tables).to_toml(), text);
+    }
+}
+
+TEST(Parameters, EachHasHelpOnOneLineAndAUniqueName)
+{
+    frame::StyleTables tables;
+    std::vector<std::string> names;
+    const style::Sheet sheet = frame::sheet_of(tables);
+    for (const style::Sheet::Section& section : sheet.sections()) {
+        for (const style::Parameter& parameter : section.parameters) {
+            names.push_back(section.name + "." + parameter.key);
+            EXPECT_FALSE(parameter.help.empty()) << names.back();
+            EXPECT_EQ(parameter.help.find('\n'), std::string::npos) << names.back();
+        }
+    }
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+TEST(Parameters, EachTakesItsOwnDefaultAndEndsOfRange)
+{
+    frame::StyleTables tables;
+    style::Sheet sheet = frame::sheet_of(tables);
+    for (const style::Sheet::Section& section : sheet.sections()) {
+        for (const style::Parameter& parameter : section.parameters) {
+            const std::string name = section.name + "." + parameter.key;
+            if (parameter.kind == style::Kind::number) {
+                EXPECT_NO_THROW(sheet.set(fmt::format("{}={}", name, parameter.range.minimum))) << name;
+                EXPECT_NO_THROW(sheet.set(fmt::format("{}={}", name, parameter.range.maximum))) << name;
+                EXPECT_THROW(sheet.set(fmt::format("{}={}", name, parameter.range.maximum * 2 + 1)), Error)
+                    << name;
+            } else if (parameter.kind == style::Kind::integer) {
+                EXPECT_NO_THROW(sheet.set(fmt::format("{}={}", name, parameter.integers.minimum))) << name;
+                EXPECT_THROW(sheet.set(fmt::format("{}={}", name, parameter.integers.maximum + 1)), Error)
+                    << name;
+            } else if (parameter.kind == style::Kind::choice) {
+                for (const std::string& choice : parameter.choices) {
+                    sheet.set(name + "=" + choice);
+                    EXPECT_EQ(parameter.get(section.values), style::Value(choice)) << name;
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace estampe

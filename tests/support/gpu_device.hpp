@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The device that tests draw on: lavapipe, with validation and synchronization validation. A validation message fails
+// the test that caused it (see gpu_main.cpp); a missing device or layer fails everything.
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+
+#include "gpu/graph/execute.hpp"
+
+namespace estampe::test {
+
+/// What the validation layer said since the last call.
+[[nodiscard]] std::vector<std::string> take_validation_messages();
+
+/// Options for a renderer on lavapipe whose validation messages fail the running test.
+[[nodiscard]] RendererOptions validated();
+
+/// A device shared by all tests of the program.
+[[nodiscard]] gpu::Device& shared_device();
+
+/// A renderer shared by all tests of the program.
+[[nodiscard]] Renderer& shared_renderer();
+
+/// Runs `graph` on the shared device, and hands back the bytes of `buffer`, which it must produce.
+[[nodiscard]] std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::BufferId buffer);
+
+template <class T>
+[[nodiscard]] std::vector<T> run_and_read_as(gpu::Graph& graph, gpu::BufferId buffer)
+{
+    const std::vector<std::byte> bytes = run_and_read(graph, buffer);
+    std::vector<T> items(bytes.size() / sizeof(T));
+    std::memcpy(items.data(), bytes.data(), items.size() * sizeof(T));
+    return items;
+}
+
+/// The same for an image of `bytes_per_texel`, tightly packed.
+[[nodiscard]] std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::ImageId image, uint32_t bytes_per_texel);
+
+} // namespace estampe::test

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Scenes that tests make for themselves.
+
+#include <estampe/scene.hpp>
+
+namespace estampe::test {
+
+/// A scene of one node that shows `primitive` in a white, two-sided material.
+[[nodiscard]] Scene scene_of(Primitive primitive);
+
+/// Adds a node with `primitive` in a new material of that colour; returns the node.
+Index add_object(Scene& scene, Primitive primitive, const glm::vec3& color, const glm::dvec3& place = glm::dvec3(0.0));
+
+/// Adds a directional light that comes from `towards_light`.
+void add_sun(Scene& scene, const glm::dvec3& towards_light, float intensity = 1.0F);
+
+/// A square of side `side_m` about the origin that faces +z, with UVs of 0 to 1.
+[[nodiscard]] Primitive wall(float side_m);
+
+/// A unit sphere of `rings` x 2 `rings` quads, without UVs.
+[[nodiscard]] Primitive sphere(uint32_t rings);
+
+/// A camera on the +z axis that looks back along it.
+[[nodiscard]] Camera front_camera(double distance_m, double vertical_fov_rad);
+
+} // namespace estampe::test
