@@ -64,16 +64,18 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const shared::ToneConstants tone = light::tone_constants(style.tone);
 
     // Pose: whatever moves writes vertices.
-    const auto posed_vertices =
-        pose::add_pose(graph,
-                       {.draws = draws,
-                        .draw_of_vertex = import_buffer(graph, "draw of vertex", meshes.draw_of_vertex),
-                        .rest_vertices = rest_vertices,
-                        .skin_vertices = import_buffer(graph, "skin vertices", meshes.skin_vertices),
-                        .morph_offsets = import_buffer(graph, "morph offsets", meshes.morph_offsets),
-                        .joints = import_buffer(graph, "joints", meshes.joints),
-                        .morph_weights = import_buffer(graph, "morph weights", meshes.morph_weights)},
-                       import_buffer(graph, "posed vertices", meshes.posed_vertices[0]), meshes.vertex_count);
+    auto posed_vertices = import_buffer(graph, "posed vertices", meshes.posed_vertices[0]);
+    if (plan.pose_moved) {
+        posed_vertices = pose::add_pose(graph,
+                                        {.draws = draws,
+                                         .draw_of_vertex = import_buffer(graph, "draw of vertex", meshes.draw_of_vertex),
+                                         .rest_vertices = rest_vertices,
+                                         .skin_vertices = import_buffer(graph, "skin vertices", meshes.skin_vertices),
+                                         .morph_offsets = import_buffer(graph, "morph offsets", meshes.morph_offsets),
+                                         .joints = import_buffer(graph, "joints", meshes.joints),
+                                         .morph_weights = import_buffer(graph, "morph weights", meshes.morph_weights)},
+                                        posed_vertices, meshes.vertex_count);
+    }
 
     // Visibility: rasterisation only writes identities.
     const raster::RasterInputs raster_inputs{.triangles = triangles,
@@ -81,12 +83,13 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                              .draws = draws,
                                              .rest_vertices = rest_vertices,
                                              .materials = materials,
-                                             .textures = textures};
+                                             .textures = textures,
+                                             .texture_classes = plan.needs.texture_classes};
     const auto visibility =
         raster::add_visibility(graph, "visibility", raster_inputs, batches(layout, plan.ground_drawn),
                                {.clip_from_anchor = plan.clip_from_anchor,
                                 .size_px = size_px,
-                                .small_area_px = plan.small_triangle_px});
+                                .tuning = plan.raster});
 
     // Surface: what is seen at each pixel.
     const auto surface = surface::add_resolve(
@@ -99,16 +102,20 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                 .stroke_coordinates = import_buffer(graph, "stroke coordinates", meshes.stroke_coordinates),
                 .materials = materials,
                 .textures = textures,
+                .needs = plan.needs,
+                .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
                 .size_px = size_px});
 
-    // Shadow: how far the sun sees. The ground receives but does not throw.
-    const auto shadow_map =
-        raster::add_depth(graph, "shadow", raster_inputs,
-                          plan.shadow_size > 0 ? batches(layout, false) : std::vector<raster::Batch>{},
-                          {.clip_from_anchor = plan.sun.clip_from_anchor,
-                           .size_px = glm::uvec2(std::max(plan.shadow_size, 4U)),
-                           .cull_back_faces = false,
-                           .small_area_px = plan.small_triangle_px});
+    // Shadow: how far the sun sees, drawn only when it moved or something did. The ground receives but does not throw.
+    auto shadow_map = import_buffer(graph, "shadow", resources.shadow_map);
+    if (plan.redraw_shadow) {
+        shadow_map = raster::add_depth(graph, "shadow", raster_inputs, batches(layout, false),
+                                       {.clip_from_anchor = plan.sun.clip_from_anchor,
+                                        .size_px = glm::uvec2(plan.shadow_size),
+                                        .cull_back_faces = false,
+                                        .tuning = plan.raster},
+                                       shadow_map);
+    }
 
     // Light: what arrives there.
     const auto light = light::add_light(graph, {.frame = frame,
@@ -120,6 +127,9 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                                 .draws = draws,
                                                 .materials = materials,
                                                 .shadow_map = shadow_map,
+                                                .has_shadow = plan.shadow_size > 0,
+                                                .has_local_lights = plan.has_local_lights,
+                                                .has_emissive = plan.needs.emissive,
                                                 .size_px = size_px});
 
     // Hatch: light becomes strokes.
@@ -132,7 +142,6 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                          .coordinate = surface.coordinate,
                                          .footprint = surface.footprint,
                                          .light = light,
-                                         .draws = draws,
                                          .tone = tone,
                                          .pixels_per_mm = plan.pixels_per_mm,
                                          .size_px = size_px},
@@ -145,7 +154,6 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                               .triangles = triangles,
                                               .posed_vertices = posed_vertices,
                                               .draws = draws,
-                                              .materials = materials,
                                               .draw = surface.draw,
                                               .depth = surface.depth,
                                               .normal = surface.normal,

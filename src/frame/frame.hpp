@@ -8,6 +8,7 @@
 #include "gpu/graph/graph.hpp"
 #include "techniques/light/light.hpp"
 #include "techniques/pose/pose.hpp"
+#include "techniques/raster/raster.hpp"
 #include "techniques/shadow/sun_view.hpp"
 #include "techniques/surface/materials.hpp"
 
@@ -20,6 +21,7 @@ struct FrameResources {
     gpu::Buffer& frame_globals;
     gpu::Buffer& light_globals;
     gpu::Buffer& lights;
+    gpu::Buffer& shadow_map;
     gpu::Buffer& sums;   ///< one vec4 a pixel, for pictures of several samples
     gpu::Buffer& pixels; ///< the picture, four bytes a pixel, for reading back
 };
@@ -30,10 +32,14 @@ struct FramePlan {
     glm::mat4 clip_from_anchor{1.0F};
     float pixels_per_mm = 1.0F;
     float pixel_angle = 0.001F;
-    uint32_t small_triangle_px = 192; ///< see raster::View
+    raster::Tuning raster;
+    surface::SceneNeeds needs;
+    bool has_local_lights = false;
     bool ground_drawn = false;
     bool sky_drawn = false;
     uint32_t shadow_size = 0; ///< texels a side; 0 for no shadow
+    bool pose_moved = true;    ///< the posed vertices are not yet those of this moment
+    bool redraw_shadow = true; ///< the shadow map is not yet that of this moment
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
     shadow::SunView sun;
     paper::Accumulation accumulation;

@@ -2,6 +2,7 @@
 #include <estampe/renderer.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <optional>
 
@@ -21,7 +22,9 @@ struct LoadedScene {
     pose::MeshData layout;
     pose::MeshBuffers meshes;
     surface::MaterialBuffers materials;
+    surface::SceneNeeds needs;
     std::optional<pose::PoseData> pose; ///< what the device holds now
+    bool pose_moved = true;             ///< the device has yet to pose its vertices by it
 };
 
 struct Renderer::Impl {
@@ -30,6 +33,7 @@ struct Renderer::Impl {
     void check_size(const RenderSettings& settings) const;
     void provide_pixels(const RenderSettings& settings);
     void update_pose(const ScenePose& scene_pose);
+    void provide_shadow_map(frame::FramePlan& plan);
     [[nodiscard]] frame::FramePlan plan(const light::Lighting& lighting, const frame::StyleTables& style,
                                         const Camera& camera, const RenderSettings& settings) const;
     void draw_sample(const Camera& camera, const frame::StyleTables& style, frame::FramePlan& plan);
@@ -40,6 +44,8 @@ struct Renderer::Impl {
     gpu::Buffer frame_globals;
     gpu::Buffer light_globals;
     gpu::Buffer lights;
+    gpu::Buffer shadow_map;
+    std::optional<glm::mat4> shadow_view; ///< of what the shadow map holds; none when it is out of date
     gpu::Buffer sums;
     gpu::Buffer pixels;
     std::string dot;
@@ -53,6 +59,13 @@ gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const T* items,
     gpu::Buffer buffer(device, name, std::max<size_t>(count, 1) * sizeof(T), gpu::MemoryUse::upload);
     std::memcpy(buffer.mapped().data(), items, count * sizeof(T));
     return buffer;
+}
+
+/// Side of the shadow map: the style's, or about a texel a pixel.
+uint32_t shadow_size(const light::LightStyle& style, const RenderSettings& settings)
+{
+    return style.shadow_size > 0 ? static_cast<uint32_t>(style.shadow_size)
+                                 : std::clamp(std::bit_ceil(std::max(settings.width, settings.height)), 512U, 4096U);
 }
 
 /// A copy of the scene that is enough to pose it: geometry and images are on the device by now.
@@ -83,10 +96,15 @@ const DeviceInfo& Renderer::device() const
 void Renderer::set_scene(const Scene& scene)
 {
     impl_->loaded.reset();
+    impl_->shadow_view.reset();
     LoadedScene loaded;
     loaded.layout = pose::build_meshes(scene, static_cast<Index>(scene.materials.size()));
     loaded.meshes = pose::upload_meshes(impl_->device, loaded.layout);
     loaded.materials = surface::upload_materials(impl_->device, scene);
+    loaded.needs = surface::scene_needs(scene);
+    loaded.needs.uv_strokes = std::any_of(loaded.layout.draws.begin(), loaded.layout.draws.end(), [](const auto& draw) {
+        return (draw.flags & shared::draw_follows_uv) != 0;
+    });
     loaded.scene = without_images(scene);
     impl_->loaded = std::move(loaded);
 }
@@ -118,11 +136,24 @@ void Renderer::Impl::provide_pixels(const RenderSettings& settings)
 void Renderer::Impl::update_pose(const ScenePose& scene_pose)
 {
     pose::PoseData now = pose::pose_meshes(loaded->layout, loaded->scene, scene_pose);
-    std::swap(loaded->meshes.posed_vertices[0], loaded->meshes.posed_vertices[1]);
-    if (!loaded->pose || !(*loaded->pose == now)) {
-        pose::upload_pose(device, loaded->meshes, now);
+    if (loaded->pose && *loaded->pose == now) {
+        return;
     }
+    std::swap(loaded->meshes.posed_vertices[0], loaded->meshes.posed_vertices[1]);
+    pose::upload_pose(device, loaded->meshes, now);
     loaded->pose = std::move(now);
+    loaded->pose_moved = true;
+    shadow_view.reset();
+}
+
+void Renderer::Impl::provide_shadow_map(frame::FramePlan& plan)
+{
+    const uint64_t size_bytes = std::max<uint64_t>(sizeof(float) * plan.shadow_size * plan.shadow_size, 16);
+    if (shadow_map.empty() || shadow_map.size_bytes() != size_bytes) {
+        shadow_map = gpu::Buffer(device, "shadow map", size_bytes, gpu::MemoryUse::device);
+        shadow_view.reset();
+    }
+    plan.redraw_shadow = plan.shadow_size > 0 && shadow_view != plan.sun.clip_from_anchor;
 }
 
 frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const frame::StyleTables& style,
@@ -135,15 +166,19 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
     plan.size_px = {settings.width, settings.height};
     plan.pixels_per_mm = static_cast<float>(settings.height) / style.paper.height_mm;
     plan.pixel_angle = frame::pixel_angle(camera, settings.height);
-    // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
-    plan.small_triangle_px = device.info().software ? 2048U : 192U;
+    if (device.info().software) {
+        // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
+        plan.raster = {.small_area_px = 2048, .list_groups = 32};
+    }
     plan.ground_drawn = style.picture.ground == frame::Ground::drawn ||
                         (style.picture.ground == frame::Ground::automatic && is_bare);
     plan.sky_drawn =
         style.sky.mode == sky::SkyMode::drawn || (style.sky.mode == sky::SkyMode::automatic && brings_sun);
     plan.shadow_size = style.light.shadows && lighting.directional_count > 0 && lighting.towards_sun.y > -0.999
-                           ? static_cast<uint32_t>(style.light.shadow_size)
+                           ? shadow_size(style.light, settings)
                            : 0U;
+    plan.needs = loaded->needs;
+    plan.has_local_lights = lighting.records.size() > lighting.directional_count;
     plan.towards_sun = glm::vec3(lighting.towards_sun);
     plan.sun = shadow::sun_view(loaded->pose->casters, loaded->layout.anchor, lighting.towards_sun,
                                 std::max(plan.shadow_size, 4U));
@@ -160,10 +195,14 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     plan.clip_from_anchor = globals.clip_from_anchor;
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
     frame::FrameResources resources{loaded->meshes, loaded->materials, frame_globals, light_globals,
-                                    lights,         sums,              pixels};
+                                    lights,         shadow_map,        sums,          pixels};
+    plan.pose_moved = loaded->pose_moved;
+    provide_shadow_map(plan);
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, style);
     executor.run(graph);
+    loaded->pose_moved = false;
+    shadow_view = plan.sun.clip_from_anchor;
     if (plan.accumulation.sample_index + 1 == plan.accumulation.sample_count) {
         dot = gpu::to_dot(graph, gpu::compile(graph));
     }

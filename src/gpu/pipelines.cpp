@@ -47,17 +47,18 @@ PipelineCache::~PipelineCache()
 }
 
 const Pipeline& PipelineCache::get(const Shader& shader, std::span<const VkDescriptorType> bindings,
-                                   uint32_t push_bytes)
+                                   uint32_t push_bytes, uint32_t variant)
 {
-    const Key key{shader.spirv.data(), {bindings.begin(), bindings.end()}};
+    const Key key{shader.spirv.data(), variant, {bindings.begin(), bindings.end()}};
     const auto found = pipelines_.find(key);
     if (found != pipelines_.end()) {
         return found->second;
     }
-    return pipelines_.emplace(key, make(shader, bindings, push_bytes)).first->second;
+    return pipelines_.emplace(key, make(shader, bindings, push_bytes, variant)).first->second;
 }
 
-Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorType> bindings, uint32_t push_bytes)
+Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorType> bindings, uint32_t push_bytes,
+                             uint32_t variant)
 {
     Pipeline made;
     std::vector<VkDescriptorSetLayoutBinding> layout_bindings;
@@ -85,11 +86,15 @@ Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorT
                                                .pCode = shader.spirv.data()};
     VkShaderModule shader_module = VK_NULL_HANDLE;
     vk_check(vkCreateShaderModule(device_.handle(), &module_info, nullptr, &shader_module), "vkCreateShaderModule");
+    const VkSpecializationMapEntry entry{.size = sizeof(variant)};
+    const VkSpecializationInfo specialization{
+        .mapEntryCount = 1, .pMapEntries = &entry, .dataSize = sizeof(variant), .pData = &variant};
     const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
                                            .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                                                      .stage = VK_SHADER_STAGE_COMPUTE_BIT,
                                                      .module = shader_module,
-                                                     .pName = "main"},
+                                                     .pName = "main",
+                                                     .pSpecializationInfo = &specialization},
                                            .layout = made.layout};
     const VkResult result =
         vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &made.pipeline);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "gpu/device.hpp"
@@ -27,16 +27,18 @@ public:
     PipelineCache(const PipelineCache&) = delete;
     PipelineCache& operator=(const PipelineCache&) = delete;
 
-    /// The pipeline of `shader` whose bindings 0, 1, ... have these types, with `push_bytes` of push constants.
+    /// The pipeline of `shader` whose bindings 0, 1, ... have these types, with `push_bytes` of push constants and
+    /// specialization constant 0 set to `variant`.
     [[nodiscard]] const Pipeline& get(const Shader& shader, std::span<const VkDescriptorType> bindings,
-                                      uint32_t push_bytes);
+                                      uint32_t push_bytes, uint32_t variant);
 
     [[nodiscard]] VkSampler sampler(Sampling sampling) const { return samplers_[static_cast<size_t>(sampling)]; }
 
 private:
-    using Key = std::pair<const uint32_t*, std::vector<VkDescriptorType>>;
+    using Key = std::tuple<const uint32_t*, uint32_t, std::vector<VkDescriptorType>>;
 
-    [[nodiscard]] Pipeline make(const Shader& shader, std::span<const VkDescriptorType> bindings, uint32_t push_bytes);
+    [[nodiscard]] Pipeline make(const Shader& shader, std::span<const VkDescriptorType> bindings, uint32_t push_bytes,
+                                uint32_t variant);
 
     Device& device_;
     std::map<Key, Pipeline> pipelines_;

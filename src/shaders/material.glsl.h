@@ -36,6 +36,7 @@ inline constexpr uint material_unlit = 1U;
 inline constexpr uint material_masked = 2U;
 inline constexpr uint material_blended = 4U;
 inline constexpr uint material_paper = 8U; // takes shadow, but neither wash nor outline
+inline constexpr uint material_emissive = 16U;
 } // namespace estampe::shared
 #else
 #define NO_TEXTURE 0xffffffffu
@@ -43,6 +44,7 @@ inline constexpr uint material_paper = 8U; // takes shadow, but neither wash nor
 #define MATERIAL_MASKED 2u
 #define MATERIAL_BLENDED 4u
 #define MATERIAL_PAPER 8u
+#define MATERIAL_EMISSIVE 16u
 #endif
 
 #endif

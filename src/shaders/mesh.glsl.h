@@ -40,7 +40,7 @@ struct DrawRecord {
     uint morph_target_count;
     uint first_morph_weight;
     uint object; // what an outline goes around: one number a node
-    uint strokes_follow_uv;
+    uint flags;
 };
 
 // Position relative to the anchor; normal as in RestVertex.
@@ -54,17 +54,19 @@ static_assert(sizeof(RestVertex) == 36);
 static_assert(sizeof(DrawRecord) == 108);
 static_assert(sizeof(PosedVertex) == 16);
 inline constexpr uint no_skin = 0xffffffffU;
+inline constexpr uint draw_follows_uv = 1U; // strokes do
 
 // A triangle's fourth number: the draw, and two flags that the rasteriser needs at once.
 inline constexpr uint triangle_mirrored = 1U << 31U;
 inline constexpr uint triangle_two_sided = 1U << 30U;
-inline constexpr uint triangle_draw_mask = triangle_two_sided - 1U;
+inline constexpr uint triangle_draw_mask = (1U << 28U) - 1U;
 } // namespace estampe::shared
 #else
 #define NO_SKIN 0xffffffffu
+#define DRAW_RECORD_FOLLOWS_UV 1u
 #define TRIANGLE_MIRRORED (1u << 31)
 #define TRIANGLE_TWO_SIDED (1u << 30)
-#define TRIANGLE_DRAW_MASK (TRIANGLE_TWO_SIDED - 1u)
+#define TRIANGLE_DRAW_MASK ((1u << 28) - 1u)
 #endif
 
 #endif

@@ -22,4 +22,8 @@ vec3 octahedral_decode(vec2 e)
     return normalize(n);
 }
 
+uint pack_normal(vec3 n) { return packSnorm2x16(octahedral_encode(n)); }
+
+vec3 unpack_normal(uint packed) { return octahedral_decode(unpackSnorm2x16(packed)); }
+
 #endif

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <estampe/error.hpp>
 
@@ -216,7 +217,7 @@ void Executor::record_dispatch(VkCommandBuffer commands, const PassRecord& pass)
             types.push_back(descriptor_type(use, graph_->resources()[use.resource].is_image));
         }
     }
-    const Pipeline& pipeline = pipelines_.get(*pass.shader, types, static_cast<uint32_t>(pass.push.size()));
+    const Pipeline& pipeline = pipelines_.get(*pass.shader, types, static_cast<uint32_t>(pass.push.size()), pass.variant);
     const VkDescriptorSet set = bind(pass, pipeline);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.pipeline);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout, 0, 1, &set, 0,

@@ -158,6 +158,12 @@ void Pass::dispatch_over(uint32_t width, uint32_t height)
     dispatch(groups_over(width), groups_over(height));
 }
 
+Pass& Pass::variant(uint32_t bits)
+{
+    graph_.passes_[index_].variant = bits;
+    return *this;
+}
+
 void Pass::dispatch_items(uint32_t count)
 {
     constexpr uint32_t most_groups_x = 32768; // devices promise 65535 in each direction

@@ -138,6 +138,7 @@ struct PassRecord {
     const Shader* shader = nullptr; ///< null for a custom pass
     std::vector<Use> uses = {};
     std::vector<std::byte> push = {};
+    uint32_t variant = 0; ///< the shader's specialization constant 0
     Dispatch dispatch = {};
     std::function<void(Recorder&)> record = {}; ///< custom passes only
     bool has_side_effect = false;               ///< never culled
@@ -184,6 +185,10 @@ public:
     {
         return push_bytes(std::as_bytes(std::span<const T, 1>(&constants, 1)));
     }
+
+    /// Sets the shader's specialization constant 0: bits that say what this scene needs of it, so that the rest of the
+    /// code is left out. Each value makes a pipeline of its own.
+    Pass& variant(uint32_t bits);
 
     /// One thread a pixel, in groups of 8 x 8 as the shaders declare.
     void dispatch_over(uint32_t width, uint32_t height);

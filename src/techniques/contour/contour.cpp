@@ -7,6 +7,8 @@
 
 #include "shaders/edges_comp.hpp"
 #include "shaders/flood_comp.hpp"
+#include "shaders/reset_comp.hpp"
+#include "shaders/seeds_comp.hpp"
 #include "shaders/stroke_comp.hpp"
 #include "techniques/contour/contour.glsl.h"
 
@@ -15,29 +17,46 @@ namespace {
 
 constexpr float most_swelling = 2.2F; // pressure, shade and nearness together widen a line by no more
 
+constexpr uint32_t listing_groups = 128; // workgroups that share a list of unknown length
+
 struct Seeds {
     gpu::ImageId seed;
     gpu::ImageId nearest;
 };
 
-Seeds add_edges(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style)
+Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style)
 {
-    auto pass = graph.compute("contour/edges", shaders::edges_comp);
-    pass.uniform(in.frame).read(in.visibility).read(in.triangles).read(in.posed_vertices).read(in.draws);
-    pass.read(in.materials).sample(in.draw).sample(in.depth).sample(in.normal).sample(in.coordinate).sample(in.light);
-    const gpu::ImageId seed = pass.write(graph.image(
-        "contour/seed", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
-    const gpu::ImageId nearest = pass.write(graph.image(
+    const uint32_t capacity = in.size_px.x * in.size_px.y;
+    auto clear = graph.compute("contour/clear", shaders::reset_comp);
+    const gpu::BufferId none = clear.write(graph.buffer("contour/count", {.size_bytes = sizeof(uint32_t)}));
+    clear.dispatch(1);
+
+    auto detect = graph.compute("contour/edges", shaders::edges_comp);
+    detect.uniform(in.frame).read(in.draws).sample(in.draw).sample(in.depth).sample(in.normal);
+    const gpu::BufferId count = detect.modify(none);
+    const gpu::BufferId edges =
+        detect.write(graph.buffer("contour/edges", {.size_bytes = capacity * sizeof(shared::EdgePixel)}));
+    const gpu::ImageId nearest = detect.write(graph.image(
         "contour/nearest", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32ui}));
     const float on = style.drawn ? in.pixels_per_mm : 0.0F;
-    pass.push(shared::EdgeConstants{.outline_px = style.outline_mm * on,
+    detect
+        .push(shared::EdgeConstants{.outline_px = style.outline_mm * on,
                                     .boundary_px = style.boundary_mm * on,
                                     .crease_px = style.crease_mm * on,
                                     .crease_cosine = std::cos(glm::radians(style.crease_deg)),
                                     .depth_step = 12.0F * style.depth_step * in.pixel_angle,
-                                    .pressure = style.pressure,
-                                    .distance_thinning = style.distance_thinning})
+                                    .capacity = capacity})
         .dispatch_over(in.size_px.x, in.size_px.y);
+
+    auto place = graph.compute("contour/seeds", shaders::seeds_comp);
+    place.uniform(in.frame).read(in.visibility).read(in.triangles).read(in.posed_vertices);
+    place.sample(in.depth).sample(in.coordinate).sample(in.light).read(count).read(edges);
+    const gpu::ImageId seed = place.write(graph.image(
+        "contour/seed", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
+    place
+        .push(shared::SeedConstants{
+            .pressure = style.pressure, .distance_thinning = style.distance_thinning, .capacity = capacity})
+        .dispatch(std::min(capacity / 64 + 1, listing_groups));
     return {seed, nearest};
 }
 
@@ -55,10 +74,12 @@ gpu::ImageId add_flood(gpu::Graph& graph, gpu::ImageId nearest, glm::uvec2 size_
 
 gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style)
 {
-    Seeds seeds = add_edges(graph, in, style);
+    Seeds seeds = add_seeds(graph, in, style);
     const float widest = std::max({style.outline_mm, style.boundary_mm, style.crease_mm}) * in.pixels_per_mm;
     const float reach = 0.5F * widest * most_swelling + 1.0F;
-    for (uint32_t step = std::bit_ceil(static_cast<uint32_t>(std::ceil(reach))); step > 0; step /= 2) {
+    // Steps s, s/2, ..., 1 carry a seed 2s - 1 pixels far.
+    const auto farthest = static_cast<uint32_t>(std::ceil(reach));
+    for (uint32_t step = std::bit_ceil((farthest + 2) / 2); step > 0; step /= 2) {
         seeds.nearest = add_flood(graph, seeds.nearest, in.size_px, step);
     }
     auto pass = graph.compute("contour/stroke", shaders::stroke_comp);

@@ -6,14 +6,26 @@
 namespace estampe::shared {
 #endif
 
+// Where the surface breaks between a pixel and its neighbours to the right and below.
+struct EdgePixel {
+    uint pixel; // y << 16 | x
+    float width_right_px; // whole width of the line to be drawn, 0 for none
+    float width_down_px;
+};
+
 struct EdgeConstants {
     float outline_px; // whole widths
     float boundary_px;
     float crease_px;
     float crease_cosine;
     float depth_step; // share of the distance by which a surface must fall away within one pixel
-    float pressure;   // 0: even, 1: from hair-thin in the light to double in the shade
+    uint capacity;
+};
+
+struct SeedConstants {
+    float pressure; // 0: even, 1: from hair-thin in the light to double in the shade
     float distance_thinning;
+    uint capacity;
 };
 
 struct FloodConstants {

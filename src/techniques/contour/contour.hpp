@@ -42,7 +42,6 @@ struct ContourInputs {
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
     gpu::BufferId draws;
-    gpu::BufferId materials;
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;

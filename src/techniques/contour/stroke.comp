@@ -20,12 +20,12 @@ float piece_coverage(vec2 position, ivec2 seed_pixel)
 {
     vec4 seed = texelFetch(seed_image, seed_pixel, 0);
     vec2 away = position - (vec2(seed_pixel) + 0.5 + seed.xy);
-    vec2 direction = vec2(cos(seed.z), sin(seed.z));
+    float half_width = max(length(seed.zw), 1e-4);
+    vec2 direction = seed.zw / half_width;
     float along = clamp(dot(away, direction), -half_piece_px, half_piece_px);
     float distance = length(away - along * direction);
     // A line thinner than a pixel keeps its width and loses darkness.
-    float half_width = max(seed.w, 0.5);
-    return clamp(half_width + 0.5 - distance, 0.0, 1.0) * min(seed.w / 0.5, 1.0);
+    return clamp(max(half_width, 0.5) + 0.5 - distance, 0.0, 1.0) * min(half_width / 0.5, 1.0);
 }
 
 void main()
@@ -40,12 +40,12 @@ void main()
     uint own = texelFetch(nearest_image, pixel, 0).x;
     float own_distance = distance(vec2(pixel), vec2(own & 0xffffu, own >> 16));
     if (own != NO_SEED && own_distance <= constants.reach_px + 2.5) {
-        for (int y = -1; y <= 1; ++y) {
-            for (int x = -1; x <= 1; ++x) {
-                uint seed = texelFetch(nearest_image, clamp(pixel + ivec2(x, y), ivec2(0), size - 1), 0).x;
-                if (seed != NO_SEED) {
-                    ink = max(ink, piece_coverage(position, ivec2(seed & 0xffffu, seed >> 16)));
-                }
+        // The nearest seed by pixels need not be the nearest by its exact place: ask the neighbours too.
+        for (int i = 0; i < 5; ++i) {
+            ivec2 neighbour = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
+            uint seed = texelFetch(nearest_image, clamp(pixel + neighbour, ivec2(0), size - 1), 0).x;
+            if (seed != NO_SEED) {
+                ink = max(ink, piece_coverage(position, ivec2(seed & 0xffffu, seed >> 16)));
             }
         }
     }

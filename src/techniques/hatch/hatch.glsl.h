@@ -18,7 +18,9 @@ struct HatchConstants {
     float fade_distance_m;
     uint layers;
     uint seed;
-    float slant_rad;
+    vec2 uv_axis_0; // across the strokes of each layer, over UVs
+    vec2 uv_axis_1;
+    vec2 uv_axis_2;
     float black_above; // darkness from which the paper is simply covered
 };
 

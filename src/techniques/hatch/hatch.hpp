@@ -60,7 +60,6 @@ struct HatchInputs {
     gpu::ImageId coordinate;
     gpu::ImageId footprint;
     gpu::ImageId light;
-    gpu::BufferId draws;
     shared::ToneConstants tone;
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};

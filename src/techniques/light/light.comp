@@ -6,6 +6,7 @@
 
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
+#include "shaders/draw_word.glsl"
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
@@ -18,11 +19,17 @@ layout(scalar, binding = 1) uniform Lighting { LightGlobals lighting; };
 layout(scalar, binding = 2) readonly buffer Lights { LightRecord lights[]; };
 layout(binding = 3) uniform usampler2D draw_image;
 layout(binding = 4) uniform sampler2D depth_image;
-layout(binding = 5) uniform sampler2D normal_image;
+layout(binding = 5) uniform usampler2D normal_image;
 layout(scalar, binding = 6) readonly buffer Draws { DrawRecord draws[]; };
 layout(scalar, binding = 7) readonly buffer Materials { MaterialRecord materials[]; };
 layout(scalar, binding = 8) readonly buffer ShadowMap { uint shadow_map[]; };
 layout(binding = 9, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
+
+// What the scene needs of this shader.
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_shadow = (variant & 1u) != 0u;
+const bool has_local_lights = (variant & 2u) != 0u;
+const bool has_emissive = (variant & 4u) != 0u;
 
 const uint lights_per_round = 256u;
 shared uint tile_nearest;  // bits of reversed depth, which order as numbers do
@@ -38,9 +45,6 @@ float shadow_depth_at(ivec2 texel)
 // Share of the sun that arrives: four comparisons, blended as a bilinear lookup would (Reeves et al. 1987).
 float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
 {
-    if (lighting.shadow_size == 0u) {
-        return 1.0;
-    }
     float slope = sqrt(max(0.0, 1.0 - pow(dot(normal, towards_sun), 2.0)));
     vec3 lifted = point + normal * (lighting.shadow_texel_m * (0.4 + 1.8 * slope));
     vec4 clip = lighting.shadow_clip_from_anchor * vec4(lifted, 1.0);
@@ -113,30 +117,27 @@ void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     bool on_page = all(lessThan(uvec2(pixel), frame.size_px));
-    uint draw = on_page ? texelFetch(draw_image, pixel, 0).x : 0u;
-    float depth = draw != 0u ? texelFetch(depth_image, pixel, 0).x : 0.0;
+    uint word = on_page ? texelFetch(draw_image, pixel, 0).x : 0u;
+    float depth = sees_draw(word) ? texelFetch(depth_image, pixel, 0).x : 0.0;
     vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9));
-    vec3 normal = octahedral_decode(texelFetch(normal_image, min(pixel, ivec2(frame.size_px) - 1), 0).xy);
+    uvec4 normals = texelFetch(normal_image, min(pixel, ivec2(frame.size_px) - 1), 0);
+    vec3 normal = unpack_normal(normals.x);
+    vec3 smooth_normal = unpack_normal(normals.y);
 
     vec3 light = mix(lighting.ground_ambient, lighting.sky_ambient, 0.5 + 0.5 * normal.y);
-    if (draw != 0u) {
-        vec3 smooth_normal = octahedral_decode(texelFetch(normal_image, pixel, 0).zw);
-        for (uint i = 0u; i < lighting.directional_count; ++i) {
-            LightRecord sun = lights[i];
-            float lambert = max(dot(normal, sun.direction), 0.0);
-            bool faces = dot(smooth_normal, sun.direction) > 0.0;
-            if (lambert > 0.0 && faces) {
-                light += sun.color * (pow(lambert, lighting.falloff) * (i == 0u ? sun_visibility(point, smooth_normal, sun.direction) : 1.0));
-            }
-        }
+    for (uint i = 0u; i < lighting.directional_count; ++i) {
+        LightRecord sun = lights[i];
+        float lambert = dot(smooth_normal, sun.direction) > 0.0 ? max(dot(normal, sun.direction), 0.0) : 0.0;
+        float visible = has_shadow && i == 0u ? sun_visibility(point, smooth_normal, sun.direction) : 1.0;
+        light += lambert > 0.0 ? sun.color * (pow(lambert, lighting.falloff) * visible) : vec3(0.0);
     }
-    if (lighting.local_count != 0u) {
+    if (has_local_lights) {
         if (gl_LocalInvocationIndex == 0u) {
             tile_nearest = 0u;
             tile_farthest = 0xffffffffu;
         }
         barrier();
-        if (draw != 0u) {
+        if (sees_draw(word)) {
             atomicMax(tile_nearest, floatBitsToUint(depth));
             atomicMin(tile_farthest, floatBitsToUint(depth));
         }
@@ -158,10 +159,10 @@ void main()
     if (!on_page) {
         return;
     }
-    if (draw != 0u) {
-        MaterialRecord material = materials[draws[draw - 1u].material];
-        light = (material.flags & MATERIAL_UNLIT) != 0u ? vec3(1.0) : light + material.emissive;
-    } else {
+    if (has_emissive && (word & DRAW_EMISSIVE) != 0u) {
+        light += materials[draws[draw_of(word)].material].emissive;
+    }
+    if (!sees_draw(word) || (word & DRAW_UNLIT) != 0u) {
         light = vec3(1.0);
     }
     imageStore(out_light, pixel, vec4(light, luminance(light)));

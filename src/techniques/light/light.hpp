@@ -41,6 +41,9 @@ struct LightInputs {
     gpu::BufferId draws;
     gpu::BufferId materials;
     gpu::BufferId shadow_map; ///< bits of reversed depth, row by row
+    bool has_shadow = false;
+    bool has_local_lights = false;
+    bool has_emissive = false;
     glm::uvec2 size_px{0};
 };
 

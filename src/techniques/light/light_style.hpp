@@ -15,7 +15,7 @@ struct LightStyle {
     float ambient = 0.21F;
     float falloff = 0.62F;
     bool shadows = true;
-    int shadow_size = 2048;
+    int shadow_size = 0;
 };
 
 inline const style::Table<LightStyle>& light_table()
@@ -36,7 +36,8 @@ inline const style::Table<LightStyle>& light_table()
             .number("falloff", &LightStyle::falloff, {0.05F, 4.0F}, "",
                     "Exponent of the cosine: 1 is Lambert's law, less keeps slanted light bright")
             .toggle("shadows", &LightStyle::shadows, "Whether the sun throws shadows")
-            .integer("shadow_size", &LightStyle::shadow_size, {64, 8192}, "texels", "Side of the sun's shadow map");
+            .integer("shadow_size", &LightStyle::shadow_size, {0, 8192}, "texels",
+                     "Side of the sun's shadow map; 0 takes about a texel for each pixel of the picture");
     return table;
 }
 

@@ -43,7 +43,7 @@ void main()
 
     float dry = clamp(1.0 - constants.ink_break * max(relief - 0.1, 0.0) * 3.0, 0.0, 1.0);
     float sky_ink = wash.a > 0.5 ? 0.0 : 1.0;
-    float hatch = max(texelFetch(hatch_image, pixel, 0).x, sky_ink * texelFetch(sky_ink_image, pixel, 0).x) * dry;
+    float hatch = max(texelFetch(hatch_image, pixel, 0).x, sky_ink * texelFetch(sky_ink_image, min(pixel, textureSize(sky_ink_image, 0) - 1), 0).x) * dry;
     float line = texelFetch(line_image, pixel, 0).x * mix(1.0, dry, 0.5);
     color = mix(color, constants.ink_color, hatch);
     color = mix(color, constants.line_color, line);

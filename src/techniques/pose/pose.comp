@@ -48,7 +48,7 @@ void main()
     uint local = index - draw.first_posed_vertex;
     RestVertex rest = rest_vertices[draw.first_rest_vertex + local];
     vec3 position = rest.position;
-    vec3 normal = octahedral_decode(unpackSnorm2x16(rest.normal));
+    vec3 normal = unpack_normal(rest.normal);
     for (uint target = 0u; target < draw.morph_target_count; ++target) {
         float weight = morph_weights[draw.first_morph_weight + target];
         if (weight != 0.0) {
@@ -69,5 +69,5 @@ void main()
     float turned_length = length(turned);
     turned = turned_length > 0.0 ? turned / turned_length : vec3(0.0, 1.0, 0.0);
     posed_vertices[index].position = posed.xyz;
-    posed_vertices[index].normal = packSnorm2x16(octahedral_encode(turned));
+    posed_vertices[index].normal = pack_normal(turned);
 }

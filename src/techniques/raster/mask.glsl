@@ -13,6 +13,10 @@ layout(binding = 11) uniform sampler2DArray texture_class_2;
 layout(binding = 12) uniform sampler2DArray texture_class_3;
 layout(binding = 13) uniform sampler2DArray texture_class_4;
 
+// The size classes that hold textures.
+layout(constant_id = 0) const uint variant = 31u;
+#define TEXTURE_CLASSES variant
+
 #include "shaders/texture.glsl"
 
 bool passes_mask(uint triangle, ivec2 pixel)

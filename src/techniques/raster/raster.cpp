@@ -21,7 +21,6 @@
 namespace estampe::raster {
 namespace {
 
-constexpr uint32_t looping_groups = 512; // workgroups that share a list of unknown length
 constexpr uint32_t most_large_triangles = 1U << 20U;
 constexpr uint32_t most_tiles = 1U << 18U;
 
@@ -42,17 +41,22 @@ Stages stages(bool depth_only, bool masked)
                   : Stages{shaders::small_ids_comp, shaders::bin_ids_comp, shaders::tile_ids_comp};
 }
 
-gpu::BufferId cleared(gpu::Graph& graph, const std::string& name, uint64_t size_bytes)
+gpu::BufferId add_clear(gpu::Graph& graph, const std::string& name, gpu::BufferId buffer)
 {
     struct {
         uint32_t value;
         uint32_t quad_count;
-    } constants{0, static_cast<uint32_t>((size_bytes + 15) / 16)};
+    } constants{0, static_cast<uint32_t>(graph.describe(buffer).size_bytes / 16)};
     auto pass = graph.compute(name + "/clear", shaders::fill_comp);
-    const gpu::BufferId buffer =
-        pass.write(graph.buffer(name, {.size_bytes = static_cast<uint64_t>(constants.quad_count) * 16}));
+    const gpu::BufferId cleared = pass.write(buffer);
     pass.push(constants).dispatch_items(constants.quad_count);
-    return buffer;
+    return cleared;
+}
+
+/// A transient buffer of zeros, of whole groups of 16 bytes.
+gpu::BufferId zeros(gpu::Graph& graph, const std::string& name, uint64_t size_bytes)
+{
+    return add_clear(graph, name, graph.buffer(name, {.size_bytes = (size_bytes + 15) / 16 * 16}));
 }
 
 void bind_masks(gpu::Pass& pass, const RasterInputs& in)
@@ -75,8 +79,8 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
                                             .large_capacity = large_capacity,
                                             .tile_capacity = most_tiles,
                                             .cull_back_faces = view.cull_back_faces ? 1U : 0U,
-                                            .small_area_px = view.small_area_px};
-    gpu::BufferId counters = cleared(graph, name + "/counters", sizeof(shared::RasterCounters));
+                                            .small_area_px = view.tuning.small_area_px};
+    gpu::BufferId counters = zeros(graph, name + "/counters", sizeof(shared::RasterCounters));
     gpu::BufferId large =
         graph.buffer(name + "/large", {.size_bytes = large_capacity * sizeof(shared::LargeTriangle)});
     gpu::BufferId tiles = graph.buffer(name + "/tiles", {.size_bytes = most_tiles * sizeof(shared::TriangleTile)});
@@ -90,21 +94,20 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
         target = pass.modify(target);
         if (batch.masked) {
             bind_masks(pass, in);
+            pass.variant(in.texture_classes);
         }
         pass.push(constants);
         return pass;
     };
     begin_stage("small", shaders.small).dispatch_items(batch.triangle_count);
-    begin_stage("bin", shaders.bin).dispatch(std::min(looping_groups, large_capacity));
-    begin_stage("tile", shaders.tile).dispatch(looping_groups);
+    begin_stage("bin", shaders.bin).dispatch(std::min(view.tuning.list_groups, large_capacity));
+    begin_stage("tile", shaders.tile).dispatch(view.tuning.list_groups);
     return target;
 }
 
-gpu::BufferId add_picture(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
-                          const std::vector<Batch>& batches, const View& view, bool depth_only)
+gpu::BufferId add_batches(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                          const std::vector<Batch>& batches, const View& view, gpu::BufferId target, bool depth_only)
 {
-    const uint64_t word_bytes = depth_only ? sizeof(uint32_t) : sizeof(uint64_t);
-    gpu::BufferId target = cleared(graph, name, word_bytes * view.size_px.x * view.size_px.y);
     for (const Batch& batch : batches) {
         if (batch.triangle_count > 0) {
             target = add_batch(graph, name + (batch.masked ? "/masked" : ""), in, batch, view, target, depth_only);
@@ -118,13 +121,14 @@ gpu::BufferId add_picture(gpu::Graph& graph, const std::string& name, const Rast
 gpu::BufferId add_visibility(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
                              const std::vector<Batch>& batches, const View& view)
 {
-    return add_picture(graph, name, in, batches, view, false);
+    const uint64_t size_bytes = sizeof(uint64_t) * view.size_px.x * view.size_px.y;
+    return add_batches(graph, name, in, batches, view, zeros(graph, name, size_bytes), false);
 }
 
 gpu::BufferId add_depth(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
-                        const std::vector<Batch>& batches, const View& view)
+                        const std::vector<Batch>& batches, const View& view, gpu::BufferId target)
 {
-    return add_picture(graph, name, in, batches, view, true);
+    return add_batches(graph, name, in, batches, view, add_clear(graph, name, target), true);
 }
 
 } // namespace estampe::raster

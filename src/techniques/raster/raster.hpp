@@ -19,6 +19,7 @@ struct RasterInputs {
     gpu::BufferId rest_vertices;
     gpu::BufferId materials;
     std::array<gpu::ImageId, 5> textures;
+    uint32_t texture_classes = 0; ///< a bit for each of them that holds anything
 };
 
 /// Triangles to draw: consecutive in the triangle list.
@@ -28,11 +29,17 @@ struct Batch {
     bool masked = false; ///< alpha masks are tested
 };
 
+/// How the work is shared out; the picture does not depend on it.
+struct Tuning {
+    uint32_t small_area_px = 192; ///< largest bounding box of a triangle that one thread draws alone
+    uint32_t list_groups = 512;   ///< workgroups that take turns at a list whose length only the device knows
+};
+
 struct View {
     glm::mat4 clip_from_anchor{1.0F}; ///< reversed z, y down
     glm::uvec2 size_px{0};
-    bool cull_back_faces = true;  ///< of triangles that are not two-sided
-    uint32_t small_area_px = 192; ///< largest bounding box of a triangle that one thread draws alone
+    bool cull_back_faces = true; ///< of triangles that are not two-sided
+    Tuning tuning;
 };
 
 /// A picture of 64-bit words, row by row: reversed depth above, triangle below; 0 where nothing is seen.
@@ -43,8 +50,8 @@ struct View {
 [[nodiscard]] gpu::BufferId add_visibility(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
                                            const std::vector<Batch>& batches, const View& view);
 
-/// A picture of 32-bit words: the bits of reversed depth as float; 0 where nothing is seen.
+/// Draws a picture of 32-bit words into `target`: the bits of reversed depth as float; 0 where nothing is seen.
 [[nodiscard]] gpu::BufferId add_depth(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
-                                      const std::vector<Batch>& batches, const View& view);
+                                      const std::vector<Batch>& batches, const View& view, gpu::BufferId target);
 
 } // namespace estampe::raster

@@ -8,19 +8,20 @@ namespace estampe::sky {
 
 Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
 {
+    const glm::uvec2 size_px = in.drawn ? in.size_px : glm::uvec2(1);
     auto pass = graph.compute("sky", shaders::sky_comp);
     pass.uniform(in.frame);
-    const gpu::ImageId wash = pass.write(graph.image(
-        "sky/wash", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
+    const gpu::ImageId wash = pass.write(
+        graph.image("sky/wash", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba16f}));
     const gpu::ImageId ink = pass.write(
-        graph.image("sky/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+        graph.image("sky/ink", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r16f}));
     pass.push(shared::SkyConstants{.horizon_color = style.horizon,
                                    .stroke_width_px = style.width_mm * in.pixels_per_mm,
                                    .zenith_color = style.zenith,
                                    .darkness = style.darkness,
                                    .towards_sun = in.towards_sun,
                                    .drawn = in.drawn ? 1U : 0U})
-        .dispatch_over(in.size_px.x, in.size_px.y);
+        .dispatch_over(size_px.x, size_px.y);
     return {wash, ink};
 }
 

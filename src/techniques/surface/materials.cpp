@@ -60,7 +60,8 @@ uint32_t flags_of(const Material& material)
 {
     return (material.unlit ? shared::material_unlit : 0U) |
            (material.alpha_mode == AlphaMode::mask ? shared::material_masked : 0U) |
-           (material.alpha_mode == AlphaMode::blend ? shared::material_blended : 0U);
+           (material.alpha_mode == AlphaMode::blend ? shared::material_blended : 0U) |
+           (material.emissive != glm::vec3(0.0F) ? shared::material_emissive : 0U);
 }
 
 } // namespace
@@ -84,6 +85,28 @@ TexturePlan plan_textures(const Scene& scene)
         use(material.normal_texture);
     }
     return plan;
+}
+
+SceneNeeds scene_needs(const Scene& scene)
+{
+    SceneNeeds needs;
+    const TexturePlan plan = plan_textures(scene);
+    for (size_t size_class = 0; size_class < plan.layers.size(); ++size_class) {
+        needs.texture_classes |= plan.layers[size_class].empty() ? 0U : 1U << size_class;
+    }
+    for (const Material& material : scene.materials) {
+        needs.normal_maps |= material.normal_texture.texture != no_index;
+        needs.second_uvs |= material.normal_texture.uv_set != 0 || material.base_color_texture.uv_set != 0;
+        needs.emissive |= material.emissive != glm::vec3(0.0F);
+    }
+    needs.moves = !scene.animations.empty() || !scene.skins.empty();
+    for (const Mesh& mesh : scene.meshes) {
+        for (const Primitive& primitive : mesh.primitives) {
+            needs.moves |= !primitive.morph_targets.empty();
+            needs.vertex_colors |= !primitive.colors.empty();
+        }
+    }
+    return needs;
 }
 
 std::vector<shared::MaterialRecord> material_records(const Scene& scene, const TexturePlan& plan)

@@ -11,10 +11,14 @@
 
 #include "gpu/resources.hpp"
 #include "shaders/material.glsl.h"
+#include "techniques/surface/surface.hpp"
 
 namespace estampe::surface {
 
 inline constexpr std::array<uint32_t, 5> texture_class_px{256, 512, 1024, 2048, 4096};
+
+/// What the materials and meshes of `scene` need of the shaders.
+[[nodiscard]] SceneNeeds scene_needs(const Scene& scene);
 
 struct MaterialBuffers {
     gpu::Buffer materials; ///< MaterialRecord, one a material, and the ground's last

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread a pixel turns the identity of a triangle into the surface seen there: shading normal and smooth normal,
-// colour, the coordinate that strokes follow and how it changes over the pixel.
+// colour, the coordinate that strokes follow and how it changes over the pixel. Where nothing is seen only the draw and
+// the depth are written; nobody may read the rest there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -8,6 +9,7 @@
 #include "shaders/barycentric.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
+#include "shaders/draw_word.glsl"
 #include "shaders/footprint.glsl"
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
@@ -29,19 +31,33 @@ layout(binding = 9) uniform sampler2DArray texture_class_1;
 layout(binding = 10) uniform sampler2DArray texture_class_2;
 layout(binding = 11) uniform sampler2DArray texture_class_3;
 layout(binding = 12) uniform sampler2DArray texture_class_4;
-layout(binding = 13, r32ui) writeonly uniform uimage2D out_draw;    // draw + 1, 0 for nothing
+layout(binding = 13, r32ui) writeonly uniform uimage2D out_draw;    // see shaders/draw_word.glsl
 layout(binding = 14, r32f) writeonly uniform image2D out_depth;     // reversed, 0 for nothing
-layout(binding = 15, rgba16f) writeonly uniform image2D out_normal; // octahedral: shading, smooth geometric
+layout(binding = 15, rg32ui) writeonly uniform uimage2D out_normal; // packed: shading, smooth geometric
 layout(binding = 16, rgba8) writeonly uniform image2D out_color;    // square root of linear colour; alpha
 layout(binding = 17, rgba32f) writeonly uniform image2D out_coordinate;
 layout(binding = 18, rgba32ui) writeonly uniform uimage2D out_footprint;
+
+layout(push_constant) uniform Constants { float strokes_per_m; } constants; // stroke coordinates a metre
+
+// What the scene needs of this shader: the size classes that hold textures in bits 0-4, and the following.
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_textures = (variant & 31u) != 0u;
+const bool has_normal_maps = (variant & 32u) != 0u;
+const bool has_vertex_colors = (variant & 64u) != 0u;
+const bool has_uv_strokes = (variant & 128u) != 0u;
+const bool has_second_uvs = (variant & 256u) != 0u;
+const bool stands_still = (variant & 512u) != 0u; // the pose is the rest pose: strokes follow the posed position itself
+#define TEXTURE_CLASSES variant
 
 #include "shaders/texture.glsl"
 
 UvFootprint uv_at(uvec3 rest, uint uv_set, Barycentric b)
 {
-    mat3x2 uv = uv_set == 0u ? mat3x2(rest_vertices[rest.x].uv_0, rest_vertices[rest.y].uv_0, rest_vertices[rest.z].uv_0)
-                             : mat3x2(rest_vertices[rest.x].uv_1, rest_vertices[rest.y].uv_1, rest_vertices[rest.z].uv_1);
+    mat3x2 uv = mat3x2(rest_vertices[rest.x].uv_0, rest_vertices[rest.y].uv_0, rest_vertices[rest.z].uv_0);
+    if (has_second_uvs && uv_set != 0u) {
+        uv = mat3x2(rest_vertices[rest.x].uv_1, rest_vertices[rest.y].uv_1, rest_vertices[rest.z].uv_1);
+    }
     return UvFootprint(uv * b.weight, uv * b.dx, uv * b.dy);
 }
 
@@ -63,16 +79,6 @@ vec3 perturb(vec3 normal, vec3 mapped, vec3 position_dx, vec3 position_dy, UvFoo
     return normalize(turned);
 }
 
-void store_nothing(ivec2 pixel)
-{
-    imageStore(out_draw, pixel, uvec4(0u));
-    imageStore(out_depth, pixel, vec4(0.0));
-    imageStore(out_normal, pixel, vec4(0.0));
-    imageStore(out_color, pixel, vec4(0.0));
-    imageStore(out_coordinate, pixel, vec4(0.0));
-    imageStore(out_footprint, pixel, uvec4(0u));
-}
-
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -81,7 +87,8 @@ void main()
     }
     uvec2 seen = visibility[uint(pixel.y) * frame.size_px.x + uint(pixel.x)];
     if (!sees_triangle(seen)) {
-        store_nothing(pixel);
+        imageStore(out_draw, pixel, uvec4(0u));
+        imageStore(out_depth, pixel, vec4(0.0));
         return;
     }
     uvec4 corners = triangles[seen_triangle(seen)];
@@ -93,47 +100,60 @@ void main()
                                     frame.clip_from_anchor * vec4(b.position, 1.0),
                                     frame.clip_from_anchor * vec4(c.position, 1.0), vec2(pixel) + 0.5, frame.size_px);
     mat3 positions = mat3(a.position, b.position, c.position);
-    mat3 normals = mat3(octahedral_decode(unpackSnorm2x16(a.normal)), octahedral_decode(unpackSnorm2x16(b.normal)),
-                        octahedral_decode(unpackSnorm2x16(c.normal)));
+    mat3 normals = mat3(unpack_normal(a.normal), unpack_normal(b.normal),
+                        unpack_normal(c.normal));
     vec3 smooth_normal = normalize(normals * at.weight + 1e-12);
     vec3 eye = towards_eye(frame, positions * at.weight);
     vec3 flat_normal = cross(b.position - a.position, c.position - a.position);
     float facing = dot(flat_normal, eye) * ((corners.w & TRIANGLE_MIRRORED) != 0u ? -1.0 : 1.0);
     smooth_normal = facing < 0.0 ? -smooth_normal : smooth_normal;
 
-    uint first_posed = draws[draw_index].first_posed_vertex;
-    uvec3 rest = corners.xyz - first_posed + draws[draw_index].first_rest_vertex;
-    MaterialRecord material = materials[draws[draw_index].material];
-    mat3 vertex_colors = mat3(unpackUnorm4x8(rest_vertices[rest.x].color).rgb, unpackUnorm4x8(rest_vertices[rest.y].color).rgb,
-                              unpackUnorm4x8(rest_vertices[rest.z].color).rgb);
-    vec3 tint = vertex_colors * at.weight;
-    vec4 color = vec4(material.base_color.rgb * tint * tint, material.base_color.a);
-    if (material.base_texture.location != NO_TEXTURE) {
-        vec4 texel = sample_texture(material.base_texture, uv_at(rest, (material.base_texture.location >> 24) & 1u, at));
-        color *= vec4(linear_from_srgb(texel.rgb), texel.a);
+    DrawRecord draw = draws[draw_index];
+    uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
+    vec4 color = materials[draw.material].base_color;
+    if (has_vertex_colors) {
+        mat3 colors = mat3(unpackUnorm4x8(rest_vertices[rest.x].color).rgb, unpackUnorm4x8(rest_vertices[rest.y].color).rgb,
+                           unpackUnorm4x8(rest_vertices[rest.z].color).rgb);
+        vec3 tint = colors * at.weight;
+        color.rgb *= tint * tint;
     }
     vec3 shading_normal = smooth_normal;
-    if (material.normal_texture.location != NO_TEXTURE) {
-        UvFootprint f = uv_at(rest, (material.normal_texture.location >> 24) & 1u, at);
-        vec3 mapped = 2.0 * sample_texture(material.normal_texture, f).xyz - 1.0;
-        mapped.xy *= material.normal_scale;
-        shading_normal = perturb(smooth_normal, mapped, positions * at.dx, positions * at.dy, f);
+    if (has_textures) {
+        TextureSlot slot = materials[draw.material].base_texture;
+        if (slot.location != NO_TEXTURE) {
+            vec4 texel = sample_texture(slot, uv_at(rest, (slot.location >> 24) & 1u, at));
+            color *= vec4(linear_from_srgb(texel.rgb), texel.a);
+        }
+    }
+    if (has_normal_maps) {
+        TextureSlot slot = materials[draw.material].normal_texture;
+        if (slot.location != NO_TEXTURE) {
+            UvFootprint f = uv_at(rest, (slot.location >> 24) & 1u, at);
+            vec3 mapped = 2.0 * sample_texture(slot, f).xyz - 1.0;
+            mapped.xy *= materials[draw.material].normal_scale;
+            shading_normal = perturb(smooth_normal, mapped, positions * at.dx, positions * at.dy, f);
+        }
     }
 
-    vec3 coordinate;
-    Footprint footprint;
-    if (draws[draw_index].strokes_follow_uv != 0u) {
+    mat3 coordinates = positions * constants.strokes_per_m;
+    if (!stands_still) {
+        coordinates = mat3(stroke_coordinates[corners.x], stroke_coordinates[corners.y], stroke_coordinates[corners.z]);
+    }
+    vec3 coordinate = coordinates * at.weight;
+    Footprint footprint = Footprint(coordinates * at.dx, coordinates * at.dy);
+    bool follows_uv = has_uv_strokes && (draw.flags & DRAW_RECORD_FOLLOWS_UV) != 0u;
+    if (follows_uv) {
         UvFootprint f = uv_at(rest, 0u, at);
         coordinate = vec3(f.uv, 0.0);
         footprint = Footprint(vec3(f.dx, 0.0), vec3(f.dy, 0.0));
-    } else {
-        mat3 coordinates = mat3(stroke_coordinates[corners.x], stroke_coordinates[corners.y], stroke_coordinates[corners.z]);
-        coordinate = coordinates * at.weight;
-        footprint = Footprint(coordinates * at.dx, coordinates * at.dy);
     }
-    imageStore(out_draw, pixel, uvec4(draw_index + 1u));
+    uint flags = materials[draw.material].flags;
+    uint word = (draw_index + 1u) | ((flags & MATERIAL_PAPER) != 0u ? DRAW_PAPER : 0u) |
+                ((flags & MATERIAL_UNLIT) != 0u ? DRAW_UNLIT : 0u) | ((flags & MATERIAL_EMISSIVE) != 0u ? DRAW_EMISSIVE : 0u) |
+                (follows_uv ? DRAW_FOLLOWS_UV : 0u);
+    imageStore(out_draw, pixel, uvec4(word));
     imageStore(out_depth, pixel, vec4(seen_depth(seen)));
-    imageStore(out_normal, pixel, vec4(octahedral_encode(shading_normal), octahedral_encode(smooth_normal)));
+    imageStore(out_normal, pixel, uvec4(pack_normal(shading_normal), pack_normal(smooth_normal), 0u, 0u));
     imageStore(out_color, pixel, vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), color.a));
     imageStore(out_coordinate, pixel, vec4(coordinate, 0.0));
     imageStore(out_footprint, pixel, pack_footprint(footprint));

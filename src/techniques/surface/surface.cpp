@@ -18,11 +18,15 @@ Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in)
     }
     const gpu::ImageId draw = pass.write(image("surface/draw", gpu::Format::r32ui));
     const gpu::ImageId depth = pass.write(image("surface/depth", gpu::Format::r32f));
-    const gpu::ImageId normal = pass.write(image("surface/normal", gpu::Format::rgba16f));
+    const gpu::ImageId normal = pass.write(image("surface/normal", gpu::Format::rg32ui));
     const gpu::ImageId color = pass.write(image("surface/color", gpu::Format::rgba8));
     const gpu::ImageId coordinate = pass.write(image("surface/coordinate", gpu::Format::rgba32f));
     const gpu::ImageId footprint = pass.write(image("surface/footprint", gpu::Format::rgba32ui));
-    pass.dispatch_over(in.size_px.x, in.size_px.y);
+    const SceneNeeds& needs = in.needs;
+    pass.variant(needs.texture_classes | (needs.normal_maps ? 32U : 0U) | (needs.vertex_colors ? 64U : 0U) |
+                 (needs.uv_strokes ? 128U : 0U) | (needs.second_uvs ? 256U : 0U) |
+                 (needs.moves ? 0U : 512U));
+    pass.push(in.strokes_per_m).dispatch_over(in.size_px.x, in.size_px.y);
     return {draw, depth, normal, color, coordinate, footprint};
 }
 

@@ -10,6 +10,17 @@
 
 namespace estampe::surface {
 
+/// What a scene needs of the shaders; the rest is left out of them.
+struct SceneNeeds {
+    uint32_t texture_classes = 0; ///< a bit for each size class that holds textures
+    bool normal_maps = false;
+    bool vertex_colors = false;
+    bool uv_strokes = false;
+    bool second_uvs = false;
+    bool emissive = false;
+    bool moves = false; ///< has animations, skins or morph targets
+};
+
 struct ResolveInputs {
     gpu::BufferId frame; ///< FrameGlobals
     gpu::BufferId visibility;
@@ -20,13 +31,15 @@ struct ResolveInputs {
     gpu::BufferId stroke_coordinates;
     gpu::BufferId materials;
     std::array<gpu::ImageId, 5> textures;
+    SceneNeeds needs;
+    float strokes_per_m = 1.0F; ///< stroke coordinates a metre
     glm::uvec2 size_px{0};
 };
 
 struct Surface {
     gpu::ImageId draw;       ///< r32ui: draw + 1, 0 where nothing is
     gpu::ImageId depth;      ///< r32f: reversed, 0 where nothing is
-    gpu::ImageId normal;     ///< rgba16f: octahedral, bent by normal maps in xy, smooth in zw; towards the eye
+    gpu::ImageId normal;     ///< rg32ui: octahedral in two signed 16-bit parts: bent by normal maps, smooth; towards the eye
     gpu::ImageId color;      ///< rgba8: square root of linear colour, alpha
     gpu::ImageId coordinate; ///< rgba32f: what strokes follow: (u, v, 0), or the place in the rest pose
     gpu::ImageId footprint;  ///< rgba32ui: its change over a pixel, see shaders/footprint.glsl

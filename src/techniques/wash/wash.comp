@@ -7,6 +7,7 @@
 
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
+#include "shaders/draw_word.glsl"
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/noise.glsl"
@@ -27,33 +28,37 @@ layout(binding = 8, rgba16f) writeonly uniform image2D out_wash;
 
 layout(push_constant, scalar) uniform Constants { WashConstants constants; };
 
+// Bit 0: colours pale with distance.
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_air = (variant & 1u) != 0u;
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }
-    uint draw = texelFetch(draw_image, pixel, 0).x;
-    vec3 through = texelFetch(background_image, pixel, 0).rgb;
-    if (draw != 0u) {
-        MaterialRecord material = materials[draws[draw - 1u].material];
+    uint word = texelFetch(draw_image, pixel, 0).x;
+    vec3 through = texelFetch(background_image, min(pixel, textureSize(background_image, 0) - 1), 0).rgb;
+    if (sees_draw(word)) {
+        uint material = draws[draw_of(word)].material;
         vec4 stored = texelFetch(color_image, pixel, 0);
-        vec3 color = mix(material.mean_color, stored.rgb * stored.rgb, constants.detail);
+        vec3 color = mix(materials[material].mean_color, stored.rgb * stored.rgb, constants.detail);
         vec4 light = texelFetch(light_image, pixel, 0);
         float dark = darkness(constants.tone, light.a, 1.0);
         // The edge of the second wash wanders a little, as a loaded brush does.
-        float waver = 0.06 * (fractal_noise(vec2(pixel) / (1.6 * frame.pixels_per_mm), 5u) - 0.5);
+        float waver = 0.05 * (value_noise(vec2(pixel) / (0.9 * frame.pixels_per_mm), 5u) - 0.5);
         float shadow = smoothstep(constants.shadow_from - constants.softness, constants.shadow_from + constants.softness, dark + waver);
         vec3 hue = light.rgb / max(light.a, 1e-3);
-        color *= mix(vec3(1.0), constants.shadow_tint * material.shade_color, shadow) * mix(vec3(1.0), hue, 0.5);
-        if ((material.flags & MATERIAL_PAPER) != 0u) {
+        color *= mix(vec3(1.0), constants.shadow_tint * materials[material].shade_color, shadow) * mix(vec3(1.0), hue, 0.5);
+        if (is_paper(word)) {
             color = mix(vec3(1.0), mix(vec3(1.0), constants.shadow_tint, 0.6), shadow);
         }
-        if (constants.air > 0.0) {
+        if (has_air) {
             float away = distance(anchor_at(frame, vec2(pixel) + 0.5, max(texelFetch(depth_image, pixel, 0).x, 1e-9)), frame.eye_anchor);
             color = mix(color, constants.air_color, constants.air * (1.0 - exp2(-away / constants.air_distance_m)));
         }
         through = mix(vec3(1.0), clamp(color, 0.0, 1.0), constants.strength);
     }
-    imageStore(out_wash, pixel, vec4(through, draw != 0u ? 1.0 : 0.0));
+    imageStore(out_wash, pixel, vec4(through, sees_draw(word) ? 1.0 : 0.0));
 }

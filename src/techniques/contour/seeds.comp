@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// One thread turns one listed pixel into a seed: a short piece of line, placed to a fraction of a pixel where the front
+// triangle really ends, with its direction and width. The order of the list does not matter.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/camera.glsl"
+#include "shaders/mesh.glsl.h"
+#include "shaders/noise.glsl"
+#include "shaders/visibility.glsl"
+#include "techniques/contour/contour.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
+layout(scalar, binding = 1) readonly buffer Visibility { uvec2 visibility[]; };
+layout(scalar, binding = 2) readonly buffer Triangles { uvec4 triangles[]; };
+layout(scalar, binding = 3) readonly buffer PosedVertices { PosedVertex posed_vertices[]; };
+layout(binding = 4) uniform sampler2D depth_image;
+layout(binding = 5) uniform sampler2D coordinate_image;
+layout(binding = 6) uniform sampler2D light_image;
+layout(scalar, binding = 7) readonly buffer Count { uint edge_count; };
+layout(scalar, binding = 8) readonly buffer Edges { EdgePixel edges[]; };
+layout(binding = 9, rgba16f) writeonly uniform image2D out_seed; // offset from the pixel's centre; direction * half width
+
+layout(push_constant, scalar) uniform Constants { SeedConstants constants; };
+
+vec2 page_position(vec4 clip) { return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.size_px); }
+
+// Where the way from pixel `from` to its neighbour `to` leaves the triangle seen at `from`: the share of the way, and the
+// direction of the edge that is crossed.
+void exit_of_triangle(ivec2 from, ivec2 to, inout float share, inout vec2 direction)
+{
+    uvec2 seen = visibility[uint(from.y) * frame.size_px.x + uint(from.x)];
+    if (!sees_triangle(seen)) {
+        return;
+    }
+    uvec4 corners = triangles[seen_triangle(seen)];
+    vec4 clip[3];
+    clip[0] = frame.clip_from_anchor * vec4(posed_vertices[corners.x].position, 1.0);
+    clip[1] = frame.clip_from_anchor * vec4(posed_vertices[corners.y].position, 1.0);
+    clip[2] = frame.clip_from_anchor * vec4(posed_vertices[corners.z].position, 1.0);
+    if (min(clip[0].w, min(clip[1].w, clip[2].w)) <= frame.near_m * 0.5) {
+        return;
+    }
+    vec2 start = vec2(from) + 0.5;
+    vec2 way = vec2(to - from);
+    float nearest = 2.0;
+    for (int i = 0; i < 3; ++i) {
+        vec2 a = page_position(clip[i]);
+        vec2 edge = page_position(clip[(i + 1) % 3]) - a;
+        float crossing = way.x * edge.y - way.y * edge.x;
+        if (abs(crossing) < 1e-6) {
+            continue;
+        }
+        vec2 between = a - start;
+        float along = (between.x * edge.y - between.y * edge.x) / crossing;
+        float on_edge = (between.x * way.y - between.y * way.x) / crossing;
+        if (along >= 0.0 && along < nearest && on_edge >= -0.01 && on_edge <= 1.01) {
+            nearest = along;
+            direction = normalize(edge);
+        }
+    }
+    if (nearest <= 1.0) {
+        share = nearest;
+    }
+}
+
+float pressure_at(ivec2 pixel, float depth)
+{
+    vec3 p = texelFetch(coordinate_image, pixel, 0).xyz;
+    float slow = value_noise(11.0 * p.xy + 7.0 * p.z, 3u) - 0.5;
+    float shade = 1.0 - clamp(texelFetch(light_image, pixel, 0).a, 0.0, 1.0);
+    float away = distance(anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9)), frame.eye_anchor);
+    float thinning = mix(1.0, clamp(pow(2.2 * frame.scene_radius_m / max(away, 1e-6), 0.4), 0.45, 1.25), constants.distance_thinning);
+    return thinning * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
+}
+
+// Where the line between a pixel and its neighbour runs: offset from the pixel's centre, and direction.
+void place_line(ivec2 pixel, ivec2 way, out vec2 offset, out vec2 direction, out float width_factor)
+{
+    float depth_here = texelFetch(depth_image, pixel, 0).x;
+    float depth_there = texelFetch(depth_image, pixel + way, 0).x;
+    bool here_in_front = depth_here >= depth_there;
+    ivec2 front = here_in_front ? pixel : pixel + way;
+    float share = 0.5;
+    direction = vec2(way.y, way.x);
+    exit_of_triangle(front, here_in_front ? pixel + way : pixel, share, direction);
+    offset = vec2(way) * (here_in_front ? share : 1.0 - share);
+    width_factor = pressure_at(front, max(depth_here, depth_there));
+}
+
+void main()
+{
+    uint count = min(edge_count, constants.capacity);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += gl_NumWorkGroups.x * gl_WorkGroupSize.x) {
+        EdgePixel edge = edges[i];
+        ivec2 pixel = ivec2(edge.pixel & 0xffffu, edge.pixel >> 16);
+        vec2 offset = vec2(0.0);
+        vec2 direction = vec2(0.0);
+        float width = 0.0;
+        float found = 0.0;
+        for (int side = 0; side < 2; ++side) {
+            float side_width = side == 0 ? edge.width_right_px : edge.width_down_px;
+            if (side_width <= 0.0) {
+                continue;
+            }
+            vec2 side_offset, side_direction;
+            float factor;
+            place_line(pixel, side == 0 ? ivec2(1, 0) : ivec2(0, 1), side_offset, side_direction, factor);
+            offset += side_offset;
+            direction += dot(direction, side_direction) < 0.0 ? -side_direction : side_direction;
+            width = max(width, side_width * factor);
+            found += 1.0;
+        }
+        direction = length(direction) > 1e-6 ? normalize(direction) : vec2(1.0, 0.0);
+        imageStore(out_seed, pixel, vec4(offset / max(found, 1.0), direction * 0.5 * width));
+    }
+}
