@@ -68,6 +68,22 @@ uint32_t shadow_size(const light::LightStyle& style, const RenderSettings& setti
                                  : std::clamp(std::bit_ceil(std::max(settings.width, settings.height)), 512U, 4096U);
 }
 
+surface::UvStrokes uv_strokes(const pose::MeshData& layout, hatch::Coordinates coordinates)
+{
+    const bool some_usable = std::any_of(layout.draws.begin(), layout.draws.end(), [](const shared::DrawRecord& draw) {
+        return (draw.flags & shared::draw_follows_uv) != 0;
+    });
+    switch (coordinates) {
+    case hatch::Coordinates::uv:
+        return surface::UvStrokes::wherever_present;
+    case hatch::Coordinates::solid:
+        return surface::UvStrokes::never;
+    case hatch::Coordinates::automatic:
+        break;
+    }
+    return some_usable ? surface::UvStrokes::where_usable : surface::UvStrokes::never;
+}
+
 /// A copy of the scene that is enough to pose it: geometry and images are on the device by now.
 Scene without_images(const Scene& scene)
 {
@@ -102,9 +118,6 @@ void Renderer::set_scene(const Scene& scene)
     loaded.meshes = pose::upload_meshes(impl_->device, loaded.layout);
     loaded.materials = surface::upload_materials(impl_->device, scene);
     loaded.needs = surface::scene_needs(scene);
-    loaded.needs.uv_strokes = std::any_of(loaded.layout.draws.begin(), loaded.layout.draws.end(), [](const auto& draw) {
-        return (draw.flags & shared::draw_follows_uv) != 0;
-    });
     loaded.scene = without_images(scene);
     impl_->loaded = std::move(loaded);
 }
@@ -178,6 +191,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
                            ? shadow_size(style.light, settings)
                            : 0U;
     plan.needs = loaded->needs;
+    plan.needs.uv_strokes = uv_strokes(loaded->layout, style.hatch.coordinates);
     plan.has_local_lights = lighting.records.size() > lighting.directional_count;
     plan.towards_sun = glm::vec3(lighting.towards_sun);
     plan.sun = shadow::sun_view(loaded->pose->casters, loaded->layout.anchor, lighting.towards_sun,

@@ -145,6 +145,7 @@ void Device::create_device()
 
     Features features;
     features.v13.synchronization2 = VK_TRUE;
+    features.v13.maintenance4 = VK_TRUE;
     features.v12.scalarBlockLayout = VK_TRUE;
     features.v12.shaderBufferInt64Atomics = VK_TRUE;
     features.v12.hostQueryReset = VK_TRUE;

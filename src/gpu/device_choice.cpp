@@ -22,6 +22,7 @@ std::string missing_features(VkPhysicalDevice physical)
         }
     };
     need(have.v13.synchronization2, "synchronization2");
+    need(have.v13.maintenance4, "maintenance4");
     need(have.v12.scalarBlockLayout, "scalar block layout");
     need(have.v12.shaderBufferInt64Atomics, "64-bit buffer atomics");
     need(have.v12.hostQueryReset, "host query reset");

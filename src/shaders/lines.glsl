@@ -47,7 +47,7 @@ struct LineLook {
 
 // What the lines of one family share at a pixel, worked out once.
 struct LineScale {
-    float wobble_frequency; // per unit of u, dyadic: a wavelength near 100 pixels
+    float wobble_frequency; // per unit of u, dyadic: a wavelength of about two cells
     float wobble_fade;      // towards twice that wavelength
     float wobble_px;
     float cell;             // in u
@@ -60,7 +60,7 @@ LineScale scale_of(LineField field, LineLook look, float dark)
 {
     LineScale scale;
     float u_per_px = max(field.u_per_px, 1e-12);
-    float octave = log2(96.0 * u_per_px);
+    float octave = log2(1.6 * look.cell_px * u_per_px);
     scale.wobble_frequency = exp2(-floor(octave));
     scale.wobble_fade = fract(octave);
     // Ends and wobble give way as the paper fills up, so that the darkest tones can still be reached.
@@ -79,8 +79,8 @@ float wobble(LineField field, LineScale scale, uint identity)
     float along = field.u + 0.35 * (field.wander.x + (2.0 * trait(identity, 1u) - 1.0) * field.wander.y);
     float phase = trait(identity, 2u);
     float fine = along * scale.wobble_frequency;
-    float near = wave(fine + phase) + 0.4 * wave(2.618 * fine + 2.3 * phase);
-    float far = wave(0.5 * fine + phase) + 0.4 * wave(1.309 * fine + 2.3 * phase);
+    float near = wave(fine + phase) + 0.3 * wave(2.618 * fine + 2.3 * phase);
+    float far = wave(0.5 * fine + phase) + 0.3 * wave(1.309 * fine + 2.3 * phase);
     return scale.wobble_px * mix(near, far, scale.wobble_fade);
 }
 
@@ -106,7 +106,7 @@ float stroke_profile(LineField field, LineLook look, LineScale scale, uint ident
 
 float pressure_at(LineField field, LineLook look, LineScale scale, uint identity)
 {
-    return 1.0 + look.pressure * wave(0.37 * scale.wobble_frequency * field.u + trait(identity, 5u));
+    return 1.0 + look.pressure * wave(0.7 * scale.wobble_frequency * field.u + trait(identity, 5u));
 }
 
 // Ink of one family of lines at a pixel whose darkness is `dark`, box-filtered over the pixel.

@@ -54,7 +54,8 @@ static_assert(sizeof(RestVertex) == 36);
 static_assert(sizeof(DrawRecord) == 108);
 static_assert(sizeof(PosedVertex) == 16);
 inline constexpr uint no_skin = 0xffffffffU;
-inline constexpr uint draw_follows_uv = 1U; // strokes do
+inline constexpr uint draw_has_uv = 1U;
+inline constexpr uint draw_follows_uv = 2U; // its UVs can carry strokes
 
 // A triangle's fourth number: the draw, and two flags that the rasteriser needs at once.
 inline constexpr uint triangle_mirrored = 1U << 31U;
@@ -63,7 +64,8 @@ inline constexpr uint triangle_draw_mask = (1U << 28U) - 1U;
 } // namespace estampe::shared
 #else
 #define NO_SKIN 0xffffffffu
-#define DRAW_RECORD_FOLLOWS_UV 1u
+#define DRAW_RECORD_HAS_UV 1u
+#define DRAW_RECORD_FOLLOWS_UV 2u
 #define TRIANGLE_MIRRORED (1u << 31)
 #define TRIANGLE_TWO_SIDED (1u << 30)
 #define TRIANGLE_DRAW_MASK ((1u << 28) - 1u)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/gpu_device.hpp"
 
+#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace estampe::test {
@@ -17,10 +19,23 @@ Messages& messages()
     return held;
 }
 
+/// In order of making: each goes before what it stands on.
+struct Shared {
+    std::optional<gpu::Device> device;
+    std::optional<gpu::Executor> executor;
+    std::optional<Renderer> renderer;
+};
+
+Shared& shared()
+{
+    static Shared held;
+    return held;
+}
+
 gpu::Executor& shared_executor()
 {
-    static gpu::Executor executor(shared_device());
-    return executor;
+    auto& executor = shared().executor;
+    return executor ? *executor : executor.emplace(shared_device());
 }
 
 std::vector<std::byte> run_and_copy(gpu::Graph& graph, gpu::Buffer& target, gpu::BufferId copied)
@@ -48,14 +63,21 @@ RendererOptions validated()
 
 gpu::Device& shared_device()
 {
-    static gpu::Device device(validated());
-    return device;
+    auto& device = shared().device;
+    return device ? *device : device.emplace(validated());
 }
 
 Renderer& shared_renderer()
 {
-    static Renderer renderer(validated());
-    return renderer;
+    auto& renderer = shared().renderer;
+    return renderer ? *renderer : renderer.emplace(validated());
+}
+
+void destroy_shared()
+{
+    shared().renderer.reset();
+    shared().executor.reset();
+    shared().device.reset();
 }
 
 std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::BufferId buffer)

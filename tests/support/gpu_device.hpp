@@ -2,9 +2,9 @@
 #pragma once
 
 // The device that tests draw on: lavapipe, with validation and synchronization validation. A validation message fails
-// the test that caused it (see gpu_main.cpp); a missing device or layer fails everything.
+// the test that caused it (see validation_gate.hpp); a missing device or layer fails everything.
 
-#include <mutex>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -26,6 +26,9 @@ namespace estampe::test {
 /// A renderer shared by all tests of the program.
 [[nodiscard]] Renderer& shared_renderer();
 
+/// Takes down device and renderer, so that the layer can say what was left behind. Nothing of theirs may live on.
+void destroy_shared();
+
 /// Runs `graph` on the shared device, and hands back the bytes of `buffer`, which it must produce.
 [[nodiscard]] std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::BufferId buffer);
 
@@ -40,5 +43,14 @@ template <class T>
 
 /// The same for an image of `bytes_per_texel`, tightly packed.
 [[nodiscard]] std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::ImageId image, uint32_t bytes_per_texel);
+
+template <class T>
+[[nodiscard]] std::vector<T> run_and_read_as(gpu::Graph& graph, gpu::ImageId image)
+{
+    const std::vector<std::byte> bytes = run_and_read(graph, image, sizeof(T));
+    std::vector<T> texels(bytes.size() / sizeof(T));
+    std::memcpy(texels.data(), bytes.data(), bytes.size());
+    return texels;
+}
 
 } // namespace estampe::test

@@ -16,12 +16,6 @@ Index add_object(Scene& scene, Primitive primitive, const glm::vec3& color, cons
 /// Adds a directional light that comes from `towards_light`.
 void add_sun(Scene& scene, const glm::dvec3& towards_light, float intensity = 1.0F);
 
-/// A square of side `side_m` about the origin that faces +z, with UVs of 0 to 1.
-[[nodiscard]] Primitive wall(float side_m);
-
-/// A unit sphere of `rings` x 2 `rings` quads, without UVs.
-[[nodiscard]] Primitive sphere(uint32_t rings);
-
 /// A camera on the +z axis that looks back along it.
 [[nodiscard]] Camera front_camera(double distance_m, double vertical_fov_rad);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/graph/execute.hpp"
 
+#include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
 #include "support/gpu_device.hpp"
+#include "support/validation_gate.hpp"
 
 namespace estampe::gpu {
 namespace {
@@ -51,6 +53,16 @@ TEST(Execute, ValidationSeesAPlantedHazard)
     const std::vector<std::string> messages = test::take_validation_messages();
     ASSERT_EQ(messages.size(), 1U);
     EXPECT_NE(messages.front().find("SYNC-HAZARD-READ-AFTER-WRITE"), std::string::npos) << messages.front();
+}
+
+TEST(Execute, TheGateFailsATestThatLeavesAMessage)
+{
+    const auto gate = [] {
+        test::ValidationGate().OnTestEnd(*testing::UnitTest::GetInstance()->current_test_info());
+    };
+    test::validated().on_validation_message("planted");
+    EXPECT_NONFATAL_FAILURE(gate(), "validation: planted");
+    gate(); // nothing is left to say
 }
 
 TEST(Execute, TimesEachPass)

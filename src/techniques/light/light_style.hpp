@@ -47,7 +47,7 @@ struct ToneStyle {
     float contrast = 1.05F;
     float floor = 0.12F;
     float ceiling = 0.97F;
-    float local_value = 0.45F;
+    float local_value = 0.36F;
 };
 
 inline const style::Table<ToneStyle>& tone_table()

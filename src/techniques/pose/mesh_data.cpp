@@ -120,7 +120,8 @@ private:
                     std::min(primitive.morph_targets.size(), rest_pose_.morph_weights[node_index].size()));
                 draw.first_morph_weight = first_weight;
                 draw.object = node_index;
-                draw.flags = uploaded.follows_uv ? shared::draw_follows_uv : 0U;
+                draw.flags = (uploaded.follows_uv ? shared::draw_follows_uv : 0U) |
+                             (primitive.uvs[0].empty() ? 0U : shared::draw_has_uv);
                 data_.sources.push_back({.node = node_index, .instance = instance, .local_bounds = uploaded.bounds});
                 add_draw(primitive, draw, place_of(node_index, instance), joints);
             }

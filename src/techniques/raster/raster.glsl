@@ -23,7 +23,7 @@ layout(scalar, binding = 5) buffer Target { uint64_t target[]; };
 layout(push_constant, scalar) uniform Constants { RasterConstants constants; };
 
 const float subpixels = 256.0;
-const float guard_px = 4194304.0; // 2^22: edge functions of such coordinates still fit 64 bits
+const float guard_px = 2097152.0; // 2^21: differences of such positions still fit 32 bits, edge functions 64
 
 // A triangle on the page: positions in 1/256 pixel, y down, in an order that makes its area positive.
 struct PageTriangle {

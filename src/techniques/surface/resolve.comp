@@ -47,6 +47,7 @@ const bool has_normal_maps = (variant & 32u) != 0u;
 const bool has_vertex_colors = (variant & 64u) != 0u;
 const bool has_uv_strokes = (variant & 128u) != 0u;
 const bool has_second_uvs = (variant & 256u) != 0u;
+const bool wants_uv_strokes = (variant & 1024u) != 0u; // wherever there are UVs at all
 const bool stands_still = (variant & 512u) != 0u; // the pose is the rest pose: strokes follow the posed position itself
 #define TEXTURE_CLASSES variant
 
@@ -141,7 +142,7 @@ void main()
     }
     vec3 coordinate = coordinates * at.weight;
     Footprint footprint = Footprint(coordinates * at.dx, coordinates * at.dy);
-    bool follows_uv = has_uv_strokes && (draw.flags & DRAW_RECORD_FOLLOWS_UV) != 0u;
+    bool follows_uv = has_uv_strokes && (draw.flags & (wants_uv_strokes ? DRAW_RECORD_HAS_UV : DRAW_RECORD_FOLLOWS_UV)) != 0u;
     if (follows_uv) {
         UvFootprint f = uv_at(rest, 0u, at);
         coordinate = vec3(f.uv, 0.0);

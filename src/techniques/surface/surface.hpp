@@ -10,12 +10,15 @@
 
 namespace estampe::surface {
 
+/// Where strokes follow UVs rather than slices through the solid.
+enum class UvStrokes : uint8_t { never, where_usable, wherever_present };
+
 /// What a scene needs of the shaders; the rest is left out of them.
 struct SceneNeeds {
     uint32_t texture_classes = 0; ///< a bit for each size class that holds textures
     bool normal_maps = false;
     bool vertex_colors = false;
-    bool uv_strokes = false;
+    UvStrokes uv_strokes = UvStrokes::never;
     bool second_uvs = false;
     bool emissive = false;
     bool moves = false; ///< has animations, skins or morph targets

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "support/drawing.hpp"
+
+#include <algorithm>
+
+#include <glm/gtc/packing.hpp>
+
+#include "frame/view.hpp"
+#include "gpu/upload.hpp"
+#include "support/gpu_device.hpp"
+
+namespace estampe::test {
+namespace {
+
+gpu::BufferId import_buffer(gpu::Graph& graph, const char* name, gpu::Buffer& buffer)
+{
+    return graph.import_buffer(name, buffer, {.size_bytes = buffer.size_bytes()});
+}
+
+std::array<gpu::ImageId, 5> import_textures(gpu::Graph& graph, surface::MaterialBuffers& materials)
+{
+    const auto import = [&](size_t i) {
+        gpu::Image& image = materials.textures[i];
+        return graph.import_image("textures", image, image.desc(), gpu::Layout::shader_read);
+    };
+    return {import(0), import(1), import(2), import(3), import(4)};
+}
+
+glm::vec3 unpack_normal(uint32_t packed)
+{
+    const glm::vec2 e = glm::unpackSnorm2x16(packed);
+    glm::vec3 n(e, 1.0F - std::abs(e.x) - std::abs(e.y));
+    if (n.z < 0.0F) {
+        n = {(1.0F - std::abs(e.y)) * (e.x >= 0.0F ? 1.0F : -1.0F), (1.0F - std::abs(e.x)) * (e.y >= 0.0F ? 1.0F : -1.0F),
+             n.z};
+    }
+    return glm::normalize(n);
+}
+
+void unpack_footprint(SurfacePixels& pixels, const std::vector<glm::uvec4>& packed)
+{
+    for (const glm::uvec4& word : packed) {
+        float scale = 0.0F;
+        std::memcpy(&scale, &word.w, sizeof(scale));
+        const glm::vec2 a = glm::unpackSnorm2x16(word.x) * scale;
+        const glm::vec2 b = glm::unpackSnorm2x16(word.y) * scale;
+        const glm::vec2 c = glm::unpackSnorm2x16(word.z) * scale;
+        pixels.footprint_dx.emplace_back(a.x, a.y, b.x);
+        pixels.footprint_dy.emplace_back(b.y, c.x, c.y);
+    }
+}
+
+} // namespace
+
+Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, double time_s)
+    : size_px(size), layout(pose::build_meshes(scene, static_cast<Index>(scene.materials.size()))),
+      pose(pose::pose_meshes(layout, scene, pose_scene(scene, time_s))),
+      globals(frame::frame_globals(camera, layout.bounds, layout.anchor, {.size_px = size})),
+      pixel_angle_(static_cast<double>(frame::pixel_angle(camera, size.y))),
+      meshes_(pose::upload_meshes(shared_device(), layout)),
+      materials_(surface::upload_materials(shared_device(), scene)), needs_(surface::scene_needs(scene)),
+      frame_(gpu::upload_buffer(shared_device(), "frame", std::vector{globals}))
+{
+    pose::upload_pose(shared_device(), meshes_, pose);
+    const bool some_usable = std::ranges::any_of(
+        layout.draws, [](const auto& draw) { return (draw.flags & shared::draw_follows_uv) != 0; });
+    needs_.uv_strokes = some_usable ? surface::UvStrokes::where_usable : surface::UvStrokes::never;
+}
+
+gpu::BufferId Drawing::add_posed(gpu::Graph& graph)
+{
+    return pose::add_pose(graph,
+                          {.draws = import_buffer(graph, "draws", meshes_.draws),
+                           .draw_of_vertex = import_buffer(graph, "draw of vertex", meshes_.draw_of_vertex),
+                           .rest_vertices = import_buffer(graph, "rest vertices", meshes_.rest_vertices),
+                           .skin_vertices = import_buffer(graph, "skin vertices", meshes_.skin_vertices),
+                           .morph_offsets = import_buffer(graph, "morph offsets", meshes_.morph_offsets),
+                           .joints = import_buffer(graph, "joints", meshes_.joints),
+                           .morph_weights = import_buffer(graph, "morph weights", meshes_.morph_weights)},
+                          import_buffer(graph, "posed vertices", meshes_.posed_vertices[0]), meshes_.vertex_count);
+}
+
+raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph, gpu::BufferId posed)
+{
+    return {.triangles = import_buffer(graph, "triangles", meshes_.triangles),
+            .posed_vertices = posed,
+            .draws = import_buffer(graph, "draws", meshes_.draws),
+            .rest_vertices = import_buffer(graph, "rest vertices", meshes_.rest_vertices),
+            .materials = import_buffer(graph, "materials", materials_.materials),
+            .textures = import_textures(graph, materials_),
+            .texture_classes = needs_.texture_classes};
+}
+
+std::vector<raster::Batch> Drawing::batches() const
+{
+    std::vector<raster::Batch> result{{layout.opaque.first, layout.opaque.count, false},
+                                      {layout.masked.first, layout.masked.count, true},
+                                      {layout.blended.first, layout.blended.count, false}};
+    if (with_ground) {
+        result.push_back({layout.ground.first, layout.ground.count, false});
+    }
+    return result;
+}
+
+gpu::BufferId Drawing::add_visibility(gpu::Graph& graph, gpu::BufferId posed)
+{
+    return raster::add_visibility(
+        graph, "visibility", raster_inputs(graph, posed), batches(),
+        {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .tuning = tuning});
+}
+
+Drawing::Stage Drawing::add_surface(gpu::Graph& graph)
+{
+    Stage stage{.frame = import_buffer(graph, "frame", frame_),
+                .triangles = import_buffer(graph, "triangles", meshes_.triangles),
+                .draws = import_buffer(graph, "draws", meshes_.draws),
+                .posed = add_posed(graph),
+                .rest_vertices = import_buffer(graph, "rest vertices", meshes_.rest_vertices),
+                .materials = import_buffer(graph, "materials", materials_.materials),
+                .visibility = {},
+                .surface = {}};
+    stage.visibility = add_visibility(graph, stage.posed);
+    stage.surface = surface::add_resolve(
+        graph, {.frame = stage.frame,
+                .visibility = stage.visibility,
+                .triangles = stage.triangles,
+                .posed_vertices = stage.posed,
+                .draws = stage.draws,
+                .rest_vertices = stage.rest_vertices,
+                .stroke_coordinates = import_buffer(graph, "stroke coordinates", meshes_.stroke_coordinates),
+                .materials = stage.materials,
+                .textures = import_textures(graph, materials_),
+                .needs = needs_,
+                .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
+                .size_px = size_px});
+    return stage;
+}
+
+gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup)
+{
+    const glm::dvec3 towards_sun =
+        setup.directional_count > 0 ? glm::dvec3(setup.records.front().direction) : glm::dvec3(0, 1, 0);
+    const shadow::SunView view = sun(towards_sun, std::max(setup.shadow_size, 4U));
+    const shared::LightGlobals lighting{
+        .shadow_clip_from_anchor = view.clip_from_anchor,
+        .sky_ambient = setup.ambient,
+        .shadow_texel_m = view.texel_m,
+        .ground_ambient = setup.ambient,
+        .shadow_size = setup.shadow_size,
+        .directional_count = setup.directional_count,
+        .local_count = static_cast<uint32_t>(setup.records.size()) - setup.directional_count,
+        .shadow_depth_m = view.depth_m,
+        .falloff = setup.falloff};
+    light_globals_ = gpu::upload_buffer(shared_device(), "lighting", std::vector{lighting});
+    lights_ = gpu::upload_buffer(shared_device(), "lights", setup.records);
+    shadow_map_ = gpu::Buffer(shared_device(), "shadow map", 4ULL * setup.shadow_size * setup.shadow_size,
+                              gpu::MemoryUse::device);
+    auto shadow_map = import_buffer(graph, "shadow", shadow_map_);
+    if (setup.shadow_size > 0) {
+        shadow_map = raster::add_depth(graph, "shadow", raster_inputs(graph, stage.posed), batches(),
+                                       {.clip_from_anchor = view.clip_from_anchor,
+                                        .size_px = glm::uvec2(setup.shadow_size),
+                                        .cull_back_faces = false,
+                                        .tuning = tuning},
+                                       shadow_map);
+    }
+    return light::add_light(graph, {.frame = stage.frame,
+                                    .lighting = import_buffer(graph, "lighting", light_globals_),
+                                    .lights = import_buffer(graph, "lights", lights_),
+                                    .draw = stage.surface.draw,
+                                    .depth = stage.surface.depth,
+                                    .normal = stage.surface.normal,
+                                    .draws = stage.draws,
+                                    .materials = stage.materials,
+                                    .shadow_map = shadow_map,
+                                    .has_shadow = setup.shadow_size > 0,
+                                    .has_local_lights = setup.records.size() > setup.directional_count,
+                                    .has_emissive = needs_.emissive,
+                                    .size_px = size_px});
+}
+
+std::vector<shared::PosedVertex> Drawing::posed()
+{
+    gpu::Graph graph;
+    return run_and_read_as<shared::PosedVertex>(graph, add_posed(graph));
+}
+
+std::vector<uint64_t> Drawing::visibility()
+{
+    gpu::Graph graph;
+    auto words = run_and_read_as<uint64_t>(graph, add_visibility(graph, add_posed(graph)));
+    words.resize(static_cast<size_t>(size_px.x) * size_px.y); // the buffer is whole groups of 16 bytes
+    return words;
+}
+
+SurfacePixels Drawing::surface()
+{
+    SurfacePixels pixels;
+    const auto read = [this]<class T>(gpu::ImageId surface::Surface::*image, T /*texel*/) {
+        gpu::Graph graph;
+        const Stage stage = add_surface(graph);
+        return run_and_read_as<T>(graph, stage.surface.*image);
+    };
+    pixels.draw = read(&surface::Surface::draw, uint32_t{});
+    pixels.depth = read(&surface::Surface::depth, float{});
+    for (const glm::uvec2& packed : read(&surface::Surface::normal, glm::uvec2{})) {
+        pixels.shading_normal.push_back(unpack_normal(packed.x));
+        pixels.smooth_normal.push_back(unpack_normal(packed.y));
+    }
+    for (const uint32_t packed : read(&surface::Surface::color, uint32_t{})) {
+        const glm::vec4 root = glm::unpackUnorm4x8(packed);
+        pixels.color.emplace_back(glm::vec3(root) * glm::vec3(root), root.w);
+    }
+    for (const glm::vec4& coordinate : read(&surface::Surface::coordinate, glm::vec4{})) {
+        pixels.coordinate.emplace_back(coordinate);
+    }
+    unpack_footprint(pixels, read(&surface::Surface::footprint, glm::uvec4{}));
+    return pixels;
+}
+
+std::vector<glm::vec4> Drawing::light(const LightSetup& setup)
+{
+    gpu::Graph graph;
+    const Stage stage = add_surface(graph);
+    std::vector<glm::vec4> result;
+    for (const uint64_t packed : run_and_read_as<uint64_t>(graph, add_light(graph, stage, setup))) {
+        result.push_back(glm::unpackHalf4x16(packed));
+    }
+    return result;
+}
+
+std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixels_per_mm)
+{
+    gpu::Graph graph;
+    const Stage stage = add_surface(graph);
+    const gpu::ImageId light = add_light(graph, stage, {.ambient = glm::vec3(1.0F)});
+    const gpu::ImageId ink = contour::add_contours(graph,
+                                                   {.frame = stage.frame,
+                                                    .visibility = stage.visibility,
+                                                    .triangles = stage.triangles,
+                                                    .posed_vertices = stage.posed,
+                                                    .draws = stage.draws,
+                                                    .draw = stage.surface.draw,
+                                                    .depth = stage.surface.depth,
+                                                    .normal = stage.surface.normal,
+                                                    .coordinate = stage.surface.coordinate,
+                                                    .light = light,
+                                                    .pixels_per_mm = pixels_per_mm,
+                                                    .pixel_angle = static_cast<float>(pixel_angle_),
+                                                    .size_px = size_px},
+                                                   style);
+    std::vector<float> result;
+    for (const uint16_t packed : run_and_read_as<uint16_t>(graph, ink)) {
+        result.push_back(glm::unpackHalf1x16(packed));
+    }
+    return result;
+}
+
+glm::dvec3 Drawing::point_at(glm::dvec2 position_px, double depth) const
+{
+    const glm::dvec2 ndc = 2.0 * position_px / glm::dvec2(size_px) - 1.0;
+    const glm::dvec4 p = glm::inverse(glm::dmat4(globals.clip_from_anchor)) * glm::dvec4(ndc, depth, 1.0);
+    return glm::dvec3(p) / p.w;
+}
+
+shadow::SunView Drawing::sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const
+{
+    return shadow::sun_view(pose.casters, layout.anchor, towards_sun, shadow_size);
+}
+
+} // namespace estampe::test

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A scene on the shared device, for tests that look at what one technique hands to the next.
+
+#include <cstdint>
+#include <vector>
+
+#include <estampe/scene.hpp>
+
+#include "gpu/graph/graph.hpp"
+#include "shaders/frame.glsl.h"
+#include "techniques/contour/contour.hpp"
+#include "techniques/light/light.hpp"
+#include "techniques/pose/pose.hpp"
+#include "techniques/raster/raster.hpp"
+#include "techniques/shadow/sun_view.hpp"
+#include "techniques/surface/materials.hpp"
+
+namespace estampe::test {
+
+/// What the surface pass writes, row by row; meaningless but for draw and depth where nothing is seen.
+struct SurfacePixels {
+    std::vector<uint32_t> draw; ///< as in shaders/draw_word.glsl
+    std::vector<float> depth;
+    std::vector<glm::vec3> shading_normal;
+    std::vector<glm::vec3> smooth_normal;
+    std::vector<glm::vec4> color; ///< linear
+    std::vector<glm::vec3> coordinate;
+    std::vector<glm::vec3> footprint_dx;
+    std::vector<glm::vec3> footprint_dy;
+};
+
+/// Lights as the light pass takes them. A shadow size of 0 makes no shadow.
+struct LightSetup {
+    std::vector<shared::LightRecord> records;
+    uint32_t directional_count = 0;
+    glm::vec3 ambient{0.0F};
+    float falloff = 1.0F;
+    uint32_t shadow_size = 0;
+};
+
+class Drawing {
+public:
+    Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size_px, double time_s = 0.0);
+
+    [[nodiscard]] std::vector<shared::PosedVertex> posed();
+    /// 64-bit words: reversed depth above, triangle below.
+    [[nodiscard]] std::vector<uint64_t> visibility();
+    [[nodiscard]] SurfacePixels surface();
+    [[nodiscard]] std::vector<glm::vec4> light(const LightSetup& setup);
+    /// Coverage of the lines, in even light of 1.
+    [[nodiscard]] std::vector<float> lines(const contour::ContourStyle& style, float pixels_per_mm);
+
+    /// The point of anchor space seen at a place of the page.
+    [[nodiscard]] glm::dvec3 point_at(glm::dvec2 position_px, double depth) const;
+    [[nodiscard]] shadow::SunView sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
+
+    glm::uvec2 size_px;
+    raster::Tuning tuning;
+    bool with_ground = false;
+    pose::MeshData layout;
+    pose::PoseData pose;
+    shared::FrameGlobals globals;
+
+private:
+    /// The passes of one graph up to the surface, with all that the later ones need.
+    struct Stage {
+        gpu::BufferId frame, triangles, draws, posed, rest_vertices, materials, visibility;
+        surface::Surface surface;
+    };
+
+    gpu::BufferId add_posed(gpu::Graph& graph);
+    gpu::BufferId add_visibility(gpu::Graph& graph, gpu::BufferId posed);
+    Stage add_surface(gpu::Graph& graph);
+    gpu::ImageId add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup);
+    raster::RasterInputs raster_inputs(gpu::Graph& graph, gpu::BufferId posed);
+    std::vector<raster::Batch> batches() const;
+
+    double pixel_angle_ = 0.0;
+    pose::MeshBuffers meshes_;
+    surface::MaterialBuffers materials_;
+    surface::SceneNeeds needs_;
+    gpu::Buffer frame_;
+    gpu::Buffer light_globals_;
+    gpu::Buffer lights_;
+    gpu::Buffer shadow_map_;
+};
+
+} // namespace estampe::test
