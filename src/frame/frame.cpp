@@ -5,6 +5,7 @@
 
 #include "gpu/graph/execute.hpp"
 #include "techniques/raster/raster.hpp"
+#include "techniques/screen/screen.hpp"
 #include "techniques/surface/surface.hpp"
 
 namespace estampe::frame {
@@ -33,17 +34,19 @@ auto copy_buffer(gpu::BufferId from, gpu::BufferId to)
     };
 }
 
-std::vector<raster::Batch> batches(const pose::MeshData& layout, bool with_ground)
+raster::Batch batch(const pose::Range& range, bool masked = false)
 {
-    std::vector<raster::Batch> result{
-        {layout.opaque.first, layout.opaque.count, false},
-        {layout.masked.first, layout.masked.count, true},
-        {layout.blended.first, layout.blended.count, false},
-    };
+    return {.first_triangle = range.first, .triangle_count = range.count, .masked = masked};
+}
+
+/// What hides what is behind it.
+std::vector<raster::Batch> solid_batches(const pose::MeshData& layout, bool with_ground)
+{
+    std::vector<raster::Batch> batches{batch(layout.opaque), batch(layout.masked, true)};
     if (with_ground) {
-        result.push_back({layout.ground.first, layout.ground.count, false});
+        batches.push_back(batch(layout.ground));
     }
-    return result;
+    return batches;
 }
 
 } // namespace
@@ -86,7 +89,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                              .textures = textures,
                                              .texture_classes = plan.needs.texture_classes};
     const auto visibility =
-        raster::add_visibility(graph, "visibility", raster_inputs, batches(layout, plan.ground_drawn),
+        raster::add_visibility(graph, "visibility", raster_inputs, solid_batches(layout, plan.ground_drawn),
                                {.clip_from_anchor = plan.clip_from_anchor,
                                 .size_px = size_px,
                                 .tuning = plan.raster});
@@ -106,10 +109,29 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                 .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
                 .size_px = size_px});
 
+    // Screen: what is looked through.
+    const bool has_screen = layout.blended.count > 0;
+    const auto screen =
+        !has_screen ? screen::add_no_screen(graph)
+                    : screen::add_screen(
+                          graph, {.frame = frame,
+                                  .solid_visibility = visibility,
+                                  .screen_visibility = raster::add_visibility(
+                                      graph, "screen", raster_inputs, {batch(layout.blended)},
+                                      {.clip_from_anchor = plan.clip_from_anchor, .size_px = size_px, .tuning = plan.raster}),
+                                  .triangles = triangles,
+                                  .posed_vertices = posed_vertices,
+                                  .draws = draws,
+                                  .rest_vertices = rest_vertices,
+                                  .materials = materials,
+                                  .textures = textures,
+                                  .texture_classes = plan.needs.texture_classes,
+                                  .size_px = size_px});
+
     // Shadow: how far the sun sees, drawn only when it moved or something did. The ground receives but does not throw.
     auto shadow_map = import_buffer(graph, "shadow", resources.shadow_map);
     if (plan.redraw_shadow) {
-        shadow_map = raster::add_depth(graph, "shadow", raster_inputs, batches(layout, false),
+        shadow_map = raster::add_depth(graph, "shadow", raster_inputs, solid_batches(layout, false),
                                        {.clip_from_anchor = plan.sun.clip_from_anchor,
                                         .size_px = glm::uvec2(plan.shadow_size),
                                         .cull_back_faces = false,
@@ -142,6 +164,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                          .coordinate = surface.coordinate,
                                          .footprint = surface.footprint,
                                          .light = light,
+                                         .screen = screen.color,
+                                         .has_screen = has_screen,
                                          .tone = tone,
                                          .pixels_per_mm = plan.pixels_per_mm,
                                          .size_px = size_px},
@@ -159,6 +183,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                               .normal = surface.normal,
                                               .coordinate = surface.coordinate,
                                               .light = light,
+                                              .screen_draw = screen.draw,
+                                              .has_screen = has_screen,
                                               .pixels_per_mm = plan.pixels_per_mm,
                                               .pixel_angle = plan.pixel_angle,
                                               .size_px = size_px},
@@ -180,6 +206,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                       .light = light,
                                       .draws = draws,
                                       .materials = materials,
+                                      .screen = screen.color,
+                                      .has_screen = has_screen,
                                       .background = sky.wash,
                                       .tone = tone,
                                       .size_px = size_px},

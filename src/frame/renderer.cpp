@@ -173,8 +173,9 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
                                       const Camera& camera, const RenderSettings& settings) const
 {
     const Scene& scene = loaded->scene;
-    const bool brings_sun = lighting.directional_count > 0 && !scene.lights.empty();
-    const bool is_bare = scene.lights.empty() && scene.cameras.empty();
+    // A file with a camera is a picture already; one with a sun besides is a picture out of doors.
+    const bool is_composed = !scene.cameras.empty();
+    const bool is_outdoors = is_composed && lighting.directional_count > 0 && !scene.lights.empty();
     frame::FramePlan plan;
     plan.size_px = {settings.width, settings.height};
     plan.pixels_per_mm = static_cast<float>(settings.height) / style.paper.height_mm;
@@ -184,9 +185,9 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
         plan.raster = {.small_area_px = 2048, .list_groups = 32};
     }
     plan.ground_drawn = style.picture.ground == frame::Ground::drawn ||
-                        (style.picture.ground == frame::Ground::automatic && is_bare);
+                        (style.picture.ground == frame::Ground::automatic && !is_composed);
     plan.sky_drawn =
-        style.sky.mode == sky::SkyMode::drawn || (style.sky.mode == sky::SkyMode::automatic && brings_sun);
+        style.sky.mode == sky::SkyMode::drawn || (style.sky.mode == sky::SkyMode::automatic && is_outdoors);
     plan.shadow_size = style.light.shadows && lighting.directional_count > 0 && lighting.towards_sun.y > -0.999
                            ? shadow_size(style.light, settings)
                            : 0U;

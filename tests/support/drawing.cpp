@@ -8,6 +8,7 @@
 #include "frame/view.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
+#include "techniques/screen/screen.hpp"
 
 namespace estampe::test {
 namespace {
@@ -245,6 +246,7 @@ std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixe
                                                     .normal = stage.surface.normal,
                                                     .coordinate = stage.surface.coordinate,
                                                     .light = light,
+                                                    .screen_draw = screen::add_no_screen(graph).draw,
                                                     .pixels_per_mm = pixels_per_mm,
                                                     .pixel_angle = static_cast<float>(pixel_angle_),
                                                     .size_px = size_px},

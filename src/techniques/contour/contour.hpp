@@ -47,6 +47,8 @@ struct ContourInputs {
     gpu::ImageId normal;
     gpu::ImageId coordinate;
     gpu::ImageId light;
+    gpu::ImageId screen_draw; ///< of what is looked through; one texel for none
+    bool has_screen = false;
     float pixels_per_mm = 1.0F;
     float pixel_angle = 0.001F; ///< size of a pixel at distance one
     glm::uvec2 size_px{0};

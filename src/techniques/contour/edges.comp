@@ -17,11 +17,16 @@ layout(scalar, binding = 1) readonly buffer Draws { DrawRecord draws[]; };
 layout(binding = 2) uniform usampler2D draw_image;
 layout(binding = 3) uniform sampler2D depth_image;
 layout(binding = 4) uniform usampler2D normal_image;
-layout(scalar, binding = 5) buffer Count { uint edge_count; };
-layout(scalar, binding = 6) writeonly buffer Edges { EdgePixel edges[]; };
-layout(binding = 7, r32ui) writeonly uniform uimage2D out_nearest;
+layout(binding = 5) uniform usampler2D screen_image;
+layout(scalar, binding = 6) buffer Count { uint edge_count; };
+layout(scalar, binding = 7) writeonly buffer Edges { EdgePixel edges[]; };
+layout(binding = 8, r32ui) writeonly uniform uimage2D out_nearest;
 
 layout(push_constant, scalar) uniform Constants { EdgeConstants constants; };
+
+// Bit 0: there are see-through surfaces.
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_screen = (variant & 1u) != 0u;
 
 ivec2 on_page(ivec2 pixel) { return clamp(pixel, ivec2(0), ivec2(frame.size_px) - 1); }
 
@@ -82,6 +87,13 @@ void main()
     Seen here = seen_at(pixel);
     float width_right = pixel.x < last.x ? line_width(here, seen_at(pixel + right), pixel - right, pixel + 2 * right) : 0.0;
     float width_down = pixel.y < last.y ? line_width(here, seen_at(pixel + down), pixel - down, pixel + 2 * down) : 0.0;
+    if (has_screen) {
+        uint screen = texelFetch(screen_image, pixel, 0).x;
+        bool ends_right = pixel.x < last.x && screen != texelFetch(screen_image, pixel + right, 0).x;
+        bool ends_below = pixel.y < last.y && screen != texelFetch(screen_image, pixel + down, 0).x;
+        width_right = max(width_right, ends_right ? constants.boundary_px : 0.0);
+        width_down = max(width_down, ends_below ? constants.boundary_px : 0.0);
+    }
     uint place = uint(pixel.y) << 16 | uint(pixel.x);
     bool is_edge = width_right > 0.0 || width_down > 0.0;
     if (is_edge) {

@@ -24,13 +24,15 @@ layout(binding = 4) uniform sampler2D color_image;
 layout(binding = 5) uniform sampler2D coordinate_image;
 layout(binding = 6) uniform usampler2D footprint_image;
 layout(binding = 7) uniform sampler2D light_image;
-layout(binding = 8, r16f) writeonly uniform image2D out_ink;
+layout(binding = 8) uniform sampler2D screen_image;
+layout(binding = 9, r16f) writeonly uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants { HatchConstants constants; };
 
-// Bit 0: darkness fades with distance.
+// Bit 0: darkness fades with distance. Bit 1: there are see-through surfaces.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_fade = (variant & 1u) != 0u;
+const bool has_screen = (variant & 2u) != 0u;
 
 // Each layer slices the solid by parallel planes; where a surface lies nearly in such a plane a second family, the level
 // one, takes over. Normals of the planes:
@@ -89,7 +91,7 @@ float next_family(inout Families families, vec3 normal, bool by_uv, out uint fam
         uint layer = family >> 1;
         bool is_level = (family & 1u) != 0u;
         families.share = is_level ? families.share : layer_share(layer, families.remaining);
-        float slices = by_uv ? 1.0 : smoothstep(0.42, 0.62, length(cross(slice_axis(layer), normal)));
+        float slices = by_uv ? 1.0 : smoothstep(0.50, 0.68, length(cross(slice_axis(layer), normal)));
         dark = 1.0 - pow(1.0 - families.share, is_level ? 1.0 - slices : slices);
         if (is_level) {
             families.remaining = 1.0 - (1.0 - families.remaining) / max(1.0 - families.share, 1e-6);
@@ -134,6 +136,12 @@ void main()
         dark *= mix(constants.fade, 1.0, exp2(-away / constants.fade_distance_m));
     }
     dark = sees_draw(word) ? dark : 0.0;
+    if (has_screen) {
+        // What is behind pales as under tracing paper, and the screen's own darkness takes its place.
+        vec4 screen = texelFetch(screen_image, pixel, 0);
+        float own = 0.6 * (1.0 - luminance(screen.rgb * screen.rgb));
+        dark = sees_draw(word) ? mix(dark, own, 0.7 * screen.a) : 0.0;
+    }
     vec3 p = texelFetch(coordinate_image, pixel, 0).xyz;
     Footprint f = unpack_footprint(texelFetch(footprint_image, pixel, 0));
     vec3 normal = unpack_normal(texelFetch(normal_image, pixel, 0).y);

@@ -60,6 +60,8 @@ struct HatchInputs {
     gpu::ImageId coordinate;
     gpu::ImageId footprint;
     gpu::ImageId light;
+    gpu::ImageId screen; ///< colour and cover of what is looked through; one texel for none
+    bool has_screen = false;
     shared::ToneConstants tone;
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};

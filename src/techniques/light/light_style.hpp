@@ -12,7 +12,7 @@ struct LightStyle {
     float sun_azimuth_deg = -34.0F;
     float sun_elevation_deg = 44.0F;
     float exposure_stops = 0.0F;
-    float ambient = 0.21F;
+    float ambient = 0.19F;
     float falloff = 0.62F;
     bool shadows = true;
     int shadow_size = 0;
@@ -43,7 +43,7 @@ inline const style::Table<LightStyle>& light_table()
 
 struct ToneStyle {
     float exposure = 1.14F;
-    float gamma = 0.9F;
+    float gamma = 0.8F;
     float contrast = 1.05F;
     float floor = 0.12F;
     float ceiling = 0.97F;

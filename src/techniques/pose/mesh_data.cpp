@@ -102,8 +102,9 @@ private:
         const uint32_t first_weight = data_.morph_weight_count;
         data_.morph_weight_count += static_cast<uint32_t>(rest_pose_.morph_weights[node_index].size());
         const size_t places = joints.empty() ? std::max<size_t>(node.instances.size(), 1) : 1;
-        for (const Primitive& primitive : mesh.primitives) {
-            if (primitive.topology != Topology::triangles || primitive.indices.empty()) {
+        for (const Primitive& original : mesh.primitives) {
+            const Primitive& primitive = in_triangles(original);
+            if (primitive.indices.empty()) {
                 continue;
             }
             const UploadedPrimitive& uploaded = upload(primitive);
@@ -133,6 +134,18 @@ private:
         const auto& instances = scene_.nodes[node].instances;
         const glm::dmat4 place = rest_pose_.world_from_node[node];
         return instances.empty() ? place : place * glm::dmat4(instances[instance]);
+    }
+
+    const Primitive& in_triangles(const Primitive& primitive)
+    {
+        if (primitive.topology == Topology::triangles) {
+            return primitive;
+        }
+        const auto [entry, is_new] = bodies_.try_emplace(&primitive);
+        if (is_new) {
+            entry->second = drawn_body(primitive, static_cast<float>(1.5e-3 * data_.bounds.radius()));
+        }
+        return entry->second;
     }
 
     const UploadedPrimitive& upload(const Primitive& primitive)
@@ -253,6 +266,7 @@ private:
     MeshData& data_;
     ScenePose rest_pose_;
     std::map<const Primitive*, UploadedPrimitive> uploaded_;
+    std::map<const Primitive*, Primitive> bodies_; ///< of lines and points
     std::vector<glm::uvec4> opaque_, masked_, blended_;
 };
 

@@ -50,6 +50,10 @@ struct MeshData {
 /// Cost: linear in vertices drawn.
 [[nodiscard]] MeshData build_meshes(const Scene& scene, Index ground_material);
 
+/// Lines as thin wires and points as small dots, in triangles, so that they are drawn, lit and shadowed like anything else.
+/// They keep the skin and morph targets of their vertices. Cost: 10 triangles a line, 8 a point.
+[[nodiscard]] Primitive drawn_body(const Primitive& primitive, float radius_m);
+
 /// Whether a primitive's first UV set can carry strokes: present, finite, hardly stretched, and not cut into islands, at
 /// whose borders strokes would break. Cost: linear in triangles.
 [[nodiscard]] bool uvs_are_usable(const Primitive& primitive);

@@ -23,7 +23,7 @@ inline const style::Table<SkyStyle>& sky_table()
         style::Table<SkyStyle>("sky", "The background: a wash with long level strokes")
             .choice("mode", &SkyStyle::mode,
                     {{"auto", SkyMode::automatic}, {"drawn", SkyMode::drawn}, {"paper", SkyMode::paper}},
-                    "Drawn, bare paper, or (auto) drawn where the scene has a sun of its own")
+                    "Drawn, bare paper, or (auto) drawn where the scene brings a camera and a sun")
             .color("horizon", &SkyStyle::horizon, "Colour of the wash at the horizon")
             .color("zenith", &SkyStyle::zenith, "Colour of the wash high above")
             .number("darkness", &SkyStyle::darkness, {0.0F, 1.0F}, "", "Darkness of the strokes high above")

@@ -24,13 +24,15 @@ layout(binding = 4) uniform sampler2D light_image;
 layout(scalar, binding = 5) readonly buffer Draws { DrawRecord draws[]; };
 layout(scalar, binding = 6) readonly buffer Materials { MaterialRecord materials[]; };
 layout(binding = 7) uniform sampler2D background_image;
-layout(binding = 8, rgba16f) writeonly uniform image2D out_wash;
+layout(binding = 8) uniform sampler2D screen_image;
+layout(binding = 9, rgba16f) writeonly uniform image2D out_wash;
 
 layout(push_constant, scalar) uniform Constants { WashConstants constants; };
 
-// Bit 0: colours pale with distance.
+// Bit 0: colours pale with distance. Bit 1: there are see-through surfaces.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_air = (variant & 1u) != 0u;
+const bool has_screen = (variant & 2u) != 0u;
 
 void main()
 {
@@ -44,6 +46,9 @@ void main()
         uint material = draws[draw_of(word)].material;
         vec4 stored = texelFetch(color_image, pixel, 0);
         vec3 color = mix(materials[material].mean_color, stored.rgb * stored.rgb, constants.detail);
+        float largest = max(max(color.r, color.g), max(color.b, 1e-3));
+        float saturation = 1.0 - min(color.r, min(color.g, color.b)) / largest;
+        color = mix(vec3(1.0), color, mix(constants.neutral, 1.0, smoothstep(0.0, 0.3, saturation)));
         vec4 light = texelFetch(light_image, pixel, 0);
         float dark = darkness(constants.tone, light.a, 1.0);
         // The edge of the second wash wanders a little, as a loaded brush does.
@@ -59,6 +64,10 @@ void main()
             color = mix(color, constants.air_color, constants.air * (1.0 - exp2(-away / constants.air_distance_m)));
         }
         through = mix(vec3(1.0), clamp(color, 0.0, 1.0), constants.strength);
+    }
+    if (has_screen) {
+        vec4 screen = texelFetch(screen_image, pixel, 0);
+        through = mix(through, mix(vec3(1.0), screen.rgb * screen.rgb, constants.strength), screen.a);
     }
     imageStore(out_wash, pixel, vec4(through, sees_draw(word) ? 1.0 : 0.0));
 }

@@ -13,6 +13,7 @@ struct WashConstants {
     float softness;    // half the width of the step, in darkness
     float detail;      // 0: the material's mean colour, 1: its texture
     float strength;    // 0: bare paper, 1: full colour
+    float neutral;     // share of that for greys
     float air;         // share of the horizon's colour at the far end
     vec3 air_color;
     float air_distance_m;

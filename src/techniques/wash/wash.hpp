@@ -9,6 +9,7 @@ namespace estampe::wash {
 
 struct WashStyle {
     float strength = 0.8F;
+    float neutral = 0.4F;
     float detail = 0.35F;
     glm::vec3 shadow_tint = style::srgb(0xa4b4b2);
     float shadow_from = 0.40F;
@@ -23,6 +24,7 @@ inline const style::Table<WashStyle>& wash_table()
     static const auto table =
         style::Table<WashStyle>("wash", "Flat colour by material, cooler in shadow")
             .number("strength", &WashStyle::strength, {0.0F, 1.0F}, "", "0 leaves the paper bare, 1 is full colour")
+            .number("neutral", &WashStyle::neutral, {0.0F, 1.0F}, "", "Share of the strength that greys are painted with")
             .number("detail", &WashStyle::detail, {0.0F, 1.0F}, "",
                     "0 is one flat colour a material, 1 its whole texture")
             .color("shadow_tint", &WashStyle::shadow_tint, "Laid over the colour in shadow")
@@ -43,6 +45,8 @@ struct WashInputs {
     gpu::ImageId light;
     gpu::BufferId draws;
     gpu::BufferId materials;
+    gpu::ImageId screen; ///< colour and cover of what is looked through; one texel for none
+    bool has_screen = false;
     gpu::ImageId background; ///< the wash where nothing is
     shared::ToneConstants tone;
     glm::uvec2 size_px{0};
