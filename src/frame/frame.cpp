@@ -178,6 +178,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                               .triangles = triangles,
                                               .posed_vertices = posed_vertices,
                                               .draws = draws,
+                                              .materials = materials,
+                                              .own_outlines = plan.needs.own_outlines,
                                               .draw = surface.draw,
                                               .depth = surface.depth,
                                               .normal = surface.normal,

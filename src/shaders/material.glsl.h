@@ -22,7 +22,8 @@ struct MaterialRecord {
     vec3 emissive;
     float normal_scale;
     float alpha_cutoff;
-    float outline_scale;
+    float outline_width_m; // 0: the style's outline
+    vec3 outline_color;    // with an outline of its own
     uint flags;
     TextureSlot base_texture;
     TextureSlot normal_texture;
@@ -30,7 +31,7 @@ struct MaterialRecord {
 
 #ifdef __cplusplus
 static_assert(sizeof(TextureSlot) == 28);
-static_assert(sizeof(MaterialRecord) == 124);
+static_assert(sizeof(MaterialRecord) == 136);
 inline constexpr uint no_texture = 0xffffffffU;
 inline constexpr uint material_unlit = 1U;
 inline constexpr uint material_masked = 2U;

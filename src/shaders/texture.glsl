@@ -7,15 +7,14 @@
 // Texture look-up through size classes. The including shader declares `sampler2DArray texture_class_0` to `_4`, and
 // TEXTURE_CLASSES, the specialization bits of those that hold anything: a processor runs every branch that is left in.
 
-float wrap_coordinate(float x, uint mode)
+// The sampler repeats; the other modes must keep half a texel away from the border, or the filter would reach across it.
+float wrap_coordinate(float x, uint mode, float half_texel)
 {
-    if (mode == 1u) {
-        return clamp(x, 0.0, 1.0);
+    if (mode == 0u) {
+        return x;
     }
-    if (mode == 2u) {
-        return 1.0 - abs(1.0 - 2.0 * fract(0.5 * x));
-    }
-    return x; // the sampler repeats
+    float inside = mode == 2u ? 1.0 - abs(1.0 - 2.0 * fract(0.5 * x)) : x;
+    return clamp(inside, half_texel, 1.0 - half_texel);
 }
 
 struct UvFootprint {
@@ -33,9 +32,13 @@ UvFootprint transform_uv(TextureSlot slot, UvFootprint f)
 vec4 sample_texture(TextureSlot slot, UvFootprint footprint)
 {
     UvFootprint f = transform_uv(slot, footprint);
-    vec3 place = vec3(wrap_coordinate(f.uv.x, (slot.location >> 25) & 3u),
-                      wrap_coordinate(f.uv.y, (slot.location >> 27) & 3u), float((slot.location >> 4) & 0xfffffu));
     uint size_class = slot.location & 15u;
+    // Of the mip level that is looked at: its texels are as large as the footprint.
+    float texel_uv = max(1.0 / float(256u << size_class), max(length(f.dx), length(f.dy)));
+    float half_texel = min(0.5 * texel_uv, 0.5);
+    vec3 place = vec3(wrap_coordinate(f.uv.x, (slot.location >> 25) & 3u, half_texel),
+                      wrap_coordinate(f.uv.y, (slot.location >> 27) & 3u, half_texel),
+                      float((slot.location >> 4) & 0xfffffu));
     vec4 texel = vec4(1.0);
     if ((TEXTURE_CLASSES & 1u) != 0u && size_class == 0u) {
         texel = textureGrad(texture_class_0, place, f.dx, f.dy);

@@ -25,6 +25,7 @@ struct EdgeConstants {
 struct SeedConstants {
     float pressure; // 0: even, 1: from hair-thin in the light to double in the shade
     float distance_thinning;
+    float pixel_angle; // size of a pixel at distance one
     uint capacity;
 };
 
@@ -38,6 +39,7 @@ struct StrokeConstants {
     uint width;
     uint height;
     float reach_px; // no stroke is wider than twice this
+    vec3 ink_color;
 };
 
 #ifdef __cplusplus

@@ -9,6 +9,7 @@ namespace estampe::contour {
 
 struct ContourStyle {
     bool drawn = true;
+    glm::vec3 ink = style::srgb(0x141318);
     float outline_mm = 0.42F;
     float boundary_mm = 0.24F;
     float crease_mm = 0.26F;
@@ -23,6 +24,7 @@ inline const style::Table<ContourStyle>& contour_table()
     static const auto table =
         style::Table<ContourStyle>("contour", "Ink lines where surfaces end, meet or fold")
             .toggle("drawn", &ContourStyle::drawn, "Whether there are lines at all")
+            .color("ink", &ContourStyle::ink, "Colour of the ink; a material with an outline of its own brings its own")
             .number("outline_mm", &ContourStyle::outline_mm, {0.0F, 20.0F}, "mm", "Width around objects and before what lies behind")
             .number("boundary_mm", &ContourStyle::boundary_mm, {0.0F, 20.0F}, "mm", "Width between materials")
             .number("crease_mm", &ContourStyle::crease_mm, {0.0F, 20.0F}, "mm", "Width along sharp folds")
@@ -42,6 +44,8 @@ struct ContourInputs {
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
     gpu::BufferId draws;
+    gpu::BufferId materials;
+    bool own_outlines = false; ///< some material brings an outline of its own
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
@@ -57,7 +61,7 @@ struct ContourInputs {
 /// Draws lines in screen space: breaks of identity, depth and normal become seeds, placed where the front triangle
 /// ends; jump flooding gives every pixel its nearest seed, and with it an antialiased line of any width.
 ///
-/// Writes  r16f: coverage, 0 paper to 1 ink
+/// Writes  rgba8: square root of the ink's linear colour; coverage in alpha, 0 paper to 1 ink
 /// Cost    two full-screen dispatches, and one for each doubling of the width
 /// Source  Saito and Takahashi, "Comprehensible Rendering of 3-D Shapes", 1990; Rong and Tan, "Jump Flooding", 2006
 [[nodiscard]] gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style);

@@ -6,6 +6,8 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
+#include "shaders/draw_word.glsl"
+#include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/noise.glsl"
 #include "shaders/visibility.glsl"
@@ -22,9 +24,16 @@ layout(binding = 5) uniform sampler2D coordinate_image;
 layout(binding = 6) uniform sampler2D light_image;
 layout(scalar, binding = 7) readonly buffer Count { uint edge_count; };
 layout(scalar, binding = 8) readonly buffer Edges { EdgePixel edges[]; };
-layout(binding = 9, rgba16f) writeonly uniform image2D out_seed; // offset from the pixel's centre; direction * half width
+layout(binding = 9) uniform usampler2D draw_image;
+layout(scalar, binding = 10) readonly buffer Draws { DrawRecord draws[]; };
+layout(scalar, binding = 11) readonly buffer Materials { MaterialRecord materials[]; };
+layout(binding = 12, rgba16f) writeonly uniform image2D out_seed; // offset from the pixel's centre; direction * half width
 
 layout(push_constant, scalar) uniform Constants { SeedConstants constants; };
+
+// Bit 0: some material brings an outline of its own.
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_own_outlines = (variant & 1u) != 0u;
 
 vec2 page_position(vec4 clip) { return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.size_px); }
 
@@ -78,7 +87,7 @@ float pressure_at(ivec2 pixel, float depth)
 }
 
 // Where the line between a pixel and its neighbour runs: offset from the pixel's centre, and direction.
-void place_line(ivec2 pixel, ivec2 way, out vec2 offset, out vec2 direction, out float width_factor)
+void place_line(ivec2 pixel, ivec2 way, inout float width, out vec2 offset, out vec2 direction)
 {
     float depth_here = texelFetch(depth_image, pixel, 0).x;
     float depth_there = texelFetch(depth_image, pixel + way, 0).x;
@@ -88,7 +97,13 @@ void place_line(ivec2 pixel, ivec2 way, out vec2 offset, out vec2 direction, out
     direction = vec2(way.y, way.x);
     exit_of_triangle(front, here_in_front ? pixel + way : pixel, share, direction);
     offset = vec2(way) * (here_in_front ? share : 1.0 - share);
-    width_factor = pressure_at(front, max(depth_here, depth_there));
+    width *= pressure_at(front, max(depth_here, depth_there));
+    uint word = texelFetch(draw_image, front, 0).x;
+    if (has_own_outlines && sees_draw(word)) {
+        float own_m = materials[draws[draw_of(word)].material].outline_width_m;
+        vec3 point = anchor_at(frame, vec2(front) + 0.5, max(max(depth_here, depth_there), 1e-9));
+        width = own_m > 0.0 ? own_m / (distance(point, frame.eye_anchor) * constants.pixel_angle) : width;
+    }
 }
 
 void main()
@@ -107,11 +122,10 @@ void main()
                 continue;
             }
             vec2 side_offset, side_direction;
-            float factor;
-            place_line(pixel, side == 0 ? ivec2(1, 0) : ivec2(0, 1), side_offset, side_direction, factor);
+            place_line(pixel, side == 0 ? ivec2(1, 0) : ivec2(0, 1), side_width, side_offset, side_direction);
             offset += side_offset;
             direction += dot(direction, side_direction) < 0.0 ? -side_direction : side_direction;
-            width = max(width, side_width * factor);
+            width = max(width, side_width);
             found += 1.0;
         }
         direction = length(direction) > 1e-6 ? normalize(direction) : vec2(1.0, 0.0);

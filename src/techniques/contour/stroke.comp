@@ -4,15 +4,25 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/draw_word.glsl"
+#include "shaders/material.glsl.h"
+#include "shaders/mesh.glsl.h"
 #include "techniques/contour/contour.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform usampler2D nearest_image;
 layout(binding = 1) uniform sampler2D seed_image;
-layout(binding = 2, r16f) writeonly uniform image2D out_ink;
+layout(binding = 2) uniform usampler2D draw_image;
+layout(scalar, binding = 3) readonly buffer Draws { DrawRecord draws[]; };
+layout(scalar, binding = 4) readonly buffer Materials { MaterialRecord materials[]; };
+layout(binding = 5, rgba8) writeonly uniform image2D out_ink; // square root of linear colour; coverage
 
 layout(push_constant, scalar) uniform Constants { StrokeConstants constants; };
+
+// Bit 0: some material brings an outline of its own.
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_own_outlines = (variant & 1u) != 0u;
 
 const float half_piece_px = 0.75;
 
@@ -37,6 +47,7 @@ void main()
     }
     vec2 position = vec2(pixel) + 0.5;
     float ink = 0.0;
+    uint inked_by = NO_SEED;
     uint own = texelFetch(nearest_image, pixel, 0).x;
     float own_distance = distance(vec2(pixel), vec2(own & 0xffffu, own >> 16));
     if (own != NO_SEED && own_distance <= constants.reach_px + 2.5) {
@@ -45,9 +56,21 @@ void main()
             ivec2 neighbour = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
             uint seed = texelFetch(nearest_image, clamp(pixel + neighbour, ivec2(0), size - 1), 0).x;
             if (seed != NO_SEED) {
-                ink = max(ink, piece_coverage(position, ivec2(seed & 0xffffu, seed >> 16)));
+                float piece = piece_coverage(position, ivec2(seed & 0xffffu, seed >> 16));
+                inked_by = piece > ink ? seed : inked_by;
+                ink = max(ink, piece);
             }
         }
     }
-    imageStore(out_ink, pixel, vec4(ink));
+    vec3 color = constants.ink_color;
+    // The seed's pixel or its neighbour to the right or below shows the surface that the line goes around.
+    for (int i = 0; has_own_outlines && inked_by != NO_SEED && i < 3; ++i) {
+        ivec2 at = ivec2(inked_by & 0xffffu, inked_by >> 16) + ivec2(i & 1, i >> 1);
+        uint word = texelFetch(draw_image, min(at, size - 1), 0).x;
+        uint material = sees_draw(word) ? draws[draw_of(word)].material : 0u;
+        if (sees_draw(word) && materials[material].outline_width_m > 0.0) {
+            color = materials[material].outline_color;
+        }
+    }
+    imageStore(out_ink, pixel, vec4(sqrt(color), ink));
 }

@@ -44,8 +44,8 @@ void main()
     float dry = clamp(1.0 - constants.ink_break * max(relief - 0.1, 0.0) * 3.0, 0.0, 1.0);
     float sky_ink = wash.a > 0.5 ? 0.0 : 1.0;
     float hatch = max(texelFetch(hatch_image, pixel, 0).x, sky_ink * texelFetch(sky_ink_image, min(pixel, textureSize(sky_ink_image, 0) - 1), 0).x) * dry;
-    float line = texelFetch(line_image, pixel, 0).x * mix(1.0, dry, 0.5);
+    vec4 line = texelFetch(line_image, pixel, 0);
     color = mix(color, constants.ink_color, hatch);
-    color = mix(color, constants.line_color, line);
+    color = mix(color, line.rgb * line.rgb, line.a * mix(1.0, dry, 0.5));
     imageStore(out_picture, pixel, vec4(color, 1.0));
 }

@@ -17,7 +17,6 @@ gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const Paper
                                      .grain = style.grain,
                                      .ink_color = style.ink,
                                      .granulation = style.granulation,
-                                     .line_color = style.line_ink,
                                      .ink_break = style.ink_break,
                                      .seed = static_cast<uint32_t>(style.seed)})
         .dispatch_over(in.size_px.x, in.size_px.y);

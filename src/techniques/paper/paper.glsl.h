@@ -11,7 +11,6 @@ struct PaperConstants {
     float grain;       // relief of the paper, 0 to 1
     vec3 ink_color;
     float granulation; // how far paint settles in the hollows
-    vec3 line_color;
     float ink_break;   // how far ink skips the heights
     uint seed;
 };

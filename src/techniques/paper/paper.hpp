@@ -13,7 +13,6 @@ struct PaperStyle {
     float grain = 0.55F;
     float granulation = 0.5F;
     glm::vec3 ink = style::srgb(0x1c1a20);
-    glm::vec3 line_ink = style::srgb(0x141318);
     float ink_break = 0.25F;
     int seed = 1;
 };
@@ -28,7 +27,6 @@ inline const style::Table<PaperStyle>& paper_table()
             .number("grain", &PaperStyle::grain, {0.0F, 1.0F}, "", "Relief of the paper")
             .number("granulation", &PaperStyle::granulation, {0.0F, 1.0F}, "", "How far paint settles in the hollows")
             .color("ink", &PaperStyle::ink, "Ink of the strokes")
-            .color("line_ink", &PaperStyle::line_ink, "Ink of the contours")
             .number("ink_break", &PaperStyle::ink_break, {0.0F, 1.0F}, "", "How far ink skips the heights of the paper")
             .integer("seed", &PaperStyle::seed, {0, 1000000}, "", "Another number, another sheet");
     return table;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -39,17 +40,32 @@ T value_or(const std::vector<T>& values, size_t index, const T& otherwise)
     return index < values.size() ? values[index] : otherwise;
 }
 
+/// Weights in 16 bits that still sum to one: the largest takes what rounding lost.
+std::array<uint32_t, 8> round_weights(const glm::vec4& weights_0, const glm::vec4& weights_1)
+{
+    std::array<uint32_t, 8> rounded{};
+    for (int i = 0; i < 8; ++i) {
+        const float weight = i < 4 ? weights_0[i] : weights_1[i - 4];
+        rounded[static_cast<size_t>(i)] = static_cast<uint32_t>(std::lround(std::clamp(weight, 0.0F, 1.0F) * 65535.0F));
+    }
+    const uint32_t sum = std::accumulate(rounded.begin(), rounded.end(), 0U);
+    auto& largest = *std::max_element(rounded.begin(), rounded.end());
+    const bool is_rounding = sum + 8 >= 65535U && sum <= 65535U + 8;
+    largest = is_rounding ? largest + 65535U - sum : largest;
+    return rounded;
+}
+
 shared::SkinVertex pack_influences(const Primitive& primitive, size_t vertex)
 {
     const auto joints_0 = value_or(primitive.joints_0, vertex, glm::u16vec4(0));
     const auto joints_1 = value_or(primitive.joints_1, vertex, glm::u16vec4(0));
-    const auto weights_0 = value_or(primitive.weights_0, vertex, glm::vec4(0.0F));
-    const auto weights_1 = value_or(primitive.weights_1, vertex, glm::vec4(0.0F));
+    const auto weights = round_weights(value_or(primitive.weights_0, vertex, glm::vec4(0.0F)),
+                                       value_or(primitive.weights_1, vertex, glm::vec4(0.0F)));
     const auto pair = [](uint32_t low, uint32_t high) { return low | high << 16U; };
     return {.joints = {pair(joints_0.x, joints_0.y), pair(joints_0.z, joints_0.w), pair(joints_1.x, joints_1.y),
                        pair(joints_1.z, joints_1.w)},
-            .weights = {glm::packUnorm2x16({weights_0.x, weights_0.y}), glm::packUnorm2x16({weights_0.z, weights_0.w}),
-                        glm::packUnorm2x16({weights_1.x, weights_1.y}), glm::packUnorm2x16({weights_1.z, weights_1.w})}};
+            .weights = {pair(weights[0], weights[1]), pair(weights[2], weights[3]), pair(weights[4], weights[5]),
+                        pair(weights[6], weights[7])}};
 }
 
 /// Where a primitive's vertices have been put, so that nodes that share a mesh share its vertices.
@@ -203,7 +219,8 @@ private:
             data_.stroke_coordinates.emplace_back((world - data_.anchor) / data_.stroke_unit_m);
         }
         const Material& material = scene_.materials[primitive.material];
-        const bool mirrored = joints.empty() && glm::determinant(glm::dmat3(place)) < 0.0;
+        const bool is_skinned = draw.first_skin_vertex != shared::no_skin;
+        const bool mirrored = glm::determinant(is_skinned ? glm::dmat3(joints.front()) : glm::dmat3(place)) < 0.0;
         const uint32_t flags = index | (mirrored ? shared::triangle_mirrored : 0U) |
                                (material.double_sided ? shared::triangle_two_sided : 0U);
         auto& list = material.alpha_mode == AlphaMode::opaque ? opaque_

@@ -65,7 +65,8 @@ void main()
     mat3 linear = mat3(place);
     // The cofactor matrix turns normals as the inverse transpose does, and survives a flattening scale.
     mat3 cofactor = mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
-    vec3 turned = cofactor * normal;
+    // A mirroring would point them inwards: its determinant is negative.
+    vec3 turned = cofactor * normal * (dot(linear[0], cofactor[0]) < 0.0 ? -1.0 : 1.0);
     float turned_length = length(turned);
     turned = turned_length > 0.0 ? turned / turned_length : vec3(0.0, 1.0, 0.0);
     posed_vertices[index].position = posed.xyz;

@@ -97,6 +97,7 @@ SceneNeeds scene_needs(const Scene& scene)
     for (const Material& material : scene.materials) {
         needs.normal_maps |= material.normal_texture.texture != no_index;
         needs.second_uvs |= material.normal_texture.uv_set != 0 || material.base_color_texture.uv_set != 0;
+        needs.own_outlines |= material.toon && material.toon->outline_width_m > 0.0F;
         needs.emissive |= material.emissive != glm::vec3(0.0F);
     }
     needs.moves = !scene.animations.empty() || !scene.skins.empty();
@@ -122,7 +123,8 @@ std::vector<shared::MaterialRecord> material_records(const Scene& scene, const T
                            .emissive = material.emissive,
                            .normal_scale = material.normal_scale,
                            .alpha_cutoff = material.alpha_cutoff,
-                           .outline_scale = 1.0F,
+                           .outline_width_m = material.toon ? material.toon->outline_width_m : 0.0F,
+                           .outline_color = material.toon ? material.toon->outline_color : glm::vec3(0.0F),
                            .flags = flags_of(material),
                            .base_texture = slot(scene, plan, base),
                            .normal_texture = slot(scene, plan, material.normal_texture)});
@@ -131,7 +133,6 @@ std::vector<shared::MaterialRecord> material_records(const Scene& scene, const T
     records.push_back({.base_color = glm::vec4(1.0F),
                        .mean_color = glm::vec3(1.0F),
                        .shade_color = glm::vec3(1.0F),
-                       .outline_scale = 1.0F,
                        .flags = shared::material_paper,
                        .base_texture = none,
                        .normal_texture = none});

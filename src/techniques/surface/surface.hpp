@@ -21,6 +21,7 @@ struct SceneNeeds {
     UvStrokes uv_strokes = UvStrokes::never;
     bool second_uvs = false;
     bool emissive = false;
+    bool own_outlines = false; ///< some material brings an outline of its own
     bool moves = false; ///< has animations, skins or morph targets
 };
 
