@@ -13,9 +13,11 @@ namespace estampe {
 /// `where` is a file, `file:line:column`, or `file#/json/pointer`; it may be empty.
 class Error : public std::runtime_error {
 public:
-    explicit Error(const std::string& what_failed, const std::string& where = {}, const std::string& remedy = {});
+    explicit Error(const std::string& what_failed, const std::string& where = {},
+                   const std::string& remedy = {});
 
     [[nodiscard]] const std::string& where() const noexcept { return where_; }
+
     [[nodiscard]] const std::string& remedy() const noexcept { return remedy_; }
 
 private:

@@ -14,6 +14,7 @@ struct Image {
     std::vector<uint8_t> rgba; ///< width * height * 4 bytes
 
     [[nodiscard]] bool empty() const noexcept { return rgba.empty(); }
+
     bool operator==(const Image&) const = default;
 };
 
@@ -21,7 +22,8 @@ struct Image {
 /// Throws Error when the folder cannot be written or the image is empty. Cost: about 10 ms a megapixel.
 void save_png(const Image& image, const std::filesystem::path& path);
 
-/// Reads a PNG, JPEG or WebP file into an Image. Throws Error naming the file when it is missing, truncated or too large.
+/// Reads a PNG, JPEG or WebP file into an Image. Throws Error naming the file when it is missing, truncated
+/// or too large.
 [[nodiscard]] Image load_image(const std::filesystem::path& path);
 
 } // namespace estampe

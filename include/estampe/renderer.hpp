@@ -14,21 +14,23 @@
 namespace estampe {
 
 struct DeviceInfo {
-    uint32_t index = 0;      ///< what `--device N` takes
-    std::string name;        ///< "NVIDIA H200", "llvmpipe (LLVM 15.0.6, 256 bits)"
-    std::string driver;      ///< driver name and version
-    bool software = false;   ///< runs on the processor
+    uint32_t index = 0;    ///< what `--device N` takes
+    std::string name;      ///< "NVIDIA H200", "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string driver;    ///< driver name and version
+    bool software = false; ///< runs on the processor
     bool usable = true;
-    std::string why_not;     ///< what it lacks, when it is not usable
+    std::string why_not; ///< what it lacks, when it is not usable
 };
 
 /// The Vulkan devices of this machine, in the loader's order. Empty when there is no driver at all.
 [[nodiscard]] std::vector<DeviceInfo> list_devices();
 
-/// Which device draws: "auto" (a GPU if there is one, else the processor), "cpu", or an index of list_devices().
+/// Which device draws: "auto" (a GPU if there is one, else the processor), "cpu", or an index of
+/// list_devices().
 struct RendererOptions {
     std::string device = "auto";
-    bool validation = false; ///< Khronos validation with synchronization validation; needs the layer installed
+    bool validation =
+        false; ///< Khronos validation with synchronization validation; needs the layer installed
     /// Receives each validation message, from any thread; without it they go to stderr.
     std::function<void(const std::string&)> on_validation_message;
 };
@@ -36,8 +38,8 @@ struct RendererOptions {
 struct RenderSettings {
     uint32_t width = 1280;
     uint32_t height = 720;
-    uint32_t samples = 1;  ///< sub-pixel jittered frames to accumulate
-    double time_s = 0.0;   ///< moment of the scene's animation
+    uint32_t samples = 1; ///< sub-pixel jittered frames to accumulate
+    double time_s = 0.0;  ///< moment of the scene's animation
     Index animation = 0;
 };
 
@@ -60,7 +62,8 @@ public:
 
     [[nodiscard]] const DeviceInfo& device() const;
 
-    /// Uploads `scene`; it replaces the one before. Throws Error when it does not fit the device's memory or limits.
+    /// Uploads `scene`; it replaces the one before. Throws Error when it does not fit the device's memory or
+    /// limits.
     void set_scene(const Scene& scene);
 
     /// Draws the scene. The same scene, camera, style and settings give the same bytes on the same device.

@@ -27,7 +27,8 @@ enum class Wrap : uint8_t { repeat, clamp, mirror };
 
 struct Texture {
     std::string name;
-    Image image; ///< never empty after a load: a missing texture is replaced by one white pixel, with a warning
+    Image
+        image; ///< never empty after a load: a missing texture is replaced by one white pixel, with a warning
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
 };
@@ -75,14 +76,15 @@ struct MorphTarget {
     std::vector<glm::vec3> normal_offsets;   ///< empty, or one per vertex
 };
 
-/// One drawable piece of a mesh. Every array is empty or has one entry per vertex; strips, fans and loops have been
-/// turned into plain lists. Triangles always have normals after a load.
+/// One drawable piece of a mesh. Every array is empty or has one entry per vertex; strips, fans and loops
+/// have been turned into plain lists. Triangles always have normals after a load.
 struct Primitive {
     Topology topology = Topology::triangles;
     Index material = 0;
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
-    std::vector<glm::vec4> tangents; ///< xyz, and the sign of the bitangent in w; computed when a normal map needs them
+    std::vector<glm::vec4>
+        tangents; ///< xyz, and the sign of the bitangent in w; computed when a normal map needs them
     std::array<std::vector<glm::vec2>, 2> uvs;
     std::vector<glm::vec4> colors;
     std::vector<glm::u16vec4> joints_0, joints_1; ///< up to eight influences
@@ -114,14 +116,15 @@ struct Node {
     Index skin = no_index;
     Index camera = no_index;
     Index light = no_index;
-    std::vector<float> morph_weights;   ///< empty: the mesh's own
-    std::vector<glm::mat4> instances;   ///< EXT_mesh_gpu_instancing: node_from_instance; empty means one, identity
+    std::vector<float> morph_weights; ///< empty: the mesh's own
+    std::vector<glm::mat4>
+        instances; ///< EXT_mesh_gpu_instancing: node_from_instance; empty means one, identity
 };
 
 struct Skin {
     std::string name;
-    std::vector<Index> joints;                 ///< nodes
-    std::vector<glm::mat4> joint_from_bind;    ///< inverse bind matrices, one per joint
+    std::vector<Index> joints;              ///< nodes
+    std::vector<glm::mat4> joint_from_bind; ///< inverse bind matrices, one per joint
 };
 
 enum class LightType : uint8_t { directional, point, spot };
@@ -153,8 +156,9 @@ struct AnimationChannel {
     Index node = no_index;
     AnimatedPath path = AnimatedPath::translation;
     Interpolation interpolation = Interpolation::linear;
-    std::vector<float> times_s;  ///< ascending
-    std::vector<float> values;   ///< 3, 4 (x, y, z, w) or target-count floats a key; three times that for cubic splines
+    std::vector<float> times_s; ///< ascending
+    std::vector<float>
+        values; ///< 3, 4 (x, y, z, w) or target-count floats a key; three times that for cubic splines
 };
 
 struct Animation {
@@ -181,8 +185,9 @@ struct Scene {
 
 /// Reads a scene: .gltf and .glb, and .obj .ply .stl .fbx .dae.
 ///
-/// Throws Error naming file and place (a JSON pointer or a byte offset) when the file is broken beyond repair; what can
-/// be repaired is, and is listed in `Scene::warnings`. Never allocates more than a small multiple of the file's size.
+/// Throws Error naming file and place (a JSON pointer or a byte offset) when the file is broken beyond
+/// repair; what can be repaired is, and is listed in `Scene::warnings`. Never allocates more than a small
+/// multiple of the file's size.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& path);
 
 /// The scene at a moment: every node's place, and every node's morph weights.
@@ -191,21 +196,29 @@ struct ScenePose {
     std::vector<std::vector<float>> morph_weights; ///< per node; empty without morph targets
 };
 
-/// Evaluates the hierarchy at `time_s` of animation `animation` (looping; no_index, or no animation: the rest pose).
-/// Cost: linear in nodes and channels.
+/// Evaluates the hierarchy at `time_s` of animation `animation` (looping; no_index, or no animation: the rest
+/// pose). Cost: linear in nodes and channels.
 [[nodiscard]] ScenePose pose_scene(const Scene& scene, double time_s, Index animation = 0);
 
 struct Bounds {
     glm::dvec3 min{std::numeric_limits<double>::infinity()};
     glm::dvec3 max{-std::numeric_limits<double>::infinity()};
 
-    void extend(const glm::dvec3& point) { min = glm::min(min, point); max = glm::max(max, point); }
+    void extend(const glm::dvec3& point)
+    {
+        min = glm::min(min, point);
+        max = glm::max(max, point);
+    }
+
     [[nodiscard]] bool empty() const { return !(min.x <= max.x); }
+
     [[nodiscard]] glm::dvec3 center() const { return 0.5 * (min + max); }
+
     [[nodiscard]] double radius() const { return empty() ? 0.0 : 0.5 * glm::length(max - min); }
 };
 
-/// World bounds of all vertices in `pose`, skinned and morphed (exactly, on the CPU). Cost: linear in vertices.
+/// World bounds of all vertices in `pose`, skinned and morphed (exactly, on the CPU). Cost: linear in
+/// vertices.
 [[nodiscard]] Bounds scene_bounds(const Scene& scene, const ScenePose& pose);
 
 /// Where the picture is taken from, in world space.
@@ -218,16 +231,17 @@ struct Camera {
     double near_m = 0.01;
 };
 
-/// The camera of the file named `name`, placed by `pose`; a number picks by index. Throws Error listing the names there are.
+/// The camera of the file named `name`, placed by `pose`; a number picks by index. Throws Error listing the
+/// names there are.
 [[nodiscard]] Camera scene_camera(const Scene& scene, const ScenePose& pose, const std::string& name);
 
-/// Frames the whole scene as a person would: three-quarter view from slightly above, whole, with a margin; inside a
-/// closed room it looks through the wall that faces it. `aspect` is width / height.
+/// Frames the whole scene as a person would: three-quarter view from slightly above, whole, with a margin;
+/// inside a closed room it looks through the wall that faces it. `aspect` is width / height.
 [[nodiscard]] Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect);
 
-/// Reads "eye=x,y,z target=x,y,z [fov=degrees] [up=x,y,z] [ortho=half_height]", in any order, separated by blanks.
-/// `fov` is vertical, 1 to 170; `ortho` makes a parallel projection, half its height in metres. Throws Error saying
-/// which part is wrong and what is allowed.
+/// Reads "eye=x,y,z target=x,y,z [fov=degrees] [up=x,y,z] [ortho=half_height]", in any order, separated by
+/// blanks. `fov` is vertical, 1 to 170; `ortho` makes a parallel projection, half its height in metres.
+/// Throws Error saying which part is wrong and what is allowed.
 [[nodiscard]] Camera parse_camera(const std::string& text);
 
 } // namespace estampe

@@ -24,8 +24,8 @@ public:
     Style& operator=(const Style&);
     Style& operator=(Style&&) noexcept;
 
-    /// Reads a TOML file, or the preset of that name. Throws Error with file:line:column, the key, what is allowed,
-    /// and the nearest known key for an unknown one.
+    /// Reads a TOML file, or the preset of that name. Throws Error with file:line:column, the key, what is
+    /// allowed, and the nearest known key for an unknown one.
     [[nodiscard]] static Style load(const std::string& file_or_preset);
 
     /// Applies one assignment, "hatch.contrast=12". Throws Error as load() does.
@@ -41,6 +41,7 @@ public:
     [[nodiscard]] static std::vector<std::string> presets();
 
     [[nodiscard]] const frame::StyleTables& tables() const { return *tables_; }
+
     [[nodiscard]] frame::StyleTables& tables() { return *tables_; }
 
 private:

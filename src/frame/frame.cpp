@@ -51,8 +51,8 @@ std::vector<raster::Batch> solid_batches(const pose::MeshData& layout, bool with
 
 } // namespace
 
-void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResources& resources, const FramePlan& plan,
-                   const StyleTables& style)
+void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResources& resources,
+                   const FramePlan& plan, const StyleTables& style)
 {
     pose::MeshBuffers& meshes = resources.meshes;
     const auto frame = import_buffer(graph, "frame", resources.frame_globals);
@@ -69,15 +69,16 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     // Pose: whatever moves writes vertices.
     auto posed_vertices = import_buffer(graph, "posed vertices", meshes.posed_vertices[0]);
     if (plan.pose_moved) {
-        posed_vertices = pose::add_pose(graph,
-                                        {.draws = draws,
-                                         .draw_of_vertex = import_buffer(graph, "draw of vertex", meshes.draw_of_vertex),
-                                         .rest_vertices = rest_vertices,
-                                         .skin_vertices = import_buffer(graph, "skin vertices", meshes.skin_vertices),
-                                         .morph_offsets = import_buffer(graph, "morph offsets", meshes.morph_offsets),
-                                         .joints = import_buffer(graph, "joints", meshes.joints),
-                                         .morph_weights = import_buffer(graph, "morph weights", meshes.morph_weights)},
-                                        posed_vertices, meshes.vertex_count);
+        posed_vertices =
+            pose::add_pose(graph,
+                           {.draws = draws,
+                            .draw_of_vertex = import_buffer(graph, "draw of vertex", meshes.draw_of_vertex),
+                            .rest_vertices = rest_vertices,
+                            .skin_vertices = import_buffer(graph, "skin vertices", meshes.skin_vertices),
+                            .morph_offsets = import_buffer(graph, "morph offsets", meshes.morph_offsets),
+                            .joints = import_buffer(graph, "joints", meshes.joints),
+                            .morph_weights = import_buffer(graph, "morph weights", meshes.morph_weights)},
+                           posed_vertices, meshes.vertex_count);
     }
 
     // Visibility: rasterisation only writes identities.
@@ -88,11 +89,9 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                              .materials = materials,
                                              .textures = textures,
                                              .texture_classes = plan.needs.texture_classes};
-    const auto visibility =
-        raster::add_visibility(graph, "visibility", raster_inputs, solid_batches(layout, plan.ground_drawn),
-                               {.clip_from_anchor = plan.clip_from_anchor,
-                                .size_px = size_px,
-                                .tuning = plan.raster});
+    const auto visibility = raster::add_visibility(
+        graph, "visibility", raster_inputs, solid_batches(layout, plan.ground_drawn),
+        {.clip_from_anchor = plan.clip_from_anchor, .size_px = size_px, .tuning = plan.raster});
 
     // Surface: what is seen at each pixel.
     const auto surface = surface::add_resolve(
@@ -113,22 +112,24 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const bool has_screen = layout.blended.count > 0;
     const auto screen =
         !has_screen ? screen::add_no_screen(graph)
-                    : screen::add_screen(
-                          graph, {.frame = frame,
-                                  .solid_visibility = visibility,
-                                  .screen_visibility = raster::add_visibility(
-                                      graph, "screen", raster_inputs, {batch(layout.blended)},
-                                      {.clip_from_anchor = plan.clip_from_anchor, .size_px = size_px, .tuning = plan.raster}),
-                                  .triangles = triangles,
-                                  .posed_vertices = posed_vertices,
-                                  .draws = draws,
-                                  .rest_vertices = rest_vertices,
-                                  .materials = materials,
-                                  .textures = textures,
-                                  .texture_classes = plan.needs.texture_classes,
-                                  .size_px = size_px});
+                    : screen::add_screen(graph, {.frame = frame,
+                                                 .solid_visibility = visibility,
+                                                 .screen_visibility = raster::add_visibility(
+                                                     graph, "screen", raster_inputs, {batch(layout.blended)},
+                                                     {.clip_from_anchor = plan.clip_from_anchor,
+                                                      .size_px = size_px,
+                                                      .tuning = plan.raster}),
+                                                 .triangles = triangles,
+                                                 .posed_vertices = posed_vertices,
+                                                 .draws = draws,
+                                                 .rest_vertices = rest_vertices,
+                                                 .materials = materials,
+                                                 .textures = textures,
+                                                 .texture_classes = plan.needs.texture_classes,
+                                                 .size_px = size_px});
 
-    // Shadow: how far the sun sees, drawn only when it moved or something did. The ground receives but does not throw.
+    // Shadow: how far the sun sees, drawn only when it moved or something did. The ground receives but does
+    // not throw.
     auto shadow_map = import_buffer(graph, "shadow", resources.shadow_map);
     if (plan.redraw_shadow) {
         shadow_map = raster::add_depth(graph, "shadow", raster_inputs, solid_batches(layout, false),
@@ -216,12 +217,17 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                      style.wash);
 
     // Compose: the layers on paper.
-    const auto picture = paper::add_compose(
-        graph, {.frame = frame, .wash = wash, .hatch = hatch, .lines = lines, .sky_ink = sky.ink, .size_px = size_px},
-        style.paper);
-    const auto developed =
-        paper::add_develop(graph, picture, import_buffer(graph, "sums", resources.sums),
-                           graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y}), size_px, plan.accumulation);
+    const auto picture = paper::add_compose(graph,
+                                            {.frame = frame,
+                                             .wash = wash,
+                                             .hatch = hatch,
+                                             .lines = lines,
+                                             .sky_ink = sky.ink,
+                                             .size_px = size_px},
+                                            style.paper);
+    const auto developed = paper::add_develop(
+        graph, picture, import_buffer(graph, "sums", resources.sums),
+        graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y}), size_px, plan.accumulation);
 
     // Read-back: the picture for the processor.
     const auto read_back = import_buffer(graph, "read-back", resources.pixels);

@@ -37,7 +37,7 @@ struct FramePlan {
     bool has_local_lights = false;
     bool ground_drawn = false;
     bool sky_drawn = false;
-    uint32_t shadow_size = 0; ///< texels a side; 0 for no shadow
+    uint32_t shadow_size = 0;  ///< texels a side; 0 for no shadow
     bool pose_moved = true;    ///< the posed vertices are not yet those of this moment
     bool redraw_shadow = true; ///< the shadow map is not yet that of this moment
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
@@ -46,7 +46,7 @@ struct FramePlan {
 };
 
 /// Declares one frame, top to bottom.
-void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResources& resources, const FramePlan& plan,
-                   const StyleTables& style);
+void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResources& resources,
+                   const FramePlan& plan, const StyleTables& style);
 
 } // namespace estampe::frame

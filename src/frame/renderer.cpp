@@ -64,15 +64,17 @@ gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const T* items,
 /// Side of the shadow map: the style's, or about a texel a pixel.
 uint32_t shadow_size(const light::LightStyle& style, const RenderSettings& settings)
 {
-    return style.shadow_size > 0 ? static_cast<uint32_t>(style.shadow_size)
-                                 : std::clamp(std::bit_ceil(std::max(settings.width, settings.height)), 512U, 4096U);
+    return style.shadow_size > 0
+               ? static_cast<uint32_t>(style.shadow_size)
+               : std::clamp(std::bit_ceil(std::max(settings.width, settings.height)), 512U, 4096U);
 }
 
 surface::UvStrokes uv_strokes(const pose::MeshData& layout, hatch::Coordinates coordinates)
 {
-    const bool some_usable = std::any_of(layout.draws.begin(), layout.draws.end(), [](const shared::DrawRecord& draw) {
-        return (draw.flags & shared::draw_follows_uv) != 0;
-    });
+    const bool some_usable =
+        std::any_of(layout.draws.begin(), layout.draws.end(), [](const shared::DrawRecord& draw) {
+            return (draw.flags & shared::draw_follows_uv) != 0;
+        });
     switch (coordinates) {
     case hatch::Coordinates::uv:
         return surface::UvStrokes::wherever_present;
@@ -126,8 +128,9 @@ void Renderer::Impl::check_size(const RenderSettings& settings) const
 {
     const uint32_t limit = std::min(device.limits().maxImageDimension2D, 16384U);
     if (settings.width == 0 || settings.height == 0 || settings.width > limit || settings.height > limit) {
-        throw Error(fmt::format("a picture of {} x {} pixels cannot be drawn", settings.width, settings.height),
-                    "size", fmt::format("{} draws from 1 x 1 to {} x {}", device.info().name, limit, limit));
+        throw Error(
+            fmt::format("a picture of {} x {} pixels cannot be drawn", settings.width, settings.height),
+            "size", fmt::format("{} draws from 1 x 1 to {} x {}", device.info().name, limit, limit));
     }
     if (settings.samples == 0) {
         throw Error("a picture needs at least one sample", "samples");
@@ -188,9 +191,10 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
                         (style.picture.ground == frame::Ground::automatic && !is_composed);
     plan.sky_drawn =
         style.sky.mode == sky::SkyMode::drawn || (style.sky.mode == sky::SkyMode::automatic && is_outdoors);
-    plan.shadow_size = style.light.shadows && lighting.directional_count > 0 && lighting.towards_sun.y > -0.999
-                           ? shadow_size(style.light, settings)
-                           : 0U;
+    plan.shadow_size =
+        style.light.shadows && lighting.directional_count > 0 && lighting.towards_sun.y > -0.999
+            ? shadow_size(style.light, settings)
+            : 0U;
     plan.needs = loaded->needs;
     plan.needs.uv_strokes = uv_strokes(loaded->layout, style.hatch.coordinates);
     plan.has_local_lights = lighting.records.size() > lighting.directional_count;
@@ -200,7 +204,8 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
     return plan;
 }
 
-void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style, frame::FramePlan& plan)
+void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style,
+                                 frame::FramePlan& plan)
 {
     const shared::FrameGlobals globals = frame::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
@@ -238,16 +243,16 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     const light::Lighting lighting =
         light::gather_lights(impl.loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light);
     frame::FramePlan plan = impl.plan(lighting, tables, camera, settings);
-    const shared::LightGlobals light_globals{
-        .shadow_clip_from_anchor = plan.sun.clip_from_anchor,
-        .sky_ambient = lighting.ambient * 1.25F,
-        .shadow_texel_m = plan.sun.texel_m,
-        .ground_ambient = lighting.ambient * 0.75F,
-        .shadow_size = plan.shadow_size,
-        .directional_count = lighting.directional_count,
-        .local_count = static_cast<uint32_t>(lighting.records.size()) - lighting.directional_count,
-        .shadow_depth_m = plan.sun.depth_m,
-        .falloff = tables.light.falloff};
+    const shared::LightGlobals light_globals{.shadow_clip_from_anchor = plan.sun.clip_from_anchor,
+                                             .sky_ambient = lighting.ambient * 1.25F,
+                                             .shadow_texel_m = plan.sun.texel_m,
+                                             .ground_ambient = lighting.ambient * 0.75F,
+                                             .shadow_size = plan.shadow_size,
+                                             .directional_count = lighting.directional_count,
+                                             .local_count = static_cast<uint32_t>(lighting.records.size()) -
+                                                            lighting.directional_count,
+                                             .shadow_depth_m = plan.sun.depth_m,
+                                             .falloff = tables.light.falloff};
     impl.light_globals = mapped_buffer(impl.device, "lighting", &light_globals, 1);
     impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {

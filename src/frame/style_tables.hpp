@@ -20,11 +20,12 @@ struct PictureStyle {
 
 inline const style::Table<PictureStyle>& picture_table()
 {
-    static const auto table = style::Table<PictureStyle>("picture", "What stands on the page")
-                                  .choice("ground", &PictureStyle::ground,
-                                          {{"auto", Ground::automatic}, {"drawn", Ground::drawn}, {"none", Ground::none}},
-                                          "A blank ground that takes the scene's shadow: drawn, none, or (auto) where the "
-                                          "scene brings no camera of its own");
+    static const auto table =
+        style::Table<PictureStyle>("picture", "What stands on the page")
+            .choice("ground", &PictureStyle::ground,
+                    {{"auto", Ground::automatic}, {"drawn", Ground::drawn}, {"none", Ground::none}},
+                    "A blank ground that takes the scene's shadow: drawn, none, or (auto) where the "
+                    "scene brings no camera of its own");
     return table;
 }
 

@@ -54,10 +54,12 @@ shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds, c
 {
     const double aspect = static_cast<double>(settings.size_px.x) / settings.size_px.y;
     const bool is_parallel = camera.orthographic_half_height_m.has_value();
-    const glm::dmat4 clip_from_view = is_parallel ? parallel(camera, aspect, bounds) : perspective(camera, aspect);
+    const glm::dmat4 clip_from_view =
+        is_parallel ? parallel(camera, aspect, bounds) : perspective(camera, aspect);
     const glm::dmat4 view_from_anchor = glm::lookAt(camera.eye - anchor, camera.target - anchor, camera.up);
     const glm::dvec3 shift(2.0 * settings.jitter_px / glm::dvec2(settings.size_px), 0.0);
-    const glm::dmat4 clip_from_anchor = glm::translate(glm::dmat4(1.0), shift) * clip_from_view * view_from_anchor;
+    const glm::dmat4 clip_from_anchor =
+        glm::translate(glm::dmat4(1.0), shift) * clip_from_view * view_from_anchor;
     return {.clip_from_anchor = glm::mat4(clip_from_anchor),
             .anchor_from_clip = glm::mat4(glm::inverse(clip_from_anchor)),
             .eye_anchor = glm::vec3(camera.eye - anchor),
@@ -71,7 +73,8 @@ shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds, c
 
 float pixel_angle(const Camera& camera, uint32_t height_px)
 {
-    const double height = camera.orthographic_half_height_m.has_value() ? 0.02 : 2.0 * std::tan(0.5 * camera.vertical_fov_rad);
+    const double height =
+        camera.orthographic_half_height_m.has_value() ? 0.02 : 2.0 * std::tan(0.5 * camera.vertical_fov_rad);
     return static_cast<float>(height / height_px);
 }
 

@@ -14,10 +14,10 @@ struct ViewSettings {
     double page_height_mm = 150.0;
 };
 
-/// Camera matrices in reversed z: infinite far plane in perspective; in parallel projection a depth that holds `bounds`.
-/// Positions are taken relative to `anchor` in double precision before they become floats.
-[[nodiscard]] shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds, const glm::dvec3& anchor,
-                                                 const ViewSettings& settings);
+/// Camera matrices in reversed z: infinite far plane in perspective; in parallel projection a depth that
+/// holds `bounds`. Positions are taken relative to `anchor` in double precision before they become floats.
+[[nodiscard]] shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds,
+                                                 const glm::dvec3& anchor, const ViewSettings& settings);
 
 /// Size of a pixel at distance one, or relative to the scene in parallel projection.
 [[nodiscard]] float pixel_angle(const Camera& camera, uint32_t height_px);

@@ -58,7 +58,8 @@ VkInstance make_instance(const void* next, bool validation)
     VkInstance instance = VK_NULL_HANDLE;
     const VkResult result = vkCreateInstance(&info, nullptr, &instance);
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER) {
-        throw Error("no Vulkan driver on this machine", "", "install mesa-vulkan-drivers to draw on the processor");
+        throw Error("no Vulkan driver on this machine", "",
+                    "install mesa-vulkan-drivers to draw on the processor");
     }
     vk_check(result, "vkCreateInstance");
     volkLoadInstance(instance);
@@ -68,7 +69,8 @@ VkInstance make_instance(const void* next, bool validation)
 } // namespace
 
 Device::Device(const RendererOptions& options)
-    : on_validation_message_(std::make_unique<std::function<void(const std::string&)>>(options.on_validation_message))
+    : on_validation_message_(
+          std::make_unique<std::function<void(const std::string&)>>(options.on_validation_message))
 {
     create_instance(options.validation);
     pick_physical(options.device);
@@ -96,7 +98,8 @@ void Device::create_instance(bool validation)
 {
     load_vulkan();
     if (validation && !has_validation_layer()) {
-        throw Error("validation was asked for, but its layer is not installed", "", "install vulkan-validationlayers");
+        throw Error("validation was asked for, but its layer is not installed", "",
+                    "install vulkan-validationlayers");
     }
     const VkDebugUtilsMessengerCreateInfoEXT messenger_info{
         .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,

@@ -14,7 +14,8 @@ namespace estampe::gpu {
 
 /// One Vulkan device with one queue, which does everything: compute, copies, and raster where it is used.
 ///
-/// Needs Vulkan 1.3 with 64-bit buffer atomics and scalar block layout; throws Error saying what a device lacks.
+/// Needs Vulkan 1.3 with 64-bit buffer atomics and scalar block layout; throws Error saying what a device
+/// lacks.
 class Device {
 public:
     explicit Device(const RendererOptions& options);
@@ -23,12 +24,19 @@ public:
     Device& operator=(const Device&) = delete;
 
     [[nodiscard]] VkDevice handle() const { return device_; }
+
     [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
+
     [[nodiscard]] VkQueue queue() const { return queue_; }
+
     [[nodiscard]] uint32_t queue_family() const { return queue_family_; }
+
     [[nodiscard]] const DeviceInfo& info() const { return info_; }
+
     [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return limits_; }
+
     [[nodiscard]] double timestamp_period_ns() const { return limits_.timestampPeriod; }
+
     [[nodiscard]] MemoryAllocator& memory() { return *memory_; }
 
     /// Runs `commands` and waits until the GPU is done. Throws Error when the device is lost.
@@ -51,7 +59,8 @@ private:
     uint32_t queue_family_ = 0;
     DeviceInfo info_;
     VkPhysicalDeviceLimits limits_{};
-    std::unique_ptr<std::function<void(const std::string&)>> on_validation_message_; ///< stays put for the messenger
+    std::unique_ptr<std::function<void(const std::string&)>>
+        on_validation_message_; ///< stays put for the messenger
     std::unique_ptr<MemoryAllocator> memory_;
 };
 

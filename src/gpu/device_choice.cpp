@@ -116,15 +116,18 @@ const Candidate& choose(const std::vector<Candidate>& candidates, const std::str
         const auto [end, failure] = std::from_chars(choice.data(), choice.data() + choice.size(), index);
         const bool is_number = failure == std::errc{} && end == choice.data() + choice.size();
         if (!is_number) {
-            throw Error(fmt::format("\"{}\" is no device", choice), "device", "use auto, cpu or a number of 'estampe devices'");
+            throw Error(fmt::format("\"{}\" is no device", choice), "device",
+                        "use auto, cpu or a number of 'estampe devices'");
         }
-        const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
-            return candidate.info.index == index && candidate.info.usable;
-        });
+        const auto found =
+            std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+                return candidate.info.index == index && candidate.info.usable;
+            });
         best = found == candidates.end() ? nullptr : &*found;
     }
     if (best == nullptr) {
-        throw Error(fmt::format("no usable Vulkan device for \"{}\"", choice), "device", describe(candidates));
+        throw Error(fmt::format("no usable Vulkan device for \"{}\"", choice), "device",
+                    describe(candidates));
     }
     return *best;
 }

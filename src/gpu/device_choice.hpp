@@ -23,7 +23,8 @@ void load_vulkan();
 /// All devices of `instance`, judged: usable, or why not.
 [[nodiscard]] std::vector<Candidate> list_candidates(VkInstance instance);
 
-/// Picks by "auto" (discrete GPU, other GPU, processor), "cpu" or an index. Throws Error listing what there is.
+/// Picks by "auto" (discrete GPU, other GPU, processor), "cpu" or an index. Throws Error listing what there
+/// is.
 [[nodiscard]] const Candidate& choose(const std::vector<Candidate>& candidates, const std::string& choice);
 
 /// The feature chain we need, to be asked of a device or enabled on it.

@@ -55,7 +55,8 @@ uint32_t MemoryAllocator::pick_type(uint32_t allowed_types, MemoryUse use) const
 
 uint32_t MemoryAllocator::new_block(VkDeviceSize size, uint32_t memory_type, bool mapped, bool for_images)
 {
-    Block block{.size = size, .memory_type = memory_type, .for_images = for_images, .free_ranges = {{0, size}}};
+    Block block{
+        .size = size, .memory_type = memory_type, .for_images = for_images, .free_ranges = {{0, size}}};
     const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
                                     .allocationSize = size,
                                     .memoryTypeIndex = memory_type};
@@ -76,7 +77,8 @@ uint32_t MemoryAllocator::new_block(VkDeviceSize size, uint32_t memory_type, boo
 bool MemoryAllocator::take(Block& block, const VkMemoryRequirements& needs, VkDeviceSize& offset) const
 {
     for (auto range = block.free_ranges.begin(); range != block.free_ranges.end(); ++range) {
-        const VkDeviceSize aligned = (range->offset + needs.alignment - 1) / needs.alignment * needs.alignment;
+        const VkDeviceSize aligned =
+            (range->offset + needs.alignment - 1) / needs.alignment * needs.alignment;
         const VkDeviceSize end = range->offset + range->size;
         if (aligned + needs.size > end) {
             continue;
@@ -133,8 +135,9 @@ void MemoryAllocator::free(const Allocation& allocation)
     }
     Block& block = blocks_[allocation.block];
     auto& ranges = block.free_ranges;
-    auto place = std::lower_bound(ranges.begin(), ranges.end(), allocation.offset,
-                                  [](const Range& range, VkDeviceSize offset) { return range.offset < offset; });
+    auto place =
+        std::lower_bound(ranges.begin(), ranges.end(), allocation.offset,
+                         [](const Range& range, VkDeviceSize offset) { return range.offset < offset; });
     place = ranges.insert(place, {allocation.offset, allocation.size});
     if (const auto next = place + 1; next != ranges.end() && place->offset + place->size == next->offset) {
         place->size += next->size;

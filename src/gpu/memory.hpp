@@ -10,8 +10,8 @@
 namespace estampe::gpu {
 
 enum class MemoryUse : uint8_t {
-    device, ///< only the GPU touches it
-    upload, ///< written by the processor, read by the GPU; mapped
+    device,   ///< only the GPU touches it
+    upload,   ///< written by the processor, read by the GPU; mapped
     readback, ///< written by the GPU, read by the processor; mapped, cached where offered
 };
 
@@ -42,6 +42,7 @@ private:
     struct Range {
         VkDeviceSize offset, size;
     };
+
     struct Block {
         VkDeviceMemory memory = VK_NULL_HANDLE;
         VkDeviceSize size = 0;

@@ -27,18 +27,21 @@ public:
     PipelineCache(const PipelineCache&) = delete;
     PipelineCache& operator=(const PipelineCache&) = delete;
 
-    /// The pipeline of `shader` whose bindings 0, 1, ... have these types, with `push_bytes` of push constants and
-    /// specialization constant 0 set to `variant`.
+    /// The pipeline of `shader` whose bindings 0, 1, ... have these types, with `push_bytes` of push
+    /// constants and specialization constant 0 set to `variant`.
     [[nodiscard]] const Pipeline& get(const Shader& shader, std::span<const VkDescriptorType> bindings,
                                       uint32_t push_bytes, uint32_t variant);
 
-    [[nodiscard]] VkSampler sampler(Sampling sampling) const { return samplers_[static_cast<size_t>(sampling)]; }
+    [[nodiscard]] VkSampler sampler(Sampling sampling) const
+    {
+        return samplers_[static_cast<size_t>(sampling)];
+    }
 
 private:
     using Key = std::tuple<const uint32_t*, uint32_t, std::vector<VkDescriptorType>>;
 
-    [[nodiscard]] Pipeline make(const Shader& shader, std::span<const VkDescriptorType> bindings, uint32_t push_bytes,
-                                uint32_t variant);
+    [[nodiscard]] Pipeline make(const Shader& shader, std::span<const VkDescriptorType> bindings,
+                                uint32_t push_bytes, uint32_t variant);
 
     Device& device_;
     std::map<Key, Pipeline> pipelines_;

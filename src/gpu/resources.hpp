@@ -13,22 +13,29 @@ namespace estampe::gpu {
 /// Vulkan's name for a format.
 [[nodiscard]] VkFormat vulkan_format(Format format);
 
-/// A buffer in device or mapped memory. Move-only; the device must outlive it, and no frame may be in flight when it dies.
+/// A buffer in device or mapped memory. Move-only; the device must outlive it, and no frame may be in flight
+/// when it dies.
 class Buffer {
 public:
     Buffer() = default;
-    /// `size_bytes` of zero makes a 16-byte buffer, so that it can still be bound. Throws Error when memory runs out
-    /// or the device cannot bind so much at once.
+    /// `size_bytes` of zero makes a 16-byte buffer, so that it can still be bound. Throws Error when memory
+    /// runs out or the device cannot bind so much at once.
     Buffer(Device& device, const std::string& name, uint64_t size_bytes, MemoryUse use);
+
     ~Buffer() { destroy(); }
+
     Buffer(Buffer&& other) noexcept { *this = std::move(other); }
+
     Buffer& operator=(Buffer&& other) noexcept;
     Buffer(const Buffer&) = delete;
     Buffer& operator=(const Buffer&) = delete;
 
     [[nodiscard]] VkBuffer handle() const { return buffer_; }
+
     [[nodiscard]] uint64_t size_bytes() const { return size_bytes_; }
+
     [[nodiscard]] bool empty() const { return buffer_ == VK_NULL_HANDLE; }
+
     /// The bytes of a mapped buffer; empty for MemoryUse::device.
     [[nodiscard]] std::span<std::byte> mapped() const;
 
@@ -47,15 +54,21 @@ public:
     Image() = default;
     /// `as_array` views even a single layer as an array, as the shaders' sampler2DArray wants.
     Image(Device& device, const std::string& name, const ImageDesc& desc, bool as_array = false);
+
     ~Image() { destroy(); }
+
     Image(Image&& other) noexcept { *this = std::move(other); }
+
     Image& operator=(Image&& other) noexcept;
     Image(const Image&) = delete;
     Image& operator=(const Image&) = delete;
 
     [[nodiscard]] VkImage handle() const { return image_; }
+
     [[nodiscard]] VkImageView view() const { return view_; }
+
     [[nodiscard]] const ImageDesc& desc() const { return desc_; }
+
     [[nodiscard]] bool empty() const { return image_ == VK_NULL_HANDLE; }
 
 private:

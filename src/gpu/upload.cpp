@@ -9,16 +9,16 @@ namespace {
 
 void change_layout(VkCommandBuffer commands, const Image& image, VkImageLayout from, VkImageLayout to)
 {
-    const VkImageMemoryBarrier2 barrier{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-                                        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-                                        .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                                        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
-                                        .oldLayout = from,
-                                        .newLayout = to,
-                                        .image = image.handle(),
-                                        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, image.desc().mips, 0,
-                                                             image.desc().layers}};
+    const VkImageMemoryBarrier2 barrier{
+        .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+        .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+        .oldLayout = from,
+        .newLayout = to,
+        .image = image.handle(),
+        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, image.desc().mips, 0, image.desc().layers}};
     const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
                                       .imageMemoryBarrierCount = 1,
                                       .pImageMemoryBarriers = &barrier};
@@ -35,7 +35,8 @@ void copy_layer(Device& device, Image& image, uint32_t layer, const LayerPixels&
     std::vector<VkBufferImageCopy> regions;
     size_t offset = 0;
     for (uint32_t level = 0; level < pixels.levels.size(); ++level) {
-        std::memcpy(staging.mapped().data() + offset, pixels.levels[level].data(), pixels.levels[level].size());
+        std::memcpy(staging.mapped().data() + offset, pixels.levels[level].data(),
+                    pixels.levels[level].size());
         regions.push_back({.bufferOffset = offset,
                            .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, layer, 1},
                            .imageExtent = {std::max(1U, image.desc().width >> level),
@@ -43,8 +44,9 @@ void copy_layer(Device& device, Image& image, uint32_t layer, const LayerPixels&
         offset += pixels.levels[level].size();
     }
     run_once(device, [&](VkCommandBuffer commands) {
-        vkCmdCopyBufferToImage(commands, staging.handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                               static_cast<uint32_t>(regions.size()), regions.data());
+        vkCmdCopyBufferToImage(commands, staging.handle(), image.handle(),
+                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, static_cast<uint32_t>(regions.size()),
+                               regions.data());
     });
 }
 
@@ -92,7 +94,8 @@ Buffer upload_buffer(Device& device, const std::string& name, std::span<const st
     return buffer;
 }
 
-void upload_layers(Device& device, Image& image, const std::function<LayerPixels(uint32_t layer)>& layer_pixels)
+void upload_layers(Device& device, Image& image,
+                   const std::function<LayerPixels(uint32_t layer)>& layer_pixels)
 {
     run_once(device, [&](VkCommandBuffer commands) {
         change_layout(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
@@ -101,7 +104,8 @@ void upload_layers(Device& device, Image& image, const std::function<LayerPixels
         copy_layer(device, image, layer, layer_pixels(layer));
     }
     run_once(device, [&](VkCommandBuffer commands) {
-        change_layout(commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        change_layout(commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                      VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
 }
 

@@ -27,8 +27,8 @@ struct LayerPixels {
     std::vector<std::vector<std::byte>> levels;
 };
 
-/// Fills all layers and levels of `image` and leaves it in the shader-read layout. Layers go through one staging buffer
-/// in turn, so the peak of host memory is one layer.
+/// Fills all layers and levels of `image` and leaves it in the shader-read layout. Layers go through one
+/// staging buffer in turn, so the peak of host memory is one layer.
 void upload_layers(Device& device, Image& image,
                    const std::function<LayerPixels(uint32_t layer)>& layer_pixels);
 

@@ -9,9 +9,10 @@ struct Barycentric {
     vec3 dy;     // change per pixel down
 };
 
-// Homogeneous edge functions after Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates", 1997:
-// no division by w, so triangles that cross the plane of the eye need no clipping. Corners are taken relative to the
-// pixel first, which keeps the cross products precise for small and for very large triangles.
+// Homogeneous edge functions after Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous
+// Coordinates", 1997: no division by w, so triangles that cross the plane of the eye need no clipping.
+// Corners are taken relative to the pixel first, which keeps the cross products precise for small and for
+// very large triangles.
 Barycentric barycentric_at(vec4 a, vec4 b, vec4 c, vec2 position_px, uvec2 size_px)
 {
     vec2 ndc = 2.0 * position_px / vec2(size_px) - 1.0;

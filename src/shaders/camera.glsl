@@ -5,7 +5,10 @@
 #include "shaders/frame.glsl.h"
 
 // Position in normalised device coordinates of a point of the page in pixels; y grows downwards in both.
-vec2 ndc_at(vec2 position_px, uvec2 size_px) { return 2.0 * position_px / vec2(size_px) - 1.0; }
+vec2 ndc_at(vec2 position_px, uvec2 size_px)
+{
+    return 2.0 * position_px / vec2(size_px) - 1.0;
+}
 
 // The point seen at `position_px` with reversed depth `depth` (0 at infinity: pass something above).
 vec3 anchor_at(FrameGlobals frame, vec2 position_px, float depth)

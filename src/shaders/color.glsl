@@ -3,7 +3,10 @@
 #define ESTAMPE_COLOR
 
 // Relative luminance of linear Rec. 709 colour.
-float luminance(vec3 linear) { return dot(linear, vec3(0.2126, 0.7152, 0.0722)); }
+float luminance(vec3 linear)
+{
+    return dot(linear, vec3(0.2126, 0.7152, 0.0722));
+}
 
 vec3 srgb_from_linear(vec3 linear)
 {

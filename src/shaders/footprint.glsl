@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FOOTPRINT
 #define ESTAMPE_FOOTPRINT
 
-// How a surface coordinate changes over one pixel, to the right and down: six numbers in 16 bytes, as parts of the
-// largest of them, to 1/32767.
+// How a surface coordinate changes over one pixel, to the right and down: six numbers in 16 bytes, as parts
+// of the largest of them, to 1/32767.
 struct Footprint {
     vec3 dx;
     vec3 dy;

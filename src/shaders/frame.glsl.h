@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_FRAME_GLSL_H
 #define ESTAMPE_FRAME_GLSL_H
-// What every pass of a frame may need to know of camera and page. Space "anchor" is world space, translated to a point
-// near the scene so that floats suffice.
+// What every pass of a frame may need to know of camera and page. Space "anchor" is world space, translated
+// to a point near the scene so that floats suffice.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {

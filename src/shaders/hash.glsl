@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_HASH
 #define ESTAMPE_HASH
 
-// Integer hashing after O'Neill's PCG output permutation, as surveyed by Jarzynski and Olano, "Hash Functions for GPU
-// Rendering", JCGT 2020.
+// Integer hashing after O'Neill's PCG output permutation, as surveyed by Jarzynski and Olano, "Hash Functions
+// for GPU Rendering", JCGT 2020.
 
 uint hash(uint x)
 {
@@ -12,11 +12,20 @@ uint hash(uint x)
     return (word >> 22u) ^ word;
 }
 
-uint hash(uint x, uint y) { return hash(x ^ hash(y)); }
+uint hash(uint x, uint y)
+{
+    return hash(x ^ hash(y));
+}
 
-uint hash(uint x, uint y, uint z) { return hash(x ^ hash(y ^ hash(z))); }
+uint hash(uint x, uint y, uint z)
+{
+    return hash(x ^ hash(y ^ hash(z)));
+}
 
 // Uniform in [0, 1), from the top 24 bits.
-float unit_float(uint bits) { return float(bits >> 8u) * (1.0 / 16777216.0); }
+float unit_float(uint bits)
+{
+    return float(bits >> 8u) * (1.0 / 16777216.0);
+}
 
 #endif

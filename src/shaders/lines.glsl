@@ -2,11 +2,12 @@
 #ifndef ESTAMPE_LINES
 #define ESTAMPE_LINES
 
-// Dyadic line hatching: strokes are the iso-lines v = i S of a surface coordinate v, where the spacing S is a power of
-// two of v's unit, chosen from the width on the page and the darkness t so that S t lies between one and two widths.
-// Lines of the coarser spacing have the full width W, the ones between them W' = t S - W, so that the ink is exactly t at
-// every distance and tilt, lines are only ever added on approach, and darker tone adds lines to those of lighter tone.
-// The idea of nested strokes: Praun et al., "Real-Time Hatching", SIGGRAPH 2001.
+// Dyadic line hatching: strokes are the iso-lines v = i S of a surface coordinate v, where the spacing S is a
+// power of two of v's unit, chosen from the width on the page and the darkness t so that S t lies between one
+// and two widths. Lines of the coarser spacing have the full width W, the ones between them W' = t S - W, so
+// that the ink is exactly t at every distance and tilt, lines are only ever added on approach, and darker
+// tone adds lines to those of lighter tone. The idea of nested strokes: Praun et al., "Real-Time Hatching",
+// SIGGRAPH 2001.
 
 #include "shaders/hash.glsl"
 
@@ -19,7 +20,10 @@ uint dyadic_identity(int i, int level, uint seed)
 }
 
 // One of several independent numbers in [0, 1) that go with an identity.
-float trait(uint identity, uint which) { return unit_float(identity * (2u * which + 0x9e3779b1u) ^ (which * 0x632be5abu)); }
+float trait(uint identity, uint which)
+{
+    return unit_float(identity * (2u * which + 0x9e3779b1u) ^ (which * 0x632be5abu));
+}
 
 // A sine of period one, near enough: two parabolas.
 float wave(float x)
@@ -50,9 +54,9 @@ struct LineScale {
     float wobble_frequency; // per unit of u, dyadic: a wavelength of about two cells
     float wobble_fade;      // towards twice that wavelength
     float wobble_px;
-    float cell;             // in u
+    float cell; // in u
     int cell_level;
-    float cell_growth;      // how far the boundaries halfway have opened
+    float cell_growth; // how far the boundaries halfway have opened
     float gap_scale;
 };
 
@@ -90,8 +94,8 @@ float kept_share(LineLook look, float gap_scale)
     return 1.0 - 0.75 * gap_scale * (look.gap_px + look.taper_px) / look.cell_px;
 }
 
-// Width factor along a line: 0 in gaps, rising over the taper. Cells are dyadic in u and as long as one to two cell_px;
-// a boundary that appears on approach opens from nothing.
+// Width factor along a line: 0 in gaps, rising over the taper. Cells are dyadic in u and as long as one to
+// two cell_px; a boundary that appears on approach opens from nothing.
 float stroke_profile(LineField field, LineLook look, LineScale scale, uint identity)
 {
     float u = field.u + 16.0 * trait(identity, 3u);
@@ -100,7 +104,8 @@ float stroke_profile(LineField field, LineLook look, LineScale scale, uint ident
     bool open = trait(dyadic_identity(nearest, scale.cell_level, identity), 4u) < 0.75;
     float opening = open ? scale.gap_scale * ((nearest & 1) == 0 ? 1.0 : scale.cell_growth) : 0.0;
     float distance_px = abs(u - float(nearest) * half_cell) / max(field.u_per_px, 1e-12);
-    float rise = clamp((distance_px - 0.5 * look.gap_px * opening) / max(look.taper_px * opening, 1e-3), 0.0, 1.0);
+    float rise =
+        clamp((distance_px - 0.5 * look.gap_px * opening) / max(look.taper_px * opening, 1e-3), 0.0, 1.0);
     return opening > 0.0 ? rise * rise * (3.0 - 2.0 * rise) : 1.0;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_MATERIAL_GLSL_H
 #define ESTAMPE_MATERIAL_GLSL_H
-// Materials as the shaders see them. Textures live in array images, one array per size class; a slot says where.
+// Materials as the shaders see them. Textures live in array images, one array per size class; a slot says
+// where.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -9,7 +10,8 @@ namespace estampe::shared {
 
 // Where a texture lives and how its coordinates are made: uv' = column_u * u + column_v * v + offset.
 struct TextureSlot {
-    uint location; // no_texture, or: size class in bits 0-3, layer in 4-23, UV set in 24, wrap of u in 25-26, of v in 27-28
+    uint location; // no_texture, or: size class in bits 0-3, layer in 4-23, UV set in 24, wrap of u in 25-26,
+                   // of v in 27-28
     vec2 column_u;
     vec2 column_v;
     vec2 offset;

@@ -7,7 +7,8 @@
 namespace estampe::shared {
 #endif
 
-// A vertex as the file has it. Normal octahedral in two signed 16-bit parts; colour in four unsigned 8-bit parts.
+// A vertex as the file has it. Normal octahedral in two signed 16-bit parts; colour in four unsigned 8-bit
+// parts.
 struct RestVertex {
     vec3 position;
     uint normal;

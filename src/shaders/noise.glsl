@@ -4,7 +4,10 @@
 
 #include "shaders/hash.glsl"
 
-float lattice_value(ivec2 cell, uint seed) { return unit_float(hash(uint(cell.x) * 0x9e3779b1u ^ uint(cell.y) * 0x85ebca77u ^ seed * 0xc2b2ae3du)); }
+float lattice_value(ivec2 cell, uint seed)
+{
+    return unit_float(hash(uint(cell.x) * 0x9e3779b1u ^ uint(cell.y) * 0x85ebca77u ^ seed * 0xc2b2ae3du));
+}
 
 // Value noise in [0, 1], one feature a unit of `p`, with continuous first derivatives.
 float value_noise(vec2 p, uint seed)
@@ -21,7 +24,8 @@ float value_noise(vec2 p, uint seed)
 float fractal_noise(vec2 p, uint seed)
 {
     return (4.0 * value_noise(p, seed) + 2.0 * value_noise(2.0 * p + 17.0, seed + 1u) +
-            value_noise(4.0 * p + 31.0, seed + 2u)) / 7.0;
+            value_noise(4.0 * p + 31.0, seed + 2u)) /
+           7.0;
 }
 
 #endif

@@ -2,10 +2,13 @@
 #ifndef ESTAMPE_OCTAHEDRAL
 #define ESTAMPE_OCTAHEDRAL
 
-// Unit vectors as two numbers in [-1, 1]: Cigolle et al., "A Survey of Efficient Representations for Independent Unit
-// Vectors", JCGT 2014.
+// Unit vectors as two numbers in [-1, 1]: Cigolle et al., "A Survey of Efficient Representations for
+// Independent Unit Vectors", JCGT 2014.
 
-vec2 sign_not_zero(vec2 v) { return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0); }
+vec2 sign_not_zero(vec2 v)
+{
+    return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0);
+}
 
 vec2 octahedral_encode(vec3 n)
 {
@@ -22,8 +25,14 @@ vec3 octahedral_decode(vec2 e)
     return normalize(n);
 }
 
-uint pack_normal(vec3 n) { return packSnorm2x16(octahedral_encode(n)); }
+uint pack_normal(vec3 n)
+{
+    return packSnorm2x16(octahedral_encode(n));
+}
 
-vec3 unpack_normal(uint packed) { return octahedral_decode(unpackSnorm2x16(packed)); }
+vec3 unpack_normal(uint packed)
+{
+    return octahedral_decode(unpackSnorm2x16(packed));
+}
 
 #endif

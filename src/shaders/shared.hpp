@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lets the headers named *.glsl.h, which describe data that C++ and GLSL share, compile as C++: GLSL's type names become
-// GLM's, and the scalar block layout that the shaders use is C++'s own.
+// Lets the headers named *.glsl.h, which describe data that C++ and GLSL share, compile as C++: GLSL's type
+// names become GLM's, and the scalar block layout that the shaders use is C++'s own.
 
 #include <cstddef>
 #include <cstdint>

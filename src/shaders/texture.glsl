@@ -4,10 +4,12 @@
 
 #include "shaders/material.glsl.h"
 
-// Texture look-up through size classes. The including shader declares `sampler2DArray texture_class_0` to `_4`, and
-// TEXTURE_CLASSES, the specialization bits of those that hold anything: a processor runs every branch that is left in.
+// Texture look-up through size classes. The including shader declares `sampler2DArray texture_class_0` to
+// `_4`, and TEXTURE_CLASSES, the specialization bits of those that hold anything: a processor runs every
+// branch that is left in.
 
-// The sampler repeats; the other modes must keep half a texel away from the border, or the filter would reach across it.
+// The sampler repeats; the other modes must keep half a texel away from the border, or the filter would reach
+// across it.
 float wrap_coordinate(float x, uint mode, float half_texel)
 {
     if (mode == 0u) {

@@ -90,8 +90,8 @@ std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::BufferId buffer)
                                          gpu::Access::transfer_write);
     copy.execute([buffer, copied, size_bytes](gpu::Recorder& recorder) {
         const VkBufferCopy region{.size = size_bytes};
-        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(buffer).handle(), recorder.buffer(copied).handle(), 1,
-                        &region);
+        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(buffer).handle(),
+                        recorder.buffer(copied).handle(), 1, &region);
     });
     return run_and_copy(graph, target, copied);
 }
@@ -103,13 +103,15 @@ std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::ImageId image, uint3
     gpu::Buffer target(shared_device(), "read-back", size_bytes, gpu::MemoryUse::readback);
     auto copy = graph.custom("copy");
     copy.touch(image, gpu::Access::transfer_read);
-    const auto copied = copy.touch_write(
-        graph.import_buffer("read-back", target, {.size_bytes = target.size_bytes()}), gpu::Access::transfer_write);
+    const auto copied =
+        copy.touch_write(graph.import_buffer("read-back", target, {.size_bytes = target.size_bytes()}),
+                         gpu::Access::transfer_write);
     copy.execute([image, copied, desc](gpu::Recorder& recorder) {
         const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
                                        .imageExtent = {desc.width, desc.height, 1}};
         vkCmdCopyImageToBuffer(recorder.commands(), recorder.image(image).handle(),
-                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, recorder.buffer(copied).handle(), 1, &region);
+                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, recorder.buffer(copied).handle(), 1,
+                               &region);
     });
     std::vector<std::byte> bytes = run_and_copy(graph, target, copied);
     bytes.resize(size_bytes);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The device that tests draw on: lavapipe, with validation and synchronization validation. A validation message fails
-// the test that caused it (see validation_gate.hpp); a missing device or layer fails everything.
+// The device that tests draw on: lavapipe, with validation and synchronization validation. A validation
+// message fails the test that caused it (see validation_gate.hpp); a missing device or layer fails
+// everything.
 
 #include <cstring>
 #include <string>
@@ -26,7 +27,8 @@ namespace estampe::test {
 /// A renderer shared by all tests of the program.
 [[nodiscard]] Renderer& shared_renderer();
 
-/// Takes down device and renderer, so that the layer can say what was left behind. Nothing of theirs may live on.
+/// Takes down device and renderer, so that the layer can say what was left behind. Nothing of theirs may live
+/// on.
 void destroy_shared();
 
 /// Runs `graph` on the shared device, and hands back the bytes of `buffer`, which it must produce.
@@ -42,7 +44,8 @@ template <class T>
 }
 
 /// The same for an image of `bytes_per_texel`, tightly packed.
-[[nodiscard]] std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::ImageId image, uint32_t bytes_per_texel);
+[[nodiscard]] std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::ImageId image,
+                                                  uint32_t bytes_per_texel);
 
 template <class T>
 [[nodiscard]] std::vector<T> run_and_read_as(gpu::Graph& graph, gpu::ImageId image)

@@ -106,8 +106,8 @@ std::vector<std::vector<PageHit>> raster_page(const std::vector<ClipTriangle>& t
     for (uint32_t number = 0; number < triangles.size(); ++number) {
         const std::vector<glm::vec4> corners = before_near(triangles[number]);
         for (size_t last = 2; last < corners.size(); ++last) {
-            fill({snap(corners[0], size_px), snap(corners[last - 1], size_px), snap(corners[last], size_px)}, number,
-                 triangles[number], size_px, page);
+            fill({snap(corners[0], size_px), snap(corners[last - 1], size_px), snap(corners[last], size_px)},
+                 number, triangles[number], size_px, page);
         }
     }
     for (auto& hits : page) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A rasteriser in the plainest form, for comparison: every pixel of the page against every triangle, in whole numbers.
+// A rasteriser in the plainest form, for comparison: every pixel of the page against every triangle, in whole
+// numbers.
 
 #include <cstdint>
 #include <vector>
@@ -23,8 +24,8 @@ struct ClipTriangle {
     bool mirrored = false;
 };
 
-/// Each pixel's hits, nearest first, under the rules that the renderer states: positions rounded to 1/256 pixel, top and
-/// left edges own the pixel centres on them, counter-clockwise is the front.
+/// Each pixel's hits, nearest first, under the rules that the renderer states: positions rounded to 1/256
+/// pixel, top and left edges own the pixel centres on them, counter-clockwise is the front.
 [[nodiscard]] std::vector<std::vector<PageHit>> raster_page(const std::vector<ClipTriangle>& triangles,
                                                             glm::uvec2 size_px);
 

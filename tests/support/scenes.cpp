@@ -12,7 +12,8 @@ Index add_object(Scene& scene, Primitive primitive, const glm::vec3& color, cons
     scene.materials.push_back({.base_color = glm::vec4(color, 1.0F), .double_sided = true});
     scene.meshes.push_back({.primitives = {std::move(primitive)}});
     const auto node = static_cast<Index>(scene.nodes.size());
-    scene.nodes.push_back({.transform = {.translation = place}, .mesh = static_cast<Index>(scene.meshes.size() - 1)});
+    scene.nodes.push_back(
+        {.transform = {.translation = place}, .mesh = static_cast<Index>(scene.meshes.size() - 1)});
     scene.roots.push_back(node);
     return node;
 }

@@ -11,7 +11,8 @@ namespace estampe::test {
 [[nodiscard]] Scene scene_of(Primitive primitive);
 
 /// Adds a node with `primitive` in a new material of that colour; returns the node.
-Index add_object(Scene& scene, Primitive primitive, const glm::vec3& color, const glm::dvec3& place = glm::dvec3(0.0));
+Index add_object(Scene& scene, Primitive primitive, const glm::vec3& color,
+                 const glm::dvec3& place = glm::dvec3(0.0));
 
 /// Adds a directional light that comes from `towards_light`.
 void add_sun(Scene& scene, const glm::dvec3& towards_light, float intensity = 1.0F);

@@ -217,7 +217,8 @@ void Executor::record_dispatch(VkCommandBuffer commands, const PassRecord& pass)
             types.push_back(descriptor_type(use, graph_->resources()[use.resource].is_image));
         }
     }
-    const Pipeline& pipeline = pipelines_.get(*pass.shader, types, static_cast<uint32_t>(pass.push.size()), pass.variant);
+    const Pipeline& pipeline =
+        pipelines_.get(*pass.shader, types, static_cast<uint32_t>(pass.push.size()), pass.variant);
     const VkDescriptorSet set = bind(pass, pipeline);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.pipeline);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout, 0, 1, &set, 0,

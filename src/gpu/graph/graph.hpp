@@ -186,8 +186,8 @@ public:
         return push_bytes(std::as_bytes(std::span<const T, 1>(&constants, 1)));
     }
 
-    /// Sets the shader's specialization constant 0: bits that say what this scene needs of it, so that the rest of the
-    /// code is left out. Each value makes a pipeline of its own.
+    /// Sets the shader's specialization constant 0: bits that say what this scene needs of it, so that the
+    /// rest of the code is left out. Each value makes a pipeline of its own.
     Pass& variant(uint32_t bits);
 
     /// One thread a pixel, in groups of 8 x 8 as the shaders declare.

@@ -56,10 +56,10 @@ Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& 
     const gpu::ImageId seed = place.write(graph.image(
         "contour/seed", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     place
-        .push(shared::SeedConstants{
-            .pressure = style.pressure, .distance_thinning = style.distance_thinning,
-            .pixel_angle = in.pixel_angle,
-            .capacity = capacity})
+        .push(shared::SeedConstants{.pressure = style.pressure,
+                                    .distance_thinning = style.distance_thinning,
+                                    .pixel_angle = in.pixel_angle,
+                                    .capacity = capacity})
         .dispatch(std::min(capacity / 64 + 1, listing_groups));
     return {seed, nearest};
 }
@@ -89,8 +89,8 @@ gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const Cont
     auto pass = graph.compute("contour/stroke", shaders::stroke_comp);
     pass.sample(seeds.nearest).sample(seeds.seed).sample(in.draw).read(in.draws).read(in.materials);
     pass.variant(in.own_outlines ? 1U : 0U);
-    const gpu::ImageId ink = pass.write(
-        graph.image("contour/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba8}));
+    const gpu::ImageId ink = pass.write(graph.image(
+        "contour/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba8}));
     pass.push(shared::StrokeConstants{
                   .width = in.size_px.x, .height = in.size_px.y, .reach_px = reach, .ink_color = style.ink})
         .dispatch_over(in.size_px.x, in.size_px.y);

@@ -8,7 +8,7 @@ namespace estampe::shared {
 
 // Where the surface breaks between a pixel and its neighbours to the right and below.
 struct EdgePixel {
-    uint pixel; // y << 16 | x
+    uint pixel;           // y << 16 | x
     float width_right_px; // whole width of the line to be drawn, 0 for none
     float width_down_px;
 };

@@ -24,11 +24,14 @@ inline const style::Table<ContourStyle>& contour_table()
     static const auto table =
         style::Table<ContourStyle>("contour", "Ink lines where surfaces end, meet or fold")
             .toggle("drawn", &ContourStyle::drawn, "Whether there are lines at all")
-            .color("ink", &ContourStyle::ink, "Colour of the ink; a material with an outline of its own brings its own")
-            .number("outline_mm", &ContourStyle::outline_mm, {0.0F, 20.0F}, "mm", "Width around objects and before what lies behind")
+            .color("ink", &ContourStyle::ink,
+                   "Colour of the ink; a material with an outline of its own brings its own")
+            .number("outline_mm", &ContourStyle::outline_mm, {0.0F, 20.0F}, "mm",
+                    "Width around objects and before what lies behind")
             .number("boundary_mm", &ContourStyle::boundary_mm, {0.0F, 20.0F}, "mm", "Width between materials")
             .number("crease_mm", &ContourStyle::crease_mm, {0.0F, 20.0F}, "mm", "Width along sharp folds")
-            .number("crease_deg", &ContourStyle::crease_deg, {1.0F, 180.0F}, "deg", "Fold from which it is sharp")
+            .number("crease_deg", &ContourStyle::crease_deg, {1.0F, 180.0F}, "deg",
+                    "Fold from which it is sharp")
             .number("depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
                     "How far a surface must fall away behind another to be lined: less draws more")
             .number("pressure", &ContourStyle::pressure, {0.0F, 1.0F}, "",
@@ -58,12 +61,15 @@ struct ContourInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Draws lines in screen space: breaks of identity, depth and normal become seeds, placed where the front triangle
-/// ends; jump flooding gives every pixel its nearest seed, and with it an antialiased line of any width.
+/// Draws lines in screen space: breaks of identity, depth and normal become seeds, placed where the front
+/// triangle ends; jump flooding gives every pixel its nearest seed, and with it an antialiased line of any
+/// width.
 ///
 /// Writes  rgba8: square root of the ink's linear colour; coverage in alpha, 0 paper to 1 ink
 /// Cost    two full-screen dispatches, and one for each doubling of the width
-/// Source  Saito and Takahashi, "Comprehensible Rendering of 3-D Shapes", 1990; Rong and Tan, "Jump Flooding", 2006
-[[nodiscard]] gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style);
+/// Source  Saito and Takahashi, "Comprehensible Rendering of 3-D Shapes", 1990; Rong and Tan, "Jump
+/// Flooding", 2006
+[[nodiscard]] gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in,
+                                        const ContourStyle& style);
 
 } // namespace estampe::contour

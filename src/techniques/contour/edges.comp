@@ -12,27 +12,56 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
-layout(scalar, binding = 1) readonly buffer Draws { DrawRecord draws[]; };
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(scalar, binding = 1) readonly buffer Draws
+{
+    DrawRecord draws[];
+};
+
 layout(binding = 2) uniform usampler2D draw_image;
 layout(binding = 3) uniform sampler2D depth_image;
 layout(binding = 4) uniform usampler2D normal_image;
 layout(binding = 5) uniform usampler2D screen_image;
-layout(scalar, binding = 6) buffer Count { uint edge_count; };
-layout(scalar, binding = 7) writeonly buffer Edges { EdgePixel edges[]; };
+
+layout(scalar, binding = 6) buffer Count
+{
+    uint edge_count;
+};
+
+layout(scalar, binding = 7) writeonly buffer Edges
+{
+    EdgePixel edges[];
+};
+
 layout(binding = 8, r32ui) writeonly uniform uimage2D out_nearest;
 
-layout(push_constant, scalar) uniform Constants { EdgeConstants constants; };
+layout(push_constant, scalar) uniform Constants
+{
+    EdgeConstants constants;
+};
 
 // Bit 0: there are see-through surfaces.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_screen = (variant & 1u) != 0u;
 
-ivec2 on_page(ivec2 pixel) { return clamp(pixel, ivec2(0), ivec2(frame.size_px) - 1); }
+ivec2 on_page(ivec2 pixel)
+{
+    return clamp(pixel, ivec2(0), ivec2(frame.size_px) - 1);
+}
 
-vec3 normal_at(ivec2 pixel) { return unpack_normal(texelFetch(normal_image, on_page(pixel), 0).y); }
+vec3 normal_at(ivec2 pixel)
+{
+    return unpack_normal(texelFetch(normal_image, on_page(pixel), 0).y);
+}
 
-float depth_at(ivec2 pixel) { return texelFetch(depth_image, on_page(pixel), 0).x; }
+float depth_at(ivec2 pixel)
+{
+    return texelFetch(depth_image, on_page(pixel), 0).x;
+}
 
 struct Seen {
     uint word;
@@ -40,10 +69,13 @@ struct Seen {
     vec3 normal;
 };
 
-Seen seen_at(ivec2 pixel) { return Seen(texelFetch(draw_image, on_page(pixel), 0).x, depth_at(pixel), normal_at(pixel)); }
+Seen seen_at(ivec2 pixel)
+{
+    return Seen(texelFetch(draw_image, on_page(pixel), 0).x, depth_at(pixel), normal_at(pixel));
+}
 
-// Whole width in pixels of the line between two neighbours that both show something; 0 for none. Reversed depth is linear
-// over the page on a plane, so a break is a step that neither side's own slope foretells.
+// Whole width in pixels of the line between two neighbours that both show something; 0 for none. Reversed
+// depth is linear over the page on a plane, so a break is a step that neither side's own slope foretells.
 float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
 {
     bool same_draw = ((a.word ^ b.word) & DRAW_NUMBER_MASK) == 0u;
@@ -72,7 +104,8 @@ float line_width(Seen a, Seen b, ivec2 before, ivec2 after)
     if (is_paper(a.word) && is_paper(b.word)) {
         return 0.0;
     }
-    return sees_draw(a.word) && sees_draw(b.word) ? line_within_scene(a, b, before, after) : constants.outline_px;
+    return sees_draw(a.word) && sees_draw(b.word) ? line_within_scene(a, b, before, after)
+                                                  : constants.outline_px;
 }
 
 void main()
@@ -85,8 +118,10 @@ void main()
     const ivec2 right = ivec2(1, 0);
     const ivec2 down = ivec2(0, 1);
     Seen here = seen_at(pixel);
-    float width_right = pixel.x < last.x ? line_width(here, seen_at(pixel + right), pixel - right, pixel + 2 * right) : 0.0;
-    float width_down = pixel.y < last.y ? line_width(here, seen_at(pixel + down), pixel - down, pixel + 2 * down) : 0.0;
+    float width_right =
+        pixel.x < last.x ? line_width(here, seen_at(pixel + right), pixel - right, pixel + 2 * right) : 0.0;
+    float width_down =
+        pixel.y < last.y ? line_width(here, seen_at(pixel + down), pixel - down, pixel + 2 * down) : 0.0;
     if (has_screen) {
         uint screen = texelFetch(screen_image, pixel, 0).x;
         bool ends_right = pixel.x < last.x && screen != texelFetch(screen_image, pixel + right, 0).x;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One round of jump flooding: each pixel takes over the nearest seed known a step away in eight directions. Rong and Tan,
-// "Jump Flooding in GPU with Applications to Voronoi Diagram and Distance Transform", I3D 2006.
+// One round of jump flooding: each pixel takes over the nearest seed known a step away in eight directions.
+// Rong and Tan, "Jump Flooding in GPU with Applications to Voronoi Diagram and Distance Transform", I3D 2006.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,7 +12,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform usampler2D nearest_image;
 layout(binding = 1, r32ui) writeonly uniform uimage2D out_nearest;
 
-layout(push_constant, scalar) uniform Constants { FloodConstants constants; };
+layout(push_constant, scalar) uniform Constants
+{
+    FloodConstants constants;
+};
 
 void main()
 {

@@ -4,6 +4,12 @@
 
 layout(local_size_x = 1) in;
 
-layout(std430, binding = 0) writeonly buffer Count { uint edge_count; };
+layout(std430, binding = 0) writeonly buffer Count
+{
+    uint edge_count;
+};
 
-void main() { edge_count = 0u; }
+void main()
+{
+    edge_count = 0u;
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread turns one listed pixel into a seed: a short piece of line, placed to a fraction of a pixel where the front
-// triangle really ends, with its direction and width. The order of the list does not matter.
+// One thread turns one listed pixel into a seed: a short piece of line, placed to a fraction of a pixel where
+// the front triangle really ends, with its direction and width. The order of the list does not matter.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -15,30 +15,71 @@
 
 layout(local_size_x = 64) in;
 
-layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
-layout(scalar, binding = 1) readonly buffer Visibility { uvec2 visibility[]; };
-layout(scalar, binding = 2) readonly buffer Triangles { uvec4 triangles[]; };
-layout(scalar, binding = 3) readonly buffer PosedVertices { PosedVertex posed_vertices[]; };
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(scalar, binding = 1) readonly buffer Visibility
+{
+    uvec2 visibility[];
+};
+
+layout(scalar, binding = 2) readonly buffer Triangles
+{
+    uvec4 triangles[];
+};
+
+layout(scalar, binding = 3) readonly buffer PosedVertices
+{
+    PosedVertex posed_vertices[];
+};
+
 layout(binding = 4) uniform sampler2D depth_image;
 layout(binding = 5) uniform sampler2D coordinate_image;
 layout(binding = 6) uniform sampler2D light_image;
-layout(scalar, binding = 7) readonly buffer Count { uint edge_count; };
-layout(scalar, binding = 8) readonly buffer Edges { EdgePixel edges[]; };
-layout(binding = 9) uniform usampler2D draw_image;
-layout(scalar, binding = 10) readonly buffer Draws { DrawRecord draws[]; };
-layout(scalar, binding = 11) readonly buffer Materials { MaterialRecord materials[]; };
-layout(binding = 12, rgba16f) writeonly uniform image2D out_seed; // offset from the pixel's centre; direction * half width
 
-layout(push_constant, scalar) uniform Constants { SeedConstants constants; };
+layout(scalar, binding = 7) readonly buffer Count
+{
+    uint edge_count;
+};
+
+layout(scalar, binding = 8) readonly buffer Edges
+{
+    EdgePixel edges[];
+};
+
+layout(binding = 9) uniform usampler2D draw_image;
+
+layout(scalar, binding = 10) readonly buffer Draws
+{
+    DrawRecord draws[];
+};
+
+layout(scalar, binding = 11) readonly buffer Materials
+{
+    MaterialRecord materials[];
+};
+
+layout(binding = 12,
+       rgba16f) writeonly uniform image2D out_seed; // offset from the pixel's centre; direction * half width
+
+layout(push_constant, scalar) uniform Constants
+{
+    SeedConstants constants;
+};
 
 // Bit 0: some material brings an outline of its own.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_own_outlines = (variant & 1u) != 0u;
 
-vec2 page_position(vec4 clip) { return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.size_px); }
+vec2 page_position(vec4 clip)
+{
+    return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.size_px);
+}
 
-// Where the way from pixel `from` to its neighbour `to` leaves the triangle seen at `from`: the share of the way, and the
-// direction of the edge that is crossed.
+// Where the way from pixel `from` to its neighbour `to` leaves the triangle seen at `from`: the share of the
+// way, and the direction of the edge that is crossed.
 void exit_of_triangle(ivec2 from, ivec2 to, inout float share, inout vec2 direction)
 {
     uvec2 seen = visibility[uint(from.y) * frame.size_px.x + uint(from.x)];
@@ -82,7 +123,8 @@ float pressure_at(ivec2 pixel, float depth)
     float slow = value_noise(11.0 * p.xy + 7.0 * p.z, 3u) - 0.5;
     float shade = 1.0 - clamp(texelFetch(light_image, pixel, 0).a, 0.0, 1.0);
     float away = distance(anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9)), frame.eye_anchor);
-    float thinning = mix(1.0, clamp(pow(2.2 * frame.scene_radius_m / max(away, 1e-6), 0.4), 0.45, 1.25), constants.distance_thinning);
+    float thinning = mix(1.0, clamp(pow(2.2 * frame.scene_radius_m / max(away, 1e-6), 0.4), 0.45, 1.25),
+                         constants.distance_thinning);
     return thinning * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
 }
 

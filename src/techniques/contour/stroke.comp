@@ -14,11 +14,23 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform usampler2D nearest_image;
 layout(binding = 1) uniform sampler2D seed_image;
 layout(binding = 2) uniform usampler2D draw_image;
-layout(scalar, binding = 3) readonly buffer Draws { DrawRecord draws[]; };
-layout(scalar, binding = 4) readonly buffer Materials { MaterialRecord materials[]; };
+
+layout(scalar, binding = 3) readonly buffer Draws
+{
+    DrawRecord draws[];
+};
+
+layout(scalar, binding = 4) readonly buffer Materials
+{
+    MaterialRecord materials[];
+};
+
 layout(binding = 5, rgba8) writeonly uniform image2D out_ink; // square root of linear colour; coverage
 
-layout(push_constant, scalar) uniform Constants { StrokeConstants constants; };
+layout(push_constant, scalar) uniform Constants
+{
+    StrokeConstants constants;
+};
 
 // Bit 0: some material brings an outline of its own.
 layout(constant_id = 0) const uint variant = 0u;

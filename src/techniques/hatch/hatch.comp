@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread inks one pixel: light becomes darkness, darkness is shared among layers of strokes, and what the layers
-// leave white multiplies.
+// One thread inks one pixel: light becomes darkness, darkness is shared among layers of strokes, and what the
+// layers leave white multiplies.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,7 +16,11 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
 layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform sampler2D depth_image;
 layout(binding = 3) uniform usampler2D normal_image;
@@ -27,23 +31,30 @@ layout(binding = 7) uniform sampler2D light_image;
 layout(binding = 8) uniform sampler2D screen_image;
 layout(binding = 9, r16f) writeonly uniform image2D out_ink;
 
-layout(push_constant, scalar) uniform Constants { HatchConstants constants; };
+layout(push_constant, scalar) uniform Constants
+{
+    HatchConstants constants;
+};
 
 // Bit 0: darkness fades with distance. Bit 1: there are see-through surfaces.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_fade = (variant & 1u) != 0u;
 const bool has_screen = (variant & 2u) != 0u;
 
-// Each layer slices the solid by parallel planes; where a surface lies nearly in such a plane a second family, the level
-// one, takes over. Normals of the planes:
+// Each layer slices the solid by parallel planes; where a surface lies nearly in such a plane a second
+// family, the level one, takes over. Normals of the planes:
 vec3 slice_axis(uint layer)
 {
-    return layer == 0u ? vec3(0.2998, 0.8995, -0.3198) : layer == 1u ? vec3(0.7993, 0.4196, 0.4296) : vec3(-0.6188, 0.5190, 0.5888);
+    return layer == 0u   ? vec3(0.2998, 0.8995, -0.3198)
+           : layer == 1u ? vec3(0.7993, 0.4196, 0.4296)
+                         : vec3(-0.6188, 0.5190, 0.5888);
 }
 
 vec3 level_axis(uint layer)
 {
-    return layer == 0u ? vec3(0.3604, 0.0501, 0.9315) : layer == 1u ? vec3(0.8807, -0.0600, -0.4704) : vec3(0.7216, 0.0401, 0.6915);
+    return layer == 0u   ? vec3(0.3604, 0.0501, 0.9315)
+           : layer == 1u ? vec3(0.8807, -0.0600, -0.4704)
+                         : vec3(0.7216, 0.0401, 0.6915);
 }
 
 vec2 uv_axis(uint layer)
@@ -67,8 +78,8 @@ LineField field_along(vec3 axis, vec3 side, vec3 other, vec3 p, Footprint f)
     return field;
 }
 
-// Families of strokes, two a layer, and what each has to draw. The shares are such that what the families leave white
-// multiplies to what the darkness leaves white.
+// Families of strokes, two a layer, and what each has to draw. The shares are such that what the families
+// leave white multiplies to what the darkness leaves white.
 struct Families {
     uint next;
     float remaining; // darkness that the layers to come have to draw
@@ -112,8 +123,9 @@ float hatch(vec3 p, Footprint f, vec3 normal, bool by_uv, float dark)
         vec2 over_uv = uv_axis(family >> 1);
         vec3 solid = (family & 1u) != 0u ? level_axis(family >> 1) : slice_axis(family >> 1);
         vec3 axis = by_uv ? vec3(over_uv, 0.0) : solid;
-        vec3 side = by_uv ? vec3(over_uv.y, -over_uv.x, 0.0)
-                          : normalize(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
+        vec3 side =
+            by_uv ? vec3(over_uv.y, -over_uv.x, 0.0)
+                  : normalize(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
         LineField field = field_along(axis, side, cross(axis, side), p, f);
         white *= 1.0 - line_ink(field, look, family_dark, hash(constants.seed * 64u + family));
         family_dark = next_family(families, normal, by_uv, family);

@@ -22,8 +22,8 @@ gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyl
     auto pass = graph.compute("hatch", shaders::hatch_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.normal).sample(in.color);
     pass.sample(in.coordinate).sample(in.footprint).sample(in.light).sample(in.screen);
-    const gpu::ImageId ink = pass.write(
-        graph.image("hatch/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    const gpu::ImageId ink = pass.write(graph.image(
+        "hatch/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
     pass.variant((style.fade < 1.0F ? 1U : 0U) | (in.has_screen ? 2U : 0U));
     pass.push(shared::HatchConstants{.tone = in.tone,
                                      .width_px = style.width_mm * in.pixels_per_mm,

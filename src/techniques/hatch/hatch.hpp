@@ -32,17 +32,26 @@ inline const style::Table<HatchStyle>& hatch_table()
         style::Table<HatchStyle>("hatch", "Pen strokes that carry the tone")
             .toggle("drawn", &HatchStyle::drawn, "Whether there are strokes at all")
             .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke on the page")
-            .integer("layers", &HatchStyle::layers, {1, 3}, "", "Layers of strokes that cross as tones deepen")
-            .choice("coordinates", &HatchStyle::coordinates,
-                    {{"auto", Coordinates::automatic}, {"uv", Coordinates::uv}, {"solid", Coordinates::solid}},
-                    "What strokes follow: UVs, slices through the solid, or (auto) UVs where they run unbroken")
-            .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg", "Turn of the first layer over UVs")
-            .number("wobble_mm", &HatchStyle::wobble_mm, {0.0F, 5.0F}, "mm", "How far a stroke strays sideways")
-            .number("gap_mm", &HatchStyle::gap_mm, {0.0F, 20.0F}, "mm", "White between the end of a stroke and the next")
-            .number("taper_mm", &HatchStyle::taper_mm, {0.0F, 50.0F}, "mm", "Length over which a stroke thins to its end")
-            .number("length_mm", &HatchStyle::length_mm, {1.0F, 500.0F}, "mm", "Length of the shortest strokes")
-            .number("pressure", &HatchStyle::pressure, {0.0F, 1.0F}, "", "How much the width varies along a stroke")
-            .number("fade", &HatchStyle::fade, {0.0F, 1.0F}, "", "Share of the darkness left in the far distance")
+            .integer("layers", &HatchStyle::layers, {1, 3}, "",
+                     "Layers of strokes that cross as tones deepen")
+            .choice(
+                "coordinates", &HatchStyle::coordinates,
+                {{"auto", Coordinates::automatic}, {"uv", Coordinates::uv}, {"solid", Coordinates::solid}},
+                "What strokes follow: UVs, slices through the solid, or (auto) UVs where they run unbroken")
+            .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg",
+                    "Turn of the first layer over UVs")
+            .number("wobble_mm", &HatchStyle::wobble_mm, {0.0F, 5.0F}, "mm",
+                    "How far a stroke strays sideways")
+            .number("gap_mm", &HatchStyle::gap_mm, {0.0F, 20.0F}, "mm",
+                    "White between the end of a stroke and the next")
+            .number("taper_mm", &HatchStyle::taper_mm, {0.0F, 50.0F}, "mm",
+                    "Length over which a stroke thins to its end")
+            .number("length_mm", &HatchStyle::length_mm, {1.0F, 500.0F}, "mm",
+                    "Length of the shortest strokes")
+            .number("pressure", &HatchStyle::pressure, {0.0F, 1.0F}, "",
+                    "How much the width varies along a stroke")
+            .number("fade", &HatchStyle::fade, {0.0F, 1.0F}, "",
+                    "Share of the darkness left in the far distance")
             .number("fade_distance_m", &HatchStyle::fade_distance_m, {0.001F, 1e6F}, "m",
                     "Distance by which half of the fading has happened")
             .number("black_above", &HatchStyle::black_above, {0.1F, 2.0F}, "",
@@ -67,7 +76,8 @@ struct HatchInputs {
     glm::uvec2 size_px{0};
 };
 
-/// Turns light into strokes whose ink, on average, is the darkness wanted: see shaders/lines.glsl for the construction.
+/// Turns light into strokes whose ink, on average, is the darkness wanted: see shaders/lines.glsl for the
+/// construction.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
 /// Cost    one full-screen dispatch, no texture; nothing where the paper stays white

@@ -15,10 +15,12 @@ glm::dvec3 style_sun(const LightStyle& style)
 {
     const double azimuth = glm::radians(static_cast<double>(style.sun_azimuth_deg));
     const double elevation = glm::radians(static_cast<double>(style.sun_elevation_deg));
-    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation), std::cos(azimuth) * std::cos(elevation)};
+    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+            std::cos(azimuth) * std::cos(elevation)};
 }
 
-shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from_node, const glm::dvec3& anchor)
+shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from_node,
+                                const glm::dvec3& anchor)
 {
     const glm::dvec3 beam = glm::normalize(glm::dvec3(world_from_node * glm::dvec4(0.0, 0.0, -1.0, 0.0)));
     shared::LightRecord record{};
@@ -85,12 +87,14 @@ float key_light(const std::vector<shared::LightRecord>& records, const Scene& sc
     return *key;
 }
 
-std::vector<shared::LightRecord> scene_records(const Scene& scene, const ScenePose& pose, const glm::dvec3& anchor)
+std::vector<shared::LightRecord> scene_records(const Scene& scene, const ScenePose& pose,
+                                               const glm::dvec3& anchor)
 {
     std::vector<shared::LightRecord> records;
     for (Index node = 0; node < scene.nodes.size(); ++node) {
         if (scene.nodes[node].light != no_index) {
-            records.push_back(make_record(scene.lights[scene.nodes[node].light], pose.world_from_node[node], anchor));
+            records.push_back(
+                make_record(scene.lights[scene.nodes[node].light], pose.world_from_node[node], anchor));
         }
     }
     return records;
@@ -107,8 +111,8 @@ shared::LightRecord sun_record(const LightStyle& style)
 
 } // namespace
 
-Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds, const glm::dvec3& anchor,
-                       const LightStyle& style)
+Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
+                       const glm::dvec3& anchor, const LightStyle& style)
 {
     Lighting lighting;
     if (style.source != LightSource::sun) {
@@ -130,8 +134,9 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
     for (shared::LightRecord& record : lighting.records) {
         record.color *= exposure;
         const float reach = std::sqrt(std::max(brightness(record.color), 0.0F) / least_light);
-        record.range_m = record.range_m > 0.0F ? std::min(record.range_m, 1e9F)
-                                               : std::min(reach, static_cast<float>(8.0 * bounds.radius() + 1.0) * 4.0F);
+        record.range_m = record.range_m > 0.0F
+                             ? std::min(record.range_m, 1e9F)
+                             : std::min(reach, static_cast<float>(8.0 * bounds.radius() + 1.0) * 4.0F);
     }
     if (lighting.directional_count > 0) {
         lighting.towards_sun = glm::dvec3(lighting.records.front().direction);

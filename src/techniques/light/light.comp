@@ -14,15 +14,40 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
-layout(scalar, binding = 1) uniform Lighting { LightGlobals lighting; };
-layout(scalar, binding = 2) readonly buffer Lights { LightRecord lights[]; };
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(scalar, binding = 1) uniform Lighting
+{
+    LightGlobals lighting;
+};
+
+layout(scalar, binding = 2) readonly buffer Lights
+{
+    LightRecord lights[];
+};
+
 layout(binding = 3) uniform usampler2D draw_image;
 layout(binding = 4) uniform sampler2D depth_image;
 layout(binding = 5) uniform usampler2D normal_image;
-layout(scalar, binding = 6) readonly buffer Draws { DrawRecord draws[]; };
-layout(scalar, binding = 7) readonly buffer Materials { MaterialRecord materials[]; };
-layout(scalar, binding = 8) readonly buffer ShadowMap { uint shadow_map[]; };
+
+layout(scalar, binding = 6) readonly buffer Draws
+{
+    DrawRecord draws[];
+};
+
+layout(scalar, binding = 7) readonly buffer Materials
+{
+    MaterialRecord materials[];
+};
+
+layout(scalar, binding = 8) readonly buffer ShadowMap
+{
+    uint shadow_map[];
+};
+
 layout(binding = 9, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
 
 // What the scene needs of this shader.
@@ -32,7 +57,7 @@ const bool has_local_lights = (variant & 2u) != 0u;
 const bool has_emissive = (variant & 4u) != 0u;
 
 const uint lights_per_round = 256u;
-shared uint tile_nearest;  // bits of reversed depth, which order as numbers do
+shared uint tile_nearest; // bits of reversed depth, which order as numbers do
 shared uint tile_farthest;
 shared uint reaching[lights_per_round / 32u];
 

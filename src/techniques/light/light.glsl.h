@@ -6,10 +6,11 @@
 namespace estampe::shared {
 #endif
 
-// A light in anchor space, exposure multiplied in. Directional: `direction` points to it, `position` is unused.
+// A light in anchor space, exposure multiplied in. Directional: `direction` points to it, `position` is
+// unused.
 struct LightRecord {
     vec3 position;
-    float range_m; // no light beyond it
+    float range_m;  // no light beyond it
     vec3 direction; // towards a directional light; along a spot's beam
     uint type;
     vec3 color;
@@ -22,7 +23,7 @@ struct LightGlobals {
     vec3 sky_ambient;
     float shadow_texel_m;
     vec3 ground_ambient;
-    uint shadow_size; // texels a side; 0: no shadow
+    uint shadow_size;       // texels a side; 0: no shadow
     uint directional_count; // these come first in the list; the first casts the shadow
     uint local_count;
     float shadow_depth_m;

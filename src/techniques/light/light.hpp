@@ -22,9 +22,9 @@ struct Lighting {
     glm::vec3 ambient{0.0F};
 };
 
-/// Places the scene's lights in anchor space, or the style's sun where it has none. Intensities (lux, candela) are scaled
-/// so that the scene's well-lit parts come to about one, whatever units the file was made in. A light without a range
-/// gets one where it falls under 1/400 of that.
+/// Places the scene's lights in anchor space, or the style's sun where it has none. Intensities (lux,
+/// candela) are scaled so that the scene's well-lit parts come to about one, whatever units the file was made
+/// in. A light without a range gets one where it falls under 1/400 of that.
 [[nodiscard]] Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
                                      const glm::dvec3& anchor, const LightStyle& style);
 

@@ -22,11 +22,13 @@ inline const style::Table<LightStyle>& light_table()
 {
     static const auto table =
         style::Table<LightStyle>("light", "Where the light comes from")
-            .choice("source", &LightStyle::source,
-                    {{"auto", LightSource::automatic}, {"scene", LightSource::scene}, {"sun", LightSource::sun}},
-                    "The scene's own lights, the sun below, or (auto) the sun only where the scene has no light")
-            .number("sun_azimuth_deg", &LightStyle::sun_azimuth_deg, {-360.0F, 360.0F}, "deg",
-                    "Bearing of the sun: 0 at the viewer's back in the framed view (+z), 90 to the right (+x)")
+            .choice(
+                "source", &LightStyle::source,
+                {{"auto", LightSource::automatic}, {"scene", LightSource::scene}, {"sun", LightSource::sun}},
+                "The scene's own lights, the sun below, or (auto) the sun only where the scene has no light")
+            .number(
+                "sun_azimuth_deg", &LightStyle::sun_azimuth_deg, {-360.0F, 360.0F}, "deg",
+                "Bearing of the sun: 0 at the viewer's back in the framed view (+z), 90 to the right (+x)")
             .number("sun_elevation_deg", &LightStyle::sun_elevation_deg, {-10.0F, 90.0F}, "deg",
                     "Height of the sun above the horizon")
             .number("exposure_stops", &LightStyle::exposure_stops, {-10.0F, 10.0F}, "stops",
@@ -55,7 +57,8 @@ inline const style::Table<ToneStyle>& tone_table()
     static const auto table =
         style::Table<ToneStyle>("tone", "How light becomes darkness on the page")
             .number("exposure", &ToneStyle::exposure, {0.05F, 20.0F}, "", "Light is multiplied by this first")
-            .number("gamma", &ToneStyle::gamma, {0.1F, 4.0F}, "", "Exponent of light; below 1 opens the shadows")
+            .number("gamma", &ToneStyle::gamma, {0.1F, 4.0F}, "",
+                    "Exponent of light; below 1 opens the shadows")
             .number("contrast", &ToneStyle::contrast, {0.1F, 20.0F}, "",
                     "Darkness is multiplied about its middle by this, and saturates")
             .number("floor", &ToneStyle::floor, {0.0F, 0.9F}, "", "Darkness under this stays white paper")

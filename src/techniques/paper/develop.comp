@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread adds one pixel of this frame to the mean of the frames before; the last frame writes it out as sRGB bytes.
+// One thread adds one pixel of this frame to the mean of the frames before; the last frame writes it out as
+// sRGB bytes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -10,10 +11,21 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D picture_image;
-layout(std430, binding = 1) buffer Sums { vec4 sums[]; };
-layout(std430, binding = 2) writeonly buffer Pixels { uint pixels[]; };
 
-layout(push_constant, scalar) uniform Constants { DevelopConstants constants; };
+layout(std430, binding = 1) buffer Sums
+{
+    vec4 sums[];
+};
+
+layout(std430, binding = 2) writeonly buffer Pixels
+{
+    uint pixels[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    DevelopConstants constants;
+};
 
 void main()
 {

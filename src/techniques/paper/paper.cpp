@@ -11,8 +11,8 @@ gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const Paper
 {
     auto pass = graph.compute("compose", shaders::compose_comp);
     pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
-    const gpu::ImageId picture = pass.write(
-        graph.image("picture", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
+    const gpu::ImageId picture = pass.write(graph.image(
+        "picture", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     pass.push(shared::PaperConstants{.paper_color = style.color,
                                      .grain = style.grain,
                                      .ink_color = style.ink,

@@ -8,7 +8,7 @@ namespace estampe::shared {
 
 struct PaperConstants {
     vec3 paper_color;
-    float grain;       // relief of the paper, 0 to 1
+    float grain; // relief of the paper, 0 to 1
     vec3 ink_color;
     float granulation; // how far paint settles in the hollows
     float ink_break;   // how far ink skips the heights

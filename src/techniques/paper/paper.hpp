@@ -25,9 +25,11 @@ inline const style::Table<PaperStyle>& paper_table()
                     "Height of the picture on the page: what millimetres of pen width refer to")
             .color("color", &PaperStyle::color, "Colour of the paper")
             .number("grain", &PaperStyle::grain, {0.0F, 1.0F}, "", "Relief of the paper")
-            .number("granulation", &PaperStyle::granulation, {0.0F, 1.0F}, "", "How far paint settles in the hollows")
+            .number("granulation", &PaperStyle::granulation, {0.0F, 1.0F}, "",
+                    "How far paint settles in the hollows")
             .color("ink", &PaperStyle::ink, "Ink of the strokes")
-            .number("ink_break", &PaperStyle::ink_break, {0.0F, 1.0F}, "", "How far ink skips the heights of the paper")
+            .number("ink_break", &PaperStyle::ink_break, {0.0F, 1.0F}, "",
+                    "How far ink skips the heights of the paper")
             .integer("seed", &PaperStyle::seed, {0, 1000000}, "", "Another number, another sheet");
     return table;
 }
@@ -50,13 +52,15 @@ struct Accumulation {
     uint32_t sample_count = 1;
 };
 
-/// Adds a frame to `sums` (one vec4 a pixel) and, with the last one, writes `pixels`: sRGB, four bytes a pixel.
-/// Returns the new version of `pixels`. Cost: one full-screen dispatch.
+/// Adds a frame to `sums` (one vec4 a pixel) and, with the last one, writes `pixels`: sRGB, four bytes a
+/// pixel. Returns the new version of `pixels`. Cost: one full-screen dispatch.
 struct Developed {
     gpu::BufferId sums;
     gpu::BufferId pixels;
 };
-[[nodiscard]] Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::BufferId sums, gpu::BufferId pixels,
-                                    glm::uvec2 size_px, const Accumulation& accumulation);
+
+[[nodiscard]] Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::BufferId sums,
+                                    gpu::BufferId pixels, glm::uvec2 size_px,
+                                    const Accumulation& accumulation);
 
 } // namespace estampe::paper

@@ -7,7 +7,8 @@
 namespace estampe::pose {
 namespace {
 
-/// Copies everything that belongs to vertex `from` but its position and normal, so that a body moves as its vertex does.
+/// Copies everything that belongs to vertex `from` but its position and normal, so that a body moves as its
+/// vertex does.
 class Copier {
 public:
     Copier(const Primitive& source, Primitive& target) : source_(source), target_(target)
@@ -42,7 +43,8 @@ private:
 
 constexpr uint32_t sides = 5;
 
-void add_wire(const Primitive& source, Copier& copier, Primitive& target, uint32_t from, uint32_t to, float radius)
+void add_wire(const Primitive& source, Copier& copier, Primitive& target, uint32_t from, uint32_t to,
+              float radius)
 {
     const glm::vec3 a = source.positions[from];
     const glm::vec3 b = source.positions[to];
@@ -50,7 +52,8 @@ void add_wire(const Primitive& source, Copier& copier, Primitive& target, uint32
     if (!(glm::length(along) > 0.0F)) {
         return;
     }
-    const glm::vec3 helper = std::abs(along.y) < 0.9F * glm::length(along) ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    const glm::vec3 helper =
+        std::abs(along.y) < 0.9F * glm::length(along) ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
     const glm::vec3 x = glm::normalize(glm::cross(helper, along));
     const glm::vec3 y = glm::normalize(glm::cross(along, x));
     std::array<uint32_t, sides> ring_a{};

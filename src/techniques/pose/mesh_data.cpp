@@ -46,7 +46,8 @@ std::array<uint32_t, 8> round_weights(const glm::vec4& weights_0, const glm::vec
     std::array<uint32_t, 8> rounded{};
     for (int i = 0; i < 8; ++i) {
         const float weight = i < 4 ? weights_0[i] : weights_1[i - 4];
-        rounded[static_cast<size_t>(i)] = static_cast<uint32_t>(std::lround(std::clamp(weight, 0.0F, 1.0F) * 65535.0F));
+        rounded[static_cast<size_t>(i)] =
+            static_cast<uint32_t>(std::lround(std::clamp(weight, 0.0F, 1.0F) * 65535.0F));
     }
     const uint32_t sum = std::accumulate(rounded.begin(), rounded.end(), 0U);
     auto& largest = *std::max_element(rounded.begin(), rounded.end());
@@ -62,10 +63,10 @@ shared::SkinVertex pack_influences(const Primitive& primitive, size_t vertex)
     const auto weights = round_weights(value_or(primitive.weights_0, vertex, glm::vec4(0.0F)),
                                        value_or(primitive.weights_1, vertex, glm::vec4(0.0F)));
     const auto pair = [](uint32_t low, uint32_t high) { return low | high << 16U; };
-    return {.joints = {pair(joints_0.x, joints_0.y), pair(joints_0.z, joints_0.w), pair(joints_1.x, joints_1.y),
-                       pair(joints_1.z, joints_1.w)},
-            .weights = {pair(weights[0], weights[1]), pair(weights[2], weights[3]), pair(weights[4], weights[5]),
-                        pair(weights[6], weights[7])}};
+    return {.joints = {pair(joints_0.x, joints_0.y), pair(joints_0.z, joints_0.w),
+                       pair(joints_1.x, joints_1.y), pair(joints_1.z, joints_1.w)},
+            .weights = {pair(weights[0], weights[1]), pair(weights[2], weights[3]),
+                        pair(weights[4], weights[5]), pair(weights[6], weights[7])}};
 }
 
 /// Where a primitive's vertices have been put, so that nodes that share a mesh share its vertices.
@@ -103,7 +104,8 @@ public:
 private:
     Range append(const std::vector<glm::uvec4>& triangles)
     {
-        const Range range{static_cast<uint32_t>(data_.triangles.size()), static_cast<uint32_t>(triangles.size())};
+        const Range range{static_cast<uint32_t>(data_.triangles.size()),
+                          static_cast<uint32_t>(triangles.size())};
         data_.triangles.insert(data_.triangles.end(), triangles.begin(), triangles.end());
         return range;
     }
@@ -139,7 +141,8 @@ private:
                 draw.object = node_index;
                 draw.flags = (uploaded.follows_uv ? shared::draw_follows_uv : 0U) |
                              (primitive.uvs[0].empty() ? 0U : shared::draw_has_uv);
-                data_.sources.push_back({.node = node_index, .instance = instance, .local_bounds = uploaded.bounds});
+                data_.sources.push_back(
+                    {.node = node_index, .instance = instance, .local_bounds = uploaded.bounds});
                 add_draw(primitive, draw, place_of(node_index, instance), joints);
             }
         }
@@ -178,11 +181,12 @@ private:
         for (size_t i = 0; i < count; ++i) {
             const glm::vec4 color = value_or(primitive.colors, i, glm::vec4(1.0F));
             const glm::vec4 stored(glm::sqrt(glm::clamp(glm::vec3(color), 0.0F, 1.0F)), color.w);
-            data_.rest_vertices.push_back({.position = primitive.positions[i],
-                                           .normal = pack_normal(value_or(primitive.normals, i, glm::vec3(0, 1, 0))),
-                                           .uv_0 = value_or(primitive.uvs[0], i, glm::vec2(0.0F)),
-                                           .uv_1 = value_or(primitive.uvs[1], i, glm::vec2(0.0F)),
-                                           .color = glm::packUnorm4x8(stored)});
+            data_.rest_vertices.push_back(
+                {.position = primitive.positions[i],
+                 .normal = pack_normal(value_or(primitive.normals, i, glm::vec3(0, 1, 0))),
+                 .uv_0 = value_or(primitive.uvs[0], i, glm::vec2(0.0F)),
+                 .uv_1 = value_or(primitive.uvs[1], i, glm::vec2(0.0F)),
+                 .color = glm::packUnorm4x8(stored)});
             result.bounds.extend(primitive.positions[i]);
         }
         if (!primitive.weights_0.empty()) {
@@ -193,8 +197,9 @@ private:
         }
         for (const MorphTarget& target : primitive.morph_targets) {
             for (size_t i = 0; i < count; ++i) {
-                data_.morph_offsets.push_back({.position = value_or(target.position_offsets, i, glm::vec3(0.0F)),
-                                               .normal = value_or(target.normal_offsets, i, glm::vec3(0.0F))});
+                data_.morph_offsets.push_back(
+                    {.position = value_or(target.position_offsets, i, glm::vec3(0.0F)),
+                     .normal = value_or(target.normal_offsets, i, glm::vec3(0.0F))});
             }
         }
         return result;
@@ -206,7 +211,8 @@ private:
         const auto index = static_cast<uint32_t>(data_.draws.size());
         if (data_.draw_of_vertex.size() + draw.vertex_count > most_vertices ||
             index >= shared::triangle_draw_mask) {
-            throw Error("the scene draws more vertices than can be numbered", scene_.name, "use a lighter scene");
+            throw Error("the scene draws more vertices than can be numbered", scene_.name,
+                        "use a lighter scene");
         }
         data_.draws.push_back(draw);
         data_.draw_of_vertex.insert(data_.draw_of_vertex.end(), draw.vertex_count, index);
@@ -220,7 +226,8 @@ private:
         }
         const Material& material = scene_.materials[primitive.material];
         const bool is_skinned = draw.first_skin_vertex != shared::no_skin;
-        const bool mirrored = glm::determinant(is_skinned ? glm::dmat3(joints.front()) : glm::dmat3(place)) < 0.0;
+        const bool mirrored =
+            glm::determinant(is_skinned ? glm::dmat3(joints.front()) : glm::dmat3(place)) < 0.0;
         const uint32_t flags = index | (mirrored ? shared::triangle_mirrored : 0U) |
                                (material.double_sided ? shared::triangle_two_sided : 0U);
         auto& list = material.alpha_mode == AlphaMode::opaque ? opaque_
@@ -233,10 +240,12 @@ private:
         }
     }
 
-    static glm::dmat4 blended_joints(const Primitive& primitive, size_t vertex, const std::vector<glm::mat4>& joints)
+    static glm::dmat4 blended_joints(const Primitive& primitive, size_t vertex,
+                                     const std::vector<glm::mat4>& joints)
     {
         glm::mat4 sum(0.0F);
-        const auto add = [&](const std::vector<glm::u16vec4>& indices, const std::vector<glm::vec4>& weights) {
+        const auto add = [&](const std::vector<glm::u16vec4>& indices,
+                             const std::vector<glm::vec4>& weights) {
             for (int k = 0; vertex < weights.size() && vertex < indices.size() && k < 4; ++k) {
                 if (indices[vertex][k] < joints.size()) {
                     sum += weights[vertex][k] * joints[indices[vertex][k]];
@@ -254,7 +263,8 @@ private:
         const auto reach = static_cast<float>(60.0 * radius);
         Primitive quad;
         const float height = static_cast<float>(data_.bounds.min.y - data_.anchor.y - 1e-3 * radius);
-        for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
+        for (const glm::vec2 corner :
+             {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
             quad.positions.emplace_back(corner.x * reach, height, corner.y * reach);
             quad.normals.emplace_back(0.0F, 1.0F, 0.0F);
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The meshes of a scene in the form the GPU wants, made on the processor: one vertex list, one triangle list, one record
-// for every place where a primitive is drawn.
+// The meshes of a scene in the form the GPU wants, made on the processor: one vertex list, one triangle list,
+// one record for every place where a primitive is drawn.
 
 #include <cstdint>
 #include <vector>
@@ -31,11 +31,12 @@ struct MeshData {
     std::vector<shared::RestVertex> rest_vertices;
     std::vector<shared::SkinVertex> skin_vertices;
     std::vector<shared::MorphOffset> morph_offsets;
-    std::vector<glm::uvec4> triangles;         ///< three posed vertices, and draw with flags
-    std::vector<glm::vec3> stroke_coordinates; ///< one a posed vertex: place in the rest pose, in units of `stroke_unit_m`
-    std::vector<uint32_t> draw_of_vertex;      ///< one a posed vertex
-    std::vector<shared::DrawRecord> draws;     ///< matrices not filled in
-    std::vector<DrawSource> sources;           ///< one a draw; the ground has none and comes last
+    std::vector<glm::uvec4> triangles; ///< three posed vertices, and draw with flags
+    std::vector<glm::vec3>
+        stroke_coordinates; ///< one a posed vertex: place in the rest pose, in units of `stroke_unit_m`
+    std::vector<uint32_t> draw_of_vertex;  ///< one a posed vertex
+    std::vector<shared::DrawRecord> draws; ///< matrices not filled in
+    std::vector<DrawSource> sources;       ///< one a draw; the ground has none and comes last
     Range opaque, masked, blended, ground;
     uint32_t joint_count = 0;
     uint32_t morph_weight_count = 0;
@@ -44,18 +45,19 @@ struct MeshData {
     Bounds bounds; ///< of the rest pose
 };
 
-/// Builds the mesh data of `scene`. Strokes follow UVs where `uvs_are_usable` of a primitive says so, otherwise the place
-/// in the rest pose, so that they stick to skinned and morphing bodies. Draws a ground of material `ground_material`
-/// under the scene, as a range of its own. Throws Error when the scene has more vertices than 32 bits can number.
-/// Cost: linear in vertices drawn.
+/// Builds the mesh data of `scene`. Strokes follow UVs where `uvs_are_usable` of a primitive says so,
+/// otherwise the place in the rest pose, so that they stick to skinned and morphing bodies. Draws a ground of
+/// material `ground_material` under the scene, as a range of its own. Throws Error when the scene has more
+/// vertices than 32 bits can number. Cost: linear in vertices drawn.
 [[nodiscard]] MeshData build_meshes(const Scene& scene, Index ground_material);
 
-/// Lines as thin wires and points as small dots, in triangles, so that they are drawn, lit and shadowed like anything else.
-/// They keep the skin and morph targets of their vertices. Cost: 10 triangles a line, 8 a point.
+/// Lines as thin wires and points as small dots, in triangles, so that they are drawn, lit and shadowed like
+/// anything else. They keep the skin and morph targets of their vertices. Cost: 10 triangles a line, 8 a
+/// point.
 [[nodiscard]] Primitive drawn_body(const Primitive& primitive, float radius_m);
 
-/// Whether a primitive's first UV set can carry strokes: present, finite, hardly stretched, and not cut into islands, at
-/// whose borders strokes would break. Cost: linear in triangles.
+/// Whether a primitive's first UV set can carry strokes: present, finite, hardly stretched, and not cut into
+/// islands, at whose borders strokes would break. Cost: linear in triangles.
 [[nodiscard]] bool uvs_are_usable(const Primitive& primitive);
 
 /// What moves from frame to frame, ready to be copied to the GPU.

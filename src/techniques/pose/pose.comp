@@ -10,16 +10,50 @@
 
 layout(local_size_x = 64) in;
 
-layout(scalar, binding = 0) readonly buffer Draws { DrawRecord draws[]; };
-layout(scalar, binding = 1) readonly buffer DrawOfVertex { uint draw_of_vertex[]; };
-layout(scalar, binding = 2) readonly buffer RestVertices { RestVertex rest_vertices[]; };
-layout(scalar, binding = 3) readonly buffer SkinVertices { SkinVertex skin_vertices[]; };
-layout(scalar, binding = 4) readonly buffer MorphOffsets { MorphOffset morph_offsets[]; };
-layout(scalar, binding = 5) readonly buffer Joints { mat4 anchor_from_bind[]; };
-layout(scalar, binding = 6) readonly buffer MorphWeights { float morph_weights[]; };
-layout(scalar, binding = 7) writeonly buffer PosedVertices { PosedVertex posed_vertices[]; };
+layout(scalar, binding = 0) readonly buffer Draws
+{
+    DrawRecord draws[];
+};
 
-layout(push_constant, scalar) uniform Constants { uint vertex_count; };
+layout(scalar, binding = 1) readonly buffer DrawOfVertex
+{
+    uint draw_of_vertex[];
+};
+
+layout(scalar, binding = 2) readonly buffer RestVertices
+{
+    RestVertex rest_vertices[];
+};
+
+layout(scalar, binding = 3) readonly buffer SkinVertices
+{
+    SkinVertex skin_vertices[];
+};
+
+layout(scalar, binding = 4) readonly buffer MorphOffsets
+{
+    MorphOffset morph_offsets[];
+};
+
+layout(scalar, binding = 5) readonly buffer Joints
+{
+    mat4 anchor_from_bind[];
+};
+
+layout(scalar, binding = 6) readonly buffer MorphWeights
+{
+    float morph_weights[];
+};
+
+layout(scalar, binding = 7) writeonly buffer PosedVertices
+{
+    PosedVertex posed_vertices[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    uint vertex_count;
+};
 
 mat4 skin_matrix(DrawRecord draw, uint local)
 {
@@ -64,7 +98,8 @@ void main()
     vec4 posed = place * vec4(position, 1.0);
     mat3 linear = mat3(place);
     // The cofactor matrix turns normals as the inverse transpose does, and survives a flattening scale.
-    mat3 cofactor = mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
+    mat3 cofactor =
+        mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
     // A mirroring would point them inwards: its determinant is negative.
     vec3 turned = cofactor * normal * (dot(linear[0], cofactor[0]) < 0.0 ? -1.0 : 1.0);
     float turned_length = length(turned);

@@ -30,10 +30,15 @@ void upload_pose(gpu::Device& device, MeshBuffers& meshes, const PoseData& pose)
     meshes.morph_weights = upload_buffer(device, "morph weights", pose.morph_weights);
 }
 
-gpu::BufferId add_pose(gpu::Graph& graph, const PoseInputs& in, gpu::BufferId posed_vertices, uint32_t vertex_count)
+gpu::BufferId add_pose(gpu::Graph& graph, const PoseInputs& in, gpu::BufferId posed_vertices,
+                       uint32_t vertex_count)
 {
     auto pass = graph.compute("pose", shaders::pose_comp);
-    pass.read(in.draws).read(in.draw_of_vertex).read(in.rest_vertices).read(in.skin_vertices).read(in.morph_offsets);
+    pass.read(in.draws)
+        .read(in.draw_of_vertex)
+        .read(in.rest_vertices)
+        .read(in.skin_vertices)
+        .read(in.morph_offsets);
     pass.read(in.joints).read(in.morph_weights);
     const gpu::BufferId posed = pass.write(posed_vertices);
     pass.push(vertex_count).dispatch_items(vertex_count);

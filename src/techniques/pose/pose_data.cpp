@@ -14,7 +14,8 @@ Bounds transformed(const Bounds& local, const glm::dmat4& place)
 {
     Bounds result;
     for (int i = 0; i < 8 && !local.empty(); ++i) {
-        const glm::dvec3 corner((i & 1) != 0 ? local.max.x : local.min.x, (i & 2) != 0 ? local.max.y : local.min.y,
+        const glm::dvec3 corner((i & 1) != 0 ? local.max.x : local.min.x,
+                                (i & 2) != 0 ? local.max.y : local.min.y,
                                 (i & 4) != 0 ? local.max.z : local.min.z);
         result.extend(glm::dvec3(place * glm::dvec4(corner, 1.0)));
     }
@@ -24,7 +25,8 @@ Bounds transformed(const Bounds& local, const glm::dmat4& place)
 /// A floor: flat, level, and nothing below it, so that its shadow can fall on nothing.
 bool is_lowest_floor(const Bounds& draw, const Bounds& scene)
 {
-    const double extent = std::max({scene.max.x - scene.min.x, scene.max.y - scene.min.y, scene.max.z - scene.min.z});
+    const double extent =
+        std::max({scene.max.x - scene.min.x, scene.max.y - scene.min.y, scene.max.z - scene.min.z});
     return draw.max.y - draw.min.y <= 1e-3 * extent && draw.max.y <= scene.min.y + 2e-3 * extent;
 }
 
@@ -32,7 +34,8 @@ bool is_lowest_floor(const Bounds& draw, const Bounds& scene)
 
 bool PoseData::operator==(const PoseData& other) const
 {
-    return draws.size() == other.draws.size() && joints == other.joints && morph_weights == other.morph_weights &&
+    return draws.size() == other.draws.size() && joints == other.joints &&
+           morph_weights == other.morph_weights &&
            std::memcmp(draws.data(), other.draws.data(), draws.size() * sizeof(shared::DrawRecord)) == 0;
 }
 
@@ -52,7 +55,8 @@ PoseData pose_meshes(const MeshData& meshes, const Scene& scene, const ScenePose
             place = place * glm::dmat4(instances[source.instance]);
         }
         data.draws[i].anchor_from_object = glm::mat4(anchor_from_world * place);
-        has_deforming |= data.draws[i].first_skin_vertex != shared::no_skin || data.draws[i].morph_target_count > 0;
+        has_deforming |=
+            data.draws[i].first_skin_vertex != shared::no_skin || data.draws[i].morph_target_count > 0;
         draw_bounds.push_back(transformed(source.local_bounds, place));
         if (!draw_bounds.back().empty()) {
             all.extend(draw_bounds.back().min);

@@ -9,7 +9,8 @@
 namespace estampe::pose {
 namespace {
 
-/// An edge by the places of its ends, not by their numbers, so that it is the same edge on both sides of a seam.
+/// An edge by the places of its ends, not by their numbers, so that it is the same edge on both sides of a
+/// seam.
 using EdgePlaces = std::pair<std::array<float, 3>, std::array<float, 3>>;
 
 std::array<float, 3> place(const glm::vec3& p)
@@ -17,8 +18,10 @@ std::array<float, 3> place(const glm::vec3& p)
     return {p.x, p.y, p.z};
 }
 
-/// Ratio of the larger to the smaller stretch of the map from a triangle to its texture; infinite when degenerate.
-float stretch(const glm::vec3& p0, const glm::vec3& p1, const glm::vec3& p2, glm::vec2 u0, glm::vec2 u1, glm::vec2 u2)
+/// Ratio of the larger to the smaller stretch of the map from a triangle to its texture; infinite when
+/// degenerate.
+float stretch(const glm::vec3& p0, const glm::vec3& p1, const glm::vec3& p2, glm::vec2 u0, glm::vec2 u1,
+              glm::vec2 u2)
 {
     const glm::vec3 a = p1 - p0;
     const glm::vec3 b = p2 - p0;

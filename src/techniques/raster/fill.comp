@@ -7,9 +7,16 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) writeonly buffer Words { uvec4 words[]; };
+layout(std430, binding = 0) writeonly buffer Words
+{
+    uvec4 words[];
+};
 
-layout(push_constant) uniform Constants { uint value; uint quad_count; };
+layout(push_constant) uniform Constants
+{
+    uint value;
+    uint quad_count;
+};
 
 void main()
 {

@@ -4,9 +4,21 @@
 #include "shaders/material.glsl.h"
 #include "shaders/barycentric.glsl"
 
-layout(scalar, binding = 6) readonly buffer Draws { DrawRecord draws[]; };
-layout(scalar, binding = 7) readonly buffer RestVertices { RestVertex rest_vertices[]; };
-layout(scalar, binding = 8) readonly buffer Materials { MaterialRecord materials[]; };
+layout(scalar, binding = 6) readonly buffer Draws
+{
+    DrawRecord draws[];
+};
+
+layout(scalar, binding = 7) readonly buffer RestVertices
+{
+    RestVertex rest_vertices[];
+};
+
+layout(scalar, binding = 8) readonly buffer Materials
+{
+    MaterialRecord materials[];
+};
+
 layout(binding = 9) uniform sampler2DArray texture_class_0;
 layout(binding = 10) uniform sampler2DArray texture_class_1;
 layout(binding = 11) uniform sampler2DArray texture_class_2;
@@ -25,8 +37,9 @@ bool passes_mask(uint triangle, ivec2 pixel)
     DrawRecord draw = draws[corners.w & TRIANGLE_DRAW_MASK];
     MaterialRecord material = materials[draw.material];
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
-    vec4 vertex_alpha = vec4(unpackUnorm4x8(rest_vertices[rest.x].color).a, unpackUnorm4x8(rest_vertices[rest.y].color).a,
-                             unpackUnorm4x8(rest_vertices[rest.z].color).a, 0.0);
+    vec4 vertex_alpha =
+        vec4(unpackUnorm4x8(rest_vertices[rest.x].color).a, unpackUnorm4x8(rest_vertices[rest.y].color).a,
+             unpackUnorm4x8(rest_vertices[rest.z].color).a, 0.0);
     Barycentric b = barycentric_at(constants.clip_from_anchor * vec4(posed_vertices[corners.x].position, 1.0),
                                    constants.clip_from_anchor * vec4(posed_vertices[corners.y].position, 1.0),
                                    constants.clip_from_anchor * vec4(posed_vertices[corners.z].position, 1.0),

@@ -47,6 +47,7 @@ gpu::BufferId add_clear(gpu::Graph& graph, const std::string& name, gpu::BufferI
         uint32_t value;
         uint32_t quad_count;
     } constants{0, static_cast<uint32_t>(graph.describe(buffer).size_bytes / 16)};
+
     auto pass = graph.compute(name + "/clear", shaders::fill_comp);
     const gpu::BufferId cleared = pass.write(buffer);
     pass.push(constants).dispatch_items(constants.quad_count);
@@ -67,8 +68,8 @@ void bind_masks(gpu::Pass& pass, const RasterInputs& in)
     }
 }
 
-gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in, const Batch& batch,
-                        const View& view, gpu::BufferId target, bool depth_only)
+gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                        const Batch& batch, const View& view, gpu::BufferId target, bool depth_only)
 {
     const Stages shaders = stages(depth_only, batch.masked);
     const uint32_t large_capacity = std::min(2 * batch.triangle_count, most_large_triangles);
@@ -83,7 +84,8 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
     gpu::BufferId counters = zeros(graph, name + "/counters", sizeof(shared::RasterCounters));
     gpu::BufferId large =
         graph.buffer(name + "/large", {.size_bytes = large_capacity * sizeof(shared::LargeTriangle)});
-    gpu::BufferId tiles = graph.buffer(name + "/tiles", {.size_bytes = most_tiles * sizeof(shared::TriangleTile)});
+    gpu::BufferId tiles =
+        graph.buffer(name + "/tiles", {.size_bytes = most_tiles * sizeof(shared::TriangleTile)});
     const auto begin_stage = [&](const char* stage, const gpu::Shader& shader) {
         auto pass = graph.compute(name + "/" + stage, shader);
         pass.read(in.triangles).read(in.posed_vertices);
@@ -106,11 +108,13 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
 }
 
 gpu::BufferId add_batches(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
-                          const std::vector<Batch>& batches, const View& view, gpu::BufferId target, bool depth_only)
+                          const std::vector<Batch>& batches, const View& view, gpu::BufferId target,
+                          bool depth_only)
 {
     for (const Batch& batch : batches) {
         if (batch.triangle_count > 0) {
-            target = add_batch(graph, name + (batch.masked ? "/masked" : ""), in, batch, view, target, depth_only);
+            target =
+                add_batch(graph, name + (batch.masked ? "/masked" : ""), in, batch, view, target, depth_only);
         }
     }
     return target;

@@ -2,25 +2,54 @@
 #ifndef ESTAMPE_RASTER
 #define ESTAMPE_RASTER
 
-// Rasterisation in compute: exact integer edge functions on positions snapped to 1/256 pixel with the top-left rule, so
-// that triangles that share an edge never overlap and never leave a gap. The winner of a pixel is the largest 64-bit
-// value (reversed depth above, triangle below), which does not depend on the order of execution.
+// Rasterisation in compute: exact integer edge functions on positions snapped to 1/256 pixel with the
+// top-left rule, so that triangles that share an edge never overlap and never leave a gap. The winner of a
+// pixel is the largest 64-bit value (reversed depth above, triangle below), which does not depend on the
+// order of execution.
 
 #include "techniques/raster/raster.glsl.h"
 #include "shaders/mesh.glsl.h"
 
-layout(scalar, binding = 0) readonly buffer Triangles { uvec4 triangles[]; };
-layout(scalar, binding = 1) readonly buffer PosedVertices { PosedVertex posed_vertices[]; };
-layout(scalar, binding = 2) buffer Counters { RasterCounters counters; };
-layout(scalar, binding = 3) buffer LargeTriangles { LargeTriangle large_triangles[]; };
-layout(scalar, binding = 4) buffer Tiles { TriangleTile tiles[]; };
+layout(scalar, binding = 0) readonly buffer Triangles
+{
+    uvec4 triangles[];
+};
+
+layout(scalar, binding = 1) readonly buffer PosedVertices
+{
+    PosedVertex posed_vertices[];
+};
+
+layout(scalar, binding = 2) buffer Counters
+{
+    RasterCounters counters;
+};
+
+layout(scalar, binding = 3) buffer LargeTriangles
+{
+    LargeTriangle large_triangles[];
+};
+
+layout(scalar, binding = 4) buffer Tiles
+{
+    TriangleTile tiles[];
+};
 #ifdef RASTER_DEPTH_ONLY
-layout(scalar, binding = 5) buffer Target { uint target[]; };
+layout(scalar, binding = 5) buffer Target
+{
+    uint target[];
+};
 #else
-layout(scalar, binding = 5) buffer Target { uint64_t target[]; };
+layout(scalar, binding = 5) buffer Target
+{
+    uint64_t target[];
+};
 #endif
 
-layout(push_constant, scalar) uniform Constants { RasterConstants constants; };
+layout(push_constant, scalar) uniform Constants
+{
+    RasterConstants constants;
+};
 
 const float subpixels = 256.0;
 const float guard_px = 2097152.0; // 2^21: differences of such positions still fit 32 bits, edge functions 64
@@ -36,8 +65,8 @@ struct ClippedTriangle {
     int count;
 };
 
-// Clips against the near plane (w - z >= 0). New corners are always computed from the inside outwards, so that both
-// triangles of a shared edge get the same bits.
+// Clips against the near plane (w - z >= 0). New corners are always computed from the inside outwards, so
+// that both triangles of a shared edge get the same bits.
 ClippedTriangle clip_near(vec4 a, vec4 b, vec4 c)
 {
     vec4 corner[3] = vec4[3](a, b, c);
@@ -157,7 +186,8 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
 #endif
 }
 
-// Fills the part of a triangle within [low, high], for triangles of at most 64 pixels a side: 32-bit arithmetic.
+// Fills the part of a triangle within [low, high], for triangles of at most 64 pixels a side: 32-bit
+// arithmetic.
 void fill_small(PageTriangle t, ivec2 low, ivec2 high, uint triangle)
 {
     ivec2 e0 = t.p[2] - t.p[1];
@@ -184,7 +214,8 @@ void fill_small(PageTriangle t, ivec2 low, ivec2 high, uint triangle)
     }
 }
 
-// One edge of a large triangle: value at a pixel's centre, and what it gains to the right and down, in 64 bits.
+// One edge of a large triangle: value at a pixel's centre, and what it gains to the right and down, in 64
+// bits.
 struct LargeEdge {
     int64_t value;
     int64_t right;

@@ -45,13 +45,17 @@ struct View {
 /// A picture of 64-bit words, row by row: reversed depth above, triangle below; 0 where nothing is seen.
 ///
 /// Cost    two clears, and three dispatches a batch; time goes with triangles and covered pixels
-/// Source  Kenzel et al., "A High-Performance Software Graphics Pipeline Architecture for the GPU", 2018, for the
-///         division by size; exact edge functions after Pineda, "A Parallel Algorithm for Polygon Rasterization", 1988
+/// Source  Kenzel et al., "A High-Performance Software Graphics Pipeline Architecture for the GPU", 2018, for
+/// the
+///         division by size; exact edge functions after Pineda, "A Parallel Algorithm for Polygon
+///         Rasterization", 1988
 [[nodiscard]] gpu::BufferId add_visibility(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
                                            const std::vector<Batch>& batches, const View& view);
 
-/// Draws a picture of 32-bit words into `target`: the bits of reversed depth as float; 0 where nothing is seen.
+/// Draws a picture of 32-bit words into `target`: the bits of reversed depth as float; 0 where nothing is
+/// seen.
 [[nodiscard]] gpu::BufferId add_depth(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
-                                      const std::vector<Batch>& batches, const View& view, gpu::BufferId target);
+                                      const std::vector<Batch>& batches, const View& view,
+                                      gpu::BufferId target);
 
 } // namespace estampe::raster

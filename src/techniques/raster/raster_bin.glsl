@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup takes large triangles in turn, and its threads list the tiles that each one touches. When the list is
-// full a thread draws the tile itself: slow, but whole.
+// One workgroup takes large triangles in turn, and its threads list the tiles that each one touches. When the
+// list is full a thread draws the tile itself: slow, but whole.
 
 #include "techniques/raster/raster.glsl"
 
@@ -13,7 +13,8 @@ bool touches(PageTriangle t, ivec2 low, ivec2 high)
         ivec2 from = t.p[i];
         ivec2 d = t.p[(i + 1) % 3] - from;
         ivec2 farthest = ivec2(d.y < 0 ? high.x : low.x, d.x > 0 ? high.y : low.y) * 256 + 128;
-        int64_t value = int64_t(d.x) * int64_t(farthest.y - from.y) - int64_t(d.y) * int64_t(farthest.x - from.x);
+        int64_t value =
+            int64_t(d.x) * int64_t(farthest.y - from.y) - int64_t(d.y) * int64_t(farthest.x - from.x);
         if (value < 0) {
             return false;
         }
@@ -43,7 +44,8 @@ void main()
             }
             uint slot = atomicAdd(counters.tile_count, 1u);
             if (slot < constants.tile_capacity) {
-                tiles[slot] = TriangleTile(large.triangle, large.part << 31 | uint(tile.y) << 15 | uint(tile.x));
+                tiles[slot] =
+                    TriangleTile(large.triangle, large.part << 31 | uint(tile.y) << 15 | uint(tile.x));
                 continue;
             }
             for (int x = tile_low.x; x <= tile_high.x; ++x) {

@@ -21,7 +21,8 @@ void draw_part(ClippedTriangle clipped, uint part, uint triangle, uint flags)
     }
     ivec2 extent = max(max(t.p[0], t.p[1]), t.p[2]) - min(min(t.p[0], t.p[1]), t.p[2]);
     ivec2 covered = high - low + 1;
-    if (all(lessThan(extent, ivec2(small_side_px * 256))) && uint(covered.x * covered.y) <= constants.small_area_px) {
+    if (all(lessThan(extent, ivec2(small_side_px * 256))) &&
+        uint(covered.x * covered.y) <= constants.small_area_px) {
         fill_small(t, low, high, triangle);
         return;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread looks through one pixel: the nearest see-through surface in front of the solid ones, its colour and how much
-// it covers.
+// One thread looks through one pixel: the nearest see-through surface in front of the solid ones, its colour
+// and how much it covers.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -14,14 +14,46 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
-layout(scalar, binding = 1) readonly buffer SolidVisibility { uvec2 solid[]; };
-layout(scalar, binding = 2) readonly buffer ScreenVisibility { uvec2 screen[]; };
-layout(scalar, binding = 3) readonly buffer Triangles { uvec4 triangles[]; };
-layout(scalar, binding = 4) readonly buffer PosedVertices { PosedVertex posed_vertices[]; };
-layout(scalar, binding = 5) readonly buffer Draws { DrawRecord draws[]; };
-layout(scalar, binding = 6) readonly buffer RestVertices { RestVertex rest_vertices[]; };
-layout(scalar, binding = 7) readonly buffer Materials { MaterialRecord materials[]; };
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(scalar, binding = 1) readonly buffer SolidVisibility
+{
+    uvec2 solid[];
+};
+
+layout(scalar, binding = 2) readonly buffer ScreenVisibility
+{
+    uvec2 screen[];
+};
+
+layout(scalar, binding = 3) readonly buffer Triangles
+{
+    uvec4 triangles[];
+};
+
+layout(scalar, binding = 4) readonly buffer PosedVertices
+{
+    PosedVertex posed_vertices[];
+};
+
+layout(scalar, binding = 5) readonly buffer Draws
+{
+    DrawRecord draws[];
+};
+
+layout(scalar, binding = 6) readonly buffer RestVertices
+{
+    RestVertex rest_vertices[];
+};
+
+layout(scalar, binding = 7) readonly buffer Materials
+{
+    MaterialRecord materials[];
+};
+
 layout(binding = 8) uniform sampler2DArray texture_class_0;
 layout(binding = 9) uniform sampler2DArray texture_class_1;
 layout(binding = 10) uniform sampler2DArray texture_class_2;
@@ -57,15 +89,18 @@ void main()
                                     frame.clip_from_anchor * vec4(posed_vertices[corners.z].position, 1.0),
                                     vec2(pixel) + 0.5, frame.size_px);
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
-    mat3x4 vertex_colors = mat3x4(unpackUnorm4x8(rest_vertices[rest.x].color), unpackUnorm4x8(rest_vertices[rest.y].color),
-                                  unpackUnorm4x8(rest_vertices[rest.z].color));
+    mat3x4 vertex_colors =
+        mat3x4(unpackUnorm4x8(rest_vertices[rest.x].color), unpackUnorm4x8(rest_vertices[rest.y].color),
+               unpackUnorm4x8(rest_vertices[rest.z].color));
     vec4 tint = vertex_colors * at.weight;
     vec4 color = materials[draw.material].base_color * vec4(tint.rgb * tint.rgb, tint.a);
     TextureSlot slot = materials[draw.material].base_texture;
     if (TEXTURE_CLASSES != 0u && slot.location != NO_TEXTURE) {
         bool second = ((slot.location >> 24) & 1u) != 0u;
-        mat3x2 uv = second ? mat3x2(rest_vertices[rest.x].uv_1, rest_vertices[rest.y].uv_1, rest_vertices[rest.z].uv_1)
-                           : mat3x2(rest_vertices[rest.x].uv_0, rest_vertices[rest.y].uv_0, rest_vertices[rest.z].uv_0);
+        mat3x2 uv =
+            second
+                ? mat3x2(rest_vertices[rest.x].uv_1, rest_vertices[rest.y].uv_1, rest_vertices[rest.z].uv_1)
+                : mat3x2(rest_vertices[rest.x].uv_0, rest_vertices[rest.y].uv_0, rest_vertices[rest.z].uv_0);
         vec4 texel = sample_texture(slot, UvFootprint(uv * at.weight, uv * at.dx, uv * at.dy));
         color *= vec4(linear_from_srgb(texel.rgb), texel.a);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// See-through surfaces (glTF's BLEND) as screened ink: the nearest one in front of what is solid tints the wash, darkens
-// the strokes behind it by its cover, and is outlined.
+// See-through surfaces (glTF's BLEND) as screened ink: the nearest one in front of what is solid tints the
+// wash, darkens the strokes behind it by its cover, and is outlined.
 
 #include <array>
 
@@ -31,7 +31,8 @@ struct Screen {
     gpu::ImageId color; ///< rgba8: square root of linear colour, cover in alpha
 };
 
-/// Cost: one full-screen dispatch. Order among see-through surfaces is by depth, pixel by pixel: only the nearest counts.
+/// Cost: one full-screen dispatch. Order among see-through surfaces is by depth, pixel by pixel: only the
+/// nearest counts.
 [[nodiscard]] Screen add_screen(gpu::Graph& graph, const ScreenInputs& in);
 
 /// For scenes without see-through surfaces. Cost: one thread.

@@ -6,7 +6,8 @@
 
 namespace estampe::shadow {
 
-SunView sun_view(const Bounds& casters, const glm::dvec3& anchor, const glm::dvec3& towards_sun, uint32_t size)
+SunView sun_view(const Bounds& casters, const glm::dvec3& anchor, const glm::dvec3& towards_sun,
+                 uint32_t size)
 {
     const glm::dvec3 helper = std::abs(towards_sun.y) < 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(helper, towards_sun));

@@ -14,8 +14,8 @@ struct SunView {
     float depth_m = 1.0F;             ///< what clip z of 0 to 1 spans
 };
 
-/// Fits the view to `casters` (world space), whatever receives: outside of it nothing can be in shadow. `towards_sun` is a
-/// unit vector, `size` the map's side in texels. Empty casters give a view of one metre.
+/// Fits the view to `casters` (world space), whatever receives: outside of it nothing can be in shadow.
+/// `towards_sun` is a unit vector, `size` the map's side in texels. Empty casters give a view of one metre.
 [[nodiscard]] SunView sun_view(const Bounds& casters, const glm::dvec3& anchor, const glm::dvec3& towards_sun,
                                uint32_t size);
 

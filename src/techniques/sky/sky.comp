@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread paints one pixel of the background: a wash from the horizon to the zenith, and long level strokes that thin
-// out towards the light.
+// One thread paints one pixel of the background: a wash from the horizon to the zenith, and long level
+// strokes that thin out towards the light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -11,16 +11,29 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
 layout(binding = 1, rgba16f) writeonly uniform image2D out_wash;
 layout(binding = 2, r16f) writeonly uniform image2D out_ink;
 
-layout(push_constant, scalar) uniform Constants { SkyConstants constants; };
+layout(push_constant, scalar) uniform Constants
+{
+    SkyConstants constants;
+};
 
-vec3 direction_at(vec2 position_px) { return -towards_eye(frame, anchor_at(frame, position_px, 0.5)); }
+vec3 direction_at(vec2 position_px)
+{
+    return -towards_eye(frame, anchor_at(frame, position_px, 0.5));
+}
 
 // Height above the horizon, bent so that the strokes bow like a vault.
-vec2 vault(vec3 d) { return vec2(atan(d.x, -d.z), d.y / (0.35 + length(d.xz))); }
+vec2 vault(vec3 d)
+{
+    return vec2(atan(d.x, -d.z), d.y / (0.35 + length(d.xz)));
+}
 
 void main()
 {
@@ -48,7 +61,9 @@ void main()
         field.u = here.x;
         field.u_per_px = abs(right.x * along.x + down.x * along.y);
         field.wander = here;
-        float towards_light = 0.5 + 0.5 * dot(normalize(vec3(d.x, 0.0, d.z) + 1e-6), normalize(vec3(constants.towards_sun.x, 0.0, constants.towards_sun.z) + 1e-6));
+        float towards_light =
+            0.5 + 0.5 * dot(normalize(vec3(d.x, 0.0, d.z) + 1e-6),
+                            normalize(vec3(constants.towards_sun.x, 0.0, constants.towards_sun.z) + 1e-6));
         float dark = constants.darkness * smoothstep(0.04, 0.55, height) * mix(1.0, 0.25, towards_light);
         float pen = constants.stroke_width_px;
         ink = line_ink(field, LineLook(pen, 0.9 * pen, 26.0 * pen, 40.0 * pen, 190.0 * pen, 0.35), dark, 77u);

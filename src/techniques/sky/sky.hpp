@@ -44,8 +44,8 @@ struct Sky {
     gpu::ImageId ink;  ///< r16f: coverage
 };
 
-/// Paints the background of the whole page; one blank texel for all of it where no sky is drawn. Cost: one full-screen
-/// dispatch.
+/// Paints the background of the whole page; one blank texel for all of it where no sky is drawn. Cost: one
+/// full-screen dispatch.
 [[nodiscard]] Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style);
 
 } // namespace estampe::sky

@@ -29,7 +29,8 @@ shared::TextureSlot slot(const Scene& scene, const TexturePlan& plan, const Text
     }
     const Texture& texture = scene.textures[reference.texture];
     result.location = plan.location[reference.texture] | std::min(reference.uv_set, 1U) << 24U |
-                      static_cast<uint32_t>(texture.wrap_u) << 25U | static_cast<uint32_t>(texture.wrap_v) << 27U;
+                      static_cast<uint32_t>(texture.wrap_u) << 25U |
+                      static_cast<uint32_t>(texture.wrap_v) << 27U;
     result.column_u = glm::vec2(reference.uv_transform[0]);
     result.column_v = glm::vec2(reference.uv_transform[1]);
     result.offset = glm::vec2(reference.uv_transform[2]);
@@ -46,7 +47,8 @@ float linear(uint8_t encoded)
 glm::vec3 mean_color(const Image& image)
 {
     const size_t texels = static_cast<size_t>(image.width) * image.height;
-    const size_t stride = std::max<size_t>(1, texels / 4096) | 1U; // odd, so that it does not keep to one column
+    const size_t stride =
+        std::max<size_t>(1, texels / 4096) | 1U; // odd, so that it does not keep to one column
     glm::vec4 sum(0.0F);
     for (size_t i = 0; i < texels; i += stride) {
         const uint8_t* texel = &image.rgba[4 * i];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Materials and their textures on the GPU. Textures are sorted into five size classes, each one array image, because not
-// every device can index textures freely.
+// Materials and their textures on the GPU. Textures are sorted into five size classes, each one array image,
+// because not every device can index textures freely.
 
 #include <array>
 #include <vector>
@@ -34,10 +34,11 @@ struct TexturePlan {
 [[nodiscard]] TexturePlan plan_textures(const Scene& scene);
 
 /// The records of all materials, with one more for the ground.
-[[nodiscard]] std::vector<shared::MaterialRecord> material_records(const Scene& scene, const TexturePlan& plan);
+[[nodiscard]] std::vector<shared::MaterialRecord> material_records(const Scene& scene,
+                                                                   const TexturePlan& plan);
 
-/// Uploads textures, resized to their class and with all mip levels, and materials. Throws Error when memory runs out.
-/// Cost: about 30 ms for a texture of 2048 x 2048, on two threads.
+/// Uploads textures, resized to their class and with all mip levels, and materials. Throws Error when memory
+/// runs out. Cost: about 30 ms for a texture of 2048 x 2048, on two threads.
 [[nodiscard]] MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene);
 
 } // namespace estampe::surface

@@ -48,8 +48,8 @@ gpu::LayerPixels make_mips(const Image& image, uint32_t side)
     if (image.width == side && image.height == side) {
         std::memcpy(top.data(), image.rgba.data(), top.size());
     } else {
-        stbir_resize_uint8(image.rgba.data(), static_cast<int>(image.width), static_cast<int>(image.height), 0,
-                           reinterpret_cast<unsigned char*>(top.data()), static_cast<int>(side),
+        stbir_resize_uint8(image.rgba.data(), static_cast<int>(image.width), static_cast<int>(image.height),
+                           0, reinterpret_cast<unsigned char*>(top.data()), static_cast<int>(side),
                            static_cast<int>(side), 0, 4);
     }
     gpu::LayerPixels pixels;

@@ -10,8 +10,8 @@
 
 namespace estampe::surface {
 
-/// All mip levels of `image`, stretched to `side` x `side` (a power of two): each level is the mean of four texels of the
-/// one above. Cost: about 10 ns a texel.
+/// All mip levels of `image`, stretched to `side` x `side` (a power of two): each level is the mean of four
+/// texels of the one above. Cost: about 10 ns a texel.
 [[nodiscard]] gpu::LayerPixels make_mips(const Image& image, uint32_t side);
 
 /// Makes the mips of several textures ahead, two at a time, so that uploads need not wait.

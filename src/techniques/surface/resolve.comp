@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel turns the identity of a triangle into the surface seen there: shading normal and smooth normal,
-// colour, the coordinate that strokes follow and how it changes over the pixel. Where nothing is seen only the draw and
-// the depth are written; nobody may read the rest there.
+// One thread a pixel turns the identity of a triangle into the surface seen there: shading normal and smooth
+// normal, colour, the coordinate that strokes follow and how it changes over the pixel. Where nothing is seen
+// only the draw and the depth are written; nobody may read the rest there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -18,14 +18,46 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
-layout(scalar, binding = 1) readonly buffer Visibility { uvec2 visibility[]; };
-layout(scalar, binding = 2) readonly buffer Triangles { uvec4 triangles[]; };
-layout(scalar, binding = 3) readonly buffer PosedVertices { PosedVertex posed_vertices[]; };
-layout(scalar, binding = 4) readonly buffer Draws { DrawRecord draws[]; };
-layout(scalar, binding = 5) readonly buffer RestVertices { RestVertex rest_vertices[]; };
-layout(scalar, binding = 6) readonly buffer StrokeCoordinates { vec3 stroke_coordinates[]; };
-layout(scalar, binding = 7) readonly buffer Materials { MaterialRecord materials[]; };
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(scalar, binding = 1) readonly buffer Visibility
+{
+    uvec2 visibility[];
+};
+
+layout(scalar, binding = 2) readonly buffer Triangles
+{
+    uvec4 triangles[];
+};
+
+layout(scalar, binding = 3) readonly buffer PosedVertices
+{
+    PosedVertex posed_vertices[];
+};
+
+layout(scalar, binding = 4) readonly buffer Draws
+{
+    DrawRecord draws[];
+};
+
+layout(scalar, binding = 5) readonly buffer RestVertices
+{
+    RestVertex rest_vertices[];
+};
+
+layout(scalar, binding = 6) readonly buffer StrokeCoordinates
+{
+    vec3 stroke_coordinates[];
+};
+
+layout(scalar, binding = 7) readonly buffer Materials
+{
+    MaterialRecord materials[];
+};
+
 layout(binding = 8) uniform sampler2DArray texture_class_0;
 layout(binding = 9) uniform sampler2DArray texture_class_1;
 layout(binding = 10) uniform sampler2DArray texture_class_2;
@@ -38,7 +70,12 @@ layout(binding = 16, rgba8) writeonly uniform image2D out_color;    // square ro
 layout(binding = 17, rgba32f) writeonly uniform image2D out_coordinate;
 layout(binding = 18, rgba32ui) writeonly uniform uimage2D out_footprint;
 
-layout(push_constant) uniform Constants { float strokes_per_m; } constants; // stroke coordinates a metre
+layout(push_constant) uniform Constants
+{
+    float strokes_per_m;
+}
+
+constants; // stroke coordinates a metre
 
 // What the scene needs of this shader: the size classes that hold textures in bits 0-4, and the following.
 layout(constant_id = 0) const uint variant = 0u;
@@ -48,7 +85,8 @@ const bool has_vertex_colors = (variant & 64u) != 0u;
 const bool has_uv_strokes = (variant & 128u) != 0u;
 const bool has_second_uvs = (variant & 256u) != 0u;
 const bool wants_uv_strokes = (variant & 1024u) != 0u; // wherever there are UVs at all
-const bool stands_still = (variant & 512u) != 0u; // the pose is the rest pose: strokes follow the posed position itself
+const bool stands_still =
+    (variant & 512u) != 0u; // the pose is the rest pose: strokes follow the posed position itself
 #define TEXTURE_CLASSES variant
 
 #include "shaders/texture.glsl"
@@ -62,8 +100,8 @@ UvFootprint uv_at(uvec3 rest, uint uv_set, Barycentric b)
     return UvFootprint(uv * b.weight, uv * b.dx, uv * b.dy);
 }
 
-// Turns a tangent-space normal by the frame that position and texture coordinate span on the page: Schueler, "Normal
-// Mapping without Precomputed Tangents", 2006.
+// Turns a tangent-space normal by the frame that position and texture coordinate span on the page: Schueler,
+// "Normal Mapping without Precomputed Tangents", 2006.
 vec3 perturb(vec3 normal, vec3 mapped, vec3 position_dx, vec3 position_dy, UvFootprint f)
 {
     vec3 across = cross(position_dy, normal);
@@ -97,12 +135,11 @@ void main()
     PosedVertex a = posed_vertices[corners.x];
     PosedVertex b = posed_vertices[corners.y];
     PosedVertex c = posed_vertices[corners.z];
-    Barycentric at = barycentric_at(frame.clip_from_anchor * vec4(a.position, 1.0),
-                                    frame.clip_from_anchor * vec4(b.position, 1.0),
-                                    frame.clip_from_anchor * vec4(c.position, 1.0), vec2(pixel) + 0.5, frame.size_px);
+    Barycentric at = barycentric_at(
+        frame.clip_from_anchor * vec4(a.position, 1.0), frame.clip_from_anchor * vec4(b.position, 1.0),
+        frame.clip_from_anchor * vec4(c.position, 1.0), vec2(pixel) + 0.5, frame.size_px);
     mat3 positions = mat3(a.position, b.position, c.position);
-    mat3 normals = mat3(unpack_normal(a.normal), unpack_normal(b.normal),
-                        unpack_normal(c.normal));
+    mat3 normals = mat3(unpack_normal(a.normal), unpack_normal(b.normal), unpack_normal(c.normal));
     vec3 smooth_normal = normalize(normals * at.weight + 1e-12);
     vec3 eye = towards_eye(frame, positions * at.weight);
     vec3 flat_normal = cross(b.position - a.position, c.position - a.position);
@@ -113,7 +150,8 @@ void main()
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
     vec4 color = materials[draw.material].base_color;
     if (has_vertex_colors) {
-        mat3 colors = mat3(unpackUnorm4x8(rest_vertices[rest.x].color).rgb, unpackUnorm4x8(rest_vertices[rest.y].color).rgb,
+        mat3 colors = mat3(unpackUnorm4x8(rest_vertices[rest.x].color).rgb,
+                           unpackUnorm4x8(rest_vertices[rest.y].color).rgb,
                            unpackUnorm4x8(rest_vertices[rest.z].color).rgb);
         vec3 tint = colors * at.weight;
         color.rgb *= tint * tint;
@@ -138,11 +176,13 @@ void main()
 
     mat3 coordinates = positions * constants.strokes_per_m;
     if (!stands_still) {
-        coordinates = mat3(stroke_coordinates[corners.x], stroke_coordinates[corners.y], stroke_coordinates[corners.z]);
+        coordinates =
+            mat3(stroke_coordinates[corners.x], stroke_coordinates[corners.y], stroke_coordinates[corners.z]);
     }
     vec3 coordinate = coordinates * at.weight;
     Footprint footprint = Footprint(coordinates * at.dx, coordinates * at.dy);
-    bool follows_uv = has_uv_strokes && (draw.flags & (wants_uv_strokes ? DRAW_RECORD_HAS_UV : DRAW_RECORD_FOLLOWS_UV)) != 0u;
+    bool follows_uv = has_uv_strokes &&
+                      (draw.flags & (wants_uv_strokes ? DRAW_RECORD_HAS_UV : DRAW_RECORD_FOLLOWS_UV)) != 0u;
     if (follows_uv) {
         UvFootprint f = uv_at(rest, 0u, at);
         coordinate = vec3(f.uv, 0.0);
@@ -150,7 +190,8 @@ void main()
     }
     uint flags = materials[draw.material].flags;
     uint word = (draw_index + 1u) | ((flags & MATERIAL_PAPER) != 0u ? DRAW_PAPER : 0u) |
-                ((flags & MATERIAL_UNLIT) != 0u ? DRAW_UNLIT : 0u) | ((flags & MATERIAL_EMISSIVE) != 0u ? DRAW_EMISSIVE : 0u) |
+                ((flags & MATERIAL_UNLIT) != 0u ? DRAW_UNLIT : 0u) |
+                ((flags & MATERIAL_EMISSIVE) != 0u ? DRAW_EMISSIVE : 0u) |
                 (follows_uv ? DRAW_FOLLOWS_UV : 0u);
     imageStore(out_draw, pixel, uvec4(word));
     imageStore(out_depth, pixel, vec4(seen_depth(seen)));

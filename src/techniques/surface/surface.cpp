@@ -25,8 +25,8 @@ Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in)
     const SceneNeeds& needs = in.needs;
     pass.variant(needs.texture_classes | (needs.normal_maps ? 32U : 0U) | (needs.vertex_colors ? 64U : 0U) |
                  (needs.uv_strokes != UvStrokes::never ? 128U : 0U) |
-                 (needs.uv_strokes == UvStrokes::wherever_present ? 1024U : 0U) | (needs.second_uvs ? 256U : 0U) |
-                 (needs.moves ? 0U : 512U));
+                 (needs.uv_strokes == UvStrokes::wherever_present ? 1024U : 0U) |
+                 (needs.second_uvs ? 256U : 0U) | (needs.moves ? 0U : 512U));
     pass.push(in.strokes_per_m).dispatch_over(in.size_px.x, in.size_px.y);
     return {draw, depth, normal, color, coordinate, footprint};
 }

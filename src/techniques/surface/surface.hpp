@@ -22,7 +22,7 @@ struct SceneNeeds {
     bool second_uvs = false;
     bool emissive = false;
     bool own_outlines = false; ///< some material brings an outline of its own
-    bool moves = false; ///< has animations, skins or morph targets
+    bool moves = false;        ///< has animations, skins or morph targets
 };
 
 struct ResolveInputs {
@@ -43,14 +43,16 @@ struct ResolveInputs {
 struct Surface {
     gpu::ImageId draw;       ///< r32ui: draw + 1, 0 where nothing is
     gpu::ImageId depth;      ///< r32f: reversed, 0 where nothing is
-    gpu::ImageId normal;     ///< rg32ui: octahedral in two signed 16-bit parts: bent by normal maps, smooth; towards the eye
+    gpu::ImageId normal;     ///< rg32ui: octahedral in two signed 16-bit parts: bent by normal maps, smooth;
+                             ///< towards the eye
     gpu::ImageId color;      ///< rgba8: square root of linear colour, alpha
     gpu::ImageId coordinate; ///< rgba32f: what strokes follow: (u, v, 0), or the place in the rest pose
     gpu::ImageId footprint;  ///< rgba32ui: its change over a pixel, see shaders/footprint.glsl
 };
 
 /// Cost    one full-screen dispatch; 72 bytes written a pixel
-/// Source  Schied and Dachsbacher, "Deferred Attribute Interpolation for Memory-Efficient Deferred Shading", 2015
+/// Source  Schied and Dachsbacher, "Deferred Attribute Interpolation for Memory-Efficient Deferred Shading",
+/// 2015
 [[nodiscard]] Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in);
 
 } // namespace estampe::surface

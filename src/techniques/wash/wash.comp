@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread colours one pixel: a flat colour by material, turned cooler and deeper in shadow by one step, paler with
-// distance. Stored as what the paint lets through (1: bare paper).
+// One thread colours one pixel: a flat colour by material, turned cooler and deeper in shadow by one step,
+// paler with distance. Stored as what the paint lets through (1: bare paper).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,18 +16,34 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
 layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform sampler2D depth_image;
 layout(binding = 3) uniform sampler2D color_image;
 layout(binding = 4) uniform sampler2D light_image;
-layout(scalar, binding = 5) readonly buffer Draws { DrawRecord draws[]; };
-layout(scalar, binding = 6) readonly buffer Materials { MaterialRecord materials[]; };
+
+layout(scalar, binding = 5) readonly buffer Draws
+{
+    DrawRecord draws[];
+};
+
+layout(scalar, binding = 6) readonly buffer Materials
+{
+    MaterialRecord materials[];
+};
+
 layout(binding = 7) uniform sampler2D background_image;
 layout(binding = 8) uniform sampler2D screen_image;
 layout(binding = 9, rgba16f) writeonly uniform image2D out_wash;
 
-layout(push_constant, scalar) uniform Constants { WashConstants constants; };
+layout(push_constant, scalar) uniform Constants
+{
+    WashConstants constants;
+};
 
 // Bit 0: colours pale with distance. Bit 1: there are see-through surfaces.
 layout(constant_id = 0) const uint variant = 0u;
@@ -53,15 +69,20 @@ void main()
         float dark = darkness(constants.tone, light.a, 1.0);
         // The edge of the second wash wanders a little, as a loaded brush does.
         float waver = 0.05 * (value_noise(vec2(pixel) / (0.9 * frame.pixels_per_mm), 5u) - 0.5);
-        float shadow = smoothstep(constants.shadow_from - constants.softness, constants.shadow_from + constants.softness, dark + waver);
+        float shadow = smoothstep(constants.shadow_from - constants.softness,
+                                  constants.shadow_from + constants.softness, dark + waver);
         vec3 hue = light.rgb / max(light.a, 1e-3);
-        color *= mix(vec3(1.0), constants.shadow_tint * materials[material].shade_color, shadow) * mix(vec3(1.0), hue, 0.5);
+        color *= mix(vec3(1.0), constants.shadow_tint * materials[material].shade_color, shadow) *
+                 mix(vec3(1.0), hue, 0.5);
         if (is_paper(word)) {
             color = mix(vec3(1.0), mix(vec3(1.0), constants.shadow_tint, 0.6), shadow);
         }
         if (has_air) {
-            float away = distance(anchor_at(frame, vec2(pixel) + 0.5, max(texelFetch(depth_image, pixel, 0).x, 1e-9)), frame.eye_anchor);
-            color = mix(color, constants.air_color, constants.air * (1.0 - exp2(-away / constants.air_distance_m)));
+            float away =
+                distance(anchor_at(frame, vec2(pixel) + 0.5, max(texelFetch(depth_image, pixel, 0).x, 1e-9)),
+                         frame.eye_anchor);
+            color = mix(color, constants.air_color,
+                        constants.air * (1.0 - exp2(-away / constants.air_distance_m)));
         }
         through = mix(vec3(1.0), clamp(color, 0.0, 1.0), constants.strength);
     }

@@ -8,7 +8,7 @@ namespace estampe::shared {
 
 struct WashConstants {
     ToneConstants tone;
-    vec3 shadow_tint; // multiplied into the colour in shadow
+    vec3 shadow_tint;  // multiplied into the colour in shadow
     float shadow_from; // darkness at which shadow begins
     float softness;    // half the width of the step, in darkness
     float detail;      // 0: the material's mean colour, 1: its texture
