@@ -26,7 +26,7 @@ TEST_P(Golden, SquareLooksAsApproved)
 }
 
 INSTANTIATE_TEST_SUITE_P(Styles, Golden, testing::Values("default", "comic", "engraving", "pencil", "wash"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& named) { return std::string(named.param); });
 
 } // namespace
 } // namespace estampe

@@ -9,6 +9,7 @@
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
 #include "techniques/screen/screen.hpp"
+#include "techniques/screen/screen.hpp"
 
 namespace estampe::test {
 namespace {
@@ -95,8 +96,7 @@ raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph, gpu::BufferId pos
 std::vector<raster::Batch> Drawing::batches() const
 {
     std::vector<raster::Batch> result{{layout.opaque.first, layout.opaque.count, false},
-                                      {layout.masked.first, layout.masked.count, true},
-                                      {layout.blended.first, layout.blended.count, false}};
+                                      {layout.masked.first, layout.masked.count, true}};
     if (with_ground) {
         result.push_back({layout.ground.first, layout.ground.count, false});
     }
@@ -241,6 +241,7 @@ std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixe
                                                     .triangles = stage.triangles,
                                                     .posed_vertices = stage.posed,
                                                     .draws = stage.draws,
+                                                    .materials = stage.materials,
                                                     .draw = stage.surface.draw,
                                                     .depth = stage.surface.depth,
                                                     .normal = stage.surface.normal,
@@ -252,8 +253,8 @@ std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixe
                                                     .size_px = size_px},
                                                    style);
     std::vector<float> result;
-    for (const uint16_t packed : run_and_read_as<uint16_t>(graph, ink)) {
-        result.push_back(glm::unpackHalf1x16(packed));
+    for (const uint32_t packed : run_and_read_as<uint32_t>(graph, ink)) {
+        result.push_back(glm::unpackUnorm4x8(packed).w);
     }
     return result;
 }

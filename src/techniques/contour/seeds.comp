@@ -97,6 +97,7 @@ void exit_of_triangle(ivec2 from, ivec2 to, inout float share, inout vec2 direct
     vec2 start = vec2(from) + 0.5;
     vec2 way = vec2(to - from);
     float nearest = 2.0;
+    float behind = 2.0;
     for (int i = 0; i < 3; ++i) {
         vec2 a = page_position(clip[i]);
         vec2 edge = page_position(clip[(i + 1) % 3]) - a;
@@ -107,13 +108,19 @@ void exit_of_triangle(ivec2 from, ivec2 to, inout float share, inout vec2 direct
         vec2 between = a - start;
         float along = (between.x * edge.y - between.y * edge.x) / crossing;
         float on_edge = (between.x * way.y - between.y * way.x) / crossing;
-        if (along >= 0.0 && along < nearest && on_edge >= -0.01 && on_edge <= 1.01) {
+        if (on_edge < -0.01 || on_edge > 1.01) {
+            continue;
+        }
+        if (along >= 0.0 && along < nearest) {
             nearest = along;
             direction = normalize(edge);
         }
+        behind = along < 0.0 ? min(behind, -along) : behind;
     }
     if (nearest <= 1.0) {
-        share = nearest;
+        // A triangle narrower than a pixel is rarely the last one of its surface, which then ends somewhere
+        // between here and the neighbour.
+        share = mix(0.5 + 0.5 * nearest, nearest, clamp(nearest + behind, 0.0, 1.0));
     }
 }
 

@@ -109,6 +109,17 @@ shared::LightRecord sun_record(const LightStyle& style)
     return sun;
 }
 
+/// A weak light from the other side of the viewer, low, so that shade has form and rooms are not black.
+shared::LightRecord fill_record(const LightStyle& style)
+{
+    LightStyle opposite = style;
+    opposite.sun_azimuth_deg += 100.0F;
+    opposite.sun_elevation_deg = 20.0F;
+    shared::LightRecord fill = sun_record(opposite);
+    fill.color = glm::vec3(style.fill);
+    return fill;
+}
+
 } // namespace
 
 Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
@@ -120,6 +131,9 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
     }
     if (lighting.records.empty() && style.source != LightSource::scene) {
         lighting.records.push_back(sun_record(style));
+        if (style.fill > 0.0F) {
+            lighting.records.push_back(fill_record(style));
+        }
     }
     const float key = lighting.records.empty() ? 1.0F : key_light(lighting.records, scene, pose, anchor);
     const float exposure = (key > 0.0F ? 1.0F / key : 1.0F) * std::exp2(style.exposure_stops);

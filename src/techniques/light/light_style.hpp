@@ -12,7 +12,8 @@ struct LightStyle {
     float sun_azimuth_deg = -34.0F;
     float sun_elevation_deg = 44.0F;
     float exposure_stops = 0.0F;
-    float ambient = 0.19F;
+    float ambient = 0.15F;
+    float fill = 0.2F;
     float falloff = 0.62F;
     bool shadows = true;
     int shadow_size = 0;
@@ -35,6 +36,9 @@ inline const style::Table<LightStyle>& light_table()
                     "Brighter or darker than the exposure that the scene's lights suggest")
             .number("ambient", &LightStyle::ambient, {0.0F, 1.0F}, "",
                     "Light from everywhere, as a share of the sun's")
+            .number("fill", &LightStyle::fill, {0.0F, 1.0F}, "",
+                    "Strength of a second, shadowless light from the sun's other side, which models what is in shade; "
+                    "for the style's sun alone")
             .number("falloff", &LightStyle::falloff, {0.05F, 4.0F}, "",
                     "Exponent of the cosine: 1 is Lambert's law, less keeps slanted light bright")
             .toggle("shadows", &LightStyle::shadows, "Whether the sun throws shadows")
@@ -49,7 +53,7 @@ struct ToneStyle {
     float contrast = 1.05F;
     float floor = 0.12F;
     float ceiling = 0.97F;
-    float local_value = 0.36F;
+    float local_value = 0.3F;
 };
 
 inline const style::Table<ToneStyle>& tone_table()

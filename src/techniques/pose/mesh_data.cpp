@@ -234,9 +234,9 @@ private:
                      : material.alpha_mode == AlphaMode::mask ? masked_
                                                               : blended_;
         for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-            list.push_back({draw.first_posed_vertex + primitive.indices[i],
-                            draw.first_posed_vertex + primitive.indices[i + 1],
-                            draw.first_posed_vertex + primitive.indices[i + 2], flags});
+            list.emplace_back(draw.first_posed_vertex + primitive.indices[i],
+                              draw.first_posed_vertex + primitive.indices[i + 1],
+                              draw.first_posed_vertex + primitive.indices[i + 2], flags);
         }
     }
 
@@ -262,7 +262,7 @@ private:
         const double radius = std::max(data_.bounds.radius(), 1e-6);
         const auto reach = static_cast<float>(60.0 * radius);
         Primitive quad;
-        const float height = static_cast<float>(data_.bounds.min.y - data_.anchor.y - 1e-3 * radius);
+        const auto height = static_cast<float>(data_.bounds.min.y - data_.anchor.y - 1e-3 * radius);
         for (const glm::vec2 corner :
              {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
             quad.positions.emplace_back(corner.x * reach, height, corner.y * reach);

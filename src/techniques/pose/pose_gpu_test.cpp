@@ -77,14 +77,16 @@ Scene skinned_scene()
     Primitive tube = shapes::cylinder(0.5F, 4.0F, 12);
     for (size_t i = 0; i < tube.positions.size(); ++i) {
         glm::vec4 weights[2];
-        float sum = 0.0F;
-        for (int k = 0; k < 8; ++k) {
-            sum += weights[k / 4][k % 4] = std::uniform_real_distribution<float>(0.01F, 1.0F)(random);
+        uint32_t left = 65535; // weights that 16 bits hold exactly
+        for (uint32_t k = 0; k < 8; ++k) {
+            const uint32_t part = k < 7 ? std::uniform_int_distribution<uint32_t>(1, left / 2)(random) : left;
+            weights[k / 4][static_cast<int>(k % 4)] = static_cast<float>(part) / 65535.0F;
+            left -= part;
         }
         tube.joints_0.emplace_back(0, 1, 2, 3);
         tube.joints_1.emplace_back(4, 5, 6, 7);
-        tube.weights_0.push_back(weights[0] / sum);
-        tube.weights_1.push_back(weights[1] / sum);
+        tube.weights_0.push_back(weights[0]);
+        tube.weights_1.push_back(weights[1]);
     }
     Scene scene = test::scene_of(std::move(tube));
     scene.skins.emplace_back();

@@ -11,7 +11,7 @@ struct WashStyle {
     float strength = 0.8F;
     float neutral = 0.4F;
     float detail = 0.35F;
-    glm::vec3 shadow_tint = style::srgb(0xa4b4b2);
+    glm::vec3 shadow_tint = style::srgb(0xbac7c3);
     float shadow_from = 0.40F;
     float softness = 0.03F;
     float air = 0.0F;

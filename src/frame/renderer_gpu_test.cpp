@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// The whole way from a scene to a picture.
+#include <estampe/renderer.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+#include "scene/shapes.hpp"
+#include "support/gpu_device.hpp"
+#include "support/image_compare.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr RenderSettings small{.width = 160, .height = 120};
+const Camera camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}};
+
+Scene still_life(const glm::dvec3& place = glm::dvec3(0.0))
+{
+    Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
+    scene.nodes[0].transform.translation = place;
+    test::add_object(scene, shapes::box({1.0F, 1.5F, 1.0F}), {0.8F, 0.3F, 0.2F}, place + glm::dvec3(-0.6, 0.0, 0.0));
+    test::add_object(scene, shapes::sphere(0.6F), {0.2F, 0.4F, 0.7F}, place + glm::dvec3(0.8, 0.6, 0.5));
+    test::add_sun(scene, {1.0, 2.0, 1.5});
+    return scene;
+}
+
+/// A tall box that a joint bends aside as time goes.
+Scene bending()
+{
+    Primitive box = shapes::box({0.5F, 2.0F, 0.5F});
+    for (const glm::vec3& p : box.positions) {
+        box.joints_0.emplace_back(0, 1, 0, 0);
+        box.weights_0.emplace_back(p.y > 1.0F ? glm::vec4(0, 1, 0, 0) : glm::vec4(1, 0, 0, 0));
+    }
+    Scene scene = test::scene_of(std::move(box));
+    scene.nodes[0].skin = 0;
+    scene.nodes.push_back({.children = {2}});
+    scene.nodes.push_back({.parent = 1});
+    scene.roots.push_back(1);
+    scene.skins.push_back({.joints = {1, 2}, .joint_from_bind = {glm::mat4(1.0F), glm::mat4(1.0F)}});
+    scene.animations.push_back({.channels = {{.node = 2,
+                                              .path = AnimatedPath::translation,
+                                              .times_s = {0.0F, 1.0F},
+                                              .values = {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F}}},
+                                .duration_s = 1.0F});
+    return scene;
+}
+
+Image draw(const Scene& scene, const Camera& from = camera, const RenderSettings& settings = small, const Style& style = {})
+{
+    test::shared_renderer().set_scene(scene);
+    return test::shared_renderer().render(from, style, settings);
+}
+
+/// How many values of red there are: 1 for an even page, dozens in a drawing.
+size_t shades(const Image& image)
+{
+    std::vector<bool> seen(256, false);
+    for (size_t i = 0; i < image.rgba.size(); i += 4) {
+        seen[image.rgba[i]] = true;
+    }
+    return static_cast<size_t>(std::ranges::count(seen, true));
+}
+
+TEST(Renderer, TheSameBytesAgainAndAgain)
+{
+    const Image first = draw(still_life());
+    EXPECT_GT(shades(first), 50U);
+    EXPECT_EQ(first, test::shared_renderer().render(camera, {}, small));
+    std::ignore = draw(bending());
+    std::ignore = test::shared_renderer().render({}, {}, {.width = 33, .height = 20, .samples = 3, .time_s = 0.5});
+    EXPECT_EQ(first, draw(still_life()));
+    Renderer other(test::validated());
+    other.set_scene(still_life());
+    EXPECT_EQ(first, other.render(camera, {}, small));
+}
+
+TEST(Renderer, RefusesWhatItCannotDraw)
+{
+    Renderer fresh(test::validated());
+    EXPECT_THROW(std::ignore = fresh.render(camera, {}, small), Error);
+    fresh.set_scene(still_life());
+    const RenderSettings wrong[] = {{.width = 0, .height = 10},
+                                    {.width = 10, .height = 0},
+                                    {.width = 1U << 20U, .height = 4},
+                                    {.width = 4, .height = 4'000'000'000U},
+                                    {.width = 4, .height = 4, .samples = 0}};
+    for (const RenderSettings& settings : wrong) {
+        EXPECT_THROW(std::ignore = fresh.render(camera, {}, settings), Error) << settings.width << " x " << settings.height;
+    }
+    EXPECT_GT(shades(fresh.render(camera, {}, small)), 50U) << "and goes on drawing";
+}
+
+TEST(Renderer, DrawsPaperWhereThereIsNothing)
+{
+    Scene empty;
+    empty.materials.emplace_back();
+    EXPECT_EQ(draw(empty).rgba.size(), 160U * 120U * 4U);
+    Scene no_triangles = test::scene_of(Primitive{});
+    EXPECT_EQ(draw(no_triangles).rgba.size(), 160U * 120U * 4U);
+    Primitive strokes{.topology = Topology::lines};
+    strokes.positions = {{0, 0, 0}, {1, 1, 0}};
+    strokes.indices = {0, 1};
+    const Image lines = draw(test::scene_of(strokes));
+    EXPECT_EQ(lines.rgba.size(), 160U * 120U * 4U);
+    const Camera elsewhere{.eye = {0.0, 9.0, 0.0}, .target = {0.0, 20.0, 0.1}};
+    Style blank;
+    blank.set("sky.mode=paper");
+    blank.set("paper.grain=0");
+    blank.set("paper.granulation=0");
+    EXPECT_LE(shades(draw(still_life(), elsewhere, small, blank)), 2U);
+}
+
+TEST(Renderer, SamplesAreTheMeanOfShiftedPictures)
+{
+    const Image one = draw(still_life());
+    RenderSettings settings = small;
+    settings.samples = 4;
+    const Image four = draw(still_life(), camera, settings);
+    EXPECT_NE(one, four);
+    EXPECT_LT(test::compare_images(one, four).delta_e_mean, 6.0);
+    const auto roughness = [](const Image& image) {
+        double sum = 0.0;
+        for (size_t i = 4; i < image.rgba.size(); i += 4) {
+            const double step = image.rgba[i] - image.rgba[i - 4];
+            sum += step * step;
+        }
+        return sum;
+    };
+    EXPECT_LT(roughness(four), 0.9 * roughness(one)) << "edges grow softer";
+    EXPECT_EQ(four, test::shared_renderer().render(camera, {}, settings));
+    settings.samples = 16;
+    const Image sixteen = draw(still_life(), camera, settings);
+    EXPECT_LT(test::compare_images(four, sixteen).mean_abs, test::compare_images(one, sixteen).mean_abs);
+}
+
+TEST(Renderer, DrawsInParallelProjection)
+{
+    Camera parallel = camera;
+    parallel.orthographic_half_height_m = 2.0;
+    const Image image = draw(still_life(), parallel);
+    EXPECT_GT(shades(image), 50U);
+    // In parallel projection the distance of the eye does not matter, but for the lines' weight.
+    parallel.eye = parallel.target + 3.0 * (camera.eye - camera.target);
+    Style even;
+    even.set("contour.distance_thinning=0");
+    const Image far = draw(still_life(), parallel, small, even);
+    parallel.eye = camera.eye;
+    EXPECT_LT(test::compare_images(draw(still_life(), parallel, small, even), far).delta_e_mean, 0.5);
+}
+
+TEST(Renderer, StandsACameraInsideOfThings)
+{
+    const Scene scene = still_life();
+    for (const glm::dvec3 eye : {glm::dvec3(-0.6, 0.7, 0.0), glm::dvec3(0.8, 0.6, 0.5), glm::dvec3(0.0, 0.0, 0.0),
+                                 glm::dvec3(-0.6, 1.5, 0.0)}) {
+        const Image image = draw(scene, {.eye = eye, .target = eye + glm::dvec3(0.3, 0.1, -1.0)});
+        EXPECT_EQ(image.rgba.size(), 160U * 120U * 4U);
+        EXPECT_EQ(image, test::shared_renderer().render({.eye = eye, .target = eye + glm::dvec3(0.3, 0.1, -1.0)}, {}, small));
+    }
+    // A near plane through the sphere opens it, and takes nothing from what lies behind.
+    const Image cut = draw(scene, {.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}, .near_m = 5.0});
+    EXPECT_GT(shades(cut), 30U);
+    EXPECT_NE(cut, draw(scene));
+}
+
+TEST(Renderer, TimeMovesASkin)
+{
+    const auto at = [](double time_s) {
+        RenderSettings settings = small;
+        settings.time_s = time_s;
+        return test::shared_renderer().render(camera, {}, settings);
+    };
+    test::shared_renderer().set_scene(bending());
+    const Image start = at(0.0);
+    const Image middle = at(0.5);
+    EXPECT_GT(test::compare_images(start, middle).failing_fraction, 0.01);
+    EXPECT_EQ(start, at(0.0));
+    EXPECT_EQ(middle, at(0.5));
+}
+
+TEST(Renderer, TakesOneSceneAfterAnother)
+{
+    const Image first = draw(still_life());
+    const Image second = draw(test::scene_of(shapes::torus(1.0F, 0.4F)));
+    EXPECT_GT(test::compare_images(first, second).failing_fraction, 0.1);
+    EXPECT_EQ(first, draw(still_life()));
+    EXPECT_EQ(second, draw(test::scene_of(shapes::torus(1.0F, 0.4F))));
+}
+
+TEST(Renderer, DrawsTheSmallestPictures)
+{
+    for (const auto& [width, height] : {std::pair(1U, 1U), std::pair(7U, 3U), std::pair(1U, 90U), std::pair(300U, 1U)}) {
+        for (const uint32_t samples : {1U, 2U}) {
+            const Image image = draw(still_life(), camera, {.width = width, .height = height, .samples = samples});
+            EXPECT_EQ(image.width, width);
+            EXPECT_EQ(image.height, height);
+            EXPECT_EQ(image.rgba.size(), size_t{4} * width * height);
+        }
+    }
+}
+
+TEST(Renderer, ALongWayFromTheOriginLooksTheSame)
+{
+    const Image here = draw(still_life());
+    const glm::dvec3 away(1e6, -2e5, 3e6);
+    Camera there = camera;
+    there.eye += away;
+    there.target += away;
+    const test::ImageDifference difference = test::compare_images(here, draw(still_life(away), there));
+    EXPECT_LT(difference.mean_abs, 1.0) << test::describe(difference);
+}
+
+} // namespace
+} // namespace estampe

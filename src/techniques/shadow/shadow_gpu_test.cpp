@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// The sun's shadow against rays.
+#include <cmath>
+
+#include <embree3/rtcore.h>
+#include <gtest/gtest.h>
+
+#include "scene/pose.hpp"
+#include "scene/shapes.hpp"
+#include "support/drawing.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe::shadow {
+namespace {
+
+constexpr glm::uvec2 size_px(160, 120);
+constexpr uint32_t map_size = 512;
+
+/// All triangles of a scene at rest, for rays.
+class Rays {
+public:
+    explicit Rays(const Scene& scene)
+    {
+        visit_posed(scene, pose_scene(scene, 0.0), [this](const PosedPrimitive& posed) {
+            RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+            auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
+                geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), posed.positions.size()));
+            for (const glm::dvec3& p : posed.positions) {
+                for (int k = 0; k < 3; ++k) {
+                    *positions++ = static_cast<float>(p[k]);
+                }
+            }
+            const auto& indices = posed.primitive->indices;
+            auto* corners = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
+                geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), indices.size() / 3));
+            std::copy(indices.begin(), indices.end(), corners);
+            rtcCommitGeometry(geometry);
+            rtcAttachGeometry(scene_, geometry);
+            rtcReleaseGeometry(geometry);
+        });
+        rtcCommitScene(scene_);
+    }
+
+    ~Rays()
+    {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+
+    Rays(const Rays&) = delete;
+    Rays& operator=(const Rays&) = delete;
+
+    [[nodiscard]] bool is_blocked(const glm::dvec3& from, const glm::dvec3& way) const
+    {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        const glm::vec3 o(from);
+        const glm::vec3 d(way);
+        RTCRay ray{.org_x = o.x, .org_y = o.y, .org_z = o.z, .tnear = 0.0F, .dir_x = d.x, .dir_y = d.y, .dir_z = d.z,
+                   .time = 0.0F, .tfar = 1e6F, .mask = ~0U, .id = 0, .flags = 0};
+        rtcOccluded1(scene_, &context, &ray);
+        return ray.tfar < 0.0F;
+    }
+
+private:
+    RTCDevice device_ = rtcNewDevice("threads=1");
+    RTCScene scene_ = rtcNewScene(device_);
+};
+
+struct Verdict {
+    size_t compared = 0;
+    size_t shadowed = 0;
+    size_t wrong = 0;
+};
+
+shared::LightRecord sun_record(const glm::dvec3& towards_sun)
+{
+    shared::LightRecord sun{};
+    sun.type = shared::light_directional;
+    sun.direction = glm::vec3(towards_sun);
+    sun.color = glm::vec3(1.0F);
+    return sun;
+}
+
+glm::dvec2 centre_of(size_t i)
+{
+    return {static_cast<double>(i % size_px.x) + 0.5, static_cast<double>(i / size_px.x) + 0.5};
+}
+
+/// Asks rays about every pixel that faces the sun, but for a band of two texels about the shadow's edge.
+Verdict compare(const Scene& scene, const Camera& camera, const glm::dvec3& towards_sun)
+{
+    test::Drawing drawing(scene, camera, size_px);
+    const auto light =
+        drawing.light({.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
+    const auto surface = drawing.surface();
+    const double texel_m = static_cast<double>(drawing.sun(towards_sun, map_size).texel_m);
+    const glm::dvec3 right = glm::normalize(glm::cross(towards_sun, glm::dvec3(0.1, 0.2, 0.9)));
+    const glm::dvec3 up = glm::cross(right, towards_sun);
+    const Rays rays(scene);
+    Verdict verdict;
+    for (size_t i = 0; i < light.size(); ++i) {
+        const glm::dvec3 normal(surface.smooth_normal[i]);
+        const double cosine = glm::dot(normal, towards_sun);
+        if (surface.draw[i] == 0 || cosine < 0.02) {
+            continue;
+        }
+        const glm::dvec3 point = drawing.point_at(centre_of(i), static_cast<double>(surface.depth[i])) +
+                                 drawing.layout.anchor + normal * (0.05 * texel_m);
+        const bool blocked = rays.is_blocked(point, towards_sun);
+        bool is_edge = false;
+        for (int k = 0; k < 8; ++k) {
+            const glm::dvec3 aside = right * std::cos(0.785398 * k) + up * std::sin(0.785398 * k);
+            is_edge |= rays.is_blocked(point + normal * (2.0 * texel_m) + aside * (2.0 * texel_m), towards_sun) != blocked;
+        }
+        if (!is_edge) {
+            ++verdict.compared;
+            verdict.shadowed += blocked ? 1U : 0U;
+            verdict.wrong += (static_cast<double>(light[i].x) < 0.5 * cosine) != blocked ? 1U : 0U;
+        }
+    }
+    return verdict;
+}
+
+TEST(Shadow, AgreesWithRays)
+{
+    Scene scene = test::scene_of(shapes::plane(12.0F, 12.0F));
+    test::add_object(scene, shapes::box({1.0F, 2.0F, 1.0F}), glm::vec3(1.0F), {-1.0, 0.0, 0.0});
+    test::add_object(scene, shapes::box({3.0F, 0.4F, 1.0F}), glm::vec3(1.0F), {0.5, 0.0, 1.5});
+    test::add_object(scene, shapes::box({0.2F, 3.0F, 0.2F}), glm::vec3(1.0F), {2.0, 0.0, -1.0});
+    test::add_object(scene, shapes::torus(0.8F, 0.25F), glm::vec3(1.0F), {0.5, 2.5, 0.0});
+    const Camera camera{.eye = {4.0, 6.0, 8.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.8};
+    for (const glm::dvec3 sun : {glm::dvec3(0.5, 0.8, 0.3), glm::dvec3(-0.9, 0.35, 0.2), glm::dvec3(0.05, 1.0, 0.02)}) {
+        const Verdict verdict = compare(scene, camera, glm::normalize(sun));
+        EXPECT_LT(static_cast<double>(verdict.wrong), 0.01 * static_cast<double>(verdict.compared))
+            << verdict.wrong << " of " << verdict.compared;
+        EXPECT_GT(verdict.shadowed, 200U);
+        EXPECT_GT(verdict.compared, 8000U);
+    }
+}
+
+TEST(Shadow, ARoundFormDoesNotShadowItself)
+{
+    const Scene scene = test::scene_of(shapes::sphere(1.0F, 96, 48));
+    for (const glm::dvec3 sun : {glm::dvec3(1, 0.1, 0), glm::dvec3(0.3, 1, 0.2), glm::dvec3(-1, 0.5, -1)}) {
+        const glm::dvec3 towards_sun = glm::normalize(sun);
+        test::Drawing drawing(scene, test::front_camera(4.0, 0.6), size_px);
+        const auto light =
+            drawing.light({.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
+        const auto surface = drawing.surface();
+        size_t dark = 0;
+        for (size_t i = 0; i < light.size(); ++i) {
+            const double cosine = glm::dot(glm::dvec3(surface.smooth_normal[i]), towards_sun);
+            dark += surface.draw[i] != 0 && cosine > 0.05 && static_cast<double>(light[i].x) < 0.95 * cosine ? 1U : 0U;
+        }
+        EXPECT_EQ(dark, 0U);
+    }
+}
+
+TEST(Shadow, BeginsWhereTheBoxStands)
+{
+    Scene scene = test::scene_of(shapes::plane(8.0F, 8.0F));
+    test::add_object(scene, shapes::box({1.0F, 1.0F, 1.0F}), glm::vec3(1.0F));
+    const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(1, 1, 0));
+    const Camera camera{.eye = {-1.4, 1.6, 0.1}, .target = {-0.75, 0.0, 0.0}, .vertical_fov_rad = 0.7};
+    test::Drawing drawing(scene, camera, size_px);
+    const auto light =
+        drawing.light({.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
+    const auto surface = drawing.surface();
+    const double texel_m = static_cast<double>(drawing.sun(towards_sun, map_size).texel_m);
+    size_t looked_at = 0;
+    size_t lit = 0;
+    for (size_t i = 0; i < light.size(); ++i) {
+        const glm::dvec3 point =
+            drawing.point_at(centre_of(i), static_cast<double>(surface.depth[i])) + drawing.layout.anchor;
+        const bool is_floor = surface.draw[i] != 0 && surface.smooth_normal[i].y > 0.9F && point.y < 0.01;
+        if (is_floor && point.x < -0.5 - 3.5 * texel_m && point.x > -1.4 && std::abs(point.z) < 0.45) {
+            ++looked_at;
+            lit += light[i].x > 0.05F ? 1U : 0U;
+        }
+    }
+    EXPECT_GT(looked_at, 1000U);
+    EXPECT_EQ(lit, 0U);
+}
+
+} // namespace
+} // namespace estampe::shadow
