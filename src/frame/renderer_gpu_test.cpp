@@ -25,7 +25,8 @@ Scene still_life(const glm::dvec3& place = glm::dvec3(0.0))
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
     scene.nodes[0].transform.translation = place;
-    test::add_object(scene, shapes::box({1.0F, 1.5F, 1.0F}), {0.8F, 0.3F, 0.2F}, place + glm::dvec3(-0.6, 0.0, 0.0));
+    test::add_object(scene, shapes::box({1.0F, 1.5F, 1.0F}), {0.8F, 0.3F, 0.2F},
+                     place + glm::dvec3(-0.6, 0.0, 0.0));
     test::add_object(scene, shapes::sphere(0.6F), {0.2F, 0.4F, 0.7F}, place + glm::dvec3(0.8, 0.6, 0.5));
     test::add_sun(scene, {1.0, 2.0, 1.5});
     return scene;
@@ -53,7 +54,8 @@ Scene bending()
     return scene;
 }
 
-Image draw(const Scene& scene, const Camera& from = camera, const RenderSettings& settings = small, const Style& style = {})
+Image draw(const Scene& scene, const Camera& from = camera, const RenderSettings& settings = small,
+           const Style& style = {})
 {
     test::shared_renderer().set_scene(scene);
     return test::shared_renderer().render(from, style, settings);
@@ -75,7 +77,8 @@ TEST(Renderer, TheSameBytesAgainAndAgain)
     EXPECT_GT(shades(first), 50U);
     EXPECT_EQ(first, test::shared_renderer().render(camera, {}, small));
     std::ignore = draw(bending());
-    std::ignore = test::shared_renderer().render({}, {}, {.width = 33, .height = 20, .samples = 3, .time_s = 0.5});
+    std::ignore =
+        test::shared_renderer().render({}, {}, {.width = 33, .height = 20, .samples = 3, .time_s = 0.5});
     EXPECT_EQ(first, draw(still_life()));
     Renderer other(test::validated());
     other.set_scene(still_life());
@@ -93,7 +96,8 @@ TEST(Renderer, RefusesWhatItCannotDraw)
                                     {.width = 4, .height = 4'000'000'000U},
                                     {.width = 4, .height = 4, .samples = 0}};
     for (const RenderSettings& settings : wrong) {
-        EXPECT_THROW(std::ignore = fresh.render(camera, {}, settings), Error) << settings.width << " x " << settings.height;
+        EXPECT_THROW(std::ignore = fresh.render(camera, {}, settings), Error)
+            << settings.width << " x " << settings.height;
     }
     EXPECT_GT(shades(fresh.render(camera, {}, small)), 50U) << "and goes on drawing";
 }
@@ -159,11 +163,12 @@ TEST(Renderer, DrawsInParallelProjection)
 TEST(Renderer, StandsACameraInsideOfThings)
 {
     const Scene scene = still_life();
-    for (const glm::dvec3 eye : {glm::dvec3(-0.6, 0.7, 0.0), glm::dvec3(0.8, 0.6, 0.5), glm::dvec3(0.0, 0.0, 0.0),
-                                 glm::dvec3(-0.6, 1.5, 0.0)}) {
+    for (const glm::dvec3 eye : {glm::dvec3(-0.6, 0.7, 0.0), glm::dvec3(0.8, 0.6, 0.5),
+                                 glm::dvec3(0.0, 0.0, 0.0), glm::dvec3(-0.6, 1.5, 0.0)}) {
         const Image image = draw(scene, {.eye = eye, .target = eye + glm::dvec3(0.3, 0.1, -1.0)});
         EXPECT_EQ(image.rgba.size(), 160U * 120U * 4U);
-        EXPECT_EQ(image, test::shared_renderer().render({.eye = eye, .target = eye + glm::dvec3(0.3, 0.1, -1.0)}, {}, small));
+        EXPECT_EQ(image, test::shared_renderer().render(
+                             {.eye = eye, .target = eye + glm::dvec3(0.3, 0.1, -1.0)}, {}, small));
     }
     // A near plane through the sphere opens it, and takes nothing from what lies behind.
     const Image cut = draw(scene, {.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}, .near_m = 5.0});
@@ -197,9 +202,11 @@ TEST(Renderer, TakesOneSceneAfterAnother)
 
 TEST(Renderer, DrawsTheSmallestPictures)
 {
-    for (const auto& [width, height] : {std::pair(1U, 1U), std::pair(7U, 3U), std::pair(1U, 90U), std::pair(300U, 1U)}) {
+    for (const auto& [width, height] :
+         {std::pair(1U, 1U), std::pair(7U, 3U), std::pair(1U, 90U), std::pair(300U, 1U)}) {
         for (const uint32_t samples : {1U, 2U}) {
-            const Image image = draw(still_life(), camera, {.width = width, .height = height, .samples = samples});
+            const Image image =
+                draw(still_life(), camera, {.width = width, .height = height, .samples = samples});
             EXPECT_EQ(image.width, width);
             EXPECT_EQ(image.height, height);
             EXPECT_EQ(image.rgba.size(), size_t{4} * width * height);

@@ -9,7 +9,6 @@
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
 #include "techniques/screen/screen.hpp"
-#include "techniques/screen/screen.hpp"
 
 namespace estampe::test {
 namespace {
@@ -33,8 +32,8 @@ glm::vec3 unpack_normal(uint32_t packed)
     const glm::vec2 e = glm::unpackSnorm2x16(packed);
     glm::vec3 n(e, 1.0F - std::abs(e.x) - std::abs(e.y));
     if (n.z < 0.0F) {
-        n = {(1.0F - std::abs(e.y)) * (e.x >= 0.0F ? 1.0F : -1.0F), (1.0F - std::abs(e.x)) * (e.y >= 0.0F ? 1.0F : -1.0F),
-             n.z};
+        n = {(1.0F - std::abs(e.y)) * (e.x >= 0.0F ? 1.0F : -1.0F),
+             (1.0F - std::abs(e.x)) * (e.y >= 0.0F ? 1.0F : -1.0F), n.z};
     }
     return glm::normalize(n);
 }
@@ -79,7 +78,8 @@ gpu::BufferId Drawing::add_posed(gpu::Graph& graph)
                            .morph_offsets = import_buffer(graph, "morph offsets", meshes_.morph_offsets),
                            .joints = import_buffer(graph, "joints", meshes_.joints),
                            .morph_weights = import_buffer(graph, "morph weights", meshes_.morph_weights)},
-                          import_buffer(graph, "posed vertices", meshes_.posed_vertices[0]), meshes_.vertex_count);
+                          import_buffer(graph, "posed vertices", meshes_.posed_vertices[0]),
+                          meshes_.vertex_count);
 }
 
 raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph, gpu::BufferId posed)
@@ -142,16 +142,16 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
     const glm::dvec3 towards_sun =
         setup.directional_count > 0 ? glm::dvec3(setup.records.front().direction) : glm::dvec3(0, 1, 0);
     const shadow::SunView view = sun(towards_sun, std::max(setup.shadow_size, 4U));
-    const shared::LightGlobals lighting{
-        .shadow_clip_from_anchor = view.clip_from_anchor,
-        .sky_ambient = setup.ambient,
-        .shadow_texel_m = view.texel_m,
-        .ground_ambient = setup.ambient,
-        .shadow_size = setup.shadow_size,
-        .directional_count = setup.directional_count,
-        .local_count = static_cast<uint32_t>(setup.records.size()) - setup.directional_count,
-        .shadow_depth_m = view.depth_m,
-        .falloff = setup.falloff};
+    const shared::LightGlobals lighting{.shadow_clip_from_anchor = view.clip_from_anchor,
+                                        .sky_ambient = setup.ambient,
+                                        .shadow_texel_m = view.texel_m,
+                                        .ground_ambient = setup.ambient,
+                                        .shadow_size = setup.shadow_size,
+                                        .directional_count = setup.directional_count,
+                                        .local_count = static_cast<uint32_t>(setup.records.size()) -
+                                                       setup.directional_count,
+                                        .shadow_depth_m = view.depth_m,
+                                        .falloff = setup.falloff};
     light_globals_ = gpu::upload_buffer(shared_device(), "lighting", std::vector{lighting});
     lights_ = gpu::upload_buffer(shared_device(), "lights", setup.records);
     shadow_map_ = gpu::Buffer(shared_device(), "shadow map", 4ULL * setup.shadow_size * setup.shadow_size,

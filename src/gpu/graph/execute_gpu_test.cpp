@@ -30,8 +30,8 @@ TEST(Execute, RunsPassesInOrderWithBarriersBetween)
     const BufferId copied = copy.touch_write(graph.buffer("b", {.size_bytes = 64}), Access::transfer_write);
     copy.execute([filled, copied](Recorder& recorder) {
         const VkBufferCopy region{.size = 64};
-        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(filled).handle(), recorder.buffer(copied).handle(), 1,
-                        &region);
+        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(filled).handle(),
+                        recorder.buffer(copied).handle(), 1, &region);
     });
     EXPECT_EQ(run_and_read_as<uint32_t>(graph, copied), std::vector<uint32_t>(16, 7U));
     EXPECT_TRUE(test::take_validation_messages().empty());
@@ -47,7 +47,8 @@ TEST(Execute, ValidationSeesAPlantedHazard)
     planted.execute([from, to](Recorder& recorder) {
         fill_with(from, 1)(recorder);
         const VkBufferCopy region{.size = 64};
-        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(from).handle(), recorder.buffer(to).handle(), 1, &region);
+        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(from).handle(), recorder.buffer(to).handle(), 1,
+                        &region);
     });
     std::ignore = run_and_read_as<uint32_t>(graph, to);
     const std::vector<std::string> messages = test::take_validation_messages();
@@ -119,7 +120,8 @@ TEST(Memory, NeverOverlapsAndAlwaysMerges)
         const Allocation& made = held.back();
         EXPECT_EQ(made.offset % alignment, 0U);
         for (size_t i = 0; i + 1 < held.size(); ++i) {
-            const bool apart = held[i].memory != made.memory || held[i].offset + held[i].size <= made.offset ||
+            const bool apart = held[i].memory != made.memory ||
+                               held[i].offset + held[i].size <= made.offset ||
                                made.offset + made.size <= held[i].offset;
             ASSERT_TRUE(apart);
         }

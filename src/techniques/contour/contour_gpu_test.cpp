@@ -83,8 +83,8 @@ TEST(Contour, ASphereGetsACircle)
     constexpr double fov_rad = 0.6;
     const double radius_px =
         std::tan(std::asin(1.0 / distance_m)) / std::tan(0.5 * fov_rad) * 0.5 * static_cast<double>(side_px);
-    test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 256, 128)), test::front_camera(distance_m, fov_rad),
-                          glm::uvec2(side_px));
+    test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 256, 128)),
+                          test::front_camera(distance_m, fov_rad), glm::uvec2(side_px));
     for (const float width_px : {2.0F, 4.0F, 7.0F}) {
         const Ink ink(drawing, even_lines(width_px));
         double error_sum = 0.0;
@@ -148,16 +148,17 @@ TEST(Contour, AnEmptyPageStaysEmpty)
     EXPECT_EQ(Ink(drawing, even_lines(3.0F)).total(), 0.0);
     drawing.with_ground = true;
     const auto draw = drawing.surface().draw;
-    EXPECT_GT(std::ranges::count_if(draw, [](uint32_t word) { return word != 0; }), 1000) << "the ground is seen";
+    EXPECT_GT(std::ranges::count_if(draw, [](uint32_t word) { return word != 0; }), 1000)
+        << "the ground is seen";
     EXPECT_EQ(Ink(drawing, even_lines(3.0F)).total(), 0.0);
 }
 
 TEST(Contour, APlaneSeenAtAGrazingAngleHasNoLinesInside)
 {
     for (const double height_m : {0.1, 0.5, 2.0}) {
-        test::Drawing drawing(test::scene_of(shapes::plane(100.0F, 100.0F, 20)),
-                              {.eye = {0.0, height_m, 40.0}, .target = {3.0, 0.0, 0.0}, .vertical_fov_rad = 0.8},
-                              {320, 180});
+        test::Drawing drawing(
+            test::scene_of(shapes::plane(100.0F, 100.0F, 20)),
+            {.eye = {0.0, height_m, 40.0}, .target = {3.0, 0.0, 0.0}, .vertical_fov_rad = 0.8}, {320, 180});
         const Ink ink(drawing, even_lines(3.0F));
         EXPECT_EQ(ink.inside(4), 0.0) << "from a height of " << height_m << " m";
         EXPECT_GT(ink.total(), 300.0) << "the horizon is lined";

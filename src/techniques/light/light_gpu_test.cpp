@@ -36,7 +36,8 @@ double arriving(const shared::LightRecord& light, const glm::dvec3& point, const
 {
     const glm::dvec3 to_light = glm::dvec3(light.position) - point;
     const double distance = glm::length(to_light);
-    const double window = std::clamp(1.0 - std::pow(distance / static_cast<double>(light.range_m), 4.0), 0.0, 1.0);
+    const double window =
+        std::clamp(1.0 - std::pow(distance / static_cast<double>(light.range_m), 4.0), 0.0, 1.0);
     return static_cast<double>(light.color.x) * window / (distance * distance) *
            std::max(0.0, glm::dot(normal, to_light / distance));
 }
@@ -46,7 +47,8 @@ glm::dvec2 centre_of(size_t i)
     return {static_cast<double>(i % size_px.x) + 0.5, static_cast<double>(i / size_px.x) + 0.5};
 }
 
-/// Calls `expected` with the place of each pixel on the floor y = 0, and compares to within a half float's rounding.
+/// Calls `expected` with the place of each pixel on the floor y = 0, and compares to within a half float's
+/// rounding.
 template <class Expected>
 void expect_on_floor(const test::Drawing& drawing, const std::vector<glm::vec4>& light, Expected expected)
 {
@@ -80,22 +82,27 @@ TEST(Light, ARangeEndsALightSmoothly)
 {
     test::Drawing drawing(floor_scene(), from_above, size_px);
     const auto record = point_light({0.0F, 1.5F, 0.0F}, 3.0F, 3.0F);
-    expect_on_floor(drawing, drawing.light({.records = {record}}),
-                    [&](const glm::dvec3& p) { return arriving(record, p, {0, 1, 0}); });
+    expect_on_floor(drawing, drawing.light({.records = {record}}), [&](const glm::dvec3& p) {
+        return arriving(record, p, {0, 1, 0});
+    });
 }
 
 TEST(Light, ASpotLightsACone)
 {
     Scene scene = floor_scene();
-    scene.lights.push_back({.type = LightType::spot, .intensity = 700.0F, .inner_cone_rad = 0.2F, .outer_cone_rad = 0.5F});
+    scene.lights.push_back(
+        {.type = LightType::spot, .intensity = 700.0F, .inner_cone_rad = 0.2F, .outer_cone_rad = 0.5F});
     const glm::dvec3 place(-1.0, 4.0, 0.5);
     const glm::dvec3 beam = glm::normalize(glm::dvec3(0.3, -1.0, -0.2));
-    scene.nodes.push_back({.transform = {.translation = place, .rotation = glm::quatLookAt(beam, glm::dvec3(0, 0, 1))}, .light = 0});
+    scene.nodes.push_back(
+        {.transform = {.translation = place, .rotation = glm::quatLookAt(beam, glm::dvec3(0, 0, 1))},
+         .light = 0});
     scene.roots.push_back(1);
     test::Drawing drawing(scene, from_above, size_px);
     LightStyle style;
     style.source = LightSource::scene;
-    auto lighting = gather_lights(scene, pose_scene(scene, 0.0), drawing.layout.bounds, drawing.layout.anchor, style);
+    auto lighting =
+        gather_lights(scene, pose_scene(scene, 0.0), drawing.layout.bounds, drawing.layout.anchor, style);
     ASSERT_EQ(lighting.records.size(), 1U);
     ASSERT_EQ(lighting.directional_count, 0U);
     shared::LightRecord& record = lighting.records.front();
@@ -116,7 +123,9 @@ TEST(Light, ManyLightsInTilesAreTheSumOfAll)
     test::add_object(scene, shapes::sphere(0.6F), glm::vec3(1.0F), {0.0, 3.0, 0.0});
     test::Drawing drawing(scene, from_above, size_px);
     std::mt19937 random(5);
-    const auto between = [&random](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
+    const auto between = [&random](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
     std::vector<shared::LightRecord> records;
     for (int i = 0; i < 300; ++i) {
         const glm::vec3 place(between(-6.0F, 6.0F), between(-1.0F, 4.0F), between(-6.0F, 6.0F));
@@ -136,7 +145,8 @@ TEST(Light, ManyLightsInTilesAreTheSumOfAll)
             wanted += arriving(record, point, glm::dvec3(surface.shading_normal[i]));
         }
         sum += wanted;
-        worst = std::max(worst, std::abs(std::min(wanted, 1.0) - std::min(static_cast<double>(light[i].x), 1.0)));
+        worst =
+            std::max(worst, std::abs(std::min(wanted, 1.0) - std::min(static_cast<double>(light[i].x), 1.0)));
     }
     EXPECT_LT(worst, 1.0 / 255.0);
     EXPECT_GT(sum / static_cast<double>(light.size()), 0.05);
@@ -149,7 +159,8 @@ TEST(Light, TheSunFollowsTheCosine)
     sun.type = shared::light_directional;
     sun.direction = glm::normalize(glm::vec3(1, 1, 0.3));
     sun.color = {1.0F, 0.5F, 0.25F};
-    const auto light = drawing.light({.records = {sun}, .directional_count = 1, .ambient = glm::vec3(0.125F)});
+    const auto light =
+        drawing.light({.records = {sun}, .directional_count = 1, .ambient = glm::vec3(0.125F)});
     const auto surface = drawing.surface();
     for (size_t i = 0; i < light.size(); ++i) {
         const float cosine = std::max(glm::dot(surface.smooth_normal[i], sun.direction), 0.0F);
@@ -167,8 +178,9 @@ TEST(Light, ALightBehindTheSurfaceLeavesTheAmbient)
     sun.type = shared::light_directional;
     sun.direction = glm::normalize(glm::vec3(0.2, -1, 0.1));
     sun.color = glm::vec3(1.0F);
-    const auto light = drawing.light(
-        {.records = {sun, point_light({0, -1, 0}, 50.0F)}, .directional_count = 1, .ambient = glm::vec3(0.25F)});
+    const auto light = drawing.light({.records = {sun, point_light({0, -1, 0}, 50.0F)},
+                                      .directional_count = 1,
+                                      .ambient = glm::vec3(0.25F)});
     for (const glm::vec4& pixel : light) {
         EXPECT_NEAR(pixel.x, 0.25F, 1e-3F);
         EXPECT_NEAR(pixel.w, 0.25F, 1e-3F);
@@ -179,12 +191,14 @@ TEST(Light, UnlitIsOneAndEmissiveIsAdded)
 {
     Scene scene = floor_scene();
     scene.materials[0].unlit = true;
-    for (const glm::vec4& pixel : test::Drawing(scene, from_above, size_px).light({.ambient = glm::vec3(0.25F)})) {
+    for (const glm::vec4& pixel :
+         test::Drawing(scene, from_above, size_px).light({.ambient = glm::vec3(0.25F)})) {
         EXPECT_EQ(pixel.x, 1.0F);
     }
     scene.materials[0].unlit = false;
     scene.materials[0].emissive = {0.5F, 2.0F, 0.0F};
-    for (const glm::vec4& pixel : test::Drawing(scene, from_above, size_px).light({.ambient = glm::vec3(0.25F)})) {
+    for (const glm::vec4& pixel :
+         test::Drawing(scene, from_above, size_px).light({.ambient = glm::vec3(0.25F)})) {
         EXPECT_NEAR(pixel.x, 0.75F, 1e-3F);
         EXPECT_NEAR(pixel.y, 2.25F, 2e-3F);
         EXPECT_NEAR(pixel.z, 0.25F, 1e-3F);

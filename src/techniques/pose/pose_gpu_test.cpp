@@ -21,7 +21,8 @@ glm::dvec3 decode_normal(uint32_t packed)
     const glm::dvec2 e(glm::unpackSnorm2x16(packed));
     const double z = 1.0 - std::abs(e.x) - std::abs(e.y);
     const double fold = std::max(-z, 0.0);
-    return glm::normalize(glm::dvec3(e.x + (e.x >= 0.0 ? -fold : fold), e.y + (e.y >= 0.0 ? -fold : fold), z));
+    return glm::normalize(
+        glm::dvec3(e.x + (e.x >= 0.0 ? -fold : fold), e.y + (e.y >= 0.0 ? -fold : fold), z));
 }
 
 /// A normal as the posed surface has it: the direction that stays square to two posed tangents.
@@ -65,7 +66,8 @@ Scene instanced_scene()
     scene.nodes[0].transform.translation = {-4.0, 1.0, 0.0};
     for (int i = 0; i < 5; ++i) {
         const glm::mat4 place = glm::translate(glm::mat4(1.0F), glm::vec3(3 * i, 0, -i));
-        scene.nodes[0].instances.push_back(glm::rotate(place, 0.4F * static_cast<float>(i), {0.0F, 1.0F, 0.0F}));
+        scene.nodes[0].instances.push_back(
+            glm::rotate(place, 0.4F * static_cast<float>(i), {0.0F, 1.0F, 0.0F}));
     }
     return scene;
 }
@@ -95,7 +97,8 @@ Scene skinned_scene()
     for (Index joint = 1; joint <= 8; ++joint) {
         const double height = 0.5 * (joint - 1);
         scene.skins[0].joints.push_back(joint);
-        scene.skins[0].joint_from_bind.push_back(glm::translate(glm::mat4(1.0F), glm::vec3(0.0, -height, 0.0)));
+        scene.skins[0].joint_from_bind.push_back(
+            glm::translate(glm::mat4(1.0F), glm::vec3(0.0, -height, 0.0)));
         scene.nodes.push_back({.parent = joint == 1 ? no_index : joint - 1,
                                .transform = {.translation = {0.1, joint == 1 ? 0.0 : 0.5, 0.0},
                                              .rotation = glm::angleAxis(0.05 * joint, glm::dvec3(0, 0, 1))}});
@@ -113,8 +116,8 @@ Scene skinned_scene()
 }
 
 /// Linear part of what places a vertex, in double precision.
-glm::dmat3 vertex_linear(const Scene& scene, const ScenePose& pose, const PosedPrimitive& posed, size_t vertex,
-                         uint32_t instance)
+glm::dmat3 vertex_linear(const Scene& scene, const ScenePose& pose, const PosedPrimitive& posed,
+                         size_t vertex, uint32_t instance)
 {
     const std::vector<glm::mat4> joints = skin_matrices(scene, pose, posed.node);
     const Primitive& primitive = *posed.primitive;
@@ -125,8 +128,10 @@ glm::dmat3 vertex_linear(const Scene& scene, const ScenePose& pose, const PosedP
     }
     glm::dmat3 sum(0.0);
     for (int k = 0; k < 4; ++k) {
-        sum += static_cast<double>(primitive.weights_0[vertex][k]) * glm::dmat3(joints[primitive.joints_0[vertex][k]]);
-        sum += static_cast<double>(primitive.weights_1[vertex][k]) * glm::dmat3(joints[primitive.joints_1[vertex][k]]);
+        sum += static_cast<double>(primitive.weights_0[vertex][k]) *
+               glm::dmat3(joints[primitive.joints_0[vertex][k]]);
+        sum += static_cast<double>(primitive.weights_1[vertex][k]) *
+               glm::dmat3(joints[primitive.joints_1[vertex][k]]);
     }
     return sum;
 }
@@ -157,7 +162,8 @@ void expect_posed(const Scene& scene, double time_s)
             ASSERT_LT(next, actual.size());
             const glm::dvec3 wanted = posed.positions[i] - drawing.layout.anchor;
             const double size = std::max(glm::length(wanted), drawing.layout.bounds.radius());
-            worst_position = std::max(worst_position, glm::distance(glm::dvec3(actual[next].position), wanted) / size);
+            worst_position =
+                std::max(worst_position, glm::distance(glm::dvec3(actual[next].position), wanted) / size);
             const glm::dvec3 normal =
                 turned(vertex_linear(scene, pose, posed, i, instance), morphed_normal(posed, pose, i));
             worst_normal = std::max(worst_normal, glm::distance(decode_normal(actual[next].normal), normal));
@@ -202,9 +208,13 @@ std::pair<int, double> seen(const Scene& scene)
         sum += static_cast<double>(surface.depth[i]);
         count += surface.depth[i] > 0.0F ? 1 : 0;
         if (surface.depth[i] > 0.0F) {
-            const glm::dvec3 point = drawing.point_at({static_cast<double>(i % 120) + 0.5, static_cast<double>(i / 120) + 0.5},
-                                                      static_cast<double>(surface.depth[i]));
-            away += glm::dot(glm::dvec3(drawing.globals.eye_anchor) - point, glm::dvec3(surface.smooth_normal[i])) < 0.0 ? 1 : 0;
+            const glm::dvec3 point =
+                drawing.point_at({static_cast<double>(i % 120) + 0.5, static_cast<double>(i / 120) + 0.5},
+                                 static_cast<double>(surface.depth[i]));
+            away += glm::dot(glm::dvec3(drawing.globals.eye_anchor) - point,
+                             glm::dvec3(surface.smooth_normal[i])) < 0.0
+                        ? 1
+                        : 0;
         }
     }
     EXPECT_EQ(away, 0) << "normals that point away from the eye";

@@ -23,16 +23,18 @@ public:
     {
         visit_posed(scene, pose_scene(scene, 0.0), [this](const PosedPrimitive& posed) {
             RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-            auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
-                geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), posed.positions.size()));
+            auto* positions = static_cast<float*>(
+                rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                        3 * sizeof(float), posed.positions.size()));
             for (const glm::dvec3& p : posed.positions) {
                 for (int k = 0; k < 3; ++k) {
                     *positions++ = static_cast<float>(p[k]);
                 }
             }
             const auto& indices = posed.primitive->indices;
-            auto* corners = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
-                geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), indices.size() / 3));
+            auto* corners = static_cast<uint32_t*>(
+                rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                        3 * sizeof(uint32_t), indices.size() / 3));
             std::copy(indices.begin(), indices.end(), corners);
             rtcCommitGeometry(geometry);
             rtcAttachGeometry(scene_, geometry);
@@ -56,8 +58,18 @@ public:
         rtcInitIntersectContext(&context);
         const glm::vec3 o(from);
         const glm::vec3 d(way);
-        RTCRay ray{.org_x = o.x, .org_y = o.y, .org_z = o.z, .tnear = 0.0F, .dir_x = d.x, .dir_y = d.y, .dir_z = d.z,
-                   .time = 0.0F, .tfar = 1e6F, .mask = ~0U, .id = 0, .flags = 0};
+        RTCRay ray{.org_x = o.x,
+                   .org_y = o.y,
+                   .org_z = o.z,
+                   .tnear = 0.0F,
+                   .dir_x = d.x,
+                   .dir_y = d.y,
+                   .dir_z = d.z,
+                   .time = 0.0F,
+                   .tfar = 1e6F,
+                   .mask = ~0U,
+                   .id = 0,
+                   .flags = 0};
         rtcOccluded1(scene_, &context, &ray);
         return ray.tfar < 0.0F;
     }
@@ -91,8 +103,8 @@ glm::dvec2 centre_of(size_t i)
 Verdict compare(const Scene& scene, const Camera& camera, const glm::dvec3& towards_sun)
 {
     test::Drawing drawing(scene, camera, size_px);
-    const auto light =
-        drawing.light({.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
+    const auto light = drawing.light(
+        {.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
     const auto surface = drawing.surface();
     const double texel_m = static_cast<double>(drawing.sun(towards_sun, map_size).texel_m);
     const glm::dvec3 right = glm::normalize(glm::cross(towards_sun, glm::dvec3(0.1, 0.2, 0.9)));
@@ -111,7 +123,8 @@ Verdict compare(const Scene& scene, const Camera& camera, const glm::dvec3& towa
         bool is_edge = false;
         for (int k = 0; k < 8; ++k) {
             const glm::dvec3 aside = right * std::cos(0.785398 * k) + up * std::sin(0.785398 * k);
-            is_edge |= rays.is_blocked(point + normal * (2.0 * texel_m) + aside * (2.0 * texel_m), towards_sun) != blocked;
+            is_edge |= rays.is_blocked(point + normal * (2.0 * texel_m) + aside * (2.0 * texel_m),
+                                       towards_sun) != blocked;
         }
         if (!is_edge) {
             ++verdict.compared;
@@ -130,7 +143,8 @@ TEST(Shadow, AgreesWithRays)
     test::add_object(scene, shapes::box({0.2F, 3.0F, 0.2F}), glm::vec3(1.0F), {2.0, 0.0, -1.0});
     test::add_object(scene, shapes::torus(0.8F, 0.25F), glm::vec3(1.0F), {0.5, 2.5, 0.0});
     const Camera camera{.eye = {4.0, 6.0, 8.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.8};
-    for (const glm::dvec3 sun : {glm::dvec3(0.5, 0.8, 0.3), glm::dvec3(-0.9, 0.35, 0.2), glm::dvec3(0.05, 1.0, 0.02)}) {
+    for (const glm::dvec3 sun :
+         {glm::dvec3(0.5, 0.8, 0.3), glm::dvec3(-0.9, 0.35, 0.2), glm::dvec3(0.05, 1.0, 0.02)}) {
         const Verdict verdict = compare(scene, camera, glm::normalize(sun));
         EXPECT_LT(static_cast<double>(verdict.wrong), 0.01 * static_cast<double>(verdict.compared))
             << verdict.wrong << " of " << verdict.compared;
@@ -145,13 +159,15 @@ TEST(Shadow, ARoundFormDoesNotShadowItself)
     for (const glm::dvec3 sun : {glm::dvec3(1, 0.1, 0), glm::dvec3(0.3, 1, 0.2), glm::dvec3(-1, 0.5, -1)}) {
         const glm::dvec3 towards_sun = glm::normalize(sun);
         test::Drawing drawing(scene, test::front_camera(4.0, 0.6), size_px);
-        const auto light =
-            drawing.light({.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
+        const auto light = drawing.light(
+            {.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
         const auto surface = drawing.surface();
         size_t dark = 0;
         for (size_t i = 0; i < light.size(); ++i) {
             const double cosine = glm::dot(glm::dvec3(surface.smooth_normal[i]), towards_sun);
-            dark += surface.draw[i] != 0 && cosine > 0.05 && static_cast<double>(light[i].x) < 0.95 * cosine ? 1U : 0U;
+            dark += surface.draw[i] != 0 && cosine > 0.05 && static_cast<double>(light[i].x) < 0.95 * cosine
+                        ? 1U
+                        : 0U;
         }
         EXPECT_EQ(dark, 0U);
     }
@@ -164,8 +180,8 @@ TEST(Shadow, BeginsWhereTheBoxStands)
     const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(1, 1, 0));
     const Camera camera{.eye = {-1.4, 1.6, 0.1}, .target = {-0.75, 0.0, 0.0}, .vertical_fov_rad = 0.7};
     test::Drawing drawing(scene, camera, size_px);
-    const auto light =
-        drawing.light({.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
+    const auto light = drawing.light(
+        {.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
     const auto surface = drawing.surface();
     const double texel_m = static_cast<double>(drawing.sun(towards_sun, map_size).texel_m);
     size_t looked_at = 0;

@@ -20,7 +20,8 @@ Primitive wall(float least_uv = 0.0F, float greatest_uv = 1.0F)
     Primitive primitive;
     primitive.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
     primitive.normals.assign(4, {0, 0, 1});
-    primitive.uvs[0] = {{least_uv, greatest_uv}, {greatest_uv, greatest_uv}, {greatest_uv, least_uv}, {least_uv, least_uv}};
+    primitive.uvs[0] = {
+        {least_uv, greatest_uv}, {greatest_uv, greatest_uv}, {greatest_uv, least_uv}, {least_uv, least_uv}};
     primitive.indices = {0, 1, 2, 0, 2, 3};
     return primitive;
 }
@@ -43,7 +44,9 @@ Scene textured(Primitive primitive, Image image)
 /// Red and green over blue and white.
 Image four_colors()
 {
-    return {.width = 2, .height = 2, .rgba = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255}};
+    return {.width = 2,
+            .height = 2,
+            .rgba = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255}};
 }
 
 /// The colour at a place of the page, 0 to 1 to the right and down.
@@ -67,7 +70,8 @@ const glm::vec3 white(1, 1, 1);
 
 TEST(Surface, ATextureStandsUpright)
 {
-    const auto surface = test::Drawing(textured(wall(), four_colors()), parallel_camera(), glm::uvec2(side_px)).surface();
+    const auto surface =
+        test::Drawing(textured(wall(), four_colors()), parallel_camera(), glm::uvec2(side_px)).surface();
     expect_color(color_at(surface, 0.1F, 0.1F), red, "top left");
     expect_color(color_at(surface, 0.9F, 0.1F), green, "top right");
     expect_color(color_at(surface, 0.1F, 0.9F), blue, "bottom left");
@@ -102,19 +106,24 @@ TEST(Surface, TheSecondUvSetIsTakenWhenAskedFor)
 
 TEST(Surface, TexturesOfAnySizeAreStretchedToTheirClass)
 {
-    for (const auto& [width, height] : {std::pair(300U, 200U), std::pair(7U, 1000U), std::pair(1U, 1U), std::pair(512U, 512U)}) {
+    for (const auto& [width, height] :
+         {std::pair(300U, 200U), std::pair(7U, 1000U), std::pair(1U, 1U), std::pair(512U, 512U)}) {
         Image image{.width = width, .height = height};
         for (uint32_t y = 0; y < height; ++y) {
             for (uint32_t x = 0; x < width; ++x) {
-                const auto shade = static_cast<uint8_t>((255.0F * (static_cast<float>(y) + 0.5F)) / static_cast<float>(height));
-                image.rgba.insert(image.rgba.end(), {shade, static_cast<uint8_t>(x < width / 2 ? 0 : 255), 0, 255});
+                const auto shade = static_cast<uint8_t>((255.0F * (static_cast<float>(y) + 0.5F)) /
+                                                        static_cast<float>(height));
+                image.rgba.insert(image.rgba.end(),
+                                  {shade, static_cast<uint8_t>(x < width / 2 ? 0 : 255), 0, 255});
             }
         }
-        const auto surface = test::Drawing(textured(wall(), image), parallel_camera(), glm::uvec2(side_px)).surface();
+        const auto surface =
+            test::Drawing(textured(wall(), image), parallel_camera(), glm::uvec2(side_px)).surface();
         for (const float y : {0.25F, 0.5F, 0.75F}) {
             const float encoded = height > 1 ? y : 0.5F;
             const float shade = std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-            EXPECT_NEAR(color_at(surface, 0.9F, y).x, shade, 0.02F) << width << " x " << height << " at " << y;
+            EXPECT_NEAR(color_at(surface, 0.9F, y).x, shade, 0.02F)
+                << width << " x " << height << " at " << y;
         }
         EXPECT_GT(color_at(surface, 0.9F, 0.5F).y, 0.95F);
         EXPECT_TRUE(width == 1 || color_at(surface, 0.1F, 0.5F).y < 0.05F);
@@ -167,9 +176,11 @@ TEST(Surface, NormalMapsTiltTheWayTheyPoint)
     };
     const std::vector<glm::vec2> upright{{0, 1}, {1, 1}, {1, 0}, {0, 0}};
     const std::vector<glm::vec2> mirrored{{1, 1}, {0, 1}, {0, 0}, {1, 0}};
-    const std::vector<glm::vec2> quarter_turn{{1, 1}, {1, 0}, {0, 0}, {0, 1}}; // u runs down the page, v to the left
+    const std::vector<glm::vec2> quarter_turn{
+        {1, 1}, {1, 0}, {0, 0}, {0, 1}}; // u runs down the page, v to the left
     const auto expect_normal = [](const glm::vec3& actual, const glm::vec3& wanted, const char* what) {
-        EXPECT_LT(glm::distance(actual, wanted), 0.02F) << what << ": " << actual.x << ", " << actual.y << ", " << actual.z;
+        EXPECT_LT(glm::distance(actual, wanted), 0.02F)
+            << what << ": " << actual.x << ", " << actual.y << ", " << actual.z;
     };
     expect_normal(tilted(upright, 204, 128), {0.6F, 0.0F, 0.8F}, "+x is to the right of the texture");
     expect_normal(tilted(upright, 128, 204), {0.0F, 0.6F, 0.8F}, "+y is up the texture");
@@ -181,7 +192,8 @@ TEST(Surface, NormalMapsTiltTheWayTheyPoint)
 
 TEST(Surface, ASphereHasItsNormals)
 {
-    test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 128, 64)), test::front_camera(4.0, 0.6), glm::uvec2(side_px));
+    test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 128, 64)), test::front_camera(4.0, 0.6),
+                          glm::uvec2(side_px));
     const auto surface = drawing.surface();
     size_t seen = 0;
     for (size_t i = 0; i < surface.depth.size(); ++i) {
@@ -190,8 +202,9 @@ TEST(Surface, ASphereHasItsNormals)
             continue;
         }
         ++seen;
-        const glm::dvec3 point = drawing.point_at({static_cast<double>(i % side_px) + 0.5, static_cast<double>(i / side_px) + 0.5},
-                                                  static_cast<double>(surface.depth[i]));
+        const glm::dvec3 point =
+            drawing.point_at({static_cast<double>(i % side_px) + 0.5, static_cast<double>(i / side_px) + 0.5},
+                             static_cast<double>(surface.depth[i]));
         EXPECT_LT(glm::distance(glm::dvec3(surface.smooth_normal[i]), glm::normalize(point)), 0.03);
         EXPECT_EQ(surface.shading_normal[i], surface.smooth_normal[i]);
     }
@@ -219,7 +232,8 @@ glm::dvec3 value_at(const test::Drawing& drawing, const Plane& plane, glm::dvec2
     const glm::dvec3 e1 = plane.corner[1] - plane.corner[0];
     const glm::dvec3 e2 = plane.corner[2] - plane.corner[0];
     const glm::dvec3 solved = glm::inverse(glm::dmat3(e1, e2, -way)) * (from - plane.corner[0]);
-    return plane.value[0] + solved.x * (plane.value[1] - plane.value[0]) + solved.y * (plane.value[2] - plane.value[0]);
+    return plane.value[0] + solved.x * (plane.value[1] - plane.value[0]) +
+           solved.y * (plane.value[2] - plane.value[0]);
 }
 
 void expect_coordinates(const Scene& scene, const Camera& camera, bool follows_uv)
@@ -241,14 +255,21 @@ void expect_coordinates(const Scene& scene, const Camera& camera, bool follows_u
         Plane plane{};
         for (int k = 0; k < 3; ++k) {
             plane.corner[k] = glm::dvec3(posed[corners[k]].position);
-            plane.value[k] = follows_uv ? glm::dvec3(uvs[corners[k]], 0.0) : plane.corner[k] / drawing.layout.stroke_unit_m;
+            plane.value[k] = follows_uv ? glm::dvec3(uvs[corners[k]], 0.0)
+                                        : plane.corner[k] / drawing.layout.stroke_unit_m;
         }
         const glm::dvec2 centre(static_cast<double>(i % 120) + 0.5, static_cast<double>(i / 120) + 0.5);
         constexpr double h = 1e-3;
-        const glm::dvec3 dx = (value_at(drawing, plane, centre + glm::dvec2(h, 0)) - value_at(drawing, plane, centre - glm::dvec2(h, 0))) / (2.0 * h);
-        const glm::dvec3 dy = (value_at(drawing, plane, centre + glm::dvec2(0, h)) - value_at(drawing, plane, centre - glm::dvec2(0, h))) / (2.0 * h);
+        const glm::dvec3 dx = (value_at(drawing, plane, centre + glm::dvec2(h, 0)) -
+                               value_at(drawing, plane, centre - glm::dvec2(h, 0))) /
+                              (2.0 * h);
+        const glm::dvec3 dy = (value_at(drawing, plane, centre + glm::dvec2(0, h)) -
+                               value_at(drawing, plane, centre - glm::dvec2(0, h))) /
+                              (2.0 * h);
         const double scale = std::max(glm::length(dx), glm::length(dy));
-        worst_value = std::max(worst_value, glm::distance(value_at(drawing, plane, centre), glm::dvec3(surface.coordinate[i])) / scale);
+        worst_value = std::max(
+            worst_value,
+            glm::distance(value_at(drawing, plane, centre), glm::dvec3(surface.coordinate[i])) / scale);
         worst_change = std::max({worst_change, glm::distance(dx, glm::dvec3(surface.footprint_dx[i])) / scale,
                                  glm::distance(dy, glm::dvec3(surface.footprint_dy[i])) / scale});
     }
