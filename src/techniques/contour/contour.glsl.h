@@ -7,10 +7,10 @@ namespace estampe::shared {
 #endif
 
 // Where the surface breaks between a pixel and its neighbours to the right and below.
-struct EdgePixel {
-    uint pixel;           // y << 16 | x
-    float width_right_px; // whole width of the line to be drawn, 0 for none
-    float width_down_px;
+struct EdgePixel
+{
+    uint pixel;     // y << 16 | x
+    uint widths_px; // two halves: whole width of the line to the right and of the one below, 0 for none
 };
 
 struct EdgeConstants {

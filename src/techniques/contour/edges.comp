@@ -134,7 +134,7 @@ void main()
     if (is_edge) {
         uint slot = atomicAdd(edge_count, 1u);
         if (slot < constants.capacity) {
-            edges[slot] = EdgePixel(place, width_right, width_down);
+            edges[slot] = EdgePixel(place, packHalf2x16(vec2(width_right, width_down)));
         }
     }
     imageStore(out_nearest, pixel, uvec4(is_edge ? place : NO_SEED));

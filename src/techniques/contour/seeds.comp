@@ -160,13 +160,14 @@ void main()
     uint count = min(edge_count, constants.capacity);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += gl_NumWorkGroups.x * gl_WorkGroupSize.x) {
         EdgePixel edge = edges[i];
+        vec2 widths = unpackHalf2x16(edge.widths_px);
         ivec2 pixel = ivec2(edge.pixel & 0xffffu, edge.pixel >> 16);
         vec2 offset = vec2(0.0);
         vec2 direction = vec2(0.0);
         float width = 0.0;
         float found = 0.0;
         for (int side = 0; side < 2; ++side) {
-            float side_width = side == 0 ? edge.width_right_px : edge.width_down_px;
+            float side_width = side == 0 ? widths.x : widths.y;
             if (side_width <= 0.0) {
                 continue;
             }

@@ -23,6 +23,8 @@ namespace {
 
 constexpr uint32_t most_large_triangles = 1U << 20U;
 constexpr uint32_t most_tiles = 1U << 18U;
+// llvmpipe ends a thread's loops after 65535 rounds in all, without a word; a tile takes 65 of them.
+constexpr uint32_t least_tile_groups = most_tiles / 1000 + 1;
 
 struct Stages {
     const gpu::Shader& small;
@@ -103,7 +105,7 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
     };
     begin_stage("small", shaders.small).dispatch_items(batch.triangle_count);
     begin_stage("bin", shaders.bin).dispatch(std::min(view.tuning.list_groups, large_capacity));
-    begin_stage("tile", shaders.tile).dispatch(view.tuning.list_groups);
+    begin_stage("tile", shaders.tile).dispatch(std::max(view.tuning.list_groups, least_tile_groups));
     return target;
 }
 

@@ -308,16 +308,29 @@ TEST(Raster, AGridCoversEachPixelOnce)
 
 TEST(Raster, DrawsWhatTheTileListCannotHold)
 {
-    // 128 tiles a triangle: together more than the 2^18 that the list holds. The nearest comes last, and one
-    // workgroup goes through all in order, so that it is among those left over.
+    // 128 tiles a triangle: together more than the 2^18 that the list holds. The nearest comes last, and few
+    // workgroups go through all in order, so that it is among those left over.
     const glm::uvec2 size_px(8192, 1);
     std::vector<ClipTriangle> soup;
     for (int i = 0; i < 2400; ++i) {
         const float w = 4.0F - 0.001F * static_cast<float>(i);
         soup.push_back({{Soup::at({-3, -9}, w), Soup::at({3, -9}, w), Soup::at({0, 20}, w)}});
     }
-    const auto page = draw_all(soup, size_px, {.list_groups = 1});
+    const auto page = draw_all(soup, size_px, {.list_groups = 16});
     EXPECT_TRUE(std::ranges::all_of(page, [](uint64_t word) { return static_cast<uint32_t>(word) == 2399; }));
+}
+
+TEST(Raster, LosesNoneOfManyTiles)
+{
+    // Full tiles in one column, more than llvmpipe's limit on loops would let few workgroups draw.
+    const glm::uvec2 size_px(1, 8192);
+    std::vector<ClipTriangle> soup;
+    for (int i = 0; i < 400; ++i) {
+        const float w = 4.0F - 0.005F * static_cast<float>(i);
+        soup.push_back({{Soup::at({-9, -3}, w), Soup::at({-9, 3}, w), Soup::at({20, 0}, w)}});
+    }
+    const auto page = draw_all(soup, size_px, {.list_groups = 32});
+    EXPECT_TRUE(std::ranges::all_of(page, [](uint64_t word) { return static_cast<uint32_t>(word) == 399; }));
 }
 
 TEST(Raster, AlphaMasksCutHoles)

@@ -173,12 +173,12 @@ TEST(Shadow, ARoundFormDoesNotShadowItself)
     }
 }
 
-TEST(Shadow, BeginsWhereTheBoxStands)
+TEST(Shadow, BeginsWhereTheBoxStandsAndEndsWhereItsTopFalls)
 {
     Scene scene = test::scene_of(shapes::plane(8.0F, 8.0F));
     test::add_object(scene, shapes::box({1.0F, 1.0F, 1.0F}), glm::vec3(1.0F));
     const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(1, 1, 0));
-    const Camera camera{.eye = {-1.4, 1.6, 0.1}, .target = {-0.75, 0.0, 0.0}, .vertical_fov_rad = 0.7};
+    const Camera camera{.eye = {-1.4, 1.6, 0.1}, .target = {-1.0, 0.0, 0.0}, .vertical_fov_rad = 0.8};
     test::Drawing drawing(scene, camera, size_px);
     const auto light = drawing.light(
         {.records = {sun_record(towards_sun)}, .directional_count = 1, .shadow_size = map_size});
@@ -190,7 +190,8 @@ TEST(Shadow, BeginsWhereTheBoxStands)
         const glm::dvec3 point =
             drawing.point_at(centre_of(i), static_cast<double>(surface.depth[i])) + drawing.layout.anchor;
         const bool is_floor = surface.draw[i] != 0 && surface.smooth_normal[i].y > 0.9F && point.y < 0.01;
-        if (is_floor && point.x < -0.5 - 3.5 * texel_m && point.x > -1.4 && std::abs(point.z) < 0.45) {
+        if (is_floor && point.x < -0.5 - 3.5 * texel_m && point.x > -1.5 + 4.0 * texel_m &&
+            std::abs(point.z) < 0.45) {
             ++looked_at;
             lit += light[i].x > 0.05F ? 1U : 0U;
         }
