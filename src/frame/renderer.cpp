@@ -135,7 +135,8 @@ void Renderer::Impl::check_size(const RenderSettings& settings) const
     const uint64_t bytes_per_pixel = settings.samples > 1 ? sizeof(glm::vec4) : sizeof(uint64_t);
     const uint64_t most_pixels = device.limits().maxStorageBufferRange / bytes_per_pixel;
     if (static_cast<uint64_t>(settings.width) * settings.height > most_pixels) {
-        throw Error(fmt::format("a picture of {} x {} pixels is too large", settings.width, settings.height), "size",
+        throw Error(fmt::format("a picture of {} x {} pixels is too large", settings.width, settings.height),
+                    "size",
                     fmt::format("{} draws at most {:.1f} megapixels{}", device.info().name,
                                 static_cast<double>(most_pixels) * 1e-6,
                                 settings.samples > 1 ? " with several samples" : ""));

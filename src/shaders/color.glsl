@@ -21,4 +21,11 @@ vec3 linear_from_srgb(vec3 encoded)
     return mix(high, encoded / 12.92, lessThanEqual(encoded, vec3(0.04045)));
 }
 
+// A vertex's colour: linear, stored as its square root; alpha as it is.
+vec4 vertex_color(uint packed)
+{
+    vec4 stored = unpackUnorm4x8(packed);
+    return vec4(stored.rgb * stored.rgb, stored.a);
+}
+
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The look, guarded: the example scene in the house's default and in each preset, through the public API alone.
+// The look, guarded: the example scene in the house's default and in each preset, through the public API
+// alone.
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -22,7 +23,8 @@ TEST_P(Golden, SquareLooksAsApproved)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
     const Camera camera = scene_camera(scene, pose_scene(scene, 0.0), "square");
-    test::expect_matches_golden(renderer.render(camera, style, {.width = 320, .height = 180}), "square-" + name);
+    test::expect_matches_golden(renderer.render(camera, style, {.width = 320, .height = 180}),
+                                "square-" + name);
 }
 
 INSTANTIATE_TEST_SUITE_P(Styles, Golden, testing::Values("default", "comic", "engraving", "pencil", "wash"),

@@ -37,7 +37,8 @@ inline const style::Table<LightStyle>& light_table()
             .number("ambient", &LightStyle::ambient, {0.0F, 1.0F}, "",
                     "Light from everywhere, as a share of the sun's")
             .number("fill", &LightStyle::fill, {0.0F, 1.0F}, "",
-                    "Strength of a second, shadowless light from the sun's other side, which models what is in shade; "
+                    "Strength of a second, shadowless light from the sun's other side, which models what is "
+                    "in shade; "
                     "for the style's sun alone")
             .number("falloff", &LightStyle::falloff, {0.05F, 4.0F}, "",
                     "Exponent of the cosine: 1 is Lambert's law, less keeps slanted light bright")

@@ -21,7 +21,6 @@
 namespace estampe::raster {
 namespace {
 
-constexpr uint32_t most_large_triangles = 1U << 20U;
 constexpr uint32_t most_tiles = 1U << 18U;
 // llvmpipe ends a thread's loops after 65535 rounds in all, without a word; a tile takes 65 of them.
 constexpr uint32_t least_tile_groups = most_tiles / 1000 + 1;
@@ -74,7 +73,7 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
                         const Batch& batch, const View& view, gpu::BufferId target, bool depth_only)
 {
     const Stages shaders = stages(depth_only, batch.masked);
-    const uint32_t large_capacity = std::min(2 * batch.triangle_count, most_large_triangles);
+    const uint32_t large_capacity = 2 * batch.triangle_count; // clipping makes two of one at most
     const shared::RasterConstants constants{.clip_from_anchor = view.clip_from_anchor,
                                             .size_px = view.size_px,
                                             .first_triangle = batch.first_triangle,

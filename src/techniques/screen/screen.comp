@@ -90,10 +90,9 @@ void main()
                                     vec2(pixel) + 0.5, frame.size_px);
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
     mat3x4 vertex_colors =
-        mat3x4(unpackUnorm4x8(rest_vertices[rest.x].color), unpackUnorm4x8(rest_vertices[rest.y].color),
-               unpackUnorm4x8(rest_vertices[rest.z].color));
-    vec4 tint = vertex_colors * at.weight;
-    vec4 color = materials[draw.material].base_color * vec4(tint.rgb * tint.rgb, tint.a);
+        mat3x4(vertex_color(rest_vertices[rest.x].color), vertex_color(rest_vertices[rest.y].color),
+               vertex_color(rest_vertices[rest.z].color));
+    vec4 color = materials[draw.material].base_color * (vertex_colors * at.weight);
     TextureSlot slot = materials[draw.material].base_texture;
     if (TEXTURE_CLASSES != 0u && slot.location != NO_TEXTURE) {
         bool second = ((slot.location >> 24) & 1u) != 0u;

@@ -150,11 +150,10 @@ void main()
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
     vec4 color = materials[draw.material].base_color;
     if (has_vertex_colors) {
-        mat3 colors = mat3(unpackUnorm4x8(rest_vertices[rest.x].color).rgb,
-                           unpackUnorm4x8(rest_vertices[rest.y].color).rgb,
-                           unpackUnorm4x8(rest_vertices[rest.z].color).rgb);
-        vec3 tint = colors * at.weight;
-        color.rgb *= tint * tint;
+        mat3 colors =
+            mat3(vertex_color(rest_vertices[rest.x].color).rgb, vertex_color(rest_vertices[rest.y].color).rgb,
+                 vertex_color(rest_vertices[rest.z].color).rgb);
+        color.rgb *= colors * at.weight;
     }
     vec3 shading_normal = smooth_normal;
     if (has_textures) {
