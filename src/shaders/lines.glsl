@@ -63,7 +63,7 @@ struct LineScale {
 LineScale scale_of(LineField field, LineLook look, float dark)
 {
     LineScale scale;
-    float u_per_px = max(field.u_per_px, 1e-12);
+    float u_per_px = max(field.u_per_px, 1e-6 * abs(field.u) + 1e-12);
     float octave = log2(1.6 * look.cell_px * u_per_px);
     scale.wobble_frequency = exp2(-floor(octave));
     scale.wobble_fade = fract(octave);
@@ -121,7 +121,8 @@ float line_ink(LineField field, LineLook look, float dark, uint seed)
     LineScale scale = scale_of(field, look, max(dark, 1e-4));
     float t = clamp(dark / kept_share(look, scale.gap_scale), 1e-4, 1.0);
     float width = look.width_px * g;
-    int level = int(ceil(log2(width / t)));
+    // Seen along its own plane a field does not change at all: spacing stays such that lines can be counted.
+    int level = max(int(ceil(log2(width / t))), int(ceil(log2(max(abs(field.v), 1e-6)))) - 24);
     float spacing = exp2(float(level));
     float newborn = t * spacing - width;
     int first = int(floor(2.0 * field.v / spacing)) - 1;

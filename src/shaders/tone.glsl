@@ -5,8 +5,8 @@
 #include "shaders/tone.glsl.h"
 
 // Darkness to be drawn, 0 (paper) to 1 (ink), of a surface that is lit with `light` and has brightness
-// `local_value`. The contrast is the thesis's (annex 1): multiply about the middle, saturate. Below the floor
-// the paper stays white.
+// `local_value`. The contrast multiplies about the middle and saturates (Zanuttini, "Recherches en rendu non
+// réaliste temps réel", Université Paris 8, 2008, annex 1). Below the floor the paper stays white.
 float darkness(ToneConstants tone, float light, float local_value)
 {
     float value = light * tone.exposure * mix(1.0, local_value, tone.local_value);

@@ -52,13 +52,14 @@ struct Accumulation {
     uint32_t sample_count = 1;
 };
 
-/// Adds a frame to `sums` (one vec4 a pixel) and, with the last one, writes `pixels`: sRGB, four bytes a
-/// pixel. Returns the new version of `pixels`. Cost: one full-screen dispatch.
+/// What a developed picture is made of: new versions of both buffers.
 struct Developed {
     gpu::BufferId sums;
     gpu::BufferId pixels;
 };
 
+/// Adds a frame to `sums` (one vec4 a pixel) and, with the last one, writes `pixels`: sRGB, four bytes a
+/// pixel. Cost: one full-screen dispatch.
 [[nodiscard]] Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::BufferId sums,
                                     gpu::BufferId pixels, glm::uvec2 size_px,
                                     const Accumulation& accumulation);

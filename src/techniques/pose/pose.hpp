@@ -41,7 +41,7 @@ struct PoseInputs {
     gpu::BufferId morph_weights;
 };
 
-/// Poses all vertices: morph targets, then skin, then place.
+/// Poses all vertices: morph targets, then the skin, or the place of the object where there is none.
 ///
 /// Writes  posed vertices, relative to the anchor
 /// Cost    one dispatch, one thread a vertex

@@ -44,9 +44,9 @@ struct View {
 
 /// A picture of 64-bit words, row by row: reversed depth above, triangle below; 0 where nothing is seen.
 ///
-/// Cost    two clears, and three dispatches a batch; time goes with triangles and covered pixels
-/// Source  Kenzel et al., "A High-Performance Software Graphics Pipeline Architecture for the GPU", 2018, for
-/// the
+/// Cost    a clear of the picture, and a small clear and three dispatches a batch; time goes with triangles
+/// and covered pixels Source  Kenzel et al., "A High-Performance Software Graphics Pipeline Architecture for
+/// the GPU", 2018, for the
 ///         division by size; exact edge functions after Pineda, "A Parallel Algorithm for Polygon
 ///         Rasterization", 1988
 [[nodiscard]] gpu::BufferId add_visibility(gpu::Graph& graph, const std::string& name, const RasterInputs& in,

@@ -2,7 +2,7 @@
 #pragma once
 
 // See-through surfaces (glTF's BLEND) as screened ink: the nearest one in front of what is solid tints the
-// wash, darkens the strokes behind it by its cover, and is outlined.
+// wash, pulls the darkness of the strokes behind it towards its own by its cover, and is outlined.
 
 #include <array>
 

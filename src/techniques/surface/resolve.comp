@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread a pixel turns the identity of a triangle into the surface seen there: shading normal and smooth
 // normal, colour, the coordinate that strokes follow and how it changes over the pixel. Where nothing is seen
-// only the draw and the depth are written; nobody may read the rest there.
+// only draw, depth and a blank normal are written; nobody may read the rest there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -128,6 +128,7 @@ void main()
     if (!sees_triangle(seen)) {
         imageStore(out_draw, pixel, uvec4(0u));
         imageStore(out_depth, pixel, vec4(0.0));
+        imageStore(out_normal, pixel, uvec4(0u));
         return;
     }
     uvec4 corners = triangles[seen_triangle(seen)];

@@ -50,7 +50,7 @@ struct Surface {
     gpu::ImageId footprint;  ///< rgba32ui: its change over a pixel, see shaders/footprint.glsl
 };
 
-/// Cost    one full-screen dispatch; 72 bytes written a pixel
+/// Cost    one full-screen dispatch; 52 bytes written a pixel
 /// Source  Schied and Dachsbacher, "Deferred Attribute Interpolation for Memory-Efficient Deferred Shading",
 /// 2015
 [[nodiscard]] Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in);
