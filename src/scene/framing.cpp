@@ -68,18 +68,19 @@ private:
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
         for (int ray = 0; ray < rays; ++ray) {
+            const int column = ray % grid;
+            const int row = ray / grid;
             glm::dvec3 point = bounds_.min;
             // Uneven fractions, so that a ray does not run along the seam of a symmetrical mesh.
-            point[u] += (bounds_.max[u] - bounds_.min[u]) * (0.2637 + 0.2361 * (ray % grid));
-            point[v] += (bounds_.max[v] - bounds_.min[v]) * (0.2753 + 0.2247 * (ray / grid));
+            point[u] += (bounds_.max[u] - bounds_.min[u]) * (0.2637 + 0.2361 * column);
+            point[v] += (bounds_.max[v] - bounds_.min[v]) * (0.2753 + 0.2247 * row);
             if (!covers(corners, point, u, v))
                 continue;
             const glm::dvec3 offset = corners[0] - point;
             const double depth = point[axis] + glm::dot(offset, normal) / normal[axis];
-            note(hits_[static_cast<size_t>(2 * axis)][static_cast<size_t>(ray)], -depth, normal[axis] > 0.0,
-                 two_sided);
-            note(hits_[static_cast<size_t>(2 * axis + 1)][static_cast<size_t>(ray)], depth,
-                 normal[axis] < 0.0, two_sided);
+            const size_t side = 2 * static_cast<size_t>(axis);
+            note(hits_[side][static_cast<size_t>(ray)], -depth, normal[axis] > 0.0, two_sided);
+            note(hits_[side + 1][static_cast<size_t>(ray)], depth, normal[axis] < 0.0, two_sided);
         }
     }
 

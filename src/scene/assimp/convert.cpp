@@ -93,6 +93,7 @@ void add_meshes(Conversion& conversion, const std::vector<std::pair<const aiNode
         const auto [found, is_new] = known.emplace(plain, no_index);
         if (is_new) {
             std::vector<Primitive> primitives;
+            primitives.reserve(plain.size());
             for (const unsigned mesh : plain)
                 primitives.push_back(convert_primitive(*conversion.source.mMeshes[mesh]));
             found->second = add_mesh(conversion, name_of(source->mName), std::move(primitives));

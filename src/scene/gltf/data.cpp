@@ -118,7 +118,7 @@ void Data::warn(const std::string& pointer, const std::string& what)
     if (++warning_count_ > max_warnings) {
         return;
     }
-    warnings_.push_back(Error(what, place(pointer)).what());
+    warnings_.emplace_back(Error(what, place(pointer)).what());
 }
 
 std::vector<std::string> Data::take_warnings()

@@ -87,7 +87,8 @@ std::optional<DracoMesh> decode_draco(Data& data, const tinygltf::Primitive& sou
     DracoMesh result;
     const tinygltf::Value& attributes = found->second.Get("attributes");
     for (const std::string& name : attributes.Keys()) {
-        const std::string at = here + "/attributes/" + name;
+        std::string at = here;
+        at.append("/attributes/").append(name);
         const auto accessor_index = source.attributes.find(name);
         if (accessor_index == source.attributes.end()) {
             data.fail(at, "is not among the primitive's attributes");

@@ -43,6 +43,7 @@ public:
             return otherwise;
         }
         std::vector<double> numbers;
+        numbers.reserve(Size);
         for (int i = 0; i < Size; ++i) {
             numbers.push_back(value_.Get(key).Get(i).GetNumberAsDouble());
         }

@@ -40,7 +40,7 @@ void for_each_in_parallel(size_t count, const Work& work)
             work(i);
         }
     };
-    const size_t threads =
+    const auto threads =
         std::min<size_t>({count, max_threads, std::max(1U, std::thread::hardware_concurrency())});
     std::vector<std::jthread> helpers;
     for (size_t i = 1; i < threads; ++i) {

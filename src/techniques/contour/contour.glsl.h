@@ -7,8 +7,7 @@ namespace estampe::shared {
 #endif
 
 // Where the surface breaks between a pixel and its neighbours to the right and below.
-struct EdgePixel
-{
+struct EdgePixel {
     uint pixel;     // y << 16 | x
     uint widths_px; // two halves: whole width of the line to the right and of the one below, 0 for none
 };
