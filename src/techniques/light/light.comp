@@ -150,10 +150,11 @@ void main()
     vec3 smooth_normal = unpack_normal(normals.y);
 
     vec3 light = mix(lighting.ground_ambient, lighting.sky_ambient, 0.5 + 0.5 * normal.y);
+    float sun_visible = has_shadow ? sun_visibility(point, smooth_normal, lights[0].direction) : 1.0;
     for (uint i = 0u; i < lighting.directional_count; ++i) {
         LightRecord sun = lights[i];
         float lambert = dot(smooth_normal, sun.direction) > 0.0 ? max(dot(normal, sun.direction), 0.0) : 0.0;
-        float visible = has_shadow && i == 0u ? sun_visibility(point, smooth_normal, sun.direction) : 1.0;
+        float visible = i == 0u ? sun_visible : 1.0;
         light += lambert > 0.0 ? sun.color * (pow(lambert, lighting.falloff) * visible) : vec3(0.0);
     }
     if (has_local_lights) {

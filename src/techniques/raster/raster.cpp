@@ -21,9 +21,9 @@
 namespace estampe::raster {
 namespace {
 
-constexpr uint32_t most_tiles = 1U << 18U;
+constexpr uint64_t most_tiles = 1ULL << 18U;
 // llvmpipe ends a thread's loops after 65535 rounds in all, without a word; a tile takes 65 of them.
-constexpr uint32_t least_tile_groups = most_tiles / 1000 + 1;
+constexpr uint32_t most_tiles_a_group = 1000;
 
 struct Stages {
     const gpu::Shader& small;
@@ -74,19 +74,22 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
 {
     const Stages shaders = stages(depth_only, batch.masked);
     const uint32_t large_capacity = 2 * batch.triangle_count; // clipping makes two of one at most
+    const glm::uvec2 page_tiles = (view.size_px + shared::raster_tile_px - 1U) / shared::raster_tile_px;
+    const auto tile_capacity = static_cast<uint32_t>(
+        std::min(most_tiles, static_cast<uint64_t>(large_capacity) * page_tiles.x * page_tiles.y));
     const shared::RasterConstants constants{.clip_from_anchor = view.clip_from_anchor,
                                             .size_px = view.size_px,
                                             .first_triangle = batch.first_triangle,
                                             .triangle_count = batch.triangle_count,
                                             .large_capacity = large_capacity,
-                                            .tile_capacity = most_tiles,
+                                            .tile_capacity = tile_capacity,
                                             .cull_back_faces = view.cull_back_faces ? 1U : 0U,
                                             .small_area_px = view.tuning.small_area_px};
     gpu::BufferId counters = zeros(graph, name + "/counters", sizeof(shared::RasterCounters));
     gpu::BufferId large =
         graph.buffer(name + "/large", {.size_bytes = large_capacity * sizeof(shared::LargeTriangle)});
     gpu::BufferId tiles =
-        graph.buffer(name + "/tiles", {.size_bytes = most_tiles * sizeof(shared::TriangleTile)});
+        graph.buffer(name + "/tiles", {.size_bytes = tile_capacity * sizeof(shared::TriangleTile)});
     const auto begin_stage = [&](const char* stage, const gpu::Shader& shader) {
         auto pass = graph.compute(name + "/" + stage, shader);
         pass.read(in.triangles).read(in.posed_vertices);
@@ -104,7 +107,8 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
     };
     begin_stage("small", shaders.small).dispatch_items(batch.triangle_count);
     begin_stage("bin", shaders.bin).dispatch(std::min(view.tuning.list_groups, large_capacity));
-    begin_stage("tile", shaders.tile).dispatch(std::max(view.tuning.list_groups, least_tile_groups));
+    begin_stage("tile", shaders.tile)
+        .dispatch(std::max(view.tuning.list_groups, tile_capacity / most_tiles_a_group + 1));
     return target;
 }
 
