@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gpu/graph/execute.hpp"
+#include "shaders/stroke_kind.glsl.h"
 #include "techniques/raster/raster.hpp"
 #include "techniques/screen/screen.hpp"
 #include "techniques/surface/surface.hpp"
@@ -102,9 +103,12 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                 .draws = draws,
                 .rest_vertices = rest_vertices,
                 .stroke_coordinates = import_buffer(graph, "stroke coordinates", meshes.stroke_coordinates),
+                .stroke_kinds = import_buffer(graph, "stroke kinds", resources.stroke_kinds),
+                .form_coordinates = import_buffer(graph, "form coordinates", resources.form_coordinates),
                 .materials = materials,
                 .textures = textures,
                 .needs = plan.needs,
+                .strokes_present = plan.strokes.present,
                 .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
                 .size_px = size_px});
 
@@ -168,6 +172,10 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                          .screen = screen.color,
                                          .has_screen = has_screen,
                                          .tone = tone,
+                                         .has_directions = plan.strokes.has(shared::strokes_height) ||
+                                                           plan.strokes.has(shared::strokes_wind) ||
+                                                           plan.strokes.has(shared::strokes_light),
+                                         .towards_light = plan.towards_sun,
                                          .pixels_per_mm = plan.pixels_per_mm,
                                          .size_px = size_px},
                                         style.hatch);

@@ -3,6 +3,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "frame/strokes.hpp"
 #include "frame/style_tables.hpp"
 #include "frame/view.hpp"
 #include "gpu/graph/graph.hpp"
@@ -22,8 +23,10 @@ struct FrameResources {
     gpu::Buffer& light_globals;
     gpu::Buffer& lights;
     gpu::Buffer& shadow_map;
-    gpu::Buffer& sums;   ///< one vec4 a pixel, for pictures of several samples
-    gpu::Buffer& pixels; ///< the picture, four bytes a pixel, for reading back
+    gpu::Buffer& stroke_kinds;     ///< one a draw
+    gpu::Buffer& form_coordinates; ///< three a triangle, where strokes follow the form
+    gpu::Buffer& sums;             ///< one vec4 a pixel, for pictures of several samples
+    gpu::Buffer& pixels;           ///< the picture, four bytes a pixel, for reading back
 };
 
 /// What is decided on the processor before a frame is declared.
@@ -34,6 +37,7 @@ struct FramePlan {
     float pixel_angle = 0.001F;
     raster::Tuning raster;
     surface::SceneNeeds needs;
+    StrokePlan strokes;
     bool has_local_lights = false;
     bool ground_drawn = false;
     bool sky_drawn = false;

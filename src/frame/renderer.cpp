@@ -45,6 +45,8 @@ struct Renderer::Impl {
     gpu::Buffer light_globals;
     gpu::Buffer lights;
     gpu::Buffer shadow_map;
+    gpu::Buffer stroke_kinds;
+    gpu::Buffer form_coordinates;
     std::optional<glm::mat4> shadow_view; ///< of what the shadow map holds; none when it is out of date
     gpu::Buffer sums;
     gpu::Buffer pixels;
@@ -67,23 +69,6 @@ uint32_t shadow_size(const light::LightStyle& style, const RenderSettings& setti
     return style.shadow_size > 0
                ? static_cast<uint32_t>(style.shadow_size)
                : std::clamp(std::bit_ceil(std::max(settings.width, settings.height)), 512U, 4096U);
-}
-
-surface::UvStrokes uv_strokes(const pose::MeshData& layout, hatch::Coordinates coordinates)
-{
-    const bool some_usable =
-        std::any_of(layout.draws.begin(), layout.draws.end(), [](const shared::DrawRecord& draw) {
-            return (draw.flags & shared::draw_follows_uv) != 0;
-        });
-    switch (coordinates) {
-    case hatch::Coordinates::uv:
-        return surface::UvStrokes::wherever_present;
-    case hatch::Coordinates::solid:
-        return surface::UvStrokes::never;
-    case hatch::Coordinates::automatic:
-        break;
-    }
-    return some_usable ? surface::UvStrokes::where_usable : surface::UvStrokes::never;
 }
 
 /// A copy of the scene that is enough to pose it: geometry and images are on the device by now.
@@ -205,7 +190,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
             ? shadow_size(style.light, settings)
             : 0U;
     plan.needs = loaded->needs;
-    plan.needs.uv_strokes = uv_strokes(loaded->layout, style.hatch.coordinates);
+    plan.strokes = frame::plan_strokes(loaded->layout, style.hatch.coordinates);
     plan.has_local_lights = lighting.records.size() > lighting.directional_count;
     plan.towards_sun = glm::vec3(lighting.towards_sun);
     plan.sun = shadow::sun_view(loaded->pose->casters, loaded->layout.anchor, lighting.towards_sun,
@@ -223,8 +208,9 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
          .page_height_mm = style.paper.height_mm});
     plan.clip_from_anchor = globals.clip_from_anchor;
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
-    frame::FrameResources resources{loaded->meshes, loaded->materials, frame_globals, light_globals,
-                                    lights,         shadow_map,        sums,          pixels};
+    frame::FrameResources resources{
+        loaded->meshes, loaded->materials, frame_globals,    light_globals, lights,
+        shadow_map,     stroke_kinds,      form_coordinates, sums,          pixels};
     plan.pose_moved = loaded->pose_moved;
     provide_shadow_map(plan);
     gpu::Graph graph;
@@ -264,6 +250,11 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
                                              .falloff = tables.light.falloff};
     impl.light_globals = mapped_buffer(impl.device, "lighting", &light_globals, 1);
     impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
+    impl.stroke_kinds = mapped_buffer(impl.device, "stroke kinds", plan.strokes.kind_of_draw.data(),
+                                      plan.strokes.kind_of_draw.size());
+    if (impl.form_coordinates.empty()) {
+        impl.form_coordinates = gpu::Buffer(impl.device, "form coordinates", 0, gpu::MemoryUse::device);
+    }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
         plan.accumulation = {.sample_index = sample, .sample_count = settings.samples};
         impl.draw_sample(camera, tables, plan);

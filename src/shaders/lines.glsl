@@ -4,10 +4,10 @@
 
 // Dyadic line hatching: strokes are the iso-lines v = i S of a surface coordinate v, where the spacing S is a
 // power of two of v's unit, chosen from the width on the page and the darkness t so that S t lies between one
-// and two widths. Lines of the coarser spacing have the full width W, the ones between them W' = t S - W, so
-// that the ink is exactly t at every distance and tilt, lines are only ever added on approach, and darker
-// tone adds lines to those of lighter tone. The idea of nested strokes: Praun et al., "Real-Time Hatching",
-// SIGGRAPH 2001.
+// and two widths. Lines of the coarser spacing have the full width W; those between them, the newborn, carry
+// the rest, t S - W, so that the ink is t at every distance and tilt, lines are only ever added on approach,
+// and darker tone adds lines to those of lighter tone. The idea of nested strokes: Praun et al., "Real-Time
+// Hatching", SIGGRAPH 2001.
 
 #include "shaders/hash.glsl"
 
@@ -17,6 +17,14 @@ uint dyadic_identity(int i, int level, uint seed)
     int shift = max(findLSB(i), 0);
     uint number = i == 0 ? 0x5bd1e995u : uint(i >> shift) * 0x9e3779b1u ^ uint(level + shift) * 0x85ebca77u;
     return hash(number ^ seed);
+}
+
+// On a coordinate that is only known up to whole numbers and sign, the i-th of `count` a unit, a power of
+// two, is the same line as all others that differ so.
+int folded(int i, int count)
+{
+    int inside = ((i - 1) & (count - 1)) + 1;
+    return inside == count ? count : min(inside, count - inside);
 }
 
 // One of several independent numbers in [0, 1) that go with an identity.
@@ -29,7 +37,14 @@ float trait(uint identity, uint which)
 float wave(float x)
 {
     float y = x - round(x);
-    return y * (8.0 - 16.0 * abs(y));
+    return y * (8.0f - 16.0f * abs(y));
+}
+
+// Rises from 0 to 1 about x = 0 within half of `breadth` to either side.
+float soft_step(float x, float breadth)
+{
+    float y = clamp(x / max(breadth, 1e-3f) + 0.5f, 0.0f, 1.0f);
+    return y * y * (3.0f - 2.0f * y);
 }
 
 struct LineField {
@@ -38,6 +53,7 @@ struct LineField {
     float u;        // along the strokes
     float u_per_px; // change of u over one pixel along the stroke
     vec2 wander;    // two coordinates that waver along the stroke, in u's unit: they drive the wobble
+    bool wraps;     // v and u are known up to whole numbers and sign only
 };
 
 struct LineLook {
@@ -47,13 +63,47 @@ struct LineLook {
     float taper_px;
     float cell_px;
     float pressure;
+    float growth; // how newborn lines carry their ink: 0 all along and thin, 1 in short strokes of full width
 };
+
+// The lines of one family about a pixel. Numbers of lines count halves of the spacing: even ones are old, odd
+// ones newborn.
+struct Lines {
+    int level; // of the spacing
+    float spacing;
+    float width;   // of an old line, in v's unit
+    float newborn; // ink of a newborn line as a share of an old one's, 0 to 1
+};
+
+// `darkness` in (0, 1]: what the lines have to cover where they are not interrupted.
+Lines lines_of(LineField field, float width_px, float darkness)
+{
+    Lines lines;
+    lines.width = width_px * max(field.v_per_px, 1e-12f);
+    // Seen along its own plane a field does not change at all: spacing stays such that lines can be counted.
+    lines.level =
+        max(int(ceil(log2(lines.width / darkness))), int(ceil(log2(max(abs(field.v), 1e-6f)))) - 24);
+    lines.level = field.wraps ? min(lines.level, 0) : lines.level;
+    lines.spacing = exp2(float(lines.level));
+    float owed = darkness * lines.spacing;
+    lines.width = min(lines.width, owed);
+    lines.newborn = clamp(owed / lines.width - 1.0f, 0.0f, 1.0f);
+    return lines;
+}
+
+uint line_identity(LineField field, Lines lines, int number, uint seed)
+{
+    // Halves of the spacing a unit: 2 / spacing.
+    int count = 1 << clamp(1 - lines.level, 0, 30);
+    return dyadic_identity(field.wraps ? folded(number, count) : number, lines.level, seed);
+}
 
 // What the lines of one family share at a pixel, worked out once.
 struct LineScale {
     float wobble_frequency; // per unit of u, dyadic: a wavelength of about two cells
     float wobble_fade;      // towards twice that wavelength
     float wobble_px;
+    float pressure;
     float cell; // in u
     int cell_level;
     float cell_growth; // how far the boundaries halfway have opened
@@ -63,80 +113,108 @@ struct LineScale {
 LineScale scale_of(LineField field, LineLook look, float dark)
 {
     LineScale scale;
-    float u_per_px = max(field.u_per_px, 1e-6 * abs(field.u) + 1e-12);
-    float octave = log2(1.6 * look.cell_px * u_per_px);
+    float u_per_px = max(field.u_per_px, 1e-6f * abs(field.u) + 1e-12f);
+    float octave = log2(1.6f * look.cell_px * u_per_px);
+    octave = field.wraps ? min(octave, -1.0f) : octave;
     scale.wobble_frequency = exp2(-floor(octave));
-    scale.wobble_fade = fract(octave);
-    // Ends and wobble give way as the paper fills up, so that the darkest tones can still be reached.
-    scale.gap_scale = clamp(2.0 * (1.0 - dark), 0.0, 1.0);
-    scale.wobble_px = min(look.wobble_px, 0.2 * look.width_px / dark * (1.0 - dark));
+    scale.wobble_fade = octave - floor(octave);
+    // Ends, wobble and pressure give way as the paper fills up: lines that touch would lose ink.
+    scale.gap_scale = clamp(2.0f * (1.0f - dark), 0.0f, 1.0f);
+    scale.wobble_px = min(look.wobble_px, 0.17f * look.width_px / dark * (1.0f - dark));
+    scale.pressure = min(look.pressure, 0.5f * (1.0f - dark) / dark);
     float cells = log2(look.cell_px * u_per_px);
+    cells = field.wraps ? min(cells, 0.0f) : cells;
     scale.cell_level = int(ceil(cells));
     scale.cell = exp2(float(scale.cell_level));
-    scale.cell_growth = exp2(float(scale.cell_level) - cells) - 1.0;
+    scale.cell_growth = exp2(float(scale.cell_level) - cells) - 1.0f;
     return scale;
 }
 
 // Sideways displacement of a line in pixels: two octaves that cross-fade as the zoom changes.
 float wobble(LineField field, LineScale scale, uint identity)
 {
-    float along = field.u + 0.35 * (field.wander.x + (2.0 * trait(identity, 1u) - 1.0) * field.wander.y);
+    float along = field.u + 0.35f * (field.wander.x + (2.0f * trait(identity, 1u) - 1.0f) * field.wander.y);
     float phase = trait(identity, 2u);
     float fine = along * scale.wobble_frequency;
-    float near = wave(fine + phase) + 0.3 * wave(2.618 * fine + 2.3 * phase);
-    float far = wave(0.5 * fine + phase) + 0.3 * wave(1.309 * fine + 2.3 * phase);
+    float near = wave(fine + phase) + 0.3f * wave(3.0f * fine + 2.3f * phase);
+    float far = wave(0.5f * fine + phase) + 0.3f * wave(1.5f * fine + 2.3f * phase);
     return scale.wobble_px * mix(near, far, scale.wobble_fade);
 }
 
 // Share of a line that is left, on average, after gaps and tapers. One boundary in four stays closed.
 float kept_share(LineLook look, float gap_scale)
 {
-    return 1.0 - 0.75 * gap_scale * (look.gap_px + look.taper_px) / look.cell_px;
+    return 1.0f - 0.75f * gap_scale * (look.gap_px + look.taper_px) / look.cell_px;
 }
 
 // Width factor along a line: 0 in gaps, rising over the taper. Cells are dyadic in u and as long as one to
 // two cell_px; a boundary that appears on approach opens from nothing.
 float stroke_profile(LineField field, LineLook look, LineScale scale, uint identity)
 {
-    float u = field.u + 16.0 * trait(identity, 3u);
-    float half_cell = 0.5 * scale.cell;
+    float u = field.u + 16.0f * trait(identity, 3u);
+    float half_cell = 0.5f * scale.cell;
     int nearest = int(round(u / half_cell));
-    bool open = trait(dyadic_identity(nearest, scale.cell_level, identity), 4u) < 0.75;
-    float opening = open ? scale.gap_scale * ((nearest & 1) == 0 ? 1.0 : scale.cell_growth) : 0.0;
-    float distance_px = abs(u - float(nearest) * half_cell) / max(field.u_per_px, 1e-12);
-    float rise =
-        clamp((distance_px - 0.5 * look.gap_px * opening) / max(look.taper_px * opening, 1e-3), 0.0, 1.0);
-    return opening > 0.0 ? rise * rise * (3.0 - 2.0 * rise) : 1.0;
+    int count = 1 << clamp(1 - scale.cell_level, 0, 30);
+    uint boundary = dyadic_identity(field.wraps ? ((nearest - 1) & (count - 1)) + 1 : nearest,
+                                    scale.cell_level, identity);
+    bool open = trait(boundary, 4u) < 0.75f;
+    float opening = open ? scale.gap_scale * ((nearest & 1) == 0 ? 1.0f : scale.cell_growth) : 0.0f;
+    float distance_px = abs(u - float(nearest) * half_cell) / max(field.u_per_px, 1e-12f);
+    float taper_px = look.taper_px * opening;
+    return opening > 0.0f ? soft_step(distance_px - 0.5f * (look.gap_px * opening + taper_px), taper_px)
+                          : 1.0f;
 }
 
-float pressure_at(LineField field, LineLook look, LineScale scale, uint identity)
+// Where `share` of the ink of a newborn line has been drawn, in strokes that lengthen one after the other:
+// 0 or 1, with soft ends. The strokes have a fixed place in u for as long as the line is newborn.
+float grown_profile(LineField field, LineLook look, Lines lines, uint identity, float share)
 {
-    return 1.0 + look.pressure * wave(0.7 * scale.wobble_frequency * field.u + trait(identity, 5u));
+    const float spread = 0.5f; // how much of the growing a single stroke takes
+    float cell = 4.0f * lines.spacing;
+    float at = field.u / cell + trait(identity, 6u);
+    float number = floor(at);
+    float order = trait(hash(identity ^ uint(int(number)) * 0x9e3779b1u), 7u);
+    // Lengths that are, over all orders from 0 to 1, `share` on average.
+    float front = share < 0.5f * spread          ? sqrt(2.0f * spread * share)
+                  : share < 1.0f - 0.5f * spread ? share + 0.5f * spread
+                                                 : 1.0f + spread - sqrt(2.0f * spread * (1.0f - share));
+    float length_here = clamp((front - order) / spread, 0.0f, 1.0f);
+    float px_per_cell = cell / max(field.u_per_px, 1e-12f);
+    float inside_px = (0.5f * length_here - abs(at - number - 0.5f)) * px_per_cell;
+    float soft_px = min(look.taper_px, min(length_here, 1.0f - length_here) * px_per_cell);
+    return length_here > 0.0f ? soft_step(inside_px, soft_px) : 0.0f;
+}
+
+float pressure_at(LineField field, LineScale scale, uint identity)
+{
+    return 1.0f + scale.pressure * wave(scale.wobble_frequency * field.u + trait(identity, 5u));
 }
 
 // Ink of one family of lines at a pixel whose darkness is `dark`, box-filtered over the pixel.
 float line_ink(LineField field, LineLook look, float dark, uint seed)
 {
-    float g = max(field.v_per_px, 1e-12);
-    LineScale scale = scale_of(field, look, max(dark, 1e-4));
-    float t = clamp(dark / kept_share(look, scale.gap_scale), 1e-4, 1.0);
-    float width = look.width_px * g;
-    // Seen along its own plane a field does not change at all: spacing stays such that lines can be counted.
-    int level = max(int(ceil(log2(width / t))), int(ceil(log2(max(abs(field.v), 1e-6)))) - 24);
-    float spacing = exp2(float(level));
-    float newborn = t * spacing - width;
-    int first = int(floor(2.0 * field.v / spacing)) - 1;
-    float ink = 0.0;
+    float g = max(field.v_per_px, 1e-12f);
+    LineScale scale = scale_of(field, look, max(dark, 1e-4f));
+    float wanted = clamp(dark / kept_share(look, scale.gap_scale), 1e-4f, 1.0f);
+    Lines lines = lines_of(field, look.width_px, wanted);
+    float newborn_length = pow(lines.newborn, look.growth);
+    float newborn_width = lines.width * lines.newborn / max(newborn_length, 1e-6f);
+    int first = int(floor(2.0f * field.v / lines.spacing)) - 1;
+    float ink = 0.0f;
     for (int i = first; i < first + 4; ++i) {
-        uint identity = dyadic_identity(i, level, seed);
-        float line_width = ((i & 1) == 0 ? width : newborn) * stroke_profile(field, look, scale, identity) *
-                           pressure_at(field, look, scale, identity);
-        float at = 0.5 * float(i) * spacing + g * wobble(field, scale, identity);
-        float low = max(at - 0.5 * line_width, field.v - 0.5 * g);
-        float high = min(at + 0.5 * line_width, field.v + 0.5 * g);
-        ink += max(high - low, 0.0) / g;
+        uint identity = line_identity(field, lines, i, seed);
+        bool is_old = (i & 1) == 0;
+        float width = is_old ? lines.width : newborn_width;
+        float profile = stroke_profile(field, look, scale, identity) * pressure_at(field, scale, identity);
+        if (!is_old && look.growth > 0.0f) {
+            profile *= grown_profile(field, look, lines, identity, newborn_length);
+        }
+        float at = 0.5f * float(i) * lines.spacing + g * wobble(field, scale, identity);
+        float low = max(at - 0.5f * width * profile, field.v - 0.5f * g);
+        float high = min(at + 0.5f * width * profile, field.v + 0.5f * g);
+        ink += max(high - low, 0.0f) / g;
     }
-    return dark > 0.0 ? min(ink, 1.0) : 0.0;
+    return dark > 0.0f ? min(ink, 1.0f) : 0.0f;
 }
 
 #endif

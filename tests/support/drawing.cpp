@@ -5,6 +5,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "frame/strokes.hpp"
 #include "frame/view.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
@@ -63,9 +64,10 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
       frame_(gpu::upload_buffer(shared_device(), "frame", std::vector{globals}))
 {
     pose::upload_pose(shared_device(), meshes_, pose);
-    const bool some_usable = std::ranges::any_of(
-        layout.draws, [](const auto& draw) { return (draw.flags & shared::draw_follows_uv) != 0; });
-    needs_.uv_strokes = some_usable ? surface::UvStrokes::where_usable : surface::UvStrokes::never;
+    const frame::StrokePlan strokes = frame::plan_strokes(layout, hatch::Coordinates::automatic);
+    strokes_present_ = strokes.present;
+    stroke_kinds_ = gpu::upload_buffer(shared_device(), "stroke kinds", strokes.kind_of_draw);
+    form_coordinates_ = gpu::Buffer(shared_device(), "form coordinates", 0, gpu::MemoryUse::device);
 }
 
 gpu::BufferId Drawing::add_posed(gpu::Graph& graph)
@@ -129,9 +131,12 @@ Drawing::Stage Drawing::add_surface(gpu::Graph& graph)
                 .draws = stage.draws,
                 .rest_vertices = stage.rest_vertices,
                 .stroke_coordinates = import_buffer(graph, "stroke coordinates", meshes_.stroke_coordinates),
+                .stroke_kinds = import_buffer(graph, "stroke kinds", stroke_kinds_),
+                .form_coordinates = import_buffer(graph, "form coordinates", form_coordinates_),
                 .materials = stage.materials,
                 .textures = import_textures(graph, materials_),
                 .needs = needs_,
+                .strokes_present = strokes_present_,
                 .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
                 .size_px = size_px});
     return stage;

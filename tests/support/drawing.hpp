@@ -82,6 +82,9 @@ private:
     surface::MaterialBuffers materials_;
     surface::SceneNeeds needs_;
     gpu::Buffer frame_;
+    gpu::Buffer stroke_kinds_;
+    gpu::Buffer form_coordinates_;
+    uint32_t strokes_present_ = 0;
     gpu::Buffer light_globals_;
     gpu::Buffer lights_;
     gpu::Buffer shadow_map_;

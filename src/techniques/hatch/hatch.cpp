@@ -3,7 +3,8 @@
 
 #include <glm/trigonometric.hpp>
 
-#include "shaders/hatch_comp.hpp"
+#include "shaders/darkness_comp.hpp"
+#include "shaders/lines_comp.hpp"
 #include "techniques/hatch/hatch.glsl.h"
 
 namespace estampe::hatch {
@@ -17,31 +18,52 @@ glm::vec2 turned(float degrees)
 
 } // namespace
 
-gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
+gpu::ImageId add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
 {
-    auto pass = graph.compute("hatch", shaders::hatch_comp);
-    pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.normal).sample(in.color);
-    pass.sample(in.coordinate).sample(in.footprint).sample(in.light).sample(in.screen);
+    auto pass = graph.compute("hatch/darkness", shaders::darkness_comp);
+    pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.color).sample(in.light);
+    pass.sample(in.screen);
+    const gpu::ImageId darkness = pass.write(graph.image(
+        "hatch/darkness", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    pass.variant((style.fade < 1.0F ? 1U : 0U) | (in.has_screen ? 2U : 0U));
+    pass.push(shared::DarknessConstants{
+                  .tone = in.tone, .fade = style.fade, .fade_distance_m = style.fade_distance_m})
+        .dispatch_over(in.size_px.x, in.size_px.y);
+    return darkness;
+}
+
+gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
+                       const HatchStyle& style)
+{
+    auto pass = graph.compute("hatch/lines", shaders::lines_comp);
+    pass.sample(darkness).sample(in.draw).sample(in.normal).sample(in.coordinate).sample(in.footprint);
     const gpu::ImageId ink = pass.write(graph.image(
         "hatch/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
-    pass.variant((style.fade < 1.0F ? 1U : 0U) | (in.has_screen ? 2U : 0U));
-    pass.push(shared::HatchConstants{.tone = in.tone,
-                                     .width_px = style.width_mm * in.pixels_per_mm,
-                                     .wobble_px = style.wobble_mm * in.pixels_per_mm,
-                                     .gap_px = style.gap_mm * in.pixels_per_mm,
-                                     .taper_px = style.taper_mm * in.pixels_per_mm,
-                                     .cell_px = style.length_mm * in.pixels_per_mm,
-                                     .pressure = style.pressure,
-                                     .fade = style.fade,
-                                     .fade_distance_m = style.fade_distance_m,
-                                     .layers = style.drawn ? static_cast<uint32_t>(style.layers) : 0U,
-                                     .seed = static_cast<uint32_t>(style.seed),
-                                     .uv_axis_0 = turned(style.slant_deg),
-                                     .uv_axis_1 = turned(style.slant_deg + 62.0F),
-                                     .uv_axis_2 = turned(style.slant_deg - 41.0F),
-                                     .black_above = style.drawn ? style.black_above : 2.0F})
+    pass.variant((style.growth > 0.0F ? 1U : 0U) | (in.has_directions ? 2U : 0U));
+    const float wind = glm::radians(style.wind_deg);
+    pass.push(shared::LineConstants{.size_px = in.size_px,
+                                    .width_px = style.width_mm * in.pixels_per_mm,
+                                    .wobble_px = style.wobble_mm * in.pixels_per_mm,
+                                    .gap_px = style.gap_mm * in.pixels_per_mm,
+                                    .taper_px = style.taper_mm * in.pixels_per_mm,
+                                    .cell_px = style.length_mm * in.pixels_per_mm,
+                                    .pressure = style.pressure,
+                                    .growth = style.growth,
+                                    .black_above = style.drawn ? style.black_above : 2.0F,
+                                    .layers = style.drawn ? static_cast<uint32_t>(style.layers) : 0U,
+                                    .seed = static_cast<uint32_t>(style.seed),
+                                    .flat_axis_0 = turned(style.slant_deg),
+                                    .flat_axis_1 = turned(style.slant_deg + 62.0F),
+                                    .flat_axis_2 = turned(style.slant_deg - 41.0F),
+                                    .wind = {glm::sin(wind), glm::cos(wind)},
+                                    .towards_light = in.towards_light})
         .dispatch_over(in.size_px.x, in.size_px.y);
     return ink;
+}
+
+gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
+{
+    return add_lines(graph, in, add_darkness(graph, in, style), style);
 }
 
 } // namespace estampe::hatch

@@ -7,7 +7,8 @@
 
 namespace estampe::hatch {
 
-enum class Coordinates : uint8_t { automatic, uv, solid };
+/// What strokes follow, as shaders/stroke_kind.glsl.h numbers it.
+enum class Coordinates : uint8_t { solid, uv, form, height, wind, light, page, automatic };
 
 struct HatchStyle {
     bool drawn = true;
@@ -15,11 +16,13 @@ struct HatchStyle {
     int layers = 3;
     Coordinates coordinates = Coordinates::automatic;
     float slant_deg = 24.0F;
+    float wind_deg = 20.0F;
     float wobble_mm = 0.18F;
     float gap_mm = 0.6F;
     float taper_mm = 2.6F;
     float length_mm = 15.0F;
     float pressure = 0.28F;
+    float growth = 0.0F;
     float fade = 1.0F;
     float fade_distance_m = 60.0F;
     float black_above = 0.96F;
@@ -36,10 +39,20 @@ inline const style::Table<HatchStyle>& hatch_table()
                      "Layers of strokes that cross as tones deepen")
             .choice(
                 "coordinates", &HatchStyle::coordinates,
-                {{"auto", Coordinates::automatic}, {"uv", Coordinates::uv}, {"solid", Coordinates::solid}},
-                "What strokes follow: UVs, slices through the solid, or (auto) UVs where they run unbroken")
+                {{"auto", Coordinates::automatic},
+                 {"uv", Coordinates::uv},
+                 {"solid", Coordinates::solid},
+                 {"form", Coordinates::form},
+                 {"height", Coordinates::height},
+                 {"wind", Coordinates::wind},
+                 {"light", Coordinates::light},
+                 {"page", Coordinates::page}},
+                "What strokes follow: UVs, slices through the solid, the form's curvature, level lines, the "
+                "wind, the light, the page, or (auto) UVs where they run unbroken and else the solid")
             .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg",
-                    "Turn of the first layer over UVs")
+                    "Turn of the first layer over UVs and on the page")
+            .number("wind_deg", &HatchStyle::wind_deg, {-360.0F, 360.0F}, "deg",
+                    "Where the wind blows to, from +z towards +x")
             .number("wobble_mm", &HatchStyle::wobble_mm, {0.0F, 5.0F}, "mm",
                     "How far a stroke strays sideways")
             .number("gap_mm", &HatchStyle::gap_mm, {0.0F, 20.0F}, "mm",
@@ -50,6 +63,8 @@ inline const style::Table<HatchStyle>& hatch_table()
                     "Length of the shortest strokes")
             .number("pressure", &HatchStyle::pressure, {0.0F, 1.0F}, "",
                     "How much the width varies along a stroke")
+            .number("growth", &HatchStyle::growth, {0.0F, 1.0F}, "",
+                    "How a stroke begins as tone deepens: 0 as a hairline, 1 short and of full width")
             .number("fade", &HatchStyle::fade, {0.0F, 1.0F}, "",
                     "Share of the darkness left in the far distance")
             .number("fade_distance_m", &HatchStyle::fade_distance_m, {0.001F, 1e6F}, "m",
@@ -72,15 +87,26 @@ struct HatchInputs {
     gpu::ImageId screen; ///< colour and cover of what is looked through; one texel for none
     bool has_screen = false;
     shared::ToneConstants tone;
+    bool has_directions = false; ///< some strokes follow height, wind or light
+    glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
 };
 
-/// Turns light into strokes whose ink, on average, is the darkness wanted: see shaders/lines.glsl for the
-/// construction.
+/// How dark the strokes have to be: light by the tone curve, paler with distance and behind screens.
+///
+/// Writes  r16f: 0 paper to 1 ink
+/// Cost    one full-screen dispatch
+[[nodiscard]] gpu::ImageId add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);
+
+/// Strokes whose ink, on average, is the darkness wanted: see shaders/lines.glsl for the construction.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
 /// Cost    one full-screen dispatch, no texture; nothing where the paper stays white
+[[nodiscard]] gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
+                                     const HatchStyle& style);
+
+/// The ink of all strokes.
 [[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);
 
 } // namespace estampe::hatch

@@ -61,12 +61,14 @@ void main()
         field.u = here.x;
         field.u_per_px = abs(right.x * along.x + down.x * along.y);
         field.wander = here;
+        field.wraps = false;
         float towards_light =
             0.5 + 0.5 * dot(normalize(vec3(d.x, 0.0, d.z) + 1e-6),
                             normalize(vec3(constants.towards_sun.x, 0.0, constants.towards_sun.z) + 1e-6));
         float dark = constants.darkness * smoothstep(0.04, 0.55, height) * mix(1.0, 0.25, towards_light);
         float pen = constants.stroke_width_px;
-        ink = line_ink(field, LineLook(pen, 0.9 * pen, 26.0 * pen, 40.0 * pen, 190.0 * pen, 0.35), dark, 77u);
+        ink = line_ink(field, LineLook(pen, 0.9 * pen, 26.0 * pen, 40.0 * pen, 190.0 * pen, 0.35, 0.0), dark,
+                       77u);
     }
     imageStore(out_wash, pixel, vec4(wash, 1.0));
     imageStore(out_ink, pixel, vec4(ink));

@@ -58,17 +58,27 @@ layout(scalar, binding = 7) readonly buffer Materials
     MaterialRecord materials[];
 };
 
-layout(binding = 8) uniform sampler2DArray texture_class_0;
-layout(binding = 9) uniform sampler2DArray texture_class_1;
-layout(binding = 10) uniform sampler2DArray texture_class_2;
-layout(binding = 11) uniform sampler2DArray texture_class_3;
-layout(binding = 12) uniform sampler2DArray texture_class_4;
-layout(binding = 13, r32ui) writeonly uniform uimage2D out_draw;    // see shaders/draw_word.glsl
-layout(binding = 14, r32f) writeonly uniform image2D out_depth;     // reversed, 0 for nothing
-layout(binding = 15, rg32ui) writeonly uniform uimage2D out_normal; // packed: shading, smooth geometric
-layout(binding = 16, rgba8) writeonly uniform image2D out_color;    // square root of linear colour; alpha
-layout(binding = 17, rgba32f) writeonly uniform image2D out_coordinate;
-layout(binding = 18, rgba32ui) writeonly uniform uimage2D out_footprint;
+layout(scalar, binding = 8) readonly buffer StrokeKinds
+{
+    uint stroke_kinds[]; // one a draw, see shaders/stroke_kind.glsl.h
+};
+
+layout(scalar, binding = 9) readonly buffer FormCoordinates
+{
+    vec2 form_coordinates[]; // three a triangle
+};
+
+layout(binding = 10) uniform sampler2DArray texture_class_0;
+layout(binding = 11) uniform sampler2DArray texture_class_1;
+layout(binding = 12) uniform sampler2DArray texture_class_2;
+layout(binding = 13) uniform sampler2DArray texture_class_3;
+layout(binding = 14) uniform sampler2DArray texture_class_4;
+layout(binding = 15, r32ui) writeonly uniform uimage2D out_draw;    // see shaders/draw_word.glsl
+layout(binding = 16, r32f) writeonly uniform image2D out_depth;     // reversed, 0 for nothing
+layout(binding = 17, rg32ui) writeonly uniform uimage2D out_normal; // packed: shading, smooth geometric
+layout(binding = 18, rgba8) writeonly uniform image2D out_color;    // square root of linear colour; alpha
+layout(binding = 19, rgba32f) writeonly uniform image2D out_coordinate;
+layout(binding = 20, rgba32ui) writeonly uniform uimage2D out_footprint;
 
 layout(push_constant) uniform Constants
 {
@@ -84,9 +94,10 @@ const bool has_normal_maps = (variant & 32u) != 0u;
 const bool has_vertex_colors = (variant & 64u) != 0u;
 const bool has_uv_strokes = (variant & 128u) != 0u;
 const bool has_second_uvs = (variant & 256u) != 0u;
-const bool wants_uv_strokes = (variant & 1024u) != 0u; // wherever there are UVs at all
 const bool stands_still =
     (variant & 512u) != 0u; // the pose is the rest pose: strokes follow the posed position itself
+const bool has_form_strokes = (variant & 1024u) != 0u;
+const bool has_page_strokes = (variant & 2048u) != 0u;
 #define TEXTURE_CLASSES variant
 
 #include "shaders/texture.glsl"
@@ -181,18 +192,28 @@ void main()
     }
     vec3 coordinate = coordinates * at.weight;
     Footprint footprint = Footprint(coordinates * at.dx, coordinates * at.dy);
-    bool follows_uv = has_uv_strokes &&
-                      (draw.flags & (wants_uv_strokes ? DRAW_RECORD_HAS_UV : DRAW_RECORD_FOLLOWS_UV)) != 0u;
-    if (follows_uv) {
+    uint strokes = stroke_kinds[draw_index];
+    if (has_uv_strokes && strokes == STROKES_UV) {
         UvFootprint f = uv_at(rest, 0u, at);
         coordinate = vec3(f.uv, 0.0);
         footprint = Footprint(vec3(f.dx, 0.0), vec3(f.dy, 0.0));
     }
+    if (has_form_strokes && strokes == STROKES_FORM) {
+        uint first = 3u * seen_triangle(seen);
+        mat3x2 form =
+            mat3x2(form_coordinates[first], form_coordinates[first + 1u], form_coordinates[first + 2u]);
+        coordinate = vec3(form * at.weight, 0.0);
+        footprint = Footprint(vec3(form * at.dx, 0.0), vec3(form * at.dy, 0.0));
+    }
+    if (has_page_strokes && strokes == STROKES_PAGE) {
+        float mm_per_px = 1.0 / frame.pixels_per_mm;
+        coordinate = vec3((vec2(pixel) + 0.5) * mm_per_px, 0.0);
+        footprint = Footprint(vec3(mm_per_px, 0.0, 0.0), vec3(0.0, mm_per_px, 0.0));
+    }
     uint flags = materials[draw.material].flags;
     uint word = (draw_index + 1u) | ((flags & MATERIAL_PAPER) != 0u ? DRAW_PAPER : 0u) |
                 ((flags & MATERIAL_UNLIT) != 0u ? DRAW_UNLIT : 0u) |
-                ((flags & MATERIAL_EMISSIVE) != 0u ? DRAW_EMISSIVE : 0u) |
-                (follows_uv ? DRAW_FOLLOWS_UV : 0u);
+                ((flags & MATERIAL_EMISSIVE) != 0u ? DRAW_EMISSIVE : 0u) | (strokes << DRAW_STROKES_SHIFT);
     imageStore(out_draw, pixel, uvec4(word));
     imageStore(out_depth, pixel, vec4(seen_depth(seen)));
     imageStore(out_normal, pixel, uvec4(pack_normal(shading_normal), pack_normal(smooth_normal), 0u, 0u));

@@ -2,6 +2,7 @@
 #include "techniques/surface/surface.hpp"
 
 #include "shaders/resolve_comp.hpp"
+#include "shaders/stroke_kind.glsl.h"
 
 namespace estampe::surface {
 
@@ -13,6 +14,7 @@ Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in)
     auto pass = graph.compute("surface", shaders::resolve_comp);
     pass.uniform(in.frame).read(in.visibility).read(in.triangles).read(in.posed_vertices).read(in.draws);
     pass.read(in.rest_vertices).read(in.stroke_coordinates).read(in.materials);
+    pass.read(in.stroke_kinds).read(in.form_coordinates);
     for (const gpu::ImageId texture : in.textures) {
         pass.sample(texture, gpu::Sampling::linear_repeat);
     }
@@ -23,10 +25,11 @@ Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in)
     const gpu::ImageId coordinate = pass.write(image("surface/coordinate", gpu::Format::rgba32f));
     const gpu::ImageId footprint = pass.write(image("surface/footprint", gpu::Format::rgba32ui));
     const SceneNeeds& needs = in.needs;
+    const auto has_strokes = [&](uint32_t kind) { return (in.strokes_present >> kind & 1U) != 0; };
     pass.variant(needs.texture_classes | (needs.normal_maps ? 32U : 0U) | (needs.vertex_colors ? 64U : 0U) |
-                 (needs.uv_strokes != UvStrokes::never ? 128U : 0U) |
-                 (needs.uv_strokes == UvStrokes::wherever_present ? 1024U : 0U) |
-                 (needs.second_uvs ? 256U : 0U) | (needs.moves ? 0U : 512U));
+                 (has_strokes(shared::strokes_uv) ? 128U : 0U) | (needs.second_uvs ? 256U : 0U) |
+                 (needs.moves ? 0U : 512U) | (has_strokes(shared::strokes_form) ? 1024U : 0U) |
+                 (has_strokes(shared::strokes_page) ? 2048U : 0U));
     pass.push(in.strokes_per_m).dispatch_over(in.size_px.x, in.size_px.y);
     return {draw, depth, normal, color, coordinate, footprint};
 }

@@ -10,15 +10,11 @@
 
 namespace estampe::surface {
 
-/// Where strokes follow UVs rather than slices through the solid.
-enum class UvStrokes : uint8_t { never, where_usable, wherever_present };
-
 /// What a scene needs of the shaders; the rest is left out of them.
 struct SceneNeeds {
     uint32_t texture_classes = 0; ///< a bit for each size class that holds textures
     bool normal_maps = false;
     bool vertex_colors = false;
-    UvStrokes uv_strokes = UvStrokes::never;
     bool second_uvs = false;
     bool emissive = false;
     bool own_outlines = false; ///< some material brings an outline of its own
@@ -33,21 +29,25 @@ struct ResolveInputs {
     gpu::BufferId draws;
     gpu::BufferId rest_vertices;
     gpu::BufferId stroke_coordinates;
+    gpu::BufferId stroke_kinds;     ///< one a draw, see shaders/stroke_kind.glsl.h
+    gpu::BufferId form_coordinates; ///< three a triangle; read where a kind says form
     gpu::BufferId materials;
     std::array<gpu::ImageId, 5> textures;
     SceneNeeds needs;
-    float strokes_per_m = 1.0F; ///< stroke coordinates a metre
+    uint32_t strokes_present = 0; ///< a bit for each kind of stroke in `stroke_kinds`
+    float strokes_per_m = 1.0F;   ///< stroke coordinates a metre
     glm::uvec2 size_px{0};
 };
 
 struct Surface {
-    gpu::ImageId draw;       ///< r32ui: draw + 1, 0 where nothing is
-    gpu::ImageId depth;      ///< r32f: reversed, 0 where nothing is
-    gpu::ImageId normal;     ///< rg32ui: octahedral in two signed 16-bit parts: bent by normal maps, smooth;
-                             ///< towards the eye
-    gpu::ImageId color;      ///< rgba8: square root of linear colour, alpha
-    gpu::ImageId coordinate; ///< rgba32f: what strokes follow: (u, v, 0), or the place in the rest pose
-    gpu::ImageId footprint;  ///< rgba32ui: its change over a pixel, see shaders/footprint.glsl
+    gpu::ImageId draw;   ///< r32ui: draw + 1, 0 where nothing is
+    gpu::ImageId depth;  ///< r32f: reversed, 0 where nothing is
+    gpu::ImageId normal; ///< rg32ui: octahedral in two signed 16-bit parts: bent by normal maps, smooth;
+                         ///< towards the eye
+    gpu::ImageId color;  ///< rgba8: square root of linear colour, alpha
+    gpu::ImageId
+        coordinate; ///< rgba32f: what strokes follow: two numbers and 0, or the place in the rest pose
+    gpu::ImageId footprint; ///< rgba32ui: its change over a pixel, see shaders/footprint.glsl
 };
 
 /// Cost    one full-screen dispatch; 52 bytes written a pixel
