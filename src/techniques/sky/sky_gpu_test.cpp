@@ -194,6 +194,30 @@ TEST(Sky, StrokesLieLevelAndHaveTheirWidth)
     EXPECT_LT(widest, 4.0 * 1.35 + 0.5) << "and no wider than pressure makes it";
 }
 
+TEST(Sky, StrokesHaveNoSeamBehind)
+{
+    SkyStyle style;
+    style.darkness = 0.5F;
+    style.width_mm = 0.5F;
+    const View view{.camera = looking(20.0, 180.0, 0.5),
+                    .size_px = {200, 200},
+                    .towards_sun = {0.0F, 0.0F, -1.0F},
+                    .pixels_per_mm = 8.0F};
+    const auto ink = paint(view, style).ink;
+    const auto step = [&](size_t x) {
+        double sum = 0.0;
+        for (size_t y = 0; y < 200; ++y) {
+            sum += std::abs(static_cast<double>(ink[y * 200 + x] - ink[y * 200 + x - 1]));
+        }
+        return sum;
+    };
+    double largest = 0.0;
+    for (size_t x = 1; x < 200; ++x) {
+        largest = x == 100 ? largest : std::max(largest, step(x));
+    }
+    EXPECT_LE(step(100), largest) << "between two pixels that look due south";
+}
+
 TEST(Sky, NoDarknessIsNoInkAndNoSkyIsOneBlankTexel)
 {
     SkyStyle style;
