@@ -35,6 +35,14 @@ vec2 vault(vec3 d)
     return vec2(atan(d.x, -d.z), d.y / (0.35 + length(d.xz)));
 }
 
+// Along the strokes: the bearing, which must jump by a turn somewhere. It does so behind, at a place of its
+// own for each height, so that no two strokes break at the same bearing.
+float along_strokes(vec2 here)
+{
+    float middle = 1.2 * sin(53.0 * here.y);
+    return here.x + 6.2831853 * round((middle - here.x) / 6.2831853);
+}
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -58,9 +66,9 @@ void main()
         field.v = here.y;
         field.v_per_px = length(gradient);
         vec2 along = vec2(-gradient.y, gradient.x) / max(field.v_per_px, 1e-12);
-        field.u = here.x;
+        field.u = along_strokes(here);
         field.u_per_px = abs(right.x * along.x + down.x * along.y);
-        field.wander = here;
+        field.wander = vec2(field.u, here.y);
         field.wraps = false;
         float towards_light =
             0.5 + 0.5 * dot(normalize(vec3(d.x, 0.0, d.z) + 1e-6),

@@ -71,7 +71,7 @@ void main()
         float waver = 0.05 * (value_noise(vec2(pixel) / (0.9 * frame.pixels_per_mm), 5u) - 0.5);
         float shadow = smoothstep(constants.shadow_from - constants.softness,
                                   constants.shadow_from + constants.softness, dark + waver);
-        vec3 hue = light.rgb / max(light.a, 1e-3);
+        vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // darkness has none
         color *= mix(vec3(1.0), constants.shadow_tint * materials[material].shade_color, shadow) *
                  mix(vec3(1.0), hue, 0.5);
         if (is_paper(word)) {

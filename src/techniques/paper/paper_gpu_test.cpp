@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: MIT
+// Layers of known coverage on the page, against the formula; the paper's own relief, by its statistics.
+#include "techniques/paper/paper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <glm/gtc/packing.hpp>
+#include <gtest/gtest.h>
+
+#include "frame/view.hpp"
+#include "gpu/upload.hpp"
+#include "style/color.hpp"
+#include "support/gpu_device.hpp"
+#include "support/layers.hpp"
+
+namespace estampe::paper {
+namespace {
+
+/// The layers of a page; each is blank until a test paints it.
+struct Layers {
+    test::Painter<glm::vec4> wash = [](glm::uvec2) { return glm::vec4(1.0F); };
+    test::Painter<float> hatch = [](glm::uvec2) { return 0.0F; };
+    test::Painter<glm::vec4> lines = [](glm::uvec2) { return glm::vec4(0.0F); };
+    test::Painter<float> sky_ink = [](glm::uvec2) { return 0.0F; };
+    glm::uvec2 sky_size_px{1};
+};
+
+std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, glm::uvec2 size_px,
+                               float pixels_per_mm = 3.0F)
+{
+    const double height_mm = size_px.y / static_cast<double>(pixels_per_mm);
+    const auto globals =
+        frame::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = size_px, .page_height_mm = height_mm});
+    gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
+    auto wash = test::Layer::color(size_px, layers.wash);
+    auto hatch = test::Layer::coverage(size_px, layers.hatch);
+    auto lines = test::Layer::root_color(size_px, layers.lines);
+    auto sky_ink = test::Layer::coverage(layers.sky_size_px, layers.sky_ink);
+    gpu::Graph graph;
+    const auto picture =
+        add_compose(graph,
+                    {.frame = graph.import_buffer("frame", frame, {.size_bytes = frame.size_bytes()}),
+                     .wash = wash.in(graph),
+                     .hatch = hatch.in(graph),
+                     .lines = lines.in(graph),
+                     .sky_ink = sky_ink.in(graph),
+                     .size_px = size_px},
+                    style);
+    return test::run_and_read_colors(graph, picture);
+}
+
+/// Without relief: every layer lies as it was laid.
+PaperStyle smooth()
+{
+    return {.grain = 0.0F, .granulation = 0.0F, .ink_break = 0.0F};
+}
+
+/// How much lighter than the paper each pixel is.
+std::vector<double> relief(const PaperStyle& style, glm::uvec2 size_px, float pixels_per_mm)
+{
+    std::vector<double> heights;
+    for (const glm::vec4& color : compose({}, style, size_px, pixels_per_mm)) {
+        heights.push_back(static_cast<double>(color.y / style.color.y) - 1.0);
+    }
+    return heights;
+}
+
+double mean(const std::vector<double>& values)
+{
+    double sum = 0.0;
+    for (const double value : values) {
+        sum += value;
+    }
+    return sum / static_cast<double>(values.size());
+}
+
+/// Pearson's coefficient.
+double correlation(const std::vector<double>& a, const std::vector<double>& b)
+{
+    const double mean_a = mean(a);
+    const double mean_b = mean(b);
+    double ab = 0.0;
+    double aa = 0.0;
+    double bb = 0.0;
+    for (size_t i = 0; i < a.size(); ++i) {
+        ab += (a[i] - mean_a) * (b[i] - mean_b);
+        aa += (a[i] - mean_a) * (a[i] - mean_a);
+        bb += (b[i] - mean_b) * (b[i] - mean_b);
+    }
+    return ab / std::sqrt(aa * bb);
+}
+
+void expect_near(const glm::vec3& actual, const glm::vec3& expected, float tolerance)
+{
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(actual[i], expected[i], tolerance) << "channel " << i;
+    }
+}
+
+constexpr float half_step = 6e-4F; // of a half float near one, and of what the layers round to
+
+TEST(Compose, NoInkIsThePaperAndFullInkIsTheInk)
+{
+    const PaperStyle style = smooth();
+    const glm::uvec2 size_px(40, 24);
+    const auto blank = compose({}, style, size_px);
+    expect_near(glm::vec3(blank[0]), style.color, half_step);
+    EXPECT_TRUE(std::ranges::all_of(blank, [&](const glm::vec4& color) { return color == blank[0]; }));
+    Layers covered;
+    covered.wash = [](glm::uvec2) { return glm::vec4(0.3F, 0.6F, 0.2F, 1.0F); };
+    covered.hatch = [](glm::uvec2) { return 1.0F; };
+    for (const glm::vec4& color : compose(covered, style, size_px)) {
+        expect_near(glm::vec3(color), style.ink, half_step);
+    }
+    covered.lines = [](glm::uvec2) { return glm::vec4(0.64F, 0.04F, 0.25F, 1.0F); };
+    for (const glm::vec4& color : compose(covered, style, size_px)) {
+        expect_near(glm::vec3(color), {0.64F, 0.04F, 0.25F}, 4e-3F); // eight bits of a root
+    }
+}
+
+TEST(Compose, LaysInkOverPaintOverPaper)
+{
+    constexpr glm::uvec2 size_px(32, 32);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> share(0.0F, 1.0F);
+    const auto random_color = [&] { return glm::vec4(share(random), share(random), share(random), 1.0F); };
+    std::vector<glm::vec4> wash, lines;
+    std::vector<float> hatch, sky;
+    for (uint32_t i = 0; i < size_px.x * size_px.y; ++i) {
+        wash.push_back(random_color());
+        wash.back().w = share(random) < 0.5F ? 0.0F : 1.0F;
+        lines.push_back(random_color());
+        lines.back().w = share(random);
+        hatch.push_back(share(random));
+        sky.push_back(share(random));
+    }
+    const auto at = [](glm::uvec2 pixel) { return size_t{pixel.y} * size_px.x + pixel.x; };
+    const Layers layers{.wash = [&](glm::uvec2 pixel) { return wash[at(pixel)]; },
+                        .hatch = [&](glm::uvec2 pixel) { return hatch[at(pixel)]; },
+                        .lines = [&](glm::uvec2 pixel) { return lines[at(pixel)]; },
+                        .sky_ink = [&](glm::uvec2 pixel) { return sky[at(pixel)]; },
+                        .sky_size_px = size_px};
+    const PaperStyle style = smooth();
+    const auto picture = compose(layers, style, size_px);
+    for (size_t i = 0; i < picture.size(); ++i) {
+        const float ink = wash[i].w > 0.5F ? hatch[i] : std::max(hatch[i], sky[i]);
+        const glm::vec3 below = glm::mix(style.color * glm::max(glm::vec3(wash[i]), 1e-3F), style.ink, ink);
+        expect_near(glm::vec3(picture[i]), glm::mix(below, glm::vec3(lines[i]), lines[i].w), 5e-3F);
+        EXPECT_EQ(picture[i].w, 1.0F);
+    }
+}
+
+TEST(Compose, OneTexelOfSkyStandsForThePage)
+{
+    Layers layers;
+    layers.wash = [](glm::uvec2 pixel) { return glm::vec4(1.0F, 1.0F, 1.0F, pixel.x < 8 ? 0.0F : 1.0F); };
+    layers.sky_ink = [](glm::uvec2) { return 1.0F; };
+    const PaperStyle style = smooth();
+    const auto picture = compose(layers, style, {16, 16});
+    for (size_t i = 0; i < picture.size(); ++i) {
+        expect_near(glm::vec3(picture[i]), i % 16 < 8 ? style.ink : style.color, half_step);
+    }
+}
+
+TEST(Compose, ReliefLeavesThePaperItsColour)
+{
+    PaperStyle style = smooth();
+    style.grain = 1.0F;
+    for (const int seed : {1, 2, 77}) {
+        style.seed = seed;
+        const auto heights = relief(style, {320, 256}, 2.0F);
+        EXPECT_NEAR(mean(heights), 0.0, 1e-3) << "seed " << seed;
+        const auto [lowest, highest] = std::ranges::minmax(heights);
+        EXPECT_LT(lowest, -0.02);
+        EXPECT_GT(highest, 0.02);
+        EXPECT_GE(lowest, -0.051);
+        EXPECT_LE(highest, 0.051);
+    }
+}
+
+TEST(Compose, ASeedIsASheet)
+{
+    PaperStyle style = smooth();
+    style.grain = 1.0F;
+    const auto sheet = relief(style, {200, 150}, 4.0F);
+    EXPECT_EQ(sheet, relief(style, {200, 150}, 4.0F));
+    for (const int seed : {0, 2, 3, 1000000}) {
+        style.seed = seed;
+        EXPECT_LT(std::abs(correlation(sheet, relief(style, {200, 150}, 4.0F))), 0.1) << "seed " << seed;
+    }
+}
+
+TEST(Compose, ReliefDoesNotRepeat)
+{
+    constexpr uint32_t side = 256;
+    PaperStyle style = smooth();
+    style.grain = 1.0F;
+    const auto heights = relief(style, glm::uvec2(side), 8.0F); // 32 mm of paper
+    const auto shifted = [&](uint32_t dx, uint32_t dy) {
+        std::vector<double> here, there;
+        for (uint32_t y = 0; y + dy < side; ++y) {
+            for (uint32_t x = 0; x + dx < side; ++x) {
+                here.push_back(heights[size_t{y} * side + x]);
+                there.push_back(heights[size_t{y + dy} * side + x + dx]);
+            }
+        }
+        return correlation(here, there);
+    };
+    EXPECT_GT(shifted(0, 1), 0.3) << "neighbours are alike";
+    double worst = 0.0;
+    for (uint32_t lag = 32; lag <= 192; ++lag) {
+        worst = std::max({worst, std::abs(shifted(lag, 0)), std::abs(shifted(0, lag)),
+                          std::abs(shifted(lag * 3 / 4, lag * 3 / 4))});
+    }
+    EXPECT_LT(worst, 0.2);
+}
+
+TEST(Compose, TwiceTheSizeIsTheSameSheet)
+{
+    PaperStyle style = smooth();
+    style.grain = 1.0F;
+    const auto small = relief(style, {96, 64}, 12.0F);
+    const auto large = relief(style, {192, 128}, 24.0F);
+    std::vector<double> reduced;
+    for (size_t y = 0; y < 128; y += 2) {
+        for (size_t x = 0; x < 192; x += 2) {
+            const size_t i = y * 192 + x;
+            reduced.push_back((large[i] + large[i + 1] + large[i + 192] + large[i + 193]) / 4.0);
+        }
+    }
+    EXPECT_GT(correlation(small, reduced), 0.98);
+}
+
+TEST(Compose, PaintSettlesInTheHollowsAndInkSkipsTheHeights)
+{
+    constexpr glm::uvec2 size_px(160, 120);
+    PaperStyle style = smooth();
+    style.grain = 1.0F;
+    const auto heights = relief(style, size_px, 4.0F);
+    style.grain = 0.0F;
+    style.granulation = 1.0F;
+    EXPECT_EQ(mean(relief(style, size_px, 4.0F)), relief(style, size_px, 4.0F)[0]) << "no paint, no grain";
+
+    const auto lightness = [&](const Layers& layers) {
+        std::vector<double> values;
+        for (const glm::vec4& color : compose(layers, style, size_px, 4.0F)) {
+            values.push_back(static_cast<double>(color.y));
+        }
+        return values;
+    };
+    Layers painted;
+    painted.wash = [](glm::uvec2) { return glm::vec4(glm::vec3(0.4F), 1.0F); };
+    const auto paint = lightness(painted);
+    for (size_t i = 0; i < paint.size(); ++i) {
+        // 0.1 * relief is what the first page shows of it; the rest of the exponent is the slow pooling.
+        const auto pooled = [&](size_t k) {
+            const double exponent = std::log(paint[k] / static_cast<double>(style.color.y)) / std::log(0.4);
+            return exponent - 1.0 + 7.0 * heights[k];
+        };
+        EXPECT_LT(std::abs(pooled(i)), 0.16);
+        if (i % size_px.x > 0) {
+            EXPECT_NEAR(pooled(i), pooled(i - 1), 0.03) << "slow: it flows over centimetres";
+        }
+    }
+
+    style.granulation = 0.0F;
+    style.ink_break = 1.0F;
+    Layers inked;
+    inked.hatch = [](glm::uvec2) { return 1.0F; };
+    const auto broken = lightness(inked);
+    for (size_t i = 0; i < broken.size(); ++i) {
+        const double height = 10.0 * heights[i];
+        const double dry = std::clamp(1.0 - 3.0 * std::max(height - 0.1, 0.0), 0.0, 1.0);
+        const double expected = static_cast<double>(glm::mix(style.color.y, style.ink.y, dry));
+        EXPECT_NEAR(broken[i], expected, 0.03);
+    }
+    EXPECT_GT(*std::ranges::max_element(broken), 0.3) << "somewhere the ink skips";
+}
+
+/// Pictures one after another through the same sums, and the bytes after each.
+std::vector<std::vector<glm::u8vec4>> develop(const std::vector<test::Painter<glm::vec4>>& pictures,
+                                              glm::uvec2 size_px)
+{
+    const uint64_t count = uint64_t{size_px.x} * size_px.y;
+    gpu::Buffer sums = // of an older picture
+        gpu::upload_buffer(test::shared_device(), "sums", std::vector<glm::vec4>(count, glm::vec4(7.0F)));
+    gpu::Buffer pixels =
+        gpu::upload_buffer(test::shared_device(), "pixels", std::vector<uint32_t>(count, 0x01020304U));
+    std::vector<std::vector<glm::u8vec4>> results;
+    for (uint32_t i = 0; i < pictures.size(); ++i) {
+        auto picture = test::Layer::color(size_px, pictures[i]);
+        gpu::Graph graph;
+        const Developed developed = add_develop(
+            graph, picture.in(graph), graph.import_buffer("sums", sums, {.size_bytes = sums.size_bytes()}),
+            graph.import_buffer("pixels", pixels, {.size_bytes = pixels.size_bytes()}), size_px,
+            {.sample_index = i, .sample_count = static_cast<uint32_t>(pictures.size())});
+        results.push_back(test::run_and_read_as<glm::u8vec4>(graph, developed.pixels));
+    }
+    return results;
+}
+
+void expect_developed(const std::vector<glm::u8vec4>& bytes, const test::Painter<glm::vec3>& linear,
+                      glm::uvec2 size_px)
+{
+    for (uint32_t i = 0; i < bytes.size(); ++i) {
+        const glm::dvec3 encoded = 255.0 * style::srgb_from_linear(linear({i % size_px.x, i / size_px.x}));
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_NEAR(bytes[i][channel], encoded[channel], 0.5 + 0.2) << "pixel " << i;
+        }
+        EXPECT_EQ(bytes[i].w, 255);
+    }
+}
+
+TEST(Develop, OnePictureBecomesItsBytes)
+{
+    constexpr glm::uvec2 size_px(64, 16);
+    const auto ramp = [](glm::uvec2 pixel) {
+        const float t = static_cast<float>(pixel.y * 64 + pixel.x) / 1023.0F;
+        return glm::vec4(t, t * t, 1.25F * t - 0.125F, 1.0F);
+    };
+    expect_developed(
+        develop({ramp}, size_px)[0],
+        [&](glm::uvec2 pixel) {
+            const glm::vec4 rounded = glm::unpackHalf4x16(glm::packHalf4x16(ramp(pixel)));
+            return glm::clamp(glm::vec3(rounded), 0.0F, 1.0F);
+        },
+        size_px);
+}
+
+TEST(Develop, SeveralPicturesBecomeTheirMean)
+{
+    constexpr glm::uvec2 size_px(24, 20);
+    std::vector<test::Painter<glm::vec4>> pictures;
+    for (uint32_t k = 0; k < 5; ++k) {
+        pictures.emplace_back([k](glm::uvec2 pixel) {
+            const auto part = [&](uint32_t salt) {
+                return static_cast<float>((pixel.x * 37 + pixel.y * 101 + k * 59 + salt) % 97) / 96.0F;
+            };
+            return glm::vec4(part(1), part(2) * part(3), part(4), 1.0F);
+        });
+    }
+    const auto results = develop(pictures, size_px);
+    for (size_t k = 0; k + 1 < results.size(); ++k) {
+        EXPECT_EQ(results[k][7], glm::u8vec4(4, 3, 2, 1)) << "only the last writes the picture";
+    }
+    expect_developed(
+        results.back(),
+        [&](glm::uvec2 pixel) {
+            glm::vec3 sum(0.0F);
+            for (const auto& picture : pictures) {
+                sum += glm::vec3(picture(pixel));
+            }
+            return sum / static_cast<float>(pictures.size());
+        },
+        size_px);
+}
+
+} // namespace
+} // namespace estampe::paper

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Images that a test fills pixel by pixel, for a technique to read in place of what others would hand it.
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "gpu/resources.hpp"
+
+namespace estampe::test {
+
+/// Page position in whole pixels, y down.
+template <class Texel>
+using Painter = std::function<Texel(glm::uvec2)>;
+
+/// An image on the shared device. Must outlive the run of every graph that it is put into.
+class Layer {
+public:
+    [[nodiscard]] gpu::ImageId in(gpu::Graph& graph);
+
+    static Layer coverage(glm::uvec2 size_px, const Painter<float>& paint);       ///< r16f
+    static Layer color(glm::uvec2 size_px, const Painter<glm::vec4>& paint);      ///< rgba16f
+    static Layer root_color(glm::uvec2 size_px, const Painter<glm::vec4>& paint); ///< rgba8, roots of rgb
+    static Layer words(glm::uvec2 size_px, const Painter<uint32_t>& paint);       ///< r32ui
+    static Layer depth(glm::uvec2 size_px, const Painter<float>& paint);          ///< r32f
+    static Layer places(glm::uvec2 size_px, const Painter<glm::vec4>& paint);     ///< rgba32f
+    static Layer normals(glm::uvec2 size_px, const Painter<glm::vec3>& paint);    ///< rg32ui, packed twice
+
+    /// rgba32ui: changes of a coordinate over one pixel to the right and down, packed as the surface does.
+    static Layer footprints(glm::uvec2 size_px, const Painter<std::pair<glm::vec3, glm::vec3>>& paint);
+
+private:
+    Layer() = default;
+    template <class Texel>
+    static Layer of(gpu::Format format, glm::uvec2 size_px, const Painter<Texel>& paint);
+
+    gpu::Image image_;
+};
+
+/// Runs `graph`, and hands back an rgba16f image, row by row.
+[[nodiscard]] std::vector<glm::vec4> run_and_read_colors(gpu::Graph& graph, gpu::ImageId image);
+
+/// The same for r16f.
+[[nodiscard]] std::vector<float> run_and_read_coverage(gpu::Graph& graph, gpu::ImageId image);
+
+} // namespace estampe::test
