@@ -25,7 +25,7 @@ uint hash(uint x, uint y, uint z)
 // Uniform in [0, 1), from the top 24 bits.
 float unit_float(uint bits)
 {
-    return float(bits >> 8u) * (1.0 / 16777216.0);
+    return float(bits >> 8u) * (1.0f / 16777216.0f);
 }
 
 #endif

@@ -197,7 +197,9 @@ float line_ink(LineField field, LineLook look, float dark, uint seed)
     LineScale scale = scale_of(field, look, max(dark, 1e-4f));
     float wanted = clamp(dark / kept_share(look, scale.gap_scale), 1e-4f, 1.0f);
     Lines lines = lines_of(field, look.width_px, wanted);
-    float newborn_length = pow(lines.newborn, look.growth);
+    // A newborn stroke is never so wide that it touches the old lines beside it.
+    float room = 0.7f * (lines.spacing - lines.width) / lines.width;
+    float newborn_length = clamp(max(pow(lines.newborn, look.growth), lines.newborn / room), 0.0f, 1.0f);
     float newborn_width = lines.width * lines.newborn / max(newborn_length, 1e-6f);
     int first = int(floor(2.0f * field.v / lines.spacing)) - 1;
     float ink = 0.0f;

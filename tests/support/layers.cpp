@@ -15,13 +15,13 @@ namespace estampe::test {
 template <class Texel>
 Layer Layer::of(gpu::Format format, glm::uvec2 size_px, const Painter<Texel>& paint)
 {
-    std::vector<std::byte> bytes;
-    bytes.reserve(sizeof(Texel) * size_px.x * size_px.y);
+    std::vector<std::byte> bytes(sizeof(Texel) * size_px.x * size_px.y);
+    std::byte* next = bytes.data();
     for (uint32_t y = 0; y < size_px.y; ++y) {
         for (uint32_t x = 0; x < size_px.x; ++x) {
             const Texel texel = paint({x, y});
-            const auto* first = reinterpret_cast<const std::byte*>(&texel);
-            bytes.insert(bytes.end(), first, first + sizeof(Texel));
+            std::memcpy(next, &texel, sizeof(Texel));
+            next += sizeof(Texel);
         }
     }
     Layer layer;

@@ -28,31 +28,57 @@ struct Patch {
 
 using Surface = std::function<Patch(glm::dvec2 position_px)>;
 
-/// The ink of lines over a surface, the darkness given pixel by pixel.
-std::vector<float> ink_of(glm::uvec2 size_px, uint32_t kind, const Surface& surface,
-                          const test::Painter<float>& darkness, const hatch::HatchStyle& style)
-{
-    const auto at = [&](glm::uvec2 pixel) { return surface(glm::dvec2(pixel) + 0.5); };
-    test::Layer dark = test::Layer::coverage(
-        size_px, [&](glm::uvec2 pixel) { return at(pixel).seen ? darkness(pixel) : 0.0F; });
-    test::Layer draw = test::Layer::words(size_px, [&](glm::uvec2) { return kind << 26U | 1U; });
-    test::Layer normal = test::Layer::normals(size_px, [&](glm::uvec2 pixel) { return at(pixel).normal; });
-    test::Layer coordinate =
-        test::Layer::places(size_px, [&](glm::uvec2 pixel) { return glm::vec4(at(pixel).coordinate, 0.0F); });
-    test::Layer footprint = test::Layer::footprints(size_px, [&](glm::uvec2 pixel) {
-        const Patch patch = at(pixel);
-        return std::pair(patch.dx, patch.dy);
-    });
-    gpu::Graph graph;
-    hatch::HatchInputs in{};
-    in.draw = draw.in(graph);
-    in.normal = normal.in(graph);
-    in.coordinate = coordinate.in(graph);
-    in.footprint = footprint.in(graph);
-    in.pixels_per_mm = 1.0F;
-    in.size_px = size_px;
-    return test::run_and_read_coverage(graph, hatch::add_lines(graph, in, dark.in(graph), style));
-}
+/// Lines over a surface that is the same for all darknesses, or a darkness that is the same for all surfaces.
+class Canvas {
+public:
+    Canvas(glm::uvec2 size_px, uint32_t kind)
+        : size_px_(size_px), draw_(test::Layer::words(size_px, [&](glm::uvec2) { return kind << 26U | 1U; })),
+          darkness_(test::Layer::coverage(size_px, [](glm::uvec2) { return 0.0F; })),
+          normal_(test::Layer::normals(size_px, [](glm::uvec2) { return glm::vec3(0, 0, 1); })),
+          coordinate_(test::Layer::places({1, 1}, [](glm::uvec2) { return glm::vec4(0.0F); })),
+          footprint_(test::Layer::footprints(
+              {1, 1}, [](glm::uvec2) { return std::pair(glm::vec3(0.0F), glm::vec3(0.0F)); }))
+    {
+    }
+
+    void paint_darkness(const test::Painter<float>& darkness)
+    {
+        darkness_ = test::Layer::coverage(size_px_, darkness);
+    }
+
+    void paint_surface(const Surface& surface)
+    {
+        const auto at = [&](glm::uvec2 pixel) { return surface(glm::dvec2(pixel) + 0.5); };
+        coordinate_ = test::Layer::places(
+            size_px_, [&](glm::uvec2 pixel) { return glm::vec4(at(pixel).coordinate, 0.0F); });
+        footprint_ = test::Layer::footprints(size_px_, [&](glm::uvec2 pixel) {
+            const Patch patch = at(pixel);
+            return std::pair(patch.dx, patch.dy);
+        });
+    }
+
+    void paint_normals(const test::Painter<glm::vec3>& normal)
+    {
+        normal_ = test::Layer::normals(size_px_, normal);
+    }
+
+    std::vector<float> ink(const hatch::HatchStyle& style)
+    {
+        gpu::Graph graph;
+        hatch::HatchInputs in{};
+        in.draw = draw_.in(graph);
+        in.normal = normal_.in(graph);
+        in.coordinate = coordinate_.in(graph);
+        in.footprint = footprint_.in(graph);
+        in.pixels_per_mm = 1.0F;
+        in.size_px = size_px_;
+        return test::run_and_read_coverage(graph, hatch::add_lines(graph, in, darkness_.in(graph), style));
+    }
+
+private:
+    glm::uvec2 size_px_;
+    test::Layer draw_, darkness_, normal_, coordinate_, footprint_;
+};
 
 /// A pen of 1.6 pixels with all the habits of the default one.
 hatch::HatchStyle pen()
@@ -74,48 +100,213 @@ Surface flat_patch(double unit_per_px)
 }
 
 constexpr uint32_t tone_count = 19;
-constexpr uint32_t patch_px = 256;
 
-/// Mean ink of 19 patches, each of one darkness from 0.05 to 0.95, in one picture.
-std::array<double, tone_count> ink_of_tones(uint32_t kind, double unit_per_px, const hatch::HatchStyle& style)
+/// Darkness of the i-th tone.
+double tone(uint32_t i)
 {
-    const glm::uvec2 size_px(5 * patch_px, 4 * patch_px);
-    const auto tone_at = [](glm::uvec2 pixel) { return pixel.x / patch_px + 5 * (pixel.y / patch_px); };
-    const std::vector<float> ink = ink_of(
-        size_px, kind, flat_patch(unit_per_px),
-        [&](glm::uvec2 pixel) { return 0.05F * static_cast<float>(tone_at(pixel) + 1); }, style);
-    std::array<double, tone_count + 1> sums{};
-    for (uint32_t y = 0; y < size_px.y; ++y) {
-        for (uint32_t x = 0; x < size_px.x; ++x) {
-            sums.at(tone_at({x, y})) += ink[static_cast<size_t>(y) * size_px.x + x];
-        }
-    }
-    std::array<double, tone_count> means{};
-    for (uint32_t i = 0; i < tone_count; ++i) {
-        means.at(i) = sums.at(i) / (patch_px * patch_px);
-    }
-    return means;
+    return 0.05 * (i + 1);
 }
 
-TEST(HatchLines, InkIsTheDarknessAtEveryZoom)
-{
-    double worst = 0.0;
-    double worst_of_mean = 0.0;
-    std::array<double, tone_count> over_zooms{};
-    constexpr int zooms = 64;
-    for (int zoom = 0; zoom < zooms; ++zoom) {
-        const auto ink = ink_of_tones(shared::strokes_uv, 0.01 * std::exp2(zoom / 8.0), pen());
+/// 19 patches, each of one darkness from 0.05 to 0.95, in one picture.
+class ToneSheet {
+public:
+    ToneSheet(uint32_t kind, uint32_t patch_px) : patch_px_(patch_px), canvas_(size_px(), kind)
+    {
+        canvas_.paint_darkness(
+            [this](glm::uvec2 pixel) { return static_cast<float>(tone(patch_at(pixel))); });
+    }
+
+    /// Mean ink of each patch.
+    std::array<double, tone_count> ink(double unit_per_px, const hatch::HatchStyle& style)
+    {
+        canvas_.paint_surface(flat_patch(unit_per_px));
+        const std::vector<float> ink = canvas_.ink(style);
+        std::array<double, tone_count + 1> sums{};
+        for (uint32_t i = 0; i < ink.size(); ++i) {
+            sums.at(patch_at({i % size_px().x, i / size_px().x})) += ink[i];
+        }
+        std::array<double, tone_count> means{};
         for (uint32_t i = 0; i < tone_count; ++i) {
-            worst = std::max(worst, std::abs(ink.at(i) - 0.05 * (i + 1)));
-            over_zooms.at(i) += ink.at(i) / zooms;
+            means.at(i) = sums.at(i) / (patch_px_ * patch_px_);
+        }
+        return means;
+    }
+
+private:
+    [[nodiscard]] glm::uvec2 size_px() const { return {5 * patch_px_, 4 * patch_px_}; }
+
+    [[nodiscard]] uint32_t patch_at(glm::uvec2 pixel) const
+    {
+        return pixel.x / patch_px_ + 5 * (pixel.y / patch_px_);
+    }
+
+    uint32_t patch_px_;
+    Canvas canvas_;
+};
+
+/// Worst error of the mean ink over `zooms` in eight octaves: of a single patch, and of a tone over all.
+std::pair<double, double> worst_errors(ToneSheet& sheet, const hatch::HatchStyle& style, int zooms)
+{
+    double worst_patch = 0.0;
+    std::array<double, tone_count> means{};
+    for (int zoom = 0; zoom < zooms; ++zoom) {
+        const auto ink = sheet.ink(0.01 * std::exp2(8.0 * zoom / zooms), style);
+        for (uint32_t i = 0; i < tone_count; ++i) {
+            worst_patch = std::max(worst_patch, std::abs(ink.at(i) - tone(i)));
+            means.at(i) += ink.at(i) / zooms;
+            EXPECT_TRUE(i == 0 || ink.at(i) > ink.at(i - 1)) << "tone " << tone(i) << ", zoom " << zoom;
         }
     }
+    double worst_tone = 0.0;
     for (uint32_t i = 0; i < tone_count; ++i) {
-        fmt::print("tone {:.2f}: {:+.4f}\n", 0.05 * (i + 1), over_zooms.at(i) - 0.05 * (i + 1));
-        worst_of_mean = std::max(worst_of_mean, std::abs(over_zooms.at(i) - 0.05 * (i + 1)));
+        worst_tone = std::max(worst_tone, std::abs(means.at(i) - tone(i)));
     }
-    fmt::print("worst patch {:.4f}, worst mean over zooms {:.4f}\n", worst, worst_of_mean);
-    EXPECT_LE(worst_of_mean, 0.005);
+    fmt::print("worst patch {:.4f}, worst tone over all zooms {:.4f}\n", worst_patch, worst_tone);
+    return {worst_patch, worst_tone};
+}
+
+TEST(HatchLines, RuledLinesAreExactAtEveryZoom)
+{
+    ToneSheet sheet(shared::strokes_uv, 160);
+    hatch::HatchStyle ruled = pen();
+    ruled.wobble_mm = ruled.gap_mm = ruled.taper_mm = ruled.pressure = 0.0F;
+    ruled.layers = 1;
+    EXPECT_LE(worst_errors(sheet, ruled, 64).first, 0.005);
+}
+
+TEST(HatchLines, DrawnLinesKeepTheToneAtEveryZoom)
+{
+    ToneSheet sheet(shared::strokes_uv, 256);
+    const auto [patch, tone] = worst_errors(sheet, pen(), 64);
+    EXPECT_LE(tone, 0.005);
+    EXPECT_LE(patch, 0.012); // a patch holds few strokes, each with ends and pressure of its own
+}
+
+TEST(HatchLines, ShortStrokesKeepTheToneAtEveryZoom)
+{
+    ToneSheet sheet(shared::strokes_uv, 256);
+    hatch::HatchStyle style = pen();
+    style.growth = 1.0F;
+    const auto [patch, tone] = worst_errors(sheet, style, 16);
+    EXPECT_LE(tone, 0.005);
+    EXPECT_LE(patch, 0.03);
+}
+
+/// Mean and worst difference of ink and darkness over all windows of 64 pixels that are seen whole.
+std::pair<double, double> window_errors(const std::vector<float>& ink, const test::Painter<float>& darkness,
+                                        const Surface& surface, glm::uvec2 size_px)
+{
+    constexpr uint32_t window_px = 64;
+    double sum = 0.0;
+    double worst = 0.0;
+    int windows = 0;
+    for (uint32_t y = 0; y + window_px <= size_px.y; y += window_px / 2) {
+        for (uint32_t x = 0; x + window_px <= size_px.x; x += window_px / 2) {
+            double difference = 0.0;
+            bool seen = true;
+            for (uint32_t i = 0; i < window_px * window_px; ++i) {
+                const glm::uvec2 pixel(x + i % window_px, y + i / window_px);
+                seen = seen && surface(glm::dvec2(pixel) + 0.5).seen;
+                difference += ink[static_cast<size_t>(pixel.y) * size_px.x + pixel.x] - darkness(pixel);
+            }
+            if (seen) {
+                const double error = std::abs(difference) / (window_px * window_px);
+                sum += error;
+                worst = std::max(worst, error);
+                ++windows;
+            }
+        }
+    }
+    return {sum / std::max(windows, 1), worst};
+}
+
+constexpr glm::uvec2 page_px{640, 480};
+
+/// A floor to the horizon, seen from 1.6 m above.
+Patch floor_at(glm::dvec2 p)
+{
+    const auto hit = [](glm::dvec2 q) {
+        const double t = 1.6 / ((q.y + 60.0) / 500.0);
+        return glm::dvec3((q.x - 320.0) / 500.0 * t, 0.0, t);
+    };
+    const glm::dvec3 here = hit(p);
+    return {.coordinate = here,
+            .dx = hit(p + glm::dvec2(0.5, 0.0)) - hit(p - glm::dvec2(0.5, 0.0)),
+            .dy = hit(p + glm::dvec2(0.0, 0.5)) - hit(p - glm::dvec2(0.0, 0.5)),
+            .normal = {0.0F, 1.0F, 0.0F}};
+}
+
+/// A ball of 230 pixels, its coordinates in radii.
+Patch ball_at(glm::dvec2 p)
+{
+    const glm::dvec2 q = (p - glm::dvec2(320.0, 240.0)) / 230.0;
+    const double z = std::sqrt(std::max(1.0 - glm::dot(q, q), 1e-3));
+    return {.coordinate = glm::vec3(q, z),
+            .dx = glm::dvec3(1.0, 0.0, -q.x / z) / 230.0,
+            .dy = glm::dvec3(0.0, 1.0, -q.y / z) / 230.0,
+            .normal = glm::vec3(q, z),
+            .seen = glm::dot(q, q) < 0.9};
+}
+
+void expect_tone_in_windows(const Surface& surface, uint32_t kind)
+{
+    const auto darkness = [&](glm::uvec2 pixel) {
+        const bool seen = surface(glm::dvec2(pixel) + 0.5).seen;
+        return seen ? 0.1F + 0.8F * static_cast<float>(pixel.x) / static_cast<float>(page_px.x) : 0.0F;
+    };
+    Canvas canvas(page_px, kind);
+    canvas.paint_darkness(darkness);
+    canvas.paint_surface(surface);
+    canvas.paint_normals([&](glm::uvec2 pixel) { return surface(glm::dvec2(pixel) + 0.5).normal; });
+    const auto [mean, worst] = window_errors(canvas.ink(pen()), darkness, surface, page_px);
+    fmt::print("windows of 64 pixels: mean error {:.4f}, worst {:.4f}\n", mean, worst);
+    EXPECT_LE(mean, 0.01);
+    EXPECT_LE(worst, 0.05);
+}
+
+TEST(HatchLines, AFloorInPerspectiveKeepsItsTone)
+{
+    expect_tone_in_windows(floor_at, shared::strokes_solid);
+}
+
+TEST(HatchLines, ABallKeepsItsTone)
+{
+    expect_tone_in_windows(ball_at, shared::strokes_solid);
+}
+
+TEST(HatchLines, StrokesHaveOneWidthAtEveryDistance)
+{
+    // Upright lines of which every other one is as thin as can be: runs of ink along a row are the widths.
+    hatch::HatchStyle style = pen();
+    style.wobble_mm = style.gap_mm = style.taper_mm = style.pressure = 0.0F;
+    style.slant_deg = 90.0F;
+    style.layers = 1;
+    style.width_mm = 3.0F;
+    constexpr glm::uvec2 size_px{2048, 16};
+    Canvas canvas(size_px, shared::strokes_uv);
+    canvas.paint_darkness([](glm::uvec2) { return 0.2F; });
+    for (int step = 0; step < 24; ++step) { // six octaves
+        canvas.paint_surface(flat_patch(0.01 * std::exp2(step / 4.0)));
+        const std::vector<float> ink = canvas.ink(style);
+        std::vector<float> widths;
+        float width = 0.0F;
+        for (uint32_t x = 0; x < size_px.x; ++x) {
+            if (ink[x] > 0.0F) {
+                width += ink[x];
+            } else if (width > 0.0F) {
+                widths.push_back(width);
+                width = 0.0F;
+            }
+        }
+        // The most frequent width, in classes of a tenth of a pixel, of the lines that are not newborn.
+        std::array<int, 64> classes{};
+        for (const float w : widths) {
+            classes.at(std::min<size_t>(static_cast<size_t>(std::lround(10.0F * w)), 63U)) +=
+                w > 2.0F ? 1 : 0;
+        }
+        const auto mode = std::max_element(classes.begin(), classes.end()) - classes.begin();
+        EXPECT_NEAR(0.1 * static_cast<double>(mode), 3.0, 0.25) << "step " << step;
+    }
 }
 
 } // namespace

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The nesting of the strokes, with the shader's own functions: a line that is drawn stays drawn as tone
+// deepens and as one comes nearer.
+#include <set>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "support/glsl.hpp"
+
+namespace estampe {
+namespace lines {
+
+using namespace test::glsl; // NOLINT(google-build-using-namespace)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include "shaders/lines.glsl"
+#pragma GCC diagnostic pop
+
+} // namespace lines
+
+namespace {
+
+/// All lines of one unit of v that are drawn, by their number in units of 2^-20, and by identity.
+using Drawn = std::set<std::pair<int64_t, uint32_t>>;
+
+Drawn lines_drawn(float unit_per_px, float width_px, float darkness, bool wraps)
+{
+    lines::LineField field{};
+    field.v_per_px = unit_per_px;
+    field.wraps = wraps;
+    Drawn drawn;
+    const lines::Lines spaced = lines::lines_of(field, width_px, darkness);
+    const int halves = static_cast<int>(std::lround(2.0F / spaced.spacing));
+    for (int number = 1; number <= halves; ++number) {
+        if (number % 2 == 0 || spaced.newborn > 0.0F) {
+            drawn.insert({std::llround(number * 0.5 * static_cast<double>(spaced.spacing) * (1 << 20)),
+                          lines::line_identity(field, spaced, number, 7U)});
+        }
+    }
+    return drawn;
+}
+
+bool is_subset(const Drawn& few, const Drawn& many)
+{
+    return std::includes(many.begin(), many.end(), few.begin(), few.end());
+}
+
+class LineNesting : public testing::TestWithParam<bool> {};
+
+TEST_P(LineNesting, LighterTonesAreSubsetsOfDarkerOnes)
+{
+    for (int zoom = 0; zoom < 64; ++zoom) {
+        const float unit_per_px = 0.0007F * std::exp2(static_cast<float>(zoom) / 16.0F);
+        for (int tone = 1; tone < 19; ++tone) {
+            const Drawn lighter =
+                lines_drawn(unit_per_px, 1.7F, 0.05F * static_cast<float>(tone), GetParam());
+            const Drawn darker =
+                lines_drawn(unit_per_px, 1.7F, 0.05F * static_cast<float>(tone + 1), GetParam());
+            EXPECT_TRUE(is_subset(lighter, darker)) << "tone " << tone << ", zoom " << zoom;
+            EXPECT_FALSE(lighter.empty());
+        }
+    }
+}
+
+TEST_P(LineNesting, FarViewsAreSubsetsOfNearOnes)
+{
+    for (int tone = 1; tone < 20; ++tone) {
+        Drawn far;
+        for (int zoom = 64; zoom >= 0; --zoom) {
+            const float unit_per_px = 0.0007F * std::exp2(static_cast<float>(zoom) / 16.0F);
+            const Drawn near = lines_drawn(unit_per_px, 1.7F, 0.05F * static_cast<float>(tone), GetParam());
+            EXPECT_TRUE(is_subset(far, near)) << "tone " << tone << ", zoom " << zoom;
+            far = near;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Coordinates, LineNesting, testing::Values(false, true));
+
+TEST(LineIdentity, OnAWrappingCoordinateIgnoresWholeNumbersAndSign)
+{
+    for (int level = 0; level >= -8; --level) {
+        const int count = 1 << (1 - level);
+        for (int i = -2 * count; i <= 2 * count; ++i) {
+            const uint32_t here = lines::dyadic_identity(lines::folded(i, count), level, 3U);
+            EXPECT_EQ(here, lines::dyadic_identity(lines::folded(i + count, count), level, 3U));
+            EXPECT_EQ(here, lines::dyadic_identity(lines::folded(-i, count), level, 3U));
+        }
+    }
+}
+
+TEST(LineIdentity, IsTheSameAtEveryZoom)
+{
+    for (int i = -40; i <= 40; ++i) {
+        EXPECT_EQ(lines::dyadic_identity(i, -3, 3U), lines::dyadic_identity(4 * i, -5, 3U));
+    }
+}
+
+TEST(GrownStrokes, AreAsLongAsAskedOnAverage)
+{
+    lines::LineField field{};
+    field.u_per_px = 1e-4F;
+    lines::LineLook look{};
+    look.taper_px = 20.0F;
+    lines::Lines spaced{};
+    spaced.spacing = 0.125F;
+    for (int step = 0; step <= 10; ++step) {
+        const float share = 0.1F * static_cast<float>(step);
+        double sum = 0.0;
+        constexpr int samples = 400000;
+        for (int i = 0; i < samples; ++i) {
+            field.u = 0.001F * static_cast<float>(i);
+            sum += static_cast<double>(lines::grown_profile(field, look, spaced, 99U, share)) / samples;
+        }
+        EXPECT_NEAR(sum, static_cast<double>(share), 0.02);
+    }
+}
+
+} // namespace
+} // namespace estampe
