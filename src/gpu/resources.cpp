@@ -21,6 +21,8 @@ VkFormat vulkan_format(Format format)
         return VK_FORMAT_R32G32B32A32_UINT;
     case Format::rgba8:
         return VK_FORMAT_R8G8B8A8_UNORM;
+    case Format::r8:
+        return VK_FORMAT_R8_UNORM;
     case Format::r16f:
         return VK_FORMAT_R16_SFLOAT;
     case Format::rg16f:

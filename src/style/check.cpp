@@ -90,6 +90,19 @@ public:
         return *text;
     }
 
+    [[nodiscard]] Value text() const
+    {
+        const auto* text = std::get_if<std::string>(&raw_.value);
+        if (text == nullptr) {
+            fail("is not a text in quotes");
+        }
+        if (std::any_of(text->begin(), text->end(),
+                        [](unsigned char character) { return character < 0x20 || character == 0x7F; })) {
+            fail("holds characters that cannot be shown");
+        }
+        return *text;
+    }
+
 private:
     [[noreturn]] void fail(const std::string& what, const std::string& suggestion = {}) const
     {
@@ -117,6 +130,9 @@ Value check(const Parameter& parameter, const std::string& name, const Raw& raw,
         return checker.toggle();
     case Kind::color:
         return checker.color();
+    case Kind::text:
+    case Kind::file:
+        return checker.text();
     case Kind::choice:
         break;
     }
@@ -135,6 +151,10 @@ std::string allowed(const Parameter& parameter)
         return "true or false";
     case Kind::color:
         return "\"#rrggbb\", or [r, g, b] of 0 to 1";
+    case Kind::text:
+        return "a text in quotes";
+    case Kind::file:
+        return "the path of a file, in quotes";
     case Kind::choice:
         break;
     }
@@ -155,7 +175,12 @@ std::string format_value(const Value& value)
     if (const auto* color = std::get_if<glm::vec3>(&value)) {
         return format_color(*color);
     }
-    return '"' + std::get<std::string>(value) + '"';
+    std::string escaped;
+    for (const char character : std::get<std::string>(value)) {
+        escaped += character == '"' || character == '\\' ? "\\" : "";
+        escaped += character;
+    }
+    return '"' + escaped + '"';
 }
 
 std::string in_quotes(std::string_view text)

@@ -21,7 +21,16 @@ std::string bare(std::string text)
 
 std::string range_column(const Parameter& parameter)
 {
-    return parameter.kind == Kind::color ? "#rrggbb" : allowed(parameter);
+    switch (parameter.kind) {
+    case Kind::color:
+        return "#rrggbb";
+    case Kind::text:
+        return "text";
+    case Kind::file:
+        return "file";
+    default:
+        return allowed(parameter);
+    }
 }
 
 std::string default_column(const Parameter& parameter)
@@ -65,6 +74,11 @@ Json describe(const Parameter& parameter)
         json["default"] = Json::parse(format_value(parameter.default_value));
         break;
     }
+    case Kind::text:
+    case Kind::file:
+        json["type"] = "string";
+        json["default"] = std::get<std::string>(parameter.default_value);
+        break;
     case Kind::choice:
         json["enum"] = parameter.choices;
         json["default"] = std::get<std::string>(parameter.default_value);

@@ -15,9 +15,10 @@
 
 namespace estampe::style {
 
-enum class Kind : uint8_t { number, integer, toggle, color, choice };
+enum class Kind : uint8_t { number, integer, toggle, color, choice, text, file };
 
-/// A parameter's value without its C++ type. A colour is linear; a choice is its name.
+/// A parameter's value without its C++ type. A colour is linear; a choice is its name; a file its
+/// path.
 using Value = std::variant<float, int64_t, bool, glm::vec3, std::string>;
 
 /// Both ends are allowed.
@@ -136,6 +137,20 @@ public:
             }
         };
         parameter.default_value = parameter.get(&defaults_);
+        return *this;
+    }
+
+    /// Words that a technique reads by itself.
+    Table& text(std::string key, std::string Style::*member, std::string help)
+    {
+        connect<std::string>(add(std::move(key), Kind::text, {}, std::move(help)), member);
+        return *this;
+    }
+
+    /// The path of a file; in a TOML file relative to that file's folder.
+    Table& file(std::string key, std::string Style::*member, std::string help)
+    {
+        connect<std::string>(add(std::move(key), Kind::file, {}, std::move(help)), member);
         return *this;
     }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
@@ -29,6 +30,13 @@ std::string_view trimmed(std::string_view text)
         return {};
     }
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// `path` as seen from the working directory, when a text named `source` means it as seen from itself.
+std::string beside(const std::string& source, const std::string& path)
+{
+    const std::filesystem::path folder = std::filesystem::path(source).parent_path();
+    return path.empty() || folder.empty() ? path : (folder / path).string();
 }
 
 /// A checked value on its way to its struct.
@@ -76,8 +84,11 @@ public:
     void assign(const Entry& entry)
     {
         const auto [section, parameter] = find(entry.section, entry.key, entry.key_where);
-        changes_.push_back({parameter, section->values,
-                            check(*parameter, full_key(*section, *parameter), entry.raw, entry.value_where)});
+        Value value = check(*parameter, full_key(*section, *parameter), entry.raw, entry.value_where);
+        if (parameter->kind == Kind::file && !chain_.empty()) {
+            value = beside(chain_.back(), std::get<std::string>(value));
+        }
+        changes_.push_back({parameter, section->values, std::move(value)});
     }
 
     [[nodiscard]] std::pair<const Sheet::Section*, const Parameter*>
@@ -239,7 +250,9 @@ void Sheet::set(std::string_view assignment, const std::string& where)
     const bool one_line = value.find_first_of("\r\n") == std::string_view::npos;
     const std::optional<Raw> parsed = one_line ? parse_toml_value(value) : std::nullopt;
     entry.raw = parsed && !value.starts_with('#') ? *parsed : raw_word(value);
-    if (parameter.kind == Kind::choice && !value.starts_with('"') && !value.starts_with('\'')) {
+    const bool is_word =
+        parameter.kind == Kind::choice || parameter.kind == Kind::text || parameter.kind == Kind::file;
+    if (is_word && !value.starts_with('"') && !value.starts_with('\'')) {
         entry.raw = raw_word(value);
     }
     reader.assign(entry);

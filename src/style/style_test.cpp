@@ -91,6 +91,33 @@ TEST(StyleWrite, ReadsBackEqual)
     EXPECT_EQ(defaults_copy, defaults);
 }
 
+struct WordStyle {
+    std::string words = "some";
+    std::string picture;
+};
+
+TEST(StyleText, IsTakenAsItIsAndFilesAreFoundBesideTheTextThatNamesThem)
+{
+    const auto table = Table<WordStyle>("word", "Words")
+                           .text("words", &WordStyle::words, "Words")
+                           .file("picture", &WordStyle::picture, "A picture");
+    WordStyle style;
+    Sheet sheet;
+    sheet.bind(table, style);
+    sheet.read_toml_text("[word]\nwords = \"a \\\"b\\\" \\\\\"\npicture = \"nib.png\"", "styles/mine.toml");
+    EXPECT_EQ(style.words, "a \"b\" \\");
+    EXPECT_EQ(style.picture, "styles/nib.png");
+    WordStyle copy;
+    Sheet copied;
+    copied.bind(table, copy);
+    copied.read_toml_text(sheet.to_toml(), "copy");
+    EXPECT_EQ(copy.words, style.words);
+    EXPECT_EQ(copy.picture, style.picture);
+    sheet.set("word.picture=other.png");
+    EXPECT_EQ(style.picture, "other.png");
+    EXPECT_NE(message_of([&] { sheet.set("word.words=\"a\\u0007\""); }), "");
+}
+
 TEST(StyleWrite, AnyColorReadsBackEqual)
 {
     for (uint32_t i = 0; i <= 1000; ++i) {

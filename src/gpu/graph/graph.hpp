@@ -34,6 +34,7 @@ enum class Format : uint8_t {
     rg32ui,
     rgba32ui,
     rgba8,
+    r8,
     r16f,
     rg16f,
     rgba16f,

@@ -5,6 +5,7 @@
 
 #include "shaders/darkness_comp.hpp"
 #include "shaders/lines_comp.hpp"
+#include "shaders/map_comp.hpp"
 #include "techniques/hatch/hatch.glsl.h"
 
 namespace estampe::hatch {
@@ -61,9 +62,31 @@ gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId da
     return ink;
 }
 
+gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness, const HatchStyle& style)
+{
+    auto pass = graph.compute("hatch/map", shaders::map_comp);
+    pass.sample(darkness).sample(in.draw).sample(in.coordinate).sample(in.footprint);
+    pass.sample(in.map->tones, gpu::Sampling::linear_repeat);
+    pass.sample(in.map->thresholds, gpu::Sampling::linear_repeat).read(in.map->ramp);
+    const gpu::ImageId ink = pass.write(graph.image(
+        "hatch/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    pass.variant(static_cast<uint32_t>(style.map_tone));
+    pass.push(shared::MapConstants{.size_px = in.size_px,
+                                   .map_size_texels = in.map->size_px,
+                                   .tone_count = in.map->tone_count,
+                                   .level_count = in.map->level_count,
+                                   .texels_per_px = 1.0F / (style.map_texel_mm * in.pixels_per_mm),
+                                   .contrast = style.map_contrast,
+                                   .black_above = style.black_above})
+        .dispatch_over(in.size_px.x, in.size_px.y);
+    return ink;
+}
+
 gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
 {
-    return add_lines(graph, in, add_darkness(graph, in, style), style);
+    const gpu::ImageId darkness = add_darkness(graph, in, style);
+    const bool by_map = in.map && style.drawn && style.strokes == Strokes::map;
+    return by_map ? add_map(graph, in, darkness, style) : add_lines(graph, in, darkness, style);
 }
 
 } // namespace estampe::hatch

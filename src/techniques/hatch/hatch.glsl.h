@@ -31,6 +31,29 @@ struct LineConstants {
     vec3 towards_light;
 };
 
+struct MapConstants {
+    uvec2 size_px;
+    uint map_size_texels;
+    uint tone_count;
+    uint level_count;
+    float texels_per_px; // wanted on the page
+    float contrast;      // of the tones about their middle; 1 for none
+    float black_above;
+};
+
+// Rows of the ramp: for each sixteenth of the way from a level to the next coarser one what darkness to ask
+// the thresholds for, so that the share of texels under it is the darkness wanted. First for levels, then for
+// the finest level over itself at twice the size. The last row: which tone, counted from 0 for paper, has
+// what darkness.
+#ifdef __cplusplus
+inline constexpr uint ramp_length = 256;
+inline constexpr uint ramp_steps = 16;
+inline constexpr uint ramp_rows = 2 * ramp_steps + 1;
+#else
+#define RAMP_LENGTH 256u
+#define RAMP_STEPS 16u
+#endif
+
 #ifdef __cplusplus
 } // namespace estampe::shared
 #endif

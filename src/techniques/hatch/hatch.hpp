@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "gpu/graph/graph.hpp"
 #include "shaders/tone.glsl.h"
 #include "style/parameter.hpp"
+#include "techniques/hatch/map_data.hpp"
 
 namespace estampe::hatch {
 
 /// What strokes follow, as shaders/stroke_kind.glsl.h numbers it.
 enum class Coordinates : uint8_t { solid, uv, form, height, wind, light, page, automatic };
 
+enum class Strokes : uint8_t { lines, map };
+
 struct HatchStyle {
     bool drawn = true;
+    Strokes strokes = Strokes::lines;
     float width_mm = 0.27F;
     int layers = 3;
     Coordinates coordinates = Coordinates::automatic;
     float slant_deg = 24.0F;
     float wind_deg = 20.0F;
+    std::string materials;
     float wobble_mm = 0.18F;
     float gap_mm = 0.6F;
     float taper_mm = 2.6F;
@@ -26,6 +34,10 @@ struct HatchStyle {
     float fade = 1.0F;
     float fade_distance_m = 60.0F;
     float black_above = 0.96F;
+    std::string map;
+    MapTone map_tone = MapTone::order;
+    float map_contrast = 12.0F;
+    float map_texel_mm = 0.13F;
     int seed = 1;
 };
 
@@ -34,6 +46,8 @@ inline const style::Table<HatchStyle>& hatch_table()
     static const auto table =
         style::Table<HatchStyle>("hatch", "Pen strokes that carry the tone")
             .toggle("drawn", &HatchStyle::drawn, "Whether there are strokes at all")
+            .choice("strokes", &HatchStyle::strokes, {{"lines", Strokes::lines}, {"map", Strokes::map}},
+                    "Lines of exact tone, or the strokes of a tonal art map")
             .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke on the page")
             .integer("layers", &HatchStyle::layers, {1, 3}, "",
                      "Layers of strokes that cross as tones deepen")
@@ -53,6 +67,8 @@ inline const style::Table<HatchStyle>& hatch_table()
                     "Turn of the first layer over UVs and on the page")
             .number("wind_deg", &HatchStyle::wind_deg, {-360.0F, 360.0F}, "deg",
                     "Where the wind blows to, from +z towards +x")
+            .text("materials", &HatchStyle::materials,
+                  "What the strokes of single materials follow, as in \"Skin=form, Sea=wind\"")
             .number("wobble_mm", &HatchStyle::wobble_mm, {0.0F, 5.0F}, "mm",
                     "How far a stroke strays sideways")
             .number("gap_mm", &HatchStyle::gap_mm, {0.0F, 20.0F}, "mm",
@@ -71,9 +87,27 @@ inline const style::Table<HatchStyle>& hatch_table()
                     "Distance by which half of the fading has happened")
             .number("black_above", &HatchStyle::black_above, {0.1F, 2.0F}, "",
                     "Darkness from which the paper is covered whole; above 1 never")
+            .file("map", &HatchStyle::map, "A .tam file; without one the map is drawn as [tam] says")
+            .choice("map_tone", &HatchStyle::map_tone,
+                    {{"order", MapTone::order}, {"blend", MapTone::blend}, {"step", MapTone::step}},
+                    "How tones of a map come together: stroke by stroke, blended, or in hard steps")
+            .number("map_contrast", &HatchStyle::map_contrast, {1.0F, 100.0F}, "",
+                    "Contrast of a map about its middle; 1 leaves its greys")
+            .number("map_texel_mm", &HatchStyle::map_texel_mm, {0.01F, 5.0F}, "mm",
+                    "Size of a texel of the map on the page")
             .integer("seed", &HatchStyle::seed, {0, 1000000}, "", "Another number, another hand");
     return table;
 }
+
+/// A tonal art map as handles of one graph.
+struct MapInputs {
+    gpu::ImageId tones;
+    gpu::ImageId thresholds;
+    gpu::BufferId ramp;
+    uint32_t size_px = 0;
+    uint32_t tone_count = 0;
+    uint32_t level_count = 0;
+};
 
 struct HatchInputs {
     gpu::BufferId frame; ///< FrameGlobals
@@ -89,6 +123,7 @@ struct HatchInputs {
     shared::ToneConstants tone;
     bool has_directions = false; ///< some strokes follow height, wind or light
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
+    std::optional<MapInputs> map; ///< where the style asks for one
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
 };
@@ -105,6 +140,16 @@ struct HatchInputs {
 /// Cost    one full-screen dispatch, no texture; nothing where the paper stays white
 [[nodiscard]] gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
                                      const HatchStyle& style);
+
+/// Strokes of a tonal art map, which `in` must have. Nearer than its finest level the map repeats at half the
+/// size, so that strokes keep their width at any zoom.
+///
+/// Writes  r16f: coverage, 0 paper to 1 ink
+/// Cost    one full-screen dispatch, five texels a pixel
+/// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001; thresholds: Webb et al., "Fine Tone Control in
+/// Hardware Hatching", NPAR 2002
+[[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
+                                   const HatchStyle& style);
 
 /// The ink of all strokes.
 [[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);

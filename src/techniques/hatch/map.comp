@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// One thread a pixel lays the strokes of a tonal art map. The map has a threshold for every texel, the
+// darkness at which it turns to ink, and the ink of every tone; both at levels drawn one by one. Nearer than
+// the finest level the map repeats at half the size, again and again, so strokes keep their width.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/draw_word.glsl"
+#include "shaders/footprint.glsl"
+#include "techniques/hatch/hatch.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform sampler2D darkness_image;
+layout(binding = 1) uniform usampler2D draw_image;
+layout(binding = 2) uniform sampler2D coordinate_image;
+layout(binding = 3) uniform usampler2D footprint_image;
+layout(binding = 4) uniform sampler2DArray tones;
+layout(binding = 5) uniform sampler2DArray thresholds;
+
+layout(scalar, binding = 6) readonly buffer Ramp
+{
+    float ramp[];
+};
+
+layout(binding = 7, r16f) writeonly uniform image2D out_ink;
+
+layout(push_constant, scalar) uniform Constants
+{
+    MapConstants constants;
+};
+
+// 0: stroke by stroke, in the order of the thresholds. 1: between two tones. 2: tone by tone, in hard steps.
+layout(constant_id = 0) const uint variant = 0u;
+const bool in_order = variant == 0u;
+const bool in_steps = variant == 2u;
+
+struct Place {
+    vec2 at;   // in sides of the map
+    float lod; // levels from the finest; below 0 the map repeats
+};
+
+// The plane of a solid that faces most the way the surface does, judged where strokes stick: in the rest
+// pose.
+Place place_on(uint kind, vec3 p, Footprint f)
+{
+    vec3 facing = abs(cross(f.dx, f.dy));
+    bool is_flat = kind == STROKES_UV || kind == STROKES_FORM || kind == STROKES_PAGE;
+    bool along_z = is_flat || (facing.z >= facing.x && facing.z >= facing.y);
+    bool along_y = !along_z && facing.y >= facing.x;
+    Place place;
+    place.at = along_z ? p.xy : along_y ? p.xz : p.zy;
+    vec2 dx = along_z ? f.dx.xy : along_y ? f.dx.xz : f.dx.zy;
+    vec2 dy = along_z ? f.dy.xy : along_y ? f.dy.xz : f.dy.zy;
+    // Between the finer and the coarser direction of a tilted surface: strokes keep their width on average.
+    float area = abs(dx.x * dy.y - dx.y * dy.x);
+    float widest = max(dot(dx, dx), dot(dy, dy));
+    float texels = float(constants.map_size_texels) / constants.texels_per_px;
+    place.lod = log2(max(sqrt(max(area, 0.04 * widest)), 1e-12) * texels);
+    return place;
+}
+
+struct Levels {
+    vec2 fine;   // place in the finer of two levels, and
+    vec2 coarse; // in the coarser
+    int level;   // the finer
+    float towards_coarse;
+    bool repeats;
+};
+
+Levels levels_at(Place place)
+{
+    Levels levels;
+    float lod = clamp(place.lod, -24.0, float(constants.level_count - 2u) - 0.001);
+    float whole = floor(lod);
+    levels.towards_coarse = lod - whole;
+    levels.repeats = whole < 0.0;
+    levels.level = int(max(whole, 0.0));
+    float times = exp2(max(-whole, 0.0));
+    levels.fine = place.at * times;
+    levels.coarse = levels.repeats ? place.at * 0.5 * times : place.at;
+    return levels;
+}
+
+float ramp_at(uint row, float x)
+{
+    float at = clamp(x, 0.0, 1.0) * float(RAMP_LENGTH - 1u);
+    uint first = min(uint(at), RAMP_LENGTH - 2u);
+    uint index = row * RAMP_LENGTH + first;
+    return mix(ramp[index], ramp[index + 1u], at - float(first));
+}
+
+// Thresholds of the finer level are compared one by one and the four answers blended, so that edges are
+// smooth without being grey.
+float ordered_ink(Levels levels, float dark)
+{
+    uint step = min(uint(levels.towards_coarse * float(RAMP_STEPS)), RAMP_STEPS - 1u);
+    float asked = ramp_at((levels.repeats ? RAMP_STEPS : 0u) + step, dark);
+    int coarse_level = levels.repeats ? 0 : levels.level + 1;
+    float coarse = textureLod(thresholds, vec3(levels.coarse, 0.0), float(coarse_level)).x;
+    int side = int(constants.map_size_texels) >> levels.level;
+    vec2 texel = fract(levels.fine) * float(side) - 0.5;
+    ivec2 corner = ivec2(floor(texel));
+    vec2 part = texel - vec2(corner);
+    float ink = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 offset = ivec2(i & 1, i >> 1);
+        float fine = texelFetch(thresholds, ivec3((corner + offset) & (side - 1), 0), levels.level).x;
+        vec2 share = mix(1.0 - part, part, vec2(offset));
+        ink += share.x * share.y *
+               clamp((asked - mix(fine, coarse, levels.towards_coarse)) * constants.contrast + 0.5, 0.0, 1.0);
+    }
+    return ink;
+}
+
+float tone_ink(Levels levels, float tone)
+{
+    float last = float(constants.tone_count);
+    float layer = clamp(tone - 1.0, 0.0, last - 1.0);
+    float fine = textureLod(tones, vec3(levels.fine, layer), float(levels.level)).x;
+    float coarse =
+        textureLod(tones, vec3(levels.coarse, layer), float(levels.repeats ? 0 : levels.level + 1)).x;
+    float ink = mix(fine, coarse, levels.towards_coarse);
+    return tone < 0.5 ? 0.0 : tone > last + 0.5 ? 1.0 : ink;
+}
+
+float layered_ink(Levels levels, float dark)
+{
+    float tone = ramp_at(2u * RAMP_STEPS, dark);
+    tone = in_steps ? round(tone) : tone;
+    float ink = mix(tone_ink(levels, floor(tone)), tone_ink(levels, floor(tone) + 1.0), fract(tone));
+    return clamp((ink - 0.5) * constants.contrast + 0.5, 0.0, 1.0);
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
+        return;
+    }
+    float dark = texelFetch(darkness_image, pixel, 0).x;
+    uint kind = strokes_of(texelFetch(draw_image, pixel, 0).x);
+    vec3 p = texelFetch(coordinate_image, pixel, 0).xyz;
+    Levels levels = levels_at(place_on(kind, p, unpack_footprint(texelFetch(footprint_image, pixel, 0))));
+    float ink = in_order ? ordered_ink(levels, dark) : layered_ink(levels, dark);
+    ink = dark > 0.002 ? ink : 0.0;
+    ink = max(ink, smoothstep(constants.black_above, constants.black_above + 0.02, dark));
+    imageStore(out_ink, pixel, vec4(ink));
+}
