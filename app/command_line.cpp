@@ -19,6 +19,19 @@ constexpr const char* examples = R"(Examples:
   estampe render bunny.obj -o bunny.png --camera "eye=2,1,3 target=0,0.5,0 fov=35"
   estampe render temple.glb -o temple.png --style pencil --set hatch.width_mm=0.5
   estampe info helmet.gltf --json
+  estampe tam -o pen.tam --preview pen.png
+
+Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
+
+constexpr const char* tam_examples = R"(Examples:
+  estampe tam -o pen.tam --preview pen.png
+  estampe tam tam-charcoal -o charcoal.tam --set tam.seed=7
+  estampe tam mine.toml -o mine.tam --brush stroke.png
+  estampe tam --from mine.tam -o painted/              (paint over the images there, then)
+  estampe tam --from painted/ -o mine.tam
+
+A folder holds tone1.png, tone2.png, ... from light to dark, black ink on white, square, with a side that is
+a power of two; coarser levels are then derived. Or tone1_level0.png, tone1_level1.png, ... for each.
 
 Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
 
@@ -30,6 +43,9 @@ struct Typed {
     std::string camera;
     std::string style;
     std::vector<std::string> assignments;
+    std::string from;
+    std::string brush;
+    std::string preview;
     std::string animation;
     std::string device = "auto";
     double time_s = 0.0;
@@ -39,6 +55,11 @@ struct Typed {
     bool json = false;
     bool style_manual = false;
 };
+
+void add_set_option(CLI::App& command, Typed& typed, const char* help)
+{
+    command.add_option("--set", typed.assignments, help)->type_name("KEY=VALUE")->allow_extra_args(false);
+}
 
 void add_draw_options(CLI::App& command, Typed& typed)
 {
@@ -61,12 +82,9 @@ void add_draw_options(CLI::App& command, Typed& typed)
         ->type_name("NAME");
     command.add_option("--style", typed.style, "Preset, or TOML file (see estampe styles)")
         ->type_name("STYLE");
-    command
-        .add_option(
-            "--set", typed.assignments,
-            "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+    add_set_option(
+        command, typed,
+        "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)");
     command.add_option("--device", typed.device, "auto, cpu, or an index that estampe devices lists")
         ->type_name("DEVICE")
         ->capture_default_str();
@@ -87,9 +105,36 @@ void add_render(CLI::App& app, Typed& typed)
     command.add_flag("--json", typed.json, "Print the timings as JSON");
 }
 
+void add_tam(CLI::App& app, Typed& typed)
+{
+    CLI::App& command =
+        *app.add_subcommand("tam", "Draw a tonal art map, the strokes of a style by tone and distance");
+    command.footer(tam_examples);
+    command
+        .add_option("STYLE", typed.style,
+                    "Preset, or TOML file, for its [tam] and the colours of its\n[paper]")
+        ->type_name("STYLE");
+    command.add_option("-o,--output", typed.output, "NAME.tam; or NAME.dds, or FOLDER/ for PNG files")
+        ->required()
+        ->type_name("FILE");
+    command
+        .add_option("--from", typed.from,
+                    "Convert a map instead of drawing one: a folder of PNG or DDS\nfiles, a .dds or a .tam")
+        ->type_name("PATH");
+    command
+        .add_option("--brush", typed.brush,
+                    "Picture of one stroke from left to right, in its alpha or in\nblack on white [tam.tool]")
+        ->type_name("PNG");
+    command.add_option("--preview", typed.preview, "Also write a sheet of all tones and levels")
+        ->type_name("PNG");
+    add_set_option(command, typed,
+                   "One parameter of the style, such as tam.width_px=3; may be\nrepeated (see --help-style)");
+}
+
 void add_commands(CLI::App& app, Typed& typed)
 {
     add_render(app, typed);
+    add_tam(app, typed);
     CLI::App& info = *app.add_subcommand("info", "Tell what a scene file holds");
     info.add_option("SCENE", typed.scene, "Scene file")->required()->type_name("FILE");
     info.add_flag("--json", typed.json, "Print JSON");
@@ -143,6 +188,27 @@ DrawOptions read_draw_options(const Typed& typed)
     return draw;
 }
 
+TamCommand read_tam(const Typed& typed)
+{
+    if (!typed.from.empty() && (!typed.brush.empty() || !typed.assignments.empty())) {
+        throw UsageError("a map that is converted is not drawn", "--from", "leave out --brush and --set");
+    }
+    const std::string extension = lower_extension(typed.output);
+    if (!extension.empty() && !typed.output.ends_with('/') && extension != ".tam" && extension != ".dds") {
+        throw UsageError(fmt::format("cannot write a map as {}", in_quotes(extension)), "-o " + typed.output,
+                         "the name must end in .tam, .dds, or / for a folder");
+    }
+    if (!typed.preview.empty() && lower_extension(typed.preview) != ".png") {
+        throw UsageError("the sheet is a PNG picture", "--preview " + typed.preview,
+                         "the name must end in .png");
+    }
+    return {.style = read_style(typed),
+            .from = typed.from,
+            .brush = typed.brush,
+            .output = typed.output,
+            .preview = typed.preview};
+}
+
 Command to_command(const CLI::App& app, const Typed& typed)
 {
     if (typed.style_manual) {
@@ -156,6 +222,9 @@ Command to_command(const CLI::App& app, const Typed& typed)
     }
     if (app.got_subcommand("styles")) {
         return StylesCommand{typed.style};
+    }
+    if (app.got_subcommand("tam")) {
+        return read_tam(typed);
     }
     const bool render = app.got_subcommand("render");
     if (!render && !app.got_subcommand("graph")) {

@@ -13,5 +13,6 @@ void run(const InfoCommand& command);
 void run(const DevicesCommand& command);
 void run(const StylesCommand& command);
 void run(const StyleManualCommand& command);
+void run(const TamCommand& command);
 
 } // namespace estampe::app

@@ -66,8 +66,17 @@ struct StylesCommand {
 
 struct StyleManualCommand {};
 
-using Command =
-    std::variant<RenderCommand, GraphCommand, InfoCommand, DevicesCommand, StylesCommand, StyleManualCommand>;
+/// Makes a tonal art map, or converts one.
+struct TamCommand {
+    Style style;
+    std::string from;    ///< a map to convert; empty: one is drawn in `style`
+    std::string brush;   ///< a picture of one stroke; empty: tam.tool
+    std::string output;  ///< .tam, .dds, or a folder
+    std::string preview; ///< .png; empty: none
+};
+
+using Command = std::variant<RenderCommand, GraphCommand, InfoCommand, DevicesCommand, StylesCommand,
+                             StyleManualCommand, TamCommand>;
 
 /// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or
 /// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -79,9 +78,7 @@ private:
 
 void check_extension(const std::string& output)
 {
-    std::string extension = std::filesystem::path(output).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    const std::string extension = lower_extension(output);
     if (extension != ".png") {
         throw UsageError(fmt::format("cannot write a picture as {}", in_quotes(extension)), "-o " + output,
                          "the name must end in .png");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "text.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -30,6 +32,14 @@ std::string one_line(std::string_view text)
 std::string in_quotes(std::string_view text)
 {
     return '"' + one_line(text) + '"';
+}
+
+std::string lower_extension(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return extension;
 }
 
 void print_warnings(const std::vector<std::string>& warnings)

@@ -7,6 +7,7 @@
 #include "techniques/light/light_style.hpp"
 #include "techniques/paper/paper.hpp"
 #include "techniques/sky/sky.hpp"
+#include "techniques/tam/tam_style.hpp"
 #include "techniques/wash/wash.hpp"
 
 namespace estampe::frame {
@@ -35,6 +36,7 @@ struct StyleTables {
     light::LightStyle light;
     light::ToneStyle tone;
     hatch::HatchStyle hatch;
+    tam::TamStyle tam;
     contour::ContourStyle contour;
     wash::WashStyle wash;
     sky::SkyStyle sky;
@@ -49,6 +51,7 @@ struct StyleTables {
     sheet.bind(light::light_table(), tables.light);
     sheet.bind(light::tone_table(), tables.tone);
     sheet.bind(hatch::hatch_table(), tables.hatch);
+    sheet.bind(tam::tam_table(), tables.tam);
     sheet.bind(contour::contour_table(), tables.contour);
     sheet.bind(wash::wash_table(), tables.wash);
     sheet.bind(sky::sky_table(), tables.sky);

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+// After Praun, Hoppe, Webb and Finkelstein, "Real-Time Hatching", SIGGRAPH 2001: tones from light to dark,
+// levels from coarse to fine, and of many random strokes the one that is best spaced at all scales.
+#include "techniques/tam/maker.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+
+#include "techniques/tam/canvas.hpp"
+#include "techniques/tam/random.hpp"
+
+namespace estampe::tam {
+namespace {
+
+/// Levels below this are averages of this one: a stroke there would be as wide as the map.
+constexpr uint32_t least_drawn_px = 8;
+
+constexpr size_t most_layers = 3;
+
+/// A cosine and sine that do not depend on the last bits of the mathematical library.
+glm::vec2 direction_of(float degrees)
+{
+    constexpr double steps = 1048576.0;
+    const double radians = static_cast<double>(degrees) * 3.14159265358979323846 / 180.0;
+    const double x = std::round(std::cos(radians) * steps) / steps;
+    const double y = std::round(std::sin(radians) * steps) / steps;
+    const double length = std::sqrt(x * x + y * y);
+    return {static_cast<float>(x / length), static_cast<float>(y / length)};
+}
+
+/// One level: its picture, and where the strokes of each layer are.
+struct Level {
+    Canvas canvas;
+    std::vector<Spacing> spacing_of_layer;
+    std::array<double, most_layers> ink_of_layer{};
+    std::vector<float> tooth;
+};
+
+class Maker {
+public:
+    Maker(const TamStyle& style, const Image* picture, std::vector<PlacedStroke>* strokes)
+        : style_(style), brush_(style, picture), round_(round_style(style)), strokes_(strokes),
+          random_(static_cast<uint32_t>(style.seed))
+    {
+        const auto size_px = static_cast<uint32_t>(style.size_px);
+        for (uint32_t size = size_px; size >= least_drawn_px; size /= 2) {
+            Level level{.canvas = Canvas(size), .spacing_of_layer = {}, .tooth = {}};
+            level.spacing_of_layer.assign(most_layers, Spacing(size));
+            if (brush_.tooth_cell_px() > 0) {
+                level.tooth = paper_tooth(size, brush_.tooth_cell_px(), hash(random_.bits()));
+            }
+            levels_.push_back(std::move(level));
+        }
+    }
+
+    [[nodiscard]] TonalArtMap run()
+    {
+        TonalArtMap map;
+        map.size_px = static_cast<uint32_t>(style_.size_px);
+        map.darkness = darkness_of_tones(style_);
+        for (tone_ = 0; tone_ < map.darkness.size(); ++tone_) {
+            for (size_t level = levels_.size(); level-- > 0;) {
+                fill(level, static_cast<double>(map.darkness[tone_]));
+            }
+            map.level_of_tone.push_back(snapshot());
+        }
+        for (size_t level = 0; level < level_count(map.size_px); ++level) {
+            map.threshold_of_level.push_back(level < levels_.size()
+                                                 ? levels_[level].canvas.thresholds(map.darkness.back())
+                                                 : interpolated_thresholds(map, level));
+        }
+        return map;
+    }
+
+private:
+    /// A plain full line, for spacing.
+    static Brush round_style(TamStyle style)
+    {
+        style.tool = Tool::pen;
+        style.opacity = 1.0F;
+        style.pressure = 0.0F;
+        return Brush(style);
+    }
+
+    /// The layer that is furthest behind its share, of those that this tone draws.
+    [[nodiscard]] size_t next_layer(const Level& level) const
+    {
+        constexpr std::array<double, most_layers> share{1.0, 0.75, 0.5};
+        const std::array<bool, most_layers> drawn{true, static_cast<int>(tone_) + 1 >= style_.second_from,
+                                                  static_cast<int>(tone_) + 1 >= style_.third_from};
+        size_t chosen = 0;
+        for (size_t layer = 1; layer < most_layers; ++layer) {
+            if (drawn[layer] &&
+                level.ink_of_layer[layer] / share[layer] < level.ink_of_layer[chosen] / share[chosen]) {
+                chosen = layer;
+            }
+        }
+        return chosen;
+    }
+
+    [[nodiscard]] Stroke random_stroke(uint32_t size_px, size_t layer)
+    {
+        constexpr float longest = 0.6F;
+        const std::array<float, most_layers> turn{0.0F, style_.second_deg, style_.third_deg};
+        const float length_px = style_.length_px * (1.0F + style_.length_spread * random_.sign());
+        const float spread = 0.5F * (random_.sign() + random_.sign());
+        Stroke stroke;
+        stroke.length =
+            std::min(length_px / static_cast<float>(size_px), longest * (1.0F - 0.4F * random_.unit()));
+        stroke.direction = direction_of(style_.angle_deg + turn[layer] + style_.angle_spread_deg * spread);
+        const glm::vec2 middle(random_.unit(), random_.unit());
+        stroke.start = middle - 0.5F * stroke.length * stroke.direction;
+        stroke.bow = style_.bow * (0.9F + 0.9F * random_.sign());
+        stroke.wobble = style_.wobble;
+        stroke.seed = random_.bits();
+        return stroke;
+    }
+
+    /// Points along the chord and arc of a stroke, two or three pixels apart.
+    void trace(const Stroke& stroke, uint32_t size_px)
+    {
+        constexpr float step_px = 2.5F;
+        const float length_px = stroke.length * static_cast<float>(size_px);
+        const auto count = static_cast<size_t>(std::clamp(length_px / step_px, 4.0F, 64.0F));
+        const glm::vec2 across(-stroke.direction.y, stroke.direction.x);
+        points_.clear();
+        for (size_t i = 0; i < count; ++i) {
+            const float along = (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
+            const float arc = 4.0F * along * (1.0F - along) * stroke.bow;
+            points_.push_back(stroke.start + stroke.length * (stroke.direction * along + across * arc));
+        }
+    }
+
+    [[nodiscard]] Stroke best_stroke(const Level& level, size_t layer)
+    {
+        Stroke best;
+        float most_room = -1.0F;
+        for (int i = 0; i < style_.candidates; ++i) {
+            const Stroke candidate = random_stroke(level.canvas.size_px(), layer);
+            trace(candidate, level.canvas.size_px());
+            const float room = level.spacing_of_layer[layer].room(points_);
+            if (room > most_room) {
+                most_room = room;
+                best = candidate;
+            }
+        }
+        return best;
+    }
+
+    /// Marks of a stroke on a level, in marks_.
+    void mark(const Stroke& stroke, const Level& level)
+    {
+        const uint32_t size_px = level.canvas.size_px();
+        draw_stroke(stroke, nib_at(style_, size_px), brush_, level.tooth, size_px, marks_);
+    }
+
+    /// Draws a stroke on its level and on all finer ones.
+    void place(const Stroke& stroke, size_t layer, size_t coarsest)
+    {
+        for (size_t i = 0; i <= coarsest; ++i) {
+            Level& level = levels_[i];
+            mark(stroke, level);
+            level.ink_of_layer[layer] += level.canvas.gain(marks_);
+            level.canvas.draw(marks_);
+            const Nib nib = nib_at(style_, level.canvas.size_px());
+            level.spacing_of_layer[layer].add([&](uint32_t size_px, std::vector<Mark>& marks) {
+                draw_stroke(stroke, nib, round_, {}, size_px, marks);
+            });
+        }
+        if (strokes_ != nullptr) {
+            strokes_->push_back({stroke, tone_, coarsest});
+        }
+    }
+
+    void fill(size_t index, double target)
+    {
+        Level& level = levels_[index];
+        const double texels = static_cast<double>(level.canvas.size_px()) * level.canvas.size_px();
+        const double least_gain = 0.25 / texels;
+        const auto most_strokes = static_cast<size_t>(200.0 + 4.0 * texels);
+        for (size_t count = 0; level.canvas.mean() + least_gain < target; ++count) {
+            if (count > most_strokes) {
+                throw Error(fmt::format("tone {} of darkness {:.2f} cannot be reached", tone_ + 1, target),
+                            "tam.darkest", "ask for a lighter one, or a wider or more opaque stroke");
+            }
+            const size_t layer = next_layer(level);
+            Stroke stroke = best_stroke(level, layer);
+            mark(stroke, level);
+            const double missing = target - level.canvas.mean();
+            if (level.canvas.gain(marks_) <= missing) {
+                place(stroke, layer, index);
+                continue;
+            }
+            if (shorten(stroke, level, missing)) {
+                place(stroke, layer, index);
+            } else {
+                tint(index, target);
+            }
+            return;
+        }
+    }
+
+    /// Shortens a stroke until it adds what is missing. False when that would leave a dot.
+    [[nodiscard]] bool shorten(Stroke& stroke, const Level& level, double missing)
+    {
+        constexpr float shortest_px = 6.0F;
+        constexpr float shortest_in_widths = 2.5F;
+        constexpr int rounds = 10;
+        const float size_px = static_cast<float>(level.canvas.size_px());
+        const Nib nib = nib_at(style_, level.canvas.size_px());
+        float low = std::min({shortest_px, shortest_in_widths * nib.width_px, 0.25F * size_px}) / size_px;
+        float high = stroke.length;
+        const auto overshoots = [&](float length) {
+            stroke.length = length;
+            mark(stroke, level);
+            return level.canvas.gain(marks_) > missing;
+        };
+        if (low >= high || overshoots(low)) {
+            return false;
+        }
+        for (int round = 0; round < rounds; ++round) {
+            const float middle = 0.5F * (low + high);
+            (overshoots(middle) ? high : low) = middle;
+        }
+        stroke.length = low;
+        return true;
+    }
+
+    /// Brings the mean of a coarse level to `target` by dots too faint to count as ink, which finer levels do
+    /// not take over: a few texels cannot hold a tone otherwise. In fine levels what is missing is nothing.
+    void tint(size_t index, double target)
+    {
+        constexpr uint32_t finest_px = 128;
+        constexpr float dot_px = 2.5F;
+        constexpr double faint = 0.45;
+        constexpr int most_dots = 64;
+        Level& level = levels_[index];
+        const uint32_t size_px = level.canvas.size_px();
+        for (int dot = 0; size_px <= finest_px && dot < most_dots; ++dot) {
+            const double missing = target - level.canvas.mean();
+            if (missing <= 0.0) {
+                return;
+            }
+            Stroke stroke = best_stroke(level, next_layer(level));
+            stroke.length = dot_px / static_cast<float>(size_px);
+            mark(stroke, level);
+            const double gain = level.canvas.gain(marks_);
+            const double share = gain > 0.0 ? std::min(faint, missing / gain) : 0.0;
+            for (Mark& mark : marks_) {
+                mark.ink = static_cast<uint16_t>(share * mark.ink);
+            }
+            std::erase_if(marks_, [&](const Mark& mark) { return level.canvas.turns(mark); });
+            level.canvas.draw(marks_);
+        }
+    }
+
+    [[nodiscard]] std::vector<Gray8> snapshot() const
+    {
+        std::vector<Gray8> images;
+        for (const Level& level : levels_) {
+            images.push_back(level.canvas.coverage());
+        }
+        for (uint32_t size = least_drawn_px; size > 1; size /= 2) {
+            images.push_back(half_size(images.back(), size));
+        }
+        return images;
+    }
+
+    const TamStyle& style_;
+    Brush brush_;
+    Brush round_;
+    std::vector<PlacedStroke>* strokes_;
+    Random random_;
+    std::vector<Level> levels_;
+    size_t tone_ = 0;
+    std::vector<glm::vec2> points_;
+    std::vector<Mark> marks_;
+};
+
+} // namespace
+
+std::vector<float> darkness_of_tones(const TamStyle& style)
+{
+    std::vector<float> darkness;
+    for (int tone = 0; tone < style.tones; ++tone) {
+        const float share = static_cast<float>(tone) / static_cast<float>(std::max(1, style.tones - 1));
+        const float curved = std::round(std::pow(share, style.curve) * 4096.0F) / 4096.0F;
+        darkness.push_back(style.lightest + (style.darkest - style.lightest) * curved);
+    }
+    return darkness;
+}
+
+Nib nib_at(const TamStyle& style, uint32_t size_px)
+{
+    constexpr float widest_share = 1.0F / 6.0F;
+    const float widest_px = std::max(1.4F, widest_share * static_cast<float>(size_px));
+    return {.width_px = std::min(style.width_px, widest_px), .taper_px = style.taper_px, .tip = style.tip};
+}
+
+TonalArtMap make_map(const TamStyle& style, const Image* picture, std::vector<PlacedStroke>* strokes)
+{
+    if (!std::has_single_bit(static_cast<uint32_t>(style.size_px))) {
+        throw Error(fmt::format("tam.size_px = {} is not a power of two", style.size_px), {},
+                    "32, 64, 128, 256, 512, 1024 or 2048");
+    }
+    if (style.darkest <= style.lightest) {
+        throw Error(
+            fmt::format("tam.darkest = {} is not above tam.lightest = {}", style.darkest, style.lightest));
+    }
+    return Maker(style, picture, strokes).run();
+}
+
+} // namespace estampe::tam

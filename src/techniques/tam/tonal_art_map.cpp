@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/tam/tonal_art_map.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+
+namespace estampe::tam {
+namespace {
+
+void check_images(const std::vector<Gray8>& levels, uint32_t size_px, const std::string& what,
+                  const std::string& where)
+{
+    const size_t wanted = level_count(size_px);
+    if (levels.size() != wanted) {
+        throw Error(fmt::format("{} has {} levels", what, levels.size()), where,
+                    fmt::format("a map of {} px has {}", size_px, wanted));
+    }
+    for (size_t level = 0; level < wanted; ++level) {
+        const size_t side = size_px >> level;
+        if (levels[level].size() != side * side) {
+            throw Error(fmt::format("level {} of {} has {} texels", level, what, levels[level].size()), where,
+                        fmt::format("it must be {0} x {0}", side));
+        }
+    }
+}
+
+/// Where the line from (darkness a, coverage of a) to (b, of b) passes one half.
+float crossing(float a, float coverage_of_a, float b, float coverage_of_b)
+{
+    const float rise = coverage_of_b - coverage_of_a;
+    return rise <= 0.0F ? b : a + (b - a) * std::clamp((0.5F - coverage_of_a) / rise, 0.0F, 1.0F);
+}
+
+} // namespace
+
+size_t level_count(uint32_t size_px)
+{
+    return static_cast<size_t>(std::bit_width(size_px));
+}
+
+double mean_coverage(const Gray8& image)
+{
+    uint64_t sum = 0;
+    for (const uint8_t texel : image) {
+        sum += texel;
+    }
+    return image.empty() ? 0.0 : static_cast<double>(sum) / (255.0 * static_cast<double>(image.size()));
+}
+
+Gray8 half_size(const Gray8& image, uint32_t size_px)
+{
+    const size_t side = size_px / 2;
+    Gray8 half(side * side);
+    for (size_t y = 0; y < side; ++y) {
+        for (size_t x = 0; x < side; ++x) {
+            const uint8_t* upper = image.data() + 2 * y * size_px + 2 * x;
+            const uint8_t* lower = upper + size_px;
+            half[y * side + x] = static_cast<uint8_t>((upper[0] + upper[1] + lower[0] + lower[1] + 2) / 4);
+        }
+    }
+    return half;
+}
+
+void check_map(const TonalArtMap& map, const std::string& where)
+{
+    if (!std::has_single_bit(map.size_px) || map.size_px < min_size_px || map.size_px > max_size_px) {
+        throw Error(fmt::format("a tonal art map of {} px", map.size_px), where,
+                    fmt::format("its side must be a power of two from {} to {}", min_size_px, max_size_px));
+    }
+    if (map.darkness.size() < min_tones || map.darkness.size() > max_tones ||
+        map.darkness.size() != map.level_of_tone.size()) {
+        throw Error(fmt::format("{} darknesses for {} tones", map.darkness.size(), map.level_of_tone.size()),
+                    where, fmt::format("there must be as many, {} to {}", min_tones, max_tones));
+    }
+    float last = 0.0F;
+    for (size_t tone = 0; tone < map.darkness.size(); ++tone) {
+        const float darkness = map.darkness[tone];
+        if (!(darkness > last && darkness < 1.0F)) {
+            throw Error(fmt::format("tone {} has darkness {}", tone, darkness), where,
+                        "darkness must rise from tone to tone, between 0 and 1");
+        }
+        last = darkness;
+        check_images(map.level_of_tone[tone], map.size_px, fmt::format("tone {}", tone), where);
+    }
+    if (!map.threshold_of_level.empty()) {
+        check_images(map.threshold_of_level, map.size_px, "the set of thresholds", where);
+    }
+}
+
+Gray8 interpolated_thresholds(const TonalArtMap& map, size_t level)
+{
+    Gray8 result(map.level_of_tone.front()[level].size());
+    for (size_t texel = 0; texel < result.size(); ++texel) {
+        float before = 0.0F;
+        float coverage_before = 0.0F;
+        float threshold = 1.0F;
+        bool found = false;
+        for (size_t tone = 0; tone < map.darkness.size() && !found; ++tone) {
+            const float coverage = static_cast<float>(map.level_of_tone[tone][level][texel]) / 255.0F;
+            found = coverage > 0.5F;
+            if (found) {
+                threshold = crossing(before, coverage_before, map.darkness[tone], coverage);
+            }
+            before = map.darkness[tone];
+            coverage_before = std::max(coverage_before, coverage);
+        }
+        if (!found) {
+            threshold = crossing(before, coverage_before, 1.0F, 1.0F);
+        }
+        result[texel] = static_cast<uint8_t>(std::lround(threshold * 255.0F));
+    }
+    return result;
+}
+
+std::vector<Gray8> threshold_levels(const TonalArtMap& map)
+{
+    if (!map.threshold_of_level.empty()) {
+        return map.threshold_of_level;
+    }
+    std::vector<Gray8> levels;
+    for (size_t level = 0; level < level_count(map.size_px); ++level) {
+        levels.push_back(interpolated_thresholds(map, level));
+    }
+    return levels;
+}
+
+} // namespace estampe::tam

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace estampe::tam {
+
+/// Coverage of one level, a square of 8-bit texels row by row from the top: 0 paper, 255 ink.
+using Gray8 = std::vector<uint8_t>;
+
+inline constexpr uint32_t min_size_px = 32;
+inline constexpr uint32_t max_size_px = 2048;
+inline constexpr size_t min_tones = 1;
+inline constexpr size_t max_tones = 16;
+
+/// Nested strokes for several darknesses and every mip level. What is ink in a tone is ink in all darker
+/// ones, and a stroke of a level is there, as many pixels wide, in all finer ones. Wraps without a seam.
+///
+/// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001
+struct TonalArtMap {
+    uint32_t size_px = 0;                          ///< of level 0; a power of two
+    std::vector<float> darkness;                   ///< mean coverage wanted of each tone, rising, in (0, 1)
+    std::vector<std::vector<Gray8>> level_of_tone; ///< [tone][level]: level 0 of size_px, the last of 1 px
+
+    /// Darkness times 255 at which a texel turns to ink, by level, where the maker knows the order of the
+    /// strokes within a tone; empty for maps that were painted.
+    std::vector<Gray8> threshold_of_level;
+
+    bool operator==(const TonalArtMap&) const = default;
+};
+
+/// Levels of a chain from `size_px` down to 1 px.
+[[nodiscard]] size_t level_count(uint32_t size_px);
+
+/// Mean coverage of an image, 0 to 1.
+[[nodiscard]] double mean_coverage(const Gray8& image);
+
+/// The mean of each square of four texels. `size_px` is that of `image`, and even.
+[[nodiscard]] Gray8 half_size(const Gray8& image, uint32_t size_px);
+
+/// Throws Error naming `where` unless sizes, number of images and darknesses are as TonalArtMap says.
+void check_map(const TonalArtMap& map, const std::string& where);
+
+/// One threshold image a level: the darkness, times 255, at which the texel turns to ink, so that a shader
+/// draws any darkness t as saturate((t - T) * sharpness + 0.5). Those of the maker where the map has them;
+/// else the coverage is taken to grow in a straight line from each tone to the next, from paper at 0 to ink
+/// at 1, and T is where it passes one half.
+///
+/// Source  Webb et al., "Fine Tone Control in Hardware Hatching", NPAR 2002
+[[nodiscard]] std::vector<Gray8> threshold_levels(const TonalArtMap& map);
+
+/// The thresholds of one level, from its tones alone.
+[[nodiscard]] Gray8 interpolated_thresholds(const TonalArtMap& map, size_t level);
+
+} // namespace estampe::tam
