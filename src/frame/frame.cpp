@@ -50,6 +50,22 @@ std::vector<raster::Batch> solid_batches(const pose::MeshData& layout, bool with
     return batches;
 }
 
+std::optional<hatch::MapInputs> import_map(gpu::Graph& graph, hatch::MapImages* map)
+{
+    if (map == nullptr) {
+        return std::nullopt;
+    }
+    const auto import_image = [&](const char* name, gpu::Image& image) {
+        return graph.import_image(name, image, image.desc(), gpu::Layout::shader_read);
+    };
+    return hatch::MapInputs{.tones = import_image("map tones", map->tones),
+                            .thresholds = import_image("map thresholds", map->thresholds),
+                            .ramp = import_buffer(graph, "map ramp", map->ramp),
+                            .size_px = map->size_px,
+                            .tone_count = map->tone_count,
+                            .level_count = map->level_count};
+}
+
 } // namespace
 
 void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResources& resources,
@@ -176,6 +192,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                                            plan.strokes.has(shared::strokes_wind) ||
                                                            plan.strokes.has(shared::strokes_light),
                                          .towards_light = plan.towards_sun,
+                                         .map = import_map(graph, resources.map),
                                          .pixels_per_mm = plan.pixels_per_mm,
                                          .size_px = size_px},
                                         style.hatch);

@@ -11,6 +11,7 @@
 #include <estampe/error.hpp>
 
 #include "frame/frame.hpp"
+#include "frame/tonal_maps.hpp"
 #include "gpu/graph/execute.hpp"
 #include "gpu/upload.hpp"
 
@@ -34,6 +35,7 @@ struct Renderer::Impl {
     void provide_pixels(const RenderSettings& settings);
     void update_pose(const ScenePose& scene_pose);
     void provide_shadow_map(frame::FramePlan& plan);
+    void provide_map(const frame::StyleTables& style);
     [[nodiscard]] frame::FramePlan plan(const light::Lighting& lighting, const frame::StyleTables& style,
                                         const Camera& camera, const RenderSettings& settings) const;
     void draw_sample(const Camera& camera, const frame::StyleTables& style, frame::FramePlan& plan);
@@ -48,6 +50,8 @@ struct Renderer::Impl {
     gpu::Buffer stroke_kinds;
     gpu::Buffer form_coordinates;
     std::optional<glm::mat4> shadow_view; ///< of what the shadow map holds; none when it is out of date
+    std::optional<hatch::MapImages> map;
+    std::optional<frame::MapChoice> map_choice; ///< of what `map` holds
     gpu::Buffer sums;
     gpu::Buffer pixels;
     std::string dot;
@@ -166,6 +170,21 @@ void Renderer::Impl::provide_shadow_map(frame::FramePlan& plan)
     plan.redraw_shadow = plan.shadow_size > 0 && shadow_view != plan.sun.clip_from_anchor;
 }
 
+void Renderer::Impl::provide_map(const frame::StyleTables& style)
+{
+    if (!style.hatch.drawn || style.hatch.strokes != hatch::Strokes::map) {
+        map.reset();
+        map_choice.reset();
+        return;
+    }
+    frame::MapChoice choice = frame::map_choice(style);
+    if (map_choice != choice) {
+        map_choice.reset();
+        map = hatch::upload_map(device, frame::load_map(choice), choice.contrast);
+        map_choice = std::move(choice);
+    }
+}
+
 frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const frame::StyleTables& style,
                                       const Camera& camera, const RenderSettings& settings) const
 {
@@ -209,8 +228,8 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     plan.clip_from_anchor = globals.clip_from_anchor;
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
     frame::FrameResources resources{
-        loaded->meshes, loaded->materials, frame_globals,    light_globals, lights,
-        shadow_map,     stroke_kinds,      form_coordinates, sums,          pixels};
+        loaded->meshes, loaded->materials, frame_globals,         light_globals, lights, shadow_map,
+        stroke_kinds,   form_coordinates,  map ? &*map : nullptr, sums,          pixels};
     plan.pose_moved = loaded->pose_moved;
     provide_shadow_map(plan);
     gpu::Graph graph;
@@ -250,6 +269,7 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
                                              .falloff = tables.light.falloff};
     impl.light_globals = mapped_buffer(impl.device, "lighting", &light_globals, 1);
     impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
+    impl.provide_map(tables);
     impl.stroke_kinds = mapped_buffer(impl.device, "stroke kinds", plan.strokes.kind_of_draw.data(),
                                       plan.strokes.kind_of_draw.size());
     if (impl.form_coordinates.empty()) {

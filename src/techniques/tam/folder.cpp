@@ -197,7 +197,7 @@ void write_folder_at_once(const TonalArtMap& map, fs::path folder)
     }
     std::string temporary = (folder.parent_path() / ("." + folder.filename().string() + ".XXXXXX")).string();
     if (folder.parent_path().empty()) {
-        temporary = "./" + temporary;
+        temporary.insert(0, "./");
     }
     if (mkdtemp(temporary.data()) == nullptr) {
         throw Error("cannot write into this folder", fs::absolute(folder).parent_path().string(),

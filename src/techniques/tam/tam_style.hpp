@@ -36,6 +36,8 @@ struct TamStyle {
     float third_deg = -38.0F;
     int candidates = 64;
     int seed = 1;
+
+    bool operator==(const TamStyle&) const = default;
 };
 
 inline const style::Table<TamStyle>& tam_table()

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The tonal art map that a style asks for.
+
+#include <string>
+
+#include "frame/style_tables.hpp"
+#include "techniques/hatch/map_data.hpp"
+
+namespace estampe::frame {
+
+/// What a map depends on.
+struct MapChoice {
+    std::string file; ///< empty: drawn as `drawn` says
+    tam::TamStyle drawn;
+    float contrast = 1.0F;
+
+    bool operator==(const MapChoice&) const = default;
+};
+
+[[nodiscard]] MapChoice map_choice(const StyleTables& style);
+
+/// Reads the file, or draws the map. Throws Error naming the file when it is not a map, or the style when it
+/// cannot be drawn. Cost: about a second to draw 512 px and six tones; 50 ms to read them.
+[[nodiscard]] hatch::MapData load_map(const MapChoice& choice);
+
+} // namespace estampe::frame
