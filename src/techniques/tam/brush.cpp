@@ -61,21 +61,27 @@ std::vector<float> ink_of(const Image& picture)
 
 std::vector<float> paper_tooth(uint32_t size_px, uint32_t cell_px, uint32_t seed)
 {
-    const uint32_t cells = std::max(1U, size_px / cell_px);
-    std::vector<float> tooth(size_t{size_px} * size_px);
-    const auto knot = [&](uint32_t x, uint32_t y) {
-        return unit_float(hash(seed + x % cells, y % cells + 7919U));
+    const auto bumps = [&](uint32_t x, uint32_t y, uint32_t cell, uint32_t salt) {
+        const uint32_t cells = std::max(1U, size_px / cell);
+        const auto knot = [&](uint32_t column, uint32_t row) {
+            return unit_float(hash(seed + salt + column % cells, row % cells + 7919U));
+        };
+        const uint32_t cx = x / cell;
+        const uint32_t cy = y / cell;
+        const float tx = (static_cast<float>(x % cell) + 0.5F) / static_cast<float>(cell);
+        const float ty = (static_cast<float>(y % cell) + 0.5F) / static_cast<float>(cell);
+        const float upper = std::lerp(knot(cx, cy), knot(cx + 1, cy), tx);
+        const float lower = std::lerp(knot(cx, cy + 1), knot(cx + 1, cy + 1), tx);
+        return std::lerp(upper, lower, ty);
     };
+    std::vector<float> tooth(size_t{size_px} * size_px);
     for (uint32_t y = 0; y < size_px; ++y) {
         for (uint32_t x = 0; x < size_px; ++x) {
-            const uint32_t cx = x / cell_px;
-            const uint32_t cy = y / cell_px;
-            const float tx = (static_cast<float>(x % cell_px) + 0.5F) / static_cast<float>(cell_px);
-            const float ty = (static_cast<float>(y % cell_px) + 0.5F) / static_cast<float>(cell_px);
-            const float upper = std::lerp(knot(cx, cy), knot(cx + 1, cy), tx);
-            const float lower = std::lerp(knot(cx, cy + 1), knot(cx + 1, cy + 1), tx);
-            const float fine = unit_float(hash(x + 104729U, y ^ seed));
-            tooth[size_t{y} * size_px + x] = 0.55F * std::lerp(upper, lower, ty) + 0.45F * fine;
+            const float height = 0.5F * bumps(x, y, cell_px, 0) +
+                                 0.35F * bumps(x, y, std::max(1U, cell_px / 2), 101U) +
+                                 0.15F * bumps(x, y, 1, 211U);
+            // Sums of bumps crowd about the middle: spread them out.
+            tooth[size_t{y} * size_px + x] = std::clamp(0.5F + 1.7F * (height - 0.5F), 0.0F, 1.0F);
         }
     }
     return tooth;
@@ -139,24 +145,29 @@ float Brush::pressure(float along, uint32_t seed) const
     return 1.0F - pressure_ * noise;
 }
 
-/// Ink stays on the bumps of the paper that the pressure, strongest in the middle, reaches down to.
+/// Ink stays on the bumps of the paper that the pressure, strongest in the middle, reaches down to. A thread
+/// in the middle is ink on any paper.
 float Brush::grained(const Touch& touch, float roughness) const
 {
+    constexpr float thread_px = 0.9F;
     const float side = std::min(1.0F, std::abs(touch.across_px) / (touch.half_px + 0.5F));
     const float reach = 1.0F - side * side;
     const float valley = grain_ * touch.tooth;
-    const float edge = smooth(valley * roughness - 0.2F, valley * roughness + 0.2F, reach);
-    return line_coverage(touch) * edge * (opacity_ - (opacity_ - least_ink) * std::min(1.0F, 1.3F * valley));
+    const float edge = smooth(valley * roughness - 0.25F, valley * roughness + 0.25F, reach);
+    const float body = edge * (opacity_ - (opacity_ - least_ink) * std::min(1.0F, 1.3F * valley));
+    const float thread = std::abs(touch.across_px) < thread_px ? least_ink : 0.0F;
+    return line_coverage(touch) * std::max(body, thread);
 }
 
 /// Hairs part towards the end of the stroke, where the ink runs out.
 float Brush::hairs(const Touch& touch, uint32_t seed) const
 {
     const float side = touch.across_px / touch.half_px;
-    const float hair = 0.5F + 0.5F * line_noise(seed + 23U, 5.0F * side + 40.0F);
-    const float along = 0.5F + 0.5F * line_noise(seed + 29U, 9.0F * touch.along + 6.0F * side);
-    const float dry = grain_ * smooth(0.35F, 1.0F, touch.along) * std::min(1.0F, 2.5F * std::abs(side));
-    const float left = smooth(dry - 0.25F, dry + 0.05F, 0.6F * hair + 0.4F * along);
+    const float hair = 0.5F + 0.5F * line_noise(seed + 23U, 2.3F * side + 40.0F);
+    const float along = 0.5F + 0.5F * line_noise(seed + 29U, 5.0F * touch.along + 2.0F * side + 60.0F);
+    const float wide = smooth(1.2F, 2.4F, touch.half_px); // one hair or two do not part
+    const float dry = grain_ * wide * smooth(0.3F, 0.9F, touch.along) * std::min(1.0F, 2.5F * std::abs(side));
+    const float left = smooth(dry - 0.35F, dry + 0.1F, 0.7F * hair + 0.3F * along);
     return line_coverage(touch) * left * opacity_;
 }
 

@@ -17,7 +17,8 @@ uint32_t added(uint32_t ink, uint32_t mark)
 }
 
 /// Bilinear lookup in a grid of `size` cells a side, a power of two; `x` and `y` in cells, wrapped.
-float lookup(const std::vector<uint16_t>& grid, uint32_t size, float x, float y)
+template <typename Cell>
+float lookup(const std::vector<Cell>& grid, uint32_t size, float x, float y)
 {
     const float left = std::floor(x - 0.5F);
     const float top = std::floor(y - 0.5F);
@@ -33,7 +34,7 @@ float lookup(const std::vector<uint16_t>& grid, uint32_t size, float x, float y)
     };
     const float upper = at(x0, y0) + (at(x1, y0) - at(x0, y0)) * tx;
     const float lower = at(x0, y1) + (at(x1, y1) - at(x0, y1)) * tx;
-    return (upper + (lower - upper) * ty) * (1.0F / static_cast<float>(full));
+    return upper + (lower - upper) * ty;
 }
 
 } // namespace
@@ -99,42 +100,68 @@ Gray8 Canvas::thresholds(float darkest) const
     return image;
 }
 
-Spacing::Spacing(uint32_t size_px) : size_px_(size_px)
+Spacing::Spacing(uint32_t size_px)
 {
-    constexpr uint32_t coarsest = 8;
-    for (uint32_t size = size_px; size >= std::min(coarsest, size_px); size /= 2) {
-        scales_.emplace_back(size_t{size} * size);
+    constexpr uint32_t coarsest = 4;
+    for (uint32_t size = size_px; size >= coarsest; size /= 2) {
+        const size_t cells = size_t{size} * size;
+        scales_.push_back({size, std::vector<uint16_t>(cells), std::vector<uint32_t>(cells)});
     }
 }
 
 void Spacing::add(const std::function<void(uint32_t size_px, std::vector<Mark>& marks)>& draw)
 {
-    uint32_t size = size_px_;
-    for (std::vector<uint16_t>& grid : scales_) {
-        draw(size, marks_);
+    for (Scale& scale : scales_) {
+        draw(scale.size_px, marks_);
         for (const Mark& mark : marks_) {
-            grid[mark.texel] = static_cast<uint16_t>(grid[mark.texel] + added(grid[mark.texel], mark.ink));
+            uint16_t& cell = scale.picture[mark.texel];
+            cell = static_cast<uint16_t>(cell + added(cell, mark.ink));
         }
-        size /= 2;
+        if (&scale == &scales_.front()) {
+            spread(marks_);
+        }
+    }
+}
+
+void Spacing::spread(std::span<const Mark> marks)
+{
+    const uint32_t size_px = scales_.front().size_px;
+    for (const Mark& mark : marks) {
+        const uint32_t ink =
+            mark.ink >> 4U; // sums of a whole level of 2048 px stay within 32 bits at scale 4
+        ink_ += ink;
+        uint32_t x = mark.texel % size_px;
+        uint32_t y = mark.texel / size_px;
+        for (Scale& scale : scales_) {
+            scale.ink[size_t{y} * scale.size_px + x] += ink;
+            x /= 2;
+            y /= 2;
+        }
     }
 }
 
 float Spacing::room(std::span<const glm::vec2> points) const
 {
     constexpr size_t fewest = 6;
+    constexpr float weight_of_ink = 6.0F;
+    constexpr size_t finest_of_ink = 2;
     float sum = 0.0F;
-    uint32_t size = size_px_;
     size_t stride = 1;
-    for (const std::vector<uint16_t>& grid : scales_) {
+    for (size_t i = 0; i < scales_.size(); ++i) {
+        const Scale& scale = scales_[i];
+        const auto size = static_cast<float>(scale.size_px);
         float taken = 0.0F;
+        float ink = 0.0F;
         float count = 0.0F;
-        for (size_t i = stride / 2; i < points.size(); i += stride) {
-            taken += lookup(grid, size, points[i].x * static_cast<float>(size),
-                            points[i].y * static_cast<float>(size));
+        for (size_t point = stride / 2; point < points.size(); point += stride) {
+            const glm::vec2 place = points[point] * size;
+            taken += lookup(scale.picture, scale.size_px, place.x, place.y);
+            ink += i < finest_of_ink ? 0.0F : lookup(scale.ink, scale.size_px, place.x, place.y);
             count += 1.0F;
         }
-        sum += 1.0F - taken / count;
-        size /= 2;
+        sum -= taken / (count * static_cast<float>(full));
+        const float mean_ink = static_cast<float>(ink_) / (size * size);
+        sum -= ink_ > 0 ? weight_of_ink * ink / (count * mean_ink) : 0.0F;
         stride = points.size() / (2 * stride) >= fewest ? 2 * stride : stride;
     }
     return sum;

@@ -43,27 +43,36 @@ private:
     Gray8 turned_;
 };
 
-/// Where the strokes of one direction are, at several scales: in each grid, half as fine as the one before,
-/// strokes are as many cells wide, so that they keep others further away. A stroke is well spaced when it
-/// adds ink at all scales.
+/// Where the strokes of one direction are, at several scales, each half as fine as the one before. A stroke
+/// is well spaced when at every scale it goes where little ink is. Of each scale two things are known: its
+/// picture, in which strokes are as many pixels wide as on the level and so keep others further away; and the
+/// mean ink around each place, which still tells places apart when the picture is all ink.
 ///
-/// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001, section 3.2
+/// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001, section 3.2, for the pictures
 class Spacing {
 public:
     /// For a level of `size_px`.
     explicit Spacing(uint32_t size_px);
 
-    /// Adds a stroke. `draw` is called once a grid, from the finest, and fills the marks that the stroke
+    /// Adds a stroke. `draw` is called once a scale, from the finest, and fills the marks that the stroke
     /// leaves on a level of that size.
     void add(const std::function<void(uint32_t size_px, std::vector<Mark>& marks)>& draw);
 
-    /// Free room along `points` (unit square, not wrapped): 0 all taken, 1 a grid all free, summed.
+    /// How much room there is along `points` (unit square, not wrapped): more is better, without a unit.
     [[nodiscard]] float room(std::span<const glm::vec2> points) const;
 
 private:
-    std::vector<std::vector<uint16_t>> scales_;
+    struct Scale {
+        uint32_t size_px = 0;
+        std::vector<uint16_t> picture;
+        std::vector<uint32_t> ink; ///< sum over the texels of the level that lie in a cell
+    };
+
+    void spread(std::span<const Mark> marks);
+
+    std::vector<Scale> scales_;
+    uint64_t ink_ = 0;
     std::vector<Mark> marks_;
-    uint32_t size_px_;
 };
 
 } // namespace estampe::tam

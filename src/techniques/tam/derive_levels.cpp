@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 
 #include "techniques/tam/canvas.hpp"
 #include "techniques/tam/painted_strokes.hpp"
@@ -90,35 +90,62 @@ public:
         }
     }
 
-    /// Of `offered`, keeps the strokes that are best spaced until the mean is `target`, and returns them.
+    /// Of `offered`, the longest first, keeps the strokes that are best spaced until the mean is `target`,
+    /// and returns them in the same order. Scraps are only taken when all else is drawn.
     [[nodiscard]] std::vector<const PaintedStroke*> keep(std::vector<const PaintedStroke*> offered,
                                                          double target)
     {
         std::vector<const PaintedStroke*> kept;
+        shortest_long_ = 0;
         while (!offered.empty() && canvas_.mean() < target) {
-            const size_t chosen = best(offered);
-            const PaintedStroke& stroke = *offered[chosen];
-            offered[chosen] = offered.back();
-            offered.pop_back();
-            kept.push_back(&stroke);
-            if (!place(stroke, target)) {
+            const auto chosen =
+                offered.begin() + static_cast<std::ptrdiff_t>(best(offered, long_ones(offered)));
+            kept.push_back(*chosen);
+            offered.erase(chosen);
+            if (!place(*kept.back(), target)) {
                 break;
             }
         }
+        std::stable_sort(kept.begin(), kept.end(), [](const PaintedStroke* a, const PaintedStroke* b) {
+            return a->points.size() > b->points.size();
+        });
         return kept;
     }
 
     [[nodiscard]] Gray8 coverage() const { return canvas_.coverage(); }
 
 private:
-    [[nodiscard]] size_t best(const std::vector<const PaintedStroke*>& offered)
+    /// How many of the strokes, from the longest, are more than a third as long as that in the middle of the
+    /// ink; all when those are gone.
+    [[nodiscard]] size_t long_ones(const std::vector<const PaintedStroke*>& offered)
+    {
+        if (shortest_long_ == 0) {
+            size_t total = 0;
+            for (const PaintedStroke* stroke : offered) {
+                total += stroke->points.size();
+            }
+            size_t sum = 0;
+            for (size_t i = 0; 2 * sum < total; ++i) {
+                sum += offered[i]->points.size();
+                shortest_long_ = std::max<size_t>(1, offered[i]->points.size() / 3);
+            }
+        }
+        const auto end =
+            std::partition_point(offered.begin(), offered.end(), [&](const PaintedStroke* stroke) {
+                return stroke->points.size() >= shortest_long_;
+            });
+        return end == offered.begin() ? offered.size() : static_cast<size_t>(end - offered.begin());
+    }
+
+    /// The best spaced of some of the first `count` strokes.
+    [[nodiscard]] size_t best(const std::vector<const PaintedStroke*>& offered, size_t count)
     {
         constexpr size_t candidates = 48;
-        const size_t tries = std::min(candidates, offered.size());
+        const size_t tries = std::min(candidates, count);
         size_t chosen = 0;
-        float most_room = -1.0F;
+        float most_room = std::numeric_limits<float>::lowest();
         for (size_t i = 0; i < tries; ++i) {
-            const size_t candidate = tries == offered.size() ? i : random_.bits() % offered.size();
+            const size_t candidate = tries == count ? i : random_.bits() % count;
             const PaintedStroke& stroke = *offered[candidate];
             const float room = spacing_[direction_of(stroke)].room(stroke.points);
             if (room > most_room) {
@@ -184,6 +211,7 @@ private:
     Random random_;
     std::vector<DiscPen> pens_;
     std::vector<Mark> marks_;
+    size_t shortest_long_ = 0;
 };
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
@@ -139,7 +140,7 @@ private:
     [[nodiscard]] Stroke best_stroke(const Level& level, size_t layer)
     {
         Stroke best;
-        float most_room = -1.0F;
+        float most_room = std::numeric_limits<float>::lowest();
         for (int i = 0; i < style_.candidates; ++i) {
             const Stroke candidate = random_stroke(level.canvas.size_px(), layer);
             trace(candidate, level.canvas.size_px());
@@ -192,7 +193,14 @@ private:
             Stroke stroke = best_stroke(level, layer);
             mark(stroke, level);
             const double missing = target - level.canvas.mean();
-            if (level.canvas.gain(marks_) <= missing) {
+            const double gain = level.canvas.gain(marks_);
+            if (gain * 1.6 <= missing) {
+                place(stroke, layer, index);
+                continue;
+            }
+            // The last two strokes share what is missing, so that none is a stub.
+            if (gain <= missing) {
+                static_cast<void>(shorten(stroke, level, 0.5 * missing));
                 place(stroke, layer, index);
                 continue;
             }

@@ -24,6 +24,8 @@ public:
 
     [[nodiscard]] uint32_t size_px() const { return size_px_; }
 
+    [[nodiscard]] const std::vector<uint8_t>& texels() const { return texels_; }
+
     [[nodiscard]] uint8_t& at(glm::ivec2 place) { return texels_[index(place)]; }
 
     [[nodiscard]] uint8_t at(glm::ivec2 place) const { return texels_[index(place)]; }
@@ -331,11 +333,53 @@ void fit_area(std::vector<PaintedStroke>& strokes, double area_px, uint32_t size
         }
     }
     const auto scale = static_cast<float>(std::clamp(drawn > 0.0 ? area_px / drawn : 1.0, 0.25, 2.0));
+    std::vector<float> halves;
+    for (const PaintedStroke& stroke : strokes) {
+        halves.push_back(stroke.half_px[stroke.half_px.size() / 2]);
+    }
+    std::sort(halves.begin(), halves.end());
+    // Where strokes touch, the middle of both is far from paper.
+    const float most = halves.empty() ? 0.0F : 1.5F * halves[halves.size() / 2];
     for (PaintedStroke& stroke : strokes) {
         for (float& half_px : stroke.half_px) {
-            half_px = std::max(0.45F, half_px * scale);
+            half_px = std::max(0.45F, std::min(half_px, most) * scale);
         }
     }
+}
+
+/// Adds to `fresh` the texels of older ink that a fresh stroke runs over: a straight line through them, in
+/// one of twelve directions, is mostly fresh, on both sides.
+Field with_crossings(const Field& fresh, const Field& ink)
+{
+    constexpr int reach_px = 8;
+    constexpr int most_of_a_side = 5;
+    constexpr std::array<glm::vec2, 12> directions{
+        glm::vec2(1.0F, 0.0F), {0.9659F, 0.2588F},  {0.8660F, 0.5F},  {0.7071F, 0.7071F},
+        {0.5F, 0.8660F},       {0.2588F, 0.9659F},  {0.0F, 1.0F},     {-0.2588F, 0.9659F},
+        {-0.5F, 0.8660F},      {-0.7071F, 0.7071F}, {-0.8660F, 0.5F}, {-0.9659F, 0.2588F}};
+    const auto fresh_on_side = [&](glm::ivec2 place, glm::vec2 direction) {
+        int count = 0;
+        for (int i = 1; i <= reach_px; ++i) {
+            const glm::ivec2 step(glm::round(direction * static_cast<float>(i)));
+            count += fresh.at(place + step);
+        }
+        return count;
+    };
+    Field whole = fresh;
+    const auto size = static_cast<int>(ink.size_px());
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            if (ink.at({x, y}) == 0 || fresh.at({x, y}) != 0) {
+                continue;
+            }
+            const bool crossed = std::any_of(directions.begin(), directions.end(), [&](glm::vec2 direction) {
+                return fresh_on_side({x, y}, direction) >= most_of_a_side &&
+                       fresh_on_side({x, y}, -direction) >= most_of_a_side;
+            });
+            whole.at({x, y}) = crossed ? 1 : 0;
+        }
+    }
+    return whole;
 }
 
 float mean_half_px(const std::vector<Chain>& chains, const Field& fresh)
@@ -363,10 +407,10 @@ std::vector<PaintedStroke> find_strokes(const Gray8& lighter, const Gray8& darke
         fresh[texel] = ink[texel] != 0 && before <= 127 ? 1 : 0;
         area_px += std::max(0, darker[texel] - before) / 255.0;
     }
-    std::vector<uint8_t> lines = fresh;
-    thin(lines, size_px);
-    const Field fresh_field(std::move(fresh), size_px);
     const Field ink_field(std::move(ink), size_px);
+    const Field fresh_field = with_crossings(Field(std::move(fresh), size_px), ink_field);
+    std::vector<uint8_t> lines = fresh_field.texels();
+    thin(lines, size_px);
     std::vector<Chain> chains = trace_chains(Field(std::move(lines), size_px));
     const float reach_px = 4.0F + 5.0F * mean_half_px(chains, fresh_field);
     chains = Joiner(std::move(chains), ink_field, reach_px).join();
