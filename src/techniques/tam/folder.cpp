@@ -195,10 +195,8 @@ void write_folder_at_once(const TonalArtMap& map, fs::path folder)
         throw Error("exists and is not empty", folder.string(),
                     "remove it, or give the name of a new folder");
     }
-    std::string temporary = (folder.parent_path() / ("." + folder.filename().string() + ".XXXXXX")).string();
-    if (folder.parent_path().empty()) {
-        temporary.insert(0, "./");
-    }
+    const fs::path parent = folder.parent_path().empty() ? fs::path(".") : folder.parent_path();
+    std::string temporary = (parent / fmt::format(".{}.XXXXXX", folder.filename().string())).string();
     if (mkdtemp(temporary.data()) == nullptr) {
         throw Error("cannot write into this folder", fs::absolute(folder).parent_path().string(),
                     "check that it exists and may be written to");
