@@ -116,6 +116,7 @@ void run(const RenderCommand& command)
     PassHistory passes;
     Image image = renderer.render(camera, draw.style, settings);
     clock.finish("first frame");
+    print_notes(renderer.notes());
     passes.add(renderer.timings());
     std::vector<double> later_frames_ms;
     for (uint32_t frame = 1; frame < command.repeat; ++frame) {

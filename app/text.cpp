@@ -49,6 +49,13 @@ void print_warnings(const std::vector<std::string>& warnings)
     }
 }
 
+void print_notes(const std::vector<std::string>& notes)
+{
+    for (const std::string& note : notes) {
+        fmt::print(stderr, "estampe: note: {}\n", one_line(note));
+    }
+}
+
 void check_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs)
 {
     std::error_code problem;

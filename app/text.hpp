@@ -20,6 +20,9 @@ namespace estampe::app {
 /// Writes "estampe: warning: ..." to stderr for each.
 void print_warnings(const std::vector<std::string>& warnings);
 
+/// Writes "estampe: note: ..." to stderr for each.
+void print_notes(const std::vector<std::string>& notes);
+
 /// Throws Error when a file cannot be written to `output`: no such folder, no right to write there, a folder
 /// in its place, or when it is one of the `inputs`. Nothing at `output` is touched.
 void check_output(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs);

@@ -70,6 +70,10 @@ public:
     /// Throws Error when the size is zero or beyond the device's limits, or when no scene was set.
     [[nodiscard]] Image render(const Camera& camera, const Style& style, const RenderSettings& settings);
 
+    /// What was decided for the last frame that is not plain to see, one line each: a lamp that the scene
+    /// does not have. Empty for most scenes.
+    [[nodiscard]] const std::vector<std::string>& notes() const;
+
     /// GPU time by pass of the last frame drawn, in the order of execution.
     [[nodiscard]] const std::vector<PassTiming>& timings() const;
 

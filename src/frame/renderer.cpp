@@ -25,6 +25,8 @@ struct LoadedScene {
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
     std::optional<pose::PoseData> pose; ///< what the device holds now
+    std::optional<SurfaceCloud> cloud;  ///< for what follows, made when it is first needed
+    std::optional<Outlook> outlook;     ///< where the house's light stands
     bool pose_moved = true;             ///< the device has yet to pose its vertices by it
 };
 
@@ -34,6 +36,7 @@ struct Renderer::Impl {
     void check_size(const RenderSettings& settings) const;
     void provide_pixels(const RenderSettings& settings);
     void update_pose(const ScenePose& scene_pose);
+    [[nodiscard]] Outlook outlook_from(const Camera& camera, const light::LightStyle& style);
     void provide_shadow_map(frame::FramePlan& plan);
     void provide_map(const frame::StyleTables& style);
     [[nodiscard]] frame::FramePlan plan(const light::Lighting& lighting, const frame::StyleTables& style,
@@ -55,6 +58,7 @@ struct Renderer::Impl {
     gpu::Buffer sums;
     gpu::Buffer pixels;
     std::string dot;
+    std::vector<std::string> notes;
 };
 
 namespace {
@@ -160,6 +164,26 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     shadow_view.reset();
 }
 
+/// How the house's light is set up for an eye; nothing worth knowing where the scene brings its own.
+Outlook Renderer::Impl::outlook_from(const Camera& camera, const light::LightStyle& style)
+{
+    const bool has_lights = std::any_of(loaded->scene.nodes.begin(), loaded->scene.nodes.end(),
+                                        [](const Node& node) { return node.light != no_index; });
+    if (style.source == light::LightSource::scene ||
+        (style.source == light::LightSource::automatic && has_lights)) {
+        return {};
+    }
+    if (!loaded->outlook) {
+        loaded->cloud = surface_cloud(loaded->scene, pose_scene(loaded->scene, 0.0, no_index));
+        loaded->outlook = find_outlook(*loaded->cloud);
+    }
+    Outlook outlook = *loaded->outlook;
+    if (!outlook.shelter) {
+        outlook.shelter = shelter_around(*loaded->cloud, camera.eye);
+    }
+    return outlook;
+}
+
 void Renderer::Impl::provide_shadow_map(frame::FramePlan& plan)
 {
     const uint64_t size_bytes = std::max<uint64_t>(sizeof(float) * plan.shadow_size * plan.shadow_size, 16);
@@ -200,8 +224,9 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
         // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
         plan.raster = {.small_area_px = 2048, .list_groups = 32};
     }
-    plan.ground_drawn = style.picture.ground == frame::Ground::drawn ||
-                        (style.picture.ground == frame::Ground::automatic && !is_composed);
+    plan.ground_drawn =
+        style.picture.ground == frame::Ground::drawn ||
+        (style.picture.ground == frame::Ground::automatic && !is_composed && !lighting.indoors);
     plan.sky_drawn =
         style.sky.mode == sky::SkyMode::drawn || (style.sky.mode == sky::SkyMode::automatic && is_outdoors);
     plan.shadow_size =
@@ -255,7 +280,13 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     const ScenePose scene_pose = pose_scene(impl.loaded->scene, settings.time_s, settings.animation);
     impl.update_pose(scene_pose);
     const light::Lighting lighting =
-        light::gather_lights(impl.loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light);
+        light::gather_lights(impl.loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,
+                             impl.outlook_from(camera, tables.light));
+    impl.notes.clear();
+    if (lighting.indoors) {
+        impl.notes.emplace_back(
+            "the scene has no light and the sun does not reach it: a lamp hangs in the room");
+    }
     frame::FramePlan plan = impl.plan(lighting, tables, camera, settings);
     const shared::LightGlobals light_globals{.shadow_clip_from_anchor = plan.sun.clip_from_anchor,
                                              .sky_ambient = lighting.ambient * 1.25F,
@@ -284,6 +315,11 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     const auto* first = reinterpret_cast<const uint8_t*>(bytes.data());
     image.rgba.assign(first, first + 4ULL * settings.width * settings.height);
     return image;
+}
+
+const std::vector<std::string>& Renderer::notes() const
+{
+    return impl_->notes;
 }
 
 const std::vector<PassTiming>& Renderer::timings() const

@@ -26,7 +26,7 @@ inline const style::Table<PictureStyle>& picture_table()
             .choice("ground", &PictureStyle::ground,
                     {{"auto", Ground::automatic}, {"drawn", Ground::drawn}, {"none", Ground::none}},
                     "A blank ground that takes the scene's shadow: drawn, none, or (auto) where the "
-                    "scene brings no camera of its own");
+                    "scene brings no camera of its own and is no room");
     return table;
 }
 

@@ -4,154 +4,15 @@
 #include <cmath>
 #include <vector>
 
+#include "scene/outlook/outlook.hpp"
+#include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
 
 namespace estampe {
 namespace {
 
-constexpr double azimuth_rad = 0.61;   // 35 degrees from the front, +z, towards +x
-constexpr double elevation_rad = 0.31; // 18 degrees
-constexpr double margin = 0.08;        // of the picture's shorter side
-constexpr double shadow_room = 0.03;   // below the model, of the shorter side
-
-/// What the outermost surfaces show to the middle of the scene, along -x, +x, -y, +y, -z, +z.
-struct Walls {
-    std::array<bool, 6> inward{};
-    std::array<bool, 6> two_sided{};
-
-    [[nodiscard]] bool room() const { return std::count(inward.begin(), inward.end(), true) >= 4; }
-};
-
-/// Outermost hits of a grid of rays parallel to each axis: walls of a room face inwards, a model's skin
-/// outwards.
-class WallProbe {
-public:
-    explicit WallProbe(const Bounds& bounds) : bounds_(bounds) {}
-
-    void add(const std::array<glm::dvec3, 3>& corners, bool two_sided)
-    {
-        const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-        for (int axis = 0; axis < 3; ++axis)
-            if (normal[axis] != 0.0)
-                add_along(axis, corners, normal, two_sided);
-    }
-
-    [[nodiscard]] Walls walls() const
-    {
-        Walls walls;
-        for (size_t side = 0; side < 6; ++side) {
-            int inward = 0;
-            int two_sided = 0;
-            for (const Hit& hit : hits_[side]) {
-                inward += hit.inward ? 1 : 0;
-                two_sided += hit.two_sided ? 1 : 0;
-            }
-            walls.inward[side] = inward > rays / 2;
-            walls.two_sided[side] = two_sided > rays / 2;
-        }
-        return walls;
-    }
-
-private:
-    static constexpr int grid = 3;
-    static constexpr int rays = grid * grid;
-
-    struct Hit {
-        double depth = -std::numeric_limits<double>::infinity();
-        bool inward = false;
-        bool two_sided = false;
-    };
-
-    void add_along(int axis, const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal,
-                   bool two_sided)
-    {
-        const int u = (axis + 1) % 3;
-        const int v = (axis + 2) % 3;
-        for (int ray = 0; ray < rays; ++ray) {
-            const int column = ray % grid;
-            const int row = ray / grid;
-            glm::dvec3 point = bounds_.min;
-            // Uneven fractions, so that a ray does not run along the seam of a symmetrical mesh.
-            point[u] += (bounds_.max[u] - bounds_.min[u]) * (0.2637 + 0.2361 * column);
-            point[v] += (bounds_.max[v] - bounds_.min[v]) * (0.2753 + 0.2247 * row);
-            if (!covers(corners, point, u, v))
-                continue;
-            const glm::dvec3 offset = corners[0] - point;
-            const double depth = point[axis] + glm::dot(offset, normal) / normal[axis];
-            const size_t side = 2 * static_cast<size_t>(axis);
-            note(hits_[side][static_cast<size_t>(ray)], -depth, normal[axis] > 0.0, two_sided);
-            note(hits_[side + 1][static_cast<size_t>(ray)], depth, normal[axis] < 0.0, two_sided);
-        }
-    }
-
-    static bool covers(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& point, int u, int v)
-    {
-        int left = 0;
-        int right = 0;
-        for (size_t i = 0; i < 3; ++i) {
-            const glm::dvec3& a = corners[i];
-            const glm::dvec3& b = corners[(i + 1) % 3];
-            const double side = (b[u] - a[u]) * (point[v] - a[v]) - (b[v] - a[v]) * (point[u] - a[u]);
-            left += side >= 0.0 ? 1 : 0;
-            right += side <= 0.0 ? 1 : 0;
-        }
-        return left == 3 || right == 3;
-    }
-
-    static void note(Hit& hit, double depth, bool inward, bool two_sided)
-    {
-        if (depth > hit.depth)
-            hit = {depth, inward, two_sided};
-    }
-
-    Bounds bounds_;
-    std::array<std::array<Hit, rays>, 6> hits_{};
-};
-
-Walls probe_walls(const Scene& scene, const ScenePose& pose, const Bounds& bounds)
-{
-    WallProbe probe(bounds);
-    visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
-        const Primitive& primitive = *posed.primitive;
-        if (primitive.topology != Topology::triangles)
-            return;
-        const bool two_sided =
-            primitive.material < scene.materials.size() && scene.materials[primitive.material].double_sided;
-        for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-            const auto corner = [&](size_t k) { return posed.positions[primitive.indices[i + k]]; };
-            if (posed.mirrored)
-                probe.add({corner(0), corner(2), corner(1)}, two_sided);
-            else
-                probe.add({corner(0), corner(1), corner(2)}, two_sided);
-        }
-    });
-    return probe.walls();
-}
-
-/// A point as the camera sees it from the origin: to the right, upwards, and away from it.
-struct ViewAxes {
-    glm::dvec3 right;
-    glm::dvec3 up;
-    glm::dvec3 forward;
-
-    [[nodiscard]] glm::dvec3 of(const glm::dvec3& point) const
-    {
-        return {glm::dot(right, point), glm::dot(up, point), glm::dot(forward, point)};
-    }
-
-    [[nodiscard]] glm::dvec3 world(const glm::dvec3& v) const
-    {
-        return right * v.x + up * v.y + forward * v.z;
-    }
-};
-
-ViewAxes look_from(double azimuth, double elevation)
-{
-    const glm::dvec3 forward{-std::sin(azimuth) * std::cos(elevation), -std::sin(elevation),
-                             -std::cos(azimuth) * std::cos(elevation)};
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0.0, 1.0, 0.0)));
-    return {right, glm::cross(right, forward), forward};
-}
+constexpr double margin = 0.08;      // of the picture's shorter side
+constexpr double shadow_room = 0.03; // below the model, of the shorter side
 
 /// Tangents of the half angles that the model may fill.
 struct Window {
@@ -210,37 +71,165 @@ glm::dvec3 centre_eye(const std::vector<glm::dvec3>& points, const Window& windo
     return eye;
 }
 
-std::vector<glm::dvec3> view_points(const Scene& scene, const ScenePose& pose, const ViewAxes& axes,
-                                    const Bounds& bounds)
+/// Where points lie in the picture from left to right, as tangents, and the depth of the nearer of the two
+/// outermost ones.
+struct Across {
+    double left = std::numeric_limits<double>::infinity();
+    double right = -std::numeric_limits<double>::infinity();
+    double depth = std::numeric_limits<double>::infinity();
+
+    Across(const std::vector<glm::dvec3>& points, const glm::dvec3& eye)
+    {
+        double left_depth = 1.0;
+        double right_depth = 1.0;
+        for (const glm::dvec3& p : points) {
+            const double tangent = (p.x - eye.x) / (p.z - eye.z);
+            if (tangent < left) {
+                left = tangent;
+                left_depth = p.z - eye.z;
+            }
+            if (tangent > right) {
+                right = tangent;
+                right_depth = p.z - eye.z;
+            }
+        }
+        depth = std::min(left_depth, right_depth);
+    }
+};
+
+/// Moves the eye from the middle of everything towards the middle of the subject, as far as all stays inside.
+glm::dvec3 lean_to_subject(const std::vector<glm::dvec3>& all, const std::vector<glm::dvec3>& subject,
+                           const Window& window, glm::dvec3 eye)
 {
-    std::vector<glm::dvec3> points;
+    constexpr double part = 0.6;
+    const Across whole(all, eye);
+    const Across within(subject, eye);
+    const double wanted = part * 0.5 * (within.left + within.right);
+    const double most = std::max(0.0, window.side - std::max(whole.right, -whole.left));
+    eye.x += std::clamp(wanted, -most, most) * whole.depth;
+    return eye;
+}
+
+/// What the picture must hold, as the camera sees it from the middle of the subject.
+struct ViewPoints {
+    std::vector<glm::dvec3> subject;
+    std::vector<glm::dvec3> shadow; ///< of the subject's points, on the ground
+};
+
+/// Direction of the light that throws the shadow: the scene's strongest directional light, or the house's sun
+/// when the scene has no light at all.
+std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose, const Outlook& outlook)
+{
+    std::optional<glm::dvec3> towards;
+    float strongest = 0.0F;
+    bool has_light = false;
+    for (Index index = 0; index < scene.nodes.size(); ++index) {
+        if (scene.nodes[index].light >= scene.lights.size())
+            continue;
+        has_light = true;
+        const Light& light = scene.lights[scene.nodes[index].light];
+        const float brightness = light.intensity * (light.color.x + light.color.y + light.color.z);
+        const glm::dvec3 back(pose.world_from_node[index][2]);
+        if (light.type != LightType::directional || brightness <= strongest || glm::length(back) == 0.0)
+            continue;
+        strongest = brightness;
+        towards = glm::normalize(back);
+    }
+    if (!has_light && !outlook.shelter)
+        towards = outlook.towards_sun(house_sun_azimuth_deg, house_sun_elevation_deg);
+    return towards;
+}
+
+/// Whether a vertex belongs to the subject: not when it is of the wide floor around it.
+bool is_subject(const Bounds& subject, double slack_m, const glm::dvec3& position)
+{
+    return position.y > subject.min.y + slack_m ||
+           (position.x >= subject.min.x && position.x <= subject.max.x && position.z >= subject.min.z &&
+            position.z <= subject.max.z);
+}
+
+ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes& axes,
+                       const Outlook& outlook, const Bounds& bounds, const glm::dvec3& origin)
+{
+    constexpr double lowest_sun = 0.26; // 15 degrees: longer shadows run out of any page
+    ViewPoints points;
+    const auto light = shadow_light(scene, pose, outlook);
+    const bool has_shadow = light && light->y > lowest_sun;
+    const bool has_floor =
+        outlook.subject.max.x - outlook.subject.min.x < 0.99 * (bounds.max.x - bounds.min.x);
+    const double slack_m = 0.02 * (outlook.subject.max.y - outlook.subject.min.y);
     visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
-        for (const glm::dvec3& position : posed.positions)
-            points.push_back(axes.of(position - bounds.center()));
+        for (const glm::dvec3& position : posed.positions) {
+            if (has_floor && !is_subject(outlook.subject, slack_m, position))
+                continue;
+            points.subject.push_back(axes.of(position - origin));
+            if (has_shadow)
+                points.shadow.push_back(
+                    axes.of(position - *light * ((position.y - outlook.subject.min.y) / light->y) - origin));
+        }
     });
     return points;
+}
+
+/// The points and this part of the way from each to its shadow.
+std::vector<glm::dvec3> with_shadow(const ViewPoints& points, double part)
+{
+    std::vector<glm::dvec3> all = points.subject;
+    for (size_t i = 0; i < points.shadow.size(); ++i)
+        all.push_back(glm::mix(points.subject[i], points.shadow[i], part));
+    return all;
+}
+
+/// Gives the shadow what room it can have: all of it, or as much as leaves the subject large enough.
+glm::dvec3 fit_with_shadow(const ViewPoints& points, const Window& window)
+{
+    constexpr double least_size = 0.84; // of the size without shadow
+    constexpr double most_aside = 0.36; // the subject's middle off the page's, of half its width
+    const glm::dvec3 alone = fit_eye(points.subject, window);
+    if (points.shadow.empty())
+        return centre_eye(points.subject, window, alone);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& point : points.subject)
+        nearest = std::min(nearest, point.z);
+    const double farthest_eye = nearest - (nearest - alone.z) / least_size;
+    for (double part = 1.0; part > 0.0; part -= 0.125) {
+        const std::vector<glm::dvec3> all = with_shadow(points, part);
+        glm::dvec3 eye = fit_eye(all, window);
+        if (eye.z < farthest_eye)
+            continue;
+        eye = lean_to_subject(all, points.subject, window, centre_eye(all, window, eye));
+        const Across subject(points.subject, eye);
+        if (std::abs(subject.left + subject.right) <= 2.0 * most_aside * window.side)
+            return eye;
+    }
+    return centre_eye(points.subject, window, alone);
+}
+
+/// In the corner of a closed room, with a wide lens.
+Camera camera_inside(const Outlook& outlook, double aspect)
+{
+    Camera camera;
+    const ViewAxes axes = look_from(outlook.azimuth_rad, outlook.elevation_rad);
+    camera.eye = outlook.corner;
+    camera.target = outlook.corner + axes.forward * outlook.subject.radius();
+    camera.vertical_fov_rad = 2.0 * std::atan(std::min(0.62, 1.0 / aspect));
+    camera.near_m = 1e-3 * outlook.subject.radius();
+    return camera;
 }
 
 } // namespace
 
 Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect)
 {
-    Camera camera;
     const Bounds bounds = scene_bounds(scene, pose);
     if (bounds.empty())
-        return camera;
+        return {};
     if (!(aspect > 0.0))
         aspect = 1.0;
-
-    const Walls walls = probe_walls(scene, pose, bounds);
-    constexpr size_t back = 4;
-    constexpr size_t front = 5;
-    const bool open_behind = walls.room() && !walls.inward[back] && walls.inward[front];
-    const double turn = open_behind ? 3.141592653589793 : 0.0;
-    const size_t facing = open_behind ? back : front;
-    const bool cut_wall = walls.room() && walls.inward[facing] && walls.two_sided[facing];
-    const bool frontal = walls.room();
-    const ViewAxes axes = look_from(turn + (frontal ? 0.0 : azimuth_rad), frontal ? 0.0 : elevation_rad);
+    const Outlook outlook = find_outlook(scene);
+    if (outlook.standpoint == Standpoint::inside)
+        return camera_inside(outlook, aspect);
+    const ViewAxes axes = look_from(outlook.azimuth_rad, outlook.elevation_rad);
 
     // A wide picture keeps its sides from stretching.
     const double half_height = std::min(std::tan(0.25), 0.8 / aspect);
@@ -249,21 +238,22 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect)
                         .top = half_height - margin * shorter,
                         .bottom = half_height - (margin + shadow_room) * shorter};
 
-    std::vector<glm::dvec3> points = view_points(scene, pose, axes, bounds);
+    ViewPoints points = view_points(scene, pose, axes, outlook, bounds, bounds.center());
     // A model without extent still stands somewhere: give it a size that arithmetic can see.
     const double least = std::max(1e-6 * glm::length(bounds.center()), 1e-9);
     if (bounds.radius() < least)
-        points = {glm::dvec3(-least), glm::dvec3(least)};
-    glm::dvec3 eye = centre_eye(points, window, fit_eye(points, window));
+        points = {.subject = {glm::dvec3(-least), glm::dvec3(least)}};
+    const glm::dvec3 eye = fit_with_shadow(points, window);
 
+    Camera camera;
     double nearest = std::numeric_limits<double>::infinity();
-    for (const glm::dvec3& point : points)
+    for (const glm::dvec3& point : points.subject)
         nearest = std::min(nearest, point.z - eye.z);
     const double span = 2.0 * std::max(bounds.radius(), least);
     camera.eye = bounds.center() + axes.world(eye);
     camera.target = camera.eye - axes.forward * eye.z;
     camera.vertical_fov_rad = 2.0 * std::atan(half_height);
-    camera.near_m = cut_wall ? nearest + 1e-3 * span : std::max(0.1 * nearest, 1e-4 * span);
+    camera.near_m = outlook.cut_wall ? nearest + 1e-3 * span : std::max(0.1 * nearest, 1e-4 * span);
     return camera;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
 #include "techniques/light/light.hpp"
 
@@ -10,14 +11,6 @@ namespace estampe::light {
 namespace {
 
 constexpr float least_light = 1.0F / 400.0F;
-
-glm::dvec3 style_sun(const LightStyle& style)
-{
-    const double azimuth = glm::radians(static_cast<double>(style.sun_azimuth_deg));
-    const double elevation = glm::radians(static_cast<double>(style.sun_elevation_deg));
-    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-            std::cos(azimuth) * std::cos(elevation)};
-}
 
 shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from_node,
                                 const glm::dvec3& anchor)
@@ -100,51 +93,83 @@ std::vector<shared::LightRecord> scene_records(const Scene& scene, const ScenePo
     return records;
 }
 
-shared::LightRecord sun_record(const LightStyle& style)
+shared::LightRecord parallel_light(const glm::dvec3& towards, float brightness)
 {
-    shared::LightRecord sun{};
-    sun.type = shared::light_directional;
-    sun.direction = glm::vec3(style_sun(style));
-    sun.color = glm::vec3(1.0F);
-    return sun;
+    shared::LightRecord light{};
+    light.type = shared::light_directional;
+    light.direction = glm::vec3(towards);
+    light.color = glm::vec3(brightness);
+    return light;
 }
 
-/// A weak light from the other side of the viewer, low, so that shade has form and rooms are not black.
-shared::LightRecord fill_record(const LightStyle& style)
+/// The style's sun, and a weak light from the other side of the viewer, low, so that shade has form.
+std::vector<shared::LightRecord> sun_and_fill(const LightStyle& style, const Outlook& outlook)
 {
-    LightStyle opposite = style;
-    opposite.sun_azimuth_deg += 100.0F;
-    opposite.sun_elevation_deg = 20.0F;
-    shared::LightRecord fill = sun_record(opposite);
-    fill.color = glm::vec3(style.fill);
-    return fill;
-}
-
-} // namespace
-
-Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
-                       const glm::dvec3& anchor, const LightStyle& style)
-{
-    Lighting lighting;
-    if (style.source != LightSource::sun) {
-        lighting.records = scene_records(scene, pose, anchor);
+    const double azimuth_deg = style.sun_azimuth_deg;
+    const double elevation_deg = style.sun_elevation_deg;
+    const auto towards = [&](double bearing_deg, double height_deg) {
+        return style.turn_sun ? outlook.towards_sun(bearing_deg, height_deg)
+                              : bearing(glm::radians(bearing_deg), glm::radians(height_deg));
+    };
+    std::vector records{parallel_light(towards(azimuth_deg, elevation_deg), 1.0F)};
+    if (style.fill > 0.0F) {
+        records.push_back(parallel_light(towards(azimuth_deg + 100.0, 20.0), style.fill));
     }
-    if (lighting.records.empty() && style.source != LightSource::scene) {
-        lighting.records.push_back(sun_record(style));
-        if (style.fill > 0.0F) {
-            lighting.records.push_back(fill_record(style));
+    return records;
+}
+
+/// What arrives at a surface, its slant counted.
+float falling_on(const std::vector<shared::LightRecord>& records, const SurfacePoint& surface,
+                 const glm::vec3& point, float falloff)
+{
+    float sum = 0.0F;
+    for (const shared::LightRecord& record : records) {
+        const bool is_parallel = record.type == shared::light_directional;
+        const glm::vec3 way = is_parallel ? record.direction : record.position - point;
+        const float distance_2 = std::max(glm::dot(way, way), 1e-12F);
+        const float cosine = glm::dot(way, surface.normal) / std::sqrt(distance_2);
+        sum += brightness(record.color) * std::pow(std::max(cosine, 0.0F), falloff) / distance_2;
+    }
+    return sum;
+}
+
+/// A lamp for a shelter, daylight if there is a way in, and the style's fill as a second lamp low at the
+/// other side of the room: bright enough together that about a third of what is seen is white.
+std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::dvec3& anchor,
+                                            const LightStyle& style)
+{
+    constexpr float daylight = 1.5F;
+    const glm::vec3 offset(shelter.origin - anchor);
+    float size_2 = 0.0F;
+    const glm::vec3 place(shelter.lamp - anchor);
+    for (const SurfacePoint& point : shelter.seen) {
+        const glm::vec3 way = point.position + offset - place;
+        size_2 += glm::dot(way, way) / static_cast<float>(shelter.seen.size());
+    }
+    shared::LightRecord lamp{};
+    lamp.type = shared::light_point;
+    lamp.position = place;
+    lamp.color = glm::vec3(std::max(size_2, 1e-12F));
+    std::vector<shared::LightRecord> records{lamp};
+    if (shelter.towards_light) {
+        records.push_back(parallel_light(*shelter.towards_light, daylight));
+    }
+    std::vector<float> levels;
+    for (const SurfacePoint& point : shelter.seen) {
+        levels.push_back(falling_on(records, point, point.position + offset, style.falloff));
+    }
+    const auto key = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() * 7 / 10);
+    if (key != levels.end()) {
+        std::nth_element(levels.begin(), key, levels.end());
+        for (shared::LightRecord& record : records) {
+            record.color /= std::max(*key, 1e-6F);
         }
     }
-    const float key = lighting.records.empty() ? 1.0F : key_light(lighting.records, scene, pose, anchor);
-    const float exposure = (key > 0.0F ? 1.0F / key : 1.0F) * std::exp2(style.exposure_stops);
-    const auto first_local = std::stable_partition(
-        lighting.records.begin(), lighting.records.end(),
-        [](const shared::LightRecord& record) { return record.type == shared::light_directional; });
-    lighting.directional_count = static_cast<uint32_t>(first_local - lighting.records.begin());
-    std::stable_sort(lighting.records.begin(), first_local,
-                     [](const shared::LightRecord& a, const shared::LightRecord& b) {
-                         return brightness(a.color) > brightness(b.color);
-                     });
+    return records;
+}
+
+void expose(Lighting& lighting, float exposure, const Bounds& bounds)
+{
     for (shared::LightRecord& record : lighting.records) {
         record.color *= exposure;
         const float reach = std::sqrt(std::max(brightness(record.color), 0.0F) / least_light);
@@ -152,8 +177,37 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
                              ? std::min(record.range_m, 1e9F)
                              : std::min(reach, static_cast<float>(8.0 * bounds.radius() + 1.0) * 4.0F);
     }
+}
+
+} // namespace
+
+Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
+                       const glm::dvec3& anchor, const LightStyle& style, const Outlook& outlook)
+{
+    Lighting lighting;
+    std::vector<shared::LightRecord>& records = lighting.records;
+    if (style.source != LightSource::sun) {
+        records = scene_records(scene, pose, anchor);
+    }
+    if (records.empty() && style.source == LightSource::automatic && outlook.shelter) {
+        records = lamp_light(*outlook.shelter, anchor, style);
+        lighting.indoors = true;
+    } else if (records.empty() && style.source != LightSource::scene) {
+        records = sun_and_fill(style, outlook);
+    }
+    const float key = records.empty() || lighting.indoors ? 1.0F : key_light(records, scene, pose, anchor);
+    const auto first_local =
+        std::stable_partition(records.begin(), records.end(), [](const shared::LightRecord& record) {
+            return record.type == shared::light_directional;
+        });
+    lighting.directional_count = static_cast<uint32_t>(first_local - records.begin());
+    std::stable_sort(records.begin(), first_local,
+                     [](const shared::LightRecord& a, const shared::LightRecord& b) {
+                         return brightness(a.color) > brightness(b.color);
+                     });
+    expose(lighting, (key > 0.0F ? 1.0F / key : 1.0F) * std::exp2(style.exposure_stops), bounds);
     if (lighting.directional_count > 0) {
-        lighting.towards_sun = glm::dvec3(lighting.records.front().direction);
+        lighting.towards_sun = glm::dvec3(records.front().direction);
     }
     lighting.ambient = glm::vec3(style.ambient * std::exp2(style.exposure_stops));
     return lighting;

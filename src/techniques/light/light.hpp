@@ -8,6 +8,7 @@
 #include <estampe/scene.hpp>
 
 #include "gpu/graph/graph.hpp"
+#include "scene/outlook/outlook.hpp"
 #include "shaders/tone.glsl.h"
 #include "techniques/light/light.glsl.h"
 #include "techniques/light/light_style.hpp"
@@ -20,13 +21,16 @@ struct Lighting {
     uint32_t directional_count = 0;
     glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< of the first directional light; straight up when there is none
     glm::vec3 ambient{0.0F};
+    bool indoors = false; ///< the lamp of a shelter, not of the scene
 };
 
-/// Places the scene's lights in anchor space, or the style's sun where it has none. Intensities (lux,
+/// Places the scene's lights in anchor space. Where it has none it gets the style's sun, which turns with the
+/// front of the `outlook`, or under a shelter a lamp, with daylight where that can come in. Intensities (lux,
 /// candela) are scaled so that the scene's well-lit parts come to about one, whatever units the file was made
 /// in. A light without a range gets one where it falls under 1/400 of that.
 [[nodiscard]] Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
-                                     const glm::dvec3& anchor, const LightStyle& style);
+                                     const glm::dvec3& anchor, const LightStyle& style,
+                                     const Outlook& outlook = {});
 
 /// The style's tone curve as the shaders want it.
 [[nodiscard]] shared::ToneConstants tone_constants(const ToneStyle& style);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "scene/outlook/outlook.hpp"
 #include "style/parameter.hpp"
 
 namespace estampe::light {
@@ -9,8 +10,9 @@ enum class LightSource : uint8_t { automatic, scene, sun };
 
 struct LightStyle {
     LightSource source = LightSource::automatic;
-    float sun_azimuth_deg = -34.0F;
-    float sun_elevation_deg = 44.0F;
+    float sun_azimuth_deg = house_sun_azimuth_deg;
+    float sun_elevation_deg = house_sun_elevation_deg;
+    bool turn_sun = true;
     float exposure_stops = 0.0F;
     float ambient = 0.15F;
     float fill = 0.2F;
@@ -26,12 +28,18 @@ inline const style::Table<LightStyle>& light_table()
             .choice(
                 "source", &LightStyle::source,
                 {{"auto", LightSource::automatic}, {"scene", LightSource::scene}, {"sun", LightSource::sun}},
-                "The scene's own lights, the sun below, or (auto) the sun only where the scene has no light")
-            .number(
-                "sun_azimuth_deg", &LightStyle::sun_azimuth_deg, {-360.0F, 360.0F}, "deg",
-                "Bearing of the sun: 0 at the viewer's back in the framed view (+z), 90 to the right (+x)")
+                "The scene's own lights, the sun below, or (auto) where the scene has no light: the sun, and "
+                "in a "
+                "room a lamp")
+            .number("sun_azimuth_deg", &LightStyle::sun_azimuth_deg, {-360.0F, 360.0F}, "deg",
+                    "Bearing of the sun: 0 is +z, 90 +x")
             .number("sun_elevation_deg", &LightStyle::sun_elevation_deg, {-10.0F, 90.0F}, "deg",
                     "Height of the sun above the horizon")
+            .toggle(
+                "turn_sun", &LightStyle::turn_sun,
+                "Whether the sun turns with the side that the framed view shows (the bearing is right for "
+                "one "
+                "from between +z and +x), and further where it would leave too much or too little in shade")
             .number("exposure_stops", &LightStyle::exposure_stops, {-10.0F, 10.0F}, "stops",
                     "Brighter or darker than the exposure that the scene's lights suggest")
             .number("ambient", &LightStyle::ambient, {0.0F, 1.0F}, "",

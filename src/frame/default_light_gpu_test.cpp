@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Pictures with no option set: rooms without a light, from outside, from a corner, and by a camera inside.
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <estampe/renderer.hpp>
+
+#include "scene/shapes.hpp"
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr RenderSettings small{.width = 192, .height = 144};
+constexpr double aspect = 192.0 / 144.0;
+
+/// How much of a picture is paper, ink, and between.
+struct Tones {
+    double mean_ink = 0.0; ///< 0 paper, 1 black
+    double blank = 0.0;    ///< share of pixels
+    double dark = 0.0;
+};
+
+Tones tones_of(const Image& image)
+{
+    Tones tones;
+    const double count = static_cast<double>(image.width) * image.height;
+    for (size_t i = 0; i < image.rgba.size(); i += 4) {
+        const double lightness = std::max({image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]}) / 245.0;
+        const double ink = std::clamp(1.0 - lightness, 0.0, 1.0);
+        tones.mean_ink += ink / count;
+        tones.blank += (ink < 0.15 ? 1.0 : 0.0) / count;
+        tones.dark += (ink > 0.5 ? 1.0 : 0.0) / count;
+    }
+    return tones;
+}
+
+Image draw(const Scene& scene, const Camera& camera, const Style& style = {})
+{
+    test::shared_renderer().set_scene(scene);
+    return test::shared_renderer().render(camera, style, small);
+}
+
+Camera framed(const Scene& scene)
+{
+    return framing_camera(scene, pose_scene(scene, 0.0), aspect);
+}
+
+void expect_light_half_tone_and_dark(const Image& image)
+{
+    const Tones tones = tones_of(image);
+    EXPECT_GT(tones.mean_ink, 0.06);
+    EXPECT_LT(tones.mean_ink, 0.42);
+    EXPECT_GT(tones.blank, 0.3);
+    EXPECT_GT(tones.dark, 0.02);
+}
+
+void furnish(Scene& scene)
+{
+    test::add_object(scene, shapes::box({1.2F, 0.8F, 0.8F}), glm::vec3(0.8F), {-0.8, 0.0, -0.6});
+    test::add_object(scene, shapes::cylinder(0.3F, 1.6F), glm::vec3(0.6F), {1.0, 0.0, -1.0});
+}
+
+/// A sheet of walls round 4 x 3 x 5 metres that face inwards; open at +z, or not.
+Scene thin_room(bool open)
+{
+    Primitive inside;
+    shapes::append(inside, shapes::box({4.0F, 3.0F, 5.0F}), glm::mat4(1.0F));
+    Primitive walls = inside;
+    walls.indices.clear();
+    for (size_t i = 0; i < inside.indices.size(); i += 3) {
+        const auto z = [&](size_t k) { return inside.positions[inside.indices[i + k]].z; };
+        if (!open || std::min({z(0), z(1), z(2)}) < 0.0F) {
+            walls.indices.insert(walls.indices.end(),
+                                 {inside.indices[i], inside.indices[i + 2], inside.indices[i + 1]});
+        }
+    }
+    for (glm::vec3& normal : walls.normals) {
+        normal = -normal;
+    }
+    Scene scene = test::scene_of(walls);
+    furnish(scene);
+    return scene;
+}
+
+/// Six slabs round 6 x 3 x 5 metres.
+Scene thick_room()
+{
+    Primitive slabs;
+    const auto add = [&slabs](const glm::vec3& size, const glm::vec3& place) {
+        shapes::append(slabs, shapes::box(size), glm::translate(glm::mat4(1.0F), place));
+    };
+    add({6.6F, 0.3F, 5.6F}, {0.0F, -0.3F, 0.0F});
+    add({6.6F, 0.3F, 5.6F}, {0.0F, 3.0F, 0.0F});
+    for (const float side : {-1.0F, 1.0F}) {
+        add({6.6F, 3.0F, 0.3F}, {0.0F, 0.0F, 2.65F * side});
+        add({0.3F, 3.0F, 5.0F}, {3.15F * side, 0.0F, 0.0F});
+    }
+    Scene scene = test::scene_of(slabs);
+    furnish(scene);
+    return scene;
+}
+
+TEST(DefaultLight, ARoomIsLitWhetherItIsOpenOrClosed)
+{
+    for (const bool open : {true, false}) {
+        SCOPED_TRACE(open);
+        const Scene scene = thin_room(open);
+        expect_light_half_tone_and_dark(draw(scene, framed(scene)));
+        EXPECT_EQ(test::shared_renderer().notes().size(), 1U);
+    }
+    const Scene closed = thin_room(false);
+    Style sun;
+    sun.set("light.source=sun");
+    const Tones in_the_sun = tones_of(draw(closed, framed(closed), sun));
+    EXPECT_TRUE(test::shared_renderer().notes().empty());
+    EXPECT_GT(in_the_sun.mean_ink, tones_of(draw(closed, framed(closed))).mean_ink + 0.1);
+}
+
+TEST(DefaultLight, AClosedHouseIsSeenFromItsCorner)
+{
+    const Scene scene = thick_room();
+    expect_light_half_tone_and_dark(draw(scene, framed(scene)));
+}
+
+TEST(DefaultLight, ACameraInsideOfAHouseHasALampAndOneOutsideTheSun)
+{
+    Scene scene = thick_room();
+    test::add_object(scene, shapes::cone(1.5F, 4.0F), glm::vec3(0.7F), {9.0, -0.3, 0.0});
+    expect_light_half_tone_and_dark(draw(scene, {.eye = {2.4, 1.6, 2.0}, .target = {-1.0, 0.8, -1.0}}));
+    EXPECT_EQ(test::shared_renderer().notes().size(), 1U);
+    std::ignore = draw(scene, {.eye = {14.0, 5.0, 16.0}, .target = {3.0, 1.0, 0.0}});
+    EXPECT_TRUE(test::shared_renderer().notes().empty());
+}
+
+TEST(DefaultLight, TheSunTurnsWithTheFront)
+{
+    // The same model, turned to look away: the picture is the same.
+    Primitive beast;
+    const auto add = [&beast](const Primitive& part, const glm::vec3& place) {
+        shapes::append(beast, part, glm::translate(glm::mat4(1.0F), place));
+    };
+    add(shapes::box({0.6F, 0.6F, 1.6F}), {0.0F, 0.6F, 0.0F});
+    add(shapes::box({0.5F, 0.5F, 0.5F}), {0.0F, 1.2F, 1.0F});
+    for (const float z : {-0.7F, 0.7F}) {
+        add(shapes::box({0.5F, 0.7F, 0.15F}), {0.0F, 0.0F, z});
+    }
+    Scene scene = test::scene_of(beast);
+    const Tones forward = tones_of(draw(scene, framed(scene)));
+    scene.nodes[0].transform.rotation = glm::angleAxis(3.14159265, glm::dvec3(0, 1, 0));
+    const Tones turned = tones_of(draw(scene, framed(scene)));
+    EXPECT_NEAR(forward.mean_ink, turned.mean_ink, 0.01);
+    EXPECT_NEAR(forward.blank, turned.blank, 0.02);
+    EXPECT_NEAR(forward.dark, turned.dark, 0.01);
+}
+
+} // namespace
+} // namespace estampe
