@@ -119,7 +119,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                     : screen::add_screen(graph, {.frame = frame,
                                                  .solid_visibility = visibility,
                                                  .screen_visibility = raster::add_visibility(
-                                                     graph, "screen", raster_inputs, {batch(layout.blended)},
+                                                     graph, "screen", raster_inputs, {batch(layout.blended, true)},
                                                      {.clip_from_anchor = plan.clip_from_anchor,
                                                       .size_px = size_px,
                                                       .tuning = plan.raster}),

@@ -9,7 +9,6 @@
 #include "frame/view.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
-#include "techniques/screen/screen.hpp"
 
 namespace estampe::test {
 namespace {
@@ -37,6 +36,17 @@ glm::vec3 unpack_normal(uint32_t packed)
              (1.0F - std::abs(e.x)) * (e.y >= 0.0F ? 1.0F : -1.0F), n.z};
     }
     return glm::normalize(n);
+}
+
+/// Linear colour of what holds its root, alpha as it is.
+std::vector<glm::vec4> unpack_roots(const std::vector<uint32_t>& packed)
+{
+    std::vector<glm::vec4> colors;
+    for (const uint32_t word : packed) {
+        const glm::vec4 root = glm::unpackUnorm4x8(word);
+        colors.emplace_back(glm::vec3(root) * glm::vec3(root), root.w);
+    }
+    return colors;
 }
 
 void unpack_footprint(SurfacePixels& pixels, const std::vector<glm::uvec4>& packed)
@@ -142,6 +152,26 @@ Drawing::Stage Drawing::add_surface(gpu::Graph& graph)
     return stage;
 }
 
+screen::Screen Drawing::add_screen(gpu::Graph& graph)
+{
+    const gpu::BufferId posed = add_posed(graph);
+    const raster::RasterInputs inputs = raster_inputs(graph, posed);
+    return screen::add_screen(
+        graph, {.frame = import_buffer(graph, "frame", frame_),
+                .solid_visibility = add_visibility(graph, posed),
+                .screen_visibility = raster::add_visibility(
+                    graph, "screen", inputs, {{layout.blended.first, layout.blended.count, true}},
+                    {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .tuning = tuning}),
+                .triangles = inputs.triangles,
+                .posed_vertices = posed,
+                .draws = inputs.draws,
+                .rest_vertices = inputs.rest_vertices,
+                .materials = inputs.materials,
+                .textures = inputs.textures,
+                .texture_classes = needs_.texture_classes,
+                .size_px = size_px});
+}
+
 gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup)
 {
     const glm::dvec3 towards_sun =
@@ -213,14 +243,21 @@ SurfacePixels Drawing::surface()
         pixels.shading_normal.push_back(unpack_normal(packed.x));
         pixels.smooth_normal.push_back(unpack_normal(packed.y));
     }
-    for (const uint32_t packed : read(&surface::Surface::color, uint32_t{})) {
-        const glm::vec4 root = glm::unpackUnorm4x8(packed);
-        pixels.color.emplace_back(glm::vec3(root) * glm::vec3(root), root.w);
-    }
+    pixels.color = unpack_roots(read(&surface::Surface::color, uint32_t{}));
     for (const glm::vec4& coordinate : read(&surface::Surface::coordinate, glm::vec4{})) {
         pixels.coordinate.emplace_back(coordinate);
     }
     unpack_footprint(pixels, read(&surface::Surface::footprint, glm::uvec4{}));
+    return pixels;
+}
+
+ScreenPixels Drawing::screen()
+{
+    gpu::Graph for_draw;
+    gpu::Graph for_color;
+    ScreenPixels pixels;
+    pixels.draw = run_and_read_as<uint32_t>(for_draw, add_screen(for_draw).draw);
+    pixels.color = unpack_roots(run_and_read_as<uint32_t>(for_color, add_screen(for_color).color));
     return pixels;
 }
 

@@ -65,7 +65,8 @@ struct PoseData {
     std::vector<shared::DrawRecord> draws;
     std::vector<glm::mat4> joints; ///< anchor_from_bind
     std::vector<float> morph_weights;
-    Bounds casters; ///< world bounds of all that can throw a shadow: everything but a floor that lies lowest
+    /// World bounds of what can throw a shadow: neither a floor that lies lowest nor see-through things.
+    Bounds casters;
     bool operator==(const PoseData& other) const;
 };
 

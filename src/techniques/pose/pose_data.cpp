@@ -77,8 +77,10 @@ PoseData pose_meshes(const MeshData& meshes, const Scene& scene, const ScenePose
         data.casters = scene_bounds(scene, pose);
         return data;
     }
-    for (const Bounds& bounds : draw_bounds) {
-        if (!bounds.empty() && !is_lowest_floor(bounds, all)) {
+    for (size_t i = 0; i < draw_bounds.size(); ++i) {
+        const Bounds& bounds = draw_bounds[i];
+        const bool see_through = scene.materials[meshes.draws[i].material].alpha_mode == AlphaMode::blend;
+        if (!bounds.empty() && !see_through && !is_lowest_floor(bounds, all)) {
             data.casters.extend(bounds.min);
             data.casters.extend(bounds.max);
         }

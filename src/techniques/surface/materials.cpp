@@ -61,8 +61,6 @@ glm::vec3 mean_color(const Image& image)
 uint32_t flags_of(const Material& material)
 {
     return (material.unlit ? shared::material_unlit : 0U) |
-           (material.alpha_mode == AlphaMode::mask ? shared::material_masked : 0U) |
-           (material.alpha_mode == AlphaMode::blend ? shared::material_blended : 0U) |
            (material.emissive != glm::vec3(0.0F) ? shared::material_emissive : 0U);
 }
 
@@ -124,7 +122,8 @@ std::vector<shared::MaterialRecord> material_records(const Scene& scene, const T
                            .shade_color = material.toon ? material.toon->shade_color : glm::vec3(1.0F),
                            .emissive = material.emissive,
                            .normal_scale = material.normal_scale,
-                           .alpha_cutoff = material.alpha_cutoff,
+                           .alpha_cutoff = material.alpha_mode == AlphaMode::blend ? shared::least_cover
+                                                                                   : material.alpha_cutoff,
                            .outline_width_m = material.toon ? material.toon->outline_width_m : 0.0F,
                            .outline_color = material.toon ? material.toon->outline_color : glm::vec3(0.0F),
                            .flags = flags_of(material),
