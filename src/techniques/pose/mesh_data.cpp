@@ -19,6 +19,7 @@ namespace estampe::pose {
 namespace {
 
 constexpr uint64_t most_vertices = 1ULL << 31;
+constexpr double wire_radius = 3e-3; // of lines, in the scene's own: framed whole, as wide as a pen
 
 uint32_t pack_normal(glm::vec3 n)
 {
@@ -162,7 +163,7 @@ private:
         }
         const auto [entry, is_new] = bodies_.try_emplace(&primitive);
         if (is_new) {
-            entry->second = drawn_body(primitive, static_cast<float>(1.5e-3 * data_.bounds.radius()));
+            entry->second = drawn_body(primitive, static_cast<float>(wire_radius * data_.bounds.radius()));
         }
         return entry->second;
     }
