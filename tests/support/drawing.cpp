@@ -73,7 +73,7 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
       materials_(surface::upload_materials(shared_device(), scene)), needs_(surface::scene_needs(scene)),
       frame_(gpu::upload_buffer(shared_device(), "frame", std::vector{globals}))
 {
-    pose::upload_pose(shared_device(), meshes_, pose);
+    pose::upload_pose(shared_device(), meshes_, layout, pose);
     const frame::StrokePlan strokes = frame::plan_strokes(layout, hatch::Coordinates::automatic);
     strokes_present_ = strokes.present;
     stroke_kinds_ = gpu::upload_buffer(shared_device(), "stroke kinds", strokes.kind_of_draw);

@@ -226,11 +226,7 @@ private:
             data_.stroke_coordinates.emplace_back((world - data_.anchor) / data_.stroke_unit_m);
         }
         const Material& material = scene_.materials[primitive.material];
-        const bool is_skinned = draw.first_skin_vertex != shared::no_skin;
-        const bool mirrored =
-            glm::determinant(is_skinned ? glm::dmat3(joints.front()) : glm::dmat3(place)) < 0.0;
-        const uint32_t flags = index | (mirrored ? shared::triangle_mirrored : 0U) |
-                               (material.double_sided ? shared::triangle_two_sided : 0U);
+        const uint32_t flags = index | (material.double_sided ? shared::triangle_two_sided : 0U);
         auto& list = material.alpha_mode == AlphaMode::opaque ? opaque_
                      : material.alpha_mode == AlphaMode::mask ? masked_
                                                               : blended_;
