@@ -7,25 +7,12 @@
 
 #include "frame/strokes.hpp"
 #include "frame/view.hpp"
+#include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
 
 namespace estampe::test {
 namespace {
-
-gpu::BufferId import_buffer(gpu::Graph& graph, const char* name, gpu::Buffer& buffer)
-{
-    return graph.import_buffer(name, buffer, {.size_bytes = buffer.size_bytes()});
-}
-
-std::array<gpu::ImageId, 5> import_textures(gpu::Graph& graph, surface::MaterialBuffers& materials)
-{
-    const auto import = [&](size_t i) {
-        gpu::Image& image = materials.textures[i];
-        return graph.import_image("textures", image, image.desc(), gpu::Layout::shader_read);
-    };
-    return {import(0), import(1), import(2), import(3), import(4)};
-}
 
 glm::vec3 unpack_normal(uint32_t packed)
 {
@@ -82,26 +69,26 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
 
 gpu::BufferId Drawing::add_posed(gpu::Graph& graph)
 {
-    return pose::add_pose(graph,
-                          {.draws = import_buffer(graph, "draws", meshes_.draws),
-                           .draw_of_vertex = import_buffer(graph, "draw of vertex", meshes_.draw_of_vertex),
-                           .rest_vertices = import_buffer(graph, "rest vertices", meshes_.rest_vertices),
-                           .skin_vertices = import_buffer(graph, "skin vertices", meshes_.skin_vertices),
-                           .morph_offsets = import_buffer(graph, "morph offsets", meshes_.morph_offsets),
-                           .joints = import_buffer(graph, "joints", meshes_.joints),
-                           .morph_weights = import_buffer(graph, "morph weights", meshes_.morph_weights)},
-                          import_buffer(graph, "posed vertices", meshes_.posed_vertices[0]),
-                          meshes_.vertex_count);
+    return pose::add_pose(
+        graph,
+        {.draws = gpu::import_whole(graph, "draws", meshes_.draws),
+         .draw_of_vertex = gpu::import_whole(graph, "draw of vertex", meshes_.draw_of_vertex),
+         .rest_vertices = gpu::import_whole(graph, "rest vertices", meshes_.rest_vertices),
+         .skin_vertices = gpu::import_whole(graph, "skin vertices", meshes_.skin_vertices),
+         .morph_offsets = gpu::import_whole(graph, "morph offsets", meshes_.morph_offsets),
+         .joints = gpu::import_whole(graph, "joints", meshes_.joints),
+         .morph_weights = gpu::import_whole(graph, "morph weights", meshes_.morph_weights)},
+        gpu::import_whole(graph, "posed vertices", meshes_.posed_vertices[0]), meshes_.vertex_count);
 }
 
 raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph, gpu::BufferId posed)
 {
-    return {.triangles = import_buffer(graph, "triangles", meshes_.triangles),
+    return {.triangles = gpu::import_whole(graph, "triangles", meshes_.triangles),
             .posed_vertices = posed,
-            .draws = import_buffer(graph, "draws", meshes_.draws),
-            .rest_vertices = import_buffer(graph, "rest vertices", meshes_.rest_vertices),
-            .materials = import_buffer(graph, "materials", materials_.materials),
-            .textures = import_textures(graph, materials_),
+            .draws = gpu::import_whole(graph, "draws", meshes_.draws),
+            .rest_vertices = gpu::import_whole(graph, "rest vertices", meshes_.rest_vertices),
+            .materials = gpu::import_whole(graph, "materials", materials_.materials),
+            .textures = surface::import_textures(graph, materials_),
             .texture_classes = needs_.texture_classes};
 }
 
@@ -124,31 +111,32 @@ gpu::BufferId Drawing::add_visibility(gpu::Graph& graph, gpu::BufferId posed)
 
 Drawing::Stage Drawing::add_surface(gpu::Graph& graph)
 {
-    Stage stage{.frame = import_buffer(graph, "frame", frame_),
-                .triangles = import_buffer(graph, "triangles", meshes_.triangles),
-                .draws = import_buffer(graph, "draws", meshes_.draws),
+    Stage stage{.frame = gpu::import_whole(graph, "frame", frame_),
+                .triangles = gpu::import_whole(graph, "triangles", meshes_.triangles),
+                .draws = gpu::import_whole(graph, "draws", meshes_.draws),
                 .posed = add_posed(graph),
-                .rest_vertices = import_buffer(graph, "rest vertices", meshes_.rest_vertices),
-                .materials = import_buffer(graph, "materials", materials_.materials),
+                .rest_vertices = gpu::import_whole(graph, "rest vertices", meshes_.rest_vertices),
+                .materials = gpu::import_whole(graph, "materials", materials_.materials),
                 .visibility = {},
                 .surface = {}};
     stage.visibility = add_visibility(graph, stage.posed);
     stage.surface = surface::add_resolve(
-        graph, {.frame = stage.frame,
-                .visibility = stage.visibility,
-                .triangles = stage.triangles,
-                .posed_vertices = stage.posed,
-                .draws = stage.draws,
-                .rest_vertices = stage.rest_vertices,
-                .stroke_coordinates = import_buffer(graph, "stroke coordinates", meshes_.stroke_coordinates),
-                .stroke_kinds = import_buffer(graph, "stroke kinds", stroke_kinds_),
-                .form_coordinates = import_buffer(graph, "form coordinates", form_coordinates_),
-                .materials = stage.materials,
-                .textures = import_textures(graph, materials_),
-                .needs = needs_,
-                .strokes_present = strokes_present_,
-                .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
-                .size_px = size_px});
+        graph,
+        {.frame = stage.frame,
+         .visibility = stage.visibility,
+         .triangles = stage.triangles,
+         .posed_vertices = stage.posed,
+         .draws = stage.draws,
+         .rest_vertices = stage.rest_vertices,
+         .stroke_coordinates = gpu::import_whole(graph, "stroke coordinates", meshes_.stroke_coordinates),
+         .stroke_kinds = gpu::import_whole(graph, "stroke kinds", stroke_kinds_),
+         .form_coordinates = gpu::import_whole(graph, "form coordinates", form_coordinates_),
+         .materials = stage.materials,
+         .textures = surface::import_textures(graph, materials_),
+         .needs = needs_,
+         .strokes_present = strokes_present_,
+         .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
+         .size_px = size_px});
     return stage;
 }
 
@@ -157,7 +145,7 @@ screen::Screen Drawing::add_screen(gpu::Graph& graph)
     const gpu::BufferId posed = add_posed(graph);
     const raster::RasterInputs inputs = raster_inputs(graph, posed);
     return screen::add_screen(
-        graph, {.frame = import_buffer(graph, "frame", frame_),
+        graph, {.frame = gpu::import_whole(graph, "frame", frame_),
                 .solid_visibility = add_visibility(graph, posed),
                 .screen_visibility = raster::add_visibility(
                     graph, "screen", inputs, {{layout.blended.first, layout.blended.count, true}},
@@ -191,7 +179,7 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
     lights_ = gpu::upload_buffer(shared_device(), "lights", setup.records);
     shadow_map_ = gpu::Buffer(shared_device(), "shadow map", 4ULL * setup.shadow_size * setup.shadow_size,
                               gpu::MemoryUse::device);
-    auto shadow_map = import_buffer(graph, "shadow", shadow_map_);
+    auto shadow_map = gpu::import_whole(graph, "shadow", shadow_map_);
     if (setup.shadow_size > 0) {
         shadow_map = raster::add_depth(graph, "shadow", raster_inputs(graph, stage.posed), batches(),
                                        {.clip_from_anchor = view.clip_from_anchor,
@@ -201,8 +189,8 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
                                        shadow_map);
     }
     return light::add_light(graph, {.frame = stage.frame,
-                                    .lighting = import_buffer(graph, "lighting", light_globals_),
-                                    .lights = import_buffer(graph, "lights", lights_),
+                                    .lighting = gpu::import_whole(graph, "lighting", light_globals_),
+                                    .lights = gpu::import_whole(graph, "lights", lights_),
                                     .draw = stage.surface.draw,
                                     .depth = stage.surface.depth,
                                     .normal = stage.surface.normal,

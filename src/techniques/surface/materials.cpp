@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "techniques/surface/mips.hpp"
 
@@ -159,6 +160,14 @@ MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene)
         gpu::upload_layers(device, image, [&](uint32_t layer) { return queue.take(layer); });
     }
     return buffers;
+}
+
+std::array<gpu::ImageId, 5> import_textures(gpu::Graph& graph, MaterialBuffers& materials)
+{
+    const auto import = [&](size_t i) {
+        return gpu::import_uploaded(graph, "textures", materials.textures[i]);
+    };
+    return {import(0), import(1), import(2), import(3), import(4)};
 }
 
 } // namespace estampe::surface
