@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gpu/graph/execute.hpp"
+#include "gpu/imports.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/raster/raster.hpp"
 #include "techniques/screen/screen.hpp"
@@ -11,20 +12,6 @@
 
 namespace estampe::frame {
 namespace {
-
-gpu::BufferId import_buffer(gpu::Graph& graph, const char* name, gpu::Buffer& buffer)
-{
-    return graph.import_buffer(name, buffer, {.size_bytes = buffer.size_bytes()});
-}
-
-std::array<gpu::ImageId, 5> import_textures(gpu::Graph& graph, surface::MaterialBuffers& materials)
-{
-    const auto import = [&](size_t i) {
-        gpu::Image& image = materials.textures[i];
-        return graph.import_image("textures", image, image.desc(), gpu::Layout::shader_read);
-    };
-    return {import(0), import(1), import(2), import(3), import(4)};
-}
 
 auto copy_buffer(gpu::BufferId from, gpu::BufferId to)
 {
@@ -72,30 +59,30 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                    const FramePlan& plan, const StyleTables& style)
 {
     pose::MeshBuffers& meshes = resources.meshes;
-    const auto frame = import_buffer(graph, "frame", resources.frame_globals);
-    const auto lighting = import_buffer(graph, "lighting", resources.light_globals);
-    const auto lights = import_buffer(graph, "lights", resources.lights);
-    const auto triangles = import_buffer(graph, "triangles", meshes.triangles);
-    const auto draws = import_buffer(graph, "draws", meshes.draws);
-    const auto rest_vertices = import_buffer(graph, "rest vertices", meshes.rest_vertices);
-    const auto materials = import_buffer(graph, "materials", resources.materials.materials);
-    const auto textures = import_textures(graph, resources.materials);
+    const auto frame = gpu::import_whole(graph, "frame", resources.frame_globals);
+    const auto lighting = gpu::import_whole(graph, "lighting", resources.light_globals);
+    const auto lights = gpu::import_whole(graph, "lights", resources.lights);
+    const auto triangles = gpu::import_whole(graph, "triangles", meshes.triangles);
+    const auto draws = gpu::import_whole(graph, "draws", meshes.draws);
+    const auto rest_vertices = gpu::import_whole(graph, "rest vertices", meshes.rest_vertices);
+    const auto materials = gpu::import_whole(graph, "materials", resources.materials.materials);
+    const auto textures = surface::import_textures(graph, resources.materials);
     const glm::uvec2 size_px = plan.size_px;
     const shared::ToneConstants tone = light::tone_constants(style.tone);
 
     // Pose: whatever moves writes vertices.
-    auto posed_vertices = import_buffer(graph, "posed vertices", meshes.posed_vertices[0]);
+    auto posed_vertices = gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]);
     if (plan.pose_moved) {
-        posed_vertices =
-            pose::add_pose(graph,
-                           {.draws = draws,
-                            .draw_of_vertex = import_buffer(graph, "draw of vertex", meshes.draw_of_vertex),
-                            .rest_vertices = rest_vertices,
-                            .skin_vertices = import_buffer(graph, "skin vertices", meshes.skin_vertices),
-                            .morph_offsets = import_buffer(graph, "morph offsets", meshes.morph_offsets),
-                            .joints = import_buffer(graph, "joints", meshes.joints),
-                            .morph_weights = import_buffer(graph, "morph weights", meshes.morph_weights)},
-                           posed_vertices, meshes.vertex_count);
+        posed_vertices = pose::add_pose(
+            graph,
+            {.draws = draws,
+             .draw_of_vertex = gpu::import_whole(graph, "draw of vertex", meshes.draw_of_vertex),
+             .rest_vertices = rest_vertices,
+             .skin_vertices = gpu::import_whole(graph, "skin vertices", meshes.skin_vertices),
+             .morph_offsets = gpu::import_whole(graph, "morph offsets", meshes.morph_offsets),
+             .joints = gpu::import_whole(graph, "joints", meshes.joints),
+             .morph_weights = gpu::import_whole(graph, "morph weights", meshes.morph_weights)},
+            posed_vertices, meshes.vertex_count);
     }
 
     // Visibility: rasterisation only writes identities.
@@ -112,45 +99,47 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
 
     // Surface: what is seen at each pixel.
     const auto surface = surface::add_resolve(
-        graph, {.frame = frame,
-                .visibility = visibility,
-                .triangles = triangles,
-                .posed_vertices = posed_vertices,
-                .draws = draws,
-                .rest_vertices = rest_vertices,
-                .stroke_coordinates = import_buffer(graph, "stroke coordinates", meshes.stroke_coordinates),
-                .stroke_kinds = import_buffer(graph, "stroke kinds", resources.stroke_kinds),
-                .form_coordinates = import_buffer(graph, "form coordinates", resources.form_coordinates),
-                .materials = materials,
-                .textures = textures,
-                .needs = plan.needs,
-                .strokes_present = plan.strokes.present,
-                .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
-                .size_px = size_px});
+        graph,
+        {.frame = frame,
+         .visibility = visibility,
+         .triangles = triangles,
+         .posed_vertices = posed_vertices,
+         .draws = draws,
+         .rest_vertices = rest_vertices,
+         .stroke_coordinates = gpu::import_whole(graph, "stroke coordinates", meshes.stroke_coordinates),
+         .stroke_kinds = gpu::import_whole(graph, "stroke kinds", resources.stroke_kinds),
+         .form_coordinates = gpu::import_whole(graph, "form coordinates", resources.form_coordinates),
+         .materials = materials,
+         .textures = textures,
+         .needs = plan.needs,
+         .strokes_present = plan.strokes.present,
+         .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
+         .size_px = size_px});
 
     // Screen: what is looked through.
     const bool has_screen = layout.blended.count > 0;
     const auto screen =
-        !has_screen ? screen::add_no_screen(graph)
-                    : screen::add_screen(graph, {.frame = frame,
-                                                 .solid_visibility = visibility,
-                                                 .screen_visibility = raster::add_visibility(
-                                                     graph, "screen", raster_inputs, {batch(layout.blended)},
-                                                     {.clip_from_anchor = plan.clip_from_anchor,
-                                                      .size_px = size_px,
-                                                      .tuning = plan.raster}),
-                                                 .triangles = triangles,
-                                                 .posed_vertices = posed_vertices,
-                                                 .draws = draws,
-                                                 .rest_vertices = rest_vertices,
-                                                 .materials = materials,
-                                                 .textures = textures,
-                                                 .texture_classes = plan.needs.texture_classes,
-                                                 .size_px = size_px});
+        !has_screen
+            ? screen::add_no_screen(graph)
+            : screen::add_screen(graph, {.frame = frame,
+                                         .solid_visibility = visibility,
+                                         .screen_visibility = raster::add_visibility(
+                                             graph, "screen", raster_inputs, {batch(layout.blended, true)},
+                                             {.clip_from_anchor = plan.clip_from_anchor,
+                                              .size_px = size_px,
+                                              .tuning = plan.raster}),
+                                         .triangles = triangles,
+                                         .posed_vertices = posed_vertices,
+                                         .draws = draws,
+                                         .rest_vertices = rest_vertices,
+                                         .materials = materials,
+                                         .textures = textures,
+                                         .texture_classes = plan.needs.texture_classes,
+                                         .size_px = size_px});
 
     // Shadow: how far the sun sees, drawn only when it moved or something did. The ground receives but does
     // not throw.
-    auto shadow_map = import_buffer(graph, "shadow", resources.shadow_map);
+    auto shadow_map = gpu::import_whole(graph, "shadow", resources.shadow_map);
     if (plan.redraw_shadow) {
         shadow_map = raster::add_depth(graph, "shadow", raster_inputs, solid_batches(layout, false),
                                        {.clip_from_anchor = plan.sun.clip_from_anchor,
@@ -251,11 +240,11 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                              .size_px = size_px},
                                             style.paper);
     const auto developed = paper::add_develop(
-        graph, picture, import_buffer(graph, "sums", resources.sums),
+        graph, picture, gpu::import_whole(graph, "sums", resources.sums),
         graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y}), size_px, plan.accumulation);
 
     // Read-back: the picture for the processor.
-    const auto read_back = import_buffer(graph, "read-back", resources.pixels);
+    const auto read_back = gpu::import_whole(graph, "read-back", resources.pixels);
     auto copy = graph.custom("read back");
     copy.touch(developed.pixels, gpu::Access::transfer_read);
     const auto copied = copy.touch_write(read_back, gpu::Access::transfer_write);

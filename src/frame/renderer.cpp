@@ -158,7 +158,7 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
         return;
     }
     std::swap(loaded->meshes.posed_vertices[0], loaded->meshes.posed_vertices[1]);
-    pose::upload_pose(device, loaded->meshes, now);
+    pose::upload_pose(device, loaded->meshes, loaded->layout, now);
     loaded->pose = std::move(now);
     loaded->pose_moved = true;
     shadow_view.reset();
@@ -261,7 +261,9 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     frame::declare_frame(graph, loaded->layout, resources, plan, style);
     executor.run(graph);
     loaded->pose_moved = false;
-    shadow_view = plan.sun.clip_from_anchor;
+    if (plan.redraw_shadow) {
+        shadow_view = plan.sun.clip_from_anchor;
+    }
     if (plan.accumulation.sample_index + 1 == plan.accumulation.sample_count) {
         dot = gpu::to_dot(graph, gpu::compile(graph));
     }

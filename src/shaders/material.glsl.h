@@ -23,7 +23,7 @@ struct MaterialRecord {
     vec3 shade_color; // multiplied into the wash in shadow
     vec3 emissive;
     float normal_scale;
-    float alpha_cutoff;
+    float alpha_cutoff;    // of masked materials; least_cover of blended ones
     float outline_width_m; // 0: the style's outline
     vec3 outline_color;    // with an outline of its own
     uint flags;
@@ -36,18 +36,16 @@ static_assert(sizeof(TextureSlot) == 28);
 static_assert(sizeof(MaterialRecord) == 136);
 inline constexpr uint no_texture = 0xffffffffU;
 inline constexpr uint material_unlit = 1U;
-inline constexpr uint material_masked = 2U;
-inline constexpr uint material_blended = 4U;
-inline constexpr uint material_paper = 8U; // takes shadow, but neither wash nor outline
-inline constexpr uint material_emissive = 16U;
+inline constexpr uint material_paper = 2U; // takes shadow, but neither wash nor outline
+inline constexpr uint material_emissive = 4U;
+inline constexpr float least_cover = 0.02F; // of a blended surface that is seen at all
 } // namespace estampe::shared
 #else
 #define NO_TEXTURE 0xffffffffu
 #define MATERIAL_UNLIT 1u
-#define MATERIAL_MASKED 2u
-#define MATERIAL_BLENDED 4u
-#define MATERIAL_PAPER 8u
-#define MATERIAL_EMISSIVE 16u
+#define MATERIAL_PAPER 2u
+#define MATERIAL_EMISSIVE 4u
+#define LEAST_COVER 0.02
 #endif
 
 #endif

@@ -57,6 +57,7 @@ static_assert(sizeof(PosedVertex) == 16);
 inline constexpr uint no_skin = 0xffffffffU;
 inline constexpr uint draw_has_uv = 1U;
 inline constexpr uint draw_follows_uv = 2U; // its UVs can carry strokes
+inline constexpr uint draw_mirrored = 4U;   // its place turns it inside out
 
 // A triangle's fourth number: the draw, and two flags that the rasteriser needs at once.
 inline constexpr uint triangle_mirrored = 1U << 31U;

@@ -7,26 +7,12 @@
 
 #include "frame/strokes.hpp"
 #include "frame/view.hpp"
+#include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
-#include "techniques/screen/screen.hpp"
 
 namespace estampe::test {
 namespace {
-
-gpu::BufferId import_buffer(gpu::Graph& graph, const char* name, gpu::Buffer& buffer)
-{
-    return graph.import_buffer(name, buffer, {.size_bytes = buffer.size_bytes()});
-}
-
-std::array<gpu::ImageId, 5> import_textures(gpu::Graph& graph, surface::MaterialBuffers& materials)
-{
-    const auto import = [&](size_t i) {
-        gpu::Image& image = materials.textures[i];
-        return graph.import_image("textures", image, image.desc(), gpu::Layout::shader_read);
-    };
-    return {import(0), import(1), import(2), import(3), import(4)};
-}
 
 glm::vec3 unpack_normal(uint32_t packed)
 {
@@ -37,6 +23,17 @@ glm::vec3 unpack_normal(uint32_t packed)
              (1.0F - std::abs(e.x)) * (e.y >= 0.0F ? 1.0F : -1.0F), n.z};
     }
     return glm::normalize(n);
+}
+
+/// Linear colour of what holds its root, alpha as it is.
+std::vector<glm::vec4> unpack_roots(const std::vector<uint32_t>& packed)
+{
+    std::vector<glm::vec4> colors;
+    for (const uint32_t word : packed) {
+        const glm::vec4 root = glm::unpackUnorm4x8(word);
+        colors.emplace_back(glm::vec3(root) * glm::vec3(root), root.w);
+    }
+    return colors;
 }
 
 void unpack_footprint(SurfacePixels& pixels, const std::vector<glm::uvec4>& packed)
@@ -63,7 +60,7 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
       materials_(surface::upload_materials(shared_device(), scene)), needs_(surface::scene_needs(scene)),
       frame_(gpu::upload_buffer(shared_device(), "frame", std::vector{globals}))
 {
-    pose::upload_pose(shared_device(), meshes_, pose);
+    pose::upload_pose(shared_device(), meshes_, layout, pose);
     const frame::StrokePlan strokes = frame::plan_strokes(layout, hatch::Coordinates::automatic);
     strokes_present_ = strokes.present;
     stroke_kinds_ = gpu::upload_buffer(shared_device(), "stroke kinds", strokes.kind_of_draw);
@@ -72,26 +69,26 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
 
 gpu::BufferId Drawing::add_posed(gpu::Graph& graph)
 {
-    return pose::add_pose(graph,
-                          {.draws = import_buffer(graph, "draws", meshes_.draws),
-                           .draw_of_vertex = import_buffer(graph, "draw of vertex", meshes_.draw_of_vertex),
-                           .rest_vertices = import_buffer(graph, "rest vertices", meshes_.rest_vertices),
-                           .skin_vertices = import_buffer(graph, "skin vertices", meshes_.skin_vertices),
-                           .morph_offsets = import_buffer(graph, "morph offsets", meshes_.morph_offsets),
-                           .joints = import_buffer(graph, "joints", meshes_.joints),
-                           .morph_weights = import_buffer(graph, "morph weights", meshes_.morph_weights)},
-                          import_buffer(graph, "posed vertices", meshes_.posed_vertices[0]),
-                          meshes_.vertex_count);
+    return pose::add_pose(
+        graph,
+        {.draws = gpu::import_whole(graph, "draws", meshes_.draws),
+         .draw_of_vertex = gpu::import_whole(graph, "draw of vertex", meshes_.draw_of_vertex),
+         .rest_vertices = gpu::import_whole(graph, "rest vertices", meshes_.rest_vertices),
+         .skin_vertices = gpu::import_whole(graph, "skin vertices", meshes_.skin_vertices),
+         .morph_offsets = gpu::import_whole(graph, "morph offsets", meshes_.morph_offsets),
+         .joints = gpu::import_whole(graph, "joints", meshes_.joints),
+         .morph_weights = gpu::import_whole(graph, "morph weights", meshes_.morph_weights)},
+        gpu::import_whole(graph, "posed vertices", meshes_.posed_vertices[0]), meshes_.vertex_count);
 }
 
 raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph, gpu::BufferId posed)
 {
-    return {.triangles = import_buffer(graph, "triangles", meshes_.triangles),
+    return {.triangles = gpu::import_whole(graph, "triangles", meshes_.triangles),
             .posed_vertices = posed,
-            .draws = import_buffer(graph, "draws", meshes_.draws),
-            .rest_vertices = import_buffer(graph, "rest vertices", meshes_.rest_vertices),
-            .materials = import_buffer(graph, "materials", materials_.materials),
-            .textures = import_textures(graph, materials_),
+            .draws = gpu::import_whole(graph, "draws", meshes_.draws),
+            .rest_vertices = gpu::import_whole(graph, "rest vertices", meshes_.rest_vertices),
+            .materials = gpu::import_whole(graph, "materials", materials_.materials),
+            .textures = surface::import_textures(graph, materials_),
             .texture_classes = needs_.texture_classes};
 }
 
@@ -114,32 +111,53 @@ gpu::BufferId Drawing::add_visibility(gpu::Graph& graph, gpu::BufferId posed)
 
 Drawing::Stage Drawing::add_surface(gpu::Graph& graph)
 {
-    Stage stage{.frame = import_buffer(graph, "frame", frame_),
-                .triangles = import_buffer(graph, "triangles", meshes_.triangles),
-                .draws = import_buffer(graph, "draws", meshes_.draws),
+    Stage stage{.frame = gpu::import_whole(graph, "frame", frame_),
+                .triangles = gpu::import_whole(graph, "triangles", meshes_.triangles),
+                .draws = gpu::import_whole(graph, "draws", meshes_.draws),
                 .posed = add_posed(graph),
-                .rest_vertices = import_buffer(graph, "rest vertices", meshes_.rest_vertices),
-                .materials = import_buffer(graph, "materials", materials_.materials),
+                .rest_vertices = gpu::import_whole(graph, "rest vertices", meshes_.rest_vertices),
+                .materials = gpu::import_whole(graph, "materials", materials_.materials),
                 .visibility = {},
                 .surface = {}};
     stage.visibility = add_visibility(graph, stage.posed);
     stage.surface = surface::add_resolve(
-        graph, {.frame = stage.frame,
-                .visibility = stage.visibility,
-                .triangles = stage.triangles,
-                .posed_vertices = stage.posed,
-                .draws = stage.draws,
-                .rest_vertices = stage.rest_vertices,
-                .stroke_coordinates = import_buffer(graph, "stroke coordinates", meshes_.stroke_coordinates),
-                .stroke_kinds = import_buffer(graph, "stroke kinds", stroke_kinds_),
-                .form_coordinates = import_buffer(graph, "form coordinates", form_coordinates_),
-                .materials = stage.materials,
-                .textures = import_textures(graph, materials_),
-                .needs = needs_,
-                .strokes_present = strokes_present_,
-                .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
-                .size_px = size_px});
+        graph,
+        {.frame = stage.frame,
+         .visibility = stage.visibility,
+         .triangles = stage.triangles,
+         .posed_vertices = stage.posed,
+         .draws = stage.draws,
+         .rest_vertices = stage.rest_vertices,
+         .stroke_coordinates = gpu::import_whole(graph, "stroke coordinates", meshes_.stroke_coordinates),
+         .stroke_kinds = gpu::import_whole(graph, "stroke kinds", stroke_kinds_),
+         .form_coordinates = gpu::import_whole(graph, "form coordinates", form_coordinates_),
+         .materials = stage.materials,
+         .textures = surface::import_textures(graph, materials_),
+         .needs = needs_,
+         .strokes_present = strokes_present_,
+         .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
+         .size_px = size_px});
     return stage;
+}
+
+screen::Screen Drawing::add_screen(gpu::Graph& graph)
+{
+    const gpu::BufferId posed = add_posed(graph);
+    const raster::RasterInputs inputs = raster_inputs(graph, posed);
+    return screen::add_screen(
+        graph, {.frame = gpu::import_whole(graph, "frame", frame_),
+                .solid_visibility = add_visibility(graph, posed),
+                .screen_visibility = raster::add_visibility(
+                    graph, "screen", inputs, {{layout.blended.first, layout.blended.count, true}},
+                    {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .tuning = tuning}),
+                .triangles = inputs.triangles,
+                .posed_vertices = posed,
+                .draws = inputs.draws,
+                .rest_vertices = inputs.rest_vertices,
+                .materials = inputs.materials,
+                .textures = inputs.textures,
+                .texture_classes = needs_.texture_classes,
+                .size_px = size_px});
 }
 
 gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup)
@@ -161,7 +179,7 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
     lights_ = gpu::upload_buffer(shared_device(), "lights", setup.records);
     shadow_map_ = gpu::Buffer(shared_device(), "shadow map", 4ULL * setup.shadow_size * setup.shadow_size,
                               gpu::MemoryUse::device);
-    auto shadow_map = import_buffer(graph, "shadow", shadow_map_);
+    auto shadow_map = gpu::import_whole(graph, "shadow", shadow_map_);
     if (setup.shadow_size > 0) {
         shadow_map = raster::add_depth(graph, "shadow", raster_inputs(graph, stage.posed), batches(),
                                        {.clip_from_anchor = view.clip_from_anchor,
@@ -171,8 +189,8 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
                                        shadow_map);
     }
     return light::add_light(graph, {.frame = stage.frame,
-                                    .lighting = import_buffer(graph, "lighting", light_globals_),
-                                    .lights = import_buffer(graph, "lights", lights_),
+                                    .lighting = gpu::import_whole(graph, "lighting", light_globals_),
+                                    .lights = gpu::import_whole(graph, "lights", lights_),
                                     .draw = stage.surface.draw,
                                     .depth = stage.surface.depth,
                                     .normal = stage.surface.normal,
@@ -213,14 +231,21 @@ SurfacePixels Drawing::surface()
         pixels.shading_normal.push_back(unpack_normal(packed.x));
         pixels.smooth_normal.push_back(unpack_normal(packed.y));
     }
-    for (const uint32_t packed : read(&surface::Surface::color, uint32_t{})) {
-        const glm::vec4 root = glm::unpackUnorm4x8(packed);
-        pixels.color.emplace_back(glm::vec3(root) * glm::vec3(root), root.w);
-    }
+    pixels.color = unpack_roots(read(&surface::Surface::color, uint32_t{}));
     for (const glm::vec4& coordinate : read(&surface::Surface::coordinate, glm::vec4{})) {
         pixels.coordinate.emplace_back(coordinate);
     }
     unpack_footprint(pixels, read(&surface::Surface::footprint, glm::uvec4{}));
+    return pixels;
+}
+
+ScreenPixels Drawing::screen()
+{
+    gpu::Graph for_draw;
+    gpu::Graph for_color;
+    ScreenPixels pixels;
+    pixels.draw = run_and_read_as<uint32_t>(for_draw, add_screen(for_draw).draw);
+    pixels.color = unpack_roots(run_and_read_as<uint32_t>(for_color, add_screen(for_color).color));
     return pixels;
 }
 

@@ -14,6 +14,7 @@
 #include "techniques/light/light.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/raster/raster.hpp"
+#include "techniques/screen/screen.hpp"
 #include "techniques/shadow/sun_view.hpp"
 #include "techniques/surface/materials.hpp"
 
@@ -29,6 +30,12 @@ struct SurfacePixels {
     std::vector<glm::vec3> coordinate;
     std::vector<glm::vec3> footprint_dx;
     std::vector<glm::vec3> footprint_dy;
+};
+
+/// What the screen pass writes, row by row.
+struct ScreenPixels {
+    std::vector<uint32_t> draw;   ///< draw + 1, 0 for none
+    std::vector<glm::vec4> color; ///< linear; cover in w
 };
 
 /// Lights as the light pass takes them. A shadow size of 0 makes no shadow.
@@ -48,6 +55,7 @@ public:
     /// 64-bit words: reversed depth above, triangle below.
     [[nodiscard]] std::vector<uint64_t> visibility();
     [[nodiscard]] SurfacePixels surface();
+    [[nodiscard]] ScreenPixels screen();
     [[nodiscard]] std::vector<glm::vec4> light(const LightSetup& setup);
     /// Coverage of the lines, in even light of 1.
     [[nodiscard]] std::vector<float> lines(const contour::ContourStyle& style, float pixels_per_mm);
@@ -73,6 +81,7 @@ private:
     gpu::BufferId add_posed(gpu::Graph& graph);
     gpu::BufferId add_visibility(gpu::Graph& graph, gpu::BufferId posed);
     Stage add_surface(gpu::Graph& graph);
+    screen::Screen add_screen(gpu::Graph& graph);
     gpu::ImageId add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup);
     raster::RasterInputs raster_inputs(gpu::Graph& graph, gpu::BufferId posed);
     std::vector<raster::Batch> batches() const;

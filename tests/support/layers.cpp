@@ -7,6 +7,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
 
@@ -34,7 +35,7 @@ Layer Layer::of(gpu::Format format, glm::uvec2 size_px, const Painter<Texel>& pa
 
 gpu::ImageId Layer::in(gpu::Graph& graph)
 {
-    return graph.import_image("layer", image_, image_.desc(), gpu::Layout::shader_read);
+    return gpu::import_uploaded(graph, "layer", image_);
 }
 
 Layer Layer::coverage(glm::uvec2 size_px, const Painter<float>& paint)

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "frame/view.hpp"
+#include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "style/color.hpp"
 #include "support/gpu_device.hpp"
@@ -39,15 +40,14 @@ std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, gl
     auto lines = test::Layer::root_color(size_px, layers.lines);
     auto sky_ink = test::Layer::coverage(layers.sky_size_px, layers.sky_ink);
     gpu::Graph graph;
-    const auto picture =
-        add_compose(graph,
-                    {.frame = graph.import_buffer("frame", frame, {.size_bytes = frame.size_bytes()}),
-                     .wash = wash.in(graph),
-                     .hatch = hatch.in(graph),
-                     .lines = lines.in(graph),
-                     .sky_ink = sky_ink.in(graph),
-                     .size_px = size_px},
-                    style);
+    const auto picture = add_compose(graph,
+                                     {.frame = gpu::import_whole(graph, "frame", frame),
+                                      .wash = wash.in(graph),
+                                      .hatch = hatch.in(graph),
+                                      .lines = lines.in(graph),
+                                      .sky_ink = sky_ink.in(graph),
+                                      .size_px = size_px},
+                                     style);
     return test::run_and_read_colors(graph, picture);
 }
 
@@ -292,10 +292,10 @@ std::vector<std::vector<glm::u8vec4>> develop(const std::vector<test::Painter<gl
     for (uint32_t i = 0; i < pictures.size(); ++i) {
         auto picture = test::Layer::color(size_px, pictures[i]);
         gpu::Graph graph;
-        const Developed developed = add_develop(
-            graph, picture.in(graph), graph.import_buffer("sums", sums, {.size_bytes = sums.size_bytes()}),
-            graph.import_buffer("pixels", pixels, {.size_bytes = pixels.size_bytes()}), size_px,
-            {.sample_index = i, .sample_count = static_cast<uint32_t>(pictures.size())});
+        const Developed developed =
+            add_develop(graph, picture.in(graph), gpu::import_whole(graph, "sums", sums),
+                        gpu::import_whole(graph, "pixels", pixels), size_px,
+                        {.sample_index = i, .sample_count = static_cast<uint32_t>(pictures.size())});
         results.push_back(test::run_and_read_as<glm::u8vec4>(graph, developed.pixels));
     }
     return results;

@@ -19,6 +19,7 @@ namespace estampe::pose {
 namespace {
 
 constexpr uint64_t most_vertices = 1ULL << 31;
+constexpr double wire_radius = 3e-3; // of lines, in the scene's own: framed whole, as wide as a pen
 
 uint32_t pack_normal(glm::vec3 n)
 {
@@ -162,7 +163,7 @@ private:
         }
         const auto [entry, is_new] = bodies_.try_emplace(&primitive);
         if (is_new) {
-            entry->second = drawn_body(primitive, static_cast<float>(1.5e-3 * data_.bounds.radius()));
+            entry->second = drawn_body(primitive, static_cast<float>(wire_radius * data_.bounds.radius()));
         }
         return entry->second;
     }
@@ -225,11 +226,7 @@ private:
             data_.stroke_coordinates.emplace_back((world - data_.anchor) / data_.stroke_unit_m);
         }
         const Material& material = scene_.materials[primitive.material];
-        const bool is_skinned = draw.first_skin_vertex != shared::no_skin;
-        const bool mirrored =
-            glm::determinant(is_skinned ? glm::dmat3(joints.front()) : glm::dmat3(place)) < 0.0;
-        const uint32_t flags = index | (mirrored ? shared::triangle_mirrored : 0U) |
-                               (material.double_sided ? shared::triangle_two_sided : 0U);
+        const uint32_t flags = index | (material.double_sided ? shared::triangle_two_sided : 0U);
         auto& list = material.alpha_mode == AlphaMode::opaque ? opaque_
                      : material.alpha_mode == AlphaMode::mask ? masked_
                                                               : blended_;

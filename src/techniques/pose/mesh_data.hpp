@@ -35,7 +35,7 @@ struct MeshData {
     std::vector<glm::vec3>
         stroke_coordinates; ///< one a posed vertex: place in the rest pose, in units of `stroke_unit_m`
     std::vector<uint32_t> draw_of_vertex;  ///< one a posed vertex
-    std::vector<shared::DrawRecord> draws; ///< matrices not filled in
+    std::vector<shared::DrawRecord> draws; ///< matrices not filled in; mirrored as the triangles are flagged
     std::vector<DrawSource> sources;       ///< one a draw; the ground has none and comes last
     Range opaque, masked, blended, ground;
     uint32_t joint_count = 0;
@@ -65,10 +65,15 @@ struct PoseData {
     std::vector<shared::DrawRecord> draws;
     std::vector<glm::mat4> joints; ///< anchor_from_bind
     std::vector<float> morph_weights;
-    Bounds casters; ///< world bounds of all that can throw a shadow: everything but a floor that lies lowest
+    /// World bounds of what can throw a shadow: neither a floor that lies lowest nor see-through things.
+    Bounds casters;
     bool operator==(const PoseData& other) const;
 };
 
 [[nodiscard]] PoseData pose_meshes(const MeshData& meshes, const Scene& scene, const ScenePose& pose);
+
+/// Flags the triangles of `meshes` whose draws `pose` turns inside out, and no others; returns whether any
+/// changed. Before the first call none is flagged. Cost: linear in draws, and in triangles when any changed.
+[[nodiscard]] bool turn_triangles(MeshData& meshes, const PoseData& pose);
 
 } // namespace estampe::pose

@@ -23,8 +23,11 @@ MeshBuffers upload_meshes(gpu::Device& device, const MeshData& data)
     return meshes;
 }
 
-void upload_pose(gpu::Device& device, MeshBuffers& meshes, const PoseData& pose)
+void upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const PoseData& pose)
 {
+    if (turn_triangles(data, pose)) {
+        meshes.triangles = upload_buffer(device, "triangles", data.triangles);
+    }
     meshes.draws = upload_buffer(device, "draws", pose.draws);
     meshes.joints = upload_buffer(device, "joints", pose.joints);
     meshes.morph_weights = upload_buffer(device, "morph weights", pose.morph_weights);

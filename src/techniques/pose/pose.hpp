@@ -27,8 +27,9 @@ struct MeshBuffers {
 /// Uploads `data`. Throws Error when it does not fit the device. Cost: one copy of everything.
 [[nodiscard]] MeshBuffers upload_meshes(gpu::Device& device, const MeshData& data);
 
-/// Overwrites what moves: draws, joints, weights. Waits for the copy.
-void upload_pose(gpu::Device& device, MeshBuffers& meshes, const PoseData& pose);
+/// Overwrites what moves: draws, joints, weights, and the triangles when draws of `data`, which `meshes` were
+/// made of, turned inside out or back. Waits for the copy.
+void upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const PoseData& pose);
 
 /// What a pose reads, as handles of one graph.
 struct PoseInputs {

@@ -30,6 +30,16 @@ bool is_lowest_floor(const Bounds& draw, const Bounds& scene)
     return draw.max.y - draw.min.y <= 1e-3 * extent && draw.max.y <= scene.min.y + 2e-3 * extent;
 }
 
+bool is_mirrored(const shared::DrawRecord& draw)
+{
+    return (draw.flags & shared::draw_mirrored) != 0;
+}
+
+void set_mirrored(shared::DrawRecord& draw, bool mirrored)
+{
+    draw.flags = (draw.flags & ~shared::draw_mirrored) | (mirrored ? shared::draw_mirrored : 0U);
+}
+
 } // namespace
 
 bool PoseData::operator==(const PoseData& other) const
@@ -73,17 +83,42 @@ PoseData pose_meshes(const MeshData& meshes, const Scene& scene, const ScenePose
         const auto& weights = pose.morph_weights[node];
         data.morph_weights.insert(data.morph_weights.end(), weights.begin(), weights.end());
     }
+    for (size_t i = 0; i < meshes.sources.size(); ++i) {
+        shared::DrawRecord& draw = data.draws[i];
+        const bool is_skinned = draw.first_skin_vertex != shared::no_skin;
+        const glm::mat3 linear(is_skinned ? data.joints[draw.first_joint] : draw.anchor_from_object);
+        set_mirrored(draw, glm::determinant(glm::dmat3(linear)) < 0.0);
+    }
     if (has_deforming) {
         data.casters = scene_bounds(scene, pose);
         return data;
     }
-    for (const Bounds& bounds : draw_bounds) {
-        if (!bounds.empty() && !is_lowest_floor(bounds, all)) {
+    for (size_t i = 0; i < draw_bounds.size(); ++i) {
+        const Bounds& bounds = draw_bounds[i];
+        const bool see_through = scene.materials[meshes.draws[i].material].alpha_mode == AlphaMode::blend;
+        if (!bounds.empty() && !see_through && !is_lowest_floor(bounds, all)) {
             data.casters.extend(bounds.min);
             data.casters.extend(bounds.max);
         }
     }
     return data;
+}
+
+bool turn_triangles(MeshData& meshes, const PoseData& pose)
+{
+    bool changed = false;
+    for (size_t i = 0; i < meshes.draws.size(); ++i) {
+        changed |= is_mirrored(meshes.draws[i]) != is_mirrored(pose.draws[i]);
+        set_mirrored(meshes.draws[i], is_mirrored(pose.draws[i]));
+    }
+    if (!changed) {
+        return false;
+    }
+    for (glm::uvec4& triangle : meshes.triangles) {
+        const bool mirrored = is_mirrored(meshes.draws[triangle.w & shared::triangle_draw_mask]);
+        triangle.w = (triangle.w & ~shared::triangle_mirrored) | (mirrored ? shared::triangle_mirrored : 0U);
+    }
+    return true;
 }
 
 } // namespace estampe::pose

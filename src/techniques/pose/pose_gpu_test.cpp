@@ -11,6 +11,7 @@
 #include "scene/pose.hpp"
 #include "scene/shapes.hpp"
 #include "support/drawing.hpp"
+#include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe::pose {
@@ -197,9 +198,9 @@ TEST(Pose, SkinsWithEightInfluences)
 }
 
 /// Sum over the page of whether something is seen, and of its depth.
-std::pair<int, double> seen(const Scene& scene)
+std::pair<int, double> seen(const Scene& scene, double time_s = 0.0)
 {
-    test::Drawing drawing(scene, {.eye = {4.0, 5.0, 9.0}}, {120, 90});
+    test::Drawing drawing(scene, {.eye = {4.0, 5.0, 9.0}}, {120, 90}, time_s);
     const test::SurfacePixels surface = drawing.surface();
     double sum = 0.0;
     int count = 0;
@@ -251,6 +252,36 @@ TEST(Pose, AMirroredBoxShowsItsOutside)
             EXPECT_NEAR(mirrored_count, count, 2) << (skinned ? "skinned" : "rigid");
             EXPECT_NEAR(mirrored_depth, depth, 1e-3 * depth) << (skinned ? "skinned" : "rigid");
         }
+    }
+}
+
+TEST(Pose, ABoxThatMirrorsItselfInTimeShowsItsOutside)
+{
+    const auto [count, depth] = seen(one_sided_box(glm::dvec3(1.0), false));
+    for (const bool skinned : {false, true}) {
+        Scene scene = one_sided_box(glm::dvec3(1.0), skinned);
+        scene.animations.push_back({.channels = {{.node = skinned ? 1U : 0U,
+                                                  .path = AnimatedPath::scale,
+                                                  .interpolation = Interpolation::step,
+                                                  .times_s = {0.0F, 1.0F, 2.0F},
+                                                  .values = {1, 1, 1, -1, 1, 1, 1, 1, 1}}},
+                                    .duration_s = 3.0F});
+        for (const double time_s : {0.5, 1.5, 2.5}) {
+            const auto [count_then, depth_then] = seen(scene, time_s);
+            EXPECT_NEAR(count_then, count, 2) << (skinned ? "skinned, " : "rigid, ") << time_s << " s";
+            EXPECT_NEAR(depth_then, depth, 1e-3 * depth) << (skinned ? "skinned, " : "rigid, ") << time_s;
+        }
+        // One renderer through all of it: the triangles turn back, too.
+        const auto at = [](double time_s) {
+            return test::shared_renderer().render({.eye = {4.0, 5.0, 9.0}}, {},
+                                                  {.width = 120, .height = 90, .time_s = time_s});
+        };
+        test::shared_renderer().set_scene(scene);
+        const Image mirrored = at(1.5);
+        const Image back = at(2.5);
+        test::shared_renderer().set_scene(scene);
+        EXPECT_EQ(at(0.5), back);
+        EXPECT_EQ(at(1.5), mirrored);
     }
 }
 

@@ -104,6 +104,6 @@ void main()
         color *= vec4(linear_from_srgb(texel.rgb), texel.a);
     }
     float cover = clamp(color.a, 0.0, 1.0);
-    imageStore(out_draw, pixel, uvec4(cover > 0.02 ? draw_index + 1u : 0u));
+    imageStore(out_draw, pixel, uvec4(cover >= LEAST_COVER ? draw_index + 1u : 0u));
     imageStore(out_color, pixel, vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), cover));
 }

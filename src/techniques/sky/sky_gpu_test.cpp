@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "frame/view.hpp"
+#include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
@@ -52,7 +53,7 @@ SkyPixels paint(const View& view, SkyStyle style)
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{view.globals()});
     const auto add = [&](gpu::Graph& graph) {
         return add_sky(graph,
-                       {.frame = graph.import_buffer("frame", frame, {.size_bytes = frame.size_bytes()}),
+                       {.frame = gpu::import_whole(graph, "frame", frame),
                         .towards_sun = view.towards_sun,
                         .pixels_per_mm = view.pixels_per_mm,
                         .drawn = view.drawn,

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "techniques/surface/mips.hpp"
 
@@ -61,8 +62,6 @@ glm::vec3 mean_color(const Image& image)
 uint32_t flags_of(const Material& material)
 {
     return (material.unlit ? shared::material_unlit : 0U) |
-           (material.alpha_mode == AlphaMode::mask ? shared::material_masked : 0U) |
-           (material.alpha_mode == AlphaMode::blend ? shared::material_blended : 0U) |
            (material.emissive != glm::vec3(0.0F) ? shared::material_emissive : 0U);
 }
 
@@ -124,7 +123,8 @@ std::vector<shared::MaterialRecord> material_records(const Scene& scene, const T
                            .shade_color = material.toon ? material.toon->shade_color : glm::vec3(1.0F),
                            .emissive = material.emissive,
                            .normal_scale = material.normal_scale,
-                           .alpha_cutoff = material.alpha_cutoff,
+                           .alpha_cutoff = material.alpha_mode == AlphaMode::blend ? shared::least_cover
+                                                                                   : material.alpha_cutoff,
                            .outline_width_m = material.toon ? material.toon->outline_width_m : 0.0F,
                            .outline_color = material.toon ? material.toon->outline_color : glm::vec3(0.0F),
                            .flags = flags_of(material),
@@ -160,6 +160,14 @@ MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene)
         gpu::upload_layers(device, image, [&](uint32_t layer) { return queue.take(layer); });
     }
     return buffers;
+}
+
+std::array<gpu::ImageId, 5> import_textures(gpu::Graph& graph, MaterialBuffers& materials)
+{
+    const auto import = [&](size_t i) {
+        return gpu::import_uploaded(graph, "textures", materials.textures[i]);
+    };
+    return {import(0), import(1), import(2), import(3), import(4)};
 }
 
 } // namespace estampe::surface

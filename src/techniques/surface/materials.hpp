@@ -41,4 +41,7 @@ struct TexturePlan {
 /// runs out. Cost: about 30 ms for a texture of 2048 x 2048, on two threads.
 [[nodiscard]] MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene);
 
+/// The textures as handles of one graph.
+[[nodiscard]] std::array<gpu::ImageId, 5> import_textures(gpu::Graph& graph, MaterialBuffers& materials);
+
 } // namespace estampe::surface

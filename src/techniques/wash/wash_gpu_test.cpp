@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "frame/view.hpp"
+#include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
@@ -58,9 +59,6 @@ std::vector<glm::vec4> paint(const Page& page, const WashStyle& style)
         gpu::upload_buffer(test::shared_device(), "draws", std::vector(1, shared::DrawRecord{}));
     gpu::Buffer materials =
         gpu::upload_buffer(test::shared_device(), "materials", std::vector{page.material});
-    const auto import = [](gpu::Graph& graph, gpu::Buffer& buffer) {
-        return graph.import_buffer("input", buffer, {.size_bytes = buffer.size_bytes()});
-    };
     auto draw = test::Layer::words(size_px, page.draw);
     auto depth = test::Layer::depth(size_px, page.depth);
     auto color = test::Layer::root_color(size_px, page.color);
@@ -69,13 +67,13 @@ std::vector<glm::vec4> paint(const Page& page, const WashStyle& style)
     auto screen = test::Layer::root_color(page.has_screen ? size_px : glm::uvec2(1), page.screen);
     gpu::Graph graph;
     const auto wash = add_wash(graph,
-                               {.frame = import(graph, frame),
+                               {.frame = gpu::import_whole(graph, "frame", frame),
                                 .draw = draw.in(graph),
                                 .depth = depth.in(graph),
                                 .color = color.in(graph),
                                 .light = light.in(graph),
-                                .draws = import(graph, draws),
-                                .materials = import(graph, materials),
+                                .draws = gpu::import_whole(graph, "draws", draws),
+                                .materials = gpu::import_whole(graph, "materials", materials),
                                 .screen = screen.in(graph),
                                 .has_screen = page.has_screen,
                                 .background = background.in(graph),

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// What is looked through, pixel by pixel, and what becomes of the picture behind it.
+#include "techniques/screen/screen.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <estampe/renderer.hpp>
+
+#include "scene/shapes.hpp"
+#include "support/drawing.hpp"
+#include "support/gpu_device.hpp"
+#include "support/image_compare.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe::screen {
+namespace {
+
+constexpr uint32_t side_px = 96;
+constexpr RenderSettings settings{.width = 120, .height = 90};
+const glm::vec3 green(0.04F, 0.36F, 0.01F); // its roots fit eight bits
+const glm::vec3 blue(0.09F, 0.04F, 0.64F);
+
+/// Sees a square of 2 m in z = 0 just fill the page.
+Camera parallel_camera()
+{
+    Camera camera = test::front_camera(5.0, 0.6);
+    camera.orthographic_half_height_m = 1.0;
+    return camera;
+}
+
+/// A pane of 2 m about the z axis.
+Primitive pane()
+{
+    Primitive primitive;
+    primitive.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    primitive.normals.assign(4, {0, 0, 1});
+    primitive.uvs[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    primitive.indices = {0, 1, 2, 0, 2, 3};
+    return primitive;
+}
+
+void add_pane(Scene& scene, const glm::vec3& color, float opacity, double z, Primitive primitive = pane(),
+              double y = 0.0)
+{
+    test::add_object(scene, std::move(primitive), color, {0.0, y, z});
+    scene.materials.back().base_color.w = opacity;
+    scene.materials.back().alpha_mode = AlphaMode::blend;
+}
+
+test::ScreenPixels look(const Scene& scene)
+{
+    return test::Drawing(scene, parallel_camera(), glm::uvec2(side_px)).screen();
+}
+
+void expect_everywhere(const test::ScreenPixels& pixels, uint32_t draw, const glm::vec4& color)
+{
+    EXPECT_TRUE(std::ranges::all_of(pixels.draw, [&](uint32_t d) { return d == draw; })) << pixels.draw[0];
+    const auto is_near = [&](const glm::vec4& c) { return glm::distance(c, color) < 6e-3F; };
+    EXPECT_TRUE(std::ranges::all_of(pixels.color, is_near)) << pixels.color[0].y << ", " << pixels.color[0].w;
+}
+
+TEST(Screen, HasTheColourAndCoverOfWhatIsInFront)
+{
+    Scene scene = test::scene_of(pane());
+    add_pane(scene, green, 0.4F, 1.0);
+    expect_everywhere(look(scene), 2, glm::vec4(green, 0.4F));
+    scene.nodes.back().transform.translation.z = -1.0;
+    expect_everywhere(look(scene), 0, glm::vec4(0.0F)); // behind what is solid
+    Scene alone;
+    add_pane(alone, green, 1.0F, 0.0);
+    expect_everywhere(look(alone), 1, glm::vec4(green, 1.0F));
+}
+
+TEST(Screen, MultipliesByVertexColoursAndTexture)
+{
+    Primitive colored = pane();
+    colored.colors.assign(4, {0.25F, 1.0F, 1.0F, 0.5F});
+    Scene scene;
+    add_pane(scene, {1.0F, 0.36F, 0.64F}, 0.8F, 0.0, std::move(colored));
+    expect_everywhere(look(scene), 1, {0.25F, 0.36F, 0.64F, 0.4F});
+    // Clear on the left, half covering black on the right.
+    scene.textures.push_back(
+        {.image = {.width = 4,
+                   .height = 1,
+                   .rgba = {255, 255, 255, 0, 255, 255, 255, 0, 0, 0, 0, 128, 0, 0, 0, 128}},
+         .wrap_u = Wrap::clamp});
+    scene.materials[0].base_color_texture.texture = 0;
+    const auto pixels = look(scene);
+    const size_t left = 50 * side_px + 4;
+    const size_t right = 50 * side_px + side_px - 5;
+    EXPECT_EQ(pixels.draw[left], 0U);
+    EXPECT_EQ(pixels.color[left].w, 0.0F);
+    EXPECT_EQ(pixels.draw[right], 1U);
+    EXPECT_NEAR(pixels.color[right].w, 0.2F, 4e-3F);
+    EXPECT_NEAR(pixels.color[right].y, 0.0F, 1e-3F);
+}
+
+TEST(Screen, TheNearestCountsInWhateverOrderTheyCome)
+{
+    Scene green_first, blue_first;
+    add_pane(green_first, green, 0.5F, 0.2);
+    add_pane(green_first, blue, 0.7F, 0.1);
+    add_pane(blue_first, blue, 0.7F, 0.1);
+    add_pane(blue_first, green, 0.5F, 0.2);
+    expect_everywhere(look(green_first), 1, glm::vec4(green, 0.5F));
+    expect_everywhere(look(blue_first), 2, glm::vec4(green, 0.5F));
+    EXPECT_EQ(look(green_first).color, look(blue_first).color);
+    // A hair's breadth apart, or crossing: still by depth alone.
+    green_first.nodes[1].transform.translation.z = 0.2 - 1e-4;
+    expect_everywhere(look(green_first), 1, glm::vec4(green, 0.5F));
+}
+
+TEST(Screen, AClearPlaceHidesNoScreenBehind)
+{
+    Scene scene;
+    add_pane(scene, green, 0.01F, 0.5);
+    expect_everywhere(look(scene), 0, glm::vec4(0.0F));
+    add_pane(scene, blue, 0.7F, 0.1);
+    expect_everywhere(look(scene), 2, glm::vec4(blue, 0.7F));
+}
+
+TEST(Screen, NoneIsOneBlankTexel)
+{
+    gpu::Graph for_draw;
+    gpu::Graph for_color;
+    EXPECT_EQ(test::run_and_read_as<uint32_t>(for_draw, add_no_screen(for_draw).draw), std::vector{0U});
+    EXPECT_EQ(test::run_and_read_as<uint32_t>(for_color, add_no_screen(for_color).color), std::vector{0U});
+}
+
+Image draw(const Scene& scene, const Style& style = {})
+{
+    test::shared_renderer().set_scene(scene);
+    return test::shared_renderer().render(
+        {.eye = {1.0, 1.5, 7.0}, .target = {0.0, 0.8, 0.0}, .vertical_fov_rad = 0.5}, style, settings);
+}
+
+/// A sphere before a wall, in a room whose depth does not depend on what is looked through.
+Scene still_life()
+{
+    Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
+    test::add_object(scene, shapes::quad(6.0F, 4.0F), glm::vec3(0.8F), {0.0, 0.0, -2.0});
+    test::add_object(scene, shapes::sphere(0.7F), {0.7F, 0.1F, 0.1F}, {0.0, 0.8, 0.0});
+    test::add_sun(scene, {-1.0, 2.0, 2.0});
+    return scene;
+}
+
+/// Mean of a channel over a square of nine pixels, 0 to 255.
+double mean_at(const Image& image, uint32_t x, uint32_t y, uint32_t channel)
+{
+    double sum = 0.0;
+    for (uint32_t dy = 0; dy < 9; ++dy) {
+        for (uint32_t dx = 0; dx < 9; ++dx) {
+            sum += image.rgba[4 * ((y + dy - 4) * size_t{image.width} + x + dx - 4) + channel];
+        }
+    }
+    return sum / 81.0;
+}
+
+TEST(Screen, AClearPaneLeavesThePictureAsItWas)
+{
+    const Image without = draw(still_life());
+    Scene scene = still_life();
+    add_pane(scene, green, 0.0F, 2.0, pane(), 1.2);
+    EXPECT_EQ(draw(scene), without);
+    scene.materials.back().base_color.w = 0.5F;
+    EXPECT_GT(test::compare_images(without, draw(scene)).failing_fraction, 0.1);
+}
+
+TEST(Screen, CoverPalesWhatIsBehindAndHidesItsPaintAtLast)
+{
+    Style paint; // without ink: what is behind shows in the wash alone
+    for (const char* assignment :
+         {"hatch.drawn=false", "contour.drawn=false", "wash.strength=1", "paper.grain=0",
+          "paper.granulation=0", "paper.color=#ffffff", "sky.mode=paper"}) {
+        paint.set(assignment);
+    }
+    const auto reds = [&](float opacity) {
+        Scene scene = still_life();
+        add_pane(scene, green, opacity, 2.0, pane(), 1.2);
+        const Image image = draw(scene, paint);
+        return std::pair(mean_at(image, 60, 42, 0), mean_at(image, 60, 42, 1));
+    };
+    auto [red, grass] = reds(0.0F);
+    EXPECT_GT(red, 150.0);
+    for (const float opacity : {0.25F, 0.5F, 0.75F, 1.0F}) {
+        const auto [next_red, next_grass] = reds(opacity);
+        EXPECT_LT(next_red, red - 10.0);
+        EXPECT_GT(next_grass, grass + 5.0);
+        red = next_red;
+        grass = next_grass;
+    }
+    // sRGB of the pane's colour.
+    EXPECT_NEAR(red, 56.0, 3.0);
+    EXPECT_NEAR(grass, 162.0, 3.0);
+}
+
+TEST(Screen, APaleScreenThinsTheStrokesBehindIt)
+{
+    Style strokes;
+    for (const char* assignment :
+         {"wash.strength=0", "contour.drawn=false", "paper.grain=0", "paper.ink_break=0",
+          "paper.color=#ffffff", "paper.ink=#000000", "sky.mode=paper", "light.exposure_stops=-3"}) {
+        strokes.set(assignment);
+    }
+    const auto ink = [&](float opacity) {
+        Scene scene = still_life();
+        add_pane(scene, glm::vec3(1.0F), opacity, 2.0, pane(), 1.2);
+        return 255.0 - mean_at(draw(scene, strokes), 60, 42, 0);
+    };
+    const double bare = ink(0.0F);
+    EXPECT_GT(bare, 100.0);
+    EXPECT_LT(ink(0.5F), bare - 20.0);
+    EXPECT_LT(ink(1.0F), ink(0.5F) - 20.0);
+}
+
+} // namespace
+} // namespace estampe::screen
