@@ -13,7 +13,8 @@ namespace {
 
 constexpr size_t picture_columns = 256;
 
-/// The least ink in the middle of a stroke: above one half by more than rounding takes away.
+/// The least ink where the middle of a stroke runs: above one half by more than rounding takes away. Without
+/// it the tip of a stroke, less than a pixel wide, would be ink in one level and not in the next.
 constexpr float least_ink = 0.53F;
 
 float smooth(float from, float to, float x)
@@ -145,18 +146,15 @@ float Brush::pressure(float along, uint32_t seed) const
     return 1.0F - pressure_ * noise;
 }
 
-/// Ink stays on the bumps of the paper that the pressure, strongest in the middle, reaches down to. A thread
-/// in the middle is ink on any paper.
+/// Ink stays on the bumps of the paper that the pressure, strongest in the middle, reaches down to.
 float Brush::grained(const Touch& touch, float roughness) const
 {
-    constexpr float thread_px = 0.9F;
     const float side = std::min(1.0F, std::abs(touch.across_px) / (touch.half_px + 0.5F));
     const float reach = 1.0F - side * side;
     const float valley = grain_ * touch.tooth;
     const float edge = smooth(valley * roughness - 0.25F, valley * roughness + 0.25F, reach);
-    const float body = edge * (opacity_ - (opacity_ - least_ink) * std::min(1.0F, 1.3F * valley));
-    const float thread = std::abs(touch.across_px) < thread_px ? least_ink : 0.0F;
-    return line_coverage(touch) * std::max(body, thread);
+    const float darkness = opacity_ - (opacity_ - least_ink) * std::min(1.0F, 1.3F * valley);
+    return line_coverage(touch) * edge * darkness;
 }
 
 /// Hairs part towards the end of the stroke, where the ink runs out.
@@ -190,6 +188,12 @@ float Brush::ink(const Touch& touch, uint32_t seed) const
     if (!picture_.empty()) {
         return pictured(touch);
     }
+    const float ink = formula(touch, seed);
+    return touch.on_middle ? std::max(ink, least_ink) : ink;
+}
+
+float Brush::formula(const Touch& touch, uint32_t seed) const
+{
     switch (tool_) {
     case Tool::pencil:
         return grained(touch, 0.9F);

@@ -17,13 +17,15 @@ struct Touch {
     float across_px = 0.0F; ///< from the middle of the stroke, signed
     float half_px = 1.0F;   ///< half the width here
     float tooth = 0.0F;     ///< height of the paper, 0 to 1
+    bool on_middle = false; ///< the line in the middle of the stroke runs through this texel
 };
 
 /// Height of the paper at each texel of a level, 0 to 1; it wraps. `cell_px` is the size of its bumps.
 [[nodiscard]] std::vector<float> paper_tooth(uint32_t size_px, uint32_t cell_px, uint32_t seed);
 
 /// What leaves the ink: a pen, pencil, charcoal, burin or brush that is a formula, or the picture of one.
-/// The middle of a stroke is always more than half ink, so that a stroke is whole at every level.
+/// The line in the middle of a stroke is always more than half ink, so that a stroke that is ink in one level
+/// is ink in the next; but not of a picture, which may have gaps.
 class Brush {
 public:
     /// Of a picture, its alpha (or, where it is opaque throughout, its darkness) is the ink of a stroke that
@@ -40,6 +42,7 @@ public:
     [[nodiscard]] uint32_t tooth_cell_px() const;
 
 private:
+    [[nodiscard]] float formula(const Touch& touch, uint32_t seed) const;
     [[nodiscard]] float grained(const Touch& touch, float roughness) const;
     [[nodiscard]] float hairs(const Touch& touch, uint32_t seed) const;
     [[nodiscard]] float pictured(const Touch& touch) const;

@@ -63,6 +63,7 @@ public:
         : path_(path), brush_(brush), tooth_(tooth), marks_(marks), seed_(stroke.seed), size_px_(size_px),
           start_px_(stroke.start * static_cast<float>(size_px)), direction_(stroke.direction),
           across_(-stroke.direction.y, stroke.direction.x),
+          middle_px_(0.5F * (std::abs(direction_.x) + std::abs(direction_.y)) + 0.04F),
           major_(std::abs(direction_.x) >= std::abs(direction_.y) ? 0 : 1)
     {
     }
@@ -121,7 +122,7 @@ private:
         }
         const float across_px = glm::dot(from_start, across_) - path_.offset_px(along_px);
         const float half_px = path_.half_px(along_px);
-        if (std::abs(across_px) >= half_px + 0.5F) {
+        if (std::abs(across_px) >= std::max(half_px + 0.5F, middle_px_)) {
             return;
         }
         const uint32_t mask = size_px_ - 1;
@@ -130,8 +131,9 @@ private:
         const Touch touch{.along = std::clamp(along_px / path_.length_px(), 0.0F, 1.0F),
                           .across_px = across_px,
                           .half_px = half_px,
-                          .tooth = tooth_.empty() ? 0.0F : tooth_[index]};
-        const float ink = brush_.ink(touch, seed_) * std::min(inside, 1.0F);
+                          .tooth = tooth_.empty() ? 0.0F : tooth_[index],
+                          .on_middle = inside >= 0.5F && std::abs(across_px) <= middle_px_};
+        const float ink = brush_.ink(touch, seed_) * (touch.on_middle ? 1.0F : std::min(inside, 1.0F));
         const auto amount = static_cast<uint16_t>(std::clamp(ink, 0.0F, 1.0F) * 65535.0F + 0.5F);
         if (amount > 0) {
             marks_.push_back({index, amount});
@@ -147,6 +149,7 @@ private:
     glm::vec2 start_px_;
     glm::vec2 direction_;
     glm::vec2 across_;
+    float middle_px_; ///< half the width of a texel across the stroke, and a little for its bend
     int major_;
 };
 
