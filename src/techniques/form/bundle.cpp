@@ -312,17 +312,23 @@ void Bundle::cycle(size_t index, Vectors& x, const Vectors& b)
 
 Vectors Bundle::attract(const std::vector<double>& pulls, const Vectors& targets, double tolerance)
 {
+    Vectors right(targets.size());
+    for (size_t i = 0; i < right.size(); ++i) {
+        right[i] = pulls[i] * targets[i];
+    }
+    return solve(pulls, right, tolerance);
+}
+
+Vectors Bundle::solve(const std::vector<double>& pulls, const Vectors& right, double tolerance)
+{
     set_shifts(pulls);
     const Level& fine = levels_.front();
     const uint32_t count = fine.size();
     Vectors x(count, glm::dvec2(0.0));
-    Vectors residual(count);
+    Vectors residual = right;
     Vectors direction(count, glm::dvec2(0.0));
     Vectors image(count);
     Vectors preconditioned(count);
-    for (uint32_t i = 0; i < count; ++i) {
-        residual[i] = pulls[i] * targets[i];
-    }
     const double enough = tolerance * tolerance * dot(residual, residual);
     double old_product = 1.0;
     constexpr int most_rounds = 60;

@@ -33,9 +33,12 @@ class Bundle {
 public:
     Bundle(uint32_t node_count, const std::vector<Link>& links, std::vector<double> masses);
 
-    /// Solves (A + diag(pulls)) z = diag(pulls) targets by conjugate gradients, preconditioned by one
+    /// Solves (A + diag(pulls)) z = right by conjugate gradients, preconditioned by one
     /// multigrid cycle, until the residual has fallen to `tolerance` of what it was or 60 rounds are over.
     /// Where no node of a connected part has a pull the solution is not unique; every part needs one.
+    [[nodiscard]] Vectors solve(const std::vector<double>& pulls, const Vectors& right, double tolerance);
+
+    /// The same for right = diag(pulls) targets: draws the field towards targets.
     [[nodiscard]] Vectors attract(const std::vector<double>& pulls, const Vectors& targets, double tolerance);
 
     /// Unit vectors with nearly the least energy: from the coarsest level to the finest, diffusion for ever

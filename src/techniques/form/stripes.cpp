@@ -7,12 +7,13 @@
 #include <numbers>
 
 #include "techniques/form/bundle.hpp"
+#include "techniques/form/spacing.hpp"
 
 namespace estampe::form {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double crease_weight = 0.1; ///< of agreement over a crease; an edge has about 0.6
+constexpr double crease_weight = 0.6; ///< of agreement over a crease; an edge has about 0.6
 
 /// Phase gained along an edge, in periods, as seen with the sense of the line at its start.
 struct Gain {
@@ -45,13 +46,15 @@ public:
 private:
     void want_gains(double turn, double period)
     {
+        const std::vector<double> closeness = find_closeness(mesh_, directions_, turn);
         gains_.reserve(mesh_.edges.size());
         for (size_t e = 0; e < mesh_.edges.size(); ++e) {
             const Edge& edge = mesh_.edges[e];
             const double at_from = std::cos(directions_.angles[edge.from] + turn - edge.angle_at_from);
             const double at_to = std::cos(directions_.angles[edge.to] + turn - edge.angle_at_to - pi);
             const double sign = directions_.turns[e] != 0 ? -1.0 : 1.0;
-            gains_.push_back({.wanted = 0.5 * edge.length / period * (at_from + sign * at_to)});
+            const double mean = 0.5 * (closeness[edge.from] + closeness[edge.to]);
+            gains_.push_back({.wanted = 0.5 * mean * edge.length / period * (at_from + sign * at_to)});
         }
     }
 
@@ -66,7 +69,10 @@ private:
         for (size_t l = 0; l < mesh_.crease_links.size(); ++l) {
             const CreaseLink& link = mesh_.crease_links[l];
             if (link.from != link.to) {
-                links.push_back({link.from, link.to, crease_weight, 0.0, directions_.link_turns[l] != 0});
+                const double agreement =
+                    std::cos(directions_.angles[link.to] - directions_.angles[link.from] - link.turn);
+                links.push_back({link.from, link.to, crease_weight * agreement * agreement, 0.0,
+                                 directions_.link_turns[l] != 0});
             }
         }
         Bundle bundle(static_cast<uint32_t>(mesh_.points.size()), links, mesh_.areas);
