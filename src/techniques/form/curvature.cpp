@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
+#include <numbers>
 
 #include "techniques/form/bundle.hpp"
 
@@ -59,15 +61,18 @@ std::vector<Curvature> find_curvature(const Mesh& mesh, double reach)
     std::vector<Link> turning;
     std::vector<Link> plain;
     for (const Edge& edge : mesh.edges) {
-        const double turn = edge.angle_at_to + 3.14159265358979 - edge.angle_at_from;
+        const double turn = edge.angle_at_to + std::numbers::pi - edge.angle_at_from;
         turning.push_back({edge.from, edge.to, edge.weight, 2.0 * turn});
         plain.push_back({edge.from, edge.to, edge.weight, 0.0});
     }
     std::vector<double> pulls(count);
     std::transform(mesh.areas.begin(), mesh.areas.end(), pulls.begin(),
                    [&](double area) { return area / (reach * reach); });
-    deviators = Bundle(count, turning, mesh.areas).attract(pulls, deviators, 1e-2);
-    means = Bundle(count, plain, mesh.areas).attract(pulls, means, 1e-2);
+    constexpr double tolerance = 1e-2;
+    auto means_later =
+        std::async([&] { return Bundle(count, plain, mesh.areas).attract(pulls, means, tolerance); });
+    deviators = Bundle(count, turning, mesh.areas).attract(pulls, deviators, tolerance);
+    means = means_later.get();
     std::vector<Curvature> result(count);
     for (uint32_t i = 0; i < count; ++i) {
         result[i] = {means[i].x, {deviators[i].x, deviators[i].y}};

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <numbers>
 
 #include "techniques/form/bundle.hpp"
@@ -132,10 +133,11 @@ Vectors smooth_lines(const Mesh& mesh, const glm::dvec3& up, double reach)
                        std::polar(1.0, 4.0 * (link.angle_at_from + link.turn)));
     }
     constexpr double tolerance = 1e-2;
-    const Vectors crosses =
-        make_bundle(mesh, 4.0).attract(cross_pull.strengths, cross_pull.targets, tolerance);
+    auto crosses_later = std::async(
+        [&] { return make_bundle(mesh, 4.0).attract(cross_pull.strengths, cross_pull.targets, tolerance); });
     Bundle lines = make_bundle(mesh, 2.0);
     const Vectors chosen = lines.attract(line_pull.strengths, line_pull.targets, tolerance);
+    const Vectors crosses = crosses_later.get();
     Pull along_cross(count);
     for (size_t i = 0; i < count; ++i) {
         const Complex one_line = std::sqrt(unit(complex_of(crosses[i])));

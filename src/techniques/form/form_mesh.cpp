@@ -150,24 +150,50 @@ private:
             while (end < sides.size() && sides[end].key == sides[i].key) {
                 ++end;
             }
-            if (end - i == 2 && origin(sides[i].half_edge) != origin(sides[i + 1].half_edge)) {
-                join(sides[i].half_edge, sides[i + 1].half_edge);
+            around_.clear();
+            for (size_t k = i; k < end; ++k) {
+                around_.push_back(sides[k].half_edge);
             }
+            pair_up(around_);
             i = end;
         }
     }
 
-    void join(uint32_t a, uint32_t b)
+    /// Joins two triangles of one sense that share an edge. Of more, as where a sheet has a front and a back,
+    /// each is joined to the one that continues it best.
+    void pair_up(std::vector<uint32_t>& around)
+    {
+        constexpr size_t most_triangles = 16;
+        while (around.size() >= 2 && around.size() <= most_triangles) {
+            double best = -2.0;
+            std::array<uint32_t, 2> pair{};
+            for (const uint32_t a : around) {
+                for (const uint32_t b : around) {
+                    const double flatness = a < b && origin(a) != origin(b) ? cosine_between(a, b) : -2.0;
+                    if (flatness > best) {
+                        best = flatness;
+                        pair = {a, b};
+                    }
+                }
+            }
+            if (best < crease_cosine) {
+                if (best > -2.0 && around.size() == 2) {
+                    creases_.push_back(pair);
+                    ++mesh_.crease_edges;
+                }
+                return;
+            }
+            mesh_.twins[pair[0]] = pair[1];
+            mesh_.twins[pair[1]] = pair[0];
+            std::erase_if(around, [&](uint32_t h) { return h == pair[0] || h == pair[1]; });
+        }
+    }
+
+    double cosine_between(uint32_t a, uint32_t b) const
     {
         const glm::dvec3 n_a = normal_of_places(a / 3);
         const glm::dvec3 n_b = normal_of_places(b / 3);
-        if (glm::dot(n_a, n_b) < crease_cosine * glm::length(n_a) * glm::length(n_b)) {
-            creases_.push_back({a, b});
-            ++mesh_.crease_edges;
-            return;
-        }
-        mesh_.twins[a] = b;
-        mesh_.twins[b] = a;
+        return glm::dot(n_a, n_b) / (glm::length(n_a) * glm::length(n_b));
     }
 
     /// Makes one vertex of each fan of triangles about a point, and lays the fan out in the plane.
@@ -281,6 +307,7 @@ private:
     std::vector<std::array<uint32_t, 3>> points_of_corners_; ///< before vertices are split
     std::vector<std::array<uint32_t, 2>> creases_;           ///< pairs of half-edges
     std::vector<uint32_t> fan_;
+    std::vector<uint32_t> around_; ///< half-edges between the same two points
 };
 
 } // namespace
