@@ -387,9 +387,11 @@ Vectors Bundle::relax(double reach, uint32_t seed)
             }
             z = std::move(finer);
         }
+        const double mass = std::accumulate(levels_[l].masses.begin(), levels_[l].masses.end(), 0.0);
+        const double spacing = std::sqrt(mass / levels_[l].size());
         const bool is_coarsest = l + 1 == levels_.size();
-        diffuse(l, z, 2.0 * reach, is_coarsest ? 40 : 6);
-        diffuse(l, z, 0.5 * reach, 3);
+        diffuse(l, z, std::max(2.0 * reach, 4.0 * spacing), is_coarsest ? 40 : 6);
+        diffuse(l, z, std::max(0.5 * reach, 2.0 * spacing), 3);
     }
     return z;
 }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <numbers>
 
 #include "techniques/form/bundle.hpp"
@@ -17,10 +16,12 @@ namespace estampe::form {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double level_pull = 0.05;    ///< towards level strokes, an area's; in inverse squares of the radius
-constexpr double crease_pull = 0.2;    ///< towards creases, a length's; in inverse radii
-constexpr double crease_weight = 0.05; ///< of agreement over a crease; an edge has about 0.6
-constexpr double flat = 0.15;          ///< curvature below which a surface counts as flat, in inverse radii
+constexpr double tolerance = 1e-2;  ///< of residuals; directions need no more
+constexpr double level_pull = 0.05; ///< towards level strokes, an area's; in inverse squares of the radius
+constexpr double crease_pull = 0.2; ///< towards creases, a length's; in inverse radii
+constexpr double crease_weight = 0.005; ///< of crosses that agree over a crease; an edge has about 0.6
+constexpr double crease_vote = 0.002;   ///< of lines chosen alike over a crease
+constexpr double flat = 0.15;           ///< curvature below which a surface counts as flat, in inverse radii
 
 struct Pull {
     std::vector<double> strengths;
@@ -39,7 +40,7 @@ struct Pull {
     }
 };
 
-Bundle make_bundle(const Mesh& mesh, double symmetry)
+Bundle make_bundle(const Mesh& mesh, double symmetry, bool over_creases)
 {
     std::vector<Link> links;
     links.reserve(mesh.edges.size() + mesh.crease_links.size());
@@ -48,20 +49,25 @@ Bundle make_bundle(const Mesh& mesh, double symmetry)
             {edge.from, edge.to, edge.weight, symmetry * (edge.angle_at_to + pi - edge.angle_at_from)});
     }
     for (const CreaseLink& link : mesh.crease_links) {
-        if (link.from != link.to) {
+        if (over_creases && link.from != link.to) {
             links.push_back({link.from, link.to, crease_weight, symmetry * link.turn});
         }
     }
     return {static_cast<uint32_t>(mesh.points.size()), links, mesh.areas};
 }
 
-/// Twice the angle of the level line at each vertex; shorter, down to nothing, where the surface itself is
-/// level.
+Complex unit(Complex z)
+{
+    const double length = std::abs(z);
+    return length > 1e-200 ? z / length : Complex(1.0);
+}
+
+/// Unit numbers at twice the angle of the level line at each vertex; on level ground all the same way.
 std::vector<Complex> level_lines(const Mesh& mesh, const glm::dvec3& up)
 {
     const glm::dvec3 aside = std::abs(up.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
     const glm::dvec3 fallback = glm::normalize(aside - up * glm::dot(up, aside));
-    constexpr double fallback_share = 0.02;
+    constexpr double fallback_share = 0.05;
     std::vector<Complex> result(mesh.points.size(), 0.0);
     for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto& c = mesh.triangles[t];
@@ -78,13 +84,10 @@ std::vector<Complex> level_lines(const Mesh& mesh, const glm::dvec3& up)
             result[c[k]] += doubled * std::polar(part, 2.0 * mesh.vertex_from_triangle(t, k));
         }
     }
+    for (Complex& line : result) {
+        line = unit(line);
+    }
     return result;
-}
-
-Complex unit(Complex z)
-{
-    const double length = std::abs(z);
-    return length > 1e-200 ? z / length : Complex(1.0);
 }
 
 Complex complex_of(glm::dvec2 v)
@@ -109,6 +112,33 @@ double preference(const Curvature& k)
     return deviation > 0.0 ? std::clamp(k.mean / deviation, -1.0, 1.0) : 0.0;
 }
 
+/// For each vertex which of the two lines of its cross to follow, as a number of either sign, large where it
+/// is clear: 1 for the line itself, -1 for the one across. Neighbours are asked to choose alike, so that the
+/// surest decide.
+Vectors choose_lines(const Mesh& mesh, const std::vector<Complex>& lines, const Pull& line_pull)
+{
+    std::vector<Link> links;
+    links.reserve(mesh.edges.size() + mesh.crease_links.size());
+    const auto add = [&](uint32_t from, uint32_t to, double weight, double turn) {
+        const double alike = (lines[to] * std::conj(lines[from] * std::polar(1.0, 2.0 * turn))).real();
+        links.push_back({from, to, weight * std::abs(alike), alike < 0.0 ? pi : 0.0});
+    };
+    for (const Edge& edge : mesh.edges) {
+        add(edge.from, edge.to, edge.weight, edge.angle_at_to + pi - edge.angle_at_from);
+    }
+    for (const CreaseLink& link : mesh.crease_links) {
+        if (link.from != link.to) {
+            add(link.from, link.to, crease_vote, link.turn);
+        }
+    }
+    Vectors votes(lines.size());
+    for (size_t i = 0; i < lines.size(); ++i) {
+        votes[i] = {(complex_of(line_pull.targets[i]) * std::conj(lines[i])).real(), 0.0};
+    }
+    return Bundle(static_cast<uint32_t>(lines.size()), links, mesh.areas)
+        .attract(line_pull.strengths, votes, tolerance);
+}
+
 /// Lines to the power of two.
 Vectors smooth_lines(const Mesh& mesh, const glm::dvec3& up, double reach)
 {
@@ -117,36 +147,36 @@ Vectors smooth_lines(const Mesh& mesh, const glm::dvec3& up, double reach)
     const std::vector<Complex> level = level_lines(mesh, up);
     Pull cross_pull(count);
     Pull line_pull(count);
-    for (size_t i = 0; i < count; ++i) {
-        const double area = mesh.areas[i];
-        const Complex line = unit(curvature[i].deviator);
-        const double heard = distinctness(curvature[i]) * area / (reach * reach);
-        const double preferred = preference(curvature[i]);
-        cross_pull.add(i, heard, line * line);
-        cross_pull.add(i, level_pull * area, level[i] * level[i]);
-        line_pull.add(i, heard * std::abs(preferred), preferred < 0.0 ? -line : line);
-        line_pull.add(i, level_pull * area, level[i]);
-    }
     for (const CreaseLink& link : mesh.crease_links) {
         cross_pull.add(link.from, crease_pull * link.length, std::polar(1.0, 4.0 * link.angle_at_from));
         cross_pull.add(link.to, crease_pull * link.length,
                        std::polar(1.0, 4.0 * (link.angle_at_from + link.turn)));
     }
-    constexpr double tolerance = 1e-2;
-    auto crosses_later = std::async(
-        [&] { return make_bundle(mesh, 4.0).attract(cross_pull.strengths, cross_pull.targets, tolerance); });
-    Bundle lines = make_bundle(mesh, 2.0);
-    const Vectors chosen = lines.attract(line_pull.strengths, line_pull.targets, tolerance);
-    const Vectors crosses = crosses_later.get();
+    for (size_t i = 0; i < count; ++i) {
+        const bool is_on_crease = cross_pull.strengths[i] > 0.0;
+        const double area = mesh.areas[i];
+        const Complex line = unit(curvature[i].deviator);
+        const double heard = distinctness(curvature[i]) * area / (reach * reach);
+        const double preferred = preference(curvature[i]);
+        cross_pull.add(i, heard, line * line);
+        cross_pull.add(i, is_on_crease ? 0.0 : level_pull * area, level[i] * level[i]);
+        line_pull.add(i, heard * std::abs(preferred), preferred < 0.0 ? -line : line);
+        line_pull.add(i, level_pull * area, level[i]);
+    }
+    std::vector<Complex> lines;
+    lines.reserve(count);
+    for (const glm::dvec2& cross :
+         make_bundle(mesh, 4.0, true).attract(cross_pull.strengths, cross_pull.targets, tolerance)) {
+        lines.push_back(std::sqrt(unit(complex_of(cross))));
+    }
+    const Vectors choices = choose_lines(mesh, lines, line_pull);
     Pull along_cross(count);
     for (size_t i = 0; i < count; ++i) {
-        const Complex one_line = std::sqrt(unit(complex_of(crosses[i])));
-        const Complex wanted = unit(complex_of(chosen[i]));
-        const double agreement = (one_line * std::conj(wanted)).real();
-        const double strength = std::abs(agreement) * mesh.areas[i] / (reach * reach);
-        along_cross.add(i, strength + 1e-6 * mesh.areas[i], agreement < 0.0 ? -one_line : one_line);
+        const double sureness = std::abs(choices[i].x) + 1e-6;
+        along_cross.add(i, sureness * mesh.areas[i] / (reach * reach),
+                        choices[i].x < 0.0 ? -lines[i] : lines[i]);
     }
-    return lines.attract(along_cross.strengths, along_cross.targets, tolerance);
+    return make_bundle(mesh, 2.0, false).attract(along_cross.strengths, along_cross.targets, tolerance);
 }
 
 /// Gives neighbouring lines the same sense as far as that goes, breadth first.

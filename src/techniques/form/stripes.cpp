@@ -71,7 +71,7 @@ private:
             if (link.from != link.to) {
                 const double agreement =
                     std::cos(directions_.angles[link.to] - directions_.angles[link.from] - link.turn);
-                links.push_back({link.from, link.to, crease_weight * agreement * agreement, 0.0,
+                links.push_back({link.from, link.to, crease_weight * std::pow(agreement, 8.0), 0.0,
                                  directions_.link_turns[l] != 0});
             }
         }
