@@ -14,6 +14,7 @@
 #include "frame/tonal_maps.hpp"
 #include "gpu/graph/execute.hpp"
 #include "gpu/upload.hpp"
+#include "shaders/stroke_kind.glsl.h"
 
 namespace estampe {
 
@@ -24,6 +25,7 @@ struct LoadedScene {
     pose::MeshBuffers meshes;
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
+    std::vector<uint32_t> stroke_kinds; ///< what the strokes of each draw follow, on the device
     std::optional<pose::PoseData> pose; ///< what the device holds now
     std::optional<SurfaceCloud> cloud;  ///< for what follows, made when it is first needed
     std::optional<Outlook> outlook;     ///< where the house's light stands
@@ -39,6 +41,7 @@ struct Renderer::Impl {
     [[nodiscard]] Outlook outlook_from(const Camera& camera, const light::LightStyle& style);
     void provide_shadow_map(frame::FramePlan& plan);
     void provide_map(const frame::StyleTables& style);
+    void provide_strokes(const frame::StrokePlan& strokes);
     [[nodiscard]] frame::FramePlan plan(const light::Lighting& lighting, const frame::StyleTables& style,
                                         const Camera& camera, const RenderSettings& settings) const;
     void draw_sample(const Camera& camera, const frame::StyleTables& style, frame::FramePlan& plan);
@@ -194,6 +197,19 @@ void Renderer::Impl::provide_shadow_map(frame::FramePlan& plan)
     plan.redraw_shadow = plan.shadow_size > 0 && shadow_view != plan.sun.clip_from_anchor;
 }
 
+void Renderer::Impl::provide_strokes(const frame::StrokePlan& strokes)
+{
+    if (loaded->stroke_kinds == strokes.kind_of_draw) {
+        return;
+    }
+    stroke_kinds = gpu::upload_buffer(device, "stroke kinds", strokes.kind_of_draw);
+    form_coordinates = gpu::upload_buffer(device, "form coordinates",
+                                          strokes.has(shared::strokes_form)
+                                              ? frame::form_coordinates(loaded->layout, strokes)
+                                              : std::vector<glm::vec2>());
+    loaded->stroke_kinds = strokes.kind_of_draw;
+}
+
 void Renderer::Impl::provide_map(const frame::StyleTables& style)
 {
     if (!style.hatch.drawn || style.hatch.strokes != hatch::Strokes::map) {
@@ -234,7 +250,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
             ? shadow_size(style.light, settings)
             : 0U;
     plan.needs = loaded->needs;
-    plan.strokes = frame::plan_strokes(loaded->layout, style.hatch.coordinates);
+    plan.strokes = frame::plan_strokes(loaded->layout, loaded->scene.materials, style.hatch);
     plan.has_local_lights = lighting.records.size() > lighting.directional_count;
     plan.towards_sun = glm::vec3(lighting.towards_sun);
     plan.sun = shadow::sun_view(loaded->pose->casters, loaded->layout.anchor, lighting.towards_sun,
@@ -303,11 +319,7 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     impl.light_globals = mapped_buffer(impl.device, "lighting", &light_globals, 1);
     impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
     impl.provide_map(tables);
-    impl.stroke_kinds = mapped_buffer(impl.device, "stroke kinds", plan.strokes.kind_of_draw.data(),
-                                      plan.strokes.kind_of_draw.size());
-    if (impl.form_coordinates.empty()) {
-        impl.form_coordinates = gpu::Buffer(impl.device, "form coordinates", 0, gpu::MemoryUse::device);
-    }
+    impl.provide_strokes(plan.strokes);
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
         plan.accumulation = {.sample_index = sample, .sample_count = settings.samples};
         impl.draw_sample(camera, tables, plan);

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <estampe/scene.hpp>
+
 #include "techniques/hatch/hatch.hpp"
 #include "techniques/pose/mesh_data.hpp"
 
@@ -18,8 +20,14 @@ struct StrokePlan {
     [[nodiscard]] bool has(uint32_t kind) const { return (present >> kind & 1U) != 0; }
 };
 
-/// UVs are followed only where there are any; the ground, which has neither UVs nor form, keeps to the solid.
-/// Cost: linear in draws.
-[[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, hatch::Coordinates wanted);
+/// The style's wish, or that for a single material by `hatch.materials`. UVs are followed only where there
+/// are any; the ground keeps to the solid where the form or UVs are wanted. Throws Error when
+/// `hatch.materials` cannot be read, or names what is not there. Cost: linear in draws.
+[[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
+                                      const hatch::HatchStyle& style);
+
+/// Coordinates along the form in the rest pose, three a triangle, zero where a draw does not follow it.
+/// Cost: see form::follow_form; each draw by itself.
+[[nodiscard]] std::vector<glm::vec2> form_coordinates(const pose::MeshData& meshes, const StrokePlan& plan);
 
 } // namespace estampe::frame

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Multigrid for fields of plane vectors on a graph whose links turn or mirror what they carry.
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace estampe::form {
+
+using Vectors = std::vector<glm::dvec2>;
+
+/// A 2 x 2 matrix, row by row, in single precision to save bandwidth.
+struct Block {
+    float xx = 0.0F, xy = 0.0F, yx = 0.0F, yy = 0.0F;
+};
+
+/// Wants z at `to` to be z at `from` turned by `turn_rad`, and then mirrored in the x axis if `mirrors`.
+struct Link {
+    uint32_t from = 0;
+    uint32_t to = 0;
+    double weight = 0.0;
+    double turn_rad = 0.0;
+    bool mirrors = false;
+};
+
+/// The energy sum over links of weight |z_to - T z_from|^2, as the matrix A, with a mass for each node (M),
+/// and a hierarchy of ever coarser ones: neighbours that agree about what they want of each other become one
+/// node.
+class Bundle {
+public:
+    Bundle(uint32_t node_count, const std::vector<Link>& links, std::vector<double> masses);
+
+    /// Solves (A + diag(pulls)) z = right by conjugate gradients, preconditioned by one
+    /// multigrid cycle, until the residual has fallen to `tolerance` of what it was or 60 rounds are over.
+    /// Where no node of a connected part has a pull the solution is not unique; every part needs one.
+    [[nodiscard]] Vectors solve(const std::vector<double>& pulls, const Vectors& right, double tolerance);
+
+    /// The same for right = diag(pulls) targets: draws the field towards targets.
+    [[nodiscard]] Vectors attract(const std::vector<double>& pulls, const Vectors& targets, double tolerance);
+
+    /// Unit vectors with nearly the least energy: from the coarsest level to the finest, diffusion for ever
+    /// shorter times (the first over about `reach`, in the unit whose square masses are in) and return to
+    /// unit length in turns.
+    [[nodiscard]] Vectors relax(double reach, uint32_t seed);
+
+private:
+    struct Level {
+        std::vector<uint32_t> starts; ///< of the rows, into columns and blocks
+        std::vector<uint32_t> columns;
+        std::vector<Block> blocks;        ///< off the diagonal
+        std::vector<glm::dvec3> diagonal; ///< symmetric: xx, xy, yy
+        std::vector<double> masses;
+        std::vector<double> shifts; ///< added to the diagonal
+        std::vector<glm::dvec3> inverse_diagonal;
+        std::vector<uint32_t> coarse;   ///< node of the next level
+        std::vector<Block> from_coarse; ///< orthogonal
+        Vectors x, b, r;                ///< room for a cycle
+
+        [[nodiscard]] uint32_t size() const { return static_cast<uint32_t>(diagonal.size()); }
+    };
+
+    static bool aggregate(Level& fine);
+    static Level coarsen(const Level& fine);
+    void set_shifts(std::vector<double> finest);
+    void set_shift(double per_mass);
+    void invert_diagonals();
+    static glm::dvec2 off_diagonal(const Level& level, uint32_t row, const Vectors& x);
+    static void smooth(const Level& level, Vectors& x, const Vectors& b, bool forward);
+    static void apply(const Level& level, const Vectors& x, Vectors& out);
+    void cycle(size_t index, Vectors& x, const Vectors& b);
+    void diffuse(size_t index, Vectors& z, double reach, int times);
+
+    std::vector<Level> levels_;
+};
+
+} // namespace estampe::form

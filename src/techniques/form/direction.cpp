@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// Fields of n-fold symmetry as complex numbers to the n-th power, drawn to curvature: Knoeppel, Crane,
+// Pinkall and Schroeder, "Globally Optimal Direction Fields", SIGGRAPH 2013. First the cross of both
+// principal directions, then which of its two lines: Palacios and Zhang, "Rotational Symmetry Field Design on
+// Surfaces", SIGGRAPH 2007, found that fields smoothed as crosses have fewer singularities that nobody wants.
+#include "techniques/form/direction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "techniques/form/bundle.hpp"
+#include "techniques/form/curvature.hpp"
+
+namespace estampe::form {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double tolerance = 1e-2;  ///< of residuals; directions need no more
+constexpr double level_pull = 0.05; ///< towards level strokes, an area's; in inverse squares of the radius
+constexpr double crease_pull = 0.2; ///< towards creases, a length's; in inverse radii
+constexpr double crease_weight = 0.005; ///< of crosses that agree over a crease; an edge has about 0.6
+constexpr double crease_vote = 0.002;   ///< of lines chosen alike over a crease
+constexpr double flat = 0.15;           ///< curvature below which a surface counts as flat, in inverse radii
+
+struct Pull {
+    std::vector<double> strengths;
+    Vectors targets;
+
+    explicit Pull(size_t count) : strengths(count, 0.0), targets(count, glm::dvec2(0.0)) {}
+
+    void add(size_t i, double strength, Complex target)
+    {
+        const double sum = strengths[i] + strength;
+        if (sum > 0.0) {
+            targets[i] =
+                (strengths[i] * targets[i] + strength * glm::dvec2(target.real(), target.imag())) / sum;
+            strengths[i] = sum;
+        }
+    }
+};
+
+Bundle make_bundle(const Mesh& mesh, double symmetry, bool over_creases)
+{
+    std::vector<Link> links;
+    links.reserve(mesh.edges.size() + mesh.crease_links.size());
+    for (const Edge& edge : mesh.edges) {
+        links.push_back(
+            {edge.from, edge.to, edge.weight, symmetry * (edge.angle_at_to + pi - edge.angle_at_from)});
+    }
+    for (const CreaseLink& link : mesh.crease_links) {
+        if (over_creases && link.from != link.to) {
+            links.push_back({link.from, link.to, crease_weight, symmetry * link.turn});
+        }
+    }
+    return {static_cast<uint32_t>(mesh.points.size()), links, mesh.areas};
+}
+
+Complex unit(Complex z)
+{
+    const double length = std::abs(z);
+    return length > 1e-200 ? z / length : Complex(1.0);
+}
+
+/// Unit numbers at twice the angle of the level line at each vertex; on level ground all the same way.
+std::vector<Complex> level_lines(const Mesh& mesh, const glm::dvec3& up)
+{
+    const glm::dvec3 aside = std::abs(up.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec3 fallback = glm::normalize(aside - up * glm::dot(up, aside));
+    constexpr double fallback_share = 0.05;
+    std::vector<Complex> result(mesh.points.size(), 0.0);
+    for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& c = mesh.triangles[t];
+        const glm::dvec3 twice_area = mesh.triangle_normal(t);
+        const glm::dvec3 normal = glm::normalize(twice_area);
+        const glm::dvec3 x = glm::normalize(mesh.points[c[1]] - mesh.points[c[0]]);
+        const glm::dvec3 y = glm::cross(normal, x);
+        const glm::dvec3 level = glm::cross(up, normal);
+        const Complex line(glm::dot(level, x), glm::dot(level, y));
+        const Complex other(glm::dot(fallback, x), glm::dot(fallback, y));
+        const Complex doubled = line * line + fallback_share * other * other;
+        for (uint32_t k = 0; k < 3; ++k) {
+            const double part = glm::length(twice_area) / (6.0 * mesh.areas[c[k]]);
+            result[c[k]] += doubled * std::polar(part, 2.0 * mesh.vertex_from_triangle(t, k));
+        }
+    }
+    for (Complex& line : result) {
+        line = unit(line);
+    }
+    return result;
+}
+
+Complex complex_of(glm::dvec2 v)
+{
+    return {v.x, v.y};
+}
+
+/// Share of 0 to 1 to which the tensor tells its two directions apart on a surface that is not flat.
+double distinctness(const Curvature& k)
+{
+    const double deviation = std::abs(k.deviator);
+    const double most = std::max(std::abs(k.mean), deviation);
+    return most > 0.0 ? deviation / most * (deviation * deviation / (deviation * deviation + flat * flat))
+                      : 0.0;
+}
+
+/// How much greater the greatest curvature is than the least, -1 to 1: negative when it is the smaller in
+/// sign.
+double preference(const Curvature& k)
+{
+    const double deviation = std::abs(k.deviator);
+    return deviation > 0.0 ? std::clamp(k.mean / deviation, -1.0, 1.0) : 0.0;
+}
+
+/// For each vertex which of the two lines of its cross to follow, as a number of either sign, large where it
+/// is clear: 1 for the line itself, -1 for the one across. Neighbours are asked to choose alike, so that the
+/// surest decide.
+Vectors choose_lines(const Mesh& mesh, const std::vector<Complex>& lines, const Pull& line_pull)
+{
+    std::vector<Link> links;
+    links.reserve(mesh.edges.size() + mesh.crease_links.size());
+    const auto add = [&](uint32_t from, uint32_t to, double weight, double turn) {
+        const double alike = (lines[to] * std::conj(lines[from] * std::polar(1.0, 2.0 * turn))).real();
+        links.push_back({from, to, weight * std::abs(alike), alike < 0.0 ? pi : 0.0});
+    };
+    for (const Edge& edge : mesh.edges) {
+        add(edge.from, edge.to, edge.weight, edge.angle_at_to + pi - edge.angle_at_from);
+    }
+    for (const CreaseLink& link : mesh.crease_links) {
+        if (link.from != link.to) {
+            add(link.from, link.to, crease_vote, link.turn);
+        }
+    }
+    Vectors votes(lines.size());
+    for (size_t i = 0; i < lines.size(); ++i) {
+        votes[i] = {(complex_of(line_pull.targets[i]) * std::conj(lines[i])).real(), 0.0};
+    }
+    return Bundle(static_cast<uint32_t>(lines.size()), links, mesh.areas)
+        .attract(line_pull.strengths, votes, tolerance);
+}
+
+/// Lines to the power of two.
+Vectors smooth_lines(const Mesh& mesh, const glm::dvec3& up, double reach)
+{
+    const size_t count = mesh.points.size();
+    const std::vector<Curvature> curvature = find_curvature(mesh, 0.25 * reach);
+    const std::vector<Complex> level = level_lines(mesh, up);
+    Pull cross_pull(count);
+    Pull line_pull(count);
+    for (const CreaseLink& link : mesh.crease_links) {
+        cross_pull.add(link.from, crease_pull * link.length, std::polar(1.0, 4.0 * link.angle_at_from));
+        cross_pull.add(link.to, crease_pull * link.length,
+                       std::polar(1.0, 4.0 * (link.angle_at_from + link.turn)));
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const bool is_on_crease = cross_pull.strengths[i] > 0.0;
+        const double area = mesh.areas[i];
+        const Complex line = unit(curvature[i].deviator);
+        const double heard = distinctness(curvature[i]) * area / (reach * reach);
+        const double preferred = preference(curvature[i]);
+        cross_pull.add(i, heard, line * line);
+        cross_pull.add(i, is_on_crease ? 0.0 : level_pull * area, level[i] * level[i]);
+        line_pull.add(i, heard * std::abs(preferred), preferred < 0.0 ? -line : line);
+        line_pull.add(i, level_pull * area, level[i]);
+    }
+    std::vector<Complex> lines;
+    lines.reserve(count);
+    for (const glm::dvec2& cross :
+         make_bundle(mesh, 4.0, true).attract(cross_pull.strengths, cross_pull.targets, tolerance)) {
+        lines.push_back(std::sqrt(unit(complex_of(cross))));
+    }
+    const Vectors choices = choose_lines(mesh, lines, line_pull);
+    Pull along_cross(count);
+    for (size_t i = 0; i < count; ++i) {
+        const double sureness = std::abs(choices[i].x) + 1e-6;
+        along_cross.add(i, sureness * mesh.areas[i] / (reach * reach),
+                        choices[i].x < 0.0 ? -lines[i] : lines[i]);
+    }
+    return make_bundle(mesh, 2.0, false).attract(along_cross.strengths, along_cross.targets, tolerance);
+}
+
+/// Gives neighbouring lines the same sense as far as that goes, breadth first.
+void agree_on_sense(const Mesh& mesh, Directions& directions)
+{
+    const size_t count = mesh.points.size();
+    std::vector<std::vector<std::pair<uint32_t, double>>> around(count);
+    for (const Edge& edge : mesh.edges) {
+        const double turn = edge.angle_at_to + pi - edge.angle_at_from;
+        around[edge.from].emplace_back(edge.to, turn);
+        around[edge.to].emplace_back(edge.from, -turn);
+    }
+    for (const CreaseLink& link : mesh.crease_links) {
+        around[link.from].emplace_back(link.to, link.turn);
+        around[link.to].emplace_back(link.from, -link.turn);
+    }
+    std::vector<uint8_t> is_reached(count, 0);
+    std::vector<uint32_t> queue;
+    for (uint32_t seed = 0; seed < count; ++seed) {
+        if (is_reached[seed] != 0) {
+            continue;
+        }
+        is_reached[seed] = 1;
+        queue.assign(1, seed);
+        for (size_t head = 0; head < queue.size(); ++head) {
+            const uint32_t i = queue[head];
+            for (const auto& [j, turn] : around[i]) {
+                if (is_reached[j] != 0) {
+                    continue;
+                }
+                is_reached[j] = 1;
+                queue.push_back(j);
+                if (std::cos(directions.angles[j] - directions.angles[i] - turn) < 0.0) {
+                    directions.angles[j] += pi;
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+
+Directions find_directions(const Mesh& mesh, const glm::dvec3& up, double reach)
+{
+    Directions result;
+    for (const glm::dvec2 line : smooth_lines(mesh, up, reach)) {
+        result.angles.push_back(0.5 * std::atan2(line.y, line.x));
+    }
+    agree_on_sense(mesh, result);
+    for (const Edge& edge : mesh.edges) {
+        const double turn = edge.angle_at_to + pi - edge.angle_at_from;
+        result.turns.push_back(std::cos(result.angles[edge.to] - result.angles[edge.from] - turn) < 0.0 ? 1
+                                                                                                        : 0);
+    }
+    for (const CreaseLink& link : mesh.crease_links) {
+        result.link_turns.push_back(
+            std::cos(result.angles[link.to] - result.angles[link.from] - link.turn) < 0.0 ? 1 : 0);
+    }
+    return result;
+}
+
+double singularity(const Mesh& mesh, const Directions& directions, uint32_t triangle)
+{
+    double sum = -pi;
+    for (uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const Edge& edge = mesh.edges[mesh.edge_of[h]];
+        const double turn = edge.angle_at_to + pi - edge.angle_at_from;
+        const double difference = directions.angles[edge.to] - directions.angles[edge.from] - turn;
+        const double change = difference - pi * std::round(difference / pi);
+        sum += edge.half_edge == h ? change : -change;
+        sum += mesh.angle_scales[mesh.triangles[triangle][h % 3]] * mesh.corner_angles[h];
+    }
+    return 0.5 * std::round(sum / pi);
+}
+
+} // namespace estampe::form

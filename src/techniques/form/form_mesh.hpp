@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A mesh made fit for fields: welded, cleaned, cut along creases, with angles about each vertex.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace estampe::form {
+
+constexpr uint32_t none = ~0U;
+
+/// Two vertices a unit apart in the graph of the mesh. Angles are in radians, in the tangent plane of a
+/// vertex.
+struct Edge {
+    uint32_t from = 0;
+    uint32_t to = 0;
+    uint32_t half_edge = 0;     ///< from -> to
+    uint32_t twin = none;       ///< to -> from, in the other triangle
+    double weight = 0.0;        ///< half the sum of the cotangents, bounded
+    double length = 0.0;        ///< in radii of the mesh
+    double angle_at_from = 0.0; ///< of the edge, leaving `from`
+    double angle_at_to = 0.0;   ///< of the edge, leaving `to`
+};
+
+/// Two vertices at the same place on either side of a crease. A direction that has the one angle to the
+/// crease at `from` has it at `to` when turned by `turn`.
+struct CreaseLink {
+    uint32_t from = 0;
+    uint32_t to = 0;
+    double turn = 0.0;
+    double angle_at_from = 0.0; ///< of the crease
+    double length = 0.0;        ///< of the half of the crease that belongs to this end
+};
+
+/// Triangles of a surface that is a manifold with border: creases sharper than 45 degrees, edges of more than
+/// two triangles and edges between triangles of contrary sense are cuts. Half-edge 3 t + k leads from corner
+/// k of triangle t to the next. Lengths are in radii of the mesh, about its centre.
+struct Mesh {
+    std::vector<glm::dvec3> points; ///< one a vertex
+    std::vector<double> areas;      ///< one a vertex: its share of the surface
+    std::vector<std::array<uint32_t, 3>> triangles;
+    std::vector<uint32_t> sources;        ///< one a triangle: its place in the input
+    std::vector<uint32_t> twins;          ///< one a half-edge; none at a cut
+    std::vector<uint32_t> edge_of;        ///< one a half-edge: into `edges`
+    std::vector<double> corner_angles;    ///< one a half-edge: inside the triangle, at its origin
+    std::vector<double> angle_scales;     ///< one a vertex: tangent-plane angle over angle on the surface
+    std::vector<double> half_edge_angles; ///< one a half-edge: in the tangent plane of its origin
+    std::vector<glm::dvec3> normals;      ///< one a vertex
+    std::vector<Edge> edges;
+    std::vector<CreaseLink> crease_links;
+    glm::dvec3 center_m{0.0};
+    double radius_m = 1.0;
+    uint32_t dropped_triangles = 0;
+    uint32_t crease_edges = 0;
+
+    [[nodiscard]] glm::dvec3 triangle_normal(uint32_t triangle) const; ///< length is twice the area
+    /// Turn that takes an angle in the plane of a triangle, measured from its first edge, to the tangent
+    /// plane of one of its corners.
+    [[nodiscard]] double vertex_from_triangle(uint32_t triangle, uint32_t corner) const;
+};
+
+/// Cost: sorting the vertices and the edges.
+[[nodiscard]] Mesh build_mesh(std::span<const glm::vec3> positions_m,
+                              std::span<const uint32_t> triangle_indices);
+
+inline uint32_t next_corner(uint32_t half_edge)
+{
+    return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
+}
+
+inline uint32_t previous_corner(uint32_t half_edge)
+{
+    return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1;
+}
+
+} // namespace estampe::form

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Knoeppel, Crane, Pinkall and Schroeder, "Stripe Patterns on Surfaces", SIGGRAPH 2015. Of their unit-length
+// variants this minimises with |z| = 1 everywhere, so that no part of a mesh is starved of the eigenvector.
+#include "techniques/form/stripes.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "techniques/form/bundle.hpp"
+#include "techniques/form/spacing.hpp"
+
+namespace estampe::form {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double crease_weight = 0.6; ///< of agreement over a crease; an edge has about 0.6
+
+/// Phase gained along an edge, in periods, as seen with the sense of the line at its start.
+struct Gain {
+    double wanted = 0.0;
+    double real = 0.0;
+};
+
+class Painter {
+public:
+    Painter(const Mesh& mesh, const Directions& directions, double turn, double period, uint32_t seed)
+        : mesh_(mesh), directions_(directions)
+    {
+        want_gains(turn, period);
+        solve(period, seed);
+    }
+
+    Stripes paint()
+    {
+        const size_t count = mesh_.triangles.size();
+        stripes_.corners.resize(count);
+        stripes_.branches.resize(count);
+        senses_.resize(count);
+        for (uint32_t t = 0; t < count; ++t) {
+            paint_triangle(t);
+        }
+        unwrap();
+        return std::move(stripes_);
+    }
+
+private:
+    void want_gains(double turn, double period)
+    {
+        const std::vector<double> closeness = find_closeness(mesh_, directions_, turn);
+        gains_.reserve(mesh_.edges.size());
+        for (size_t e = 0; e < mesh_.edges.size(); ++e) {
+            const Edge& edge = mesh_.edges[e];
+            const double at_from = std::cos(directions_.angles[edge.from] + turn - edge.angle_at_from);
+            const double at_to = std::cos(directions_.angles[edge.to] + turn - edge.angle_at_to - pi);
+            const double sign = directions_.turns[e] != 0 ? -1.0 : 1.0;
+            const double mean = 0.5 * (closeness[edge.from] + closeness[edge.to]);
+            gains_.push_back({.wanted = 0.5 * mean * edge.length / period * (at_from + sign * at_to)});
+        }
+    }
+
+    void solve(double period, uint32_t seed)
+    {
+        std::vector<Link> links;
+        for (size_t e = 0; e < mesh_.edges.size(); ++e) {
+            const Edge& edge = mesh_.edges[e];
+            links.push_back(
+                {edge.from, edge.to, edge.weight, 2.0 * pi * gains_[e].wanted, directions_.turns[e] != 0});
+        }
+        for (size_t l = 0; l < mesh_.crease_links.size(); ++l) {
+            const CreaseLink& link = mesh_.crease_links[l];
+            if (link.from != link.to) {
+                const double agreement =
+                    std::cos(directions_.angles[link.to] - directions_.angles[link.from] - link.turn);
+                links.push_back({link.from, link.to, crease_weight * std::pow(agreement, 8.0), 0.0,
+                                 directions_.link_turns[l] != 0});
+            }
+        }
+        Bundle bundle(static_cast<uint32_t>(mesh_.points.size()), links, mesh_.areas);
+        for (const glm::dvec2 z : bundle.relax(period, seed)) {
+            phases_.push_back(std::atan2(z.y, z.x) / (2.0 * pi));
+        }
+        for (size_t e = 0; e < mesh_.edges.size(); ++e) {
+            const Edge& edge = mesh_.edges[e];
+            const double sign = directions_.turns[e] != 0 ? -1.0 : 1.0;
+            const double rest = sign * phases_[edge.to] - phases_[edge.from] - gains_[e].wanted;
+            gains_[e].real = gains_[e].wanted + rest - std::round(rest);
+        }
+    }
+
+    /// Gain along a half-edge with the sense of the line at its origin.
+    double gain(uint32_t half_edge) const
+    {
+        const uint32_t e = mesh_.edge_of[half_edge];
+        if (mesh_.edges[e].half_edge == half_edge) {
+            return gains_[e].real;
+        }
+        return directions_.turns[e] != 0 ? gains_[e].real : -gains_[e].real;
+    }
+
+    double sign(uint32_t half_edge) const
+    {
+        return directions_.turns[mesh_.edge_of[half_edge]] != 0 ? -1.0 : 1.0;
+    }
+
+    /// Phases from one corner along both its edges; the third edge takes what does not fit. Of the three ways
+    /// the one that changes least over the triangle.
+    void paint_triangle(uint32_t t)
+    {
+        const uint32_t h = 3 * t;
+        const bool is_singular = sign(h) * sign(h + 1) * sign(h + 2) < 0.0;
+        const double round_trip = gain(h) + sign(h) * gain(h + 1) + sign(h) * sign(h + 1) * gain(h + 2);
+        stripes_.branches[t] = is_singular ? 0 : static_cast<int32_t>(std::lround(round_trip));
+        double least = 1e300;
+        const uint32_t ways = is_singular || stripes_.branches[t] != 0 ? 3 : 1;
+        for (uint32_t k = 0; k < ways; ++k) {
+            const uint32_t onward = h + k;
+            const uint32_t back = previous_corner(onward);
+            std::array<double, 3> corner{};
+            std::array<double, 3> sense{};
+            corner[k] = phases_[mesh_.triangles[t][k]];
+            sense[k] = 1.0;
+            corner[next_corner(onward) % 3] = corner[k] + gain(onward);
+            sense[next_corner(onward) % 3] = sign(onward);
+            // Against the half-edge that comes in: its gain, seen from the far end, is turned round.
+            corner[back % 3] = corner[k] - sign(back) * gain(back);
+            sense[back % 3] = sign(back);
+            const double change = std::abs(corner[0] - corner[1]) + std::abs(corner[1] - corner[2]) +
+                                  std::abs(corner[2] - corner[0]);
+            const double broken = mesh_.twins[next_corner(onward)] == none ? -1.0 : 0.0;
+            if (change + broken < least) {
+                least = change + broken;
+                stripes_.corners[t] = corner;
+                senses_[t] = sense;
+            }
+        }
+    }
+
+    /// Breadth-first over the triangles, so that whole numbers and signs change over few edges.
+    void unwrap()
+    {
+        std::vector<uint8_t> is_reached(mesh_.triangles.size(), 0);
+        std::vector<uint32_t> queue;
+        for (uint32_t seed = 0; seed < mesh_.triangles.size(); ++seed) {
+            if (is_reached[seed] != 0) {
+                continue;
+            }
+            is_reached[seed] = 1;
+            queue.assign(1, seed);
+            for (size_t head = 0; head < queue.size(); ++head) {
+                for (uint32_t h = 3 * queue[head]; h < 3 * queue[head] + 3; ++h) {
+                    const uint32_t twin = mesh_.twins[h];
+                    if (twin != none && is_reached[twin / 3] == 0) {
+                        is_reached[twin / 3] = 1;
+                        fit(h, twin);
+                        queue.push_back(twin / 3);
+                    }
+                }
+            }
+        }
+    }
+
+    void fit(uint32_t half_edge, uint32_t twin)
+    {
+        std::array<double, 3>& corner = stripes_.corners[twin / 3];
+        std::array<double, 3>& sense = senses_[twin / 3];
+        const uint32_t start = next_corner(twin);
+        if (senses_[half_edge / 3][half_edge % 3] * sense[start % 3] < 0.0) {
+            for (size_t k = 0; k < 3; ++k) {
+                corner[k] = -corner[k];
+                sense[k] = -sense[k];
+            }
+        }
+        const double whole = std::round(stripes_.corners[half_edge / 3][half_edge % 3] - corner[start % 3]);
+        for (double& value : corner) {
+            value += whole;
+        }
+    }
+
+    const Mesh& mesh_;
+    const Directions& directions_;
+    std::vector<Gain> gains_;    ///< one an edge
+    std::vector<double> phases_; ///< one a vertex, in periods
+    Stripes stripes_;
+    std::vector<std::array<double, 3>> senses_; ///< of a triangle's phases against those of its vertices
+};
+
+} // namespace
+
+Stripes find_stripes(const Mesh& mesh, const Directions& directions, double turn_rad, double period,
+                     uint32_t seed)
+{
+    return Painter(mesh, directions, turn_rad, period, seed).paint();
+}
+
+} // namespace estampe::form
