@@ -273,7 +273,7 @@ TEST(Compose, PaintSettlesInTheHollowsAndInkSkipsTheHeights)
     for (size_t i = 0; i < broken.size(); ++i) {
         const double height = 10.0 * heights[i];
         const double dry = std::clamp(1.0 - 3.0 * std::max(height - 0.1, 0.0), 0.0, 1.0);
-        const double expected = static_cast<double>(glm::mix(style.color.y, style.ink.y, dry));
+        const auto expected = static_cast<double>(glm::mix(style.color.y, style.ink.y, dry));
         EXPECT_NEAR(broken[i], expected, 0.03);
     }
     EXPECT_GT(*std::ranges::max_element(broken), 0.3) << "somewhere the ink skips";

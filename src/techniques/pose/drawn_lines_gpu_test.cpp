@@ -70,7 +70,8 @@ Camera magnifier(const glm::dvec2& middle)
 
 glm::dvec2 place_of(size_t i, const glm::dvec2& middle)
 {
-    const glm::dvec2 px(static_cast<double>(i % side_px) + 0.5, static_cast<double>(i / side_px) + 0.5);
+    const size_t row = i / side_px;
+    const glm::dvec2 px(static_cast<double>(i % side_px) + 0.5, static_cast<double>(row) + 0.5);
     const glm::dvec2 ndc = 2.0 * px / static_cast<double>(side_px) - 1.0;
     return middle + half_height_m * glm::dvec2(ndc.x, -ndc.y);
 }

@@ -80,7 +80,8 @@ double zenith_share(const glm::vec4& wash)
 
 glm::dvec2 centre_of(size_t i, glm::uvec2 size_px)
 {
-    return {static_cast<double>(i % size_px.x) + 0.5, static_cast<double>(i / size_px.x) + 0.5};
+    const size_t row = i / size_px.x;
+    return {static_cast<double>(i % size_px.x) + 0.5, static_cast<double>(row) + 0.5};
 }
 
 Camera looking(double elevation_deg, double bearing_deg, double fov_rad)
