@@ -42,12 +42,9 @@ std::optional<hatch::MapInputs> import_map(gpu::Graph& graph, hatch::MapImages* 
     if (map == nullptr) {
         return std::nullopt;
     }
-    const auto import_image = [&](const char* name, gpu::Image& image) {
-        return graph.import_image(name, image, image.desc(), gpu::Layout::shader_read);
-    };
-    return hatch::MapInputs{.tones = import_image("map tones", map->tones),
-                            .thresholds = import_image("map thresholds", map->thresholds),
-                            .ramp = import_buffer(graph, "map ramp", map->ramp),
+    return hatch::MapInputs{.tones = gpu::import_uploaded(graph, "map tones", map->tones),
+                            .thresholds = gpu::import_uploaded(graph, "map thresholds", map->thresholds),
+                            .ramp = gpu::import_whole(graph, "map ramp", map->ramp),
                             .size_px = map->size_px,
                             .tone_count = map->tone_count,
                             .level_count = map->level_count};
