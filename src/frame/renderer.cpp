@@ -13,6 +13,7 @@
 #include "frame/frame.hpp"
 #include "gpu/graph/execute.hpp"
 #include "gpu/upload.hpp"
+#include "techniques/raster/choose_path.hpp"
 
 namespace estampe {
 
@@ -28,7 +29,11 @@ struct LoadedScene {
 };
 
 struct Renderer::Impl {
-    explicit Impl(const RendererOptions& options) : device(options), executor(device) {}
+    explicit Impl(const RendererOptions& options)
+        : device(options), executor(device),
+          raster_path(raster::choose_path(device, executor, options.raster))
+    {
+    }
 
     void check_size(const RenderSettings& settings) const;
     void provide_pixels(const RenderSettings& settings);
@@ -40,6 +45,7 @@ struct Renderer::Impl {
 
     gpu::Device device;
     gpu::Executor executor;
+    RasterPath raster_path;
     std::optional<LoadedScene> loaded;
     gpu::Buffer frame_globals;
     gpu::Buffer light_globals;
@@ -98,6 +104,19 @@ Scene without_images(const Scene& scene)
 
 } // namespace
 
+const char* name_of(RasterPath path)
+{
+    switch (path) {
+    case RasterPath::automatic:
+        return "auto";
+    case RasterPath::hardware:
+        return "hardware";
+    case RasterPath::compute:
+        return "compute";
+    }
+    return "";
+}
+
 Renderer::Renderer(const RendererOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 
 Renderer::~Renderer() = default;
@@ -109,6 +128,11 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 const DeviceInfo& Renderer::device() const
 {
     return impl_->device.info();
+}
+
+RasterPath Renderer::raster_path() const
+{
+    return impl_->raster_path;
 }
 
 void Renderer::set_scene(const Scene& scene)
@@ -192,6 +216,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
     plan.size_px = {settings.width, settings.height};
     plan.pixels_per_mm = static_cast<float>(settings.height) / style.paper.height_mm;
     plan.pixel_angle = frame::pixel_angle(camera, settings.height);
+    plan.raster_path = raster_path;
     if (device.info().software) {
         // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
         plan.raster = {.small_area_px = 2048, .list_groups = 32};

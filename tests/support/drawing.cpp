@@ -95,10 +95,12 @@ raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph, gpu::BufferId pos
 
 std::vector<raster::Batch> Drawing::batches() const
 {
-    std::vector<raster::Batch> result{{layout.opaque.first, layout.opaque.count, false},
-                                      {layout.masked.first, layout.masked.count, true}};
+    const auto batch = [](const pose::Range& range, bool masked) {
+        return raster::Batch{range.first, range.count, masked, range.plain};
+    };
+    std::vector<raster::Batch> result{batch(layout.opaque, false), batch(layout.masked, true)};
     if (with_ground) {
-        result.push_back({layout.ground.first, layout.ground.count, false});
+        result.push_back(batch(layout.ground, false));
     }
     return result;
 }
@@ -107,7 +109,7 @@ gpu::BufferId Drawing::add_visibility(gpu::Graph& graph, gpu::BufferId posed)
 {
     return raster::add_visibility(
         graph, "visibility", raster_inputs(graph, posed), batches(),
-        {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .tuning = tuning});
+        {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .path = path, .tuning = tuning});
 }
 
 Drawing::Stage Drawing::add_surface(gpu::Graph& graph)
@@ -162,6 +164,7 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
                                        {.clip_from_anchor = view.clip_from_anchor,
                                         .size_px = glm::uvec2(setup.shadow_size),
                                         .cull_back_faces = false,
+                                        .path = path,
                                         .tuning = tuning},
                                        shadow_map);
     }

@@ -57,6 +57,7 @@ public:
     [[nodiscard]] shadow::SunView sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
 
     glm::uvec2 size_px;
+    RasterPath path = RasterPath::compute;
     raster::Tuning tuning;
     bool with_ground = false;
     pose::MeshData layout;

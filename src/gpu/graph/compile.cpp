@@ -252,20 +252,24 @@ Layout layout_for(Access access)
 {
     switch (access) {
     case Access::compute_sampled:
+    case Access::raster_sampled:
         return Layout::shader_read;
     case Access::transfer_read:
         return Layout::transfer_source;
     case Access::transfer_write:
         return Layout::transfer_target;
     case Access::color_attachment:
+    case Access::color_attachment_modify:
         return Layout::color;
     case Access::depth_attachment:
         return Layout::depth;
     case Access::compute_storage_read:
     case Access::compute_storage_write:
     case Access::compute_storage_modify:
+    case Access::raster_storage_read:
         return Layout::general;
     case Access::compute_uniform:
+    case Access::raster_uniform:
     case Access::indirect:
     case Access::host_read:
         break; // buffers only
@@ -286,6 +290,12 @@ std::string_view name_of(Access access)
         return "compute_storage_modify";
     case Access::compute_uniform:
         return "compute_uniform";
+    case Access::raster_sampled:
+        return "raster_sampled";
+    case Access::raster_storage_read:
+        return "raster_storage_read";
+    case Access::raster_uniform:
+        return "raster_uniform";
     case Access::indirect:
         return "indirect";
     case Access::transfer_read:
@@ -294,6 +304,8 @@ std::string_view name_of(Access access)
         return "transfer_write";
     case Access::color_attachment:
         return "color_attachment";
+    case Access::color_attachment_modify:
+        return "color_attachment_modify";
     case Access::depth_attachment:
         return "depth_attachment";
     case Access::host_read:
