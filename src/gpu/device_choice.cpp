@@ -11,30 +11,6 @@
 namespace estampe::gpu {
 namespace {
 
-/// Names of the features that drawing cannot do without and `have` lacks.
-std::string missing_features(const Features& have)
-{
-    std::string missing;
-    const auto need = [&](VkBool32 there, const char* name) {
-        if (there == VK_FALSE) {
-            missing += missing.empty() ? name : std::string(", ") + name;
-        }
-    };
-    need(have.v13.synchronization2, "synchronization2");
-    need(have.v13.dynamicRendering, "dynamic rendering");
-    need(have.v13.maintenance4, "maintenance4");
-    need(have.v12.scalarBlockLayout, "scalar block layout");
-    need(have.v12.hostQueryReset, "host query reset");
-    need(have.core.features.shaderStorageImageExtendedFormats, "extended storage image formats");
-    return missing;
-}
-
-/// Whether words of depth and triangle can be drawn by an atomic maximum.
-bool offers_compute_raster(const Features& have)
-{
-    return have.v12.shaderBufferInt64Atomics == VK_TRUE && have.core.features.shaderInt64 == VK_TRUE;
-}
-
 Candidate judge(VkPhysicalDevice physical, uint32_t index)
 {
     VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
@@ -86,6 +62,28 @@ Features::Features()
     v12.pNext = &v13;
     core.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     core.pNext = &v12;
+}
+
+std::string missing_features(const Features& have)
+{
+    std::string missing;
+    const auto need = [&](VkBool32 there, const char* name) {
+        if (there == VK_FALSE) {
+            missing += missing.empty() ? name : std::string(", ") + name;
+        }
+    };
+    need(have.v13.synchronization2, "synchronization2");
+    need(have.v13.dynamicRendering, "dynamic rendering");
+    need(have.v13.maintenance4, "maintenance4");
+    need(have.v12.scalarBlockLayout, "scalar block layout");
+    need(have.v12.hostQueryReset, "host query reset");
+    need(have.core.features.shaderStorageImageExtendedFormats, "extended storage image formats");
+    return missing;
+}
+
+bool offers_compute_raster(const Features& have)
+{
+    return have.v12.shaderBufferInt64Atomics == VK_TRUE && have.core.features.shaderInt64 == VK_TRUE;
 }
 
 void load_vulkan()

@@ -194,6 +194,7 @@ struct MemoryState {
     Layout layout = Layout::undefined;
     AccessSet source;  ///< the last write, or what waited for the last layout change
     AccessSet readers; ///< reads since then, all of which have waited for `source`
+    AccessSet covered; ///< those of `readers` that another of them has waited for, so that nobody else need
 };
 
 /// Brings `state` past `use`, and returns the barrier in between; its `after` is empty when none is needed.
@@ -206,17 +207,22 @@ Barrier advance(MemoryState& state, const PassUse& use)
     state.layout = use.layout;
     if (use.writes || changes_layout || changes_holder) {
         // The readers have waited for the source, so whoever waits for them waits for it too.
-        barrier.before = state.readers.empty() ? state.source : state.readers;
+        barrier.before = state.readers.empty() ? state.source : state.readers.without(state.covered);
         if (changes_layout || !barrier.before.empty())
             barrier.after = use.accesses;
         state.source = use.accesses;
         state.readers = use.writes ? AccessSet() : use.accesses;
+        state.covered = {};
         return barrier;
     }
     if (!state.source.empty()) {
         barrier.before = state.source;
         barrier.after = use.accesses.without(state.readers);
     }
+    // The source is a reader where that reader changed the layout.
+    if (!barrier.after.empty())
+        state.covered |= state.source.without(state.source.without(state.readers));
+    state.covered = state.covered.without(use.accesses);
     state.readers |= use.accesses;
     return barrier;
 }

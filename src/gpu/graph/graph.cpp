@@ -65,6 +65,14 @@ void require_raster(const PassRecord& pass, const char* what)
         throw std::logic_error(fmt::format("pass '{}': {} is for raster passes", pass.name, what));
 }
 
+void require_format(const PassRecord& pass, const Graph& graph, ImageId image, bool wants_depth)
+{
+    if ((graph.describe(image).format == Format::depth32f) != wants_depth)
+        throw std::logic_error(fmt::format("pass '{}': '{}' is no {} image", pass.name,
+                                           graph.resources()[image.resource].name,
+                                           wants_depth ? "depth" : "colour"));
+}
+
 } // namespace
 
 PassRecord& Pass::record()
@@ -148,8 +156,8 @@ BufferId Pass::modify(BufferId buffer)
 ImageId Pass::color(ImageId image)
 {
     require_raster(record(), "color");
-    const bool clears =
-        image.version == 0 && graph_.checked(image.resource, true, "color").imported_image == nullptr;
+    require_format(record(), graph_, image, false);
+    const bool clears = image.version == 0 && graph_.resources()[image.resource].imported_image == nullptr;
     return {
         image.resource,
         use(image.resource, image.version, true,
@@ -159,6 +167,7 @@ ImageId Pass::color(ImageId image)
 ImageId Pass::depth(ImageId image)
 {
     require_raster(record(), "depth");
+    require_format(record(), graph_, image, true);
     return {image.resource,
             use(image.resource, image.version, true, {.access = Access::depth_attachment, .bound = false})};
 }

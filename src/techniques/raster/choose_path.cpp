@@ -14,7 +14,6 @@
 namespace estampe::raster {
 namespace {
 
-constexpr RasterPath quicker_on_processors = RasterPath::compute;
 constexpr glm::uvec2 page_px(1280, 720);
 constexpr uint32_t quads_across = 128;
 constexpr double worthwhile = 0.8;
@@ -95,20 +94,22 @@ RasterPath measure_paths(gpu::Device& device, gpu::Executor& executor)
     return hardware_ms < worthwhile * compute_ms ? RasterPath::hardware : RasterPath::compute;
 }
 
-RasterPath choose_path(gpu::Device& device, gpu::Executor& executor, RasterPath wanted)
+std::optional<RasterPath> settled_path(const DeviceInfo& device, RasterPath wanted)
 {
-    const DeviceInfo& info = device.info();
-    if (wanted == RasterPath::compute && !info.compute_raster) {
-        throw Error(info.name + " lacks 64-bit buffer atomics, so it cannot draw triangles in compute",
+    if (wanted == RasterPath::compute && !device.compute_raster) {
+        throw Error(device.name + " cannot draw triangles in compute: it lacks 64-bit buffer atomics",
                     "raster", "use hardware or auto");
     }
     if (wanted != RasterPath::automatic) {
         return wanted;
     }
-    if (!info.compute_raster) {
-        return RasterPath::hardware;
-    }
-    return info.software ? quicker_on_processors : measure_paths(device, executor);
+    return device.software || !device.compute_raster ? std::optional(RasterPath::hardware) : std::nullopt;
+}
+
+RasterPath choose_path(gpu::Device& device, gpu::Executor& executor, RasterPath wanted)
+{
+    const auto settled = settled_path(device.info(), wanted);
+    return settled ? *settled : measure_paths(device, executor);
 }
 
 } // namespace estampe::raster
