@@ -105,11 +105,14 @@ std::vector<raster::Batch> Drawing::batches() const
     return result;
 }
 
+raster::View Drawing::raster_view() const
+{
+    return {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .path = path, .tuning = tuning};
+}
+
 gpu::BufferId Drawing::add_visibility(gpu::Graph& graph, gpu::BufferId posed)
 {
-    return raster::add_visibility(
-        graph, "visibility", raster_inputs(graph, posed), batches(),
-        {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .path = path, .tuning = tuning});
+    return raster::add_visibility(graph, "visibility", raster_inputs(graph, posed), batches(), raster_view());
 }
 
 Drawing::Stage Drawing::add_surface(gpu::Graph& graph)
@@ -195,6 +198,18 @@ std::vector<uint64_t> Drawing::visibility()
     auto words = run_and_read_as<uint64_t>(graph, add_visibility(graph, add_posed(graph)));
     words.resize(static_cast<size_t>(size_px.x) * size_px.y); // the buffer is whole groups of 16 bytes
     return words;
+}
+
+std::vector<float> Drawing::depth_alone()
+{
+    gpu::Graph graph;
+    const uint64_t size_bytes = sizeof(float) * size_px.x * size_px.y;
+    const auto target = graph.buffer("depths", {.size_bytes = (size_bytes + 15) / 16 * 16});
+    auto depths = run_and_read_as<float>(graph, raster::add_depth(graph, "depths",
+                                                                  raster_inputs(graph, add_posed(graph)),
+                                                                  batches(), raster_view(), target));
+    depths.resize(static_cast<size_t>(size_px.x) * size_px.y);
+    return depths;
 }
 
 SurfacePixels Drawing::surface()

@@ -47,6 +47,8 @@ public:
     [[nodiscard]] std::vector<shared::PosedVertex> posed();
     /// 64-bit words: reversed depth above, triangle below.
     [[nodiscard]] std::vector<uint64_t> visibility();
+    /// Reversed depth, drawn without the triangles' identities.
+    [[nodiscard]] std::vector<float> depth_alone();
     [[nodiscard]] SurfacePixels surface();
     [[nodiscard]] std::vector<glm::vec4> light(const LightSetup& setup);
     /// Coverage of the lines, in even light of 1.
@@ -77,6 +79,7 @@ private:
     gpu::ImageId add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup);
     raster::RasterInputs raster_inputs(gpu::Graph& graph, gpu::BufferId posed);
     std::vector<raster::Batch> batches() const;
+    raster::View raster_view() const;
 
     double pixel_angle_ = 0.0;
     pose::MeshBuffers meshes_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/graph/execute.hpp"
 #include "shaders/corner_vert.hpp"
+#include "shaders/draw_depth_frag.hpp"
 #include "shaders/draw_depth_masked_frag.hpp"
 #include "shaders/draw_ids_frag.hpp"
 #include "shaders/draw_masked_frag.hpp"
@@ -16,11 +17,15 @@ struct Attachments {
     gpu::ImageId depth;
 };
 
-gpu::Pass begin_draw(gpu::Graph& graph, const std::string& name, bool masked, bool depth_only)
+gpu::Pass begin_draw(gpu::Graph& graph, const std::string& name, bool masked, bool depth_only,
+                     bool tests_sides)
 {
+    if (depth_only && !masked) {
+        return tests_sides ? graph.raster(name, shaders::corner_vert, shaders::draw_depth_frag)
+                           : graph.raster(name, shaders::corner_vert);
+    }
     if (depth_only) {
-        return masked ? graph.raster(name, shaders::corner_vert, shaders::draw_depth_masked_frag)
-                      : graph.raster(name, shaders::corner_vert);
+        return graph.raster(name, shaders::corner_vert, shaders::draw_depth_masked_frag);
     }
     return graph.raster(name, shaders::corner_vert,
                         masked ? shaders::draw_masked_frag : shaders::draw_ids_frag);
@@ -29,7 +34,8 @@ gpu::Pass begin_draw(gpu::Graph& graph, const std::string& name, bool masked, bo
 void add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in, const Batch& batch,
                const View& view, bool depth_only, Attachments& to)
 {
-    auto pass = begin_draw(graph, name, batch.masked, depth_only);
+    const bool tests_sides = view.cull_back_faces && !batch.plain;
+    auto pass = begin_draw(graph, name, batch.masked, depth_only, tests_sides);
     pass.read(in.triangles).read(in.posed_vertices);
     if (batch.masked) {
         bind_masks(pass, in);
@@ -38,7 +44,6 @@ void add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& i
         to.words = pass.color(to.words);
     }
     to.depth = pass.depth(to.depth);
-    const bool tests_sides = view.cull_back_faces && !batch.plain;
     if (view.cull_back_faces && !tests_sides) {
         pass.cull_back_faces();
     }
