@@ -48,6 +48,7 @@ struct Typed {
     std::string preview;
     std::string animation;
     std::string device = "auto";
+    std::string raster = "auto";
     double time_s = 0.0;
     uint32_t samples = 1;
     uint32_t repeat = 1;
@@ -87,6 +88,12 @@ void add_draw_options(CLI::App& command, Typed& typed)
         "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)");
     command.add_option("--device", typed.device, "auto, cpu, or an index that estampe devices lists")
         ->type_name("DEVICE")
+        ->capture_default_str();
+    command
+        .add_option("--raster", typed.raster,
+                    "How triangles are drawn: hardware, compute, or auto, the quicker\n"
+                    "on this device")
+        ->type_name("PATH")
         ->capture_default_str();
 }
 
@@ -184,6 +191,7 @@ DrawOptions read_draw_options(const Typed& typed)
     draw.samples = typed.samples;
     check_device(typed.device);
     draw.device.device = typed.device;
+    draw.device.raster = parse_raster_path(typed.raster);
     draw.style = read_style(typed);
     return draw;
 }

@@ -134,6 +134,17 @@ CameraChoice parse_camera(const std::string& text)
     return choice;
 }
 
+RasterPath parse_raster_path(const std::string& text)
+{
+    for (const RasterPath path : {RasterPath::automatic, RasterPath::hardware, RasterPath::compute}) {
+        if (text == name_of(path)) {
+            return path;
+        }
+    }
+    throw UsageError(fmt::format("{} is not a way to draw triangles", in_quotes(text)), "--raster",
+                     "write auto, hardware or compute");
+}
+
 void check_device(const std::string& text)
 {
     if (text != "auto" && text != "cpu" && !parse_number<uint32_t>(text)) {

@@ -14,6 +14,9 @@ inline constexpr uint32_t largest_side_px = 16384;
 /// "1920x1080". Throws UsageError when it is none, or a side is 0 or beyond largest_side_px.
 [[nodiscard]] std::pair<uint32_t, uint32_t> parse_size(const std::string& text);
 
+/// "auto", "hardware" or "compute". Throws UsageError when it is none of them.
+[[nodiscard]] RasterPath parse_raster_path(const std::string& text);
+
 /// "auto", a name or index, or "eye=x,y,z target=x,y,z fov=degrees". Throws UsageError when the last is
 /// malformed.
 [[nodiscard]] CameraChoice parse_camera(const std::string& text);

@@ -136,8 +136,8 @@ void run(const RenderCommand& command)
     clock.finish("write");
 
     if (command.timings || command.json) {
-        TimingReport report{renderer.device().name, draw.output,      settings,
-                            command.repeat,         passes.medians(), clock.steps()};
+        TimingReport report{renderer.device().name, renderer.raster_path(), draw.output,  settings,
+                            command.repeat,         passes.medians(),       clock.steps()};
         report.cpu_ms.emplace_back("total", clock.total_ms());
         if (!later_frames_ms.empty()) {
             report.cpu_ms.emplace_back("median later frame", median(later_frames_ms));

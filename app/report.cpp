@@ -86,6 +86,7 @@ std::string timings_json(const TimingReport& report, double gpu_ms)
 {
     Json json;
     json["device"] = report.device;
+    json["raster"] = name_of(report.raster);
     json["output"] = report.output;
     json["width"] = report.settings.width;
     json["height"] = report.settings.height;
@@ -111,8 +112,9 @@ std::string timings_text(const TimingReport& report, double gpu_ms)
     const auto row = [width](const std::string& name, double milliseconds) {
         return fmt::format("{:<{}}  {:>10.3f}\n", name, width, milliseconds);
     };
-    std::string text = fmt::format("{}, {}x{}\n\n{:<{}}  {:>10}\n", report.device, report.settings.width,
-                                   report.settings.height, "pass", width, "GPU ms");
+    std::string text =
+        fmt::format("{}, {} raster, {}x{}\n\n{:<{}}  {:>10}\n", report.device, name_of(report.raster),
+                    report.settings.width, report.settings.height, "pass", width, "GPU ms");
     for (const PassTiming& pass : report.passes) {
         text += row(pass.name, pass.gpu_ms);
     }
@@ -140,11 +142,13 @@ std::string report_devices(const std::vector<DeviceInfo>& devices, bool json)
                         {"name", device.name},
                         {"driver", device.driver},
                         {"software", device.software},
+                        {"compute_raster", device.compute_raster},
                         {"usable", device.usable},
                         {"why_not", device.why_not}});
         const std::string state =
             device.usable ? (device.software ? "processor" : "GPU") : "lacks " + device.why_not;
-        text += fmt::format("{}  {}  ({})  {}\n", device.index, device.name, device.driver, state);
+        text += fmt::format("{}  {}  ({})  {}, raster: hardware{}\n", device.index, device.name,
+                            device.driver, state, device.compute_raster ? " or compute" : " only");
     }
     return json ? to_text(list) : text;
 }

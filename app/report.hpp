@@ -19,6 +19,7 @@ namespace estampe::app {
 /// Where the time of one `render` went.
 struct TimingReport {
     std::string device;
+    RasterPath raster = RasterPath::automatic; ///< that was taken
     std::string output;
     RenderSettings settings;
     uint32_t frames = 1;

@@ -13,11 +13,22 @@
 
 namespace estampe {
 
+/// How triangles become pixels. Both ways give the same identities in 99.99 % of pixels.
+enum class RasterPath : uint8_t {
+    automatic, ///< the quicker: measured when a GPU is opened, fixed on a processor
+    hardware,  ///< the device's own rasteriser
+    compute,   ///< compute shaders with 64-bit atomics
+};
+
+/// "auto", "hardware" or "compute".
+[[nodiscard]] const char* name_of(RasterPath path);
+
 struct DeviceInfo {
-    uint32_t index = 0;    ///< what `--device N` takes
-    std::string name;      ///< "NVIDIA H200", "llvmpipe (LLVM 15.0.6, 256 bits)"
-    std::string driver;    ///< driver name and version
-    bool software = false; ///< runs on the processor
+    uint32_t index = 0;         ///< what `--device N` takes
+    std::string name;           ///< "NVIDIA H200", "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string driver;         ///< driver name and version
+    bool software = false;      ///< runs on the processor
+    bool compute_raster = true; ///< can draw by RasterPath::compute
     bool usable = true;
     std::string why_not; ///< what it lacks, when it is not usable
 };
@@ -25,10 +36,11 @@ struct DeviceInfo {
 /// The Vulkan devices of this machine, in the loader's order. Empty when there is no driver at all.
 [[nodiscard]] std::vector<DeviceInfo> list_devices();
 
-/// Which device draws: "auto" (a GPU if there is one, else the processor), "cpu", or an index of
-/// list_devices().
 struct RendererOptions {
+    /// Which device draws: "auto" (a GPU if there is one, else the processor), "cpu", or an index of
+    /// list_devices().
     std::string device = "auto";
+    RasterPath raster = RasterPath::automatic;
     bool validation =
         false; ///< Khronos validation with synchronization validation; needs the layer installed
     /// Receives each validation message, from any thread; without it they go to stderr.
@@ -52,7 +64,8 @@ struct PassTiming {
 /// Draws scenes. One renderer owns one device; it is not thread-safe, but several may live side by side.
 class Renderer {
 public:
-    /// Throws Error when no usable device matches, naming what there is and what it lacks.
+    /// Throws Error when no usable device matches, naming what there is and what it lacks, and when the
+    /// device cannot draw by the raster path asked for.
     explicit Renderer(const RendererOptions& options = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
@@ -62,11 +75,15 @@ public:
 
     [[nodiscard]] const DeviceInfo& device() const;
 
+    /// How this renderer draws triangles; never RasterPath::automatic.
+    [[nodiscard]] RasterPath raster_path() const;
+
     /// Uploads `scene`; it replaces the one before. Throws Error when it does not fit the device's memory or
     /// limits.
     void set_scene(const Scene& scene);
 
-    /// Draws the scene. The same scene, camera, style and settings give the same bytes on the same device.
+    /// Draws the scene. The same scene, camera, style and settings give the same bytes on the same device by
+    /// the same raster path.
     /// Throws Error when the size is zero or beyond the device's limits, or when no scene was set.
     [[nodiscard]] Image render(const Camera& camera, const Style& style, const RenderSettings& settings);
 

@@ -24,7 +24,8 @@ auto copy_buffer(gpu::BufferId from, gpu::BufferId to)
 
 raster::Batch batch(const pose::Range& range, bool masked = false)
 {
-    return {.first_triangle = range.first, .triangle_count = range.count, .masked = masked};
+    return {
+        .first_triangle = range.first, .triangle_count = range.count, .masked = masked, .plain = range.plain};
 }
 
 /// What hides what is behind it.
@@ -90,9 +91,12 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                              .materials = materials,
                                              .textures = textures,
                                              .texture_classes = plan.needs.texture_classes};
-    const auto visibility = raster::add_visibility(
-        graph, "visibility", raster_inputs, solid_batches(layout, plan.ground_drawn),
-        {.clip_from_anchor = plan.clip_from_anchor, .size_px = size_px, .tuning = plan.raster});
+    const auto visibility =
+        raster::add_visibility(graph, "visibility", raster_inputs, solid_batches(layout, plan.ground_drawn),
+                               {.clip_from_anchor = plan.clip_from_anchor,
+                                .size_px = size_px,
+                                .path = plan.raster_path,
+                                .tuning = plan.raster});
 
     // Surface: what is seen at each pixel.
     const auto surface = surface::add_resolve(
@@ -124,6 +128,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                              graph, "screen", raster_inputs, {batch(layout.blended, true)},
                                              {.clip_from_anchor = plan.clip_from_anchor,
                                               .size_px = size_px,
+                                              .path = plan.raster_path,
                                               .tuning = plan.raster}),
                                          .triangles = triangles,
                                          .posed_vertices = posed_vertices,
@@ -142,6 +147,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                        {.clip_from_anchor = plan.sun.clip_from_anchor,
                                         .size_px = glm::uvec2(plan.shadow_size),
                                         .cull_back_faces = false,
+                                        .path = plan.raster_path,
                                         .tuning = plan.raster},
                                        shadow_map);
     }

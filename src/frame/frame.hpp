@@ -36,6 +36,7 @@ struct FramePlan {
     glm::mat4 clip_from_anchor{1.0F};
     float pixels_per_mm = 1.0F;
     float pixel_angle = 0.001F;
+    RasterPath raster_path = RasterPath::compute;
     raster::Tuning raster;
     surface::SceneNeeds needs;
     StrokePlan strokes;

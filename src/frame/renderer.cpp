@@ -15,6 +15,7 @@
 #include "gpu/graph/execute.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/raster/choose_path.hpp"
 
 namespace estampe {
 
@@ -33,7 +34,11 @@ struct LoadedScene {
 };
 
 struct Renderer::Impl {
-    explicit Impl(const RendererOptions& options) : device(options), executor(device) {}
+    explicit Impl(const RendererOptions& options)
+        : device(options), executor(device),
+          raster_path(raster::choose_path(device, executor, options.raster))
+    {
+    }
 
     void check_size(const RenderSettings& settings) const;
     void provide_pixels(const RenderSettings& settings);
@@ -48,6 +53,7 @@ struct Renderer::Impl {
 
     gpu::Device device;
     gpu::Executor executor;
+    RasterPath raster_path;
     std::optional<LoadedScene> loaded;
     gpu::Buffer frame_globals;
     gpu::Buffer light_globals;
@@ -94,6 +100,19 @@ Scene without_images(const Scene& scene)
 
 } // namespace
 
+const char* name_of(RasterPath path)
+{
+    switch (path) {
+    case RasterPath::automatic:
+        return "auto";
+    case RasterPath::hardware:
+        return "hardware";
+    case RasterPath::compute:
+        return "compute";
+    }
+    return "";
+}
+
 Renderer::Renderer(const RendererOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 
 Renderer::~Renderer() = default;
@@ -105,6 +124,11 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 const DeviceInfo& Renderer::device() const
 {
     return impl_->device.info();
+}
+
+RasterPath Renderer::raster_path() const
+{
+    return impl_->raster_path;
 }
 
 void Renderer::set_scene(const Scene& scene)
@@ -236,6 +260,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
     plan.size_px = {settings.width, settings.height};
     plan.pixels_per_mm = static_cast<float>(settings.height) / style.paper.height_mm;
     plan.pixel_angle = frame::pixel_angle(camera, settings.height);
+    plan.raster_path = raster_path;
     if (device.info().software) {
         // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
         plan.raster = {.small_area_px = 2048, .list_groups = 32};

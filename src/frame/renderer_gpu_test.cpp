@@ -145,6 +145,29 @@ TEST(Renderer, SamplesAreTheMeanOfShiftedPictures)
     EXPECT_LT(test::compare_images(four, sixteen).mean_abs, test::compare_images(one, sixteen).mean_abs);
 }
 
+TEST(Renderer, DrawsNearlyTheSameByEitherRasterPath)
+{
+    std::vector<Image> images;
+    for (const RasterPath path : {RasterPath::hardware, RasterPath::compute}) {
+        RendererOptions options = test::validated();
+        options.raster = path;
+        Renderer renderer(options);
+        EXPECT_EQ(renderer.raster_path(), path);
+        renderer.set_scene(still_life());
+        images.push_back(renderer.render(camera, {}, small));
+        EXPECT_EQ(images.back(), renderer.render(camera, {}, small)) << name_of(path);
+    }
+    // A pixel in ten thousand may see another triangle, and a stroke or a line may end beside it.
+    const test::ImageDifference difference = test::compare_images(images[0], images[1]);
+    EXPECT_LE(difference.failing_fraction, 1e-3) << test::describe(difference);
+    EXPECT_LE(difference.delta_e_p95, 0.1) << test::describe(difference);
+}
+
+TEST(Renderer, TheRasterPathIsFixedOnAProcessor)
+{
+    EXPECT_EQ(test::shared_renderer().raster_path(), RasterPath::hardware);
+}
+
 TEST(Renderer, DrawsInParallelProjection)
 {
     Camera parallel = camera;

@@ -148,11 +148,12 @@ void Device::create_device()
 
     Features features;
     features.v13.synchronization2 = VK_TRUE;
+    features.v13.dynamicRendering = VK_TRUE;
     features.v13.maintenance4 = VK_TRUE;
     features.v12.scalarBlockLayout = VK_TRUE;
-    features.v12.shaderBufferInt64Atomics = VK_TRUE;
+    features.v12.shaderBufferInt64Atomics = info_.compute_raster ? VK_TRUE : VK_FALSE;
     features.v12.hostQueryReset = VK_TRUE;
-    features.core.features.shaderInt64 = VK_TRUE;
+    features.core.features.shaderInt64 = info_.compute_raster ? VK_TRUE : VK_FALSE;
     features.core.features.shaderStorageImageExtendedFormats = VK_TRUE;
     const float priority = 1.0F;
     const VkDeviceQueueCreateInfo queue_info{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,

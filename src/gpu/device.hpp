@@ -14,8 +14,8 @@ namespace estampe::gpu {
 
 /// One Vulkan device with one queue, which does everything: compute, copies, and raster where it is used.
 ///
-/// Needs Vulkan 1.3 with 64-bit buffer atomics and scalar block layout; throws Error saying what a device
-/// lacks.
+/// Needs Vulkan 1.3 with scalar block layout; throws Error saying what a device lacks. Without 64-bit buffer
+/// atomics it has no raster in compute (DeviceInfo::compute_raster).
 class Device {
 public:
     explicit Device(const RendererOptions& options);

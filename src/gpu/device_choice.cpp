@@ -11,26 +11,6 @@
 namespace estampe::gpu {
 namespace {
 
-std::string missing_features(VkPhysicalDevice physical)
-{
-    Features have;
-    vkGetPhysicalDeviceFeatures2(physical, &have.core);
-    std::string missing;
-    const auto need = [&](VkBool32 there, const char* name) {
-        if (there == VK_FALSE) {
-            missing += missing.empty() ? name : std::string(", ") + name;
-        }
-    };
-    need(have.v13.synchronization2, "synchronization2");
-    need(have.v13.maintenance4, "maintenance4");
-    need(have.v12.scalarBlockLayout, "scalar block layout");
-    need(have.v12.shaderBufferInt64Atomics, "64-bit buffer atomics");
-    need(have.v12.hostQueryReset, "host query reset");
-    need(have.core.features.shaderInt64, "64-bit integers in shaders");
-    need(have.core.features.shaderStorageImageExtendedFormats, "extended storage image formats");
-    return missing;
-}
-
 Candidate judge(VkPhysicalDevice physical, uint32_t index)
 {
     VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
@@ -43,11 +23,14 @@ Candidate judge(VkPhysicalDevice physical, uint32_t index)
                       .name = properties.properties.deviceName,
                       .driver = fmt::format("{} {}", driver.driverName, driver.driverInfo),
                       .software = properties.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU};
+    Features have;
+    vkGetPhysicalDeviceFeatures2(physical, &have.core);
+    candidate.info.compute_raster = offers_compute_raster(have);
     const uint32_t version = properties.properties.apiVersion;
     if (version < VK_API_VERSION_1_3) {
         candidate.info.why_not = fmt::format("offers Vulkan {}.{} only, 1.3 is needed",
                                              VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version));
-    } else if (const std::string missing = missing_features(physical); !missing.empty()) {
+    } else if (const std::string missing = missing_features(have); !missing.empty()) {
         candidate.info.why_not = "lacks " + missing;
     }
     candidate.info.usable = candidate.info.why_not.empty();
@@ -79,6 +62,28 @@ Features::Features()
     v12.pNext = &v13;
     core.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     core.pNext = &v12;
+}
+
+std::string missing_features(const Features& have)
+{
+    std::string missing;
+    const auto need = [&](VkBool32 there, const char* name) {
+        if (there == VK_FALSE) {
+            missing += missing.empty() ? name : std::string(", ") + name;
+        }
+    };
+    need(have.v13.synchronization2, "synchronization2");
+    need(have.v13.dynamicRendering, "dynamic rendering");
+    need(have.v13.maintenance4, "maintenance4");
+    need(have.v12.scalarBlockLayout, "scalar block layout");
+    need(have.v12.hostQueryReset, "host query reset");
+    need(have.core.features.shaderStorageImageExtendedFormats, "extended storage image formats");
+    return missing;
+}
+
+bool offers_compute_raster(const Features& have)
+{
+    return have.v12.shaderBufferInt64Atomics == VK_TRUE && have.core.features.shaderInt64 == VK_TRUE;
 }
 
 void load_vulkan()

@@ -38,4 +38,10 @@ struct Features {
     VkPhysicalDeviceFeatures2 core{};
 };
 
+/// Names of the features that drawing cannot do without and `have` lacks; empty when it lacks none.
+[[nodiscard]] std::string missing_features(const Features& have);
+
+/// Whether words of depth and triangle can be drawn in compute, by an atomic maximum.
+[[nodiscard]] bool offers_compute_raster(const Features& have);
+
 } // namespace estampe::gpu

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/pipelines.hpp"
 
+#include <array>
+
 namespace estampe::gpu {
 namespace {
 
@@ -26,6 +28,77 @@ VkSampler make_sampler(VkDevice device, Sampling sampling)
     return sampler;
 }
 
+VkShaderModule make_module(VkDevice device, const Shader& shader)
+{
+    const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                        .codeSize = shader.spirv.size_bytes(),
+                                        .pCode = shader.spirv.data()};
+    VkShaderModule made = VK_NULL_HANDLE;
+    vk_check(vkCreateShaderModule(device, &info, nullptr, &made), "vkCreateShaderModule");
+    return made;
+}
+
+/// Triangles without vertex buffers; reversed depth; nothing blended; viewport and scissor set as one draws.
+VkResult create_draw_pipeline(VkDevice device, const DrawState& state,
+                              const std::vector<VkPipelineShaderStageCreateInfo>& stages, Pipeline& made)
+{
+    const VkPipelineVertexInputStateCreateInfo no_input{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    const VkPipelineInputAssemblyStateCreateInfo assembly{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
+        .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
+    const VkPipelineViewportStateCreateInfo viewport{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO,
+        .viewportCount = 1,
+        .scissorCount = 1};
+    const VkPipelineRasterizationStateCreateInfo rasterization{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+        .cullMode = state.cull_back_faces ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE,
+        .frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE,
+        .lineWidth = 1.0F};
+    const VkPipelineMultisampleStateCreateInfo one_sample{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+        .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
+    const VkBool32 has_depth = state.depth_format != VK_FORMAT_UNDEFINED ? VK_TRUE : VK_FALSE;
+    const VkPipelineDepthStencilStateCreateInfo depth{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
+        .depthTestEnable = has_depth,
+        .depthWriteEnable = has_depth,
+        .depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL};
+    const VkPipelineColorBlendAttachmentState replace{
+        .colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
+                          VK_COLOR_COMPONENT_A_BIT};
+    const std::vector<VkPipelineColorBlendAttachmentState> attachments(state.color_formats.size(), replace);
+    const auto color_count = static_cast<uint32_t>(state.color_formats.size());
+    const VkPipelineColorBlendStateCreateInfo blend{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+        .attachmentCount = color_count,
+        .pAttachments = attachments.data()};
+    const std::array dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+    const VkPipelineDynamicStateCreateInfo dynamic{
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+        .dynamicStateCount = static_cast<uint32_t>(dynamic_states.size()),
+        .pDynamicStates = dynamic_states.data()};
+    const VkPipelineRenderingCreateInfo rendering{.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+                                                  .colorAttachmentCount = color_count,
+                                                  .pColorAttachmentFormats = state.color_formats.data(),
+                                                  .depthAttachmentFormat = state.depth_format};
+    const VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+                                            .pNext = &rendering,
+                                            .stageCount = static_cast<uint32_t>(stages.size()),
+                                            .pStages = stages.data(),
+                                            .pVertexInputState = &no_input,
+                                            .pInputAssemblyState = &assembly,
+                                            .pViewportState = &viewport,
+                                            .pRasterizationState = &rasterization,
+                                            .pMultisampleState = &one_sample,
+                                            .pDepthStencilState = &depth,
+                                            .pColorBlendState = &blend,
+                                            .pDynamicState = &dynamic,
+                                            .layout = made.layout};
+    return vkCreateGraphicsPipelines(device, VK_NULL_HANDLE, 1, &info, nullptr, &made.pipeline);
+}
+
 } // namespace
 
 PipelineCache::PipelineCache(Device& device) : device_(device)
@@ -38,13 +111,21 @@ PipelineCache::PipelineCache(Device& device) : device_(device)
 PipelineCache::~PipelineCache()
 {
     for (const auto& [key, pipeline] : pipelines_) {
-        vkDestroyPipeline(device_.handle(), pipeline.pipeline, nullptr);
-        vkDestroyPipelineLayout(device_.handle(), pipeline.layout, nullptr);
-        vkDestroyDescriptorSetLayout(device_.handle(), pipeline.set_layout, nullptr);
+        destroy(pipeline);
+    }
+    for (const auto& [key, pipeline] : draw_pipelines_) {
+        destroy(pipeline);
     }
     for (VkSampler sampler : samplers_) {
         vkDestroySampler(device_.handle(), sampler, nullptr);
     }
+}
+
+void PipelineCache::destroy(const Pipeline& pipeline) const
+{
+    vkDestroyPipeline(device_.handle(), pipeline.pipeline, nullptr);
+    vkDestroyPipelineLayout(device_.handle(), pipeline.layout, nullptr);
+    vkDestroyDescriptorSetLayout(device_.handle(), pipeline.set_layout, nullptr);
 }
 
 const Pipeline& PipelineCache::get(const Shader& shader, std::span<const VkDescriptorType> bindings,
@@ -58,8 +139,26 @@ const Pipeline& PipelineCache::get(const Shader& shader, std::span<const VkDescr
     return pipelines_.emplace(key, make(shader, bindings, push_bytes, variant)).first->second;
 }
 
-Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorType> bindings,
-                             uint32_t push_bytes, uint32_t variant)
+const Pipeline& PipelineCache::get(const DrawState& state, std::span<const VkDescriptorType> bindings,
+                                   uint32_t push_bytes, uint32_t variant)
+{
+    const uint32_t* const fragment = state.fragment != nullptr ? state.fragment->spirv.data() : nullptr;
+    const DrawKey key{state.vertex->spirv.data(),
+                      fragment,
+                      state.color_formats,
+                      state.depth_format,
+                      state.cull_back_faces,
+                      variant,
+                      {bindings.begin(), bindings.end()}};
+    const auto found = draw_pipelines_.find(key);
+    if (found != draw_pipelines_.end()) {
+        return found->second;
+    }
+    return draw_pipelines_.emplace(key, make(state, bindings, push_bytes, variant)).first->second;
+}
+
+Pipeline PipelineCache::make_layouts(std::span<const VkDescriptorType> bindings, uint32_t push_bytes,
+                                     VkShaderStageFlags stages) const
 {
     Pipeline made;
     std::vector<VkDescriptorSetLayoutBinding> layout_bindings;
@@ -67,7 +166,7 @@ Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorT
         layout_bindings.push_back({.binding = static_cast<uint32_t>(layout_bindings.size()),
                                    .descriptorType = type,
                                    .descriptorCount = 1,
-                                   .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT});
+                                   .stageFlags = stages});
     }
     const VkDescriptorSetLayoutCreateInfo set_info{
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
@@ -75,7 +174,7 @@ Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorT
         .pBindings = layout_bindings.data()};
     vk_check(vkCreateDescriptorSetLayout(device_.handle(), &set_info, nullptr, &made.set_layout),
              "vkCreateDescriptorSetLayout");
-    const VkPushConstantRange push_range{.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT, .size = push_bytes};
+    const VkPushConstantRange push_range{.stageFlags = stages, .size = push_bytes};
     const VkPipelineLayoutCreateInfo layout_info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                                  .setLayoutCount = 1,
                                                  .pSetLayouts = &made.set_layout,
@@ -83,13 +182,14 @@ Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorT
                                                  .pPushConstantRanges = &push_range};
     vk_check(vkCreatePipelineLayout(device_.handle(), &layout_info, nullptr, &made.layout),
              "vkCreatePipelineLayout");
+    return made;
+}
 
-    const VkShaderModuleCreateInfo module_info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                               .codeSize = shader.spirv.size_bytes(),
-                                               .pCode = shader.spirv.data()};
-    VkShaderModule shader_module = VK_NULL_HANDLE;
-    vk_check(vkCreateShaderModule(device_.handle(), &module_info, nullptr, &shader_module),
-             "vkCreateShaderModule");
+Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorType> bindings,
+                             uint32_t push_bytes, uint32_t variant)
+{
+    Pipeline made = make_layouts(bindings, push_bytes, VK_SHADER_STAGE_COMPUTE_BIT);
+    VkShaderModule shader_module = make_module(device_.handle(), shader);
     const VkSpecializationMapEntry entry{.size = sizeof(variant)};
     const VkSpecializationInfo specialization{
         .mapEntryCount = 1, .pMapEntries = &entry, .dataSize = sizeof(variant), .pData = &variant};
@@ -106,6 +206,35 @@ Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorT
     vkDestroyShaderModule(device_.handle(), shader_module, nullptr);
     vk_check(result, "vkCreateComputePipelines");
     device_.name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(made.pipeline), shader.name);
+    return made;
+}
+
+Pipeline PipelineCache::make(const DrawState& state, std::span<const VkDescriptorType> bindings,
+                             uint32_t push_bytes, uint32_t variant)
+{
+    Pipeline made =
+        make_layouts(bindings, push_bytes, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
+    const VkSpecializationMapEntry entry{.size = sizeof(variant)};
+    const VkSpecializationInfo specialization{
+        .mapEntryCount = 1, .pMapEntries = &entry, .dataSize = sizeof(variant), .pData = &variant};
+    std::vector<VkPipelineShaderStageCreateInfo> stages;
+    const auto add_stage = [&](const Shader& shader, VkShaderStageFlagBits stage) {
+        stages.push_back({.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                          .stage = stage,
+                          .module = make_module(device_.handle(), shader),
+                          .pName = "main",
+                          .pSpecializationInfo = &specialization});
+    };
+    add_stage(*state.vertex, VK_SHADER_STAGE_VERTEX_BIT);
+    if (state.fragment != nullptr) {
+        add_stage(*state.fragment, VK_SHADER_STAGE_FRAGMENT_BIT);
+    }
+    const VkResult result = create_draw_pipeline(device_.handle(), state, stages, made);
+    for (const VkPipelineShaderStageCreateInfo& stage : stages) {
+        vkDestroyShaderModule(device_.handle(), stage.module, nullptr);
+    }
+    vk_check(result, "vkCreateGraphicsPipelines");
+    device_.name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(made.pipeline), state.vertex->name);
     return made;
 }
 

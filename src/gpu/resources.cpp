@@ -50,7 +50,7 @@ VkImageUsageFlags usage_for(Format format)
     if (format == Format::depth32f) {
         usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     } else if (format != Format::rgba8_srgb) {
-        usage |= VK_IMAGE_USAGE_STORAGE_BIT;
+        usage |= VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     }
     return usage;
 }

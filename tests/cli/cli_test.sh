@@ -56,7 +56,9 @@ expect_success --help-style
 expect_printed '^  [a-z_]*\.[a-z_]*  *number '
 expect_success styles
 expect_success devices
+expect_printed 'raster: hardware'
 expect_success devices --json
+expect_printed '"compute_raster": true'
 expect_success info scene.glb
 expect_printed 'triangles  *[1-9]'
 expect_success info scene.glb --json
@@ -78,6 +80,8 @@ expect_error 2 '--time' render scene.glb -o a.png --time nan
 expect_error 2 '--time' render scene.glb -o a.png --time soon
 expect_error 2 '--device' render scene.glb -o a.png --device fast
 expect_error 2 '--device' render scene.glb -o a.png --device -1
+expect_error 2 '--raster' render scene.glb -o a.png --raster software
+expect_error 2 '--raster' graph scene.glb -o a.dot --raster ''
 expect_error 2 '--camera' render scene.glb -o a.png --camera ''
 expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=1,2 target=0,0,0'
 expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=1,2,3 target=1,2,3'
@@ -136,7 +140,10 @@ cmp a.png b.png || wrong "the same command gave other bytes"
 expect_success render scene.glb -o B.PNG "${small[@]}" --samples 2 --timings --repeat 3
 expect_printed 'GPU ms'
 expect_printed 'median later frame'
+expect_success render scene.glb -o b.png "${small[@]}" --raster compute --json
+expect_printed '"raster": "compute"'
 expect_success render scene.glb -o b.png "${small[@]}" --json
+expect_printed '"raster": "hardware"'
 expect_printed '"gpu_ms": '
 expect_success render scene.glb -o b.png "${small[@]}" --camera auto
 expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=0,50,0 target=0,0,0 fov=40'

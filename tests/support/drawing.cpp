@@ -94,19 +94,24 @@ raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph, gpu::BufferId pos
 
 std::vector<raster::Batch> Drawing::batches() const
 {
-    std::vector<raster::Batch> result{{layout.opaque.first, layout.opaque.count, false},
-                                      {layout.masked.first, layout.masked.count, true}};
+    const auto batch = [](const pose::Range& range, bool masked) {
+        return raster::Batch{range.first, range.count, masked, range.plain};
+    };
+    std::vector<raster::Batch> result{batch(layout.opaque, false), batch(layout.masked, true)};
     if (with_ground) {
-        result.push_back({layout.ground.first, layout.ground.count, false});
+        result.push_back(batch(layout.ground, false));
     }
     return result;
 }
 
+raster::View Drawing::raster_view() const
+{
+    return {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .path = path, .tuning = tuning};
+}
+
 gpu::BufferId Drawing::add_visibility(gpu::Graph& graph, gpu::BufferId posed)
 {
-    return raster::add_visibility(
-        graph, "visibility", raster_inputs(graph, posed), batches(),
-        {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .tuning = tuning});
+    return raster::add_visibility(graph, "visibility", raster_inputs(graph, posed), batches(), raster_view());
 }
 
 Drawing::Stage Drawing::add_surface(gpu::Graph& graph)
@@ -185,6 +190,7 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
                                        {.clip_from_anchor = view.clip_from_anchor,
                                         .size_px = glm::uvec2(setup.shadow_size),
                                         .cull_back_faces = false,
+                                        .path = path,
                                         .tuning = tuning},
                                        shadow_map);
     }
@@ -215,6 +221,18 @@ std::vector<uint64_t> Drawing::visibility()
     auto words = run_and_read_as<uint64_t>(graph, add_visibility(graph, add_posed(graph)));
     words.resize(static_cast<size_t>(size_px.x) * size_px.y); // the buffer is whole groups of 16 bytes
     return words;
+}
+
+std::vector<float> Drawing::depth_alone()
+{
+    gpu::Graph graph;
+    const uint64_t size_bytes = sizeof(float) * size_px.x * size_px.y;
+    const auto target = graph.buffer("depths", {.size_bytes = (size_bytes + 15) / 16 * 16});
+    auto depths = run_and_read_as<float>(graph, raster::add_depth(graph, "depths",
+                                                                  raster_inputs(graph, add_posed(graph)),
+                                                                  batches(), raster_view(), target));
+    depths.resize(static_cast<size_t>(size_px.x) * size_px.y);
+    return depths;
 }
 
 SurfacePixels Drawing::surface()

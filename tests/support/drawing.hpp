@@ -54,6 +54,8 @@ public:
     [[nodiscard]] std::vector<shared::PosedVertex> posed();
     /// 64-bit words: reversed depth above, triangle below.
     [[nodiscard]] std::vector<uint64_t> visibility();
+    /// Reversed depth, drawn without the triangles' identities.
+    [[nodiscard]] std::vector<float> depth_alone();
     [[nodiscard]] SurfacePixels surface();
     [[nodiscard]] ScreenPixels screen();
     [[nodiscard]] std::vector<glm::vec4> light(const LightSetup& setup);
@@ -65,6 +67,7 @@ public:
     [[nodiscard]] shadow::SunView sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
 
     glm::uvec2 size_px;
+    RasterPath path = RasterPath::compute;
     raster::Tuning tuning;
     bool with_ground = false;
     pose::MeshData layout;
@@ -85,6 +88,7 @@ private:
     gpu::ImageId add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup);
     raster::RasterInputs raster_inputs(gpu::Graph& graph, gpu::BufferId posed);
     std::vector<raster::Batch> batches() const;
+    raster::View raster_view() const;
 
     double pixel_angle_ = 0.0;
     pose::MeshBuffers meshes_;

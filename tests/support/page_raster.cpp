@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace estampe::test {
@@ -66,33 +67,69 @@ bool is_top_or_left(const Corner& from, const Corner& to)
     return is_top || is_left;
 }
 
-void fill(std::array<Corner, 3> p, uint32_t number, const ClipTriangle& triangle, glm::uvec2 size_px,
-          std::vector<std::vector<PageHit>>& page)
+/// A triangle on the page, in an order that makes its area positive.
+struct Placed {
+    std::array<Corner, 3> p;
+    double area = 0.0;
+    double slope = 0.0; ///< what depth changes over a pixel, to the right and down together
+};
+
+Placed place(std::array<Corner, 3> p, Wide signed_area)
+{
+    if (signed_area < 0) {
+        std::swap(p[1], p[2]);
+    }
+    const double area = static_cast<double>(signed_area < 0 ? -signed_area : signed_area);
+    double right = 0.0;
+    double down = 0.0;
+    for (size_t i = 0; i < 3; ++i) {
+        const Corner& from = p[(i + 1) % 3];
+        const Corner& to = p[(i + 2) % 3];
+        right -= 256.0 * static_cast<double>(to.y - from.y) / area * p[i].depth;
+        down += 256.0 * static_cast<double>(to.x - from.x) / area * p[i].depth;
+    }
+    return {p, area, std::abs(right) + std::abs(down)};
+}
+
+/// How the triangle meets a pixel's centre: nothing when it cannot, even with slack.
+std::optional<PageHit> meet(const Placed& t, int64_t x, int64_t y, int64_t slack)
+{
+    PageHit hit;
+    for (size_t i = 0; i < 3; ++i) {
+        const Corner& from = t.p[(i + 1) % 3];
+        const Corner& to = t.p[(i + 2) % 3];
+        const Wide value = edge(from, to, x, y);
+        const Wide leeway = static_cast<Wide>(slack) * (std::abs(to.x - from.x) + std::abs(to.y - from.y));
+        const bool covered =
+            slack > 0 ? value >= -leeway : value > 0 || (value == 0 && is_top_or_left(from, to));
+        if (!covered) {
+            return std::nullopt;
+        }
+        hit.sure = hit.sure && value >= leeway;
+        hit.depth += static_cast<double>(value) / t.area * t.p[i].depth;
+    }
+    hit.depth = std::clamp(hit.depth, 1e-30, 1.0);
+    return hit;
+}
+
+void fill(const std::array<Corner, 3>& p, uint32_t number, const ClipTriangle& triangle, glm::uvec2 size_px,
+          int64_t slack, std::vector<std::vector<PageHit>>& page)
 {
     const Wide signed_area = edge(p[0], p[1], p[2].x, p[2].y);
     const bool is_front = (signed_area < 0) != triangle.mirrored;
     if (signed_area == 0 || (!is_front && !triangle.two_sided)) {
         return;
     }
-    if (signed_area < 0) {
-        std::swap(p[1], p[2]);
-    }
-    const double area = static_cast<double>(signed_area < 0 ? -signed_area : signed_area);
-    const double largest = std::max({p[0].depth, p[1].depth, p[2].depth});
+    const Placed placed = place(p, signed_area);
+    const double tolerance = 1e-6 * std::max({p[0].depth, p[1].depth, p[2].depth}) +
+                             placed.slope * static_cast<double>(slack) / 256.0;
     for (uint32_t row = 0; row < size_px.y; ++row) {
         for (uint32_t column = 0; column < size_px.x; ++column) {
-            double depth = 0.0;
-            bool covered = true;
-            for (size_t i = 0; i < 3 && covered; ++i) {
-                const Corner& from = p[(i + 1) % 3];
-                const Corner& to = p[(i + 2) % 3];
-                const Wide value = edge(from, to, int64_t{column} * 256 + 128, int64_t{row} * 256 + 128);
-                covered = value > 0 || (value == 0 && is_top_or_left(from, to));
-                depth += static_cast<double>(value) / area * p[i].depth;
-            }
-            if (covered) {
-                page[size_t{row} * size_px.x + column].push_back(
-                    {number, std::clamp(depth, 1e-30, 1.0), 1e-6 * largest});
+            auto hit = meet(placed, int64_t{column} * 256 + 128, int64_t{row} * 256 + 128, slack);
+            if (hit) {
+                hit->triangle = number;
+                hit->tolerance = tolerance;
+                page[size_t{row} * size_px.x + column].push_back(*hit);
             }
         }
     }
@@ -100,14 +137,15 @@ void fill(std::array<Corner, 3> p, uint32_t number, const ClipTriangle& triangle
 
 } // namespace
 
-std::vector<std::vector<PageHit>> raster_page(const std::vector<ClipTriangle>& triangles, glm::uvec2 size_px)
+std::vector<std::vector<PageHit>> raster_page(const std::vector<ClipTriangle>& triangles, glm::uvec2 size_px,
+                                              int64_t slack)
 {
     std::vector<std::vector<PageHit>> page(size_t{size_px.x} * size_px.y);
     for (uint32_t number = 0; number < triangles.size(); ++number) {
         const std::vector<glm::vec4> corners = before_near(triangles[number]);
         for (size_t last = 2; last < corners.size(); ++last) {
             fill({snap(corners[0], size_px), snap(corners[last - 1], size_px), snap(corners[last], size_px)},
-                 number, triangles[number], size_px, page);
+                 number, triangles[number], size_px, slack, page);
         }
     }
     for (auto& hits : page) {

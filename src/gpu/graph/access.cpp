@@ -6,6 +6,8 @@ namespace estampe::gpu {
 StageAccess stage_access(Access access)
 {
     constexpr VkPipelineStageFlags2 compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    constexpr VkPipelineStageFlags2 raster =
+        VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
     switch (access) {
     case Access::compute_sampled:
         return {compute, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
@@ -17,6 +19,12 @@ StageAccess stage_access(Access access)
         return {compute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
     case Access::compute_uniform:
         return {compute, VK_ACCESS_2_UNIFORM_READ_BIT};
+    case Access::raster_sampled:
+        return {raster, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+    case Access::raster_storage_read:
+        return {raster, VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
+    case Access::raster_uniform:
+        return {raster, VK_ACCESS_2_UNIFORM_READ_BIT};
     case Access::indirect:
         return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT};
     case Access::transfer_read:
@@ -25,6 +33,9 @@ StageAccess stage_access(Access access)
         return {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
     case Access::color_attachment:
         return {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
+    case Access::color_attachment_modify:
+        return {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
     case Access::depth_attachment:
         return {VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
                 VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
@@ -61,7 +72,7 @@ VkImageLayout vulkan_layout(Layout layout)
     case Layout::color:
         return VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     case Layout::depth:
-        return VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
+        return VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
     }
     return VK_IMAGE_LAYOUT_UNDEFINED;
 }

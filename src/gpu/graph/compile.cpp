@@ -194,6 +194,7 @@ struct MemoryState {
     Layout layout = Layout::undefined;
     AccessSet source;  ///< the last write, or what waited for the last layout change
     AccessSet readers; ///< reads since then, all of which have waited for `source`
+    AccessSet covered; ///< those of `readers` that another of them has waited for, so that nobody else need
 };
 
 /// Brings `state` past `use`, and returns the barrier in between; its `after` is empty when none is needed.
@@ -206,17 +207,22 @@ Barrier advance(MemoryState& state, const PassUse& use)
     state.layout = use.layout;
     if (use.writes || changes_layout || changes_holder) {
         // The readers have waited for the source, so whoever waits for them waits for it too.
-        barrier.before = state.readers.empty() ? state.source : state.readers;
+        barrier.before = state.readers.empty() ? state.source : state.readers.without(state.covered);
         if (changes_layout || !barrier.before.empty())
             barrier.after = use.accesses;
         state.source = use.accesses;
         state.readers = use.writes ? AccessSet() : use.accesses;
+        state.covered = {};
         return barrier;
     }
     if (!state.source.empty()) {
         barrier.before = state.source;
         barrier.after = use.accesses.without(state.readers);
     }
+    // The source is a reader where that reader changed the layout.
+    if (!barrier.after.empty())
+        state.covered |= state.source.without(state.source.without(state.readers));
+    state.covered = state.covered.without(use.accesses);
     state.readers |= use.accesses;
     return barrier;
 }
@@ -252,20 +258,24 @@ Layout layout_for(Access access)
 {
     switch (access) {
     case Access::compute_sampled:
+    case Access::raster_sampled:
         return Layout::shader_read;
     case Access::transfer_read:
         return Layout::transfer_source;
     case Access::transfer_write:
         return Layout::transfer_target;
     case Access::color_attachment:
+    case Access::color_attachment_modify:
         return Layout::color;
     case Access::depth_attachment:
         return Layout::depth;
     case Access::compute_storage_read:
     case Access::compute_storage_write:
     case Access::compute_storage_modify:
+    case Access::raster_storage_read:
         return Layout::general;
     case Access::compute_uniform:
+    case Access::raster_uniform:
     case Access::indirect:
     case Access::host_read:
         break; // buffers only
@@ -286,6 +296,12 @@ std::string_view name_of(Access access)
         return "compute_storage_modify";
     case Access::compute_uniform:
         return "compute_uniform";
+    case Access::raster_sampled:
+        return "raster_sampled";
+    case Access::raster_storage_read:
+        return "raster_storage_read";
+    case Access::raster_uniform:
+        return "raster_uniform";
     case Access::indirect:
         return "indirect";
     case Access::transfer_read:
@@ -294,6 +310,8 @@ std::string_view name_of(Access access)
         return "transfer_write";
     case Access::color_attachment:
         return "color_attachment";
+    case Access::color_attachment_modify:
+        return "color_attachment_modify";
     case Access::depth_attachment:
         return "depth_attachment";
     case Access::host_read:

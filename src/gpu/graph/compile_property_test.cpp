@@ -208,9 +208,11 @@ private:
     void use(Pass& pass, ImageId& image, bool has_content)
     {
         if (has_content && below(5) < 3)
-            pass.touch(image, one_of({compute_sampled, compute_storage_read, transfer_read}));
+            pass.touch(image, one_of({compute_sampled, compute_storage_read, raster_sampled,
+                                      raster_storage_read, transfer_read}));
         else if (has_content && below(2) == 0)
-            image = pass.touch_write(image, compute_storage_modify);
+            image = pass.touch_write(image, image.version % 2 == 0 ? compute_storage_modify
+                                                                   : color_attachment_modify);
         else
             image = pass.touch_write(
                 image, one_of({compute_storage_write, transfer_write, color_attachment, depth_attachment}));
@@ -218,7 +220,8 @@ private:
 
     void use(Pass& pass, BufferId& buffer, bool has_content)
     {
-        const std::vector<Access> reads{compute_storage_read, compute_uniform, indirect, transfer_read};
+        const std::vector<Access> reads{compute_storage_read, compute_uniform, raster_storage_read,
+                                        raster_uniform,       indirect,        transfer_read};
         if (has_content && below(5) < 3) {
             for (uint32_t i = 0; i < 1 + below(2); ++i)
                 pass.touch(buffer, one_of(reads));

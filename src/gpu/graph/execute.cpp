@@ -18,11 +18,10 @@ constexpr uint32_t max_bindings_per_frame = 2048;
 VkDescriptorType descriptor_type(const Use& use, bool is_image)
 {
     if (!is_image) {
-        return use.access == Access::compute_uniform ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
-                                                     : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        return is_uniform(use.access) ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     }
-    return use.access == Access::compute_sampled ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-                                                 : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    return is_sampled(use.access) ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                  : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 }
 
 } // namespace
@@ -150,6 +149,8 @@ void Executor::record(VkCommandBuffer commands)
         record_barriers(commands, compiled.barriers);
         if (pass.shader != nullptr) {
             record_dispatch(commands, pass);
+        } else if (pass.is_raster()) {
+            record_draw(commands, pass);
         } else if (pass.record) {
             Recorder recorder(*this, commands);
             pass.record(recorder);
@@ -209,7 +210,7 @@ void Executor::record_barriers(VkCommandBuffer commands, const std::vector<Barri
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-void Executor::record_dispatch(VkCommandBuffer commands, const PassRecord& pass)
+std::vector<VkDescriptorType> Executor::binding_types(const PassRecord& pass) const
 {
     std::vector<VkDescriptorType> types;
     for (const Use& use : pass.uses) {
@@ -217,8 +218,13 @@ void Executor::record_dispatch(VkCommandBuffer commands, const PassRecord& pass)
             types.push_back(descriptor_type(use, graph_->resources()[use.resource].is_image));
         }
     }
-    const Pipeline& pipeline =
-        pipelines_.get(*pass.shader, types, static_cast<uint32_t>(pass.push.size()), pass.variant);
+    return types;
+}
+
+void Executor::record_dispatch(VkCommandBuffer commands, const PassRecord& pass)
+{
+    const Pipeline& pipeline = pipelines_.get(*pass.shader, binding_types(pass),
+                                              static_cast<uint32_t>(pass.push.size()), pass.variant);
     const VkDescriptorSet set = bind(pass, pipeline);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.pipeline);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout, 0, 1, &set, 0,
@@ -255,8 +261,8 @@ VkDescriptorSet Executor::bind(const PassRecord& pass, const Pipeline& pipeline)
         }
         const bool is_image = graph_->resources()[use.resource].is_image;
         if (is_image) {
-            images[i] = {.sampler = use.access == Access::compute_sampled ? pipelines_.sampler(use.sampling)
-                                                                          : VK_NULL_HANDLE,
+            images[i] = {.sampler =
+                             is_sampled(use.access) ? pipelines_.sampler(use.sampling) : VK_NULL_HANDLE,
                          .imageView = image_of(use.resource).view(),
                          .imageLayout = vulkan_layout(layout_for(use.access))};
         } else {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Runs compiled graphs on a device: owns the transients' memory, records barriers, descriptors and
-// dispatches, and times each pass.
+// Runs compiled graphs on a device: owns the transients' memory, records barriers, descriptors, dispatches
+// and draws, and times each pass.
 
 #include <string>
 #include <vector>
@@ -54,6 +54,8 @@ private:
     void record(VkCommandBuffer commands);
     void record_barriers(VkCommandBuffer commands, const std::vector<Barrier>& barriers);
     void record_dispatch(VkCommandBuffer commands, const PassRecord& pass);
+    void record_draw(VkCommandBuffer commands, const PassRecord& pass);
+    [[nodiscard]] std::vector<VkDescriptorType> binding_types(const PassRecord& pass) const;
     [[nodiscard]] VkDescriptorSet bind(const PassRecord& pass, const Pipeline& pipeline);
     [[nodiscard]] const Image& image_of(uint32_t resource) const;
     [[nodiscard]] const Buffer& buffer_of(uint32_t resource) const;

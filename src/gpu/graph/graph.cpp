@@ -24,16 +24,20 @@ bool suits(Access access, bool is_image)
 {
     switch (access) {
     case Access::compute_sampled:
+    case Access::raster_sampled:
     case Access::color_attachment:
+    case Access::color_attachment_modify:
     case Access::depth_attachment:
         return is_image;
     case Access::compute_uniform:
+    case Access::raster_uniform:
     case Access::indirect:
     case Access::host_read:
         return !is_image;
     case Access::compute_storage_read:
     case Access::compute_storage_write:
     case Access::compute_storage_modify:
+    case Access::raster_storage_read:
     case Access::transfer_read:
     case Access::transfer_write:
         return true;
@@ -47,6 +51,26 @@ void require_kind(const PassRecord& pass, Access access, bool wants_write)
         throw std::logic_error(fmt::format("pass '{}': {} is a {}: use {}", pass.name, name_of(access),
                                            is_write(access) ? "write" : "read",
                                            is_write(access) ? "touch_write" : "touch"));
+}
+
+/// The same kind of read, by the stages of the pass's own kind.
+Access read_by(const PassRecord& pass, Access by_compute, Access by_raster)
+{
+    return pass.is_raster() ? by_raster : by_compute;
+}
+
+void require_raster(const PassRecord& pass, const char* what)
+{
+    if (!pass.is_raster())
+        throw std::logic_error(fmt::format("pass '{}': {} is for raster passes", pass.name, what));
+}
+
+void require_format(const PassRecord& pass, const Graph& graph, ImageId image, bool wants_depth)
+{
+    if ((graph.describe(image).format == Format::depth32f) != wants_depth)
+        throw std::logic_error(fmt::format("pass '{}': '{}' is no {} image", pass.name,
+                                           graph.resources()[image.resource].name,
+                                           wants_depth ? "depth" : "colour"));
 }
 
 } // namespace
@@ -63,6 +87,10 @@ uint32_t Pass::use(uint32_t resource, uint32_t version, bool is_image, Use how)
         throw std::logic_error(fmt::format("pass '{}': '{}' is {}, which has no access {}", record().name,
                                            used.name, is_image ? "an image" : "a buffer",
                                            name_of(how.access)));
+    if (record().is_raster() && is_write(how.access) && how.bound)
+        throw std::logic_error(
+            fmt::format("pass '{}': a raster pass writes attachments only: use color or depth for '{}'",
+                        record().name, used.name));
     how.resource = resource;
     how.version = version;
     record().uses.push_back(how);
@@ -75,25 +103,29 @@ uint32_t Pass::use(uint32_t resource, uint32_t version, bool is_image, Use how)
 
 Pass& Pass::sample(ImageId image, Sampling sampling)
 {
-    use(image.resource, image.version, true, {.access = Access::compute_sampled, .sampling = sampling});
+    use(image.resource, image.version, true,
+        {.access = read_by(record(), Access::compute_sampled, Access::raster_sampled), .sampling = sampling});
     return *this;
 }
 
 Pass& Pass::read(ImageId image)
 {
-    use(image.resource, image.version, true, {.access = Access::compute_storage_read});
+    use(image.resource, image.version, true,
+        {.access = read_by(record(), Access::compute_storage_read, Access::raster_storage_read)});
     return *this;
 }
 
 Pass& Pass::read(BufferId buffer)
 {
-    use(buffer.resource, buffer.version, false, {.access = Access::compute_storage_read});
+    use(buffer.resource, buffer.version, false,
+        {.access = read_by(record(), Access::compute_storage_read, Access::raster_storage_read)});
     return *this;
 }
 
 Pass& Pass::uniform(BufferId buffer)
 {
-    use(buffer.resource, buffer.version, false, {.access = Access::compute_uniform});
+    use(buffer.resource, buffer.version, false,
+        {.access = read_by(record(), Access::compute_uniform, Access::raster_uniform)});
     return *this;
 }
 
@@ -119,6 +151,32 @@ BufferId Pass::modify(BufferId buffer)
 {
     return {buffer.resource,
             use(buffer.resource, buffer.version, false, {.access = Access::compute_storage_modify})};
+}
+
+ImageId Pass::color(ImageId image)
+{
+    require_raster(record(), "color");
+    require_format(record(), graph_, image, false);
+    const bool clears = image.version == 0 && graph_.resources()[image.resource].imported_image == nullptr;
+    return {
+        image.resource,
+        use(image.resource, image.version, true,
+            {.access = clears ? Access::color_attachment : Access::color_attachment_modify, .bound = false})};
+}
+
+ImageId Pass::depth(ImageId image)
+{
+    require_raster(record(), "depth");
+    require_format(record(), graph_, image, true);
+    return {image.resource,
+            use(image.resource, image.version, true, {.access = Access::depth_attachment, .bound = false})};
+}
+
+Pass& Pass::cull_back_faces()
+{
+    require_raster(record(), "culling");
+    record().draw.cull_back_faces = true;
+    return *this;
 }
 
 Pass& Pass::touch(ImageId image, Access access)
@@ -183,6 +241,12 @@ void Pass::dispatch_indirect(BufferId arguments, uint64_t offset_bytes)
     record().dispatch = {.indirect_resource = arguments.resource, .indirect_offset_bytes = offset_bytes};
 }
 
+void Pass::draw(uint32_t vertex_count)
+{
+    require_raster(record(), "drawing");
+    record().draw.vertex_count = vertex_count;
+}
+
 void Pass::execute(std::function<void(Recorder&)> callback)
 {
     record().record = std::move(callback);
@@ -244,6 +308,18 @@ void Graph::mark_exported(uint32_t resource, uint32_t version, bool is_image)
 Pass Graph::compute(std::string name, const Shader& shader)
 {
     passes_.push_back({.name = std::move(name), .shader = &shader});
+    return {*this, static_cast<uint32_t>(passes_.size() - 1)};
+}
+
+Pass Graph::raster(std::string name, const Shader& vertex, const Shader& fragment)
+{
+    passes_.push_back({.name = std::move(name), .draw = {.vertex = &vertex, .fragment = &fragment}});
+    return {*this, static_cast<uint32_t>(passes_.size() - 1)};
+}
+
+Pass Graph::raster(std::string name, const Shader& vertex)
+{
+    passes_.push_back({.name = std::move(name), .draw = {.vertex = &vertex}});
     return {*this, static_cast<uint32_t>(passes_.size() - 1)};
 }
 

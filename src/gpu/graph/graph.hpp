@@ -79,19 +79,23 @@ enum class Access : uint8_t {
     compute_storage_write,  ///< storage image or buffer, every texel or byte that matters is written
     compute_storage_modify, ///< read and written, atomics
     compute_uniform,        ///< uniform buffer
+    raster_sampled,         ///< as compute_sampled, by the vertex or the fragment stage
+    raster_storage_read,    ///< as compute_storage_read, by the vertex or the fragment stage
+    raster_uniform,         ///< as compute_uniform, by the vertex or the fragment stage
     indirect,               ///< dispatch arguments
     transfer_read,
     transfer_write,
-    color_attachment, ///< written by the fragment stage
-    depth_attachment, ///< tested and written
-    host_read,        ///< read back after the frame
+    color_attachment,        ///< cleared, then drawn into
+    color_attachment_modify, ///< drawn over
+    depth_attachment,        ///< tested and written; cleared first when nothing was there
+    host_read,               ///< read back after the frame
 };
 
 [[nodiscard]] constexpr bool is_write(Access access)
 {
     return access == Access::compute_storage_write || access == Access::compute_storage_modify ||
            access == Access::transfer_write || access == Access::color_attachment ||
-           access == Access::depth_attachment;
+           access == Access::color_attachment_modify || access == Access::depth_attachment;
 }
 
 /// Whether what was there before matters: false for a plain overwrite.
@@ -99,6 +103,16 @@ enum class Access : uint8_t {
 {
     return access != Access::compute_storage_write && access != Access::transfer_write &&
            access != Access::color_attachment;
+}
+
+[[nodiscard]] constexpr bool is_sampled(Access access)
+{
+    return access == Access::compute_sampled || access == Access::raster_sampled;
+}
+
+[[nodiscard]] constexpr bool is_uniform(Access access)
+{
+    return access == Access::compute_uniform || access == Access::raster_uniform;
 }
 
 enum class Layout : uint8_t {
@@ -111,7 +125,7 @@ enum class Layout : uint8_t {
     depth
 };
 
-/// A compiled compute shader: SPIR-V words embedded in the program.
+/// A compiled shader: SPIR-V words embedded in the program.
 struct Shader {
     const char* name;
     std::span<const uint32_t> spirv;
@@ -134,15 +148,26 @@ struct Dispatch {
     uint64_t indirect_offset_bytes = 0;
 };
 
+/// How a raster pass draws.
+struct Draw {
+    const Shader* vertex = nullptr;
+    const Shader* fragment = nullptr; ///< null when depth is all that is wanted
+    uint32_t vertex_count = 0;
+    bool cull_back_faces = false;
+};
+
 struct PassRecord {
     std::string name;
-    const Shader* shader = nullptr; ///< null for a custom pass
+    const Shader* shader = nullptr; ///< compute passes only
+    Draw draw = {};                 ///< raster passes only
     std::vector<Use> uses = {};
     std::vector<std::byte> push = {};
-    uint32_t variant = 0; ///< the shader's specialization constant 0
+    uint32_t variant = 0; ///< the shaders' specialization constant 0
     Dispatch dispatch = {};
     std::function<void(Recorder&)> record = {}; ///< custom passes only
     bool has_side_effect = false;               ///< never culled
+
+    [[nodiscard]] bool is_raster() const { return draw.vertex != nullptr; }
 };
 
 struct ResourceRecord {
@@ -171,6 +196,16 @@ public:
     [[nodiscard]] ImageId modify(ImageId image);
     [[nodiscard]] BufferId modify(BufferId buffer);
 
+    /// Raster passes: draws into `image`, at the fragment shader's next output. The first pass that draws
+    /// into an image of the graph clears it to zeros; the passes after it, and all that draw into an imported
+    /// image, draw over what is there.
+    [[nodiscard]] ImageId color(ImageId image);
+    /// Raster passes: keeps what is nearest, in reversed depth; of two equal depths, the later. Cleared as
+    /// by color(), to the farthest.
+    [[nodiscard]] ImageId depth(ImageId image);
+    /// Raster passes: draws no triangle whose corners run clockwise on the page.
+    Pass& cull_back_faces();
+
     /// For custom passes: an access that takes no binding. `touch` is for reads, `touch_write` for writes;
     /// the wrong kind, or one that the resource cannot have, throws std::logic_error. So does a handle of
     /// another graph, anywhere.
@@ -187,8 +222,8 @@ public:
         return push_bytes(std::as_bytes(std::span<const T, 1>(&constants, 1)));
     }
 
-    /// Sets the shader's specialization constant 0: bits that say what this scene needs of it, so that the
-    /// rest of the code is left out. Each value makes a pipeline of its own.
+    /// Sets specialization constant 0 of the shader, or of both: bits that say what this scene needs of it,
+    /// so that the rest of the code is left out. Each value makes a pipeline of its own.
     Pass& variant(uint32_t bits);
 
     /// One thread a pixel, in groups of 8 x 8 as the shaders declare.
@@ -197,6 +232,8 @@ public:
     void dispatch_items(uint32_t count);
     void dispatch(uint32_t groups_x, uint32_t groups_y = 1, uint32_t groups_z = 1);
     void dispatch_indirect(BufferId arguments, uint64_t offset_bytes = 0);
+    /// Raster passes: one triangle for every three vertices. The vertex shader finds them by gl_VertexIndex.
+    void draw(uint32_t vertex_count);
     /// Custom passes: `record` is called when the pass is executed.
     void execute(std::function<void(Recorder&)> record);
     /// Keeps the pass even if nobody reads what it writes.
@@ -233,6 +270,11 @@ public:
     void export_buffer(BufferId buffer);
 
     [[nodiscard]] Pass compute(std::string name, const Shader& shader);
+    /// A pass that draws triangles by the device's own rasteriser. It may sample, read and take uniforms;
+    /// it writes attachments only.
+    [[nodiscard]] Pass raster(std::string name, const Shader& vertex, const Shader& fragment);
+    /// The same without a fragment shader: only depth is drawn.
+    [[nodiscard]] Pass raster(std::string name, const Shader& vertex);
     [[nodiscard]] Pass custom(std::string name);
 
     [[nodiscard]] const ImageDesc& describe(ImageId image) const;

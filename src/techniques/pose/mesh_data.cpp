@@ -105,8 +105,12 @@ public:
 private:
     Range append(const std::vector<glm::uvec4>& triangles)
     {
+        constexpr uint32_t flags = shared::triangle_two_sided | shared::triangle_mirrored;
         const Range range{static_cast<uint32_t>(data_.triangles.size()),
-                          static_cast<uint32_t>(triangles.size())};
+                          static_cast<uint32_t>(triangles.size()),
+                          std::ranges::all_of(triangles, [](const glm::uvec4& triangle) {
+                              return (triangle.w & flags) == 0;
+                          })};
         data_.triangles.insert(data_.triangles.end(), triangles.begin(), triangles.end());
         return range;
     }

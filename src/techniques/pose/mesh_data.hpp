@@ -17,6 +17,7 @@ namespace estampe::pose {
 struct Range {
     uint32_t first = 0;
     uint32_t count = 0;
+    bool plain = true; ///< none of them is two-sided or mirrored
 };
 
 /// Where a draw comes from, for posing it later.

@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: MIT
-// Alpha masks: whether the texture leaves a pixel of a triangle standing.
+// Alpha masks: whether the texture leaves a pixel of a triangle standing. MASK_BINDING is the first of eight
+// bindings.
 
 #include "shaders/material.glsl.h"
 #include "shaders/barycentric.glsl"
 
-layout(scalar, binding = 6) readonly buffer Draws
+layout(scalar, binding = MASK_BINDING) readonly buffer Draws
 {
     DrawRecord draws[];
 };
 
-layout(scalar, binding = 7) readonly buffer RestVertices
+layout(scalar, binding = MASK_BINDING + 1) readonly buffer RestVertices
 {
     RestVertex rest_vertices[];
 };
 
-layout(scalar, binding = 8) readonly buffer Materials
+layout(scalar, binding = MASK_BINDING + 2) readonly buffer Materials
 {
     MaterialRecord materials[];
 };
 
-layout(binding = 9) uniform sampler2DArray texture_class_0;
-layout(binding = 10) uniform sampler2DArray texture_class_1;
-layout(binding = 11) uniform sampler2DArray texture_class_2;
-layout(binding = 12) uniform sampler2DArray texture_class_3;
-layout(binding = 13) uniform sampler2DArray texture_class_4;
+layout(binding = MASK_BINDING + 3) uniform sampler2DArray texture_class_0;
+layout(binding = MASK_BINDING + 4) uniform sampler2DArray texture_class_1;
+layout(binding = MASK_BINDING + 5) uniform sampler2DArray texture_class_2;
+layout(binding = MASK_BINDING + 6) uniform sampler2DArray texture_class_3;
+layout(binding = MASK_BINDING + 7) uniform sampler2DArray texture_class_4;
 
 // The size classes that hold textures.
 layout(constant_id = 0) const uint variant = 31u;

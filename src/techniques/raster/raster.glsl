@@ -167,6 +167,7 @@ int owns_its_pixels(ivec2 from, ivec2 to)
 }
 
 #ifdef RASTER_MASKED
+#define MASK_BINDING 6
 #include "techniques/raster/mask.glsl"
 #endif
 

@@ -36,12 +36,22 @@ struct RasterCounters {
     uint tile_count;
 };
 
+// The same for the hardware path.
+struct DrawConstants {
+    mat4 clip_from_anchor;
+    uvec2 size_px;
+    uint first_triangle;
+};
+
 #ifdef __cplusplus
+static_assert(sizeof(DrawConstants) == 76);
 static_assert(sizeof(RasterConstants) == 96);
 inline constexpr uint raster_tile_px = 64;
+inline constexpr uint draw_tests_sides = 1U << 5U; // variant bit, above those of the texture classes
 } // namespace estampe::shared
 #else
 #define RASTER_TILE_PX 64
+#define DRAW_TESTS_SIDES (1u << 5)
 #endif
 
 #endif

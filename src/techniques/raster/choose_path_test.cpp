@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/raster/choose_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+namespace estampe::raster {
+namespace {
+
+using enum RasterPath;
+
+const DeviceInfo gpu{.name = "a GPU"};
+const DeviceInfo processor{.name = "a processor", .software = true};
+const DeviceInfo plain_gpu{.name = "a plain GPU", .compute_raster = false};
+
+TEST(ChoosePath, WhatIsWantedIsTaken)
+{
+    for (const RasterPath wanted : {hardware, compute}) {
+        EXPECT_EQ(settled_path(gpu, wanted), wanted);
+        EXPECT_EQ(settled_path(processor, wanted), wanted);
+    }
+    EXPECT_EQ(settled_path(plain_gpu, hardware), hardware);
+}
+
+TEST(ChoosePath, OnlyWhereBothArePossibleOnAGpuIsThereAnythingToMeasure)
+{
+    EXPECT_EQ(settled_path(gpu, automatic), std::nullopt);
+    EXPECT_EQ(settled_path(processor, automatic), hardware);
+    EXPECT_EQ(settled_path(plain_gpu, automatic), hardware);
+}
+
+TEST(ChoosePath, WhatIsImpossibleIsRefused)
+{
+    try {
+        std::ignore = settled_path(plain_gpu, compute);
+        FAIL() << "nothing was thrown";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("a plain GPU"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("64-bit buffer atomics"), std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace estampe::raster

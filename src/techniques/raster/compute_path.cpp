@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/raster/passes.hpp"
+
+#include <algorithm>
+
+#include "shaders/bin_depth_comp.hpp"
+#include "shaders/bin_depth_masked_comp.hpp"
+#include "shaders/bin_ids_comp.hpp"
+#include "shaders/bin_masked_comp.hpp"
+#include "shaders/small_depth_comp.hpp"
+#include "shaders/small_depth_masked_comp.hpp"
+#include "shaders/small_ids_comp.hpp"
+#include "shaders/small_masked_comp.hpp"
+#include "shaders/tile_depth_comp.hpp"
+#include "shaders/tile_depth_masked_comp.hpp"
+#include "shaders/tile_ids_comp.hpp"
+#include "shaders/tile_masked_comp.hpp"
+#include "techniques/raster/raster.glsl.h"
+
+namespace estampe::raster {
+namespace {
+
+constexpr uint64_t most_tiles = 1ULL << 18U;
+// llvmpipe ends a thread's loops after 65535 rounds in all, without a word; a tile takes 65 of them.
+constexpr uint32_t most_tiles_a_group = 1000;
+
+struct Stages {
+    const gpu::Shader& small;
+    const gpu::Shader& bin;
+    const gpu::Shader& tile;
+};
+
+Stages stages(bool depth_only, bool masked)
+{
+    if (depth_only) {
+        return masked ? Stages{shaders::small_depth_masked_comp, shaders::bin_depth_masked_comp,
+                               shaders::tile_depth_masked_comp}
+                      : Stages{shaders::small_depth_comp, shaders::bin_depth_comp, shaders::tile_depth_comp};
+    }
+    return masked ? Stages{shaders::small_masked_comp, shaders::bin_masked_comp, shaders::tile_masked_comp}
+                  : Stages{shaders::small_ids_comp, shaders::bin_ids_comp, shaders::tile_ids_comp};
+}
+
+/// A transient buffer of zeros, of whole groups of 16 bytes.
+gpu::BufferId zeros(gpu::Graph& graph, const std::string& name, uint64_t size_bytes)
+{
+    return add_clear(graph, name, graph.buffer(name, {.size_bytes = (size_bytes + 15) / 16 * 16}));
+}
+
+gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                        const Batch& batch, const View& view, gpu::BufferId target, bool depth_only)
+{
+    const Stages shaders = stages(depth_only, batch.masked);
+    const uint32_t large_capacity = 2 * batch.triangle_count; // clipping makes two of one at most
+    const glm::uvec2 page_tiles = (view.size_px + shared::raster_tile_px - 1U) / shared::raster_tile_px;
+    const auto tile_capacity = static_cast<uint32_t>(
+        std::min(most_tiles, static_cast<uint64_t>(large_capacity) * page_tiles.x * page_tiles.y));
+    const shared::RasterConstants constants{.clip_from_anchor = view.clip_from_anchor,
+                                            .size_px = view.size_px,
+                                            .first_triangle = batch.first_triangle,
+                                            .triangle_count = batch.triangle_count,
+                                            .large_capacity = large_capacity,
+                                            .tile_capacity = tile_capacity,
+                                            .cull_back_faces = view.cull_back_faces ? 1U : 0U,
+                                            .small_area_px = view.tuning.small_area_px};
+    gpu::BufferId counters = zeros(graph, name + "/counters", sizeof(shared::RasterCounters));
+    gpu::BufferId large =
+        graph.buffer(name + "/large", {.size_bytes = large_capacity * sizeof(shared::LargeTriangle)});
+    gpu::BufferId tiles =
+        graph.buffer(name + "/tiles", {.size_bytes = tile_capacity * sizeof(shared::TriangleTile)});
+    const auto begin_stage = [&](const char* stage, const gpu::Shader& shader) {
+        auto pass = graph.compute(name + "/" + stage, shader);
+        pass.read(in.triangles).read(in.posed_vertices);
+        const bool first = &shader == &shaders.small;
+        counters = pass.modify(counters);
+        large = first ? pass.write(large) : pass.modify(large);
+        tiles = first ? pass.write(tiles) : pass.modify(tiles);
+        target = pass.modify(target);
+        if (batch.masked) {
+            bind_masks(pass, in);
+            pass.variant(in.texture_classes);
+        }
+        pass.push(constants);
+        return pass;
+    };
+    begin_stage("small", shaders.small).dispatch_items(batch.triangle_count);
+    begin_stage("bin", shaders.bin).dispatch(std::min(view.tuning.list_groups, large_capacity));
+    begin_stage("tile", shaders.tile)
+        .dispatch(std::max(view.tuning.list_groups, tile_capacity / most_tiles_a_group + 1));
+    return target;
+}
+
+} // namespace
+
+gpu::BufferId draw_by_compute(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                              const std::vector<Batch>& batches, const View& view, gpu::BufferId target,
+                              bool depth_only)
+{
+    target = add_clear(graph, name, target);
+    for (const Batch& batch : batches) {
+        if (batch.triangle_count > 0) {
+            target =
+                add_batch(graph, name + (batch.masked ? "/masked" : ""), in, batch, view, target, depth_only);
+        }
+    }
+    return target;
+}
+
+} // namespace estampe::raster

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// One corner of one triangle.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/raster/draw.glsl"
+
+layout(location = 0) flat out uint triangle_drawn;
+layout(location = 1) flat out uint triangle_flags;
+
+layout(constant_id = 0) const uint variant = 0u;
+
+void main()
+{
+    uint triangle = constants.first_triangle + uint(gl_VertexIndex) / 3u;
+    uint vertex = triangles[triangle][uint(gl_VertexIndex) % 3u];
+    gl_Position = constants.clip_from_anchor * vec4(posed_vertices[vertex].position, 1.0);
+    triangle_drawn = triangle;
+    triangle_flags = (variant & DRAW_TESTS_SIDES) != 0u ? triangles[triangle].w : 0u;
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Writes which triangle was drawn and how far it is, in the form of a visibility buffer, unless the triangle
+// is turned away or a mask leaves a hole.
+
+#include "techniques/raster/draw.glsl"
+
+layout(location = 0) flat in uint triangle_drawn;
+layout(location = 1) flat in uint triangle_flags;
+
+#ifndef RASTER_DEPTH_ONLY
+layout(location = 0) out uvec2 word;
+#endif
+
+#ifdef RASTER_MASKED
+#define MASK_BINDING 2
+#include "techniques/raster/mask.glsl"
+#else
+layout(constant_id = 0) const uint variant = 0u;
+#endif
+
+void main()
+{
+    bool counts_either_way =
+        (variant & DRAW_TESTS_SIDES) == 0u || (triangle_flags & TRIANGLE_TWO_SIDED) != 0u;
+    bool front = gl_FrontFacing != ((triangle_flags & TRIANGLE_MIRRORED) != 0u);
+    if (!counts_either_way && !front) {
+        discard;
+    }
+#ifdef RASTER_MASKED
+    if (!passes_mask(triangle_drawn, ivec2(gl_FragCoord.xy))) {
+        discard;
+    }
+#endif
+#ifndef RASTER_DEPTH_ONLY
+    word = uvec2(triangle_drawn, floatBitsToUint(clamp(gl_FragCoord.z, 1e-30, 1.0)));
+#endif
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/graph/execute.hpp"
+#include "shaders/corner_vert.hpp"
+#include "shaders/draw_depth_frag.hpp"
+#include "shaders/draw_depth_masked_frag.hpp"
+#include "shaders/draw_ids_frag.hpp"
+#include "shaders/draw_masked_frag.hpp"
+#include "techniques/raster/passes.hpp"
+#include "techniques/raster/raster.glsl.h"
+
+namespace estampe::raster {
+namespace {
+
+/// What the batches draw into, one after another.
+struct Attachments {
+    gpu::ImageId words; ///< not drawn into when only depth is wanted
+    gpu::ImageId depth;
+};
+
+gpu::Pass begin_draw(gpu::Graph& graph, const std::string& name, bool masked, bool depth_only,
+                     bool tests_sides)
+{
+    if (depth_only && !masked) {
+        return tests_sides ? graph.raster(name, shaders::corner_vert, shaders::draw_depth_frag)
+                           : graph.raster(name, shaders::corner_vert);
+    }
+    if (depth_only) {
+        return graph.raster(name, shaders::corner_vert, shaders::draw_depth_masked_frag);
+    }
+    return graph.raster(name, shaders::corner_vert,
+                        masked ? shaders::draw_masked_frag : shaders::draw_ids_frag);
+}
+
+void add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in, const Batch& batch,
+               const View& view, bool depth_only, Attachments& to)
+{
+    const bool tests_sides = view.cull_back_faces && !batch.plain;
+    auto pass = begin_draw(graph, name, batch.masked, depth_only, tests_sides);
+    pass.read(in.triangles).read(in.posed_vertices);
+    if (batch.masked) {
+        bind_masks(pass, in);
+    }
+    if (!depth_only) {
+        to.words = pass.color(to.words);
+    }
+    to.depth = pass.depth(to.depth);
+    if (view.cull_back_faces && !tests_sides) {
+        pass.cull_back_faces();
+    }
+    pass.variant((batch.masked ? in.texture_classes : 0U) | (tests_sides ? shared::draw_tests_sides : 0U));
+    pass.push(shared::DrawConstants{.clip_from_anchor = view.clip_from_anchor,
+                                    .size_px = view.size_px,
+                                    .first_triangle = batch.first_triangle})
+        .draw(3 * batch.triangle_count);
+}
+
+/// The whole of an image, row by row.
+auto copy_image(gpu::ImageId from, gpu::BufferId to, VkImageAspectFlags aspect)
+{
+    return [from, to, aspect](gpu::Recorder& recorder) {
+        const gpu::Image& image = recorder.image(from);
+        const VkBufferImageCopy region{.imageSubresource = {aspect, 0, 0, 1},
+                                       .imageExtent = {image.desc().width, image.desc().height, 1}};
+        vkCmdCopyImageToBuffer(recorder.commands(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                               recorder.buffer(to).handle(), 1, &region);
+    };
+}
+
+} // namespace
+
+gpu::BufferId draw_by_hardware(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                               const std::vector<Batch>& batches, const View& view, gpu::BufferId target,
+                               bool depth_only)
+{
+    const auto image = [&](const char* part, gpu::Format format) {
+        return graph.image(name + part,
+                           {.width = view.size_px.x, .height = view.size_px.y, .format = format});
+    };
+    Attachments to{image("/words", gpu::Format::rg32ui), image("/depth", gpu::Format::depth32f)};
+    for (const Batch& batch : batches) {
+        add_batch(graph, name + (batch.masked ? "/masked/draw" : "/draw"), in, batch, view, depth_only, to);
+    }
+    const gpu::ImageId drawn = depth_only ? to.depth : to.words;
+    auto copy = graph.custom(name + "/copy");
+    copy.touch(drawn, gpu::Access::transfer_read);
+    const gpu::BufferId copied = copy.touch_write(target, gpu::Access::transfer_write);
+    copy.execute(
+        copy_image(drawn, copied, depth_only ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT));
+    return copied;
+}
+
+} // namespace estampe::raster

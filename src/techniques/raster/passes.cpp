@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/raster/passes.hpp"
+
+#include "shaders/fill_comp.hpp"
+
+namespace estampe::raster {
+
+gpu::BufferId add_clear(gpu::Graph& graph, const std::string& name, gpu::BufferId buffer)
+{
+    struct {
+        uint32_t value;
+        uint32_t quad_count;
+    } constants{0, static_cast<uint32_t>(graph.describe(buffer).size_bytes / 16)};
+
+    auto pass = graph.compute(name + "/clear", shaders::fill_comp);
+    const gpu::BufferId cleared = pass.write(buffer);
+    pass.push(constants).dispatch_items(constants.quad_count);
+    return cleared;
+}
+
+void bind_masks(gpu::Pass& pass, const RasterInputs& in)
+{
+    pass.read(in.draws).read(in.rest_vertices).read(in.materials);
+    for (const gpu::ImageId texture : in.textures) {
+        pass.sample(texture, gpu::Sampling::linear_repeat);
+    }
+}
+
+} // namespace estampe::raster

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What both raster paths need, and the paths themselves; raster.hpp is what others call.
+
+#include "techniques/raster/raster.hpp"
+
+namespace estampe::raster {
+
+/// Zeros for `buffer`, whose size is a multiple of 16 bytes.
+[[nodiscard]] gpu::BufferId add_clear(gpu::Graph& graph, const std::string& name, gpu::BufferId buffer);
+
+/// Binds what alpha masks look up, eight bindings, in the order of mask.glsl.
+void bind_masks(gpu::Pass& pass, const RasterInputs& in);
+
+/// Draws the batches that hold triangles into `target`, 64 bits a pixel, or 32 when `depth_only`.
+[[nodiscard]] gpu::BufferId draw_by_compute(gpu::Graph& graph, const std::string& name,
+                                            const RasterInputs& in, const std::vector<Batch>& batches,
+                                            const View& view, gpu::BufferId target, bool depth_only);
+[[nodiscard]] gpu::BufferId draw_by_hardware(gpu::Graph& graph, const std::string& name,
+                                             const RasterInputs& in, const std::vector<Batch>& batches,
+                                             const View& view, gpu::BufferId target, bool depth_only);
+
+} // namespace estampe::raster
