@@ -235,8 +235,11 @@ struct Camera {
 /// names there are.
 [[nodiscard]] Camera scene_camera(const Scene& scene, const ScenePose& pose, const std::string& name);
 
-/// Frames the whole scene as a person would: three-quarter view from slightly above, whole, with a margin;
-/// inside a closed room it looks through the wall that faces it. `aspect` is width / height.
+/// Frames the scene as a person would: three-quarter view from slightly above, whole, with a margin, from the
+/// side with most to draw (the front, +z, unless another shows clearly more), with room for the shadow on the
+/// ground. A floor much wider than what stands on it is let run out of the page. A room is seen through its
+/// open side, or through the wall that faces the eye; a closed house from a corner inside. `aspect` is width
+/// / height. Cost: linear in vertices and triangles, about 0.1 s for half a million.
 [[nodiscard]] Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect);
 
 /// Reads "eye=x,y,z target=x,y,z [fov=degrees] [up=x,y,z] [ortho=half_height]", in any order, separated by

@@ -22,7 +22,7 @@ constexpr double aspect = 192.0 / 144.0;
 struct Tones {
     double mean_ink = 0.0; ///< 0 paper, 1 black
     double blank = 0.0;    ///< share of pixels
-    double dark = 0.0;
+    double dark = 0.0;     ///< share of pixels; strokes are thinner than a pixel, so they are not quite black
 };
 
 Tones tones_of(const Image& image)
@@ -34,7 +34,7 @@ Tones tones_of(const Image& image)
         const double ink = std::clamp(1.0 - lightness, 0.0, 1.0);
         tones.mean_ink += ink / count;
         tones.blank += (ink < 0.15 ? 1.0 : 0.0) / count;
-        tones.dark += (ink > 0.5 ? 1.0 : 0.0) / count;
+        tones.dark += (ink > 0.35 ? 1.0 : 0.0) / count;
     }
     return tones;
 }
@@ -55,7 +55,7 @@ void expect_light_half_tone_and_dark(const Image& image)
     const Tones tones = tones_of(image);
     EXPECT_GT(tones.mean_ink, 0.06);
     EXPECT_LT(tones.mean_ink, 0.42);
-    EXPECT_GT(tones.blank, 0.3);
+    EXPECT_GT(tones.blank, 0.25);
     EXPECT_GT(tones.dark, 0.02);
 }
 

@@ -180,29 +180,95 @@ std::vector<glm::dvec3> with_shadow(const ViewPoints& points, double part)
     return all;
 }
 
-/// Gives the shadow what room it can have: all of it, or as much as leaves the subject large enough.
-glm::dvec3 fit_with_shadow(const ViewPoints& points, const Window& window)
+/// An eye, and the part of the way from the subject to its shadow that it has room for.
+struct Fit {
+    glm::dvec3 eye{0.0};
+    double shadow_part = 0.0;
+};
+
+Fit fit_part(const ViewPoints& points, const Window& window, double part)
+{
+    const std::vector<glm::dvec3> all = with_shadow(points, part);
+    const glm::dvec3 eye = centre_eye(all, window, fit_eye(all, window));
+    return {lean_to_subject(all, points.subject, window, eye), part};
+}
+
+/// Gives the shadow what room it can have: all of it, or as much as leaves the subject large enough and near
+/// the middle.
+Fit fit_with_shadow(const ViewPoints& points, const Window& window)
 {
     constexpr double least_size = 0.84; // of the size without shadow
     constexpr double most_aside = 0.36; // the subject's middle off the page's, of half its width
     const glm::dvec3 alone = fit_eye(points.subject, window);
-    if (points.shadow.empty())
-        return centre_eye(points.subject, window, alone);
     double nearest = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& point : points.subject)
         nearest = std::min(nearest, point.z);
     const double farthest_eye = nearest - (nearest - alone.z) / least_size;
-    for (double part = 1.0; part > 0.0; part -= 0.125) {
-        const std::vector<glm::dvec3> all = with_shadow(points, part);
-        glm::dvec3 eye = fit_eye(all, window);
-        if (eye.z < farthest_eye)
-            continue;
-        eye = lean_to_subject(all, points.subject, window, centre_eye(all, window, eye));
-        const Across subject(points.subject, eye);
-        if (std::abs(subject.left + subject.right) <= 2.0 * most_aside * window.side)
-            return eye;
+    for (double part = points.shadow.empty() ? 0.0 : 1.0; part > 0.0; part -= 0.125) {
+        const Fit fit = fit_part(points, window, part);
+        const Across subject(points.subject, fit.eye);
+        if (fit.eye.z >= farthest_eye &&
+            std::abs(subject.left + subject.right) <= 2.0 * most_aside * window.side)
+            return fit;
     }
-    return centre_eye(points.subject, window, alone);
+    return {centre_eye(points.subject, window, alone), 0.0};
+}
+
+/// Every so manieth point, about 4096.
+ViewPoints thinned(const ViewPoints& points)
+{
+    ViewPoints few;
+    const size_t step = 1 + points.subject.size() / 4096;
+    for (size_t i = 0; i < points.subject.size(); i += step) {
+        few.subject.push_back(points.subject[i]);
+        if (!points.shadow.empty())
+            few.shadow.push_back(points.shadow[i]);
+    }
+    return few;
+}
+
+/// The middle of a picture, which holds none of its outermost points.
+struct Core {
+    glm::dvec2 min{std::numeric_limits<double>::infinity()};
+    glm::dvec2 max{-std::numeric_limits<double>::infinity()};
+
+    Core(const std::vector<glm::dvec3>& points, const glm::dvec3& eye)
+    {
+        for (const glm::dvec3& point : points) {
+            const glm::dvec2 at = glm::dvec2(point - eye) / (point.z - eye.z);
+            min = glm::min(min, at);
+            max = glm::max(max, at);
+        }
+        const glm::dvec2 rim = 0.15 * (max - min);
+        min += rim;
+        max -= rim;
+    }
+
+    [[nodiscard]] bool holds(const glm::dvec3& point, const glm::dvec3& eye) const
+    {
+        const glm::dvec2 at = glm::dvec2(point - eye) / (point.z - eye.z);
+        return glm::all(glm::greaterThan(at, min)) && glm::all(glm::lessThan(at, max));
+    }
+};
+
+/// The eye for all points: found with a few of them, then made exact with those that are near the rim.
+glm::dvec3 framed_eye(const ViewPoints& points, const Window& window)
+{
+    const ViewPoints few = thinned(points);
+    const Fit rough = fit_with_shadow(few, window);
+    const Core subject(few.subject, rough.eye);
+    const Core all(with_shadow(few, rough.shadow_part), rough.eye);
+    ViewPoints rim;
+    for (size_t i = 0; i < points.subject.size(); ++i) {
+        const glm::dvec3& shadow = points.shadow.empty() ? points.subject[i] : points.shadow[i];
+        if (subject.holds(points.subject[i], rough.eye) &&
+            all.holds(glm::mix(points.subject[i], shadow, rough.shadow_part), rough.eye))
+            continue;
+        rim.subject.push_back(points.subject[i]);
+        if (rough.shadow_part > 0.0)
+            rim.shadow.push_back(shadow);
+    }
+    return fit_part(rim, window, rough.shadow_part).eye;
 }
 
 /// In the corner of a closed room, with a wide lens.
@@ -243,7 +309,7 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect)
     const double least = std::max(1e-6 * glm::length(bounds.center()), 1e-9);
     if (bounds.radius() < least)
         points = {.subject = {glm::dvec3(-least), glm::dvec3(least)}};
-    const glm::dvec3 eye = fit_with_shadow(points, window);
+    const glm::dvec3 eye = framed_eye(points, window);
 
     Camera camera;
     double nearest = std::numeric_limits<double>::infinity();

@@ -133,12 +133,13 @@ float falling_on(const std::vector<shared::LightRecord>& records, const SurfaceP
     return sum;
 }
 
-/// A lamp for a shelter, daylight if there is a way in, and the style's fill as a second lamp low at the
-/// other side of the room: bright enough together that about a third of what is seen is white.
+/// A lamp for a shelter, and daylight if there is a way in, weighed by what is seen.
 std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::dvec3& anchor,
                                             const LightStyle& style)
 {
     constexpr float daylight = 1.5F;
+    // What the key surfaces get, ambient apart: under a lamp alone they keep a half tone, for depth.
+    const float white = shelter.towards_light ? 0.8F : 0.5F;
     const glm::vec3 offset(shelter.origin - anchor);
     float size_2 = 0.0F;
     const glm::vec3 place(shelter.lamp - anchor);
@@ -162,7 +163,7 @@ std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::d
     if (key != levels.end()) {
         std::nth_element(levels.begin(), key, levels.end());
         for (shared::LightRecord& record : records) {
-            record.color /= std::max(*key, 1e-6F);
+            record.color *= white / std::max(*key, 1e-6F);
         }
     }
     return records;
