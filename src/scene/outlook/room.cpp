@@ -93,7 +93,7 @@ public:
             const int column = std::clamp(static_cast<int>(turn * around), 0, around - 1);
             const int row =
                 std::clamp(static_cast<int>((0.5F + 0.5F * way.y / distance_m) * levels), 0, levels - 1);
-            Nearest& cell = cells_[static_cast<size_t>(row * around + column)];
+            Nearest& cell = cells_[static_cast<size_t>(row) * around + static_cast<size_t>(column)];
             if (distance_m < cell.distance_m)
                 cell = {static_cast<uint32_t>(i), distance_m};
         }

@@ -17,7 +17,10 @@ struct Cell {
         return column >= 0 && row >= 0 && column < SeenGrid::side && row < SeenGrid::side;
     }
 
-    [[nodiscard]] size_t index() const { return static_cast<size_t>(row * SeenGrid::side + column); }
+    [[nodiscard]] size_t index() const
+    {
+        return static_cast<size_t>(row) * SeenGrid::side + static_cast<size_t>(column);
+    }
 };
 
 /// A parallel view of a frame, in single precision, for many points.
@@ -151,7 +154,7 @@ double interest(const SurfaceCloud& cloud, const SeenGrid& seen)
     double detail = 0.0;
     for (int row = 1; row < SeenGrid::side; ++row)
         for (int column = 1; column < SeenGrid::side; ++column) {
-            const auto here = static_cast<size_t>(row * SeenGrid::side + column);
+            const auto here = static_cast<size_t>(row) * SeenGrid::side + static_cast<size_t>(column);
             lines.add(cloud, seen, here, here - 1);
             lines.add(cloud, seen, here, here - SeenGrid::side);
             if (seen.nearest[here] != SeenGrid::nothing) {
