@@ -47,7 +47,7 @@ std::optional<hatch::MapInputs> import_map(gpu::Graph& graph, hatch::MapImages* 
     };
     return hatch::MapInputs{.tones = import_image("map tones", map->tones),
                             .thresholds = import_image("map thresholds", map->thresholds),
-                            .ramp = import_buffer(graph, "map ramp", map->ramp),
+                            .ramp = gpu::import_whole(graph, "map ramp", map->ramp),
                             .size_px = map->size_px,
                             .tone_count = map->tone_count,
                             .level_count = map->level_count};
