@@ -79,7 +79,9 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
              .skin_vertices = gpu::import_whole(graph, "skin vertices", meshes.skin_vertices),
              .morph_offsets = gpu::import_whole(graph, "morph offsets", meshes.morph_offsets),
              .joints = gpu::import_whole(graph, "joints", meshes.joints),
-             .morph_weights = gpu::import_whole(graph, "morph weights", meshes.morph_weights)},
+             .morph_weights = gpu::import_whole(graph, "morph weights", meshes.morph_weights),
+             .has_skins = layout.joint_count > 0,
+             .has_morphs = layout.morph_weight_count > 0},
             posed_vertices, meshes.vertex_count);
     }
 

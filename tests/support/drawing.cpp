@@ -77,7 +77,9 @@ gpu::BufferId Drawing::add_posed(gpu::Graph& graph)
          .skin_vertices = gpu::import_whole(graph, "skin vertices", meshes_.skin_vertices),
          .morph_offsets = gpu::import_whole(graph, "morph offsets", meshes_.morph_offsets),
          .joints = gpu::import_whole(graph, "joints", meshes_.joints),
-         .morph_weights = gpu::import_whole(graph, "morph weights", meshes_.morph_weights)},
+         .morph_weights = gpu::import_whole(graph, "morph weights", meshes_.morph_weights),
+         .has_skins = layout.joint_count > 0,
+         .has_morphs = layout.morph_weight_count > 0},
         gpu::import_whole(graph, "posed vertices", meshes_.posed_vertices[0]), meshes_.vertex_count);
 }
 

@@ -55,6 +55,11 @@ layout(push_constant, scalar) uniform Constants
     uint vertex_count;
 };
 
+// Bit 0: some vertices have a skin. Bit 1: some have morph targets.
+layout(constant_id = 0) const uint variant = 3u;
+const bool has_skins = (variant & 1u) != 0u;
+const bool has_morphs = (variant & 2u) != 0u;
+
 mat4 skin_matrix(DrawRecord draw, uint local)
 {
     SkinVertex skin = skin_vertices[draw.first_skin_vertex + local];
@@ -83,16 +88,19 @@ void main()
     RestVertex rest = rest_vertices[draw.first_rest_vertex + local];
     vec3 position = rest.position;
     vec3 normal = unpack_normal(rest.normal);
-    for (uint target = 0u; target < draw.morph_target_count; ++target) {
-        float weight = morph_weights[draw.first_morph_weight + target];
-        if (weight != 0.0) {
-            MorphOffset offset = morph_offsets[draw.first_morph_offset + target * draw.vertex_count + local];
-            position += weight * offset.position;
-            normal += weight * offset.normal;
+    if (has_morphs) {
+        for (uint target = 0u; target < draw.morph_target_count; ++target) {
+            float weight = morph_weights[draw.first_morph_weight + target];
+            if (weight != 0.0) {
+                MorphOffset offset =
+                    morph_offsets[draw.first_morph_offset + target * draw.vertex_count + local];
+                position += weight * offset.position;
+                normal += weight * offset.normal;
+            }
         }
     }
     mat4 place = draw.anchor_from_object;
-    if (draw.first_skin_vertex != NO_SKIN) {
+    if (has_skins && draw.first_skin_vertex != NO_SKIN) {
         place = skin_matrix(draw, local);
     }
     vec4 posed = place * vec4(position, 1.0);

@@ -44,6 +44,7 @@ gpu::BufferId add_pose(gpu::Graph& graph, const PoseInputs& in, gpu::BufferId po
         .read(in.morph_offsets);
     pass.read(in.joints).read(in.morph_weights);
     const gpu::BufferId posed = pass.write(posed_vertices);
+    pass.variant((in.has_skins ? 1U : 0U) | (in.has_morphs ? 2U : 0U));
     pass.push(vertex_count).dispatch_items(vertex_count);
     return posed;
 }

@@ -40,6 +40,8 @@ struct PoseInputs {
     gpu::BufferId morph_offsets;
     gpu::BufferId joints;
     gpu::BufferId morph_weights;
+    bool has_skins = true;
+    bool has_morphs = true;
 };
 
 /// Poses all vertices: morph targets, then the skin, or the place of the object where there is none.

@@ -209,8 +209,9 @@ std::pair<int, double> seen(const Scene& scene, double time_s = 0.0)
         sum += static_cast<double>(surface.depth[i]);
         count += surface.depth[i] > 0.0F ? 1 : 0;
         if (surface.depth[i] > 0.0F) {
+            const size_t row = i / 120;
             const glm::dvec3 point =
-                drawing.point_at({static_cast<double>(i % 120) + 0.5, static_cast<double>(i / 120) + 0.5},
+                drawing.point_at({static_cast<double>(i % 120) + 0.5, static_cast<double>(row) + 0.5},
                                  static_cast<double>(surface.depth[i]));
             away += glm::dot(glm::dvec3(drawing.globals.eye_anchor) - point,
                              glm::dvec3(surface.smooth_normal[i])) < 0.0

@@ -24,6 +24,10 @@ layout(push_constant, scalar) uniform Constants
     SkyConstants constants;
 };
 
+// 1 where there is a sky, 0 for bare paper.
+layout(constant_id = 0) const uint variant = 1u;
+const bool is_drawn = variant != 0u;
+
 vec3 direction_at(vec2 position_px)
 {
     return -towards_eye(frame, anchor_at(frame, position_px, 0.5));
@@ -51,7 +55,7 @@ void main()
     }
     vec3 wash = vec3(1.0);
     float ink = 0.0;
-    if (constants.drawn != 0u) {
+    if (is_drawn) {
         vec2 position = vec2(pixel) + 0.5;
         vec3 d = direction_at(position);
         float height = clamp(d.y * 1.9, 0.0, 1.0);

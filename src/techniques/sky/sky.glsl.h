@@ -12,7 +12,6 @@ struct SkyConstants {
     vec3 zenith_color;
     float darkness; // of the strokes at the zenith, away from the sun
     vec3 towards_sun;
-    uint drawn; // 0: bare paper
 };
 
 #ifdef __cplusplus
