@@ -38,19 +38,6 @@ std::vector<raster::Batch> solid_batches(const pose::MeshData& layout, bool with
     return batches;
 }
 
-std::optional<hatch::MapInputs> import_map(gpu::Graph& graph, hatch::MapImages* map)
-{
-    if (map == nullptr) {
-        return std::nullopt;
-    }
-    return hatch::MapInputs{.tones = gpu::import_uploaded(graph, "map tones", map->tones),
-                            .thresholds = gpu::import_uploaded(graph, "map thresholds", map->thresholds),
-                            .ramp = gpu::import_whole(graph, "map ramp", map->ramp),
-                            .size_px = map->size_px,
-                            .tone_count = map->tone_count,
-                            .level_count = map->level_count};
-}
-
 } // namespace
 
 void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResources& resources,
@@ -170,26 +157,27 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                                 .size_px = size_px});
 
     // Hatch: light becomes strokes.
-    const auto hatch = hatch::add_hatch(graph,
-                                        {.frame = frame,
-                                         .draw = surface.draw,
-                                         .depth = surface.depth,
-                                         .normal = surface.normal,
-                                         .color = surface.color,
-                                         .coordinate = surface.coordinate,
-                                         .footprint = surface.footprint,
-                                         .light = light,
-                                         .screen = screen.color,
-                                         .has_screen = has_screen,
-                                         .tone = tone,
-                                         .has_directions = plan.strokes.has(shared::strokes_height) ||
-                                                           plan.strokes.has(shared::strokes_wind) ||
-                                                           plan.strokes.has(shared::strokes_light),
-                                         .towards_light = plan.towards_sun,
-                                         .map = import_map(graph, resources.map),
-                                         .pixels_per_mm = plan.pixels_per_mm,
-                                         .size_px = size_px},
-                                        style.hatch);
+    const auto hatch = hatch::add_hatch(
+        graph,
+        {.frame = frame,
+         .draw = surface.draw,
+         .depth = surface.depth,
+         .normal = surface.normal,
+         .color = surface.color,
+         .coordinate = surface.coordinate,
+         .footprint = surface.footprint,
+         .light = light,
+         .screen = screen.color,
+         .has_screen = has_screen,
+         .tone = tone,
+         .has_directions = plan.strokes.has(shared::strokes_height) ||
+                           plan.strokes.has(shared::strokes_wind) || plan.strokes.has(shared::strokes_light),
+         .towards_light = plan.towards_sun,
+         .map = resources.map != nullptr ? std::optional(hatch::import_map(graph, *resources.map))
+                                         : std::nullopt,
+         .pixels_per_mm = plan.pixels_per_mm,
+         .size_px = size_px},
+        style.hatch);
 
     // Contour: lines where surfaces end, meet or fold.
     const auto lines = contour::add_contours(graph,

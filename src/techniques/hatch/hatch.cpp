@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/hatch/hatch.hpp"
 
+#include <bit>
+#include <cmath>
+
 #include <glm/trigonometric.hpp>
 
+#include "gpu/imports.hpp"
 #include "shaders/darkness_comp.hpp"
 #include "shaders/lines_comp.hpp"
 #include "shaders/map_comp.hpp"
+#include "shaders/overrun_comp.hpp"
 #include "techniques/hatch/hatch.glsl.h"
 
 namespace estampe::hatch {
@@ -17,7 +22,34 @@ glm::vec2 turned(float degrees)
     return {-glm::sin(glm::radians(degrees)), glm::cos(glm::radians(degrees))};
 }
 
+/// For each pixel the nearest one with strokes, as far as they run over.
+gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness, float overrun_px)
+{
+    auto step_px = static_cast<int32_t>(std::bit_ceil(static_cast<uint32_t>(std::ceil(overrun_px))));
+    gpu::ImageId source = in.draw;
+    for (bool is_first = true; step_px > 0; step_px /= 2, is_first = false) {
+        auto pass = graph.compute("hatch/overrun", shaders::overrun_comp);
+        pass.sample(darkness).sample(in.draw).sample(source);
+        source = pass.write(graph.image(
+            "hatch/source", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32ui}));
+        pass.variant(is_first ? 1U : 0U);
+        pass.push(shared::OverrunConstants{.size_px = in.size_px, .step_px = step_px})
+            .dispatch_over(in.size_px.x, in.size_px.y);
+    }
+    return source;
+}
+
 } // namespace
+
+MapInputs import_map(gpu::Graph& graph, MapImages& map)
+{
+    return {.tones = gpu::import_uploaded(graph, "map tones", map.tones),
+            .thresholds = gpu::import_uploaded(graph, "map thresholds", map.thresholds),
+            .ramp = gpu::import_whole(graph, "map ramp", map.ramp),
+            .size_px = map.size_px,
+            .tone_count = map.tone_count,
+            .level_count = map.level_count};
+}
 
 gpu::ImageId add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
 {
@@ -36,11 +68,15 @@ gpu::ImageId add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchS
 gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
                        const HatchStyle& style)
 {
+    const float overrun_px = style.overrun_mm * in.pixels_per_mm;
+    const gpu::ImageId source = overrun_px > 0.0F ? add_overrun(graph, in, darkness, overrun_px) : in.draw;
     auto pass = graph.compute("hatch/lines", shaders::lines_comp);
     pass.sample(darkness).sample(in.draw).sample(in.normal).sample(in.coordinate).sample(in.footprint);
+    pass.sample(source);
     const gpu::ImageId ink = pass.write(graph.image(
         "hatch/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
-    pass.variant((style.growth > 0.0F ? 1U : 0U) | (in.has_directions ? 2U : 0U));
+    pass.variant((style.growth > 0.0F ? 1U : 0U) | (in.has_directions ? 2U : 0U) |
+                 (overrun_px > 0.0F ? 4U : 0U));
     const float wind = glm::radians(style.wind_deg);
     pass.push(shared::LineConstants{.size_px = in.size_px,
                                     .width_px = style.width_mm * in.pixels_per_mm,
@@ -57,7 +93,8 @@ gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId da
                                     .flat_axis_1 = turned(style.slant_deg + 62.0F),
                                     .flat_axis_2 = turned(style.slant_deg - 41.0F),
                                     .wind = {glm::sin(wind), glm::cos(wind)},
-                                    .towards_light = in.towards_light})
+                                    .towards_light = in.towards_light,
+                                    .overrun_px = overrun_px})
         .dispatch_over(in.size_px.x, in.size_px.y);
     return ink;
 }

@@ -29,7 +29,18 @@ struct LineConstants {
     vec2 flat_axis_2;
     vec2 wind; // horizontal direction x, z
     vec3 towards_light;
+    float overrun_px; // how far strokes run over silhouettes
 };
+
+// Which pixel's strokes run over into another.
+struct OverrunConstants {
+    uvec2 size_px;
+    int step_px;
+};
+
+#ifndef __cplusplus
+#define NO_SOURCE 0xffffffffu
+#endif
 
 struct MapConstants {
     uvec2 size_px;

@@ -31,6 +31,7 @@ struct HatchStyle {
     float length_mm = 15.0F;
     float pressure = 0.28F;
     float growth = 0.0F;
+    float overrun_mm = 0.0F;
     float fade = 1.0F;
     float fade_distance_m = 60.0F;
     float black_above = 0.96F;
@@ -81,6 +82,8 @@ inline const style::Table<HatchStyle>& hatch_table()
                     "How much the width varies along a stroke")
             .number("growth", &HatchStyle::growth, {0.0F, 1.0F}, "",
                     "How a stroke begins as tone deepens: 0 as a hairline, 1 short and of full width")
+            .number("overrun_mm", &HatchStyle::overrun_mm, {0.0F, 5.0F}, "mm",
+                    "How far strokes run over silhouettes onto the paper")
             .number("fade", &HatchStyle::fade, {0.0F, 1.0F}, "",
                     "Share of the darkness left in the far distance")
             .number("fade_distance_m", &HatchStyle::fade_distance_m, {0.001F, 1e6F}, "m",
@@ -108,6 +111,9 @@ struct MapInputs {
     uint32_t tone_count = 0;
     uint32_t level_count = 0;
 };
+
+/// `map` must outlive the run of `graph`.
+[[nodiscard]] MapInputs import_map(gpu::Graph& graph, MapImages& map);
 
 struct HatchInputs {
     gpu::BufferId frame; ///< FrameGlobals

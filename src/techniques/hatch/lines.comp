@@ -17,17 +17,20 @@ layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform usampler2D normal_image;
 layout(binding = 3) uniform sampler2D coordinate_image;
 layout(binding = 4) uniform usampler2D footprint_image;
-layout(binding = 5, r16f) writeonly uniform image2D out_ink;
+layout(binding = 5) uniform usampler2D source_image; // see overrun.comp
+layout(binding = 6, r16f) writeonly uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
 {
     LineConstants constants;
 };
 
-// Bit 0: newborn strokes grow in length. Bit 1: some strokes follow wind, light or height.
+// Bit 0: newborn strokes grow in length. Bit 1: some strokes follow wind, light or height. Bit
+// 2: strokes run over silhouettes.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_growth = (variant & 1u) != 0u;
 const bool has_directions = (variant & 2u) != 0u;
+const bool has_overrun = (variant & 4u) != 0u;
 
 // Each layer slices the solid by parallel planes; where a surface lies nearly in such a plane a second
 // family, the level one, takes over. Normals of the planes:
@@ -173,18 +176,38 @@ float strokes(vec3 p, Footprint f, vec3 normal, uint kind, float dark)
     return 1.0 - white;
 }
 
+// The pixel whose strokes are drawn here: itself, or one nearby whose strokes run over onto bare paper. Then
+// `share` tells how much of its darkness is left.
+ivec2 source_of(ivec2 pixel, out float share)
+{
+    share = 1.0;
+    if (!has_overrun || !is_paper(texelFetch(draw_image, pixel, 0).x) ||
+        texelFetch(darkness_image, pixel, 0).x > 0.0) {
+        return pixel;
+    }
+    uint source = texelFetch(source_image, pixel, 0).x;
+    ivec2 at = ivec2(source & 0xffffu, source >> 16);
+    float away = distance(vec2(pixel), vec2(at));
+    share = source == NO_SOURCE ? 0.0 : 1.0 - smoothstep(0.3, 1.0, away / constants.overrun_px);
+    return source == NO_SOURCE ? pixel : at;
+}
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
         return;
     }
-    float dark = texelFetch(darkness_image, pixel, 0).x;
-    uint kind = strokes_of(texelFetch(draw_image, pixel, 0).x);
-    vec3 p = texelFetch(coordinate_image, pixel, 0).xyz;
-    Footprint f = unpack_footprint(texelFetch(footprint_image, pixel, 0));
-    vec3 normal = unpack_normal(texelFetch(normal_image, pixel, 0).y);
+    float share;
+    ivec2 source = source_of(pixel, share);
+    vec2 beyond = vec2(pixel - source);
+    float dark = texelFetch(darkness_image, source, 0).x * share;
+    uint kind = strokes_of(texelFetch(draw_image, source, 0).x);
+    Footprint f = unpack_footprint(texelFetch(footprint_image, source, 0));
+    vec3 p = texelFetch(coordinate_image, source, 0).xyz + f.dx * beyond.x + f.dy * beyond.y;
+    vec3 normal = unpack_normal(texelFetch(normal_image, source, 0).y);
     float ink = strokes(p, f, normal, kind, dark);
-    ink = max(ink, smoothstep(constants.black_above, constants.black_above + 0.02, dark));
+    ink = max(ink,
+              source == pixel ? smoothstep(constants.black_above, constants.black_above + 0.02, dark) : 0.0);
     imageStore(out_ink, pixel, vec4(ink));
 }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Surfaces that a test paints itself, and the strokes over them.
+
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "support/gpu_device.hpp"
+#include "support/layers.hpp"
+#include "techniques/hatch/hatch.hpp"
+
+namespace estampe::test {
+
+/// What is seen at a pixel: the coordinate that strokes follow, and its change to the right and down.
+struct Patch {
+    glm::vec3 coordinate{0.0F};
+    glm::vec3 dx{0.0F};
+    glm::vec3 dy{0.0F};
+    glm::vec3 normal{0.0F, 0.0F, 1.0F};
+    bool seen = true;
+};
+
+using Surface = std::function<Patch(glm::dvec2 position_px)>;
+
+/// Lines over a surface that is the same for all darknesses, or a darkness that is the same for all surfaces.
+class Canvas {
+public:
+    Canvas(glm::uvec2 size_px, uint32_t kind)
+        : size_px_(size_px), draw_(Layer::words(size_px, [&](glm::uvec2) { return kind << 26U | 1U; })),
+          darkness_(Layer::coverage(size_px, [](glm::uvec2) { return 0.0F; })),
+          normal_(Layer::normals(size_px, [](glm::uvec2) { return glm::vec3(0, 0, 1); })),
+          coordinate_(Layer::places({1, 1}, [](glm::uvec2) { return glm::vec4(0.0F); })),
+          footprint_(Layer::footprints(
+              {1, 1}, [](glm::uvec2) { return std::pair(glm::vec3(0.0F), glm::vec3(0.0F)); }))
+    {
+    }
+
+    void paint_darkness(const Painter<float>& darkness) { darkness_ = Layer::coverage(size_px_, darkness); }
+
+    void paint_surface(const Surface& surface)
+    {
+        const auto at = [&](glm::uvec2 pixel) { return surface(glm::dvec2(pixel) + 0.5); };
+        coordinate_ =
+            Layer::places(size_px_, [&](glm::uvec2 pixel) { return glm::vec4(at(pixel).coordinate, 0.0F); });
+        footprint_ = Layer::footprints(size_px_, [&](glm::uvec2 pixel) {
+            const Patch patch = at(pixel);
+            return std::pair(patch.dx, patch.dy);
+        });
+    }
+
+    void paint_normals(const Painter<glm::vec3>& normal) { normal_ = Layer::normals(size_px_, normal); }
+
+    std::vector<float> ink(const hatch::HatchStyle& style) { return ink(style, nullptr); }
+
+    /// By the strokes of `map`, unless it is null.
+    std::vector<float> ink(const hatch::HatchStyle& style, hatch::MapImages* map)
+    {
+        gpu::Graph graph;
+        hatch::HatchInputs in{};
+        in.draw = draw_.in(graph);
+        in.normal = normal_.in(graph);
+        in.coordinate = coordinate_.in(graph);
+        in.footprint = footprint_.in(graph);
+        in.pixels_per_mm = 1.0F;
+        in.size_px = size_px_;
+        const gpu::ImageId darkness = darkness_.in(graph);
+        if (map == nullptr) {
+            return run_and_read_coverage(graph, hatch::add_lines(graph, in, darkness, style));
+        }
+        in.map = hatch::import_map(graph, *map);
+        return run_and_read_coverage(graph, hatch::add_map(graph, in, darkness, style));
+    }
+
+private:
+    glm::uvec2 size_px_;
+    Layer draw_, darkness_, normal_, coordinate_, footprint_;
+};
+
+/// A pen of 1.6 pixels with all the habits of the default one.
+inline hatch::HatchStyle pen()
+{
+    return {.width_mm = 1.6F,
+            .wobble_mm = 1.0F,
+            .gap_mm = 3.0F,
+            .taper_mm = 12.0F,
+            .length_mm = 70.0F,
+            .black_above = 2.0F};
+}
+
+inline Surface flat_patch(double unit_per_px)
+{
+    return [=](glm::dvec2 p) {
+        const auto g = static_cast<float>(unit_per_px);
+        return Patch{.coordinate = glm::vec3(p * unit_per_px, 0.0), .dx = {g, 0, 0}, .dy = {0, g, 0}};
+    };
+}
+
+} // namespace estampe::test
