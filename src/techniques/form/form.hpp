@@ -18,7 +18,7 @@ struct FormOptions {
     /// converge or part. Strokes are continuous at whole numbers and finer, so this is the coarsest spacing
     /// ever wanted. Clamped to 1/500 to 4 radii of the mesh; a quarter radius when not a positive number.
     float period_m = 0.0F;
-    /// Over how many periods the direction of curvature is smoothed; 0 to 100.
+    /// Over how many periods the direction of curvature is smoothed; 0.05 to 100.
     float smoothing = 1.0F;
     /// Where nothing bends, strokes are level with regard to this direction. Any length but zero.
     glm::vec3 up{0.0F, 1.0F, 0.0F};
@@ -37,8 +37,9 @@ struct FormFaults {
 
 struct FormField {
     /// For each triangle and corner the coordinates (a, b), in periods, linear within a triangle. Over an
-    /// inner edge they agree up to an integer and, both at once, a sign; not so on creases and on one edge of
-    /// each triangle that `is_faulty`.
+    /// inner edge they agree up to whole numbers and, both at once, a sign, so lines at whole numbers and at
+    /// any power of two between them meet; not so on creases and on one edge of each triangle that
+    /// `is_faulty`.
     std::vector<std::array<glm::vec2, 3>> corners;
     /// 1 for triangles that hold a branch point or a singularity: strokes end or break within them.
     std::vector<uint8_t> is_faulty;

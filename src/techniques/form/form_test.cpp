@@ -41,7 +41,7 @@ float worst_wander(const TestMesh& mesh, const FormField& field, float period_m)
 
 void expect_whole(const TestMesh& mesh, const FormField& field)
 {
-    for (const int which : {0, 1}) {
+    for (const int which : {0, 1, 2}) {
         const Seams seams = find_seams(mesh, field, which);
         EXPECT_GT(seams.edges, 0);
         EXPECT_EQ(seams.breaks, 0) << "coordinate " << which;
