@@ -1,70 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Aggregation multigrid after Vanek, Mandel and Brezina, "Algebraic Multigrid by Smoothed Aggregation", 1996,
-// without the smoothing of the prolongation (instead corrections are lengthened: Braess, "Towards Algebraic
-// Multigrid for Elliptic Problems of Second Order", 1995). Diffusion and return to unit length: Viertel and
-// Osting, "An Approach to Quad Meshing Based on Harmonic Cross-Valued Maps and the Ginzburg-Landau Theory",
-// 2019.
+// Corrections from coarse levels are lengthened: Braess, "Towards Algebraic Multigrid for Elliptic Problems
+// of Second Order", 1995. Diffusion and return to unit length: Viertel and Osting, "An Approach to Quad
+// Meshing Based on Harmonic Cross-Valued Maps and the Ginzburg-Landau Theory", 2019.
 #include "techniques/form/bundle.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "techniques/form/form_mesh.hpp"
-
 namespace estampe::form {
 namespace {
 
 constexpr double overcorrection = 1.5;
-
-glm::dvec2 times(const Block& m, glm::dvec2 v)
-{
-    return {double{m.xx} * v.x + double{m.xy} * v.y, double{m.yx} * v.x + double{m.yy} * v.y};
-}
-
-glm::dvec2 transposed_times(const Block& m, glm::dvec2 v)
-{
-    return {double{m.xx} * v.x + double{m.yx} * v.y, double{m.xy} * v.x + double{m.yy} * v.y};
-}
-
-glm::dvec2 times(const glm::dvec3& symmetric, glm::dvec2 v)
-{
-    return {symmetric.x * v.x + symmetric.y * v.y, symmetric.y * v.x + symmetric.z * v.y};
-}
-
-Block product(const Block& a, const Block& b)
-{
-    return {a.xx * b.xx + a.xy * b.yx, a.xx * b.xy + a.xy * b.yy, a.yx * b.xx + a.yy * b.yx,
-            a.yx * b.xy + a.yy * b.yy};
-}
-
-Block transposed(const Block& m)
-{
-    return {m.xx, m.yx, m.xy, m.yy};
-}
-
-float strength(const Block& m)
-{
-    return m.xx * m.xx + m.xy * m.xy + m.yx * m.yx + m.yy * m.yy;
-}
-
-/// The rotation or reflection nearest to -m.
-Block nearest_orthogonal(const Block& m)
-{
-    const glm::vec2 rotation(-m.xx - m.yy, m.xy - m.yx);
-    const glm::vec2 reflection(m.yy - m.xx, -m.xy - m.yx);
-    const float turn = glm::length(rotation);
-    const float mirror = glm::length(reflection);
-    if (std::max(turn, mirror) <= 0.0F) {
-        return {1.0F, 0.0F, 0.0F, 1.0F};
-    }
-    if (turn >= mirror) {
-        const glm::vec2 c = rotation / turn;
-        return {c.x, -c.y, c.y, c.x};
-    }
-    const glm::vec2 c = reflection / mirror;
-    return {c.x, c.y, c.y, -c.x};
-}
 
 glm::dvec2 unit_or(glm::dvec2 v, glm::dvec2 otherwise)
 {
@@ -74,6 +21,7 @@ glm::dvec2 unit_or(glm::dvec2 v, glm::dvec2 otherwise)
 
 glm::dvec2 random_unit(uint32_t seed, uint32_t index)
 {
+    // PCG, as in Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 2020.
     uint32_t h = seed * 747796405U + index * 2891336453U + 1013904223U;
     h = ((h >> ((h >> 28U) + 4U)) ^ h) * 277803737U;
     const double angle = 6.283185307179586 * ((h >> 22U) ^ h) / 4294967296.0;
@@ -90,137 +38,6 @@ double dot(const Vectors& a, const Vectors& b)
 }
 
 } // namespace
-
-Bundle::Bundle(uint32_t node_count, const std::vector<Link>& links, std::vector<double> masses)
-{
-    Level& fine = levels_.emplace_back();
-    fine.masses = std::move(masses);
-    fine.diagonal.assign(node_count, glm::dvec3(0.0));
-    fine.starts.assign(node_count + 1, 0);
-    for (const Link& link : links) {
-        ++fine.starts[link.from + 1];
-        ++fine.starts[link.to + 1];
-    }
-    std::partial_sum(fine.starts.begin(), fine.starts.end(), fine.starts.begin());
-    fine.columns.resize(fine.starts.back());
-    fine.blocks.resize(fine.starts.back());
-    std::vector<uint32_t> next(fine.starts.begin(), fine.starts.end() - 1);
-    for (const Link& link : links) {
-        const auto c = static_cast<float>(-link.weight * std::cos(link.turn_rad));
-        const auto s = static_cast<float>(-link.weight * std::sin(link.turn_rad));
-        const Block to_from = link.mirrors ? Block{c, -s, -s, -c} : Block{c, -s, s, c};
-        fine.columns[next[link.to]] = link.from;
-        fine.blocks[next[link.to]++] = to_from;
-        fine.columns[next[link.from]] = link.to;
-        fine.blocks[next[link.from]++] = transposed(to_from);
-        fine.diagonal[link.from] += glm::dvec3(link.weight, 0.0, link.weight);
-        fine.diagonal[link.to] += glm::dvec3(link.weight, 0.0, link.weight);
-    }
-    constexpr uint32_t small_enough = 40;
-    while (levels_.back().size() > small_enough && aggregate(levels_.back())) {
-        levels_.push_back(coarsen(levels_.back()));
-    }
-    for (Level& level : levels_) {
-        level.shifts.assign(level.size(), 0.0);
-        level.x.resize(level.size());
-        level.b.resize(level.size());
-        level.r.resize(level.size());
-    }
-}
-
-/// First nodes all of whose neighbours are free found groups, then each that is left joins the group of the
-/// neighbour that it is most strongly tied to. False when that hardly lessens their number.
-bool Bundle::aggregate(Level& fine)
-{
-    const uint32_t count = fine.size();
-    fine.coarse.assign(count, none);
-    fine.from_coarse.assign(count, {1.0F, 0.0F, 0.0F, 1.0F});
-    uint32_t groups = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        bool is_free = fine.coarse[i] == none && fine.starts[i] < fine.starts[i + 1];
-        for (uint32_t k = fine.starts[i]; is_free && k < fine.starts[i + 1]; ++k) {
-            is_free = fine.coarse[fine.columns[k]] == none;
-        }
-        if (!is_free) {
-            continue;
-        }
-        fine.coarse[i] = groups;
-        for (uint32_t k = fine.starts[i]; k < fine.starts[i + 1]; ++k) {
-            fine.coarse[fine.columns[k]] = groups;
-            fine.from_coarse[fine.columns[k]] = nearest_orthogonal(transposed(fine.blocks[k]));
-        }
-        ++groups;
-    }
-    const std::vector<uint32_t> founded = fine.coarse;
-    for (uint32_t i = 0; i < count; ++i) {
-        if (founded[i] != none) {
-            continue;
-        }
-        float strongest = 0.0F;
-        for (uint32_t k = fine.starts[i]; k < fine.starts[i + 1]; ++k) {
-            const uint32_t j = fine.columns[k];
-            if (founded[j] != none && strength(fine.blocks[k]) > strongest) {
-                strongest = strength(fine.blocks[k]);
-                fine.coarse[i] = founded[j];
-                fine.from_coarse[i] = product(nearest_orthogonal(fine.blocks[k]), fine.from_coarse[j]);
-            }
-        }
-        if (fine.coarse[i] == none) {
-            fine.coarse[i] = groups++;
-        }
-    }
-    return groups < count - count / 8;
-}
-
-Bundle::Level Bundle::coarsen(const Level& fine)
-{
-    Level coarse;
-    const uint32_t count = 1 + *std::max_element(fine.coarse.begin(), fine.coarse.end());
-    coarse.diagonal.assign(count, glm::dvec3(0.0));
-    coarse.masses.assign(count, 0.0);
-    std::vector<uint32_t> member_starts(count + 1, 0);
-    for (const uint32_t group : fine.coarse) {
-        ++member_starts[group + 1];
-    }
-    std::partial_sum(member_starts.begin(), member_starts.end(), member_starts.begin());
-    std::vector<uint32_t> members(fine.size());
-    std::vector<uint32_t> next(member_starts.begin(), member_starts.end() - 1);
-    for (uint32_t i = 0; i < fine.size(); ++i) {
-        members[next[fine.coarse[i]]++] = i;
-    }
-    std::vector<uint32_t> slot(count, none);
-    coarse.starts.push_back(0);
-    for (uint32_t group = 0; group < count; ++group) {
-        const auto row_start = static_cast<uint32_t>(coarse.columns.size());
-        for (uint32_t m = member_starts[group]; m < member_starts[group + 1]; ++m) {
-            const uint32_t i = members[m];
-            const Block& p = fine.from_coarse[i];
-            const glm::dvec3& d = fine.diagonal[i];
-            const glm::dvec2 column_x = transposed_times(p, times(d, {p.xx, p.yx}));
-            const glm::dvec2 column_y = transposed_times(p, times(d, {p.xy, p.yy}));
-            coarse.diagonal[group] += glm::dvec3(column_x.x, 0.5 * (column_x.y + column_y.x), column_y.y);
-            coarse.masses[group] += fine.masses[i];
-            for (uint32_t k = fine.starts[i]; k < fine.starts[i + 1]; ++k) {
-                const uint32_t j = fine.columns[k];
-                const Block block = product(transposed(p), product(fine.blocks[k], fine.from_coarse[j]));
-                const uint32_t other = fine.coarse[j];
-                if (other == group) {
-                    coarse.diagonal[group] += glm::dvec3(block.xx, 0.5F * (block.xy + block.yx), block.yy);
-                    continue;
-                }
-                if (slot[other] == none || slot[other] < row_start) {
-                    slot[other] = static_cast<uint32_t>(coarse.columns.size());
-                    coarse.columns.push_back(other);
-                    coarse.blocks.emplace_back();
-                }
-                Block& sum = coarse.blocks[slot[other]];
-                sum = {sum.xx + block.xx, sum.xy + block.xy, sum.yx + block.yx, sum.yy + block.yy};
-            }
-        }
-        coarse.starts.push_back(static_cast<uint32_t>(coarse.columns.size()));
-    }
-    return coarse;
-}
 
 void Bundle::set_shifts(std::vector<double> finest)
 {
@@ -284,11 +101,17 @@ void Bundle::apply(const Level& level, const Vectors& x, Vectors& out)
     }
 }
 
+/// The coarsest level is large when the graph is in many parts, and then its nodes hardly have neighbours.
+bool Bundle::is_small(const Level& level)
+{
+    return level.size() <= 1000;
+}
+
 void Bundle::cycle(size_t index, Vectors& x, const Vectors& b)
 {
     Level& level = levels_[index];
     if (index + 1 == levels_.size()) {
-        constexpr int rounds = 12;
+        const int rounds = is_small(level) ? 12 : 2;
         for (int i = 0; i < rounds; ++i) {
             smooth(level, x, b, true);
             smooth(level, x, b, false);
@@ -389,8 +212,8 @@ Vectors Bundle::relax(double reach, uint32_t seed)
         }
         const double mass = std::accumulate(levels_[l].masses.begin(), levels_[l].masses.end(), 0.0);
         const double spacing = std::sqrt(mass / levels_[l].size());
-        const bool is_coarsest = l + 1 == levels_.size();
-        diffuse(l, z, std::max(2.0 * reach, 4.0 * spacing), is_coarsest ? 40 : 6);
+        const bool is_last = l + 1 == levels_.size() && is_small(levels_[l]);
+        diffuse(l, z, std::max(2.0 * reach, 4.0 * spacing), is_last ? 40 : 6);
         diffuse(l, z, std::max(0.5 * reach, 2.0 * spacing), 3);
     }
     return z;

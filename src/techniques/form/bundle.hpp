@@ -8,14 +8,11 @@
 
 #include <glm/glm.hpp>
 
+#include "techniques/form/block.hpp"
+
 namespace estampe::form {
 
 using Vectors = std::vector<glm::dvec2>;
-
-/// A 2 x 2 matrix, row by row, in single precision to save bandwidth.
-struct Block {
-    float xx = 0.0F, xy = 0.0F, yx = 0.0F, yy = 0.0F;
-};
 
 /// Wants z at `to` to be z at `from` turned by `turn_rad`, and then mirrored in the x axis if `mirrors`.
 struct Link {
@@ -41,9 +38,9 @@ public:
     /// The same for right = diag(pulls) targets: draws the field towards targets.
     [[nodiscard]] Vectors attract(const std::vector<double>& pulls, const Vectors& targets, double tolerance);
 
-    /// Unit vectors with nearly the least energy: from the coarsest level to the finest, diffusion for ever
-    /// shorter times (the first over about `reach`, in the unit whose square masses are in) and return to
-    /// unit length in turns.
+    /// Unit vectors with nearly the least energy: on each level from the coarsest to the finest, diffusion
+    /// over about `reach`, but at least some nodes (in the unit whose square masses are in), and return to
+    /// unit length in turns. Starts at random by `seed`.
     [[nodiscard]] Vectors relax(double reach, uint32_t seed);
 
 private:
@@ -63,6 +60,7 @@ private:
     };
 
     static bool aggregate(Level& fine);
+    static bool is_small(const Level& level);
     static Level coarsen(const Level& fine);
     void set_shifts(std::vector<double> finest);
     void set_shift(double per_mass);

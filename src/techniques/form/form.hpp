@@ -14,11 +14,11 @@
 namespace estampe::form {
 
 struct FormOptions {
-    /// Distance between neighbouring lines of whole coordinates: the coarsest spacing of strokes ever wanted,
-    /// for only at whole numbers and finer are lines continuous. Clamped to 1/500 to 4 radii of the mesh; a
-    /// quarter radius when not a positive number.
+    /// Mean distance between neighbouring lines of whole coordinates; it is 1/4 to 4 times that where lines
+    /// converge or part. Strokes are continuous at whole numbers and finer, so this is the coarsest spacing
+    /// ever wanted. Clamped to 1/500 to 4 radii of the mesh; a quarter radius when not a positive number.
     float period_m = 0.0F;
-    /// Over how many periods the direction of curvature is smoothed; 0 to 100.
+    /// Over how many periods the direction of curvature is smoothed; 0.05 to 100.
     float smoothing = 1.0F;
     /// Where nothing bends, strokes are level with regard to this direction. Any length but zero.
     glm::vec3 up{0.0F, 1.0F, 0.0F};
@@ -37,8 +37,9 @@ struct FormFaults {
 
 struct FormField {
     /// For each triangle and corner the coordinates (a, b), in periods, linear within a triangle. Over an
-    /// inner edge they agree up to an integer and, both at once, a sign; not so on creases and on one edge of
-    /// each triangle that `is_faulty`.
+    /// inner edge they agree up to whole numbers and, both at once, a sign, so lines at whole numbers and at
+    /// any power of two between them meet; not so on creases and on one edge of each triangle that
+    /// `is_faulty`.
     std::vector<std::array<glm::vec2, 3>> corners;
     /// 1 for triangles that hold a branch point or a singularity: strokes end or break within them.
     std::vector<uint8_t> is_faulty;
@@ -50,12 +51,13 @@ struct FormField {
 
 /// Two stripe coordinates over a triangle mesh. Lines of equal a run along the direction of greatest
 /// curvature, across the form: round a cylinder; lines of equal b run square to them: along the cylinder.
-/// Both are `period_m` apart.
+/// Where the surface does not bend they are level, and where it is level they run along one horizontal axis;
+/// creases draw them to themselves.
 ///
 /// Vertices at the same place are one; three indices make one triangle, counter-clockwise from outside. Any
 /// input is taken: what is beyond use (see FormFaults) is sliced as a solid, and nothing is thrown but
-/// std::bad_alloc. Same input, same result. Cost: about linear; 0.3 kB and some 10 us a vertex, on two
-/// threads. Sources: see README.md.
+/// std::bad_alloc. Same input, same result. Cost: linear; on two threads about 20 us a vertex and 2 kB while
+/// it runs. Sources: see README.md.
 [[nodiscard]] FormField follow_form(std::span<const glm::vec3> positions_m,
                                     std::span<const uint32_t> triangle_indices, const FormOptions& options);
 

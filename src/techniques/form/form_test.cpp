@@ -41,7 +41,7 @@ float worst_wander(const TestMesh& mesh, const FormField& field, float period_m)
 
 void expect_whole(const TestMesh& mesh, const FormField& field)
 {
-    for (const int which : {0, 1}) {
+    for (const int which : {0, 1, 2}) {
         const Seams seams = find_seams(mesh, field, which);
         EXPECT_GT(seams.edges, 0);
         EXPECT_EQ(seams.breaks, 0) << "coordinate " << which;
@@ -152,7 +152,7 @@ TEST(Form, IsWholeOnARoughStone)
     });
     const FormField field = follow(mesh, 0.3F);
     expect_whole(mesh, field);
-    const uint32_t triangles = static_cast<uint32_t>(mesh.indices.size() / 3);
+    const auto triangles = static_cast<uint32_t>(mesh.indices.size() / 3);
     const auto& faults = field.faults;
     EXPECT_FLOAT_EQ(faults.index_sum, 2.0F);
     EXPECT_LT(faults.singular_triangles + faults.branch_triangles_a + faults.branch_triangles_b,

@@ -145,6 +145,12 @@ inline glm::vec3 gradient(const TestMesh& mesh, const FormField& field, size_t t
                      glm::dot(normal, normal));
 }
 
+/// Coordinate a (0), b (1) or their sum (2), which breaks where one changes its sign without the other.
+inline float coordinate(const glm::vec2& corner, int which)
+{
+    return which == 2 ? corner.x + corner.y : corner[which];
+}
+
 /// What becomes of one coordinate over the edges between two triangles that are flatter than 45 degrees.
 struct Seams {
     int edges = 0;
@@ -174,7 +180,8 @@ inline Seams find_seams(const TestMesh& mesh, const FormField& field, int which,
         for (size_t k = 0; k < 3; ++k) {
             auto from = place_of(mesh.corner(t, k));
             auto to = place_of(mesh.corner(t, (k + 1) % 3));
-            glm::vec2 values(field.corners[t][k][which], field.corners[t][(k + 1) % 3][which]);
+            glm::vec2 values(coordinate(field.corners[t][k], which),
+                             coordinate(field.corners[t][(k + 1) % 3], which));
             if (to < from) {
                 std::swap(from, to);
                 std::swap(values.x, values.y);

@@ -103,7 +103,8 @@ private:
     }
 
     /// Phases from one corner along both its edges; the third edge takes what does not fit. Of the three ways
-    /// the one that changes least over the triangle.
+    /// the one that changes least over the triangle; at a singularity the one that leaves the shortest edge,
+    /// so that signs are the same whichever coordinate is painted.
     void paint_triangle(uint32_t t)
     {
         const uint32_t h = 3 * t;
@@ -126,12 +127,25 @@ private:
             sense[back % 3] = sign(back);
             const double change = std::abs(corner[0] - corner[1]) + std::abs(corner[1] - corner[2]) +
                                   std::abs(corner[2] - corner[0]);
-            const double broken = mesh_.twins[next_corner(onward)] == none ? -1.0 : 0.0;
-            if (change + broken < least) {
-                least = change + broken;
+            const uint32_t opposite = next_corner(onward);
+            const double length = mesh_.edges[mesh_.edge_of[opposite]].length;
+            const double cost = mesh_.twins[opposite] == none ? -1.0 : is_singular ? length : change;
+            if (cost < least) {
+                least = cost;
                 stripes_.corners[t] = corner;
                 senses_[t] = sense;
             }
+        }
+        if (senses_[t][0] < 0.0) {
+            turn_round(t);
+        }
+    }
+
+    void turn_round(uint32_t t)
+    {
+        for (size_t k = 0; k < 3; ++k) {
+            stripes_.corners[t][k] = -stripes_.corners[t][k];
+            senses_[t][k] = -senses_[t][k];
         }
     }
 
@@ -162,13 +176,9 @@ private:
     void fit(uint32_t half_edge, uint32_t twin)
     {
         std::array<double, 3>& corner = stripes_.corners[twin / 3];
-        std::array<double, 3>& sense = senses_[twin / 3];
         const uint32_t start = next_corner(twin);
-        if (senses_[half_edge / 3][half_edge % 3] * sense[start % 3] < 0.0) {
-            for (size_t k = 0; k < 3; ++k) {
-                corner[k] = -corner[k];
-                sense[k] = -sense[k];
-            }
+        if (senses_[half_edge / 3][half_edge % 3] * senses_[twin / 3][start % 3] < 0.0) {
+            turn_round(twin / 3);
         }
         const double whole = std::round(stripes_.corners[half_edge / 3][half_edge % 3] - corner[start % 3]);
         for (double& value : corner) {
