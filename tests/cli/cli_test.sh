@@ -94,7 +94,7 @@ expect_error 2 'must end in .png' render scene.glb -o a.jpg
 expect_error 2 'must end in .png' render scene.glb -o a
 
 # A typing mistake in a key that there is gets the right one suggested
-key="$("$estampe" --help-style | awk '$1 ~ /\./ { print $1; exit }')"
+key="$("$estampe" --help-style | awk '$1 ~ /\./ && !found { print $1; found = 1 }')"
 expect_error 2 "did you mean \"$key\"" render scene.glb -o a.png --set "${key}x=1"
 
 # Files
@@ -153,6 +153,40 @@ grep -q digraph frame.dot || wrong "frame.dot is no graph"
     "$estampe" styles "$preset" >"$preset".toml
     "$estampe" styles "$preset".toml | cmp - "$preset".toml || exit 1
 done || wrong "a preset does not read back equal"
+
+# Tonal art maps
+tiny=(--set tam.size_px=64 --set tam.tones=4 --set tam.candidates=8)
+expect_success tam --help
+expect_printed '--preview'
+expect_success tam -o a.tam "${tiny[@]}" --preview sheet.png
+[[ ! -s ../"$name".out ]] || wrong "tam printed on stdout"
+expect_success tam tam-charcoal -o b.tam "${tiny[@]}"
+expect_success tam -o c.tam "${tiny[@]}"
+cmp -s a.tam c.tam || wrong "the same map has other bytes"
+! cmp -s a.tam b.tam || wrong "charcoal is no other than a pen"
+expect_success tam --from a.tam -o painted/
+expect_success tam --from painted -o a.dds
+expect_success tam --from a.dds -o d.tam
+mkdir alone
+for tone in 1 2 3 4; do cp painted/tone${tone}_level0.png alone/tone$tone.png; done
+expect_success tam --from alone -o e.tam
+grep -q 'warning: levels of 32 px and less were derived' ../"$name".err || wrong "nothing said of derived levels"
+expect_success tam -o f.tam "${tiny[@]}" --brush painted/tone4_level0.png
+expect_error 2 'output is required' tam
+expect_error 2 'must end in .tam' tam -o a.png
+expect_error 2 '--preview .*must end in .png' tam -o a.tam --preview a.jpg
+expect_error 2 'leave out --brush and --set' tam --from a.tam -o b.tam --set tam.seed=2
+expect_error 2 '--set: tam.tones = 3 is out of range' tam -o a.tam --set tam.tones=3
+expect_error 1 'tam.size_px = 100 is not a power of two' tam -o a.tam --set tam.size_px=100
+expect_error 1 'nosuchpreset' tam nosuchpreset -o a.tam
+expect_error 1 'missing.tam' tam --from missing.tam -o a.tam
+expect_error 1 'scene.glb: is no tonal art map' tam --from scene.glb -o a.tam
+expect_error 1 'overwrite an input' tam --from a.tam -o a.tam
+expect_error 1 'is not empty' tam --from a.tam -o painted/
+expect_error 1 'no such folder' tam -o nowhere/a.tam
+expect_error 1 'sheet.png' tam -o a.tam --brush missing-sheet.png
+head -c 2000 a.tam >truncated.tam
+expect_error 1 'truncated.tam' tam --from truncated.tam -o g.tam
 
 # A failure keeps the picture that was there
 expect_error 1 'truncated.glb' render truncated.glb -o a.png

@@ -60,17 +60,21 @@ double Canvas::gain(std::span<const Mark> marks) const
 
 void Canvas::draw(std::span<const Mark> marks)
 {
-    const double darkness = std::min(1.0, mean() + 0.5 * gain(marks));
-    const auto threshold = static_cast<uint8_t>(std::lround(255.0 * darkness));
+    const auto turning = static_cast<size_t>(
+        std::count_if(marks.begin(), marks.end(), [&](const Mark& mark) { return turns(mark); }));
+    const auto texels = static_cast<double>(ink_.size());
+    const double share = (static_cast<double>(turned_count_) + 0.5 * static_cast<double>(turning)) / texels;
+    const auto threshold = static_cast<uint8_t>(std::lround(255.0 * share));
     for (const Mark& mark : marks) {
-        uint16_t& ink = ink_[mark.texel];
-        const uint32_t more = added(ink, mark.ink);
         if (turns(mark)) {
             turned_[mark.texel] = threshold;
         }
+        uint16_t& ink = ink_[mark.texel];
+        const uint32_t more = added(ink, mark.ink);
         ink = static_cast<uint16_t>(ink + more);
         sum_ += more;
     }
+    turned_count_ += turning;
 }
 
 bool Canvas::turns(const Mark& mark) const
@@ -87,14 +91,15 @@ Gray8 Canvas::coverage() const
     return image;
 }
 
-Gray8 Canvas::thresholds(float darkest) const
+Gray8 Canvas::thresholds() const
 {
     Gray8 image = turned_;
+    const float share = static_cast<float>(turned_count_) / static_cast<float>(ink_.size());
     for (size_t texel = 0; texel < image.size(); ++texel) {
-        const float coverage = static_cast<float>(ink_[texel]) / static_cast<float>(full);
         if (ink_[texel] <= half) {
+            const float paper = 1.0F - 2.0F * static_cast<float>(ink_[texel]) / static_cast<float>(full);
             image[texel] = static_cast<uint8_t>(
-                std::lround(255.0F * (darkest + (1.0F - darkest) * (1.0F - 2.0F * coverage))));
+                std::lround(255.0F * (share + (1.0F - share) * std::clamp(paper, 0.02F, 1.0F))));
         }
     }
     return image;

@@ -24,7 +24,7 @@ public:
     /// How much the mean would grow.
     [[nodiscard]] double gain(std::span<const Mark> marks) const;
 
-    /// Draws, and notes the darkness at which texels turn to ink.
+    /// Draws, and notes when texels turn to ink.
     void draw(std::span<const Mark> marks);
 
     /// Whether `mark` would turn its texel to ink, more than half covered.
@@ -32,13 +32,14 @@ public:
 
     [[nodiscard]] Gray8 coverage() const;
 
-    /// Darkness times 255 at which each texel turned to ink; what never did follows after `darkest`, the more
-    /// ink the sooner.
-    [[nodiscard]] Gray8 thresholds(float darkest) const;
+    /// For each texel the share of all texels, times 255, that were ink when it turned: as many as T / 255 of
+    /// the texels have T or less. What never turned follows, the more ink the sooner.
+    [[nodiscard]] Gray8 thresholds() const;
 
 private:
     uint32_t size_px_;
     uint64_t sum_ = 0;
+    size_t turned_count_ = 0;
     std::vector<uint16_t> ink_;
     Gray8 turned_;
 };

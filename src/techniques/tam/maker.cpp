@@ -71,9 +71,8 @@ public:
             map.level_of_tone.push_back(snapshot());
         }
         for (size_t level = 0; level < level_count(map.size_px); ++level) {
-            map.threshold_of_level.push_back(level < levels_.size()
-                                                 ? levels_[level].canvas.thresholds(map.darkness.back())
-                                                 : interpolated_thresholds(map, level));
+            map.threshold_of_level.push_back(level < levels_.size() ? levels_[level].canvas.thresholds()
+                                                                    : interpolated_thresholds(map, level));
         }
         return map;
     }
@@ -109,12 +108,14 @@ private:
         constexpr float longest = 0.6F;
         const std::array<float, most_layers> turn{0.0F, style_.second_deg, style_.third_deg};
         const float length_px = style_.length_px * (1.0F + style_.length_spread * random_.sign());
-        const float spread = 0.5F * (random_.sign() + random_.sign());
+        float spread = 0.5F * random_.sign();
+        spread += 0.5F * random_.sign();
         Stroke stroke;
         stroke.length =
             std::min(length_px / static_cast<float>(size_px), longest * (1.0F - 0.4F * random_.unit()));
         stroke.direction = direction_of(style_.angle_deg + turn[layer] + style_.angle_spread_deg * spread);
-        const glm::vec2 middle(random_.unit(), random_.unit());
+        const float x = random_.unit(); // a statement each: compilers order arguments as they like
+        const glm::vec2 middle(x, random_.unit());
         stroke.start = middle - 0.5F * stroke.length * stroke.direction;
         stroke.bow = style_.bow * (0.9F + 0.9F * random_.sign());
         stroke.wobble = style_.wobble;

@@ -24,8 +24,8 @@ struct TonalArtMap {
     std::vector<float> darkness;                   ///< mean coverage wanted of each tone, rising, in (0, 1)
     std::vector<std::vector<Gray8>> level_of_tone; ///< [tone][level]: level 0 of size_px, the last of 1 px
 
-    /// Darkness times 255 at which a texel turns to ink, by level, where the maker knows the order of the
-    /// strokes within a tone; empty for maps that were painted.
+    /// By level, what threshold_levels() gives, where the maker knows the order of the strokes within a tone;
+    /// empty for maps that were painted.
     std::vector<Gray8> threshold_of_level;
 
     bool operator==(const TonalArtMap&) const = default;
@@ -44,9 +44,11 @@ struct TonalArtMap {
 void check_map(const TonalArtMap& map, const std::string& where);
 
 /// One threshold image a level: the darkness, times 255, at which the texel turns to ink, so that a shader
-/// draws any darkness t as saturate((t - T) * sharpness + 0.5). Those of the maker where the map has them;
-/// else the coverage is taken to grow in a straight line from each tone to the next, from paper at 0 to ink
-/// at 1, and T is where it passes one half.
+/// draws any darkness t as saturate((t - T) * sharpness + 0.5), strokes whole, their order that of the map.
+///
+/// Those of the maker where the map has them: a share t of the texels has T <= 255 t, so that the tone is
+/// exact. Else the coverage is taken to grow in a straight line from each tone to the next, from paper at 0
+/// to ink at 1, and T is where it passes one half.
 ///
 /// Source  Webb et al., "Fine Tone Control in Hardware Hatching", NPAR 2002
 [[nodiscard]] std::vector<Gray8> threshold_levels(const TonalArtMap& map);
