@@ -177,7 +177,7 @@ float Brush::pictured(const Touch& touch) const
     const auto upper = static_cast<size_t>(row);
     const size_t lower = std::min(upper + 1, picture_rows_ - 1);
     const auto column = static_cast<size_t>(
-        std::clamp(touch.along, 0.0F, 1.0F) * static_cast<float>(picture_columns - 1) + 0.5F);
+        std::lround(std::clamp(touch.along, 0.0F, 1.0F) * static_cast<float>(picture_columns - 1)));
     const float ink = std::lerp(picture_[upper * picture_columns + column],
                                 picture_[lower * picture_columns + column], row - static_cast<float>(upper));
     return line_coverage(touch) * ink * opacity_;

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <optional>
+#include <utility>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
@@ -59,7 +60,7 @@ struct Layout {
 
 class DdsReader {
 public:
-    DdsReader(std::span<const std::byte> bytes, const std::string& name) : bytes_(bytes), name_(name)
+    DdsReader(std::span<const std::byte> bytes, std::string name) : bytes_(bytes), name_(std::move(name))
     {
         if (bytes.size() < header_bytes || word(at::magic) != magic_letters || word(at::size) != 124 ||
             word(at::format_size) != 32) {

@@ -61,7 +61,7 @@ private:
             for (int x = low.x; x < high.x; ++x) {
                 const float distance = glm::length(glm::vec2(x, y) + 0.5F - middle);
                 const float cover = std::clamp(reach - distance, 0.0F, std::min(1.0F, 2.0F * half_px));
-                const auto amount = static_cast<uint16_t>(cover * 65535.0F + 0.5F);
+                const auto amount = static_cast<uint16_t>(std::lround(cover * 65535.0F));
                 const uint32_t texel =
                     (static_cast<uint32_t>(y) & mask) * size_px_ + (static_cast<uint32_t>(x) & mask);
                 if (amount > ink_[texel]) {
@@ -230,6 +230,7 @@ void derive_levels(TonalArtMap& map)
         const std::vector<PaintedStroke> strokes = find_strokes(lighter, images.back(), painted_px);
         lighter = images.back();
         std::vector<const PaintedStroke*> offered;
+        offered.reserve(strokes.size());
         for (const PaintedStroke& stroke : strokes) {
             offered.push_back(&stroke);
         }

@@ -220,7 +220,7 @@ private:
         constexpr float shortest_px = 6.0F;
         constexpr float shortest_in_widths = 2.5F;
         constexpr int rounds = 10;
-        const float size_px = static_cast<float>(level.canvas.size_px());
+        const auto size_px = static_cast<float>(level.canvas.size_px());
         const Nib nib = nib_at(style_, level.canvas.size_px());
         float low = std::min({shortest_px, shortest_in_widths * nib.width_px, 0.25F * size_px}) / size_px;
         float high = stroke.length;

@@ -334,6 +334,7 @@ void fit_area(std::vector<PaintedStroke>& strokes, double area_px, uint32_t size
     }
     const auto scale = static_cast<float>(std::clamp(drawn > 0.0 ? area_px / drawn : 1.0, 0.25, 2.0));
     std::vector<float> halves;
+    halves.reserve(strokes.size());
     for (const PaintedStroke& stroke : strokes) {
         halves.push_back(stroke.half_px[stroke.half_px.size() / 2]);
     }
@@ -419,6 +420,7 @@ std::vector<PaintedStroke> find_strokes(const Gray8& lighter, const Gray8& darke
                      [](const Chain& a, const Chain& b) { return a.size() > b.size(); });
     chains.resize(std::min(chains.size(), most_strokes));
     std::vector<PaintedStroke> strokes;
+    strokes.reserve(chains.size());
     for (const Chain& chain : chains) {
         strokes.push_back(stroke_of(chain, fresh_field));
     }

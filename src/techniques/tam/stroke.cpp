@@ -134,7 +134,7 @@ private:
                           .tooth = tooth_.empty() ? 0.0F : tooth_[index],
                           .on_middle = inside >= 0.5F && std::abs(across_px) <= middle_px_};
         const float ink = brush_.ink(touch, seed_) * (touch.on_middle ? 1.0F : std::min(inside, 1.0F));
-        const auto amount = static_cast<uint16_t>(std::clamp(ink, 0.0F, 1.0F) * 65535.0F + 0.5F);
+        const auto amount = static_cast<uint16_t>(std::lround(std::clamp(ink, 0.0F, 1.0F) * 65535.0F));
         if (amount > 0) {
             marks_.push_back({index, amount});
         }
