@@ -114,7 +114,8 @@ std::string Sheet::help() const
             default_width = std::max(default_width, default_column(parameter).size());
         }
     }
-    constexpr std::array<const char*, 5> kinds = {"number", "integer", "toggle", "colour", "choice"};
+    constexpr std::array<const char*, 7> kinds = {"number", "integer", "toggle", "colour",
+                                                  "choice", "text",    "file"};
     std::string text;
     for (const Section& section : sections_) {
         text += fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", section.name, section.help);
