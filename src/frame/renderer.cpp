@@ -244,7 +244,7 @@ void Renderer::Impl::provide_map(const frame::StyleTables& style)
     frame::MapChoice choice = frame::map_choice(style);
     if (map_choice != choice) {
         map_choice.reset();
-        map = hatch::upload_map(device, frame::load_map(choice), choice.contrast);
+        map = hatch::upload_map(device, frame::load_map(choice), choice.tone, choice.contrast);
         map_choice = std::move(choice);
     }
 }

@@ -8,7 +8,10 @@ namespace estampe::frame {
 
 MapChoice map_choice(const StyleTables& style)
 {
-    return {.file = style.hatch.map, .drawn = style.tam, .contrast = style.hatch.map_contrast};
+    return {.file = style.hatch.map,
+            .drawn = style.tam,
+            .tone = style.hatch.map_tone,
+            .contrast = style.hatch.map_contrast};
 }
 
 hatch::MapData load_map(const MapChoice& choice)

@@ -14,6 +14,7 @@ namespace estampe::frame {
 struct MapChoice {
     std::string file; ///< empty: drawn as `drawn` says
     tam::TamStyle drawn;
+    hatch::MapTone tone = hatch::MapTone::order;
     float contrast = 1.0F;
 
     bool operator==(const MapChoice&) const = default;

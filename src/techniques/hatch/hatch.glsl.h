@@ -52,17 +52,15 @@ struct MapConstants {
     float black_above;
 };
 
-// Rows of the ramp: for each sixteenth of the way from a level to the next coarser one what darkness to ask
-// the thresholds for, so that the share of texels under it is the darkness wanted. First for levels, then for
-// the finest level over itself at twice the size. The last row: which tone, counted from 0 for paper, has
-// what darkness.
+// The ramp says, for darknesses from 0 to 1, what to ask of a map so that its mean ink is that darkness: a
+// threshold, or a tone counted from 0 for paper. A row for each step from a level to the next coarser one;
+// first those of the finest level over itself at twice the size, then those of the levels.
 #ifdef __cplusplus
 inline constexpr uint ramp_length = 256;
-inline constexpr uint ramp_steps = 16;
-inline constexpr uint ramp_rows = 2 * ramp_steps + 1;
+inline constexpr uint ramp_steps = 8;
 #else
 #define RAMP_LENGTH 256u
-#define RAMP_STEPS 16u
+#define RAMP_STEPS 8u
 #endif
 
 #ifdef __cplusplus

@@ -83,7 +83,7 @@ Levels levels_at(Place place)
     return levels;
 }
 
-float ramp_at(uint row, float x)
+float ramp_in(uint row, float x)
 {
     float at = clamp(x, 0.0, 1.0) * float(RAMP_LENGTH - 1u);
     uint first = min(uint(at), RAMP_LENGTH - 2u);
@@ -91,25 +91,51 @@ float ramp_at(uint row, float x)
     return mix(ramp[index], ramp[index + 1u], at - float(first));
 }
 
-// Thresholds of the finer level are compared one by one and the four answers blended, so that edges are
-// smooth without being grey.
-float ordered_ink(Levels levels, float dark)
+// What to ask the map for, see hatch.glsl.h.
+float asked_of(Levels levels, float dark)
 {
-    uint step = min(uint(levels.towards_coarse * float(RAMP_STEPS)), RAMP_STEPS - 1u);
-    float asked = ramp_at((levels.repeats ? RAMP_STEPS : 0u) + step, dark);
-    int coarse_level = levels.repeats ? 0 : levels.level + 1;
-    float coarse = textureLod(thresholds, vec3(levels.coarse, 0.0), float(coarse_level)).x;
-    int side = int(constants.map_size_texels) >> levels.level;
-    vec2 texel = fract(levels.fine) * float(side) - 0.5;
+    uint first = (levels.repeats ? 0u : uint(levels.level) + 1u) * RAMP_STEPS;
+    float at = levels.towards_coarse * float(RAMP_STEPS - 1u);
+    uint step = min(uint(at), RAMP_STEPS - 2u);
+    return mix(ramp_in(first + step, dark), ramp_in(first + step + 1u, dark), at - float(step));
+}
+
+// The four texels about a place, and the share of each.
+struct Four {
+    vec4 value;
+    vec4 share;
+};
+
+Four thresholds_at(vec2 place, int level)
+{
+    int side = int(constants.map_size_texels) >> level;
+    vec2 texel = fract(place) * float(side) - 0.5;
     ivec2 corner = ivec2(floor(texel));
     vec2 part = texel - vec2(corner);
+    ivec2 low = corner & (side - 1);
+    ivec2 high = (corner + 1) & (side - 1);
+    Four four;
+    four.value = vec4(texelFetch(thresholds, ivec3(low, 0), level).x,
+                      texelFetch(thresholds, ivec3(high.x, low.y, 0), level).x,
+                      texelFetch(thresholds, ivec3(low.x, high.y, 0), level).x,
+                      texelFetch(thresholds, ivec3(high, 0), level).x);
+    four.share = vec4((1.0 - part.x) * (1.0 - part.y), part.x * (1.0 - part.y), (1.0 - part.x) * part.y,
+                      part.x * part.y);
+    return four;
+}
+
+// Thresholds are compared one by one, each of the finer level with each of the coarser, and the answers
+// blended, so that edges are smooth without being grey and nothing jumps where levels change.
+float ordered_ink(Levels levels, float dark)
+{
+    float asked = asked_of(levels, dark);
+    Four fine = thresholds_at(levels.fine, levels.level);
+    Four coarse = thresholds_at(levels.coarse, levels.repeats ? 0 : levels.level + 1);
     float ink = 0.0;
     for (int i = 0; i < 4; ++i) {
-        ivec2 offset = ivec2(i & 1, i >> 1);
-        float fine = texelFetch(thresholds, ivec3((corner + offset) & (side - 1), 0), levels.level).x;
-        vec2 share = mix(1.0 - part, part, vec2(offset));
-        ink += share.x * share.y *
-               clamp((asked - mix(fine, coarse, levels.towards_coarse)) * constants.contrast + 0.5, 0.0, 1.0);
+        vec4 threshold = mix(fine.value, vec4(coarse.value[i]), levels.towards_coarse);
+        vec4 inked = clamp((asked - threshold) * constants.contrast + 0.5, 0.0, 1.0);
+        ink += coarse.share[i] * dot(fine.share, inked);
     }
     return ink;
 }
@@ -127,7 +153,7 @@ float tone_ink(Levels levels, float tone)
 
 float layered_ink(Levels levels, float dark)
 {
-    float tone = ramp_at(2u * RAMP_STEPS, dark);
+    float tone = asked_of(levels, dark);
     tone = in_steps ? round(tone) : tone;
     float ink = mix(tone_ink(levels, floor(tone)), tone_ink(levels, floor(tone) + 1.0), fract(tone));
     return clamp((ink - 0.5) * constants.contrast + 0.5, 0.0, 1.0);

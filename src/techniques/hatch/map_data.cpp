@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <numeric>
 
 #include "gpu/upload.hpp"
 #include "techniques/hatch/hatch.glsl.h"
@@ -14,156 +15,179 @@ namespace estampe::hatch {
 namespace {
 
 using shared::ramp_length;
-using shared::ramp_rows;
 using shared::ramp_steps;
 
-/// Levels coarser than this hold too few strokes to measure.
-constexpr uint32_t smallest_measured_px = 32;
-
-float contrasted(float value, float contrast)
-{
-    return std::clamp((value - 0.5F) * contrast + 0.5F, 0.0F, 1.0F);
-}
+/// A level is looked at in at most so many places along a side.
+constexpr uint32_t measured_side = 96;
 
 /// One row: for darknesses from 0 to 1 the x in [low, high] at which `ink_at`, which rises, is that dark.
 void invert(const std::function<double(double)>& ink_at, double low, double high, float* row)
 {
-    constexpr int samples = 512;
+    constexpr size_t samples = 256;
     std::array<double, samples + 1> ink{};
-    const auto x_of = [&](int i) { return low + (high - low) * i / samples; };
-    for (int i = 0; i <= samples; ++i) {
-        ink.at(static_cast<size_t>(i)) = ink_at(x_of(i));
+    const auto x_of = [&](size_t i) { return low + (high - low) * static_cast<double>(i) / samples; };
+    for (size_t i = 0; i <= samples; ++i) {
+        ink.at(i) = ink_at(x_of(i));
     }
-    int at = 0;
+    size_t at = 0;
     for (uint32_t i = 0; i < ramp_length; ++i) {
         const double wanted = static_cast<double>(i) / (ramp_length - 1);
-        while (at + 1 < samples && ink.at(static_cast<size_t>(at) + 1) < wanted) {
+        while (at + 1 < samples && ink.at(at + 1) < wanted) {
             ++at;
         }
-        const double below = ink.at(static_cast<size_t>(at));
-        const double above = ink.at(static_cast<size_t>(at) + 1);
-        const double part = above > below ? std::clamp((wanted - below) / (above - below), 0.0, 1.0) : 0.0;
+        const double rise = ink.at(at + 1) - ink.at(at);
+        const double part = rise > 0.0 ? std::clamp((wanted - ink.at(at)) / rise, 0.0, 1.0) : 0.0;
         row[i] = static_cast<float>(x_of(at) + part * (x_of(at + 1) - x_of(at)));
     }
 }
 
-/// How often each threshold occurs between a level and a coarser one, in 1024 classes.
-using Histogram = std::array<double, 1024>;
+/// A level of an image about (x, y), in texels: the four nearest, 0 to 1, and the share of each.
+struct Four {
+    std::array<float, 4> value;
+    std::array<float, 4> share;
 
-/// Mean ink of texels with these thresholds when asked for `asked`.
-double ink_of(const Histogram& histogram, double asked, float contrast)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < histogram.size(); ++i) {
-        const double threshold = (static_cast<double>(i) + 0.5) / static_cast<double>(histogram.size());
-        sum +=
-            histogram.at(i) * std::clamp((asked - threshold) * static_cast<double>(contrast) + 0.5, 0.0, 1.0);
+    [[nodiscard]] float blended() const
+    {
+        return std::inner_product(value.begin(), value.end(), share.begin(), 0.0F);
     }
-    return sum;
-}
+};
 
-/// Samples `image`, of `side` texels, in between them, at (x, y) in texels of its own.
-float sampled(const std::vector<uint8_t>& image, uint32_t side, float x, float y)
+Four four_at(const std::vector<uint8_t>& image, uint32_t side, float x, float y)
 {
     const float left = std::floor(x - 0.5F);
     const float top = std::floor(y - 0.5F);
-    const auto texel = [&](float column, float row) {
-        const auto wrap = [&](float value) {
-            return static_cast<uint32_t>(static_cast<int>(value)) & (side - 1);
-        };
-        return static_cast<float>(image[static_cast<size_t>(wrap(row)) * side + wrap(column)]) / 255.0F;
-    };
     const float across = x - 0.5F - left;
     const float down = y - 0.5F - top;
-    return std::lerp(std::lerp(texel(left, top), texel(left + 1, top), across),
-                     std::lerp(texel(left, top + 1), texel(left + 1, top + 1), across), down);
+    Four four{};
+    for (uint32_t i = 0; i < 4; ++i) {
+        const auto right = static_cast<float>(i % 2);
+        const auto below = static_cast<float>(i / 2);
+        const auto column = static_cast<uint32_t>(static_cast<int>(left + right)) & (side - 1);
+        const auto row = static_cast<uint32_t>(static_cast<int>(top + below)) & (side - 1);
+        four.value.at(i) = static_cast<float>(image[static_cast<size_t>(row) * side + column]) / 255.0F;
+        four.share.at(i) = std::lerp(1.0F - across, across, right) * std::lerp(1.0F - down, down, below);
+    }
+    return four;
 }
 
-/// Adds the thresholds `step` sixteenths of the way from `fine` to `coarse`; `coarse_per_fine` is how far one
-/// goes in texels of the coarse image as one goes one in those of the fine.
-void count(Histogram& histogram, const std::vector<uint8_t>& fine, uint32_t fine_side,
-           const std::vector<uint8_t>& coarse, uint32_t coarse_side, uint32_t step)
+/// A level of an image and the next coarser one, seen at the same places.
+struct Pair {
+    std::vector<Four> fine;
+    std::vector<Four> coarse;
+};
+
+/// `level` of `levels` and the next; or, for -1, the finest over itself at twice the size.
+Pair pair_of(const std::vector<std::vector<uint8_t>>& levels, uint32_t size_px, int level)
 {
-    const float towards = (static_cast<float>(step) + 0.5F) / static_cast<float>(ramp_steps);
-    const uint32_t stride = std::max(fine_side / 128, 1U);
-    for (uint32_t y = 0; y < fine_side; y += stride) {
-        for (uint32_t x = 0; x < fine_side; x += stride) {
-            const float here = static_cast<float>(fine[static_cast<size_t>(y) * fine_side + x]) / 255.0F;
-            const float there = sampled(coarse, coarse_side, 0.5F * (static_cast<float>(x) + 0.5F),
-                                        0.5F * (static_cast<float>(y) + 0.5F));
-            const float threshold = std::lerp(here, there, towards);
-            const auto at = static_cast<size_t>(threshold * static_cast<float>(histogram.size()));
-            histogram.at(std::min(at, histogram.size() - 1)) += 1.0;
+    const auto fine_level = static_cast<size_t>(std::max(level, 0));
+    const size_t coarse_level = level < 0 ? 0 : fine_level + 1;
+    const uint32_t fine_side = std::max(size_px >> fine_level, 1U);
+    const uint32_t coarse_side = std::max(size_px >> coarse_level, 1U);
+    // Pixels fall anywhere between the centres of texels: places go through all quarters.
+    const uint32_t count = std::min(std::max(2 * fine_side, 8U), measured_side);
+    const float step = static_cast<float>(fine_side) / static_cast<float>(count);
+    Pair pair;
+    for (uint32_t y = 0; y < count; ++y) {
+        for (uint32_t x = 0; x < count; ++x) {
+            const float at_x =
+                step * static_cast<float>(x) + 0.25F * static_cast<float>((x + 2 * y) % 4) + 0.125F;
+            const float at_y =
+                step * static_cast<float>(y) + 0.25F * static_cast<float>((2 * x + y) % 4) + 0.125F;
+            pair.fine.push_back(four_at(levels[fine_level], fine_side, at_x, at_y));
+            pair.coarse.push_back(four_at(levels[coarse_level], coarse_side, 0.5F * at_x, 0.5F * at_y));
         }
     }
+    return pair;
 }
 
-void normalise(Histogram& histogram)
+double contrasted(double value, double contrast)
 {
-    double sum = 0.0;
-    for (const double share : histogram) {
-        sum += share;
-    }
-    for (double& share : histogram) {
-        share /= std::max(sum, 1.0);
-    }
+    return std::clamp((value - 0.5) * contrast + 0.5, 0.0, 1.0);
 }
 
-/// Mean ink between tones `tone` and the next, over all levels that are large enough; 0 is paper.
-double ink_between(const MapData& map, double tone, float contrast)
+/// Row for thresholds `towards` of the way from the finer to the coarser.
+void measure_order(const Pair& thresholds, float towards, double contrast, float* row)
 {
-    const auto lower = static_cast<size_t>(tone);
-    const auto part = static_cast<float>(tone - static_cast<double>(lower));
-    const auto value = [&](size_t of_tone, size_t level, size_t i) {
-        if (of_tone == 0 || of_tone > map.level_of_tone.size()) {
-            return of_tone == 0 ? 0.0F : 1.0F;
+    std::array<double, 512> shares{};
+    for (size_t i = 0; i < thresholds.fine.size(); ++i) {
+        for (uint32_t k = 0; k < 16; ++k) {
+            const Four& fine = thresholds.fine[i];
+            const Four& coarse = thresholds.coarse[i];
+            const float threshold = std::lerp(fine.value.at(k % 4), coarse.value.at(k / 4), towards);
+            const auto at = static_cast<size_t>(threshold * static_cast<float>(shares.size()));
+            shares.at(std::min(at, shares.size() - 1)) +=
+                static_cast<double>(fine.share.at(k % 4) * coarse.share.at(k / 4)) /
+                static_cast<double>(thresholds.fine.size());
         }
-        return static_cast<float>(map.level_of_tone[of_tone - 1][level][i]) / 255.0F;
+    }
+    const auto ink_at = [&](double asked) {
+        double sum = 0.0;
+        for (size_t i = 0; i < shares.size(); ++i) {
+            const double threshold = (static_cast<double>(i) + 0.5) / static_cast<double>(shares.size());
+            sum += shares.at(i) * std::clamp((asked - threshold) * contrast + 0.5, 0.0, 1.0);
+        }
+        return sum;
     };
-    double sum = 0.0;
-    double samples = 0.0;
-    for (size_t level = 0; map.size_px >> level >= smallest_measured_px; ++level) {
-        const size_t texels = map.level_of_tone.front()[level].size();
-        const size_t stride = std::max<size_t>(texels / 4093, 1) | 1U;
-        for (size_t i = 0; i < texels; i += stride) {
-            sum += static_cast<double>(
-                contrasted(std::lerp(value(lower, level, i), value(lower + 1, level, i), part), contrast));
-            samples += 1.0;
+    invert(ink_at, -0.5 / contrast, 1.0 + 0.5 / contrast, row);
+}
+
+/// Row for tones, from paper to all ink.
+void measure_layers(const std::vector<Pair>& tones, float towards, double contrast, float* row)
+{
+    constexpr int per_tone = 8;
+    const size_t last = tones.size() + 1;
+    const auto value = [&](size_t tone, size_t i) {
+        if (tone == 0 || tone >= last) {
+            return tone == 0 ? 0.0F : 1.0F;
         }
+        return std::lerp(tones[tone - 1].fine[i].blended(), tones[tone - 1].coarse[i].blended(), towards);
+    };
+    std::vector<double> ink;
+    const size_t count = tones.front().fine.size();
+    for (size_t step = 0; step <= last * per_tone; ++step) {
+        const size_t tone = step / per_tone;
+        const float part = static_cast<float>(step % per_tone) / per_tone;
+        double sum = 0.0;
+        for (size_t i = 0; i < count; ++i) {
+            sum += contrasted(static_cast<double>(std::lerp(value(tone, i), value(tone + 1, i), part)),
+                              contrast);
+        }
+        ink.push_back(sum / static_cast<double>(count));
     }
-    return sum / std::max(samples, 1.0);
+    const auto ink_at = [&](double tone) {
+        const double at = std::min(tone * per_tone, static_cast<double>(ink.size() - 1) - 1e-9);
+        const auto first = static_cast<size_t>(at);
+        return std::lerp(ink[first], ink[first + 1], at - static_cast<double>(first));
+    };
+    invert(ink_at, 0.0, static_cast<double>(last), row);
 }
 
 } // namespace
 
-std::vector<float> measured_ramp(const MapData& map, float contrast)
+std::vector<float> measured_ramp(const MapData& map, MapTone tone, float contrast)
 {
-    std::vector<float> ramp(static_cast<size_t>(ramp_rows) * ramp_length);
-    const double margin = 0.5 / static_cast<double>(std::max(contrast, 1.0F));
-    for (uint32_t step = 0; step < ramp_steps; ++step) {
-        Histogram between_levels{};
-        for (size_t level = 0; map.size_px >> (level + 1) >= smallest_measured_px; ++level) {
-            const uint32_t side = map.size_px >> level;
-            count(between_levels, map.threshold_of_level[level], side, map.threshold_of_level[level + 1],
-                  side / 2, step);
+    const int levels = static_cast<int>(map.threshold_of_level.size());
+    std::vector<float> ramp(static_cast<size_t>(levels) * ramp_steps * ramp_length);
+    float* row = ramp.data();
+    for (int level = -1; level + 1 < levels; ++level) {
+        const Pair thresholds = pair_of(map.threshold_of_level, map.size_px, level);
+        std::vector<Pair> tones;
+        for (const auto& images : map.level_of_tone) {
+            tones.push_back(pair_of(images, map.size_px, level));
         }
-        Histogram over_itself{};
-        count(over_itself, map.threshold_of_level[0], map.size_px, map.threshold_of_level[0], map.size_px,
-              step);
-        for (Histogram* histogram : {&between_levels, &over_itself}) {
-            normalise(*histogram);
-            const uint32_t row = step + (histogram == &over_itself ? ramp_steps : 0U);
-            invert([&](double asked) { return ink_of(*histogram, asked, contrast); }, -margin, 1.0 + margin,
-                   &ramp[static_cast<size_t>(row) * ramp_length]);
+        for (uint32_t step = 0; step < ramp_steps; ++step, row += ramp_length) {
+            const float towards = static_cast<float>(step) / static_cast<float>(ramp_steps - 1);
+            if (tone == MapTone::order) {
+                measure_order(thresholds, towards, static_cast<double>(contrast), row);
+            } else {
+                measure_layers(tones, towards, static_cast<double>(contrast), row);
+            }
         }
     }
-    const double last = static_cast<double>(map.level_of_tone.size()) + 1.0;
-    invert([&](double tone) { return ink_between(map, std::min(tone, last - 1e-6), contrast); }, 0.0, last,
-           &ramp[static_cast<size_t>(ramp_rows - 1) * ramp_length]);
     return ramp;
 }
 
-MapImages upload_map(gpu::Device& device, const MapData& map, float contrast)
+MapImages upload_map(gpu::Device& device, const MapData& map, MapTone tone, float contrast)
 {
     MapImages images;
     images.size_px = map.size_px;
@@ -187,12 +211,12 @@ MapImages upload_map(gpu::Device& device, const MapData& map, float contrast)
         return image;
     };
     std::vector<const std::vector<std::vector<uint8_t>>*> tones;
-    for (const auto& tone : map.level_of_tone) {
-        tones.push_back(&tone);
+    for (const auto& levels : map.level_of_tone) {
+        tones.push_back(&levels);
     }
     images.tones = upload(tones);
     images.thresholds = upload({&map.threshold_of_level});
-    images.ramp = gpu::upload_buffer(device, "ramp", measured_ramp(map, contrast));
+    images.ramp = gpu::upload_buffer(device, "ramp", measured_ramp(map, tone, contrast));
     return images;
 }
 

@@ -25,9 +25,10 @@ struct MapData {
     std::vector<std::vector<uint8_t>> threshold_of_level; ///< darkness times 255 at which a texel is inked
 };
 
-/// The ramp that hatch.glsl.h describes: found by measuring the map, so that the mean ink is the darkness
-/// wanted, whatever the map's own tones are. `contrast` is that of the shading. Cost: 20 ms for 512 px.
-[[nodiscard]] std::vector<float> measured_ramp(const MapData& map, float contrast);
+/// The ramp that hatch.glsl.h describes, for a way to bring tones together and the contrast of the shading:
+/// found by measuring the map, so that the mean ink is the darkness wanted, at every level and between any
+/// two, whatever the map's own tones are. Cost: 60 ms for 512 px.
+[[nodiscard]] std::vector<float> measured_ramp(const MapData& map, MapTone tone, float contrast);
 
 struct MapImages {
     gpu::Image tones;      ///< r8, a layer a tone
@@ -39,6 +40,6 @@ struct MapImages {
 };
 
 /// `map` has at least one tone. Throws Error when memory runs out.
-[[nodiscard]] MapImages upload_map(gpu::Device& device, const MapData& map, float contrast);
+[[nodiscard]] MapImages upload_map(gpu::Device& device, const MapData& map, MapTone tone, float contrast);
 
 } // namespace estampe::hatch

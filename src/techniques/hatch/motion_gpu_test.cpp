@@ -95,8 +95,9 @@ protected:
     Motion of_map(const hatch::HatchStyle& style)
     {
         const frame::StyleTables tables;
-        hatch::MapImages map = hatch::upload_map(
-            test::shared_device(), frame::load_map(frame::map_choice(tables)), style.map_contrast);
+        hatch::MapImages map =
+            hatch::upload_map(test::shared_device(), frame::load_map(frame::map_choice(tables)),
+                              style.map_tone, style.map_contrast);
         return measure([&](double unit_per_px) {
             canvas_.paint_surface(same_points(unit_per_px));
             return canvas_.ink(style, &map);
