@@ -14,8 +14,10 @@
 // A line or a cell boundary keeps its number at every zoom: i = odd * 2^level.
 uint dyadic_identity(int i, int level, uint seed)
 {
-    int shift = max(findLSB(i), 0);
-    uint number = i == 0 ? 0x5bd1e995u : uint(i >> shift) * 0x9e3779b1u ^ uint(level + shift) * 0x85ebca77u;
+    // The lowest bit that is set, as a power of two: its exponent as a float has it.
+    int shift = (floatBitsToInt(float(i & -i)) >> 23) - 127;
+    uint number =
+        i == 0 ? 0x5bd1e995u : uint(i >> (shift & 31)) * 0x9e3779b1u ^ uint(level + shift) * 0x85ebca77u;
     return hash(number ^ seed);
 }
 
@@ -136,9 +138,7 @@ float wobble(LineField field, LineScale scale, uint identity)
     float along = field.u + 0.35f * (field.wander.x + (2.0f * trait(identity, 1u) - 1.0f) * field.wander.y);
     float phase = trait(identity, 2u);
     float fine = along * scale.wobble_frequency;
-    float near = wave(fine + phase) + 0.3f * wave(3.0f * fine + 2.3f * phase);
-    float far = wave(0.5f * fine + phase) + 0.3f * wave(1.5f * fine + 2.3f * phase);
-    return scale.wobble_px * mix(near, far, scale.wobble_fade);
+    return 1.15f * scale.wobble_px * mix(wave(fine + phase), wave(0.5f * fine + phase), scale.wobble_fade);
 }
 
 // Share of a line that is left, on average, after gaps and tapers. One boundary in four stays closed.
@@ -197,13 +197,20 @@ float line_ink(LineField field, LineLook look, float dark, uint seed)
     LineScale scale = scale_of(field, look, max(dark, 1e-4f));
     float wanted = clamp(dark / kept_share(look, scale.gap_scale), 1e-4f, 1.0f);
     Lines lines = lines_of(field, look.width_px, wanted);
-    // A newborn stroke is never so wide that it touches the old lines beside it.
-    float room = 0.7f * (lines.spacing - lines.width) / lines.width;
-    float newborn_length = clamp(max(pow(lines.newborn, look.growth), lines.newborn / room), 0.0f, 1.0f);
-    float newborn_width = lines.width * lines.newborn / max(newborn_length, 1e-6f);
-    int first = int(floor(2.0f * field.v / lines.spacing)) - 1;
+    float newborn_length = 1.0f;
+    float newborn_width = lines.width * lines.newborn;
+    if (look.growth > 0.0f) {
+        // A newborn stroke is never so wide that it touches the old lines beside it.
+        float room = 0.7f * (lines.spacing - lines.width) / lines.width;
+        newborn_length = clamp(max(pow(lines.newborn, look.growth), lines.newborn / room), 1e-6f, 1.0f);
+        newborn_width /= newborn_length;
+    }
+    // The lines that may touch the pixel: no more than four, since they keep apart.
+    float reach = 0.5f * lines.width * (1.0f + scale.pressure) + g * (1.15f * scale.wobble_px + 0.5f);
+    int first = int(ceil(2.0f * (field.v - reach) / lines.spacing));
+    int last = min(int(floor(2.0f * (field.v + reach) / lines.spacing)), first + 3);
     float ink = 0.0f;
-    for (int i = first; i < first + 4; ++i) {
+    for (int i = first; i <= last; ++i) {
         uint identity = line_identity(field, lines, i, seed);
         bool is_old = (i & 1) == 0;
         float width = is_old ? lines.width : newborn_width;

@@ -8,16 +8,10 @@
 #include <cstdint>
 
 #include <glm/glm.hpp>
-#include <glm/integer.hpp>
 
 namespace estampe::test::glsl {
 
 using namespace glm; // NOLINT(google-build-using-namespace): GLSL's names are the point
 using uint = uint32_t;
-
-inline int findLSB(int value) // NOLINT(readability-identifier-naming): GLSL's name
-{
-    return glm::findLSB(value);
-}
 
 } // namespace estampe::test::glsl

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Contact sheets of the hatching, which the documentation shows: one model in eight styles, and one ball over
+// six octaves of distance beside a map whose levels were filtered instead of drawn.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <estampe/renderer.hpp>
+
+#include "golden/golden.hpp"
+#include "scene/shapes.hpp"
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+#include "techniques/tam/maker.hpp"
+#include "techniques/tam/tam_file.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr uint32_t tile_width = 240;
+constexpr uint32_t tile_height = 200;
+
+/// Tiles side by side, row by row.
+Image sheet_of(const std::vector<Image>& tiles, uint32_t columns)
+{
+    const uint32_t rows = static_cast<uint32_t>(tiles.size()) / columns;
+    Image sheet{.width = columns * tile_width, .height = rows * tile_height};
+    sheet.rgba.resize(4ULL * sheet.width * sheet.height);
+    for (uint32_t tile = 0; tile < tiles.size(); ++tile) {
+        for (uint32_t y = 0; y < tile_height; ++y) {
+            const auto from = tiles[tile].rgba.begin() + static_cast<std::ptrdiff_t>(4ULL * y * tile_width);
+            const size_t row = static_cast<size_t>(tile / columns) * tile_height + y;
+            const size_t to = 4 * (row * sheet.width + static_cast<size_t>(tile % columns) * tile_width);
+            std::copy(from, from + 4 * tile_width, sheet.rgba.begin() + static_cast<std::ptrdiff_t>(to));
+        }
+    }
+    return sheet;
+}
+
+Image tile(const Camera& camera, const std::vector<std::string>& assignments)
+{
+    Style style;
+    style.set("paper.height_mm=42"); // a small picture, drawn with the same pen
+    style.set("light.turn_sun=false");
+    for (const std::string& assignment : assignments) {
+        style.set(assignment);
+    }
+    return test::shared_renderer().render(camera, style,
+                                          {.width = tile_width, .height = tile_height, .samples = 4});
+}
+
+/// An urn with two handles.
+Scene urn()
+{
+    const std::vector<glm::vec2> profile{{0.0F, 0.0F},   {0.42F, 0.0F},  {0.44F, 0.08F}, {0.2F, 0.16F},
+                                         {0.17F, 0.3F},  {0.34F, 0.46F}, {0.58F, 0.72F}, {0.68F, 1.0F},
+                                         {0.62F, 1.26F}, {0.42F, 1.45F}, {0.3F, 1.58F},  {0.28F, 1.75F},
+                                         {0.4F, 1.86F},  {0.34F, 1.86F}, {0.2F, 1.7F},   {0.0F, 1.66F}};
+    Scene scene;
+    const glm::vec3 clay(0.9F, 0.86F, 0.8F);
+    test::add_object(scene, shapes::lathe(profile, 72, 0.9F), clay);
+    for (const float side : {-1.0F, 1.0F}) {
+        Primitive handle = shapes::torus(0.22F, 0.045F, 40, 16);
+        for (size_t i = 0; i < handle.positions.size(); ++i) {
+            handle.positions[i] = {handle.positions[i].x, handle.positions[i].z, handle.positions[i].y};
+            handle.normals[i] = {handle.normals[i].x, handle.normals[i].z, handle.normals[i].y};
+        }
+        for (size_t i = 0; i + 2 < handle.indices.size(); i += 3) {
+            std::swap(handle.indices[i + 1], handle.indices[i + 2]);
+        }
+        test::add_object(scene, std::move(handle), clay, {0.5 * static_cast<double>(side), 1.45, 0.0});
+    }
+    return scene;
+}
+
+TEST(HatchSheet, OneModelInEightStyles)
+{
+    test::shared_renderer().set_scene(urn());
+    const Camera camera{.eye = {1.6, 2.0, 3.6}, .target = {0.12, 0.88, 0.0}, .vertical_fov_rad = 0.6};
+    const std::vector<Image> tiles{
+        tile(camera, {"hatch.coordinates=solid"}),
+        tile(camera, {"hatch.coordinates=form"}),
+        tile(camera, {"hatch.coordinates=light"}),
+        tile(camera,
+             {"hatch.coordinates=form", "hatch.growth=0.8", "hatch.overrun_mm=1.2", "hatch.wobble_mm=0.3"}),
+        tile(camera, {"hatch.strokes=map"}),
+        tile(camera, {"hatch.strokes=map", "tam.tool=charcoal", "tam.width_px=5", "hatch.map_tone=blend",
+                      "hatch.map_contrast=1.4"}),
+        tile(camera, {"hatch.strokes=map", "tam.tool=burin", "tam.second_from=9", "tam.third_from=9"}),
+        tile(camera, {"hatch.strokes=map", "hatch.map_tone=step", "hatch.black_above=0.7"})};
+    test::expect_matches_golden(sheet_of(tiles, 4), "hatch-styles");
+}
+
+/// A map whose finest level alone was drawn; the others are filtered from it, as textures usually are.
+std::filesystem::path filtered_map()
+{
+    tam::TonalArtMap map = tam::make_map({});
+    for (auto& levels : map.level_of_tone) {
+        for (size_t level = 1; level < levels.size(); ++level) {
+            levels[level] = tam::half_size(levels[level - 1], map.size_px >> (level - 1));
+        }
+    }
+    map.threshold_of_level.clear();
+    std::filesystem::path path = std::filesystem::temp_directory_path() / "estampe-filtered-map.tam";
+    tam::save_tam(map, path);
+    return path;
+}
+
+TEST(HatchSheet, OneBallOverSixOctavesOfDistance)
+{
+    const std::filesystem::path filtered = filtered_map();
+    test::shared_renderer().set_scene(test::scene_of(shapes::sphere(1.0F, 96, 48)));
+    std::vector<Image> tiles;
+    const std::vector<std::vector<std::string>> rows{
+        {"hatch.coordinates=solid"},
+        {"hatch.strokes=map"},
+        {"hatch.strokes=map", fmt::format("hatch.map={}", filtered.string()), "hatch.map_tone=blend",
+         "hatch.map_contrast=1", "hatch.map_texel_mm=0.02"}};
+    for (std::vector<std::string> row : rows) {
+        row.insert(row.end(), {"picture.ground=none", "light.sun_elevation_deg=35"});
+        for (int octave = 0; octave < 6; ++octave) {
+            const double distance_m = 2.2 * std::exp2(0.5 * octave);
+            const Camera camera{
+                .eye = {0.0, 0.0, distance_m}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.9};
+            tiles.push_back(tile(camera, row));
+        }
+    }
+    std::filesystem::remove(filtered);
+    test::expect_matches_golden(sheet_of(tiles, 6), "hatch-distance");
+}
+
+} // namespace
+} // namespace estampe
