@@ -200,6 +200,11 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                               .size_px = size_px},
                                              style.contour);
 
+    // Bleed: ink of strokes and lines runs together.
+    const auto ink = bleed::add_bleed(
+        graph, {.hatch = hatch, .lines = lines, .pixels_per_mm = plan.pixels_per_mm, .size_px = size_px},
+        style.bleed);
+
     // Sky and wash: colour, flat.
     const auto sky = sky::add_sky(graph,
                                   {.frame = frame,
@@ -224,14 +229,10 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                      style.wash);
 
     // Compose: the layers on paper.
-    const auto picture = paper::add_compose(graph,
-                                            {.frame = frame,
-                                             .wash = wash,
-                                             .hatch = hatch,
-                                             .lines = lines,
-                                             .sky_ink = sky.ink,
-                                             .size_px = size_px},
-                                            style.paper);
+    const auto picture = paper::add_compose(
+        graph,
+        {.frame = frame, .wash = wash, .hatch = ink, .lines = lines, .sky_ink = sky.ink, .size_px = size_px},
+        style.paper);
     const auto developed = paper::add_develop(
         graph, picture, gpu::import_whole(graph, "sums", resources.sums),
         graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y}), size_px, plan.accumulation);
