@@ -51,7 +51,8 @@ WashStyle strong()
 constexpr shared::ToneConstants plain_tone{
     .exposure = 1.0F, .gamma = 1.0F, .contrast = 1.0F, .floor = 0.0F, .ceiling = 1.0F, .local_value = 0.0F};
 
-std::vector<glm::vec4> paint(const Page& page, const WashStyle& style)
+std::vector<glm::vec4> paint(const Page& page, const WashStyle& style,
+                             const shared::ToneConstants& tone = plain_tone)
 {
     const auto globals = frame::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
@@ -77,7 +78,7 @@ std::vector<glm::vec4> paint(const Page& page, const WashStyle& style)
                                 .screen = screen.in(graph),
                                 .has_screen = page.has_screen,
                                 .background = background.in(graph),
-                                .tone = plain_tone,
+                                .tone = tone,
                                 .size_px = size_px},
                                style);
     return test::run_and_read_colors(graph, wash);
@@ -108,6 +109,21 @@ TEST(Wash, IsTheMaterialsColourInLightAndTintedInShadow)
     expect_everywhere(paint(page, style), red * style.shadow_tint * page.material.shade_color);
     const glm::vec3 tint = WashStyle{}.shadow_tint;
     EXPECT_LT(tint.x, tint.z) << "the shadow of the default style is cooler than its light";
+}
+
+TEST(Wash, LiesInShadowWhereOcclusionKeepsLightOff)
+{
+    // Half of 0.9 is darker than the shadow's edge, 0.9 is not.
+    Page page;
+    page.light = [](glm::uvec2) { return glm::vec4(0.9F); };
+    page.color = [](glm::uvec2) { return glm::vec4(red, 0.5F); };
+    const WashStyle style = strong();
+    shared::ToneConstants tone = plain_tone;
+    expect_everywhere(paint(page, style, tone), red);
+    tone.occlusion = 1.0F;
+    expect_everywhere(paint(page, style, tone), red * style.shadow_tint);
+    tone.occlusion = 0.2F; // darkness 0.19
+    expect_everywhere(paint(page, style, tone), red);
 }
 
 TEST(Wash, StepsIntoShadowOnceAndWandersLittle)
