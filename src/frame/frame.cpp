@@ -229,10 +229,15 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                      style.wash);
 
     // Compose: the layers on paper.
-    const auto picture = paper::add_compose(
-        graph,
-        {.frame = frame, .wash = wash, .hatch = ink, .lines = lines, .sky_ink = sky.ink, .size_px = size_px},
-        style.paper);
+    const auto picture = paper::add_compose(graph,
+                                            {.frame = frame,
+                                             .wash = wash,
+                                             .hatch = ink,
+                                             .lines = lines,
+                                             .sky_ink = sky.ink,
+                                             .light = light,
+                                             .size_px = size_px},
+                                            style.paper);
     const auto developed = paper::add_develop(
         graph, picture, gpu::import_whole(graph, "sums", resources.sums),
         graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y}), size_px, plan.accumulation);

@@ -73,7 +73,7 @@ void main()
                                   constants.shadow_from + constants.softness, dark + waver);
         vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // darkness has none
         color *= mix(vec3(1.0), constants.shadow_tint * materials[material].shade_color, shadow) *
-                 mix(vec3(1.0), hue, 0.5);
+                 mix(vec3(1.0), hue, 0.5) * mix(vec3(1.0), light_tint(light.rgb), constants.light_tint);
         if (is_paper(word)) {
             color = mix(vec3(1.0), mix(vec3(1.0), constants.shadow_tint, 0.6), shadow);
         }

@@ -163,6 +163,27 @@ TEST(Wash, TakesHalfOfTheLightsHue)
     expect_everywhere(paint(page, strong()), red * glm::vec3(1.0F, 0.9F, 0.7F));
 }
 
+TEST(Wash, IsTintedByTheLightsColourAlone)
+{
+    Page page;
+    const glm::vec3 grey(0.3F);
+    page.material.mean_color = grey;
+    WashStyle style = strong();
+    // As ever by half of its hue, which is over its luminance; by the style over its brightest channel.
+    const glm::vec4 red_light(2.0F, 0.5F, 0.5F, 0.8189F);
+    const glm::vec3 hue = glm::mix(glm::vec3(1.0F), glm::vec3(red_light) / red_light.w, 0.5F);
+    for (const float share : {0.0F, 0.5F, 1.0F}) {
+        style.light_tint = share;
+        page.light = [](glm::uvec2) { return glm::vec4(0.9F); };
+        expect_everywhere(paint(page, style), grey);
+        page.light = [](glm::uvec2) { return glm::vec4(0.0F); };
+        expect_everywhere(paint(page, style), grey * style.shadow_tint);
+        page.light = [&](glm::uvec2) { return red_light; };
+        const glm::vec3 tint = glm::mix(glm::vec3(1.0F), glm::vec3(1.0F, 0.25F, 0.25F), share);
+        expect_everywhere(paint(page, style), grey * hue * tint, 2e-3F);
+    }
+}
+
 TEST(Wash, MixesInTheTextureByDetail)
 {
     Page page;
