@@ -16,13 +16,15 @@ constexpr float sigmas_taken_in = 2.5F;
 
 shared::BleedConstants constants_of(const BleedInputs& in, const BleedStyle& style)
 {
+    const float width_px = style.width_mm * in.pixels_per_mm;
     // Under a third of a pixel a blur would do nothing, and its exponent grow without bound.
-    const float sigma_px =
-        std::clamp(0.5F * style.width_mm * in.pixels_per_mm, 0.3F, largest_radius_px / sigmas_taken_in);
+    const float sigma_px = std::clamp(0.5F * width_px, 0.3F, largest_radius_px / sigmas_taken_in);
     return {.size_px = in.size_px,
             .radius_px = static_cast<uint32_t>(std::ceil(sigmas_taken_in * sigma_px)),
             .falloff = 0.5F / (sigma_px * sigma_px),
             .level = style.level,
+            // What runs less than the page's pixels can show fades out: contrast alone would blacken tones.
+            .reach = std::min(0.5F * width_px, 1.0F),
             // So steep that bare paper stays bare.
             .contrast = std::max(style.contrast, 0.5F / style.level)};
 }

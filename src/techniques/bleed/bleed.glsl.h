@@ -11,6 +11,7 @@ struct BleedConstants {
     uint radius_px; // of the blur: pixels taken in on either side
     float falloff;  // exponent of the blur: 1 / (2 sigma^2), a square pixel
     float level;    // blurred ink at which paper turns to ink
+    float reach;    // how much of what ran counts, 0 to 1
     float contrast; // of the blurred ink about that level
 };
 

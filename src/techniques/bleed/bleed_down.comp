@@ -37,6 +37,7 @@ void main()
         weights += 2.0 * weight;
     }
     float ran = clamp((sum / weights - constants.level) * constants.contrast + 0.5, 0.0, 1.0);
+    ran *= constants.reach;
     float hatch = texelFetch(hatch_image, pixel, 0).x;
     // The lines are laid over this later: what lies under them makes the whole as dark as what ran, and adds
     // nothing at their soft edges where nothing ran.

@@ -94,6 +94,19 @@ TEST(Bleed, LeavesBarePaperBareAndFullInkFull)
     EXPECT_EQ(std::ranges::min(ink_on(lines, {.width_mm = 1.0F})), 1.0F);
 }
 
+TEST(Bleed, FadesOutBelowAPixel)
+{
+    Page tone; // of strokes finer than pixels
+    tone.hatch = [](glm::uvec2) { return 0.6F; };
+    const auto ink = [&](float width_px) {
+        return at(ink_on(tone, {.width_mm = width_px / pixels_per_mm}), 40, 30);
+    };
+    EXPECT_NEAR(ink(0.1F), 0.6F, half_step);
+    EXPECT_NEAR(ink(1.0F), 0.6F, half_step);
+    EXPECT_NEAR(ink(1.6F), 0.8F, half_step);
+    EXPECT_EQ(ink(2.0F), 1.0F);
+}
+
 TEST(Bleed, KeepsALoneHairlineAsItIs)
 {
     Page strokes;
