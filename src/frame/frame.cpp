@@ -200,6 +200,11 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                               .size_px = size_px},
                                              style.contour);
 
+    // Bleed: ink of strokes and lines runs together.
+    const auto ink = bleed::add_bleed(
+        graph, {.hatch = hatch, .lines = lines, .pixels_per_mm = plan.pixels_per_mm, .size_px = size_px},
+        style.bleed);
+
     // Sky and wash: colour, flat.
     const auto sky = sky::add_sky(graph,
                                   {.frame = frame,
@@ -227,9 +232,10 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const auto picture = paper::add_compose(graph,
                                             {.frame = frame,
                                              .wash = wash,
-                                             .hatch = hatch,
+                                             .hatch = ink,
                                              .lines = lines,
                                              .sky_ink = sky.ink,
+                                             .light = light,
                                              .size_px = size_px},
                                             style.paper);
     const auto developed = paper::add_develop(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "style/sheet.hpp"
+#include "techniques/bleed/bleed.hpp"
 #include "techniques/contour/contour.hpp"
 #include "techniques/hatch/hatch.hpp"
 #include "techniques/light/light_style.hpp"
@@ -38,6 +39,7 @@ struct StyleTables {
     hatch::HatchStyle hatch;
     tam::TamStyle tam;
     contour::ContourStyle contour;
+    bleed::BleedStyle bleed;
     wash::WashStyle wash;
     sky::SkyStyle sky;
     paper::PaperStyle paper;
@@ -53,6 +55,7 @@ struct StyleTables {
     sheet.bind(hatch::hatch_table(), tables.hatch);
     sheet.bind(tam::tam_table(), tables.tam);
     sheet.bind(contour::contour_table(), tables.contour);
+    sheet.bind(bleed::bleed_table(), tables.bleed);
     sheet.bind(wash::wash_table(), tables.wash);
     sheet.bind(sky::sky_table(), tables.sky);
     sheet.bind(paper::paper_table(), tables.paper);

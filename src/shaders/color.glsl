@@ -28,4 +28,10 @@ vec4 vertex_color(uint packed)
     return vec4(stored.rgb * stored.rgb, stored.a);
 }
 
+// Colour of a light alone, its brightest channel 1. Darkness has none, and counts as white.
+vec3 light_tint(vec3 light)
+{
+    return (light + 1e-3) / (max(light.r, max(light.g, light.b)) + 1e-3);
+}
+
 #endif

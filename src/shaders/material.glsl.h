@@ -29,11 +29,13 @@ struct MaterialRecord {
     uint flags;
     TextureSlot base_texture;
     TextureSlot normal_texture;
+    TextureSlot occlusion_texture; // share of the light that gets through, in red
+    float occlusion_strength;      // how much of it counts, 0 to 1
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(TextureSlot) == 28);
-static_assert(sizeof(MaterialRecord) == 136);
+static_assert(sizeof(MaterialRecord) == 168);
 inline constexpr uint no_texture = 0xffffffffU;
 inline constexpr uint material_unlit = 1U;
 inline constexpr uint material_paper = 2U; // takes shadow, but neither wash nor outline

@@ -4,6 +4,12 @@
 
 #include "shaders/tone.glsl.h"
 
+// Light that is left where the share `open` of it gets through, by the material's occlusion texture.
+float occluded(ToneConstants tone, float light, float open)
+{
+    return light * mix(1.0, open, tone.occlusion);
+}
+
 // Darkness to be drawn, 0 (paper) to 1 (ink), of a surface that is lit with `light` and has brightness
 // `local_value`. The contrast multiplies about the middle and saturates (Zanuttini, "Recherches en rendu non
 // réaliste temps réel", Université Paris 8, 2008, annex 1). Below the floor the paper stays white.

@@ -14,6 +14,7 @@ struct ToneConstants {
     float floor;       // darkness under it stays paper
     float ceiling;     // darkness over it is no darker
     float local_value; // how much a dark material is drawn darker, 0 to 1
+    float occlusion;   // how much of the light is kept off occluded places, 0 to 1
 };
 
 #ifdef __cplusplus

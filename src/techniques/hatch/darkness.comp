@@ -41,8 +41,9 @@ void main()
         return;
     }
     uint word = texelFetch(draw_image, pixel, 0).x;
-    vec3 color = texelFetch(color_image, pixel, 0).rgb;
-    float dark = darkness(constants.tone, texelFetch(light_image, pixel, 0).a, luminance(color * color));
+    vec4 color = texelFetch(color_image, pixel, 0);
+    float light = occluded(constants.tone, texelFetch(light_image, pixel, 0).a, color.a);
+    float dark = darkness(constants.tone, light, luminance(color.rgb * color.rgb));
     if (has_fade) {
         float depth = max(texelFetch(depth_image, pixel, 0).x, 1e-9);
         float away = distance(anchor_at(frame, vec2(pixel) + 0.5, depth), frame.eye_anchor);

@@ -12,7 +12,8 @@ shared::ToneConstants tone_constants(const ToneStyle& style)
             .contrast = style.contrast,
             .floor = style.floor,
             .ceiling = style.ceiling,
-            .local_value = style.local_value};
+            .local_value = style.local_value,
+            .occlusion = style.occlusion};
 }
 
 gpu::ImageId add_light(gpu::Graph& graph, const LightInputs& in)

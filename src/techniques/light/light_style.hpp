@@ -63,6 +63,7 @@ struct ToneStyle {
     float floor = 0.12F;
     float ceiling = 0.97F;
     float local_value = 0.3F;
+    float occlusion = 1.0F;
 };
 
 inline const style::Table<ToneStyle>& tone_table()
@@ -77,7 +78,9 @@ inline const style::Table<ToneStyle>& tone_table()
             .number("floor", &ToneStyle::floor, {0.0F, 0.9F}, "", "Darkness under this stays white paper")
             .number("ceiling", &ToneStyle::ceiling, {0.1F, 1.0F}, "", "No tone is darker than this")
             .number("local_value", &ToneStyle::local_value, {0.0F, 1.0F}, "",
-                    "How much a dark material is drawn darker than a pale one in the same light");
+                    "How much a dark material is drawn darker than a pale one in the same light")
+            .number("occlusion", &ToneStyle::occlusion, {0.0F, 1.0F}, "",
+                    "How much the materials' occlusion textures darken what they cover");
     return table;
 }
 

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/color.glsl"
 #include "shaders/frame.glsl.h"
 #include "shaders/noise.glsl"
 #include "techniques/paper/paper.glsl.h"
@@ -20,12 +21,27 @@ layout(binding = 1) uniform sampler2D wash_image;
 layout(binding = 2) uniform sampler2D hatch_image;
 layout(binding = 3) uniform sampler2D line_image;
 layout(binding = 4) uniform sampler2D sky_ink_image;
-layout(binding = 5, rgba16f) writeonly uniform image2D out_picture;
+layout(binding = 5) uniform sampler2D light_image; // of the variant that tints
+layout(binding = 6, rgba16f) writeonly uniform image2D out_picture;
 
 layout(push_constant, scalar) uniform Constants
 {
     PaperConstants constants;
 };
+
+// Bit 0: coloured light colours the strokes.
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_tint = (variant & 1u) != 0u;
+
+// How much of a pure colour of light the darkest ink shows under it.
+const float sheen = 0.3;
+
+// Ink in light of this colour: black by multiplication alone, if it did not shine a little.
+vec3 lit_ink(vec3 ink, vec3 tint)
+{
+    float purity = 1.0 - min(tint.r, min(tint.g, tint.b));
+    return mix(ink * tint, tint, sheen * purity);
+}
 
 // Height of the paper, about 0.5 on average, in features of a few tenths of a millimetre with long faint
 // fibres.
@@ -59,7 +75,12 @@ void main()
             sky_ink * texelFetch(sky_ink_image, min(pixel, textureSize(sky_ink_image, 0) - 1), 0).x) *
         dry;
     vec4 line = texelFetch(line_image, pixel, 0);
-    color = mix(color, constants.ink_color, hatch);
+    vec3 ink = constants.ink_color;
+    if (has_tint) {
+        vec3 tint = light_tint(texelFetch(light_image, pixel, 0).rgb);
+        ink = mix(ink, lit_ink(ink, tint), constants.ink_tint);
+    }
+    color = mix(color, ink, hatch);
     color = mix(color, line.rgb * line.rgb, line.a * mix(1.0, dry, 0.5));
     imageStore(out_picture, pixel, vec4(color, 1.0));
 }

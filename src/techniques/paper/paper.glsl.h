@@ -12,6 +12,7 @@ struct PaperConstants {
     vec3 ink_color;
     float granulation; // how far paint settles in the hollows
     float ink_break;   // how far ink skips the heights
+    float ink_tint;    // how far coloured light colours the strokes' ink
     uint seed;
 };
 

@@ -14,6 +14,7 @@ struct PaperStyle {
     float granulation = 0.5F;
     glm::vec3 ink = style::srgb(0x1c1a20);
     float ink_break = 0.25F;
+    float ink_tint = 0.0F;
     int seed = 1;
 };
 
@@ -30,6 +31,8 @@ inline const style::Table<PaperStyle>& paper_table()
             .color("ink", &PaperStyle::ink, "Ink of the strokes")
             .number("ink_break", &PaperStyle::ink_break, {0.0F, 1.0F}, "",
                     "How far ink skips the heights of the paper")
+            .number("ink_tint", &PaperStyle::ink_tint, {0.0F, 1.0F}, "",
+                    "How far coloured light colours the ink of the strokes")
             .integer("seed", &PaperStyle::seed, {0, 1000000}, "", "Another number, another sheet");
     return table;
 }
@@ -40,6 +43,7 @@ struct ComposeInputs {
     gpu::ImageId hatch;
     gpu::ImageId lines;
     gpu::ImageId sky_ink;
+    gpu::ImageId light; ///< read where the style tints the ink
     glm::uvec2 size_px{0};
 };
 

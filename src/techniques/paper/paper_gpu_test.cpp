@@ -3,6 +3,7 @@
 #include "techniques/paper/paper.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -25,6 +26,7 @@ struct Layers {
     test::Painter<float> hatch = [](glm::uvec2) { return 0.0F; };
     test::Painter<glm::vec4> lines = [](glm::uvec2) { return glm::vec4(0.0F); };
     test::Painter<float> sky_ink = [](glm::uvec2) { return 0.0F; };
+    test::Painter<glm::vec4> light = [](glm::uvec2) { return glm::vec4(1.0F); };
     glm::uvec2 sky_size_px{1};
 };
 
@@ -39,6 +41,7 @@ std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, gl
     auto hatch = test::Layer::coverage(size_px, layers.hatch);
     auto lines = test::Layer::root_color(size_px, layers.lines);
     auto sky_ink = test::Layer::coverage(layers.sky_size_px, layers.sky_ink);
+    auto light = test::Layer::color(size_px, layers.light);
     gpu::Graph graph;
     const auto picture = add_compose(graph,
                                      {.frame = gpu::import_whole(graph, "frame", frame),
@@ -46,6 +49,7 @@ std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, gl
                                       .hatch = hatch.in(graph),
                                       .lines = lines.in(graph),
                                       .sky_ink = sky_ink.in(graph),
+                                      .light = light.in(graph),
                                       .size_px = size_px},
                                      style);
     return test::run_and_read_colors(graph, picture);
@@ -161,6 +165,34 @@ TEST(Compose, OneTexelOfSkyStandsForThePage)
     const auto picture = compose(layers, style, {16, 16});
     for (size_t i = 0; i < picture.size(); ++i) {
         expect_near(glm::vec3(picture[i]), i % 16 < 8 ? style.ink : style.color, half_step);
+    }
+}
+
+TEST(Compose, LightTintsTheInkByItsColourAlone)
+{
+    constexpr glm::uvec2 size_px(24, 8);
+    PaperStyle style = smooth();
+    style.ink = {0.2F, 0.1F, 0.05F};
+    // White light, red light, none; on a line, on strokes and on bare paper.
+    const glm::vec3 red(2.0F, 0.5F, 0.25F);
+    Layers layers;
+    layers.light = [&](glm::uvec2 pixel) {
+        const std::array colors{glm::vec3(0.7F), red, glm::vec3(0.0F)};
+        return glm::vec4(colors.at(pixel.x / 8), 1.0F);
+    };
+    layers.hatch = [](glm::uvec2 pixel) { return pixel.y < 4 ? 1.0F : 0.0F; };
+    layers.lines = [](glm::uvec2 pixel) { return glm::vec4(0.0F, 0.0F, 0.0F, pixel.y < 2 ? 1.0F : 0.0F); };
+    const glm::vec3 tint = red / red.x;
+    const glm::vec3 lit = glm::mix(style.ink * tint, tint, 0.3F * (1.0F - tint.z));
+    for (const float share : {0.0F, 0.5F, 1.0F}) {
+        style.ink_tint = share;
+        const auto picture = compose(layers, style, size_px);
+        for (uint32_t x = 0; x < size_px.x; ++x) {
+            const glm::vec3 ink = x / 8 == 1 ? glm::mix(style.ink, lit, share) : style.ink;
+            expect_near(glm::vec3(picture[x]), glm::vec3(0.0F), half_step);
+            expect_near(glm::vec3(picture[3 * size_px.x + x]), ink, 1e-3F);
+            expect_near(glm::vec3(picture[5 * size_px.x + x]), style.color, half_step);
+        }
     }
 }
 

@@ -59,6 +59,12 @@ glm::vec3 mean_color(const Image& image)
     return sum.w > 0.0F ? glm::vec3(sum) / sum.w : glm::vec3(1.0F);
 }
 
+/// What darkens the material: nothing where it is unlit or the texture's strength is zero.
+TextureRef occlusion_of(const Material& material)
+{
+    return material.unlit || material.occlusion_strength <= 0.0F ? TextureRef{} : material.occlusion_texture;
+}
+
 uint32_t flags_of(const Material& material)
 {
     return (material.unlit ? shared::material_unlit : 0U) |
@@ -84,6 +90,7 @@ TexturePlan plan_textures(const Scene& scene)
     for (const Material& material : scene.materials) {
         use(material.base_color_texture);
         use(material.normal_texture);
+        use(occlusion_of(material));
     }
     return plan;
 }
@@ -97,7 +104,10 @@ SceneNeeds scene_needs(const Scene& scene)
     }
     for (const Material& material : scene.materials) {
         needs.normal_maps |= material.normal_texture.texture != no_index;
-        needs.second_uvs |= material.normal_texture.uv_set != 0 || material.base_color_texture.uv_set != 0;
+        const TextureRef occlusion = occlusion_of(material);
+        needs.occlusion |= occlusion.texture != no_index;
+        needs.second_uvs |= material.normal_texture.uv_set != 0 || material.base_color_texture.uv_set != 0 ||
+                            occlusion.uv_set != 0;
         needs.own_outlines |= material.toon && material.toon->outline_width_m > 0.0F;
         needs.emissive |= material.emissive != glm::vec3(0.0F);
     }
@@ -129,7 +139,9 @@ std::vector<shared::MaterialRecord> material_records(const Scene& scene, const T
                            .outline_color = material.toon ? material.toon->outline_color : glm::vec3(0.0F),
                            .flags = flags_of(material),
                            .base_texture = slot(scene, plan, base),
-                           .normal_texture = slot(scene, plan, material.normal_texture)});
+                           .normal_texture = slot(scene, plan, material.normal_texture),
+                           .occlusion_texture = slot(scene, plan, occlusion_of(material)),
+                           .occlusion_strength = material.occlusion_strength});
     }
     const shared::TextureSlot none{.location = shared::no_texture};
     records.push_back({.base_color = glm::vec4(1.0F),
@@ -137,7 +149,8 @@ std::vector<shared::MaterialRecord> material_records(const Scene& scene, const T
                        .shade_color = glm::vec3(1.0F),
                        .flags = shared::material_paper,
                        .base_texture = none,
-                       .normal_texture = none});
+                       .normal_texture = none,
+                       .occlusion_texture = none});
     return records;
 }
 

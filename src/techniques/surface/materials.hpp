@@ -25,7 +25,8 @@ struct MaterialBuffers {
     std::array<gpu::Image, 5> textures;
 };
 
-/// Where each texture of `scene` that a colour or normal uses will live; `layers` counts the layers by class.
+/// Where each texture of `scene` that a colour, normal or occlusion uses will live; `layers` counts the
+/// layers by class.
 struct TexturePlan {
     std::vector<uint32_t> location; ///< class in bits 0-3, layer in 4-23; no_texture when unused
     std::array<std::vector<Index>, 5> layers;

@@ -76,7 +76,7 @@ layout(binding = 14) uniform sampler2DArray texture_class_4;
 layout(binding = 15, r32ui) writeonly uniform uimage2D out_draw;    // see shaders/draw_word.glsl
 layout(binding = 16, r32f) writeonly uniform image2D out_depth;     // reversed, 0 for nothing
 layout(binding = 17, rg32ui) writeonly uniform uimage2D out_normal; // packed: shading, smooth geometric
-layout(binding = 18, rgba8) writeonly uniform image2D out_color;    // square root of linear colour; alpha
+layout(binding = 18, rgba8) writeonly uniform image2D out_color;    // square root of linear colour; occlusion
 layout(binding = 19, rgba32f) writeonly uniform image2D out_coordinate;
 layout(binding = 20, rgba32ui) writeonly uniform uimage2D out_footprint;
 
@@ -98,6 +98,7 @@ const bool stands_still =
     (variant & 512u) != 0u; // the pose is the rest pose: strokes follow the posed position itself
 const bool has_form_strokes = (variant & 1024u) != 0u;
 const bool has_page_strokes = (variant & 2048u) != 0u;
+const bool has_occlusion = (variant & 4096u) != 0u;
 #define TEXTURE_CLASSES variant
 
 #include "shaders/texture.glsl"
@@ -160,19 +161,19 @@ void main()
 
     DrawRecord draw = draws[draw_index];
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
-    vec4 color = materials[draw.material].base_color;
+    vec3 color = materials[draw.material].base_color.rgb;
     if (has_vertex_colors) {
         mat3 colors =
             mat3(vertex_color(rest_vertices[rest.x].color).rgb, vertex_color(rest_vertices[rest.y].color).rgb,
                  vertex_color(rest_vertices[rest.z].color).rgb);
-        color.rgb *= colors * at.weight;
+        color *= colors * at.weight;
     }
     vec3 shading_normal = smooth_normal;
     if (has_textures) {
         TextureSlot slot = materials[draw.material].base_texture;
         if (slot.location != NO_TEXTURE) {
             vec4 texel = sample_texture(slot, uv_at(rest, (slot.location >> 24) & 1u, at));
-            color *= vec4(linear_from_srgb(texel.rgb), texel.a);
+            color *= linear_from_srgb(texel.rgb);
         }
     }
     if (has_normal_maps) {
@@ -182,6 +183,14 @@ void main()
             vec3 mapped = 2.0 * sample_texture(slot, f).xyz - 1.0;
             mapped.xy *= materials[draw.material].normal_scale;
             shading_normal = perturb(smooth_normal, mapped, positions * at.dx, positions * at.dy, f);
+        }
+    }
+    float open = 1.0; // share of the light that occlusion lets by
+    if (has_occlusion) {
+        TextureSlot slot = materials[draw.material].occlusion_texture;
+        if (slot.location != NO_TEXTURE) {
+            float texel = sample_texture(slot, uv_at(rest, (slot.location >> 24) & 1u, at)).r;
+            open = 1.0 + materials[draw.material].occlusion_strength * (texel - 1.0);
         }
     }
 
@@ -217,7 +226,7 @@ void main()
     imageStore(out_draw, pixel, uvec4(word));
     imageStore(out_depth, pixel, vec4(seen_depth(seen)));
     imageStore(out_normal, pixel, uvec4(pack_normal(shading_normal), pack_normal(smooth_normal), 0u, 0u));
-    imageStore(out_color, pixel, vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), color.a));
+    imageStore(out_color, pixel, vec4(sqrt(clamp(color, 0.0, 1.0)), open));
     imageStore(out_coordinate, pixel, vec4(coordinate, 0.0));
     imageStore(out_footprint, pixel, pack_footprint(footprint));
 }

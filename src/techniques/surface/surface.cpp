@@ -29,7 +29,7 @@ Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in)
     pass.variant(needs.texture_classes | (needs.normal_maps ? 32U : 0U) | (needs.vertex_colors ? 64U : 0U) |
                  (has_strokes(shared::strokes_uv) ? 128U : 0U) | (needs.second_uvs ? 256U : 0U) |
                  (needs.moves ? 0U : 512U) | (has_strokes(shared::strokes_form) ? 1024U : 0U) |
-                 (has_strokes(shared::strokes_page) ? 2048U : 0U));
+                 (has_strokes(shared::strokes_page) ? 2048U : 0U) | (needs.occlusion ? 4096U : 0U));
     pass.push(in.strokes_per_m).dispatch_over(in.size_px.x, in.size_px.y);
     return {draw, depth, normal, color, coordinate, footprint};
 }

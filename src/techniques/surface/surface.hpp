@@ -14,6 +14,7 @@ namespace estampe::surface {
 struct SceneNeeds {
     uint32_t texture_classes = 0; ///< a bit for each size class that holds textures
     bool normal_maps = false;
+    bool occlusion = false; ///< some material has an occlusion texture
     bool vertex_colors = false;
     bool second_uvs = false;
     bool emissive = false;
@@ -44,7 +45,7 @@ struct Surface {
     gpu::ImageId depth;  ///< r32f: reversed, 0 where nothing is
     gpu::ImageId normal; ///< rg32ui: octahedral in two signed 16-bit parts: bent by normal maps, smooth;
                          ///< towards the eye
-    gpu::ImageId color;  ///< rgba8: square root of linear colour, alpha
+    gpu::ImageId color;  ///< rgba8: square root of linear colour; share of the light that occlusion lets by
     gpu::ImageId
         coordinate; ///< rgba32f: what strokes follow: two numbers and 0, or the place in the rest pose
     gpu::ImageId footprint; ///< rgba32ui: its change over a pixel, see shaders/footprint.glsl

@@ -152,6 +152,41 @@ TEST(Surface, WrapModesHoldBeyondTheTexture)
     }
 }
 
+TEST(Surface, OcclusionTexturesSayHowMuchLightGetsBy)
+{
+    // Red is what counts: 0.4 on the left and all on the right; green and blue say otherwise.
+    Primitive primitive = wall();
+    primitive.uvs[1] = {{1, 1}, {0, 1}, {0, 0}, {1, 0}};
+    Scene scene = test::scene_of(std::move(primitive));
+    Image image{.width = texture_class_px[0], .height = 1};
+    for (uint32_t x = 0; x < image.width; ++x) {
+        const bool left = x < image.width / 2;
+        image.rgba.insert(image.rgba.end(), {static_cast<uint8_t>(left ? 102 : 255),
+                                             static_cast<uint8_t>(left ? 255 : 0), 51, 255});
+    }
+    scene.textures.push_back({.image = std::move(image)});
+    Material& material = scene.materials[0];
+    material.occlusion_texture.texture = 0;
+    const auto open_at = [&](float x) {
+        const auto surface = test::Drawing(scene, parallel_camera(), glm::uvec2(side_px)).surface();
+        expect_color(color_at(surface, x, 0.5F), glm::vec3(material.base_color), "colour stays");
+        return surface.color[(side_px / 2) * side_px + static_cast<size_t>(x * side_px)].w;
+    };
+    EXPECT_NEAR(open_at(0.1F), 0.4F, 0.01F);
+    EXPECT_NEAR(open_at(0.9F), 1.0F, 0.01F);
+    material.occlusion_strength = 0.5F;
+    EXPECT_NEAR(open_at(0.1F), 0.7F, 0.01F);
+    material.occlusion_texture.uv_set = 1;
+    EXPECT_NEAR(open_at(0.9F), 0.7F, 0.01F) << "the second UVs are mirrored";
+    material.unlit = true;
+    EXPECT_EQ(open_at(0.9F), 1.0F) << "what is unlit is not shaded either";
+    material.unlit = false;
+    material.occlusion_strength = 0.0F;
+    EXPECT_EQ(open_at(0.9F), 1.0F);
+    EXPECT_FALSE(scene_needs(scene).occlusion);
+    EXPECT_TRUE(plan_textures(scene).layers[0].empty()) << "nor uploaded";
+}
+
 TEST(Surface, VertexColorsTintTheMaterial)
 {
     Primitive primitive = wall();

@@ -66,14 +66,14 @@ void main()
         float saturation = 1.0 - min(color.r, min(color.g, color.b)) / largest;
         color = mix(vec3(1.0), color, mix(constants.neutral, 1.0, smoothstep(0.0, 0.3, saturation)));
         vec4 light = texelFetch(light_image, pixel, 0);
-        float dark = darkness(constants.tone, light.a, 1.0);
+        float dark = darkness(constants.tone, occluded(constants.tone, light.a, stored.a), 1.0);
         // The edge of the second wash wanders a little, as a loaded brush does.
         float waver = 0.05 * (value_noise(vec2(pixel) / (0.9 * frame.pixels_per_mm), 5u) - 0.5);
         float shadow = smoothstep(constants.shadow_from - constants.softness,
                                   constants.shadow_from + constants.softness, dark + waver);
         vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // darkness has none
         color *= mix(vec3(1.0), constants.shadow_tint * materials[material].shade_color, shadow) *
-                 mix(vec3(1.0), hue, 0.5);
+                 mix(vec3(1.0), hue, 0.5) * mix(vec3(1.0), light_tint(light.rgb), constants.light_tint);
         if (is_paper(word)) {
             color = mix(vec3(1.0), mix(vec3(1.0), constants.shadow_tint, 0.6), shadow);
         }

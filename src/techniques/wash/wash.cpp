@@ -21,6 +21,7 @@ gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const WashStyle& 
                                     .detail = style.detail,
                                     .strength = style.strength,
                                     .neutral = style.neutral,
+                                    .light_tint = style.light_tint,
                                     .air = style.air,
                                     .air_color = style.air_color,
                                     .air_distance_m = style.air_distance_m})

@@ -14,6 +14,7 @@ struct WashConstants {
     float detail;      // 0: the material's mean colour, 1: its texture
     float strength;    // 0: bare paper, 1: full colour
     float neutral;     // share of that for greys
+    float light_tint;  // how far coloured light colours what it falls on
     float air;         // share of the horizon's colour at the far end
     vec3 air_color;
     float air_distance_m;

@@ -14,6 +14,7 @@ struct WashStyle {
     glm::vec3 shadow_tint = style::srgb(0xbac7c3);
     float shadow_from = 0.40F;
     float softness = 0.03F;
+    float light_tint = 0.0F;
     float air = 0.0F;
     glm::vec3 air_color = style::srgb(0xf0dca2);
     float air_distance_m = 120.0F;
@@ -34,6 +35,8 @@ inline const style::Table<WashStyle>& wash_table()
                     "Darkness at which shadow begins")
             .number("softness", &WashStyle::softness, {0.001F, 0.5F}, "",
                     "Half the width of that step, in darkness")
+            .number("light_tint", &WashStyle::light_tint, {0.0F, 1.0F}, "",
+                    "How far coloured light colours what it falls on")
             .number("air", &WashStyle::air, {0.0F, 1.0F}, "", "Share of the air's colour in the far distance")
             .color("air_color", &WashStyle::air_color, "Colour of the air")
             .number("air_distance_m", &WashStyle::air_distance_m, {0.001F, 1e6F}, "m",

@@ -51,7 +51,8 @@ WashStyle strong()
 constexpr shared::ToneConstants plain_tone{
     .exposure = 1.0F, .gamma = 1.0F, .contrast = 1.0F, .floor = 0.0F, .ceiling = 1.0F, .local_value = 0.0F};
 
-std::vector<glm::vec4> paint(const Page& page, const WashStyle& style)
+std::vector<glm::vec4> paint(const Page& page, const WashStyle& style,
+                             const shared::ToneConstants& tone = plain_tone)
 {
     const auto globals = frame::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
@@ -77,7 +78,7 @@ std::vector<glm::vec4> paint(const Page& page, const WashStyle& style)
                                 .screen = screen.in(graph),
                                 .has_screen = page.has_screen,
                                 .background = background.in(graph),
-                                .tone = plain_tone,
+                                .tone = tone,
                                 .size_px = size_px},
                                style);
     return test::run_and_read_colors(graph, wash);
@@ -108,6 +109,21 @@ TEST(Wash, IsTheMaterialsColourInLightAndTintedInShadow)
     expect_everywhere(paint(page, style), red * style.shadow_tint * page.material.shade_color);
     const glm::vec3 tint = WashStyle{}.shadow_tint;
     EXPECT_LT(tint.x, tint.z) << "the shadow of the default style is cooler than its light";
+}
+
+TEST(Wash, LiesInShadowWhereOcclusionKeepsLightOff)
+{
+    // Half of 0.9 is darker than the shadow's edge, 0.9 is not.
+    Page page;
+    page.light = [](glm::uvec2) { return glm::vec4(0.9F); };
+    page.color = [](glm::uvec2) { return glm::vec4(red, 0.5F); };
+    const WashStyle style = strong();
+    shared::ToneConstants tone = plain_tone;
+    expect_everywhere(paint(page, style, tone), red);
+    tone.occlusion = 1.0F;
+    expect_everywhere(paint(page, style, tone), red * style.shadow_tint);
+    tone.occlusion = 0.2F; // darkness 0.19
+    expect_everywhere(paint(page, style, tone), red);
 }
 
 TEST(Wash, StepsIntoShadowOnceAndWandersLittle)
@@ -145,6 +161,27 @@ TEST(Wash, TakesHalfOfTheLightsHue)
     Page page;
     page.light = [](glm::uvec2) { return glm::vec4(1.0F, 0.8F, 0.4F, 1.0F); };
     expect_everywhere(paint(page, strong()), red * glm::vec3(1.0F, 0.9F, 0.7F));
+}
+
+TEST(Wash, IsTintedByTheLightsColourAlone)
+{
+    Page page;
+    const glm::vec3 grey(0.3F);
+    page.material.mean_color = grey;
+    WashStyle style = strong();
+    // As ever by half of its hue, which is over its luminance; by the style over its brightest channel.
+    const glm::vec4 red_light(2.0F, 0.5F, 0.5F, 0.8189F);
+    const glm::vec3 hue = glm::mix(glm::vec3(1.0F), glm::vec3(red_light) / red_light.w, 0.5F);
+    for (const float share : {0.0F, 0.5F, 1.0F}) {
+        style.light_tint = share;
+        page.light = [](glm::uvec2) { return glm::vec4(0.9F); };
+        expect_everywhere(paint(page, style), grey);
+        page.light = [](glm::uvec2) { return glm::vec4(0.0F); };
+        expect_everywhere(paint(page, style), grey * style.shadow_tint);
+        page.light = [&](glm::uvec2) { return red_light; };
+        const glm::vec3 tint = glm::mix(glm::vec3(1.0F), glm::vec3(1.0F, 0.25F, 0.25F), share);
+        expect_everywhere(paint(page, style), grey * hue * tint, 2e-3F);
+    }
 }
 
 TEST(Wash, MixesInTheTextureByDetail)

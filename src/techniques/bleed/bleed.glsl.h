@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_BLEED_GLSL_H
+#define ESTAMPE_BLEED_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#endif
+
+struct BleedConstants {
+    uvec2 size_px;
+    uint radius_px; // of the blur: pixels taken in on either side
+    float falloff;  // exponent of the blur: 1 / (2 sigma^2), a square pixel
+    float level;    // blurred ink at which paper turns to ink
+    float reach;    // how much of what ran counts, 0 to 1
+    float contrast; // of the blurred ink about that level
+};
+
+#ifdef __cplusplus
+} // namespace estampe::shared
+#endif
+
+#endif

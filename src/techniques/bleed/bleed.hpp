@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Ink that runs a little: strokes and contours of different things melt into each other where they meet.
+
+#include "gpu/graph/graph.hpp"
+#include "shaders/shared.hpp"
+#include "style/parameter.hpp"
+
+namespace estampe::bleed {
+
+struct BleedStyle {
+    float width_mm = 0.0F;
+    float contrast = 6.0F;
+    float level = 0.45F;
+};
+
+inline const style::Table<BleedStyle>& bleed_table()
+{
+    static const auto table =
+        style::Table<BleedStyle>("bleed", "Ink that runs into corners and narrow gaps")
+            .number("width_mm", &BleedStyle::width_mm, {0.0F, 3.0F}, "mm",
+                    "How far ink runs on the page; between solid black, gaps of up to about three quarters "
+                    "of this close; 0 is off")
+            .number("contrast", &BleedStyle::contrast, {1.0F, 20.0F}, "",
+                    "How hard the edge of the ink that ran is")
+            .number("level", &BleedStyle::level, {0.1F, 0.9F}, "",
+                    "Share of ink around a spot of paper at which it turns to ink; under 0.5 straight edges "
+                    "grow a little");
+    return table;
+}
+
+struct BleedInputs {
+    gpu::ImageId hatch; ///< r16f: ink of the strokes
+    gpu::ImageId lines; ///< rgba8: ink of the lines, coverage in alpha
+    float pixels_per_mm = 1.0F;
+    glm::uvec2 size_px{0};
+};
+
+/// Lets the ink of strokes and lines run together: blur and contrast, which fills acute corners and narrow
+/// gaps and takes nothing away.
+///
+/// Writes  r16f: what replaces `hatch` under the same lines, which keep their colour; never less than
+/// `hatch`.
+///         With a width of 0 nothing is declared, and `hatch` itself is handed back.
+/// Cost    two full-screen dispatches, of at most 98 and 51 texels a pixel
+[[nodiscard]] gpu::ImageId add_bleed(gpu::Graph& graph, const BleedInputs& in, const BleedStyle& style);
+
+} // namespace estampe::bleed

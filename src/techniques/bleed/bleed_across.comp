@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// One thread a pixel: the ink of strokes and lines together, blurred across the page.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/bleed/bleed.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform sampler2D hatch_image;
+layout(binding = 1) uniform sampler2D line_image;
+layout(binding = 2, r16f) writeonly uniform image2D out_smeared;
+
+layout(push_constant, scalar) uniform Constants
+{
+    BleedConstants constants;
+};
+
+float ink_at(int x, int y)
+{
+    ivec2 pixel = ivec2(clamp(x, 0, int(constants.size_px.x) - 1), y);
+    return 1.0 - (1.0 - texelFetch(hatch_image, pixel, 0).x) * (1.0 - texelFetch(line_image, pixel, 0).a);
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
+        return;
+    }
+    float sum = ink_at(pixel.x, pixel.y);
+    float weights = 1.0;
+    // In pairs, so that a mirrored page blurs to the mirrored picture, to the bit.
+    for (int i = 1; i <= int(constants.radius_px); ++i) {
+        float weight = exp(-constants.falloff * float(i * i));
+        sum += weight * (ink_at(pixel.x - i, pixel.y) + ink_at(pixel.x + i, pixel.y));
+        weights += 2.0 * weight;
+    }
+    imageStore(out_smeared, pixel, vec4(sum / weights));
+}

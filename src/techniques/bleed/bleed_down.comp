@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// One thread a pixel: blurs the ink down the page as well, and turns to ink what is dark enough then.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/bleed/bleed.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform sampler2D hatch_image;
+layout(binding = 1) uniform sampler2D line_image;
+layout(binding = 2) uniform sampler2D smeared_image; // the ink of both, blurred across
+layout(binding = 3, r16f) writeonly uniform image2D out_ink;
+
+layout(push_constant, scalar) uniform Constants
+{
+    BleedConstants constants;
+};
+
+float smeared_at(int x, int y)
+{
+    return texelFetch(smeared_image, ivec2(x, clamp(y, 0, int(constants.size_px.y) - 1)), 0).x;
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
+        return;
+    }
+    float sum = smeared_at(pixel.x, pixel.y);
+    float weights = 1.0;
+    for (int i = 1; i <= int(constants.radius_px); ++i) {
+        float weight = exp(-constants.falloff * float(i * i));
+        sum += weight * (smeared_at(pixel.x, pixel.y - i) + smeared_at(pixel.x, pixel.y + i));
+        weights += 2.0 * weight;
+    }
+    float ran = clamp((sum / weights - constants.level) * constants.contrast + 0.5, 0.0, 1.0);
+    ran *= constants.reach;
+    float hatch = texelFetch(hatch_image, pixel, 0).x;
+    // The lines are laid over this later: what lies under them makes the whole as dark as what ran, and adds
+    // nothing at their soft edges where nothing ran.
+    float bare = 1.0 - texelFetch(line_image, pixel, 0).a;
+    float under = bare > 0.0 ? 1.0 - (1.0 - ran) / bare : 0.0;
+    imageStore(out_ink, pixel, vec4(max(hatch, under)));
+}
