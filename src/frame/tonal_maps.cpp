@@ -17,9 +17,10 @@ MapChoice map_choice(const StyleTables& style)
 hatch::MapData load_map(const MapChoice& choice)
 {
     tam::TonalArtMap map = choice.file.empty() ? tam::make_map(choice.drawn) : tam::load_tam(choice.file);
+    std::vector<std::vector<uint8_t>> thresholds = tam::threshold_levels(map);
     return {.size_px = map.size_px,
             .level_of_tone = std::move(map.level_of_tone),
-            .threshold_of_level = tam::threshold_levels(map)};
+            .threshold_of_level = std::move(thresholds)};
 }
 
 } // namespace estampe::frame

@@ -23,8 +23,8 @@
 namespace estampe {
 namespace {
 
-constexpr uint32_t tile_width = 240;
-constexpr uint32_t tile_height = 200;
+constexpr uint32_t tile_width = 320;
+constexpr uint32_t tile_height = 270;
 
 /// Tiles side by side, row by row.
 Image sheet_of(const std::vector<Image>& tiles, uint32_t columns)
@@ -46,8 +46,9 @@ Image sheet_of(const std::vector<Image>& tiles, uint32_t columns)
 Image tile(const Camera& camera, const std::vector<std::string>& assignments)
 {
     Style style;
-    style.set("paper.height_mm=42"); // a small picture, drawn with the same pen
+    style.set("paper.height_mm=70"); // a small page, drawn with the same pen
     style.set("light.turn_sun=false");
+    style.set("tone.contrast=1.4");
     for (const std::string& assignment : assignments) {
         style.set(assignment);
     }
@@ -58,10 +59,17 @@ Image tile(const Camera& camera, const std::vector<std::string>& assignments)
 /// An urn with two handles.
 Scene urn()
 {
-    const std::vector<glm::vec2> profile{{0.0F, 0.0F},   {0.42F, 0.0F},  {0.44F, 0.08F}, {0.2F, 0.16F},
-                                         {0.17F, 0.3F},  {0.34F, 0.46F}, {0.58F, 0.72F}, {0.68F, 1.0F},
-                                         {0.62F, 1.26F}, {0.42F, 1.45F}, {0.3F, 1.58F},  {0.28F, 1.75F},
-                                         {0.4F, 1.86F},  {0.34F, 1.86F}, {0.2F, 1.7F},   {0.0F, 1.66F}};
+    std::vector<glm::vec2> profile{{0.0F, 0.0F}, {0.4F, 0.0F}, {0.43F, 0.05F}, {0.4F, 0.1F}, {0.2F, 0.17F}};
+    for (int i = 0; i <= 32; ++i) { // the belly
+        const float t = static_cast<float>(i) / 32.0F;
+        const float bulge = std::pow(std::sin(2.9F * std::pow(t, 1.35F)), 1.2F);
+        profile.emplace_back(0.17F + 0.1F * t + 0.5F * std::max(bulge, 0.0F), 0.24F + 1.26F * t);
+    }
+    for (const glm::vec2 place :
+         {glm::vec2(0.27F, 1.6F), glm::vec2(0.28F, 1.7F), glm::vec2(0.33F, 1.8F), glm::vec2(0.41F, 1.87F),
+          glm::vec2(0.35F, 1.87F), glm::vec2(0.2F, 1.7F), glm::vec2(0.0F, 1.66F)}) {
+        profile.push_back(place);
+    }
     Scene scene;
     const glm::vec3 clay(0.9F, 0.86F, 0.8F);
     test::add_object(scene, shapes::lathe(profile, 72, 0.9F), clay);
@@ -74,7 +82,7 @@ Scene urn()
         for (size_t i = 0; i + 2 < handle.indices.size(); i += 3) {
             std::swap(handle.indices[i + 1], handle.indices[i + 2]);
         }
-        test::add_object(scene, std::move(handle), clay, {0.5 * static_cast<double>(side), 1.45, 0.0});
+        test::add_object(scene, std::move(handle), clay, {0.45 * static_cast<double>(side), 1.5, 0.0});
     }
     return scene;
 }
@@ -82,7 +90,7 @@ Scene urn()
 TEST(HatchSheet, OneModelInEightStyles)
 {
     test::shared_renderer().set_scene(urn());
-    const Camera camera{.eye = {1.6, 2.0, 3.6}, .target = {0.12, 0.88, 0.0}, .vertical_fov_rad = 0.6};
+    const Camera camera{.eye = {1.5, 1.9, 3.4}, .target = {0.2, 0.9, 0.0}, .vertical_fov_rad = 0.6};
     const std::vector<Image> tiles{
         tile(camera, {"hatch.coordinates=solid"}),
         tile(camera, {"hatch.coordinates=form"}),
@@ -125,7 +133,7 @@ TEST(HatchSheet, OneBallOverSixOctavesOfDistance)
     for (std::vector<std::string> row : rows) {
         row.insert(row.end(), {"picture.ground=none", "light.sun_elevation_deg=35"});
         for (int octave = 0; octave < 6; ++octave) {
-            const double distance_m = 2.2 * std::exp2(0.5 * octave);
+            const double distance_m = 1.0 + 0.08 * std::exp2(octave); // from its middle
             const Camera camera{
                 .eye = {0.0, 0.0, distance_m}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.9};
             tiles.push_back(tile(camera, row));
