@@ -90,7 +90,7 @@ Scene urn()
 TEST(HatchSheet, OneModelInEightStyles)
 {
     test::shared_renderer().set_scene(urn());
-    const Camera camera{.eye = {1.5, 1.9, 3.4}, .target = {0.2, 0.9, 0.0}, .vertical_fov_rad = 0.6};
+    const Camera camera{.eye = {1.5, 1.9, 3.4}, .target = {0.42, 0.9, 0.0}, .vertical_fov_rad = 0.6};
     const std::vector<Image> tiles{
         tile(camera, {"hatch.coordinates=solid"}),
         tile(camera, {"hatch.coordinates=form"}),
@@ -127,11 +127,12 @@ TEST(HatchSheet, OneBallOverSixOctavesOfDistance)
     std::vector<Image> tiles;
     const std::vector<std::vector<std::string>> rows{
         {"hatch.coordinates=solid"},
-        {"hatch.strokes=map"},
-        {"hatch.strokes=map", fmt::format("hatch.map={}", filtered.string()), "hatch.map_tone=blend",
-         "hatch.map_contrast=1", "hatch.map_texel_mm=0.02"}};
+        {"hatch.coordinates=solid", "hatch.strokes=map"},
+        {"hatch.coordinates=solid", "hatch.strokes=map", fmt::format("hatch.map={}", filtered.string()),
+         "hatch.map_tone=blend", "hatch.map_contrast=1", "hatch.map_texel_mm=0.02"}};
     for (std::vector<std::string> row : rows) {
-        row.insert(row.end(), {"picture.ground=none", "light.sun_elevation_deg=35"});
+        row.insert(row.end(),
+                   {"picture.ground=none", "light.sun_azimuth_deg=78", "light.sun_elevation_deg=18"});
         for (int octave = 0; octave < 6; ++octave) {
             const double distance_m = 1.0 + 0.08 * std::exp2(octave); // from its middle
             const Camera camera{
