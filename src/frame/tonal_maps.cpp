@@ -1,10 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include "frame/tonal_maps.hpp"
 
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+
+#include "style/sheet.hpp"
 #include "techniques/tam/maker.hpp"
 #include "techniques/tam/tam_file.hpp"
 
 namespace estampe::frame {
+namespace {
+
+/// FNV-1a, 64 bits: Fowler, Noll and Vo, 1991.
+uint64_t hash_of(std::string_view text)
+{
+    uint64_t hash = 0xcbf29ce484222325U;
+    for (const char character : text) {
+        hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3U;
+    }
+    return hash;
+}
+
+tam::TonalArtMap drawn_or_kept(const tam::TamStyle& style)
+{
+    const std::filesystem::path path = kept_map(style);
+    std::error_code missing;
+    if (!path.empty() && std::filesystem::exists(path, missing)) {
+        try {
+            return tam::load_tam(path);
+        } catch (const Error&) {
+            // Damaged: drawn and kept anew below.
+        }
+    }
+    tam::TonalArtMap map = tam::make_map(style);
+    if (!path.empty()) {
+        try {
+            std::filesystem::create_directories(path.parent_path());
+            tam::save_tam(map, path);
+        } catch (const std::exception&) {
+            // A full or read-only disk costs a second the next time, and nothing else.
+        }
+    }
+    return map;
+}
+
+} // namespace
 
 MapChoice map_choice(const StyleTables& style)
 {
@@ -14,9 +58,26 @@ MapChoice map_choice(const StyleTables& style)
             .contrast = style.hatch.map_contrast};
 }
 
+std::filesystem::path kept_map(const tam::TamStyle& style)
+{
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    const char* home = std::getenv("HOME");
+    const bool has_cache = cache != nullptr && *cache == '/';
+    if (!has_cache && (home == nullptr || *home != '/')) {
+        return {};
+    }
+    const std::filesystem::path folder =
+        has_cache ? std::filesystem::path(cache) : std::filesystem::path(home) / ".cache";
+    tam::TamStyle values = style;
+    style::Sheet sheet;
+    sheet.bind(tam::tam_table(), values);
+    const uint64_t hash = hash_of(sheet.to_toml());
+    return folder / "estampe" / fmt::format("map-{}-{:016x}.tam", tam::drawing_version, hash);
+}
+
 hatch::MapData load_map(const MapChoice& choice)
 {
-    tam::TonalArtMap map = choice.file.empty() ? tam::make_map(choice.drawn) : tam::load_tam(choice.file);
+    tam::TonalArtMap map = choice.file.empty() ? drawn_or_kept(choice.drawn) : tam::load_tam(choice.file);
     std::vector<std::vector<uint8_t>> thresholds = tam::threshold_levels(map);
     return {.size_px = map.size_px,
             .level_of_tone = std::move(map.level_of_tone),

@@ -3,6 +3,7 @@
 
 // The tonal art map that a style asks for.
 
+#include <filesystem>
 #include <string>
 
 #include "frame/style_tables.hpp"
@@ -22,8 +23,13 @@ struct MapChoice {
 
 [[nodiscard]] MapChoice map_choice(const StyleTables& style);
 
-/// Reads the file, or draws the map. Throws Error naming the file when it is not a map, or the style when it
-/// cannot be drawn. Cost: about a second to draw 512 px and six tones; 50 ms to read them.
+/// Reads the file, or draws the map. A map that was drawn is kept in `estampe` under $XDG_CACHE_HOME, or
+/// ~/.cache, and read from there the next time; where that cannot be it is drawn again. Throws Error naming
+/// the file when it is not a map, or the style when it cannot be drawn. Cost: about a second to draw 512 px
+/// and six tones; 50 ms to read them.
 [[nodiscard]] hatch::MapData load_map(const MapChoice& choice);
+
+/// Where load_map() keeps the map of `style`; empty when there is no place for it.
+[[nodiscard]] std::filesystem::path kept_map(const tam::TamStyle& style);
 
 } // namespace estampe::frame
