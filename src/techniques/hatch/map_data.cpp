@@ -60,8 +60,8 @@ Four four_at(const std::vector<uint8_t>& image, uint32_t side, float x, float y)
     const float down = y - 0.5F - top;
     Four four{};
     for (uint32_t i = 0; i < 4; ++i) {
-        const auto right = static_cast<float>(i % 2);
-        const auto below = static_cast<float>(i / 2);
+        const auto right = static_cast<float>(i & 1U);
+        const auto below = static_cast<float>(i >> 1U);
         const auto column = static_cast<uint32_t>(static_cast<int>(left + right)) & (side - 1);
         const auto row = static_cast<uint32_t>(static_cast<int>(top + below)) & (side - 1);
         four.value.at(i) = static_cast<float>(image[static_cast<size_t>(row) * side + column]) / 255.0F;
