@@ -7,6 +7,7 @@
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "shaders/stroke_kind.glsl.h"
 #include "style/raw.hpp"
@@ -70,7 +71,7 @@ std::map<Index, uint32_t> kinds_of_materials(const std::vector<Material>& materi
         if (!is_known) {
             const std::string meant = style::nearest(name, names);
             throw Error(fmt::format("the scene has no material {}", style::in_quotes(name)), key,
-                        meant.empty() ? "estampe info lists the materials"
+                        meant.empty() ? fmt::format("it has {}", fmt::join(names, ", "))
                                       : fmt::format("did you mean {}?", style::in_quotes(meant)));
         }
     }
