@@ -42,7 +42,6 @@ struct Outlook {
 
     /// Unit vector to a sun whose bearing is given for an eye at the house's 35 degrees, turned with the eye
     /// and moved to where it models what is seen.
-    /// and moved to where it models what is seen.
     [[nodiscard]] glm::dvec3 towards_sun(double azimuth_deg, double elevation_deg) const;
 };
 
