@@ -23,12 +23,11 @@
 namespace estampe {
 namespace {
 
-constexpr uint32_t tile_width = 320;
-constexpr uint32_t tile_height = 270;
-
-/// Tiles side by side, row by row.
+/// Tiles of one size side by side, row by row.
 Image sheet_of(const std::vector<Image>& tiles, uint32_t columns)
 {
+    const uint32_t tile_width = tiles.front().width;
+    const uint32_t tile_height = tiles.front().height;
     const uint32_t rows = static_cast<uint32_t>(tiles.size()) / columns;
     Image sheet{.width = columns * tile_width, .height = rows * tile_height};
     sheet.rgba.resize(4ULL * sheet.width * sheet.height);
@@ -43,17 +42,18 @@ Image sheet_of(const std::vector<Image>& tiles, uint32_t columns)
     return sheet;
 }
 
-Image tile(const Camera& camera, const std::vector<std::string>& assignments)
+/// A small page, drawn with the same pen as a large one.
+Image tile(const Camera& camera, const std::vector<std::string>& assignments, glm::uvec2 size_px = {320, 270})
 {
     Style style;
-    style.set("paper.height_mm=70"); // a small page, drawn with the same pen
+    style.set(fmt::format("paper.height_mm={}", 70 * size_px.y / 270));
     style.set("light.turn_sun=false");
     style.set("tone.contrast=1.4");
     for (const std::string& assignment : assignments) {
         style.set(assignment);
     }
     return test::shared_renderer().render(camera, style,
-                                          {.width = tile_width, .height = tile_height, .samples = 4});
+                                          {.width = size_px.x, .height = size_px.y, .samples = 4});
 }
 
 /// An urn with two handles.
@@ -137,7 +137,7 @@ TEST(HatchSheet, OneBallOverSixOctavesOfDistance)
             const double distance_m = 1.0 + 0.08 * std::exp2(octave); // from its middle
             const Camera camera{
                 .eye = {0.0, 0.0, distance_m}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.9};
-            tiles.push_back(tile(camera, row));
+            tiles.push_back(tile(camera, row, {180, 150}));
         }
     }
     std::filesystem::remove(filtered);
