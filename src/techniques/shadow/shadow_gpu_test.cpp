@@ -2,12 +2,11 @@
 // The sun's shadow against rays.
 #include <cmath>
 
-#include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 
-#include "scene/pose.hpp"
 #include "scene/shapes.hpp"
 #include "support/drawing.hpp"
+#include "support/embree_scene.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe::shadow {
@@ -15,69 +14,6 @@ namespace {
 
 constexpr glm::uvec2 size_px(160, 120);
 constexpr uint32_t map_size = 512;
-
-/// All triangles of a scene at rest, for rays.
-class Rays {
-public:
-    explicit Rays(const Scene& scene)
-    {
-        visit_posed(scene, pose_scene(scene, 0.0), [this](const PosedPrimitive& posed) {
-            RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-            auto* positions = static_cast<float*>(
-                rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                        3 * sizeof(float), posed.positions.size()));
-            for (const glm::dvec3& p : posed.positions) {
-                for (int k = 0; k < 3; ++k) {
-                    *positions++ = static_cast<float>(p[k]);
-                }
-            }
-            const auto& indices = posed.primitive->indices;
-            auto* corners = static_cast<uint32_t*>(
-                rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                        3 * sizeof(uint32_t), indices.size() / 3));
-            std::copy(indices.begin(), indices.end(), corners);
-            rtcCommitGeometry(geometry);
-            rtcAttachGeometry(scene_, geometry);
-            rtcReleaseGeometry(geometry);
-        });
-        rtcCommitScene(scene_);
-    }
-
-    ~Rays()
-    {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-
-    Rays(const Rays&) = delete;
-    Rays& operator=(const Rays&) = delete;
-
-    [[nodiscard]] bool is_blocked(const glm::dvec3& from, const glm::dvec3& way) const
-    {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        const glm::vec3 o(from);
-        const glm::vec3 d(way);
-        RTCRay ray{.org_x = o.x,
-                   .org_y = o.y,
-                   .org_z = o.z,
-                   .tnear = 0.0F,
-                   .dir_x = d.x,
-                   .dir_y = d.y,
-                   .dir_z = d.z,
-                   .time = 0.0F,
-                   .tfar = 1e6F,
-                   .mask = ~0U,
-                   .id = 0,
-                   .flags = 0};
-        rtcOccluded1(scene_, &context, &ray);
-        return ray.tfar < 0.0F;
-    }
-
-private:
-    RTCDevice device_ = rtcNewDevice("threads=1");
-    RTCScene scene_ = rtcNewScene(device_);
-};
 
 struct Verdict {
     size_t compared = 0;
@@ -109,7 +45,7 @@ Verdict compare(const Scene& scene, const Camera& camera, const glm::dvec3& towa
     const double texel_m = static_cast<double>(drawing.sun(towards_sun, map_size).texel_m);
     const glm::dvec3 right = glm::normalize(glm::cross(towards_sun, glm::dvec3(0.1, 0.2, 0.9)));
     const glm::dvec3 up = glm::cross(right, towards_sun);
-    const Rays rays(scene);
+    const test::EmbreeScene rays(scene);
     Verdict verdict;
     for (size_t i = 0; i < light.size(); ++i) {
         const glm::dvec3 normal(surface.smooth_normal[i]);
