@@ -142,19 +142,21 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     }
 
     // Light: what arrives there.
-    const auto light = light::add_light(graph, {.frame = frame,
-                                                .lighting = lighting,
-                                                .lights = lights,
-                                                .draw = surface.draw,
-                                                .depth = surface.depth,
-                                                .normal = surface.normal,
-                                                .draws = draws,
-                                                .materials = materials,
-                                                .shadow_map = shadow_map,
-                                                .has_shadow = plan.shadow_size > 0,
-                                                .has_local_lights = plan.has_local_lights,
-                                                .has_emissive = plan.needs.emissive,
-                                                .size_px = size_px});
+    const auto light =
+        light::add_light(graph, {.frame = frame,
+                                 .lighting = lighting,
+                                 .lights = lights,
+                                 .draw = surface.draw,
+                                 .depth = surface.depth,
+                                 .normal = surface.normal,
+                                 .draws = draws,
+                                 .materials = materials,
+                                 .sun_map = shadow_map,
+                                 .sun_shadow = gpu::import_whole(graph, "sun", resources.sun_shadow),
+                                 .has_shadow = plan.shadow_size > 0,
+                                 .has_local_lights = plan.has_local_lights,
+                                 .has_emissive = plan.needs.emissive,
+                                 .size_px = size_px});
 
     // Hatch: light becomes strokes.
     const auto hatch = hatch::add_hatch(

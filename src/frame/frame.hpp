@@ -23,6 +23,7 @@ struct FrameResources {
     gpu::Buffer& light_globals;
     gpu::Buffer& lights;
     gpu::Buffer& shadow_map;
+    gpu::Buffer& sun_shadow;       ///< SunShadow, see shadow/sun.glsl.h
     gpu::Buffer& stroke_kinds;     ///< one a draw
     gpu::Buffer& form_coordinates; ///< three a triangle, where strokes follow the form
     hatch::MapImages* map;         ///< where strokes come from a map

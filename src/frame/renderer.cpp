@@ -59,6 +59,7 @@ struct Renderer::Impl {
     gpu::Buffer light_globals;
     gpu::Buffer lights;
     gpu::Buffer shadow_map;
+    gpu::Buffer sun_shadow;
     gpu::Buffer stroke_kinds;
     gpu::Buffer form_coordinates;
     std::optional<glm::mat4> shadow_view; ///< of what the shadow map holds; none when it is out of date
@@ -294,8 +295,8 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     plan.clip_from_anchor = globals.clip_from_anchor;
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
     frame::FrameResources resources{
-        loaded->meshes, loaded->materials, frame_globals,         light_globals, lights, shadow_map,
-        stroke_kinds,   form_coordinates,  map ? &*map : nullptr, sums,          pixels};
+        loaded->meshes, loaded->materials, frame_globals,    light_globals,         lights, shadow_map,
+        sun_shadow,     stroke_kinds,      form_coordinates, map ? &*map : nullptr, sums,   pixels};
     plan.pose_moved = loaded->pose_moved;
     provide_shadow_map(plan);
     gpu::Graph graph;
@@ -331,17 +332,15 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
             "the scene has no light and the sun does not reach it: a lamp hangs in the room");
     }
     frame::FramePlan plan = impl.plan(lighting, tables, camera, settings);
-    const shared::LightGlobals light_globals{.shadow_clip_from_anchor = plan.sun.clip_from_anchor,
-                                             .sky_ambient = lighting.ambient * 1.25F,
-                                             .shadow_texel_m = plan.sun.texel_m,
+    const shared::LightGlobals light_globals{.sky_ambient = lighting.ambient * 1.25F,
                                              .ground_ambient = lighting.ambient * 0.75F,
-                                             .shadow_size = plan.shadow_size,
                                              .directional_count = lighting.directional_count,
                                              .local_count = static_cast<uint32_t>(lighting.records.size()) -
                                                             lighting.directional_count,
-                                             .shadow_depth_m = plan.sun.depth_m,
                                              .falloff = tables.light.falloff};
     impl.light_globals = mapped_buffer(impl.device, "lighting", &light_globals, 1);
+    const shared::SunShadow sun_shadow = shadow::sun_shadow(plan.sun, plan.shadow_size);
+    impl.sun_shadow = mapped_buffer(impl.device, "sun", &sun_shadow, 1);
     impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
     impl.provide_map(tables);
     impl.provide_strokes(plan.strokes);

@@ -5,7 +5,7 @@ set -euo pipefail
 check="$(cd "$(dirname "$0")" && pwd)/check"
 tree="$(mktemp -d)"
 trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree"/src/{core,scene,style,gpu,frame,techniques/hatch,techniques/light} "$tree"/app "$tree"/examples
+mkdir -p "$tree"/src/{core,scene,style,gpu,frame,techniques/hatch,techniques/light,techniques/shadow} "$tree"/app "$tree"/examples
 
 # write FILE INCLUDE: one file with one include
 write() { printf '#include "%s"\n' "$2" >"$tree/$1"; }
@@ -17,6 +17,7 @@ write src/techniques/hatch/own.cpp techniques/hatch/hatch.hpp
 write src/techniques/hatch/public.cpp estampe/scene.hpp
 write src/techniques/hatch/hatch.comp shaders/noise.glsl
 write src/techniques/hatch/hatch_gpu_test.cpp techniques/light/light.hpp
+write src/techniques/light/light.comp techniques/shadow/lookup.glsl
 write src/scene/scene.cpp core/file.hpp
 bash "$check" "$tree" || { echo "right includes were refused"; exit 1; }
 
@@ -34,6 +35,9 @@ expect_refused src/scene/bad.cpp style/sheet.hpp
 expect_refused src/gpu/bad.hpp techniques/hatch/hatch.hpp
 expect_refused src/techniques/hatch/bad.cpp techniques/light/light.hpp
 expect_refused src/techniques/hatch/bad.comp techniques/light/light.glsl.h
+expect_refused src/techniques/light/bad.cpp techniques/shadow/map.glsl.h
+expect_refused src/techniques/light/bad.comp techniques/shadow/map.hpp
+expect_refused src/techniques/shadow/bad.glsl techniques/light/light.glsl.h
 expect_refused src/techniques/light/bad.cpp frame/frame.hpp
 expect_refused src/frame/bad.cpp app/text.hpp
 exit "$failures"

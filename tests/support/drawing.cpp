@@ -172,17 +172,15 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
     const glm::dvec3 towards_sun =
         setup.directional_count > 0 ? glm::dvec3(setup.records.front().direction) : glm::dvec3(0, 1, 0);
     const shadow::SunView view = sun(towards_sun, std::max(setup.shadow_size, 4U));
-    const shared::LightGlobals lighting{.shadow_clip_from_anchor = view.clip_from_anchor,
-                                        .sky_ambient = setup.ambient,
-                                        .shadow_texel_m = view.texel_m,
+    const shared::LightGlobals lighting{.sky_ambient = setup.ambient,
                                         .ground_ambient = setup.ambient,
-                                        .shadow_size = setup.shadow_size,
                                         .directional_count = setup.directional_count,
                                         .local_count = static_cast<uint32_t>(setup.records.size()) -
                                                        setup.directional_count,
-                                        .shadow_depth_m = view.depth_m,
                                         .falloff = setup.falloff};
     light_globals_ = gpu::upload_buffer(shared_device(), "lighting", std::vector{lighting});
+    sun_shadow_ =
+        gpu::upload_buffer(shared_device(), "sun", std::vector{shadow::sun_shadow(view, setup.shadow_size)});
     lights_ = gpu::upload_buffer(shared_device(), "lights", setup.records);
     shadow_map_ = gpu::Buffer(shared_device(), "shadow map", 4ULL * setup.shadow_size * setup.shadow_size,
                               gpu::MemoryUse::device);
@@ -204,7 +202,8 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
                                     .normal = stage.surface.normal,
                                     .draws = stage.draws,
                                     .materials = stage.materials,
-                                    .shadow_map = shadow_map,
+                                    .sun_map = shadow_map,
+                                    .sun_shadow = gpu::import_whole(graph, "sun", sun_shadow_),
                                     .has_shadow = setup.shadow_size > 0,
                                     .has_local_lights = setup.records.size() > setup.directional_count,
                                     .has_emissive = needs_.emissive,

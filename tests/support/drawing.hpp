@@ -101,6 +101,7 @@ private:
     gpu::Buffer light_globals_;
     gpu::Buffer lights_;
     gpu::Buffer shadow_map_;
+    gpu::Buffer sun_shadow_;
 };
 
 } // namespace estampe::test

@@ -11,6 +11,7 @@
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
 #include "techniques/light/light.glsl.h"
+#include "techniques/shadow/sun.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -43,12 +44,17 @@ layout(scalar, binding = 7) readonly buffer Materials
     MaterialRecord materials[];
 };
 
-layout(scalar, binding = 8) readonly buffer ShadowMap
+layout(scalar, binding = 8) readonly buffer SunMap
 {
-    uint shadow_map[];
+    uint sun_map[];
 };
 
-layout(binding = 9, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
+layout(scalar, binding = 9) uniform Sun
+{
+    SunShadow sun_shadow;
+};
+
+layout(binding = 10, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
 
 // What the scene needs of this shader.
 layout(constant_id = 0) const uint variant = 0u;
@@ -61,31 +67,7 @@ shared uint tile_nearest; // bits of reversed depth, which order as numbers do
 shared uint tile_farthest;
 shared uint reaching[lights_per_round / 32u];
 
-float shadow_depth_at(ivec2 texel)
-{
-    ivec2 inside = clamp(texel, ivec2(0), ivec2(lighting.shadow_size) - 1);
-    return uintBitsToFloat(shadow_map[uint(inside.y) * lighting.shadow_size + uint(inside.x)]);
-}
-
-// Share of the sun that arrives: four comparisons, blended as a bilinear lookup would (Reeves et al. 1987).
-float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
-{
-    float slope = sqrt(max(0.0, 1.0 - pow(dot(normal, towards_sun), 2.0)));
-    vec3 lifted = point + normal * (lighting.shadow_texel_m * (0.4 + 1.8 * slope));
-    vec4 clip = lighting.shadow_clip_from_anchor * vec4(lifted, 1.0);
-    vec2 texel = (0.5 * clip.xy + 0.5) * float(lighting.shadow_size) - 0.5;
-    if (any(lessThan(texel, vec2(0.0))) || any(greaterThan(texel, vec2(lighting.shadow_size - 1u)))) {
-        return 1.0;
-    }
-    ivec2 corner = ivec2(floor(texel));
-    vec2 f = texel - vec2(corner);
-    // What lies beyond the farthest caster is as far as it; texels that no caster covers hold zero.
-    float receiver = max(clip.z, 0.0) + lighting.shadow_texel_m / lighting.shadow_depth_m;
-    vec4 blocker = vec4(shadow_depth_at(corner), shadow_depth_at(corner + ivec2(1, 0)),
-                        shadow_depth_at(corner + ivec2(0, 1)), shadow_depth_at(corner + ivec2(1, 1)));
-    vec4 lit = vec4(greaterThanEqual(vec4(receiver), blocker));
-    return mix(mix(lit.x, lit.y, f.x), mix(lit.z, lit.w, f.x), f.y);
-}
+#include "techniques/shadow/sun_shadow.glsl"
 
 vec3 local_light(LightRecord light, vec3 point, vec3 normal)
 {

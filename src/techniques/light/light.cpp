@@ -25,7 +25,8 @@ gpu::ImageId add_light(gpu::Graph& graph, const LightInputs& in)
         .sample(in.normal)
         .read(in.draws)
         .read(in.materials)
-        .read(in.shadow_map);
+        .read(in.sun_map)
+        .uniform(in.sun_shadow);
     const gpu::ImageId light = pass.write(graph.image(
         "light", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     pass.variant((in.has_shadow ? 1U : 0U) | (in.has_local_lights ? 2U : 0U) | (in.has_emissive ? 4U : 0U));

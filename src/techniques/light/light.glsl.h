@@ -19,20 +19,16 @@ struct LightRecord {
 };
 
 struct LightGlobals {
-    mat4 shadow_clip_from_anchor;
     vec3 sky_ambient;
-    float shadow_texel_m;
     vec3 ground_ambient;
-    uint shadow_size;       // texels a side; 0: no shadow
     uint directional_count; // these come first in the list; the first casts the shadow
     uint local_count;
-    float shadow_depth_m;
     float falloff; // exponent of the cosine; 1 is Lambert's
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(LightRecord) == 52);
-static_assert(sizeof(LightGlobals) == 112);
+static_assert(sizeof(LightGlobals) == 36);
 inline constexpr uint light_directional = 0;
 inline constexpr uint light_point = 1;
 inline constexpr uint light_spot = 2;

@@ -44,7 +44,8 @@ struct LightInputs {
     gpu::ImageId normal;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    gpu::BufferId shadow_map; ///< bits of reversed depth, row by row
+    gpu::BufferId sun_map;    ///< bits of reversed depth, row by row
+    gpu::BufferId sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
     bool has_shadow = false;
     bool has_local_lights = false;
     bool has_emissive = false;

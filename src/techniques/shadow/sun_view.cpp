@@ -44,4 +44,12 @@ SunView sun_view(const Bounds& casters, const glm::dvec3& anchor, const glm::dve
     return view;
 }
 
+shared::SunShadow sun_shadow(const SunView& view, uint32_t size)
+{
+    return {.clip_from_anchor = view.clip_from_anchor,
+            .texel_m = view.texel_m,
+            .depth_m = view.depth_m,
+            .size = size};
+}
+
 } // namespace estampe::shadow

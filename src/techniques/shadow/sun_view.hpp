@@ -5,6 +5,8 @@
 
 #include <estampe/scene.hpp>
 
+#include "techniques/shadow/sun.glsl.h"
+
 namespace estampe::shadow {
 
 /// The sun's parallel view of everything that throws a shadow.
@@ -18,5 +20,8 @@ struct SunView {
 /// `towards_sun` is a unit vector, `size` the map's side in texels. Empty casters give a view of one metre.
 [[nodiscard]] SunView sun_view(const Bounds& casters, const glm::dvec3& anchor, const glm::dvec3& towards_sun,
                                uint32_t size);
+
+/// What the light pass needs to look up a map of that view, `size` texels a side; 0 for no shadow.
+[[nodiscard]] shared::SunShadow sun_shadow(const SunView& view, uint32_t size);
 
 } // namespace estampe::shadow
