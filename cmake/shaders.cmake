@@ -1,11 +1,12 @@
 # estampe_shaders(hatch hatch.comp ...) compiles each shader with glslc and gives the target estampe_hatch a header
-# "shaders/hatch_comp.hpp" with `estampe::shaders::hatch_comp`. GLSL may include from src/ ("shaders/noise.glsl").
+# "shaders/hatch_comp.hpp" with `estampe::shaders::hatch_comp`; folders are left out. GLSL may include from src/ ("shaders/noise.glsl").
 
 find_program(GLSLC glslc REQUIRED)
 
 function(estampe_shaders name)
   foreach(shader ${ARGN})
-    string(REPLACE "." "_" symbol ${shader})
+    get_filename_component(file ${shader} NAME)
+    string(REPLACE "." "_" symbol ${file})
     set(source ${CMAKE_CURRENT_SOURCE_DIR}/${shader})
     set(words ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.words)
     set(header ${CMAKE_CURRENT_BINARY_DIR}/shaders/${symbol}.hpp)

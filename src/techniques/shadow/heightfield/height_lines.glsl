@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_SWEEP_LINES
+#define ESTAMPE_SWEEP_LINES
+
+// Where the lines of a sweep meet the field; see height_shadow.glsl.h. In whole numbers, so that every shader
+// finds the same places. Needs `sweep`, a SweepConstants, and height_image.
+
+// Steps that the field has.
+uint step_total()
+{
+    return sweep.steps_along_y != 0u ? sweep.size.y : sweep.size.x;
+}
+
+// Texels of a step.
+int texels_across()
+{
+    return int(sweep.steps_along_y != 0u ? sweep.size.x : sweep.size.y);
+}
+
+// The whole part of how far lines have moved across at a step.
+int moved_across(uint step)
+{
+    return (sweep.slope * int(step)) >> 16;
+}
+
+// The rest: line c of the step lies at c - 1 + fraction texels.
+float fraction_across(uint step)
+{
+    return float((sweep.slope * int(step)) & 0xffff) / 65536.0;
+}
+
+ivec2 texel_at(uint step, int across)
+{
+    int along = int(sweep.from_far_end != 0u ? step_total() - 1u - step : step);
+    return sweep.steps_along_y != 0u ? ivec2(across, along) : ivec2(along, across);
+}
+
+float height_of_texel(uint step, int across)
+{
+    return texelFetch(height_image, texel_at(step, clamp(across, 0, texels_across() - 1)), 0).x;
+}
+
+// Height where line `c` crosses a step.
+float height_of_line(uint step, int c)
+{
+    return mix(height_of_texel(step, c - 1), height_of_texel(step, c), fraction_across(step));
+}
+
+uint cell_of(uint step, int c)
+{
+    return step * uint(texels_across() + 1) + uint(c);
+}
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// One thread a cell between four texels: the greatest of their heights.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/shadow/heightfield/height_shadow.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform sampler2D height_image;
+layout(binding = 1, r32f) writeonly uniform image2D out_greatest;
+
+layout(push_constant, scalar) uniform Constants
+{
+    PyramidConstants pyramid;
+};
+
+void main()
+{
+    ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(cell, ivec2(pyramid.cells)))) {
+        return;
+    }
+    float greatest = texelFetch(height_image, cell, 0).x;
+    greatest = max(greatest, texelFetch(height_image, cell + ivec2(1, 0), 0).x);
+    greatest = max(greatest, texelFetch(height_image, cell + ivec2(0, 1), 0).x);
+    greatest = max(greatest, texelFetch(height_image, cell + ivec2(1, 1), 0).x);
+    imageStore(out_greatest, cell, vec4(greatest));
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// One thread a texel: a blur along one side of the field.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/shadow/heightfield/height_shadow.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform sampler2D hard_image;
+layout(binding = 1, r16f) writeonly uniform image2D out_visibility;
+
+layout(push_constant, scalar) uniform Constants
+{
+    MarchConstants march;
+};
+
+// 1: down; 0: across.
+layout(constant_id = 0) const uint variant = 0u;
+
+void main()
+{
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 last = ivec2(march.size) - 1;
+    if (any(greaterThan(texel, last))) {
+        return;
+    }
+    ivec2 aside = variant != 0u ? ivec2(0, 1) : ivec2(1, 0);
+    float sum = 0.0;
+    float weights = 0.0;
+    for (int i = -int(march.blur_radius); i <= int(march.blur_radius); ++i) {
+        float weight = exp(-march.blur_falloff * float(i * i));
+        sum += weight * texelFetch(hard_image, clamp(texel + i * aside, ivec2(0), last), 0).x;
+        weights += weight;
+    }
+    imageStore(out_visibility, texel, vec4(sum / weights));
+}
