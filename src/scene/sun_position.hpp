@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Where the sun stands in the sky of a place on earth, and what is left of its light on the way through the
+// air. Plain functions of numbers; angles in radians but for latitude and longitude, in degrees.
+
+#include <string>
+
+#include <glm/glm.hpp>
+
+namespace estampe {
+
+/// A day of the Gregorian calendar.
+struct Date {
+    int year = 2026;
+    int month = 6;
+    int day = 21;
+};
+
+/// Reads "2026-06-21". Throws Error when that is no day of 1583 to 2999.
+[[nodiscard]] Date parse_date(const std::string& text);
+
+struct SunPosition {
+    double azimuth_rad = 0.0;            ///< from north over east, 0 to 2 pi
+    double elevation_rad = 0.0;          ///< of the centre above the horizon, as if there were no air
+    double declination_rad = 0.0;        ///< above the celestial equator
+    double equation_of_time_hours = 0.0; ///< how far a sundial is ahead of a clock of mean time
+};
+
+/// The sun over a place at a moment of universal time; hours may lie beyond the day. Latitude is positive to
+/// the north, longitude to the east. Within 0.01 degrees between 1900 and 2100.
+/// Source  Meeus, "Astronomical Algorithms", 1991, chapters 24 and 27, as in NOAA's solar calculator
+[[nodiscard]] SunPosition sun_position(const Date& date, double universal_hours, double latitude_deg,
+                                       double longitude_deg);
+
+/// The same at an hour of the sundial: at 12 the sun stands due south, or north.
+[[nodiscard]] SunPosition sun_position_by_sundial(const Date& date, double hour, double latitude_deg);
+
+/// How much higher the sun is seen than it stands, because air bends its light: half a degree at the horizon.
+/// Source  Saemundsson, "Atmospheric Refraction", Sky and Telescope 1986
+[[nodiscard]] double refraction_rad(double elevation_rad);
+
+/// Red, green and blue that reach the ground from a sun at that height (as it is seen), as shares of what a
+/// sun overhead sends; below the horizon as at it. `haze` is Angstrom's coefficient: 0 clean air, 0.06 a
+/// clear day, 0.3 a dull one. Source  air mass: Kasten and Young 1989; air: Leckner 1978; haze: Angstrom 1929
+[[nodiscard]] glm::dvec3 sunlight_through_air(double elevation_rad, double haze);
+
+} // namespace estampe
