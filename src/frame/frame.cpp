@@ -211,6 +211,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const auto sky = sky::add_sky(graph,
                                   {.frame = frame,
                                    .towards_sun = plan.towards_sun,
+                                   .daylight_rad = plan.daylight_rad,
                                    .pixels_per_mm = plan.pixels_per_mm,
                                    .drawn = plan.sky_drawn,
                                    .size_px = size_px},

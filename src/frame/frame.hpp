@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <estampe/renderer.hpp>
 
 #include "frame/strokes.hpp"
@@ -49,6 +51,7 @@ struct FramePlan {
     bool redraw_shadow = true; ///< the shadow map is not yet that of this moment
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
     shadow::SunView sun;
+    std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
     paper::Accumulation accumulation;
 };
 

@@ -15,6 +15,7 @@
 #include "gpu/graph/execute.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/light/daylight.hpp"
 #include "techniques/raster/choose_path.hpp"
 
 namespace estampe {
@@ -323,15 +324,22 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     const pose::MeshData& layout = impl.loaded->layout;
     const ScenePose scene_pose = pose_scene(impl.loaded->scene, settings.time_s, settings.animation);
     impl.update_pose(scene_pose);
-    const light::Lighting lighting =
+    light::Lighting lighting =
         light::gather_lights(impl.loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,
                              impl.outlook_from(camera, tables.light));
+    const std::optional<light::Daylight> daylight = light::daylight_of(tables.sun);
+    if (daylight) {
+        light::set_daylight(lighting, *daylight, tables.light);
+    }
     impl.notes.clear();
     if (lighting.indoors) {
         impl.notes.emplace_back(
             "the scene has no light and the sun does not reach it: a lamp hangs in the room");
     }
     frame::FramePlan plan = impl.plan(lighting, tables, camera, settings);
+    if (daylight) {
+        plan.daylight_rad = static_cast<float>(daylight->elevation_rad);
+    }
     const shared::LightGlobals light_globals{.sky_ambient = lighting.ambient * 1.25F,
                                              .ground_ambient = lighting.ambient * 0.75F,
                                              .directional_count = lighting.directional_count,

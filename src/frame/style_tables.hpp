@@ -6,6 +6,7 @@
 #include "techniques/contour/contour.hpp"
 #include "techniques/hatch/hatch.hpp"
 #include "techniques/light/light_style.hpp"
+#include "techniques/light/sun_style.hpp"
 #include "techniques/paper/paper.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/tam/tam_style.hpp"
@@ -35,6 +36,7 @@ inline const style::Table<PictureStyle>& picture_table()
 struct StyleTables {
     PictureStyle picture;
     light::LightStyle light;
+    light::SunStyle sun;
     light::ToneStyle tone;
     hatch::HatchStyle hatch;
     tam::TamStyle tam;
@@ -51,6 +53,7 @@ struct StyleTables {
     style::Sheet sheet;
     sheet.bind(picture_table(), tables.picture);
     sheet.bind(light::light_table(), tables.light);
+    sheet.bind(light::sun_table(), tables.sun);
     sheet.bind(light::tone_table(), tables.tone);
     sheet.bind(hatch::hatch_table(), tables.hatch);
     sheet.bind(tam::tam_table(), tables.tam);

@@ -80,7 +80,7 @@ SunPosition seen_from(const Course& course, double hour_angle, double latitude_d
 
 } // namespace
 
-Date parse_date(const std::string& text)
+Date parse_date(const std::string& text, const std::string& where)
 {
     const auto number = [&](size_t first, size_t length) {
         int value = -1;
@@ -93,7 +93,7 @@ Date parse_date(const std::string& text)
     }
     if (date.year < 1583 || date.year > 2999 || date.month < 1 || date.month > 12 || date.day < 1 ||
         date.day > days_of(date.year, date.month)) {
-        throw Error("\"" + text + "\" is not a date", "",
+        throw Error("\"" + text + "\" is not a date", where,
                     "write year, month and day, of 1583 to 2999, as in 2026-06-21");
     }
     return date;

@@ -17,8 +17,8 @@ struct Date {
     int day = 21;
 };
 
-/// Reads "2026-06-21". Throws Error when that is no day of 1583 to 2999.
-[[nodiscard]] Date parse_date(const std::string& text);
+/// Reads "2026-06-21". Throws Error, naming `where` it stood, when that is no day of 1583 to 2999.
+[[nodiscard]] Date parse_date(const std::string& text, const std::string& where = "");
 
 struct SunPosition {
     double azimuth_rad = 0.0;            ///< from north over east, 0 to 2 pi

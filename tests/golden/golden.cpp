@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "golden.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <string_view>
 
@@ -39,6 +40,24 @@ void renew(const Image& image, const std::filesystem::path& path)
 }
 
 } // namespace
+
+Image sheet_of(const std::vector<Image>& tiles, uint32_t columns)
+{
+    const uint32_t tile_width = tiles.front().width;
+    const uint32_t tile_height = tiles.front().height;
+    const uint32_t rows = static_cast<uint32_t>(tiles.size()) / columns;
+    Image sheet{.width = columns * tile_width, .height = rows * tile_height};
+    sheet.rgba.resize(4ULL * sheet.width * sheet.height);
+    for (uint32_t tile = 0; tile < tiles.size(); ++tile) {
+        for (uint32_t y = 0; y < tile_height; ++y) {
+            const auto from = tiles[tile].rgba.begin() + static_cast<std::ptrdiff_t>(4ULL * y * tile_width);
+            const size_t row = static_cast<size_t>(tile / columns) * tile_height + y;
+            const size_t to = 4 * (row * sheet.width + static_cast<size_t>(tile % columns) * tile_width);
+            std::copy(from, from + 4 * tile_width, sheet.rgba.begin() + static_cast<std::ptrdiff_t>(to));
+        }
+    }
+    return sheet;
+}
 
 std::optional<std::string> golden_failure(const Image& image, const std::string& name,
                                           const GoldenTolerance& tolerance, const GoldenFolders& folders)

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <estampe/image.hpp>
 
@@ -34,6 +35,9 @@ struct GoldenFolders {
 [[nodiscard]] std::optional<std::string> golden_failure(const Image& image, const std::string& name,
                                                         const GoldenTolerance& tolerance,
                                                         const GoldenFolders& folders);
+
+/// Tiles of one size side by side, row by row.
+[[nodiscard]] Image sheet_of(const std::vector<Image>& tiles, uint32_t columns);
 
 /// Fails the running GoogleTest unless `image` matches tests/golden/NAME.png. The pictures of a failure go to
 /// golden-failures/ in the working directory. Renews if the environment has ESTAMPE_RENEW_GOLDENS=1:

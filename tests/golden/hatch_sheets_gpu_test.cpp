@@ -23,25 +23,6 @@
 namespace estampe {
 namespace {
 
-/// Tiles of one size side by side, row by row.
-Image sheet_of(const std::vector<Image>& tiles, uint32_t columns)
-{
-    const uint32_t tile_width = tiles.front().width;
-    const uint32_t tile_height = tiles.front().height;
-    const uint32_t rows = static_cast<uint32_t>(tiles.size()) / columns;
-    Image sheet{.width = columns * tile_width, .height = rows * tile_height};
-    sheet.rgba.resize(4ULL * sheet.width * sheet.height);
-    for (uint32_t tile = 0; tile < tiles.size(); ++tile) {
-        for (uint32_t y = 0; y < tile_height; ++y) {
-            const auto from = tiles[tile].rgba.begin() + static_cast<std::ptrdiff_t>(4ULL * y * tile_width);
-            const size_t row = static_cast<size_t>(tile / columns) * tile_height + y;
-            const size_t to = 4 * (row * sheet.width + static_cast<size_t>(tile % columns) * tile_width);
-            std::copy(from, from + 4 * tile_width, sheet.rgba.begin() + static_cast<std::ptrdiff_t>(to));
-        }
-    }
-    return sheet;
-}
-
 /// A small page, drawn with the same pen as a large one.
 Image tile(const Camera& camera, const std::vector<std::string>& assignments, glm::uvec2 size_px = {320, 270})
 {
@@ -102,7 +83,7 @@ TEST(HatchSheet, OneModelInEightStyles)
                       "hatch.map_contrast=1.4"}),
         tile(camera, {"hatch.strokes=map", "tam.tool=burin", "tam.second_from=9", "tam.third_from=9"}),
         tile(camera, {"hatch.strokes=map", "hatch.map_tone=step", "hatch.black_above=0.7"})};
-    test::expect_matches_golden(sheet_of(tiles, 4), "hatch-styles");
+    test::expect_matches_golden(test::sheet_of(tiles, 4), "hatch-styles");
 }
 
 /// A map whose finest level alone was drawn; the others are filtered from it, as textures usually are.
@@ -141,7 +122,7 @@ TEST(HatchSheet, OneBallOverSixOctavesOfDistance)
         }
     }
     std::filesystem::remove(filtered);
-    test::expect_matches_golden(sheet_of(tiles, 6), "hatch-distance");
+    test::expect_matches_golden(test::sheet_of(tiles, 6), "hatch-distance");
 }
 
 } // namespace

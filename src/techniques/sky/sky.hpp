@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
 #include "style/parameter.hpp"
@@ -9,12 +11,22 @@ namespace estampe::sky {
 
 enum class SkyMode : uint8_t { automatic, drawn, paper };
 
+enum class SkyFollow : uint8_t { automatic, sun, none };
+
 struct SkyStyle {
     SkyMode mode = SkyMode::automatic;
     glm::vec3 horizon = style::srgb(0xf0dca2);
     glm::vec3 zenith = style::srgb(0x5f9a92);
     float darkness = 0.22F;
     float width_mm = 0.34F;
+    SkyFollow follow = SkyFollow::automatic;
+    glm::vec3 noon_horizon = style::srgb(0xf4eed6);
+    glm::vec3 noon_zenith = style::srgb(0x78aebd);
+    glm::vec3 dusk_horizon = style::srgb(0xe3a06f);
+    glm::vec3 dusk_zenith = style::srgb(0x4d6b80);
+    glm::vec3 night_horizon = style::srgb(0x4a5c74);
+    glm::vec3 night_zenith = style::srgb(0x1d2740);
+    float night_darkness = 0.5F;
 };
 
 inline const style::Table<SkyStyle>& sky_table()
@@ -27,13 +39,29 @@ inline const style::Table<SkyStyle>& sky_table()
             .color("horizon", &SkyStyle::horizon, "Colour of the wash at the horizon")
             .color("zenith", &SkyStyle::zenith, "Colour of the wash high above")
             .number("darkness", &SkyStyle::darkness, {0.0F, 1.0F}, "", "Darkness of the strokes high above")
-            .number("width_mm", &SkyStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke on the page");
+            .number("width_mm", &SkyStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke on the page")
+            .choice("follow", &SkyStyle::follow,
+                    {{"auto", SkyFollow::automatic}, {"sun", SkyFollow::sun}, {"none", SkyFollow::none}},
+                    "Whether horizon and zenith are those of a low sun and the colours below those of other "
+                    "hours, by the height of the sun: yes, no, or (auto) where sun.by = place")
+            .color("noon_horizon", &SkyStyle::noon_horizon, "Horizon under a sun higher than 40 degrees")
+            .color("noon_zenith", &SkyStyle::noon_zenith, "Zenith under a sun higher than 40 degrees")
+            .color("dusk_horizon", &SkyStyle::dusk_horizon, "Horizon when the sun is 2 degrees under it")
+            .color("dusk_zenith", &SkyStyle::dusk_zenith,
+                   "Zenith when the sun is 2 degrees under the horizon")
+            .color("night_horizon", &SkyStyle::night_horizon,
+                   "Horizon when the sun is 10 degrees under it and lower")
+            .color("night_zenith", &SkyStyle::night_zenith,
+                   "Zenith when the sun is 10 degrees under the horizon and lower")
+            .number("night_darkness", &SkyStyle::night_darkness, {0.0F, 1.0F}, "",
+                    "Darkness of the strokes high above at night");
     return table;
 }
 
 struct SkyInputs {
     gpu::BufferId frame; ///< FrameGlobals
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
+    std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
     float pixels_per_mm = 1.0F;
     bool drawn = false;
     glm::uvec2 size_px{0};
@@ -43,6 +71,17 @@ struct Sky {
     gpu::ImageId wash; ///< rgba16f: what the paint lets through
     gpu::ImageId ink;  ///< r16f: coverage
 };
+
+/// What an hour's sky looks like.
+struct SkyLook {
+    glm::vec3 horizon{0.0F};
+    glm::vec3 zenith{0.0F};
+    float darkness = 0.0F; ///< of the strokes high above
+};
+
+/// The look under a sun at that height: night up to -10 degrees, dusk at -2, the style's horizon and zenith
+/// from 4 to 12, noon from 40, smooth between.
+[[nodiscard]] SkyLook look_at(const SkyStyle& style, double sun_elevation_rad);
 
 /// Paints the background of the whole page; one blank texel for all of it where no sky is drawn. Cost: one
 /// full-screen dispatch.

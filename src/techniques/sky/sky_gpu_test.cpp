@@ -31,6 +31,7 @@ struct View {
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
     float pixels_per_mm = 3.0F;
     bool drawn = true;
+    std::optional<float> daylight_rad = {};
 
     [[nodiscard]] shared::FrameGlobals globals() const
     {
@@ -55,6 +56,7 @@ SkyPixels paint(const View& view, SkyStyle style)
         return add_sky(graph,
                        {.frame = gpu::import_whole(graph, "frame", frame),
                         .towards_sun = view.towards_sun,
+                        .daylight_rad = view.daylight_rad,
                         .pixels_per_mm = view.pixels_per_mm,
                         .drawn = view.drawn,
                         .size_px = view.size_px},
@@ -131,6 +133,44 @@ TEST(Sky, WashDoesNotDependOnThePicturesSize)
                         2e-3);
         }
     }
+}
+
+TEST(Sky, FollowsTheHourFromNightToNoonWithoutJumps)
+{
+    const SkyStyle style;
+    const auto at = [&](double deg) { return look_at(style, deg * std::numbers::pi / 180.0); };
+    EXPECT_EQ(at(-30.0).zenith, style.night_zenith);
+    EXPECT_EQ(at(-10.0).horizon, style.night_horizon);
+    EXPECT_EQ(at(-30.0).darkness, style.night_darkness);
+    EXPECT_EQ(at(-2.0).horizon, style.dusk_horizon);
+    EXPECT_EQ(at(8.0).horizon, style.horizon);
+    EXPECT_EQ(at(8.0).zenith, style.zenith);
+    EXPECT_EQ(at(8.0).darkness, style.darkness);
+    EXPECT_EQ(at(60.0).zenith, style.noon_zenith);
+    for (double deg = -20.0; deg < 60.0; deg += 0.1) {
+        EXPECT_LT(glm::distance(at(deg).horizon, at(deg + 0.1).horizon), 0.03F) << deg;
+        EXPECT_LT(glm::distance(at(deg).zenith, at(deg + 0.1).zenith), 0.03F) << deg;
+    }
+}
+
+TEST(Sky, KeepsItsColoursUnlessTheSunStandsByTheHour)
+{
+    View view{.camera = looking(80.0, 0.0, 0.5), .size_px = {24, 16}};
+    SkyStyle style;
+    style.noon_zenith = {0.4F, 0.4F, 0.4F};
+    style.night_zenith = {0.0F, 0.0F, 0.1F};
+    const auto top = [&] { return glm::vec3(paint(view, style).wash.front()); };
+    const auto is = [](const glm::vec3& a, const glm::vec3& b) { return glm::distance(a, b) < 2e-3F; };
+    EXPECT_TRUE(is(top(), zenith)) << "by direction";
+    view.daylight_rad = 1.0F;
+    EXPECT_TRUE(is(top(), style.noon_zenith));
+    view.daylight_rad = -1.0F;
+    EXPECT_TRUE(is(top(), style.night_zenith));
+    style.follow = SkyFollow::none;
+    EXPECT_TRUE(is(top(), zenith));
+    style.follow = SkyFollow::sun;
+    view.daylight_rad.reset(); // the sun overhead
+    EXPECT_TRUE(is(top(), style.noon_zenith));
 }
 
 TEST(Sky, StrokesHaveTheDarknessOfTheirPlace)

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/light/daylight.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/outlook/view_axes.hpp"
+#include "scene/sun_position.hpp"
+
+namespace estampe::light {
+namespace {
+
+constexpr double lowest_deg = 3.0;
+
+float brightness(const glm::vec3& color)
+{
+    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
+}
+
+glm::vec3 of_brightness_one(const glm::vec3& color)
+{
+    return color / std::max(brightness(color), 1e-6F);
+}
+
+/// 0 below `low`, 1 above `high`.
+float between(double low, double high, double x)
+{
+    return static_cast<float>(glm::smoothstep(low, high, x));
+}
+
+SunPosition position_of(const SunStyle& style)
+{
+    const Date date = parse_date(style.date, "sun.date");
+    return style.clock == Clock::sundial ? sun_position_by_sundial(date, style.hour, style.latitude_deg)
+                                         : sun_position(date, style.hour - style.utc_offset_hours,
+                                                        style.latitude_deg, style.longitude_deg);
+}
+
+/// Where light comes from while the sun is low: from its glow once it has set, which spreads upwards.
+double height_of_glow(double elevation_deg)
+{
+    return elevation_deg > lowest_deg ? elevation_deg
+                                      : lowest_deg + std::min(4.0 * std::max(-elevation_deg, 0.0), 25.0);
+}
+
+/// Strength and colour of the sun. Eyes and paper make little of how much weaker it gets as it sets, and a
+/// glow stays behind.
+glm::vec3 sun_of(double elevation_deg, const SunStyle& style)
+{
+    const auto through = [&](double deg) {
+        return glm::vec3(sunlight_through_air(glm::radians(deg), static_cast<double>(style.haze)));
+    };
+    const float strength = std::max(std::pow(brightness(through(elevation_deg)), 0.25F), 0.3F);
+    // The last light is rosy rather than the red of the disc itself.
+    const glm::vec3 hue = of_brightness_one(through(std::max(elevation_deg, lowest_deg)));
+    return strength * between(-8.0, 0.5, elevation_deg) * glm::mix(glm::vec3(1.0F), hue, style.warmth);
+}
+
+shared::LightRecord parallel_light(const glm::dvec3& towards, const glm::vec3& color)
+{
+    shared::LightRecord light{};
+    light.type = shared::light_directional;
+    light.direction = glm::vec3(towards);
+    light.color = color;
+    return light;
+}
+
+} // namespace
+
+std::optional<Daylight> daylight_of(const SunStyle& style)
+{
+    if (style.by == SunBy::direction) {
+        return std::nullopt;
+    }
+    const SunPosition position = position_of(style);
+    Daylight day{.elevation_rad = position.elevation_rad + refraction_rad(position.elevation_rad)};
+    const double deg = glm::degrees(day.elevation_rad);
+    const double azimuth = glm::radians(static_cast<double>(style.north_deg)) - position.azimuth_rad;
+    day.towards_sun = bearing(azimuth, glm::radians(height_of_glow(deg)));
+    day.towards_moon = -bearing(azimuth, glm::radians(std::min(deg, -lowest_deg)));
+    day.sun = sun_of(deg, style);
+    day.moon = style.moon * between(2.0, 10.0, -deg) * of_brightness_one({0.5F, 0.85F, 1.8F});
+    // At dusk nearly all of the light comes from everywhere.
+    const float dusk = between(-9.0, -1.0, deg) * (1.0F - between(0.0, 10.0, deg));
+    day.ambient = glm::mix(0.55F * of_brightness_one({0.4F, 0.75F, 2.2F}),
+                           of_brightness_one({0.96F, 1.0F, 1.08F}), between(-12.0, 0.0, deg)) *
+                  (1.0F + dusk);
+    return day;
+}
+
+void set_daylight(Lighting& lighting, const Daylight& daylight, const LightStyle& style)
+{
+    if (lighting.indoors || style.source == LightSource::scene) {
+        return;
+    }
+    const float scale = std::exp2(style.exposure_stops) / (1.0F + style.fill);
+    // A black sun too: a scene out of doors keeps its sky in a night without a moon.
+    std::vector records{parallel_light(daylight.towards_sun, scale * daylight.sun)};
+    if (brightness(daylight.moon) > 0.0F) {
+        records.push_back(parallel_light(daylight.towards_moon, scale * daylight.moon));
+    }
+    std::stable_sort(records.begin(), records.end(),
+                     [](const shared::LightRecord& a, const shared::LightRecord& b) {
+                         return brightness(a.color) > brightness(b.color);
+                     });
+    if (style.fill > 0.0F) {
+        const glm::dvec3 key = glm::dvec3(records.front().direction);
+        const double aside = std::atan2(key.x, key.z) + glm::radians(100.0);
+        records.push_back(
+            parallel_light(bearing(aside, glm::radians(20.0)), style.fill * records.front().color));
+    }
+    const auto first_lamp = lighting.records.begin() + lighting.directional_count;
+    lighting.directional_count = static_cast<uint32_t>(records.size());
+    lighting.towards_sun = glm::dvec3(records.front().direction);
+    records.insert(records.end(), first_lamp, lighting.records.end());
+    lighting.records = std::move(records);
+    lighting.ambient *= daylight.ambient;
+}
+
+} // namespace estampe::light
