@@ -155,6 +155,7 @@ void Device::create_device()
     features.v12.hostQueryReset = VK_TRUE;
     features.core.features.shaderInt64 = info_.compute_raster ? VK_TRUE : VK_FALSE;
     features.core.features.shaderStorageImageExtendedFormats = VK_TRUE;
+    features.core.features.shaderClipDistance = VK_TRUE;
     const float priority = 1.0F;
     const VkDeviceQueueCreateInfo queue_info{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
                                              .queueFamilyIndex = queue_family_,

@@ -78,6 +78,7 @@ std::string missing_features(const Features& have)
     need(have.v12.scalarBlockLayout, "scalar block layout");
     need(have.v12.hostQueryReset, "host query reset");
     need(have.core.features.shaderStorageImageExtendedFormats, "extended storage image formats");
+    need(have.core.features.shaderClipDistance, "clip distances");
     return missing;
 }
 

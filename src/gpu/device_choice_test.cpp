@@ -14,6 +14,7 @@ void offer_all_needed(Features& have)
     have.v12.scalarBlockLayout = VK_TRUE;
     have.v12.hostQueryReset = VK_TRUE;
     have.core.features.shaderStorageImageExtendedFormats = VK_TRUE;
+    have.core.features.shaderClipDistance = VK_TRUE;
 }
 
 TEST(DeviceChoice, SixtyFourBitAtomicsAreNotNeeded)

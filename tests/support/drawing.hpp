@@ -14,6 +14,7 @@
 #include "techniques/light/light.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/raster/raster.hpp"
+#include "techniques/raster/views.hpp"
 #include "techniques/screen/screen.hpp"
 #include "techniques/shadow/sun_view.hpp"
 #include "techniques/surface/materials.hpp"
@@ -56,6 +57,9 @@ public:
     [[nodiscard]] std::vector<uint64_t> visibility();
     /// Reversed depth, drawn without the triangles' identities.
     [[nodiscard]] std::vector<float> depth_alone();
+    /// A buffer of `texel_count` words that held `before` and into which the views were drawn.
+    [[nodiscard]] std::vector<uint32_t> depth_views(const std::vector<shared::RasterView>& views,
+                                                    size_t texel_count, uint32_t before);
     [[nodiscard]] SurfacePixels surface();
     [[nodiscard]] ScreenPixels screen();
     [[nodiscard]] std::vector<glm::vec4> light(const LightSetup& setup);

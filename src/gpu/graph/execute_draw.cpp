@@ -80,7 +80,11 @@ void Executor::record_draw(VkCommandBuffer commands, const PassRecord& pass)
                            VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
                            static_cast<uint32_t>(pass.push.size()), pass.push.data());
     }
-    vkCmdDraw(commands, pass.draw.vertex_count, 1, 0, 0);
+    if (pass.draw.indirect_resource != UINT32_MAX) {
+        vkCmdDrawIndirect(commands, buffer_of(pass.draw.indirect_resource).handle(), 0, 1, 0);
+    } else {
+        vkCmdDraw(commands, pass.draw.vertex_count, 1, 0, 0);
+    }
     vkCmdEndRendering(commands);
 }
 

@@ -247,6 +247,13 @@ void Pass::draw(uint32_t vertex_count)
     record().draw.vertex_count = vertex_count;
 }
 
+void Pass::draw_indirect(BufferId arguments)
+{
+    require_raster(record(), "drawing");
+    use(arguments.resource, arguments.version, false, {.access = Access::indirect, .bound = false});
+    record().draw.indirect_resource = arguments.resource;
+}
+
 void Pass::execute(std::function<void(Recorder&)> callback)
 {
     record().record = std::move(callback);

@@ -82,7 +82,7 @@ enum class Access : uint8_t {
     raster_sampled,         ///< as compute_sampled, by the vertex or the fragment stage
     raster_storage_read,    ///< as compute_storage_read, by the vertex or the fragment stage
     raster_uniform,         ///< as compute_uniform, by the vertex or the fragment stage
-    indirect,               ///< dispatch arguments
+    indirect,               ///< arguments of a dispatch or a draw
     transfer_read,
     transfer_write,
     color_attachment,        ///< cleared, then drawn into
@@ -153,6 +153,7 @@ struct Draw {
     const Shader* vertex = nullptr;
     const Shader* fragment = nullptr; ///< null when depth is all that is wanted
     uint32_t vertex_count = 0;
+    uint32_t indirect_resource = UINT32_MAX; ///< when set, the counts come from this buffer
     bool cull_back_faces = false;
 };
 
@@ -234,6 +235,8 @@ public:
     void dispatch_indirect(BufferId arguments, uint64_t offset_bytes = 0);
     /// Raster passes: one triangle for every three vertices. The vertex shader finds them by gl_VertexIndex.
     void draw(uint32_t vertex_count);
+    /// The same with counts of vertices and instances from a buffer that holds a VkDrawIndirectCommand.
+    void draw_indirect(BufferId arguments);
     /// Custom passes: `record` is called when the pass is executed.
     void execute(std::function<void(Recorder&)> record);
     /// Keeps the pass even if nobody reads what it writes.

@@ -18,3 +18,6 @@ layout(push_constant, scalar) uniform Constants
 {
     DrawConstants constants;
 };
+
+#define CLIP_FROM_ANCHOR constants.clip_from_anchor
+#define PICTURE_PX constants.size_px

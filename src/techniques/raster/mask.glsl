@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Alpha masks: whether the texture leaves a pixel of a triangle standing. MASK_BINDING is the first of eight
-// bindings.
+// bindings; CLIP_FROM_ANCHOR and PICTURE_PX name the view.
 
 #include "shaders/material.glsl.h"
 #include "shaders/barycentric.glsl"
@@ -41,10 +41,10 @@ bool passes_mask(uint triangle, ivec2 pixel)
     vec4 vertex_alpha =
         vec4(unpackUnorm4x8(rest_vertices[rest.x].color).a, unpackUnorm4x8(rest_vertices[rest.y].color).a,
              unpackUnorm4x8(rest_vertices[rest.z].color).a, 0.0);
-    Barycentric b = barycentric_at(constants.clip_from_anchor * vec4(posed_vertices[corners.x].position, 1.0),
-                                   constants.clip_from_anchor * vec4(posed_vertices[corners.y].position, 1.0),
-                                   constants.clip_from_anchor * vec4(posed_vertices[corners.z].position, 1.0),
-                                   vec2(pixel) + 0.5, constants.size_px);
+    Barycentric b = barycentric_at(CLIP_FROM_ANCHOR * vec4(posed_vertices[corners.x].position, 1.0),
+                                   CLIP_FROM_ANCHOR * vec4(posed_vertices[corners.y].position, 1.0),
+                                   CLIP_FROM_ANCHOR * vec4(posed_vertices[corners.z].position, 1.0),
+                                   vec2(pixel) + 0.5, PICTURE_PX);
     float alpha = material.base_color.a * dot(b.weight, vertex_alpha.xyz);
     if (material.base_texture.location != NO_TEXTURE) {
         bool second = ((material.base_texture.location >> 24) & 1u) != 0u;

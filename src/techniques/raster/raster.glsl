@@ -46,10 +46,69 @@ layout(scalar, binding = 5) buffer Target
 };
 #endif
 
+#ifdef RASTER_VIEWS
+layout(scalar, binding = 6) readonly buffer Views
+{
+    RasterView views[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    ViewsConstants constants;
+};
+
+RasterView view; // the one that this thread draws now
+#define CLIP_FROM_ANCHOR view.clip_from_anchor
+#define PICTURE_PX uvec2(view.size_px)
+#else
 layout(push_constant, scalar) uniform Constants
 {
     RasterConstants constants;
 };
+
+#define CLIP_FROM_ANCHOR constants.clip_from_anchor
+#define PICTURE_PX constants.size_px
+#endif
+
+// How the lists name views and tiles, see LargeTriangle and TriangleTile.
+#ifdef RASTER_VIEWS
+void select_view(uint index)
+{
+    view = views[index];
+}
+
+uint pack_tile(uint part, uint index, ivec2 tile)
+{
+    return part << 31 | index << 16 | uint(tile.y) << 8 | uint(tile.x);
+}
+
+uint view_of_tile(uint part_and_tile)
+{
+    return (part_and_tile >> 16) & 0x7fffu;
+}
+
+ivec2 place_of_tile(uint part_and_tile)
+{
+    return ivec2(part_and_tile & 0xffu, (part_and_tile >> 8) & 0xffu);
+}
+#else
+void select_view(uint index) {}
+
+uint pack_tile(uint part, uint index, ivec2 tile)
+{
+    return part << 31 | uint(tile.y) << 15 | uint(tile.x);
+}
+
+uint view_of_tile(uint part_and_tile)
+{
+    return 0u;
+}
+
+ivec2 place_of_tile(uint part_and_tile)
+{
+    return ivec2(part_and_tile & 0x7fffu, (part_and_tile >> 15) & 0xffffu);
+}
+#endif
 
 const float subpixels = 256.0;
 const float guard_px = 2097152.0; // 2^21: differences of such positions still fit 32 bits, edge functions 64
@@ -91,12 +150,11 @@ ClippedTriangle clip_near(vec4 a, vec4 b, vec4 c)
     return result;
 }
 
-ClippedTriangle load_clipped(uint triangle)
+ClippedTriangle clip_corners(vec3 p0, vec3 p1, vec3 p2)
 {
-    uvec4 corners = triangles[triangle];
-    vec4 a = constants.clip_from_anchor * vec4(posed_vertices[corners.x].position, 1.0);
-    vec4 b = constants.clip_from_anchor * vec4(posed_vertices[corners.y].position, 1.0);
-    vec4 c = constants.clip_from_anchor * vec4(posed_vertices[corners.z].position, 1.0);
+    vec4 a = CLIP_FROM_ANCHOR * vec4(p0, 1.0);
+    vec4 b = CLIP_FROM_ANCHOR * vec4(p1, 1.0);
+    vec4 c = CLIP_FROM_ANCHOR * vec4(p2, 1.0);
     bool all_inside = a.w - a.z >= 0.0 && b.w - b.z >= 0.0 && c.w - c.z >= 0.0;
     if (all_inside) {
         ClippedTriangle whole;
@@ -109,9 +167,16 @@ ClippedTriangle load_clipped(uint triangle)
     return clip_near(a, b, c);
 }
 
+ClippedTriangle load_clipped(uint triangle)
+{
+    uvec4 corners = triangles[triangle];
+    return clip_corners(posed_vertices[corners.x].position, posed_vertices[corners.y].position,
+                        posed_vertices[corners.z].position);
+}
+
 ivec2 snap(vec4 clip)
 {
-    vec2 px = (0.5 * clip.xy / clip.w + 0.5) * vec2(constants.size_px);
+    vec2 px = (0.5 * clip.xy / clip.w + 0.5) * vec2(PICTURE_PX);
     return ivec2(round(clamp(px, vec2(-guard_px), vec2(guard_px)) * subpixels));
 }
 
@@ -126,7 +191,11 @@ bool to_page(vec4 a, vec4 b, vec4 c, uint flags, out PageTriangle t)
     ivec2 v = t.p[2] - t.p[0];
     int64_t area = int64_t(u.x) * int64_t(v.y) - int64_t(u.y) * int64_t(v.x);
     bool front = (area < 0) != ((flags & TRIANGLE_MIRRORED) != 0u); // y points down the page
+#ifdef RASTER_VIEWS
+    bool culled = false;
+#else
     bool culled = constants.cull_back_faces != 0u && !front && (flags & TRIANGLE_TWO_SIDED) == 0u;
+#endif
     if (area == 0 || culled) {
         return false;
     }
@@ -138,7 +207,7 @@ bool to_page(vec4 a, vec4 b, vec4 c, uint flags, out PageTriangle t)
     }
     ivec2 low = min(min(t.p[0], t.p[1]), t.p[2]);
     ivec2 high = max(max(t.p[0], t.p[1]), t.p[2]);
-    ivec2 limit = ivec2(constants.size_px) * int(subpixels);
+    ivec2 limit = ivec2(PICTURE_PX) * int(subpixels);
     return high.x >= 0 && high.y >= 0 && low.x < limit.x && low.y < limit.y;
 }
 
@@ -156,7 +225,7 @@ void pixel_bounds(PageTriangle t, out ivec2 low, out ivec2 high)
     ivec2 smallest = min(min(t.p[0], t.p[1]), t.p[2]);
     ivec2 largest = max(max(t.p[0], t.p[1]), t.p[2]);
     low = max((smallest + 127) >> 8, ivec2(0));
-    high = min((largest - 128) >> 8, ivec2(constants.size_px) - 1);
+    high = min((largest - 128) >> 8, ivec2(PICTURE_PX) - 1);
 }
 
 // One for edges that own the pixels exactly on them: top edges and left edges.
@@ -167,7 +236,11 @@ int owns_its_pixels(ivec2 from, ivec2 to)
 }
 
 #ifdef RASTER_MASKED
+#ifdef RASTER_VIEWS
+#define MASK_BINDING 8
+#else
 #define MASK_BINDING 6
+#endif
 #include "techniques/raster/mask.glsl"
 #endif
 
@@ -178,7 +251,10 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
         return;
     }
 #endif
-    uint index = uint(pixel.y) * constants.size_px.x + uint(pixel.x);
+    uint index = uint(pixel.y) * PICTURE_PX.x + uint(pixel.x);
+#ifdef RASTER_VIEWS
+    index += view.first_texel;
+#endif
     uint depth_bits = floatBitsToUint(clamp(depth, 1e-30, 1.0));
 #ifdef RASTER_DEPTH_ONLY
     atomicMax(target[index], depth_bits);

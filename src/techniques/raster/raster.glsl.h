@@ -18,16 +18,54 @@ struct RasterConstants {
     uint small_area_px; // up to this many pixels of bounding box one thread draws a triangle whole
 };
 
-// A triangle too large for one thread, after clipping: `part` is 0 or 1, since clipping can make two of one.
+// One square depth map of many that are drawn together.
+struct RasterView {
+    mat4 clip_from_anchor;
+    vec3 eye_anchor;
+    float reach_m;    // nothing farther from the eye is wanted
+    uint first_texel; // in the buffer of all maps; rows follow one another
+    uint size_px;
+    uvec2 origin_px; // in the image that the hardware path draws into
+    uint groups;     // shows the batches that share a bit
+};
+
+// Box about 64 consecutive triangles of the list, as they stand in anchor space.
+struct ClusterBounds {
+    vec3 low;
+    vec3 high;
+};
+
+// Which triangles to draw into which views.
+struct ViewsConstants {
+    uint first_triangle;
+    uint triangle_count;
+    uint first_view;
+    uint view_count;
+    uint large_capacity;
+    uint tile_capacity;
+    uint small_area_px;
+    uint groups;    // of the batch
+    uvec2 image_px; // hardware: of the image that holds all views
+};
+
+// A cluster that a view may show: what an instance of the hardware path draws.
+struct ClusterInView {
+    uint cluster;
+    uint view;
+};
+
+// A triangle too large for one thread, after clipping: the part is 0 or 1, since clipping can make two of
+// one.
 struct LargeTriangle {
     uint triangle;
-    uint part;
+    uint part_and_view; // part in bit 0, view above; 0 where there is one view
 };
 
 // A tile of the picture that a large triangle touches.
 struct TriangleTile {
     uint triangle;
-    uint part_and_tile; // part in bit 31, tile row in bits 15-29, tile column in 0-14
+    uint part_and_tile; // part in bit 31; of one view tile row in bits 15-29, tile column in 0-14; of many
+                        // the view in bits 16-30, row in 8-15, column in 0-7
 };
 
 // Counts of the two lists above.
@@ -46,11 +84,16 @@ struct DrawConstants {
 #ifdef __cplusplus
 static_assert(sizeof(DrawConstants) == 76);
 static_assert(sizeof(RasterConstants) == 96);
+static_assert(sizeof(RasterView) == 100);
+static_assert(sizeof(ClusterBounds) == 24);
+static_assert(sizeof(ViewsConstants) == 40);
+inline constexpr uint cluster_triangles = 64;
 inline constexpr uint raster_tile_px = 64;
 inline constexpr uint draw_tests_sides = 1U << 5U; // variant bit, above those of the texture classes
 } // namespace estampe::shared
 #else
 #define RASTER_TILE_PX 64
+#define CLUSTER_TRIANGLES 64u
 #define DRAW_TESTS_SIDES (1u << 5)
 #endif
 

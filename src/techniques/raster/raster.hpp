@@ -29,8 +29,9 @@ struct RasterInputs {
 struct Batch {
     uint32_t first_triangle = 0;
     uint32_t triangle_count = 0;
-    bool masked = false; ///< alpha masks are tested
-    bool plain = false;  ///< no triangle is two-sided or mirrored; the hardware path is quicker for knowing
+    bool masked = false;   ///< alpha masks are tested
+    bool plain = false;    ///< no triangle is two-sided or mirrored; the hardware path is quicker for knowing
+    uint32_t groups = ~0U; ///< where many views are drawn: drawn into those that share a bit
 };
 
 /// How the work of the compute path is shared out; the picture does not depend on it.

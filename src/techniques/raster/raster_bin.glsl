@@ -27,9 +27,11 @@ void main()
     uint count = min(counters.large_count, constants.large_capacity);
     for (uint i = gl_WorkGroupID.x; i < count; i += gl_NumWorkGroups.x) {
         LargeTriangle large = large_triangles[i];
+        uint part = large.part_and_view & 1u;
+        select_view(large.part_and_view >> 1);
         PageTriangle t;
         ivec2 low, high;
-        if (!page_part(load_clipped(large.triangle), large.part, triangles[large.triangle].w, t)) {
+        if (!page_part(load_clipped(large.triangle), part, triangles[large.triangle].w, t)) {
             continue;
         }
         pixel_bounds(t, low, high);
@@ -44,8 +46,7 @@ void main()
             }
             uint slot = atomicAdd(counters.tile_count, 1u);
             if (slot < constants.tile_capacity) {
-                tiles[slot] =
-                    TriangleTile(large.triangle, large.part << 31 | uint(tile.y) << 15 | uint(tile.x));
+                tiles[slot] = TriangleTile(large.triangle, pack_tile(part, large.part_and_view >> 1, tile));
                 continue;
             }
             for (int x = tile_low.x; x <= tile_high.x; ++x) {

@@ -11,8 +11,8 @@ void main()
     for (uint i = gl_WorkGroupID.x; i < count; i += gl_NumWorkGroups.x) {
         TriangleTile tile = tiles[i];
         uint part = tile.part_and_tile >> 31;
-        ivec2 corner =
-            ivec2(tile.part_and_tile & 0x7fffu, (tile.part_and_tile >> 15) & 0xffffu) * RASTER_TILE_PX;
+        select_view(view_of_tile(tile.part_and_tile));
+        ivec2 corner = place_of_tile(tile.part_and_tile) * RASTER_TILE_PX;
         PageTriangle t;
         ivec2 low, high;
         if (!page_part(load_clipped(tile.triangle), part, triangles[tile.triangle].w, t)) {

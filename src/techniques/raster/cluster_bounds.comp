@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// One workgroup finds the box about one cluster, a thread to a triangle.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/mesh.glsl.h"
+#include "techniques/raster/raster.glsl.h"
+
+layout(local_size_x = CLUSTER_TRIANGLES) in;
+
+layout(scalar, binding = 0) readonly buffer Triangles
+{
+    uvec4 triangles[];
+};
+
+layout(scalar, binding = 1) readonly buffer PosedVertices
+{
+    PosedVertex posed_vertices[];
+};
+
+layout(scalar, binding = 2) writeonly buffer Bounds
+{
+    ClusterBounds bounds[];
+};
+
+layout(push_constant) uniform Constants
+{
+    uint triangle_count;
+};
+
+shared vec3 low[CLUSTER_TRIANGLES];
+shared vec3 high[CLUSTER_TRIANGLES];
+
+void main()
+{
+    uint cluster = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    uint lane = gl_LocalInvocationID.x;
+    uint triangle = cluster * CLUSTER_TRIANGLES + lane;
+    low[lane] = vec3(1e30);
+    high[lane] = vec3(-1e30);
+    if (triangle < triangle_count) {
+        uvec4 corners = triangles[triangle];
+        vec3 a = posed_vertices[corners.x].position;
+        vec3 b = posed_vertices[corners.y].position;
+        vec3 c = posed_vertices[corners.z].position;
+        low[lane] = min(min(a, b), c);
+        high[lane] = max(max(a, b), c);
+    }
+    for (uint half_count = CLUSTER_TRIANGLES / 2u; half_count > 0u; half_count /= 2u) {
+        barrier();
+        if (lane < half_count) {
+            low[lane] = min(low[lane], low[lane + half_count]);
+            high[lane] = max(high[lane], high[lane + half_count]);
+        }
+    }
+    if (lane == 0u && cluster * CLUSTER_TRIANGLES < triangle_count) {
+        bounds[cluster] = ClusterBounds(low[0], high[0]);
+    }
+}

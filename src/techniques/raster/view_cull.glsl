@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_VIEW_CULL
+#define ESTAMPE_VIEW_CULL
+
+// Whether a view may show anything of a cluster of triangles.
+
+#include "techniques/raster/raster.glsl.h"
+
+// Whether some corner of the box lies on the side where dot(plane, (p, 1)) >= 0.
+bool reaches_side(vec3 centre, vec3 half_size, vec4 plane)
+{
+    return dot(plane.xyz, centre) + plane.w + dot(abs(plane.xyz), half_size) >= 0.0;
+}
+
+// False only when the view does not want the batch, or the box is beyond reach, or wholly beside or before
+// the view.
+bool may_show(ClusterBounds bounds, uint groups, RasterView view)
+{
+    if ((view.groups & groups) == 0u) {
+        return false;
+    }
+    vec3 gap = max(max(bounds.low - view.eye_anchor, view.eye_anchor - bounds.high), vec3(0.0));
+    if (dot(gap, gap) > view.reach_m * view.reach_m) {
+        return false;
+    }
+    vec3 centre = 0.5 * (bounds.low + bounds.high);
+    // A little more than half, for what rounding takes.
+    vec3 half_size = 0.50001 * (bounds.high - bounds.low) + 1e-6 * abs(centre);
+    mat4 rows = transpose(view.clip_from_anchor);
+    return reaches_side(centre, half_size, rows[3] + rows[0]) &&
+           reaches_side(centre, half_size, rows[3] - rows[0]) &&
+           reaches_side(centre, half_size, rows[3] + rows[1]) &&
+           reaches_side(centre, half_size, rows[3] - rows[1]) &&
+           reaches_side(centre, half_size, rows[3] - rows[2]);
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Many depth maps at once, as local lights want them: all views in one set of dispatches, or one draw, and
+// only the triangles that a view may show.
+
+#include <vector>
+
+#include "techniques/raster/raster.glsl.h"
+#include "techniques/raster/raster.hpp"
+
+namespace estampe::raster {
+
+/// Boxes about runs of 64 triangles, one for each run of a list of `triangle_count`.
+[[nodiscard]] uint64_t cluster_bounds_bytes(uint64_t triangle_count);
+
+/// Finds the boxes anew, for triangles whose vertices have moved.
+///
+/// Writes  `bounds`: ClusterBounds, of cluster_bounds_bytes()
+/// Cost    one dispatch, a thread a triangle
+[[nodiscard]] gpu::BufferId add_cluster_bounds(gpu::Graph& graph, const RasterInputs& in,
+                                               uint32_t triangle_count, gpu::BufferId bounds);
+
+/// The views to draw, on both sides of the bus. Sizes are multiples of 2 and at most 16384 texels, first
+/// texels multiples of 4; maps do not overlap. At most 32768 views.
+struct DepthViews {
+    const std::vector<shared::RasterView>& list; ///< placed by place_views()
+    gpu::BufferId records;                       ///< the same on the device
+    gpu::BufferId bounds;                        ///< of the triangles, from add_cluster_bounds()
+    RasterPath path = RasterPath::compute;       ///< never automatic
+    Tuning tuning;
+};
+
+/// Gives each view a square of its own in the image that the hardware path draws into (`origin_px`). To be
+/// called before the views go to the device. Cost: a sort.
+void place_views(std::vector<shared::RasterView>& views);
+
+/// Draws the depth of each view into its square of `target`, as add_depth() does; texels of no view stay as
+/// they are. Triangles count from either side.
+///
+/// Cost    in compute a clear of the views, and three dispatches and a small clear a batch, each vertex
+///         loaded once for all views; in hardware a cull and a draw a batch, and a copy of the views
+/// Source  culling by clusters after Haar and Aaltonen, "GPU-Driven Rendering Pipelines", 2015
+[[nodiscard]] gpu::BufferId add_depth_views(gpu::Graph& graph, const std::string& name,
+                                            const RasterInputs& in, const std::vector<Batch>& batches,
+                                            const DepthViews& views, gpu::BufferId target);
+
+} // namespace estampe::raster
