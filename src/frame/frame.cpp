@@ -153,33 +153,36 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                  .materials = materials,
                                  .sun_map = shadow_map,
                                  .sun_shadow = gpu::import_whole(graph, "sun", resources.sun_shadow),
+                                 .coordinate = surface.coordinate,
+                                 .footprint = surface.footprint,
+                                 .edge_look = gpu::import_whole(graph, "edges", resources.edge_look),
+                                 .shadow_variant = plan.shadow_variant,
                                  .has_shadow = plan.shadow_size > 0,
                                  .has_local_lights = plan.has_local_lights,
                                  .has_emissive = plan.needs.emissive,
                                  .size_px = size_px});
 
     // Hatch: light becomes strokes.
-    const auto hatch = hatch::add_hatch(
-        graph,
-        {.frame = frame,
-         .draw = surface.draw,
-         .depth = surface.depth,
-         .normal = surface.normal,
-         .color = surface.color,
-         .coordinate = surface.coordinate,
-         .footprint = surface.footprint,
-         .light = light,
-         .screen = screen.color,
-         .has_screen = has_screen,
-         .tone = tone,
-         .has_directions = plan.strokes.has(shared::strokes_height) ||
-                           plan.strokes.has(shared::strokes_wind) || plan.strokes.has(shared::strokes_light),
-         .towards_light = plan.towards_sun,
-         .map = resources.map != nullptr ? std::optional(hatch::import_map(graph, *resources.map))
-                                         : std::nullopt,
-         .pixels_per_mm = plan.pixels_per_mm,
-         .size_px = size_px},
-        style.hatch);
+    const auto hatch = hatch::add_hatch(graph,
+                                        {.frame = frame,
+                                         .draw = surface.draw,
+                                         .depth = surface.depth,
+                                         .normal = surface.normal,
+                                         .color = surface.color,
+                                         .coordinate = surface.coordinate,
+                                         .footprint = surface.footprint,
+                                         .light = light,
+                                         .screen = screen.color,
+                                         .has_screen = has_screen,
+                                         .tone = tone,
+                                         .has_directions = plan.has_directions(),
+                                         .towards_light = plan.towards_sun,
+                                         .map = resources.map != nullptr
+                                                    ? std::optional(hatch::import_map(graph, *resources.map))
+                                                    : std::nullopt,
+                                         .pixels_per_mm = plan.pixels_per_mm,
+                                         .size_px = size_px},
+                                        style.hatch);
 
     // Contour: lines where surfaces end, meet or fold.
     const auto lines = contour::add_contours(graph,

@@ -9,6 +9,7 @@
 #include "frame/style_tables.hpp"
 #include "frame/view.hpp"
 #include "gpu/graph/graph.hpp"
+#include "shaders/stroke_kind.glsl.h"
 #include "techniques/light/light.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/raster/raster.hpp"
@@ -25,6 +26,7 @@ struct FrameResources {
     gpu::Buffer& light_globals;
     gpu::Buffer& lights;
     gpu::Buffer& shadow_map;
+    gpu::Buffer& edge_look;        ///< EdgeLook, see shadow/edge.glsl.h
     gpu::Buffer& sun_shadow;       ///< SunShadow, see shadow/sun.glsl.h
     gpu::Buffer& stroke_kinds;     ///< one a draw
     gpu::Buffer& form_coordinates; ///< three a triangle, where strokes follow the form
@@ -46,13 +48,21 @@ struct FramePlan {
     bool has_local_lights = false;
     bool ground_drawn = false;
     bool sky_drawn = false;
-    uint32_t shadow_size = 0;  ///< texels a side; 0 for no shadow
-    bool pose_moved = true;    ///< the posed vertices are not yet those of this moment
-    bool redraw_shadow = true; ///< the shadow map is not yet that of this moment
+    uint32_t shadow_variant = 0; ///< see shadow/edge_look.hpp
+    uint32_t shadow_size = 0;    ///< texels a side; 0 for no shadow
+    bool pose_moved = true;      ///< the posed vertices are not yet those of this moment
+    bool redraw_shadow = true;   ///< the shadow map is not yet that of this moment
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
     shadow::SunView sun;
     std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
     paper::Accumulation accumulation;
+
+    /// Whether some strokes follow height, wind or light.
+    [[nodiscard]] bool has_directions() const
+    {
+        return strokes.has(shared::strokes_height) || strokes.has(shared::strokes_wind) ||
+               strokes.has(shared::strokes_light);
+    }
 };
 
 /// Declares one frame, top to bottom.

@@ -11,6 +11,7 @@
 #include <estampe/error.hpp>
 
 #include "frame/frame.hpp"
+#include "frame/sun.hpp"
 #include "frame/tonal_maps.hpp"
 #include "gpu/graph/execute.hpp"
 #include "gpu/upload.hpp"
@@ -60,6 +61,7 @@ struct Renderer::Impl {
     gpu::Buffer light_globals;
     gpu::Buffer lights;
     gpu::Buffer shadow_map;
+    gpu::Buffer edge_look;
     gpu::Buffer sun_shadow;
     gpu::Buffer stroke_kinds;
     gpu::Buffer form_coordinates;
@@ -295,9 +297,19 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
          .page_height_mm = style.paper.height_mm});
     plan.clip_from_anchor = globals.clip_from_anchor;
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
-    frame::FrameResources resources{
-        loaded->meshes, loaded->materials, frame_globals,    light_globals,         lights, shadow_map,
-        sun_shadow,     stroke_kinds,      form_coordinates, map ? &*map : nullptr, sums,   pixels};
+    frame::FrameResources resources{loaded->meshes,
+                                    loaded->materials,
+                                    frame_globals,
+                                    light_globals,
+                                    lights,
+                                    shadow_map,
+                                    edge_look,
+                                    sun_shadow,
+                                    stroke_kinds,
+                                    form_coordinates,
+                                    map ? &*map : nullptr,
+                                    sums,
+                                    pixels};
     plan.pose_moved = loaded->pose_moved;
     provide_shadow_map(plan);
     gpu::Graph graph;
@@ -347,7 +359,11 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
                                                             lighting.directional_count,
                                              .falloff = tables.light.falloff};
     impl.light_globals = mapped_buffer(impl.device, "lighting", &light_globals, 1);
-    const shared::SunShadow sun_shadow = shadow::sun_shadow(plan.sun, plan.shadow_size);
+    const auto lines = frame::hatched_lines(tables.hatch, plan.towards_sun, plan.has_directions());
+    plan.shadow_variant = shadow::shadow_variant(tables.shadow, lines);
+    const shared::EdgeLook edge_look = shadow::edge_look(tables.shadow, lines, plan.pixels_per_mm);
+    impl.edge_look = mapped_buffer(impl.device, "edges", &edge_look, 1);
+    const shared::SunShadow sun_shadow = shadow::sun_shadow(plan.sun, plan.shadow_size, tables.shadow);
     impl.sun_shadow = mapped_buffer(impl.device, "sun", &sun_shadow, 1);
     impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
     impl.provide_map(tables);

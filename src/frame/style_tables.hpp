@@ -8,6 +8,7 @@
 #include "techniques/light/light_style.hpp"
 #include "techniques/light/sun_style.hpp"
 #include "techniques/paper/paper.hpp"
+#include "techniques/shadow/shadow_style.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/tam/tam_style.hpp"
 #include "techniques/wash/wash.hpp"
@@ -37,6 +38,7 @@ struct StyleTables {
     PictureStyle picture;
     light::LightStyle light;
     light::SunStyle sun;
+    shadow::ShadowStyle shadow;
     light::ToneStyle tone;
     hatch::HatchStyle hatch;
     tam::TamStyle tam;
@@ -54,6 +56,7 @@ struct StyleTables {
     sheet.bind(picture_table(), tables.picture);
     sheet.bind(light::light_table(), tables.light);
     sheet.bind(light::sun_table(), tables.sun);
+    sheet.bind(shadow::shadow_table(), tables.shadow);
     sheet.bind(light::tone_table(), tables.tone);
     sheet.bind(hatch::hatch_table(), tables.hatch);
     sheet.bind(tam::tam_table(), tables.tam);

@@ -179,8 +179,10 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
                                                        setup.directional_count,
                                         .falloff = setup.falloff};
     light_globals_ = gpu::upload_buffer(shared_device(), "lighting", std::vector{lighting});
-    sun_shadow_ =
-        gpu::upload_buffer(shared_device(), "sun", std::vector{shadow::sun_shadow(view, setup.shadow_size)});
+    sun_shadow_ = gpu::upload_buffer(shared_device(), "sun",
+                                     std::vector{shadow::sun_shadow(view, setup.shadow_size, setup.shadow)});
+    edge_look_ = gpu::upload_buffer(shared_device(), "edges",
+                                    std::vector{shadow::edge_look(setup.shadow, setup.lines, 1.0F)});
     lights_ = gpu::upload_buffer(shared_device(), "lights", setup.records);
     shadow_map_ = gpu::Buffer(shared_device(), "shadow map", 4ULL * setup.shadow_size * setup.shadow_size,
                               gpu::MemoryUse::device);
@@ -204,6 +206,10 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
                                     .materials = stage.materials,
                                     .sun_map = shadow_map,
                                     .sun_shadow = gpu::import_whole(graph, "sun", sun_shadow_),
+                                    .coordinate = stage.surface.coordinate,
+                                    .footprint = stage.surface.footprint,
+                                    .edge_look = gpu::import_whole(graph, "edges", edge_look_),
+                                    .shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines),
                                     .has_shadow = setup.shadow_size > 0,
                                     .has_local_lights = setup.records.size() > setup.directional_count,
                                     .has_emissive = needs_.emissive,

@@ -4,6 +4,7 @@
 // A scene on the shared device, for tests that look at what one technique hands to the next.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <estampe/scene.hpp>
@@ -16,6 +17,7 @@
 #include "techniques/raster/raster.hpp"
 #include "techniques/raster/views.hpp"
 #include "techniques/screen/screen.hpp"
+#include "techniques/shadow/edge_look.hpp"
 #include "techniques/shadow/sun_view.hpp"
 #include "techniques/surface/materials.hpp"
 
@@ -46,6 +48,8 @@ struct LightSetup {
     glm::vec3 ambient{0.0F};
     float falloff = 1.0F;
     uint32_t shadow_size = 0;
+    shadow::ShadowStyle shadow;                ///< millimetres are pixels
+    std::optional<shadow::HatchedLines> lines; ///< what teeth follow
 };
 
 class Drawing {
@@ -106,6 +110,7 @@ private:
     gpu::Buffer lights_;
     gpu::Buffer shadow_map_;
     gpu::Buffer sun_shadow_;
+    gpu::Buffer edge_look_;
 };
 
 } // namespace estampe::test

@@ -11,6 +11,7 @@
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
 #include "techniques/light/light.glsl.h"
+#include "techniques/shadow/edge.glsl.h"
 #include "techniques/shadow/sun.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -54,20 +55,74 @@ layout(scalar, binding = 9) uniform Sun
     SunShadow sun_shadow;
 };
 
-layout(binding = 10, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
+// Read where edges of shadows have teeth.
+layout(binding = 10) uniform sampler2D coordinate_image;
+layout(binding = 11) uniform usampler2D footprint_image;
+
+layout(scalar, binding = 12) uniform EdgeLooks
+{
+    EdgeLook edge_look;
+};
+
+layout(binding = 13, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
 
 // What the scene needs of this shader.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_shadow = (variant & 1u) != 0u;
 const bool has_local_lights = (variant & 2u) != 0u;
 const bool has_emissive = (variant & 4u) != 0u;
+const bool has_stroke_edges = (variant & 0x100u) != 0u;
+const bool has_wave_edges = (variant & 0x200u) != 0u;
+const bool has_edges = has_stroke_edges || has_wave_edges;
+const bool has_soft_sun = (variant & 0x400u) != 0u;
 
 const uint lights_per_round = 256u;
 shared uint tile_nearest; // bits of reversed depth, which order as numbers do
 shared uint tile_farthest;
 shared uint reaching[lights_per_round / 32u];
 
+#include "techniques/shadow/edge.glsl"
 #include "techniques/shadow/sun_shadow.glsl"
+
+Edge edge_at(ivec2 pixel, uint word, float depth, vec3 point, vec3 normal)
+{
+    vec2 at_px = vec2(pixel) + 0.5;
+    PageRates rates = page_rates(frame, at_px, depth, point, normal);
+    Edge edge;
+    edge.first = wave_teeth(edge_look.axis_0, point, rates, 1u);
+    edge.second = wave_teeth(edge_look.axis_1, point, rates, 2u);
+    edge.m_per_px = distance(point, anchor_at(frame, at_px + vec2(1.0, 0.0), depth));
+    if (has_stroke_edges) {
+        edge.first = stroke_teeth(edge_look, strokes_of(word), texelFetch(coordinate_image, pixel, 0).xyz,
+                                  unpack_footprint(texelFetch(footprint_image, pixel, 0)), normal, rates);
+    }
+    return edge;
+}
+
+// Share of the sun that arrives, edges and breadth of the sun counted.
+float sun_share(vec3 point, vec3 normal, vec3 towards_sun, Edge edge)
+{
+    float penumbra_m = has_soft_sun ? sun_penumbra_m(point, normal, towards_sun) : 0.0;
+    EdgePoints points = edge_points(edge, edge_look, has_wave_edges, point, penumbra_m);
+    float radius_m = 0.5 * penumbra_m;
+    float first = has_soft_sun ? sun_soft_visibility(points.first, normal, towards_sun, radius_m)
+                               : sun_visibility(points.first, normal, towards_sun);
+    float second = has_soft_sun ? sun_soft_visibility(points.second, normal, towards_sun, radius_m)
+                                : sun_visibility(points.second, normal, towards_sun);
+    return edge_blend(points, first, second);
+}
+
+// What arrives of the sun at a pixel.
+float sun_at(ivec2 pixel, uint word, float depth, vec3 point, vec3 normal, vec3 towards_sun)
+{
+    if (has_edges) {
+        return sun_share(point, normal, towards_sun, edge_at(pixel, word, depth, point, normal));
+    }
+    if (has_soft_sun) {
+        return sun_soft_visibility(point, normal, towards_sun, sun_penumbra_m(point, normal, towards_sun));
+    }
+    return sun_visibility(point, normal, towards_sun);
+}
 
 vec3 local_light(LightRecord light, vec3 point, vec3 normal)
 {
@@ -132,7 +187,8 @@ void main()
     vec3 smooth_normal = unpack_normal(normals.y);
 
     vec3 light = mix(lighting.ground_ambient, lighting.sky_ambient, 0.5 + 0.5 * normal.y);
-    float sun_visible = has_shadow ? sun_visibility(point, smooth_normal, lights[0].direction) : 1.0;
+    float sun_visible =
+        has_shadow ? sun_at(pixel, word, max(depth, 1e-9), point, smooth_normal, lights[0].direction) : 1.0;
     for (uint i = 0u; i < lighting.directional_count; ++i) {
         LightRecord sun = lights[i];
         float lambert = dot(smooth_normal, sun.direction) > 0.0 ? max(dot(normal, sun.direction), 0.0) : 0.0;

@@ -26,10 +26,14 @@ gpu::ImageId add_light(gpu::Graph& graph, const LightInputs& in)
         .read(in.draws)
         .read(in.materials)
         .read(in.sun_map)
-        .uniform(in.sun_shadow);
+        .uniform(in.sun_shadow)
+        .sample(in.coordinate)
+        .sample(in.footprint)
+        .uniform(in.edge_look);
     const gpu::ImageId light = pass.write(graph.image(
         "light", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
-    pass.variant((in.has_shadow ? 1U : 0U) | (in.has_local_lights ? 2U : 0U) | (in.has_emissive ? 4U : 0U));
+    pass.variant((in.has_shadow ? 1U : 0U) | (in.has_local_lights ? 2U : 0U) | (in.has_emissive ? 4U : 0U) |
+                 (in.shadow_variant << 8U));
     pass.dispatch_over(in.size_px.x, in.size_px.y);
     return light;
 }

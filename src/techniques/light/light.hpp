@@ -46,6 +46,10 @@ struct LightInputs {
     gpu::BufferId materials;
     gpu::BufferId sun_map;    ///< bits of reversed depth, row by row
     gpu::BufferId sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
+    gpu::ImageId coordinate;
+    gpu::ImageId footprint;
+    gpu::BufferId edge_look;     ///< EdgeLook, see shadow/edge.glsl.h
+    uint32_t shadow_variant = 0; ///< see shadow/edge_look.hpp
     bool has_shadow = false;
     bool has_local_lights = false;
     bool has_emissive = false;

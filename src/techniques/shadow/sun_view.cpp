@@ -39,17 +39,24 @@ SunView sun_view(const Bounds& casters, const glm::dvec3& anchor, const glm::dve
     z.w += 0.5;
     SunView view;
     view.clip_from_anchor = glm::mat4(glm::transpose(glm::dmat4(x, y, z, glm::dvec4(0, 0, 0, 1))));
+    view.right = glm::vec3(right);
+    view.down = glm::vec3(-up);
+    view.extent_m = glm::vec2(2.0 * half);
     view.texel_m = static_cast<float>(2.0 * std::max(half.x, half.y) / static_cast<double>(size));
     view.depth_m = static_cast<float>(2.0 * half.z);
     return view;
 }
 
-shared::SunShadow sun_shadow(const SunView& view, uint32_t size)
+shared::SunShadow sun_shadow(const SunView& view, uint32_t size, const ShadowStyle& style)
 {
     return {.clip_from_anchor = view.clip_from_anchor,
+            .right = view.right,
             .texel_m = view.texel_m,
+            .down = view.down,
             .depth_m = view.depth_m,
-            .size = size};
+            .texels_per_m = static_cast<float>(size) / view.extent_m,
+            .size = size,
+            .sun_slope = std::tan(glm::radians(style.sun_radius_deg))};
 }
 
 } // namespace estampe::shadow

@@ -5,6 +5,7 @@
 
 #include <estampe/scene.hpp>
 
+#include "techniques/shadow/shadow_style.hpp"
 #include "techniques/shadow/sun.glsl.h"
 
 namespace estampe::shadow {
@@ -12,8 +13,11 @@ namespace estampe::shadow {
 /// The sun's parallel view of everything that throws a shadow.
 struct SunView {
     glm::mat4 clip_from_anchor{1.0F}; ///< reversed z: 1 nearest to the sun, 0 farthest
-    float texel_m = 0.0F;             ///< the longer side of a texel
-    float depth_m = 1.0F;             ///< what clip z of 0 to 1 spans
+    glm::vec3 right{1.0F, 0.0F, 0.0F};
+    glm::vec3 down{0.0F, 0.0F, 1.0F};
+    glm::vec2 extent_m{1.0F}; ///< what the map covers along both
+    float texel_m = 0.0F;     ///< the longer side of a texel
+    float depth_m = 1.0F;     ///< what clip z of 0 to 1 spans
 };
 
 /// Fits the view to `casters` (world space), whatever receives: outside of it nothing can be in shadow.
@@ -22,6 +26,6 @@ struct SunView {
                                uint32_t size);
 
 /// What the light pass needs to look up a map of that view, `size` texels a side; 0 for no shadow.
-[[nodiscard]] shared::SunShadow sun_shadow(const SunView& view, uint32_t size);
+[[nodiscard]] shared::SunShadow sun_shadow(const SunView& view, uint32_t size, const ShadowStyle& style = {});
 
 } // namespace estampe::shadow

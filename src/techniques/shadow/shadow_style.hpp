@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "style/parameter.hpp"
+
+namespace estampe::shadow {
+
+/// How the edges of shadows are drawn.
+enum class Edge : uint8_t { plain, strokes, waves };
+
+struct ShadowStyle {
+    Edge edge = Edge::plain;
+    float edge_reach_mm = 1.0F;
+    float edge_spacing_mm = 0.7F;
+    float edge_variety = 0.5F;
+    float edge_slant_deg = 35.0F;
+    float sun_radius_deg = 0.0F;
+};
+
+inline const style::Table<ShadowStyle>& shadow_table()
+{
+    static const auto table =
+        style::Table<ShadowStyle>("shadow", "How shadows fall")
+            .choice("edge", &ShadowStyle::edge,
+                    {{"plain", Edge::plain}, {"strokes", Edge::strokes}, {"waves", Edge::waves}},
+                    "Edges of shadows: plain; the hatching's strokes run past them; or teeth of their own, "
+                    "along two directions fixed to the world. Without lines to follow, strokes are waves")
+            .number("edge_reach_mm", &ShadowStyle::edge_reach_mm, {0.0F, 20.0F}, "mm",
+                    "How far the teeth reach to either side of the edge")
+            .number("edge_spacing_mm", &ShadowStyle::edge_spacing_mm, {0.05F, 20.0F}, "mm",
+                    "Waves: shortest distance between two teeth; the longest is twice that")
+            .number("edge_variety", &ShadowStyle::edge_variety, {0.0F, 1.0F}, "",
+                    "How much the teeth differ in length")
+            .number("edge_slant_deg", &ShadowStyle::edge_slant_deg, {-180.0F, 180.0F}, "deg",
+                    "Waves: bearing of the first direction that the teeth are set across; 0 is +z, 90 +x")
+            .number("sun_radius_deg", &ShadowStyle::sun_radius_deg, {0.0F, 15.0F}, "deg",
+                    "Half the angle that the sun fills: 0 for hard edges, 0.27 as it is; penumbrae widen "
+                    "with distance, and teeth with them");
+    return table;
+}
+
+} // namespace estampe::shadow

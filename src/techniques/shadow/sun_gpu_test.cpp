@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// Teeth and penumbrae of the sun's shadow, against what they promise and against rays.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "scene/shapes.hpp"
+#include "support/drawing.hpp"
+#include "support/embree_scene.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe::shadow {
+namespace {
+
+constexpr glm::uvec2 size_px(240, 180);
+constexpr uint32_t map_size = 1024;
+constexpr float reach_px = 4.0F;
+
+shared::LightRecord sun_record(const glm::dvec3& towards_sun)
+{
+    shared::LightRecord sun{};
+    sun.type = shared::light_directional;
+    sun.direction = glm::vec3(towards_sun);
+    sun.color = glm::vec3(1.0F);
+    return sun;
+}
+
+/// A canopy over a floor.
+Scene canopy()
+{
+    Scene scene = test::scene_of(shapes::plane(12.0F, 12.0F));
+    test::add_object(scene, shapes::box({4.0F, 0.1F, 4.0F}), glm::vec3(1.0F), {0.0, 4.0, 0.0});
+    return scene;
+}
+
+/// Sees the canopy's shadow, but not the canopy.
+Camera under_canopy(double aside_m = 0.0)
+{
+    return {.eye = {-3.0 + aside_m, 3.2, 5.5}, .target = {-2.0 + aside_m, 0.0, 0.0}, .vertical_fov_rad = 0.9};
+}
+
+const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(0.5, 1.0, 0.2));
+
+struct Lit {
+    std::vector<double> share; ///< of the sun; 1 where nothing is seen
+    std::vector<glm::dvec3> point;
+};
+
+Lit lit(const Scene& scene, const Camera& camera, const glm::dvec3& sun, const ShadowStyle& style,
+        const std::optional<HatchedLines>& lines = std::nullopt)
+{
+    test::Drawing drawing(scene, camera, size_px);
+    const auto light = drawing.light({.records = {sun_record(sun)},
+                                      .directional_count = 1,
+                                      .shadow_size = map_size,
+                                      .shadow = style,
+                                      .lines = lines});
+    const auto surface = drawing.surface();
+    Lit result;
+    for (size_t i = 0; i < light.size(); ++i) {
+        const double cosine = glm::dot(glm::dvec3(surface.smooth_normal[i]), sun);
+        const bool faces = surface.draw[i] != 0 && cosine > 0.02;
+        const glm::dvec2 at(static_cast<double>(i % size_px.x) + 0.5,
+                            static_cast<double>(i / size_px.x) + 0.5);
+        result.share.push_back(faces ? static_cast<double>(light[i].x) / cosine : 1.0);
+        result.point.push_back(drawing.point_at(at, static_cast<double>(std::max(surface.depth[i], 1e-9F))) +
+                               drawing.layout.anchor);
+    }
+    return result;
+}
+
+double shadow_px(const Lit& lit)
+{
+    double sum = 0.0;
+    for (const double share : lit.share) {
+        sum += 1.0 - share;
+    }
+    return sum;
+}
+
+/// Whether all within `radius` pixels of a pixel is lit alike.
+bool is_even(const Lit& lit, size_t pixel, int radius)
+{
+    const auto x = static_cast<int>(pixel % size_px.x);
+    const auto y = static_cast<int>(pixel / size_px.x);
+    for (int v = std::max(y - radius, 0); v <= std::min(y + radius, static_cast<int>(size_px.y) - 1); ++v) {
+        for (int u = std::max(x - radius, 0); u <= std::min(x + radius, static_cast<int>(size_px.x) - 1);
+             ++u) {
+            const size_t other = static_cast<size_t>(v) * size_px.x + static_cast<size_t>(u);
+            if ((u - x) * (u - x) + (v - y) * (v - y) <= radius * radius &&
+                std::abs(lit.share[other] - lit.share[pixel]) > 0.01) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+struct Teeth {
+    const char* name;
+    ShadowStyle style;
+    std::optional<HatchedLines> lines;
+};
+
+std::vector<Teeth> all_teeth()
+{
+    const ShadowStyle waves{
+        .edge = Edge::waves, .edge_reach_mm = reach_px, .edge_spacing_mm = 3.0F, .edge_variety = 0.5F};
+    ShadowStyle strokes = waves;
+    strokes.edge = Edge::strokes;
+    return {{"waves", waves, std::nullopt}, {"strokes", strokes, HatchedLines{.width_mm = 1.5F}}};
+}
+
+TEST(ShadowEdge, TeethKeepTheShadowsAreaAndStayWithinTheirReach)
+{
+    const Scene scene = canopy();
+    const Lit plain = lit(scene, under_canopy(), towards_sun, {});
+    for (const Teeth& teeth : all_teeth()) {
+        const Lit toothed = lit(scene, under_canopy(), towards_sun, teeth.style, teeth.lines);
+        const double change = shadow_px(toothed) / shadow_px(plain) - 1.0;
+        size_t moved = 0;
+        size_t too_far = 0;
+        for (size_t i = 0; i < plain.share.size(); ++i) {
+            const bool is_moved = std::abs(toothed.share[i] - plain.share[i]) > 0.3;
+            moved += is_moved ? 1U : 0U;
+            too_far += is_moved && is_even(plain, i, static_cast<int>(reach_px) + 1) ? 1U : 0U;
+        }
+        fmt::print("{:8} area {:+.4f} of {:.0f} px, {} px moved\n", teeth.name, change, shadow_px(plain),
+                   moved);
+        EXPECT_LT(std::abs(change), 0.01) << teeth.name;
+        EXPECT_EQ(too_far, 0U) << teeth.name;
+        EXPECT_GT(moved, 100U) << teeth.name;
+    }
+}
+
+/// Share of the page where the light at the same point of the world is another half a step later.
+double crawl(const Lit& before, const Lit& now, const test::Drawing& later)
+{
+    size_t changed = 0;
+    size_t seen = 0;
+    const glm::dmat4 clip_from_anchor(later.globals.clip_from_anchor);
+    for (size_t i = 0; i < before.share.size(); ++i) {
+        const glm::dvec4 clip = clip_from_anchor * glm::dvec4(before.point[i] - later.layout.anchor, 1.0);
+        const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size_px);
+        if (at.x < 0.0 || at.y < 0.0 || at.x >= size_px.x || at.y >= size_px.y) {
+            continue;
+        }
+        const size_t there = static_cast<size_t>(at.y) * size_px.x + static_cast<size_t>(at.x);
+        ++seen;
+        // Between two pixels the edge may pass: what counts is light that no neighbour has.
+        bool found = false;
+        for (const int step : {0, -1, 1, -static_cast<int>(size_px.x), static_cast<int>(size_px.x)}) {
+            const auto other = static_cast<size_t>(
+                std::clamp(static_cast<int>(there) + step, 0, static_cast<int>(now.share.size()) - 1));
+            found |= std::abs(now.share[other] - before.share[i]) < 0.5;
+        }
+        changed += found ? 0U : 1U;
+    }
+    return static_cast<double>(changed) / static_cast<double>(seen);
+}
+
+TEST(ShadowEdge, TeethStayInPlaceWhileTheEyeMoves)
+{
+    const Scene scene = canopy();
+    for (const Teeth& teeth : all_teeth()) {
+        double worst = 0.0;
+        Lit before = lit(scene, under_canopy(), towards_sun, teeth.style, teeth.lines);
+        for (int step = 1; step <= 6; ++step) {
+            const Camera camera = under_canopy(0.1 * step);
+            const Lit now = lit(scene, camera, towards_sun, teeth.style, teeth.lines);
+            worst = std::max(worst, crawl(before, now, test::Drawing(scene, camera, size_px)));
+            before = now;
+        }
+        fmt::print("{:8} {:.4f} % of pixels change in a step of 0.1 m\n", teeth.name, 100.0 * worst);
+        EXPECT_LT(worst, 0.005) << teeth.name;
+    }
+}
+
+/// Share of a disc that lies beyond a line `x` radii from its middle.
+double disc_beyond(double x)
+{
+    const double held = std::clamp(x, -1.0, 1.0);
+    return std::acos(held) / std::numbers::pi - held * std::sqrt(1.0 - held * held) / std::numbers::pi;
+}
+
+TEST(SunPenumbra, OfAWallIsThatOfADisc)
+{
+    constexpr double elevation = 0.5236;
+    constexpr float radius_deg = 2.0F;
+    const double radius = glm::radians(static_cast<double>(radius_deg));
+    Scene scene = test::scene_of(shapes::plane(8.0F, 3.0F));
+    test::add_object(scene, shapes::box({0.02F, 1.0F, 8.0F}), glm::vec3(1.0F), {0.01, 0.0, 0.0});
+    const glm::dvec3 sun(std::cos(elevation), std::sin(elevation), 0.0);
+    const Camera camera{.eye = {-1.7, 1.2, 0.1}, .target = {-1.75, 0.0, 0.0}, .vertical_fov_rad = 0.5};
+    const Lit soft = lit(scene, camera, sun, {.sun_radius_deg = radius_deg});
+    test::Drawing drawing(scene, camera, size_px);
+    const double texel_m = static_cast<double>(drawing.sun(sun, map_size).texel_m) / std::sin(elevation);
+    const double umbra = -1.0 / std::tan(elevation + radius);
+    const double open = -1.0 / std::tan(elevation - radius);
+    double worst = 0.0;
+    double umbra_found = -10.0;
+    double open_found = 0.0;
+    for (size_t i = 0; i < soft.share.size(); ++i) {
+        const double x = soft.point[i].x;
+        if (std::abs(soft.point[i].z) < 0.6) {
+            const double expected = disc_beyond((std::atan(-1.0 / x) - elevation) / radius);
+            worst = std::max(worst, std::abs(soft.share[i] - expected));
+            umbra_found = soft.share[i] > 0.5 / 32.0 ? std::max(umbra_found, x) : umbra_found;
+            open_found = soft.share[i] < 1.0 - 0.5 / 32.0 ? std::min(open_found, x) : open_found;
+        }
+    }
+    fmt::print(
+        "umbra to {:.4f} m, {:.4f} found; open from {:.4f} m, {:.4f} found; a texel is {:.4f} m; worst "
+        "share off by {:.3f}\n",
+        umbra, umbra_found, open, open_found, texel_m, worst);
+    // The share looked for is reached this far before the end.
+    const double least = 0.09 * 0.5 * (umbra - open);
+    EXPECT_NEAR(umbra_found, umbra - least, texel_m);
+    EXPECT_NEAR(open_found, open + least, texel_m);
+    EXPECT_LT(worst, 0.08);
+}
+
+/// The share of a disc sun that 256 rays find.
+double traced(const test::EmbreeScene& rays, const glm::dvec3& from, const glm::dvec3& sun, double radius)
+{
+    const glm::dvec3 right = glm::normalize(glm::cross(sun, glm::dvec3(0.1, 0.2, 0.9)));
+    const glm::dvec3 up = glm::cross(right, sun);
+    int open = 0;
+    for (int i = 0; i < 256; ++i) {
+        const double away = std::tan(radius) * std::sqrt((i + 0.5) / 256.0);
+        const double angle = 2.399963229728653 * i;
+        open += rays.is_blocked(from,
+                                glm::normalize(sun + away * (right * std::cos(angle) + up * std::sin(angle))))
+                    ? 0
+                    : 1;
+    }
+    return open / 256.0;
+}
+
+TEST(SunPenumbra, AgreesWithRaysOverTheDisc)
+{
+    Scene scene = test::scene_of(shapes::plane(12.0F, 12.0F));
+    test::add_object(scene, shapes::box({1.0F, 2.0F, 1.0F}), glm::vec3(1.0F), {-1.0, 0.0, 0.0});
+    test::add_object(scene, shapes::box({3.0F, 0.4F, 1.0F}), glm::vec3(1.0F), {0.5, 0.0, 1.5});
+    test::add_object(scene, shapes::box({0.2F, 3.0F, 0.2F}), glm::vec3(1.0F), {2.0, 0.0, -1.0});
+    test::add_object(scene, shapes::torus(0.8F, 0.25F), glm::vec3(1.0F), {0.5, 2.5, 0.0});
+    const test::EmbreeScene rays(scene);
+    const Camera camera{.eye = {4.0, 6.0, 8.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.8};
+    for (const float radius_deg : {0.27F, 1.0F, 3.0F}) {
+        const Lit soft = lit(scene, camera, towards_sun, {.sun_radius_deg = radius_deg});
+        double error = 0.0;
+        double compared = 0.0;
+        double partly = 0.0;
+        double partly_error = 0.0;
+        for (size_t i = 0; i < soft.share.size(); i += 3) {
+            if (soft.point[i].y > -0.01 && soft.point[i].y < 0.01) {
+                const double share = traced(rays, soft.point[i] + glm::dvec3(0, 1e-4, 0), towards_sun,
+                                            glm::radians(static_cast<double>(radius_deg)));
+                error += std::abs(soft.share[i] - share);
+                compared += 1.0;
+                const bool is_partly = share > 0.01 && share < 0.99;
+                partly += is_partly ? 1.0 : 0.0;
+                partly_error += is_partly ? std::abs(soft.share[i] - share) : 0.0;
+            }
+        }
+        fmt::print("{} degrees: mean error {:.4f}; in penumbrae {:.4f}, {:.0f} of {:.0f} px\n", radius_deg,
+                   error / compared, partly_error / std::max(partly, 1.0), partly, compared);
+        EXPECT_LT(error / compared, 0.04);
+        EXPECT_GT(compared, 5000.0);
+    }
+}
+
+} // namespace
+} // namespace estampe::shadow
