@@ -55,6 +55,30 @@ VkImageUsageFlags usage_for(Format format)
     return usage;
 }
 
+uint64_t texel_bytes(Format format)
+{
+    switch (format) {
+    case Format::r8:
+        return 1;
+    case Format::r16f:
+        return 2;
+    case Format::r32ui:
+    case Format::rgba8:
+    case Format::rg16f:
+    case Format::r32f:
+    case Format::rgba8_srgb:
+    case Format::depth32f:
+        return 4;
+    case Format::rg32ui:
+    case Format::rgba16f:
+        return 8;
+    case Format::rgba32ui:
+    case Format::rgba32f:
+        return 16;
+    }
+    return 16;
+}
+
 } // namespace
 
 Buffer::Buffer(Device& device, const std::string& name, uint64_t size_bytes, MemoryUse use)
@@ -70,6 +94,7 @@ Buffer::Buffer(Device& device, const std::string& name, uint64_t size_bytes, Mem
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
         .size = size_bytes_,
         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
+                 VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
                  VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                  VK_BUFFER_USAGE_TRANSFER_DST_BIT};
     vk_check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_), "vkCreateBuffer");
@@ -92,6 +117,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept
         destroy();
         device_ = std::exchange(other.device_, nullptr);
         buffer_ = std::exchange(other.buffer_, VK_NULL_HANDLE);
+        texels_ = std::exchange(other.texels_, {});
         allocation_ = std::exchange(other.allocation_, {});
         size_bytes_ = std::exchange(other.size_bytes_, 0);
     }
@@ -106,9 +132,33 @@ std::span<std::byte> Buffer::mapped() const
     return {static_cast<std::byte*>(allocation_.mapped), size_bytes_};
 }
 
+VkBufferView Buffer::texels(Format format) const
+{
+    VkBufferView& view = texels_[format];
+    if (view != VK_NULL_HANDLE) {
+        return view;
+    }
+    const uint64_t count = size_bytes_ / texel_bytes(format);
+    if (count > device_->limits().maxTexelBufferElements) {
+        throw Error(fmt::format("the scene has a list of {} entries, {} reads at most {}", count,
+                                device_->info().name, device_->limits().maxTexelBufferElements),
+                    {}, "use a lighter scene or another --device");
+    }
+    const VkBufferViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
+                                      .buffer = buffer_,
+                                      .format = vulkan_format(format),
+                                      .range = count * texel_bytes(format)};
+    vk_check(vkCreateBufferView(device_->handle(), &info, nullptr, &view), "vkCreateBufferView");
+    return view;
+}
+
 void Buffer::destroy()
 {
     if (buffer_ != VK_NULL_HANDLE) {
+        for (const auto& [format, view] : texels_) {
+            vkDestroyBufferView(device_->handle(), view, nullptr);
+        }
+        texels_.clear();
         vkDestroyBuffer(device_->handle(), buffer_, nullptr);
         device_->memory().free(allocation_);
         buffer_ = VK_NULL_HANDLE;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 
@@ -39,11 +40,16 @@ public:
     /// The bytes of a mapped buffer; empty for MemoryUse::device.
     [[nodiscard]] std::span<std::byte> mapped() const;
 
+    /// The buffer as texels of `format`, for a samplerBuffer or usamplerBuffer; made when it is first asked
+    /// for. Throws Error when it has more texels than the device can view at once.
+    [[nodiscard]] VkBufferView texels(Format format) const;
+
 private:
     void destroy();
 
     Device* device_ = nullptr;
     VkBuffer buffer_ = VK_NULL_HANDLE;
+    mutable std::map<Format, VkBufferView> texels_;
     Allocation allocation_;
     uint64_t size_bytes_ = 0;
 };

@@ -15,27 +15,28 @@ struct TextureSlot {
     vec2 column_u;
     vec2 column_v;
     vec2 offset;
+    float strength; // of a normal or an occlusion texture, 0 to 1 and more
 };
 
+// Eleven texels of 16 bytes, see shaders/material_texels.glsl.
 struct MaterialRecord {
     vec4 base_color;
-    vec3 mean_color;  // of texture times factor: what a flat wash takes
-    vec3 shade_color; // multiplied into the wash in shadow
-    vec3 emissive;
-    float normal_scale;
-    float alpha_cutoff;    // of masked materials; least_cover of blended ones
-    float outline_width_m; // 0: the style's outline
-    vec3 outline_color;    // with an outline of its own
+    vec3 mean_color; // of texture times factor: what a flat wash takes
     uint flags;
+    vec3 shade_color;      // multiplied into the wash in shadow
+    float alpha_cutoff;    // of masked materials; least_cover of blended ones
+    vec3 outline_color;    // with an outline of its own
+    float outline_width_m; // 0: the style's outline
+    vec3 emissive;
+    float unused;
     TextureSlot base_texture;
     TextureSlot normal_texture;
-    TextureSlot occlusion_texture; // share of the light that gets through, in red
-    float occlusion_strength;      // how much of it counts, 0 to 1
+    TextureSlot occlusion_texture; // share of the light that gets through, in red: 1 + strength * (red - 1)
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(TextureSlot) == 28);
-static_assert(sizeof(MaterialRecord) == 168);
+static_assert(sizeof(TextureSlot) == 32);
+static_assert(sizeof(MaterialRecord) == 176);
 inline constexpr uint no_texture = 0xffffffffU;
 inline constexpr uint material_unlit = 1U;
 inline constexpr uint material_paper = 2U; // takes shadow, but neither wash nor outline

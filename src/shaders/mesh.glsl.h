@@ -28,20 +28,21 @@ struct MorphOffset {
     vec3 normal;
 };
 
-// One mesh primitive in one place of the scene.
+// One mesh primitive in one place of the scene: seven texels of 16 bytes, see shaders/draw_texels.glsl.
 struct DrawRecord {
     mat4 anchor_from_object;
     uint first_posed_vertex;
     uint first_rest_vertex;
-    uint vertex_count;
     uint material;
+    uint object; // what an outline goes around: one number a node
+    uint vertex_count;
     uint first_skin_vertex; // no_skin: rigid
     uint first_joint;       // into the joint matrices, anchor_from_bind
     uint first_morph_offset;
     uint morph_target_count;
     uint first_morph_weight;
-    uint object; // what an outline goes around: one number a node
     uint flags;
+    uint unused;
 };
 
 // Position relative to the anchor; normal as in RestVertex.
@@ -52,7 +53,7 @@ struct PosedVertex {
 
 #ifdef __cplusplus
 static_assert(sizeof(RestVertex) == 36);
-static_assert(sizeof(DrawRecord) == 108);
+static_assert(sizeof(DrawRecord) == 112);
 static_assert(sizeof(PosedVertex) == 16);
 inline constexpr uint no_skin = 0xffffffffU;
 inline constexpr uint draw_has_uv = 1U;

@@ -18,7 +18,8 @@ constexpr uint32_t max_bindings_per_frame = 2048;
 VkDescriptorType descriptor_type(const Use& use, bool is_image)
 {
     if (!is_image) {
-        return is_uniform(use.access) ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        return is_sampled(use.access)   ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
+               : is_uniform(use.access) ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     }
     return is_sampled(use.access) ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
                                   : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
@@ -47,7 +48,8 @@ Executor::Executor(Device& device) : device_(device), pipelines_(device)
                                            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                            .commandBufferCount = 1};
     vk_check(vkAllocateCommandBuffers(device.handle(), &info, &commands_), "vkAllocateCommandBuffers");
-    const std::array<VkDescriptorPoolSize, 4> sizes{{
+    const std::array<VkDescriptorPoolSize, 5> sizes{{
+        {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, max_bindings_per_frame},
         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, max_bindings_per_frame},
         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, max_bindings_per_frame},
         {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, max_bindings_per_frame},
@@ -253,6 +255,7 @@ VkDescriptorSet Executor::bind(const PassRecord& pass, const Pipeline& pipeline)
 
     std::vector<VkDescriptorImageInfo> images(pass.uses.size());
     std::vector<VkDescriptorBufferInfo> buffers(pass.uses.size());
+    std::vector<VkBufferView> texels(pass.uses.size());
     std::vector<VkWriteDescriptorSet> writes;
     for (size_t i = 0; i < pass.uses.size(); ++i) {
         const Use& use = pass.uses[i];
@@ -265,6 +268,8 @@ VkDescriptorSet Executor::bind(const PassRecord& pass, const Pipeline& pipeline)
                              is_sampled(use.access) ? pipelines_.sampler(use.sampling) : VK_NULL_HANDLE,
                          .imageView = image_of(use.resource).view(),
                          .imageLayout = vulkan_layout(layout_for(use.access))};
+        } else if (is_sampled(use.access)) {
+            texels[i] = buffer_of(use.resource).texels(use.texel);
         } else {
             buffers[i] = {.buffer = buffer_of(use.resource).handle(), .range = VK_WHOLE_SIZE};
         }
@@ -274,7 +279,8 @@ VkDescriptorSet Executor::bind(const PassRecord& pass, const Pipeline& pipeline)
                           .descriptorCount = 1,
                           .descriptorType = descriptor_type(use, is_image),
                           .pImageInfo = &images[i],
-                          .pBufferInfo = &buffers[i]});
+                          .pBufferInfo = &buffers[i],
+                          .pTexelBufferView = &texels[i]});
     }
     vkUpdateDescriptorSets(device_.handle(), static_cast<uint32_t>(writes.size()), writes.data(), 0, nullptr);
     return set;

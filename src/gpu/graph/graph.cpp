@@ -23,8 +23,6 @@ uint32_t groups_over(uint32_t pixels)
 bool suits(Access access, bool is_image)
 {
     switch (access) {
-    case Access::compute_sampled:
-    case Access::raster_sampled:
     case Access::color_attachment:
     case Access::color_attachment_modify:
     case Access::depth_attachment:
@@ -34,9 +32,11 @@ bool suits(Access access, bool is_image)
     case Access::indirect:
     case Access::host_read:
         return !is_image;
+    case Access::compute_sampled:
     case Access::compute_storage_read:
     case Access::compute_storage_write:
     case Access::compute_storage_modify:
+    case Access::raster_sampled:
     case Access::raster_storage_read:
     case Access::transfer_read:
     case Access::transfer_write:
@@ -105,6 +105,13 @@ Pass& Pass::sample(ImageId image, Sampling sampling)
 {
     use(image.resource, image.version, true,
         {.access = read_by(record(), Access::compute_sampled, Access::raster_sampled), .sampling = sampling});
+    return *this;
+}
+
+Pass& Pass::sample(BufferId buffer, Format texel)
+{
+    use(buffer.resource, buffer.version, false,
+        {.access = read_by(record(), Access::compute_sampled, Access::raster_sampled), .texel = texel});
     return *this;
 }
 

@@ -74,7 +74,7 @@ struct BufferId {
 
 /// How a pass touches a resource: decides stage, access mask and image layout.
 enum class Access : uint8_t {
-    compute_sampled,        ///< texelFetch or a sampler; image only
+    compute_sampled,        ///< texelFetch or a sampler
     compute_storage_read,   ///< storage image or buffer, read
     compute_storage_write,  ///< storage image or buffer, every texel or byte that matters is written
     compute_storage_modify, ///< read and written, atomics
@@ -139,6 +139,7 @@ struct Use {
     uint32_t version = 0; ///< read version; for a write, the version before
     Access access = Access::compute_sampled;
     Sampling sampling = Sampling::nearest;
+    Format texel = Format::rgba32ui; ///< of a sampled buffer
     bool bound = true; ///< takes the next binding number of the pass (indirect arguments do not)
 };
 
@@ -189,6 +190,9 @@ class Graph;
 class Pass {
 public:
     Pass& sample(ImageId image, Sampling sampling = Sampling::nearest);
+    /// A buffer as texels, four unsigned words unless said (usamplerBuffer, samplerBuffer): processors gather
+    /// those for several threads at once, storage buffers word by word.
+    Pass& sample(BufferId buffer, Format texel = Format::rgba32ui);
     Pass& read(ImageId image);
     Pass& read(BufferId buffer);
     Pass& uniform(BufferId buffer);

@@ -32,7 +32,7 @@ Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& 
     clear.dispatch(1);
 
     auto detect = graph.compute("contour/edges", shaders::edges_comp);
-    detect.uniform(in.frame).read(in.draws).sample(in.draw).sample(in.depth).sample(in.normal);
+    detect.uniform(in.frame).sample(in.draws).sample(in.draw).sample(in.depth).sample(in.normal);
     detect.sample(in.screen_draw).variant(in.has_screen ? 1U : 0U);
     const gpu::BufferId count = detect.modify(none);
     const gpu::BufferId edges =
@@ -50,9 +50,9 @@ Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& 
         .dispatch_over(in.size_px.x, in.size_px.y);
 
     auto place = graph.compute("contour/seeds", shaders::seeds_comp);
-    place.uniform(in.frame).read(in.visibility).read(in.triangles).read(in.posed_vertices);
+    place.uniform(in.frame).read(in.visibility).sample(in.triangles).sample(in.posed_vertices);
     place.sample(in.depth).sample(in.coordinate).sample(in.light).read(count).read(edges);
-    place.sample(in.draw).read(in.draws).read(in.materials).variant(in.own_outlines ? 1U : 0U);
+    place.sample(in.draw).sample(in.draws).sample(in.materials).variant(in.own_outlines ? 1U : 0U);
     const gpu::ImageId seed = place.write(graph.image(
         "contour/seed", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     place
@@ -87,7 +87,7 @@ gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const Cont
         seeds.nearest = add_flood(graph, seeds.nearest, in.size_px, step);
     }
     auto pass = graph.compute("contour/stroke", shaders::stroke_comp);
-    pass.sample(seeds.nearest).sample(seeds.seed).sample(in.draw).read(in.draws).read(in.materials);
+    pass.sample(seeds.nearest).sample(seeds.seed).sample(in.draw).sample(in.draws).sample(in.materials);
     pass.variant(in.own_outlines ? 1U : 0U);
     const gpu::ImageId ink = pass.write(graph.image(
         "contour/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba8}));

@@ -17,10 +17,8 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(scalar, binding = 1) readonly buffer Draws
-{
-    DrawRecord draws[];
-};
+#define DRAW_TEXELS_BINDING 1
+#include "shaders/draw_texels.glsl"
 
 layout(binding = 2) uniform usampler2D draw_image;
 layout(binding = 3) uniform sampler2D depth_image;
@@ -79,21 +77,21 @@ Seen seen_at(ivec2 pixel)
 float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
 {
     bool same_draw = ((a.word ^ b.word) & DRAW_NUMBER_MASK) == 0u;
-    uint number_a = draw_of(a.word);
-    uint number_b = draw_of(b.word);
+    DrawPart draw_a = draw_at(draw_of(a.word));
+    DrawPart draw_b = draw_at(draw_of(b.word));
     float step = b.depth - a.depth;
     float surprise = min(abs(step - (a.depth - depth_at(before))), abs(step - (depth_at(after) - b.depth)));
     float bend = dot(a.normal, b.normal);
     // A fold is sharp when the surface bends here more than on both sides together.
     float around = 2.0 - dot(normal_at(before), a.normal) - dot(b.normal, normal_at(after));
     bool is_crease = bend < constants.crease_cosine && around < 0.5 * (1.0 - bend);
-    if (!same_draw && draws[number_a].object != draws[number_b].object) {
+    if (!same_draw && draw_a.object != draw_b.object) {
         return constants.outline_px;
     }
     if (surprise > constants.depth_step * max(a.depth, b.depth)) {
         return 0.9 * constants.outline_px;
     }
-    if (!same_draw && draws[number_a].material != draws[number_b].material) {
+    if (!same_draw && draw_a.material != draw_b.material) {
         return constants.boundary_px;
     }
     return is_crease ? constants.crease_px : 0.0;

@@ -25,15 +25,8 @@ layout(scalar, binding = 1) readonly buffer Visibility
     uvec2 visibility[];
 };
 
-layout(scalar, binding = 2) readonly buffer Triangles
-{
-    uvec4 triangles[];
-};
-
-layout(scalar, binding = 3) readonly buffer PosedVertices
-{
-    PosedVertex posed_vertices[];
-};
+#define MESH_TEXELS_BINDING 2
+#include "shaders/mesh_texels.glsl"
 
 layout(binding = 4) uniform sampler2D depth_image;
 layout(binding = 5) uniform sampler2D coordinate_image;
@@ -51,15 +44,11 @@ layout(scalar, binding = 8) readonly buffer Edges
 
 layout(binding = 9) uniform usampler2D draw_image;
 
-layout(scalar, binding = 10) readonly buffer Draws
-{
-    DrawRecord draws[];
-};
+#define DRAW_TEXELS_BINDING 10
+#include "shaders/draw_texels.glsl"
 
-layout(scalar, binding = 11) readonly buffer Materials
-{
-    MaterialRecord materials[];
-};
+#define MATERIAL_TEXELS_BINDING 11
+#include "shaders/material_texels.glsl"
 
 layout(binding = 12,
        rgba16f) writeonly uniform image2D out_seed; // offset from the pixel's centre; direction * half width
@@ -86,11 +75,11 @@ void exit_of_triangle(ivec2 from, ivec2 to, inout float share, inout vec2 direct
     if (!sees_triangle(seen)) {
         return;
     }
-    uvec4 corners = triangles[seen_triangle(seen)];
+    uvec4 corners = triangle_at(seen_triangle(seen));
     vec4 clip[3];
-    clip[0] = frame.clip_from_anchor * vec4(posed_vertices[corners.x].position, 1.0);
-    clip[1] = frame.clip_from_anchor * vec4(posed_vertices[corners.y].position, 1.0);
-    clip[2] = frame.clip_from_anchor * vec4(posed_vertices[corners.z].position, 1.0);
+    clip[0] = frame.clip_from_anchor * vec4(posed_vertex_at(corners.x).position, 1.0);
+    clip[1] = frame.clip_from_anchor * vec4(posed_vertex_at(corners.y).position, 1.0);
+    clip[2] = frame.clip_from_anchor * vec4(posed_vertex_at(corners.z).position, 1.0);
     if (min(clip[0].w, min(clip[1].w, clip[2].w)) <= frame.near_m * 0.5) {
         return;
     }
@@ -149,7 +138,7 @@ void place_line(ivec2 pixel, ivec2 way, inout float width, out vec2 offset, out 
     width *= pressure_at(front, max(depth_here, depth_there));
     uint word = texelFetch(draw_image, front, 0).x;
     if (has_own_outlines && sees_draw(word)) {
-        float own_m = materials[draws[draw_of(word)].material].outline_width_m;
+        float own_m = outline_width_m_of(draw_at(draw_of(word)).material);
         vec3 point = anchor_at(frame, vec2(front) + 0.5, max(max(depth_here, depth_there), 1e-9));
         width = own_m > 0.0 ? own_m / (distance(point, frame.eye_anchor) * constants.pixel_angle) : width;
     }

@@ -15,15 +15,11 @@ layout(binding = 0) uniform usampler2D nearest_image;
 layout(binding = 1) uniform sampler2D seed_image;
 layout(binding = 2) uniform usampler2D draw_image;
 
-layout(scalar, binding = 3) readonly buffer Draws
-{
-    DrawRecord draws[];
-};
+#define DRAW_TEXELS_BINDING 3
+#include "shaders/draw_texels.glsl"
 
-layout(scalar, binding = 4) readonly buffer Materials
-{
-    MaterialRecord materials[];
-};
+#define MATERIAL_TEXELS_BINDING 4
+#include "shaders/material_texels.glsl"
 
 layout(binding = 5, rgba8) writeonly uniform image2D out_ink; // square root of linear colour; coverage
 
@@ -79,9 +75,9 @@ void main()
     for (int i = 0; has_own_outlines && inked_by != NO_SEED && i < 3; ++i) {
         ivec2 at = ivec2(inked_by & 0xffffu, inked_by >> 16) + ivec2(i & 1, i >> 1);
         uint word = texelFetch(draw_image, min(at, size - 1), 0).x;
-        uint material = sees_draw(word) ? draws[draw_of(word)].material : 0u;
-        if (sees_draw(word) && materials[material].outline_width_m > 0.0) {
-            color = materials[material].outline_color;
+        uint material = sees_draw(word) ? draw_at(draw_of(word)).material : 0u;
+        if (sees_draw(word) && outline_width_m_of(material) > 0.0) {
+            color = outline_color_of(material);
         }
     }
     imageStore(out_ink, pixel, vec4(sqrt(color), ink));

@@ -35,15 +35,11 @@ layout(binding = 3) uniform usampler2D draw_image;
 layout(binding = 4) uniform sampler2D depth_image;
 layout(binding = 5) uniform usampler2D normal_image;
 
-layout(scalar, binding = 6) readonly buffer Draws
-{
-    DrawRecord draws[];
-};
+#define DRAW_TEXELS_BINDING 6
+#include "shaders/draw_texels.glsl"
 
-layout(scalar, binding = 7) readonly buffer Materials
-{
-    MaterialRecord materials[];
-};
+#define MATERIAL_TEXELS_BINDING 7
+#include "shaders/material_texels.glsl"
 
 layout(scalar, binding = 8) readonly buffer SunMap
 {
@@ -224,7 +220,7 @@ void main()
         return;
     }
     if (has_emissive && (word & DRAW_EMISSIVE) != 0u) {
-        light += materials[draws[draw_of(word)].material].emissive;
+        light += emissive_of(draw_at(draw_of(word)).material);
     }
     if (!sees_draw(word) || (word & DRAW_UNLIT) != 0u) {
         light = vec3(1.0);

@@ -4,20 +4,12 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/mesh.glsl.h"
 #include "techniques/raster/raster.glsl.h"
 
 layout(local_size_x = CLUSTER_TRIANGLES) in;
 
-layout(scalar, binding = 0) readonly buffer Triangles
-{
-    uvec4 triangles[];
-};
-
-layout(scalar, binding = 1) readonly buffer PosedVertices
-{
-    PosedVertex posed_vertices[];
-};
+#define MESH_TEXELS_BINDING 0
+#include "shaders/mesh_texels.glsl"
 
 layout(scalar, binding = 2) writeonly buffer Bounds
 {
@@ -40,10 +32,10 @@ void main()
     low[lane] = vec3(1e30);
     high[lane] = vec3(-1e30);
     if (triangle < triangle_count) {
-        uvec4 corners = triangles[triangle];
-        vec3 a = posed_vertices[corners.x].position;
-        vec3 b = posed_vertices[corners.y].position;
-        vec3 c = posed_vertices[corners.z].position;
+        uvec4 corners = triangle_at(triangle);
+        vec3 a = posed_vertex_at(corners.x).position;
+        vec3 b = posed_vertex_at(corners.y).position;
+        vec3 c = posed_vertex_at(corners.z).position;
         low[lane] = min(min(a, b), c);
         high[lane] = max(max(a, b), c);
     }

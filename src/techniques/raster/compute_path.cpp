@@ -70,7 +70,7 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
         graph.buffer(name + "/tiles", {.size_bytes = tile_capacity * sizeof(shared::TriangleTile)});
     const auto begin_stage = [&](const char* stage, const gpu::Shader& shader) {
         auto pass = graph.compute(name + "/" + stage, shader);
-        pass.read(in.triangles).read(in.posed_vertices);
+        pass.sample(in.triangles).sample(in.posed_vertices);
         const bool first = &shader == &shaders.small;
         counters = pass.modify(counters);
         large = first ? pass.write(large) : pass.modify(large);

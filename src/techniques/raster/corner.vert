@@ -14,8 +14,10 @@ layout(constant_id = 0) const uint variant = 0u;
 void main()
 {
     uint triangle = constants.first_triangle + uint(gl_VertexIndex) / 3u;
-    uint vertex = triangles[triangle][uint(gl_VertexIndex) % 3u];
-    gl_Position = constants.clip_from_anchor * vec4(posed_vertices[vertex].position, 1.0);
+    uvec4 corners = triangle_at(triangle);
+    uint corner = uint(gl_VertexIndex) % 3u;
+    uint vertex = corner == 0u ? corners.x : corner == 1u ? corners.y : corners.z;
+    gl_Position = constants.clip_from_anchor * vec4(posed_vertex_at(vertex).position, 1.0);
     triangle_drawn = triangle;
-    triangle_flags = (variant & DRAW_TESTS_SIDES) != 0u ? triangles[triangle].w : 0u;
+    triangle_flags = (variant & DRAW_TESTS_SIDES) != 0u ? corners.w : 0u;
 }

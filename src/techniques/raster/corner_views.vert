@@ -27,8 +27,10 @@ void main()
         return;
     }
     RasterView view = views[item.view];
-    uint vertex = triangles[triangle][uint(gl_VertexIndex) % 3u];
-    vec4 clip = view.clip_from_anchor * vec4(posed_vertices[vertex].position, 1.0);
+    uvec4 corners = triangle_at(triangle);
+    uint corner = uint(gl_VertexIndex) % 3u;
+    uint vertex = corner == 0u ? corners.x : corner == 1u ? corners.y : corners.z;
+    vec4 clip = view.clip_from_anchor * vec4(posed_vertex_at(vertex).position, 1.0);
     gl_ClipDistance[0] = clip.w + clip.x;
     gl_ClipDistance[1] = clip.w - clip.x;
     gl_ClipDistance[2] = clip.w + clip.y;

@@ -2,17 +2,9 @@
 // What the stages of the hardware path share when many views are drawn at once.
 
 #include "techniques/raster/raster.glsl.h"
-#include "shaders/mesh.glsl.h"
 
-layout(scalar, binding = 0) readonly buffer Triangles
-{
-    uvec4 triangles[];
-};
-
-layout(scalar, binding = 1) readonly buffer PosedVertices
-{
-    PosedVertex posed_vertices[];
-};
+#define MESH_TEXELS_BINDING 0
+#include "shaders/mesh_texels.glsl"
 
 layout(scalar, binding = 2) readonly buffer Views
 {

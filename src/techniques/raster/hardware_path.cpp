@@ -36,7 +36,7 @@ void add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& i
 {
     const bool tests_sides = view.cull_back_faces && !batch.plain;
     auto pass = begin_draw(graph, name, batch.masked, depth_only, tests_sides);
-    pass.read(in.triangles).read(in.posed_vertices);
+    pass.sample(in.triangles).sample(in.posed_vertices);
     if (batch.masked) {
         bind_masks(pass, in);
     }

@@ -5,20 +5,16 @@
 #include "shaders/material.glsl.h"
 #include "shaders/barycentric.glsl"
 
-layout(scalar, binding = MASK_BINDING) readonly buffer Draws
-{
-    DrawRecord draws[];
-};
+#define DRAW_TEXELS_BINDING MASK_BINDING
+#include "shaders/draw_texels.glsl"
 
 layout(scalar, binding = MASK_BINDING + 1) readonly buffer RestVertices
 {
     RestVertex rest_vertices[];
 };
 
-layout(scalar, binding = MASK_BINDING + 2) readonly buffer Materials
-{
-    MaterialRecord materials[];
-};
+#define MATERIAL_TEXELS_BINDING (MASK_BINDING + 2)
+#include "shaders/material_texels.glsl"
 
 layout(binding = MASK_BINDING + 3) uniform sampler2DArray texture_class_0;
 layout(binding = MASK_BINDING + 4) uniform sampler2DArray texture_class_1;
@@ -34,25 +30,25 @@ layout(constant_id = 0) const uint variant = 31u;
 
 bool passes_mask(uint triangle, ivec2 pixel)
 {
-    uvec4 corners = triangles[triangle];
-    DrawRecord draw = draws[corners.w & TRIANGLE_DRAW_MASK];
-    MaterialRecord material = materials[draw.material];
+    uvec4 corners = triangle_at(triangle);
+    DrawPart draw = draw_at(corners.w & TRIANGLE_DRAW_MASK);
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
     vec4 vertex_alpha =
         vec4(unpackUnorm4x8(rest_vertices[rest.x].color).a, unpackUnorm4x8(rest_vertices[rest.y].color).a,
              unpackUnorm4x8(rest_vertices[rest.z].color).a, 0.0);
-    Barycentric b = barycentric_at(CLIP_FROM_ANCHOR * vec4(posed_vertices[corners.x].position, 1.0),
-                                   CLIP_FROM_ANCHOR * vec4(posed_vertices[corners.y].position, 1.0),
-                                   CLIP_FROM_ANCHOR * vec4(posed_vertices[corners.z].position, 1.0),
+    Barycentric b = barycentric_at(CLIP_FROM_ANCHOR * vec4(posed_vertex_at(corners.x).position, 1.0),
+                                   CLIP_FROM_ANCHOR * vec4(posed_vertex_at(corners.y).position, 1.0),
+                                   CLIP_FROM_ANCHOR * vec4(posed_vertex_at(corners.z).position, 1.0),
                                    vec2(pixel) + 0.5, PICTURE_PX);
-    float alpha = material.base_color.a * dot(b.weight, vertex_alpha.xyz);
-    if (material.base_texture.location != NO_TEXTURE) {
-        bool second = ((material.base_texture.location >> 24) & 1u) != 0u;
+    float alpha = base_color_of(draw.material).a * dot(b.weight, vertex_alpha.xyz);
+    TextureSlot slot = base_texture_of(draw.material);
+    if (slot.location != NO_TEXTURE) {
+        bool second = ((slot.location >> 24) & 1u) != 0u;
         vec2 u0 = second ? rest_vertices[rest.x].uv_1 : rest_vertices[rest.x].uv_0;
         vec2 u1 = second ? rest_vertices[rest.y].uv_1 : rest_vertices[rest.y].uv_0;
         vec2 u2 = second ? rest_vertices[rest.z].uv_1 : rest_vertices[rest.z].uv_0;
         mat3x2 uv = mat3x2(u0, u1, u2);
-        alpha *= sample_texture(material.base_texture, UvFootprint(uv * b.weight, uv * b.dx, uv * b.dy)).a;
+        alpha *= sample_texture(slot, UvFootprint(uv * b.weight, uv * b.dx, uv * b.dy)).a;
     }
-    return alpha >= material.alpha_cutoff;
+    return alpha >= alpha_cutoff_of(draw.material);
 }

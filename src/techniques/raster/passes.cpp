@@ -20,7 +20,7 @@ gpu::BufferId add_clear(gpu::Graph& graph, const std::string& name, gpu::BufferI
 
 void bind_masks(gpu::Pass& pass, const RasterInputs& in)
 {
-    pass.read(in.draws).read(in.rest_vertices).read(in.materials);
+    pass.sample(in.draws).read(in.rest_vertices).sample(in.materials);
     for (const gpu::ImageId texture : in.textures) {
         pass.sample(texture, gpu::Sampling::linear_repeat);
     }

@@ -8,17 +8,9 @@
 // order of execution.
 
 #include "techniques/raster/raster.glsl.h"
-#include "shaders/mesh.glsl.h"
 
-layout(scalar, binding = 0) readonly buffer Triangles
-{
-    uvec4 triangles[];
-};
-
-layout(scalar, binding = 1) readonly buffer PosedVertices
-{
-    PosedVertex posed_vertices[];
-};
+#define MESH_TEXELS_BINDING 0
+#include "shaders/mesh_texels.glsl"
 
 layout(scalar, binding = 2) buffer Counters
 {
@@ -169,9 +161,9 @@ ClippedTriangle clip_corners(vec3 p0, vec3 p1, vec3 p2)
 
 ClippedTriangle load_clipped(uint triangle)
 {
-    uvec4 corners = triangles[triangle];
-    return clip_corners(posed_vertices[corners.x].position, posed_vertices[corners.y].position,
-                        posed_vertices[corners.z].position);
+    uvec4 corners = triangle_at(triangle);
+    return clip_corners(posed_vertex_at(corners.x).position, posed_vertex_at(corners.y).position,
+                        posed_vertex_at(corners.z).position);
 }
 
 ivec2 snap(vec4 clip)

@@ -31,7 +31,7 @@ void main()
         select_view(large.part_and_view >> 1);
         PageTriangle t;
         ivec2 low, high;
-        if (!page_part(load_clipped(large.triangle), part, triangles[large.triangle].w, t)) {
+        if (!page_part(load_clipped(large.triangle), part, triangle_at(large.triangle).w, t)) {
             continue;
         }
         pixel_bounds(t, low, high);

@@ -14,7 +14,7 @@ void main()
         return;
     }
     uint triangle = constants.first_triangle + index;
-    uint flags = triangles[triangle].w;
+    uint flags = triangle_at(triangle).w;
     ClippedTriangle clipped = load_clipped(triangle);
     draw_part(clipped, 0u, 0u, triangle, flags);
     if (clipped.count == 4) {

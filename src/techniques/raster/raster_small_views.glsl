@@ -34,10 +34,10 @@ void main()
     bool cluster_exists = cluster <= last_triangle / CLUSTER_TRIANGLES;
     uint triangle = cluster * CLUSTER_TRIANGLES + lane;
     bool drawn = triangle >= constants.first_triangle && triangle <= last_triangle;
-    uvec4 corners = drawn ? triangles[triangle] : uvec4(0u);
-    vec3 a = posed_vertices[corners.x].position;
-    vec3 b = posed_vertices[corners.y].position;
-    vec3 c = posed_vertices[corners.z].position;
+    uvec4 corners = drawn ? triangle_at(triangle) : uvec4(0u);
+    vec3 a = posed_vertex_at(corners.x).position;
+    vec3 b = posed_vertex_at(corners.y).position;
+    vec3 c = posed_vertex_at(corners.z).position;
     uint end = constants.first_view + constants.view_count;
     for (uint first = constants.first_view; first < end; first += CLUSTER_TRIANGLES) {
         if (lane < CLUSTER_TRIANGLES / 32u) {

@@ -15,7 +15,7 @@ void main()
         ivec2 corner = place_of_tile(tile.part_and_tile) * RASTER_TILE_PX;
         PageTriangle t;
         ivec2 low, high;
-        if (!page_part(load_clipped(tile.triangle), part, triangles[tile.triangle].w, t)) {
+        if (!page_part(load_clipped(tile.triangle), part, triangle_at(tile.triangle).w, t)) {
             continue;
         }
         pixel_bounds(t, low, high);

@@ -81,7 +81,7 @@ gpu::BufferId compute_batch(gpu::Graph& graph, const std::string& name, const Ra
         graph.buffer(name + "/tiles", {.size_bytes = constants.tile_capacity * sizeof(shared::TriangleTile)});
     const auto begin_stage = [&](const char* stage, const gpu::Shader& shader, bool first) {
         auto pass = graph.compute(name + "/" + stage, shader);
-        pass.read(in.triangles).read(in.posed_vertices);
+        pass.sample(in.triangles).sample(in.posed_vertices);
         counters = pass.modify(counters);
         large = first ? pass.write(large) : pass.modify(large);
         tiles = first ? pass.write(tiles) : pass.modify(tiles);
@@ -122,7 +122,7 @@ gpu::ImageId hardware_batch(gpu::Graph& graph, const std::string& name, const Ra
     auto pass = batch.masked ? graph.raster(name + "/draw", shaders::corner_views_vert,
                                             shaders::draw_views_masked_frag)
                              : graph.raster(name + "/draw", shaders::corner_views_vert);
-    pass.read(in.triangles).read(in.posed_vertices).read(views.records).read(list);
+    pass.sample(in.triangles).sample(in.posed_vertices).read(views.records).read(list);
     if (batch.masked) {
         bind_masks(pass, in);
         pass.variant(in.texture_classes);
@@ -191,7 +191,7 @@ gpu::BufferId add_cluster_bounds(gpu::Graph& graph, const RasterInputs& in, uint
                                  gpu::BufferId bounds)
 {
     auto pass = graph.compute("cluster bounds", shaders::cluster_bounds_comp);
-    pass.read(in.triangles).read(in.posed_vertices);
+    pass.sample(in.triangles).sample(in.posed_vertices);
     bounds = pass.write(bounds);
     pass.push(triangle_count).dispatch_items(triangle_count);
     return bounds;

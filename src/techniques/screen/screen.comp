@@ -29,30 +29,19 @@ layout(scalar, binding = 2) readonly buffer ScreenVisibility
     uvec2 screen[];
 };
 
-layout(scalar, binding = 3) readonly buffer Triangles
-{
-    uvec4 triangles[];
-};
+#define MESH_TEXELS_BINDING 3
+#include "shaders/mesh_texels.glsl"
 
-layout(scalar, binding = 4) readonly buffer PosedVertices
-{
-    PosedVertex posed_vertices[];
-};
-
-layout(scalar, binding = 5) readonly buffer Draws
-{
-    DrawRecord draws[];
-};
+#define DRAW_TEXELS_BINDING 5
+#include "shaders/draw_texels.glsl"
 
 layout(scalar, binding = 6) readonly buffer RestVertices
 {
     RestVertex rest_vertices[];
 };
 
-layout(scalar, binding = 7) readonly buffer Materials
-{
-    MaterialRecord materials[];
-};
+#define MATERIAL_TEXELS_BINDING 7
+#include "shaders/material_texels.glsl"
 
 layout(binding = 8) uniform sampler2DArray texture_class_0;
 layout(binding = 9) uniform sampler2DArray texture_class_1;
@@ -81,19 +70,19 @@ void main()
         imageStore(out_color, pixel, vec4(0.0));
         return;
     }
-    uvec4 corners = triangles[seen_triangle(seen)];
+    uvec4 corners = triangle_at(seen_triangle(seen));
     uint draw_index = corners.w & TRIANGLE_DRAW_MASK;
-    DrawRecord draw = draws[draw_index];
-    Barycentric at = barycentric_at(frame.clip_from_anchor * vec4(posed_vertices[corners.x].position, 1.0),
-                                    frame.clip_from_anchor * vec4(posed_vertices[corners.y].position, 1.0),
-                                    frame.clip_from_anchor * vec4(posed_vertices[corners.z].position, 1.0),
+    DrawPart draw = draw_at(draw_index);
+    Barycentric at = barycentric_at(frame.clip_from_anchor * vec4(posed_vertex_at(corners.x).position, 1.0),
+                                    frame.clip_from_anchor * vec4(posed_vertex_at(corners.y).position, 1.0),
+                                    frame.clip_from_anchor * vec4(posed_vertex_at(corners.z).position, 1.0),
                                     vec2(pixel) + 0.5, frame.size_px);
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
     mat3x4 vertex_colors =
         mat3x4(vertex_color(rest_vertices[rest.x].color), vertex_color(rest_vertices[rest.y].color),
                vertex_color(rest_vertices[rest.z].color));
-    vec4 color = materials[draw.material].base_color * (vertex_colors * at.weight);
-    TextureSlot slot = materials[draw.material].base_texture;
+    vec4 color = base_color_of(draw.material) * (vertex_colors * at.weight);
+    TextureSlot slot = base_texture_of(draw.material);
     if (TEXTURE_CLASSES != 0u && slot.location != NO_TEXTURE) {
         bool second = ((slot.location >> 24) & 1u) != 0u;
         mat3x2 uv =

@@ -21,8 +21,8 @@ Screen write_screen(gpu::Graph& graph, gpu::Pass& pass, glm::uvec2 size_px)
 Screen add_screen(gpu::Graph& graph, const ScreenInputs& in)
 {
     auto pass = graph.compute("screen", shaders::screen_comp);
-    pass.uniform(in.frame).read(in.solid_visibility).read(in.screen_visibility).read(in.triangles);
-    pass.read(in.posed_vertices).read(in.draws).read(in.rest_vertices).read(in.materials);
+    pass.uniform(in.frame).read(in.solid_visibility).read(in.screen_visibility).sample(in.triangles);
+    pass.sample(in.posed_vertices).sample(in.draws).read(in.rest_vertices).sample(in.materials);
     for (const gpu::ImageId texture : in.textures) {
         pass.sample(texture, gpu::Sampling::linear_repeat);
     }

@@ -22,9 +22,11 @@ size_t class_of(const Image& image)
     return size_class;
 }
 
-shared::TextureSlot slot(const Scene& scene, const TexturePlan& plan, const TextureRef& reference)
+shared::TextureSlot slot(const Scene& scene, const TexturePlan& plan, const TextureRef& reference,
+                         float strength = 1.0F)
 {
-    shared::TextureSlot result{.location = shared::no_texture, .column_u = {1, 0}, .column_v = {0, 1}};
+    shared::TextureSlot result{
+        .location = shared::no_texture, .column_u = {1, 0}, .column_v = {0, 1}, .strength = strength};
     if (reference.texture == no_index || plan.location[reference.texture] == shared::no_texture) {
         return result;
     }
@@ -128,26 +130,26 @@ std::vector<shared::MaterialRecord> material_records(const Scene& scene, const T
         const TextureRef& base = material.base_color_texture;
         const glm::vec3 mean =
             base.texture != no_index ? mean_color(scene.textures[base.texture].image) : glm::vec3(1.0F);
-        records.push_back({.base_color = material.base_color,
-                           .mean_color = glm::vec3(material.base_color) * mean,
-                           .shade_color = material.toon ? material.toon->shade_color : glm::vec3(1.0F),
-                           .emissive = material.emissive,
-                           .normal_scale = material.normal_scale,
-                           .alpha_cutoff = material.alpha_mode == AlphaMode::blend ? shared::least_cover
-                                                                                   : material.alpha_cutoff,
-                           .outline_width_m = material.toon ? material.toon->outline_width_m : 0.0F,
-                           .outline_color = material.toon ? material.toon->outline_color : glm::vec3(0.0F),
-                           .flags = flags_of(material),
-                           .base_texture = slot(scene, plan, base),
-                           .normal_texture = slot(scene, plan, material.normal_texture),
-                           .occlusion_texture = slot(scene, plan, occlusion_of(material)),
-                           .occlusion_strength = material.occlusion_strength});
+        records.push_back(
+            {.base_color = material.base_color,
+             .mean_color = glm::vec3(material.base_color) * mean,
+             .flags = flags_of(material),
+             .shade_color = material.toon ? material.toon->shade_color : glm::vec3(1.0F),
+             .alpha_cutoff =
+                 material.alpha_mode == AlphaMode::blend ? shared::least_cover : material.alpha_cutoff,
+             .outline_color = material.toon ? material.toon->outline_color : glm::vec3(0.0F),
+             .outline_width_m = material.toon ? material.toon->outline_width_m : 0.0F,
+             .emissive = material.emissive,
+             .base_texture = slot(scene, plan, base),
+             .normal_texture = slot(scene, plan, material.normal_texture, material.normal_scale),
+             .occlusion_texture =
+                 slot(scene, plan, occlusion_of(material), material.occlusion_strength)});
     }
     const shared::TextureSlot none{.location = shared::no_texture};
     records.push_back({.base_color = glm::vec4(1.0F),
                        .mean_color = glm::vec3(1.0F),
-                       .shade_color = glm::vec3(1.0F),
                        .flags = shared::material_paper,
+                       .shade_color = glm::vec3(1.0F),
                        .base_texture = none,
                        .normal_texture = none,
                        .occlusion_texture = none});

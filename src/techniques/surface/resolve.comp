@@ -23,25 +23,13 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(scalar, binding = 1) readonly buffer Visibility
-{
-    uvec2 visibility[];
-};
+layout(binding = 1) uniform usamplerBuffer visibility_texels;
 
-layout(scalar, binding = 2) readonly buffer Triangles
-{
-    uvec4 triangles[];
-};
+#define MESH_TEXELS_BINDING 2
+#include "shaders/mesh_texels.glsl"
 
-layout(scalar, binding = 3) readonly buffer PosedVertices
-{
-    PosedVertex posed_vertices[];
-};
-
-layout(scalar, binding = 4) readonly buffer Draws
-{
-    DrawRecord draws[];
-};
+#define DRAW_TEXELS_BINDING 4
+#include "shaders/draw_texels.glsl"
 
 layout(scalar, binding = 5) readonly buffer RestVertices
 {
@@ -53,10 +41,8 @@ layout(scalar, binding = 6) readonly buffer StrokeCoordinates
     vec3 stroke_coordinates[];
 };
 
-layout(scalar, binding = 7) readonly buffer Materials
-{
-    MaterialRecord materials[];
-};
+#define MATERIAL_TEXELS_BINDING 7
+#include "shaders/material_texels.glsl"
 
 layout(scalar, binding = 8) readonly buffer StrokeKinds
 {
@@ -136,18 +122,18 @@ void main()
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }
-    uvec2 seen = visibility[uint(pixel.y) * frame.size_px.x + uint(pixel.x)];
+    uvec2 seen = texelFetch(visibility_texels, pixel.y * int(frame.size_px.x) + pixel.x).xy;
     if (!sees_triangle(seen)) {
         imageStore(out_draw, pixel, uvec4(0u));
         imageStore(out_depth, pixel, vec4(0.0));
         imageStore(out_normal, pixel, uvec4(0u));
         return;
     }
-    uvec4 corners = triangles[seen_triangle(seen)];
+    uvec4 corners = triangle_at(seen_triangle(seen));
     uint draw_index = corners.w & TRIANGLE_DRAW_MASK;
-    PosedVertex a = posed_vertices[corners.x];
-    PosedVertex b = posed_vertices[corners.y];
-    PosedVertex c = posed_vertices[corners.z];
+    PosedVertex a = posed_vertex_at(corners.x);
+    PosedVertex b = posed_vertex_at(corners.y);
+    PosedVertex c = posed_vertex_at(corners.z);
     Barycentric at = barycentric_at(
         frame.clip_from_anchor * vec4(a.position, 1.0), frame.clip_from_anchor * vec4(b.position, 1.0),
         frame.clip_from_anchor * vec4(c.position, 1.0), vec2(pixel) + 0.5, frame.size_px);
@@ -159,9 +145,9 @@ void main()
     float facing = dot(flat_normal, eye) * ((corners.w & TRIANGLE_MIRRORED) != 0u ? -1.0 : 1.0);
     smooth_normal = facing < 0.0 ? -smooth_normal : smooth_normal;
 
-    DrawRecord draw = draws[draw_index];
+    DrawPart draw = draw_at(draw_index);
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
-    vec3 color = materials[draw.material].base_color.rgb;
+    vec3 color = base_color_of(draw.material).rgb;
     if (has_vertex_colors) {
         mat3 colors =
             mat3(vertex_color(rest_vertices[rest.x].color).rgb, vertex_color(rest_vertices[rest.y].color).rgb,
@@ -170,27 +156,27 @@ void main()
     }
     vec3 shading_normal = smooth_normal;
     if (has_textures) {
-        TextureSlot slot = materials[draw.material].base_texture;
+        TextureSlot slot = base_texture_of(draw.material);
         if (slot.location != NO_TEXTURE) {
             vec4 texel = sample_texture(slot, uv_at(rest, (slot.location >> 24) & 1u, at));
             color *= linear_from_srgb(texel.rgb);
         }
     }
     if (has_normal_maps) {
-        TextureSlot slot = materials[draw.material].normal_texture;
+        TextureSlot slot = normal_texture_of(draw.material);
         if (slot.location != NO_TEXTURE) {
             UvFootprint f = uv_at(rest, (slot.location >> 24) & 1u, at);
             vec3 mapped = 2.0 * sample_texture(slot, f).xyz - 1.0;
-            mapped.xy *= materials[draw.material].normal_scale;
+            mapped.xy *= slot.strength;
             shading_normal = perturb(smooth_normal, mapped, positions * at.dx, positions * at.dy, f);
         }
     }
     float open = 1.0; // share of the light that occlusion lets by
     if (has_occlusion) {
-        TextureSlot slot = materials[draw.material].occlusion_texture;
+        TextureSlot slot = occlusion_texture_of(draw.material);
         if (slot.location != NO_TEXTURE) {
             float texel = sample_texture(slot, uv_at(rest, (slot.location >> 24) & 1u, at)).r;
-            open = 1.0 + materials[draw.material].occlusion_strength * (texel - 1.0);
+            open = 1.0 + slot.strength * (texel - 1.0);
         }
     }
 
@@ -219,7 +205,7 @@ void main()
         coordinate = vec3((vec2(pixel) + 0.5) * mm_per_px, 0.0);
         footprint = Footprint(vec3(mm_per_px, 0.0, 0.0), vec3(0.0, mm_per_px, 0.0));
     }
-    uint flags = materials[draw.material].flags;
+    uint flags = flags_of(draw.material);
     uint word = (draw_index + 1u) | ((flags & MATERIAL_PAPER) != 0u ? DRAW_PAPER : 0u) |
                 ((flags & MATERIAL_UNLIT) != 0u ? DRAW_UNLIT : 0u) |
                 ((flags & MATERIAL_EMISSIVE) != 0u ? DRAW_EMISSIVE : 0u) | (strokes << DRAW_STROKES_SHIFT);

@@ -26,15 +26,11 @@ layout(binding = 2) uniform sampler2D depth_image;
 layout(binding = 3) uniform sampler2D color_image;
 layout(binding = 4) uniform sampler2D light_image;
 
-layout(scalar, binding = 5) readonly buffer Draws
-{
-    DrawRecord draws[];
-};
+#define DRAW_TEXELS_BINDING 5
+#include "shaders/draw_texels.glsl"
 
-layout(scalar, binding = 6) readonly buffer Materials
-{
-    MaterialRecord materials[];
-};
+#define MATERIAL_TEXELS_BINDING 6
+#include "shaders/material_texels.glsl"
 
 layout(binding = 7) uniform sampler2D background_image;
 layout(binding = 8) uniform sampler2D screen_image;
@@ -59,9 +55,9 @@ void main()
     uint word = texelFetch(draw_image, pixel, 0).x;
     vec3 through = texelFetch(background_image, min(pixel, textureSize(background_image, 0) - 1), 0).rgb;
     if (sees_draw(word)) {
-        uint material = draws[draw_of(word)].material;
+        uint material = draw_at(draw_of(word)).material;
         vec4 stored = texelFetch(color_image, pixel, 0);
-        vec3 color = mix(materials[material].mean_color, stored.rgb * stored.rgb, constants.detail);
+        vec3 color = mix(mean_color_of(material), stored.rgb * stored.rgb, constants.detail);
         float largest = max(max(color.r, color.g), max(color.b, 1e-3));
         float saturation = 1.0 - min(color.r, min(color.g, color.b)) / largest;
         color = mix(vec3(1.0), color, mix(constants.neutral, 1.0, smoothstep(0.0, 0.3, saturation)));
@@ -72,7 +68,7 @@ void main()
         float shadow = smoothstep(constants.shadow_from - constants.softness,
                                   constants.shadow_from + constants.softness, dark + waver);
         vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // darkness has none
-        color *= mix(vec3(1.0), constants.shadow_tint * materials[material].shade_color, shadow) *
+        color *= mix(vec3(1.0), constants.shadow_tint * shade_color_of(material), shadow) *
                  mix(vec3(1.0), hue, 0.5) * mix(vec3(1.0), light_tint(light.rgb), constants.light_tint);
         if (is_paper(word)) {
             color = mix(vec3(1.0), mix(vec3(1.0), constants.shadow_tint, 0.6), shadow);

@@ -10,7 +10,7 @@ gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const WashStyle& 
 {
     auto pass = graph.compute("wash", shaders::wash_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.color).sample(in.light);
-    pass.read(in.draws).read(in.materials).sample(in.background).sample(in.screen);
+    pass.sample(in.draws).sample(in.materials).sample(in.background).sample(in.screen);
     const gpu::ImageId wash = pass.write(
         graph.image("wash", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     pass.variant((style.air > 0.0F ? 1U : 0U) | (in.has_screen ? 2U : 0U));

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_DRAW_TEXELS
+#define ESTAMPE_DRAW_TEXELS
+
+// Draws read as texels of four words, of DRAW_TEXELS_BINDING.
+
+#include "shaders/mesh.glsl.h"
+
+layout(binding = DRAW_TEXELS_BINDING) uniform usamplerBuffer draw_texels;
+
+// The part of a DrawRecord that shading asks for.
+struct DrawPart {
+    uint first_posed_vertex;
+    uint first_rest_vertex;
+    uint material;
+    uint object;
+};
+
+DrawPart draw_at(uint draw)
+{
+    uvec4 words = texelFetch(draw_texels, int(7u * draw + 4u));
+    return DrawPart(words.x, words.y, words.z, words.w);
+}
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_MATERIAL_TEXELS
+#define ESTAMPE_MATERIAL_TEXELS
+
+// Materials read as texels of four words, of MATERIAL_TEXELS_BINDING, part by part as they are needed.
+
+#include "shaders/material.glsl.h"
+
+layout(binding = MATERIAL_TEXELS_BINDING) uniform usamplerBuffer material_texels;
+
+uvec4 material_words(uint material, uint texel)
+{
+    return texelFetch(material_texels, int(11u * material + texel));
+}
+
+vec4 base_color_of(uint material)
+{
+    return uintBitsToFloat(material_words(material, 0u));
+}
+
+vec3 mean_color_of(uint material)
+{
+    return uintBitsToFloat(material_words(material, 1u).xyz);
+}
+
+uint flags_of(uint material)
+{
+    return material_words(material, 1u).w;
+}
+
+vec3 shade_color_of(uint material)
+{
+    return uintBitsToFloat(material_words(material, 2u).xyz);
+}
+
+float alpha_cutoff_of(uint material)
+{
+    return uintBitsToFloat(material_words(material, 2u).w);
+}
+
+vec3 outline_color_of(uint material)
+{
+    return uintBitsToFloat(material_words(material, 3u).xyz);
+}
+
+// 0: the style's outline.
+float outline_width_m_of(uint material)
+{
+    return uintBitsToFloat(material_words(material, 3u).w);
+}
+
+vec3 emissive_of(uint material)
+{
+    return uintBitsToFloat(material_words(material, 4u).xyz);
+}
+
+TextureSlot texture_slot(uint material, uint texel)
+{
+    uvec4 a = material_words(material, texel);
+    vec4 b = uintBitsToFloat(material_words(material, texel + 1u));
+    return TextureSlot(a.x, uintBitsToFloat(a.yz), vec2(uintBitsToFloat(a.w), b.x), b.yz, b.w);
+}
+
+TextureSlot base_texture_of(uint material)
+{
+    return texture_slot(material, 5u);
+}
+
+TextureSlot normal_texture_of(uint material)
+{
+    return texture_slot(material, 7u);
+}
+
+TextureSlot occlusion_texture_of(uint material)
+{
+    return texture_slot(material, 9u);
+}
+
+#endif
