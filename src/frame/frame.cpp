@@ -245,7 +245,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                              .size_px = size_px},
                                             style.paper);
     const auto developed = paper::add_develop(
-        graph, picture, gpu::import_whole(graph, "sums", resources.sums),
+        graph, picture, paper::import_sums(graph, resources.sums, plan.accumulation),
         graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y}), size_px, plan.accumulation);
 
     // Read-back: the picture for the processor.

@@ -31,7 +31,7 @@ struct FrameResources {
     gpu::Buffer& stroke_kinds;     ///< one a draw
     gpu::Buffer& form_coordinates; ///< three a triangle, where strokes follow the form
     hatch::MapImages* map;         ///< where strokes come from a map
-    gpu::Buffer& sums;             ///< one vec4 a pixel, for pictures of several samples
+    gpu::Image& sums;              ///< of a picture of several samples
     gpu::Buffer& pixels;           ///< the picture, four bytes a pixel, for reading back
 };
 

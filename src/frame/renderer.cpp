@@ -68,7 +68,7 @@ struct Renderer::Impl {
     std::optional<glm::mat4> shadow_view; ///< of what the shadow map holds; none when it is out of date
     std::optional<hatch::MapImages> map;
     std::optional<frame::MapChoice> map_choice; ///< of what `map` holds
-    gpu::Buffer sums;
+    gpu::Image sums;
     gpu::Buffer pixels;
     std::string dot;
     std::vector<std::string> notes;
@@ -156,14 +156,14 @@ void Renderer::Impl::check_size(const RenderSettings& settings) const
             fmt::format("a picture of {} x {} pixels cannot be drawn", settings.width, settings.height),
             "size", fmt::format("{} draws from 1 x 1 to {} x {}", device.info().name, limit, limit));
     }
-    const uint64_t bytes_per_pixel = settings.samples > 1 ? sizeof(glm::vec4) : sizeof(uint64_t);
-    const uint64_t most_pixels = device.limits().maxStorageBufferRange / bytes_per_pixel;
+    const uint64_t most_pixels =
+        std::min<uint64_t>(device.limits().maxStorageBufferRange / sizeof(uint64_t),
+                           device.limits().maxTexelBufferElements);
     if (static_cast<uint64_t>(settings.width) * settings.height > most_pixels) {
         throw Error(fmt::format("a picture of {} x {} pixels is too large", settings.width, settings.height),
                     "size",
-                    fmt::format("{} draws at most {:.1f} megapixels{}", device.info().name,
-                                static_cast<double>(most_pixels) * 1e-6,
-                                settings.samples > 1 ? " with several samples" : ""));
+                    fmt::format("{} draws at most {:.1f} megapixels", device.info().name,
+                                static_cast<double>(most_pixels) * 1e-6));
     }
     if (settings.samples == 0) {
         throw Error("a picture needs at least one sample", "samples");
@@ -173,9 +173,12 @@ void Renderer::Impl::check_size(const RenderSettings& settings) const
 void Renderer::Impl::provide_pixels(const RenderSettings& settings)
 {
     const uint64_t count = static_cast<uint64_t>(settings.width) * settings.height;
-    const uint64_t sum_bytes = settings.samples > 1 ? count * sizeof(glm::vec4) : sizeof(glm::vec4);
-    if (sums.empty() || sums.size_bytes() != sum_bytes) {
-        sums = gpu::Buffer(device, "sums", sum_bytes, gpu::MemoryUse::device);
+    const bool has_sums = settings.samples > 1;
+    const gpu::ImageDesc sum_desc{.width = has_sums ? settings.width : 1,
+                                  .height = has_sums ? settings.height : 1,
+                                  .format = gpu::Format::rgba32f};
+    if (sums.empty() || sums.desc() != sum_desc) {
+        sums = gpu::Image(device, "sums", sum_desc);
     }
     if (pixels.empty() || pixels.size_bytes() != std::max<uint64_t>(4 * count, 16)) {
         pixels = gpu::Buffer(device, "pixels", 4 * count, gpu::MemoryUse::readback);

@@ -41,10 +41,7 @@ layout(binding = 5) uniform usampler2D normal_image;
 #define MATERIAL_TEXELS_BINDING 7
 #include "shaders/material_texels.glsl"
 
-layout(scalar, binding = 8) readonly buffer SunMap
-{
-    uint sun_map[];
-};
+layout(binding = 8) uniform samplerBuffer sun_map;
 
 layout(scalar, binding = 9) uniform Sun
 {

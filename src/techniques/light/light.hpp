@@ -44,7 +44,7 @@ struct LightInputs {
     gpu::ImageId normal;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    gpu::BufferId sun_map;    ///< bits of reversed depth, row by row
+    gpu::BufferId sun_map;    ///< reversed depth, row by row
     gpu::BufferId sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
     gpu::ImageId coordinate;
     gpu::ImageId footprint;

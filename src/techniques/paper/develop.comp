@@ -12,10 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D picture_image;
 
-layout(std430, binding = 1) buffer Sums
-{
-    vec4 sums[];
-};
+layout(binding = 1, rgba32f) uniform image2D sum_image;
 
 layout(std430, binding = 2) writeonly buffer Pixels
 {
@@ -27,21 +24,26 @@ layout(push_constant, scalar) uniform Constants
     DevelopConstants constants;
 };
 
+// Bit 0: the picture has several samples. Bit 1: this is the last.
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_samples = (variant & 1u) != 0u;
+const bool is_last = (variant & 2u) != 0u;
+
 void main()
 {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     if (pixel.x >= constants.width || pixel.y >= constants.height) {
         return;
     }
-    uint index = pixel.y * constants.width + pixel.x;
-    vec3 color = texelFetch(picture_image, ivec2(pixel), 0).rgb;
-    if (constants.sample_count > 1u) {
-        vec4 sum = constants.sample_index == 0u ? vec4(0.0) : sums[index];
-        sum.rgb += color;
-        sums[index] = sum;
-        color = sum.rgb / float(constants.sample_index + 1u);
+    ivec2 at = ivec2(pixel);
+    vec3 color = texelFetch(picture_image, at, 0).rgb;
+    if (has_samples) {
+        vec3 sum = constants.sample_index == 0u ? color : imageLoad(sum_image, at).rgb + color;
+        imageStore(sum_image, at, vec4(sum, 1.0));
+        color = sum / float(constants.sample_index + 1u);
     }
-    if (constants.sample_index + 1u == constants.sample_count) {
-        pixels[index] = packUnorm4x8(vec4(srgb_from_linear(clamp(color, 0.0, 1.0)), 1.0));
+    if (is_last) {
+        pixels[pixel.y * constants.width + pixel.x] =
+            packUnorm4x8(vec4(srgb_from_linear(clamp(color, 0.0, 1.0)), 1.0));
     }
 }

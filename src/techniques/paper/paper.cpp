@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/paper/paper.hpp"
 
+#include "gpu/resources.hpp"
 #include "shaders/compose_comp.hpp"
 #include "shaders/develop_comp.hpp"
 #include "techniques/paper/paper.glsl.h"
@@ -27,17 +28,24 @@ gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const Paper
     return picture;
 }
 
-Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::BufferId sums, gpu::BufferId pixels,
+gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation& accumulation)
+{
+    return graph.import_image("sums", sums, sums.desc(),
+                              accumulation.sample_index == 0 ? gpu::Layout::undefined : gpu::Layout::general);
+}
+
+Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums, gpu::BufferId pixels,
                       glm::uvec2 size_px, const Accumulation& accumulation)
 {
     auto pass = graph.compute("develop", shaders::develop_comp);
     pass.sample(picture);
-    const gpu::BufferId added = pass.modify(sums);
+    const gpu::ImageId added = pass.modify(sums);
     const gpu::BufferId written = pass.write(pixels);
+    const bool is_last = accumulation.sample_index + 1 == accumulation.sample_count;
+    pass.variant((accumulation.sample_count > 1 ? 1U : 0U) | (is_last ? 2U : 0U));
     pass.push(shared::DevelopConstants{.width = size_px.x,
                                        .height = size_px.y,
-                                       .sample_index = accumulation.sample_index,
-                                       .sample_count = accumulation.sample_count})
+                                       .sample_index = accumulation.sample_index})
         .dispatch_over(size_px.x, size_px.y);
     return {added, written};
 }

@@ -20,7 +20,6 @@ struct DevelopConstants {
     uint width;
     uint height;
     uint sample_index;
-    uint sample_count;
 };
 
 #ifdef __cplusplus

@@ -56,15 +56,18 @@ struct Accumulation {
     uint32_t sample_count = 1;
 };
 
-/// What a developed picture is made of: new versions of both buffers.
+/// What a developed picture is made of: new versions of both.
 struct Developed {
-    gpu::BufferId sums;
+    gpu::ImageId sums;
     gpu::BufferId pixels;
 };
 
-/// Adds a frame to `sums` (one vec4 a pixel) and, with the last one, writes `pixels`: sRGB, four bytes a
+/// The sums of the samples before, or for the first of them an image that may hold anything.
+[[nodiscard]] gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation& accumulation);
+
+/// Adds a frame to `sums` (rgba32f, as large as the picture where it has several samples) and, with the last one, writes `pixels`: sRGB, four bytes a
 /// pixel. Cost: one full-screen dispatch.
-[[nodiscard]] Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::BufferId sums,
+[[nodiscard]] Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums,
                                     gpu::BufferId pixels, glm::uvec2 size_px,
                                     const Accumulation& accumulation);
 

@@ -316,18 +316,20 @@ std::vector<std::vector<glm::u8vec4>> develop(const std::vector<test::Painter<gl
                                               glm::uvec2 size_px)
 {
     const uint64_t count = uint64_t{size_px.x} * size_px.y;
-    gpu::Buffer sums = // of an older picture
-        gpu::upload_buffer(test::shared_device(), "sums", std::vector<glm::vec4>(count, glm::vec4(7.0F)));
+    auto older = test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(7.0F); });
+    gpu::Image sums(test::shared_device(), "sums",
+                    {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba32f});
     gpu::Buffer pixels =
         gpu::upload_buffer(test::shared_device(), "pixels", std::vector<uint32_t>(count, 0x01020304U));
     std::vector<std::vector<glm::u8vec4>> results;
     for (uint32_t i = 0; i < pictures.size(); ++i) {
         auto picture = test::Layer::color(size_px, pictures[i]);
         gpu::Graph graph;
+        const Accumulation accumulation{.sample_index = i,
+                                        .sample_count = static_cast<uint32_t>(pictures.size())};
         const Developed developed =
-            add_develop(graph, picture.in(graph), gpu::import_whole(graph, "sums", sums),
-                        gpu::import_whole(graph, "pixels", pixels), size_px,
-                        {.sample_index = i, .sample_count = static_cast<uint32_t>(pictures.size())});
+            add_develop(graph, picture.in(graph), import_sums(graph, sums, accumulation),
+                        gpu::import_whole(graph, "pixels", pixels), size_px, accumulation);
         results.push_back(test::run_and_read_as<glm::u8vec4>(graph, developed.pixels));
     }
     return results;

@@ -3,7 +3,7 @@
 #define ESTAMPE_SUN_SHADOW
 
 // Looks the sun up in its map. Who includes this declares `SunShadow sun_shadow`, a uniform, and the map,
-// `uint sun_map[]`, bits of reversed depth row by row.
+// `samplerBuffer sun_map`, reversed depth row by row.
 
 #include "techniques/shadow/sun.glsl.h"
 
@@ -20,7 +20,7 @@ struct SunPlace {
 float sun_depth_at(ivec2 texel)
 {
     ivec2 inside = clamp(texel, ivec2(0), ivec2(sun_shadow.size) - 1);
-    return uintBitsToFloat(sun_map[uint(inside.y) * sun_shadow.size + uint(inside.x)]);
+    return texelFetch(sun_map, inside.y * int(sun_shadow.size) + inside.x).x;
 }
 
 // `lift` raises the point along the normal, in texels, by how slanted the surface is.
