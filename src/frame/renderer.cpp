@@ -13,6 +13,7 @@
 #include "frame/frame.hpp"
 #include "frame/sun.hpp"
 #include "frame/tonal_maps.hpp"
+#include "gpu/graph/compile_ahead.hpp"
 #include "gpu/graph/execute.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/stroke_kind.glsl.h"
@@ -36,8 +37,8 @@ struct LoadedScene {
 };
 
 struct Renderer::Impl {
-    explicit Impl(const RendererOptions& options)
-        : device(options), executor(device),
+    explicit Impl(const RendererOptions& renderer_options)
+        : options(renderer_options), device(options), executor(device),
           raster_path(raster::choose_path(device, executor, options.raster))
     {
     }
@@ -53,8 +54,10 @@ struct Renderer::Impl {
                                         const Camera& camera, const RenderSettings& settings) const;
     void draw_sample(const Camera& camera, const frame::StyleTables& style, frame::FramePlan& plan);
 
+    RendererOptions options;
     gpu::Device device;
     gpu::Executor executor;
+    bool has_drawn = false;
     RasterPath raster_path;
     std::optional<LoadedScene> loaded;
     gpu::Buffer frame_globals;
@@ -317,7 +320,13 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     provide_shadow_map(plan);
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, style);
+    std::optional<gpu::CompileAhead> ahead;
+    if (!has_drawn && device.info().software) {
+        ahead.emplace(options, graph);
+    }
     executor.run(graph);
+    ahead.reset();
+    has_drawn = true;
     loaded->pose_moved = false;
     if (plan.redraw_shadow) {
         shadow_view = plan.sun.clip_from_anchor;

@@ -166,7 +166,7 @@ void Buffer::destroy()
 }
 
 Image::Image(Device& device, const std::string& name, const ImageDesc& desc, bool as_array)
-    : device_(&device), desc_(desc)
+    : device_(&device), desc_(desc), is_array_(as_array || desc.layers > 1)
 {
     const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                  .imageType = VK_IMAGE_TYPE_2D,
@@ -184,13 +184,12 @@ Image::Image(Device& device, const std::string& name, const ImageDesc& desc, boo
         allocation_ = device.memory().allocate(needs, MemoryUse::device, true);
         vk_check(vkBindImageMemory(device.handle(), image_, allocation_.memory, allocation_.offset),
                  "vkBindImageMemory");
-        const bool array = as_array || desc.layers > 1;
         const VkImageAspectFlags aspect =
             desc.format == Format::depth32f ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
         const VkImageViewCreateInfo view_info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                               .image = image_,
                                               .viewType =
-                                                  array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
+                                                  is_array_ ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
                                               .format = info.format,
                                               .subresourceRange = {aspect, 0, desc.mips, 0, desc.layers}};
         vk_check(vkCreateImageView(device.handle(), &view_info, nullptr, &view_), "vkCreateImageView");
@@ -210,6 +209,7 @@ Image& Image::operator=(Image&& other) noexcept
         view_ = std::exchange(other.view_, VK_NULL_HANDLE);
         allocation_ = std::exchange(other.allocation_, {});
         desc_ = other.desc_;
+        is_array_ = other.is_array_;
     }
     return *this;
 }

@@ -75,6 +75,9 @@ public:
 
     [[nodiscard]] const ImageDesc& desc() const { return desc_; }
 
+    /// Whether the view is of an array.
+    [[nodiscard]] bool is_array() const { return is_array_; }
+
     [[nodiscard]] bool empty() const { return image_ == VK_NULL_HANDLE; }
 
 private:
@@ -85,6 +88,7 @@ private:
     VkImageView view_ = VK_NULL_HANDLE;
     Allocation allocation_;
     ImageDesc desc_;
+    bool is_array_ = false;
 };
 
 } // namespace estampe::gpu

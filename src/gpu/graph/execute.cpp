@@ -76,6 +76,9 @@ Executor::~Executor()
 
 const Image& Executor::image_of(uint32_t resource) const
 {
+    if (!stand_in_images_.empty()) {
+        return stand_in_images_[resource];
+    }
     const ResourceRecord& record = graph_->resources()[resource];
     return record.imported_image != nullptr
                ? *record.imported_image
@@ -84,6 +87,9 @@ const Image& Executor::image_of(uint32_t resource) const
 
 const Buffer& Executor::buffer_of(uint32_t resource) const
 {
+    if (!stand_in_buffers_.empty()) {
+        return stand_in_buffers_[resource];
+    }
     const ResourceRecord& record = graph_->resources()[resource];
     return record.imported_buffer != nullptr
                ? *record.imported_buffer

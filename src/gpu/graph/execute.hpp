@@ -4,6 +4,7 @@
 // Runs compiled graphs on a device: owns the transients' memory, records barriers, descriptors, dispatches
 // and draws, and times each pass.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ public:
     /// fits.
     void run(const Graph& graph);
 
+    /// Binds the shaders of `graph`, from the last pass to the first, and runs none of them, until `go_on`
+    /// says no: drivers that compile at first use compile them now. Touches nothing of the graph's resources.
+    void use_shaders(const Graph& graph, const std::function<bool()>& go_on);
+
     /// GPU time by pass of the last run, in order.
     [[nodiscard]] const std::vector<PassTiming>& timings() const { return timings_; }
 
@@ -59,6 +64,8 @@ private:
     [[nodiscard]] VkDescriptorSet bind(const PassRecord& pass, const Pipeline& pipeline);
     [[nodiscard]] const Image& image_of(uint32_t resource) const;
     [[nodiscard]] const Buffer& buffer_of(uint32_t resource) const;
+    void provide_stand_ins();
+    void use_shader(const PassRecord& pass);
     void reset_frame();
     void read_timings();
 
@@ -69,11 +76,13 @@ private:
     VkDescriptorPool descriptor_pool_ = VK_NULL_HANDLE;
     VkQueryPool queries_ = VK_NULL_HANDLE;
 
-    const Graph* graph_ = nullptr; ///< during run() only
+    const Graph* graph_ = nullptr; ///< during run() and use_shaders() only
     CompiledGraph compiled_;
     std::vector<Image> images_;   ///< one per image slot
     std::vector<Buffer> buffers_; ///< one per buffer slot
     std::vector<uint32_t> physical_of_slot_;
+    std::vector<Image> stand_in_images_;   ///< one a resource, during use_shaders() only
+    std::vector<Buffer> stand_in_buffers_; ///< one a resource, during use_shaders() only
     std::vector<PassTiming> timings_;
 };
 

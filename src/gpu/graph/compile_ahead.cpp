@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/graph/compile_ahead.hpp"
+
+#include <chrono>
+
+#include <estampe/error.hpp>
+
+#include "gpu/device.hpp"
+#include "gpu/graph/execute.hpp"
+
+namespace estampe::gpu {
+namespace {
+
+/// A shader that is in the cache takes less, one that has to be compiled more.
+constexpr std::chrono::milliseconds cached_time{25};
+/// How many of the last passes have to be in the cache for all of them to be taken as known.
+constexpr int passes_tried = 2;
+
+void compile_on_twin(RendererOptions options, const Graph& graph, const std::atomic<bool>& stop)
+{
+    options.validation = false;
+    try {
+        Device twin(options);
+        Executor executor(twin);
+        int passes_cached = 0;
+        auto begun = std::chrono::steady_clock::now();
+        executor.use_shaders(graph, [&] {
+            const auto now = std::chrono::steady_clock::now();
+            passes_cached = now - begun < cached_time ? passes_cached + 1 : -1000;
+            begun = now;
+            return !stop && passes_cached < passes_tried;
+        });
+    } catch (const Error&) {
+        // The device that draws meets the same trouble and reports it, or has none.
+        return;
+    }
+}
+
+} // namespace
+
+CompileAhead::CompileAhead(const RendererOptions& options, const Graph& graph)
+    : thread_([options, &graph, this] { compile_on_twin(options, graph, stop_); })
+{
+}
+
+CompileAhead::~CompileAhead()
+{
+    stop_ = true;
+    thread_.join();
+}
+
+} // namespace estampe::gpu
