@@ -58,6 +58,7 @@ void Executor::use_shader(const PassRecord& pass)
     PassRecord unrun = pass;
     unrun.dispatch = {};
     unrun.draw.vertex_count = 3; // of no area: all corners are the same
+    unrun.draw.indirect_resource = UINT32_MAX;
     if (pass.shader != nullptr) {
         record_dispatch(commands_, unrun);
     } else {
