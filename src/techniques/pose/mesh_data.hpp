@@ -73,6 +73,12 @@ struct PoseData {
 
 [[nodiscard]] PoseData pose_meshes(const MeshData& meshes, const Scene& scene, const ScenePose& pose);
 
+/// Where in anchor space draws stand in either pose that do not stand alike in both: a box about both places,
+/// about all its joints can do for a skinned body, and without end for one whose morph targets moved. Cost:
+/// linear in draws and joints.
+[[nodiscard]] std::vector<Bounds> moved_places(const MeshData& meshes, const PoseData& before,
+                                               const PoseData& now);
+
 /// Flags the triangles of `meshes` whose draws `pose` turns inside out, and no others; returns whether any
 /// changed. Before the first call none is flagged. Cost: linear in draws, and in triangles when any changed.
 [[nodiscard]] bool turn_triangles(MeshData& meshes, const PoseData& pose);
