@@ -56,21 +56,9 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const shared::ToneConstants tone = light::tone_constants(style.tone);
 
     // Pose: whatever moves writes vertices.
-    auto posed_vertices = gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]);
-    if (plan.pose_moved) {
-        posed_vertices = pose::add_pose(
-            graph,
-            {.draws = draws,
-             .draw_of_vertex = gpu::import_whole(graph, "draw of vertex", meshes.draw_of_vertex),
-             .rest_vertices = rest_vertices,
-             .skin_vertices = gpu::import_whole(graph, "skin vertices", meshes.skin_vertices),
-             .morph_offsets = gpu::import_whole(graph, "morph offsets", meshes.morph_offsets),
-             .joints = gpu::import_whole(graph, "joints", meshes.joints),
-             .morph_weights = gpu::import_whole(graph, "morph weights", meshes.morph_weights),
-             .has_skins = layout.joint_count > 0,
-             .has_morphs = layout.morph_weight_count > 0},
-            posed_vertices, meshes.vertex_count);
-    }
+    const auto posed_vertices = plan.pose_moved
+                                    ? pose::add_pose(graph, meshes, layout, draws, rest_vertices)
+                                    : gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]);
 
     // Visibility: rasterisation only writes identities.
     const raster::RasterInputs raster_inputs{.triangles = triangles,

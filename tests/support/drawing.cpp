@@ -69,18 +69,8 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
 
 gpu::BufferId Drawing::add_posed(gpu::Graph& graph)
 {
-    return pose::add_pose(
-        graph,
-        {.draws = gpu::import_whole(graph, "draws", meshes_.draws),
-         .draw_of_vertex = gpu::import_whole(graph, "draw of vertex", meshes_.draw_of_vertex),
-         .rest_vertices = gpu::import_whole(graph, "rest vertices", meshes_.rest_vertices),
-         .skin_vertices = gpu::import_whole(graph, "skin vertices", meshes_.skin_vertices),
-         .morph_offsets = gpu::import_whole(graph, "morph offsets", meshes_.morph_offsets),
-         .joints = gpu::import_whole(graph, "joints", meshes_.joints),
-         .morph_weights = gpu::import_whole(graph, "morph weights", meshes_.morph_weights),
-         .has_skins = layout.joint_count > 0,
-         .has_morphs = layout.morph_weight_count > 0},
-        gpu::import_whole(graph, "posed vertices", meshes_.posed_vertices[0]), meshes_.vertex_count);
+    return pose::add_pose(graph, meshes_, layout, gpu::import_whole(graph, "draws", meshes_.draws),
+                          gpu::import_whole(graph, "rest vertices", meshes_.rest_vertices));
 }
 
 raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph, gpu::BufferId posed)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/pose/pose.hpp"
 
+#include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/pose_comp.hpp"
 
@@ -33,19 +34,21 @@ void upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const
     meshes.morph_weights = upload_buffer(device, "morph weights", pose.morph_weights);
 }
 
-gpu::BufferId add_pose(gpu::Graph& graph, const PoseInputs& in, gpu::BufferId posed_vertices,
-                       uint32_t vertex_count)
+gpu::BufferId add_pose(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data, gpu::BufferId draws,
+                       gpu::BufferId rest_vertices)
 {
     auto pass = graph.compute("pose", shaders::pose_comp);
-    pass.read(in.draws)
-        .read(in.draw_of_vertex)
-        .read(in.rest_vertices)
-        .read(in.skin_vertices)
-        .read(in.morph_offsets);
-    pass.read(in.joints).read(in.morph_weights);
-    const gpu::BufferId posed = pass.write(posed_vertices);
-    pass.variant((in.has_skins ? 1U : 0U) | (in.has_morphs ? 2U : 0U));
-    pass.push(vertex_count).dispatch_items(vertex_count);
+    pass.read(draws)
+        .read(gpu::import_whole(graph, "draw of vertex", meshes.draw_of_vertex))
+        .read(rest_vertices)
+        .read(gpu::import_whole(graph, "skin vertices", meshes.skin_vertices))
+        .read(gpu::import_whole(graph, "morph offsets", meshes.morph_offsets))
+        .read(gpu::import_whole(graph, "joints", meshes.joints))
+        .read(gpu::import_whole(graph, "morph weights", meshes.morph_weights));
+    const gpu::BufferId posed =
+        pass.write(gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]));
+    pass.variant((data.joint_count > 0 ? 1U : 0U) | (data.morph_weight_count > 0 ? 2U : 0U));
+    pass.push(meshes.vertex_count).dispatch_items(meshes.vertex_count);
     return posed;
 }
 

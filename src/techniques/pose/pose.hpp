@@ -31,25 +31,13 @@ struct MeshBuffers {
 /// made of, turned inside out or back. Waits for the copy.
 void upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const PoseData& pose);
 
-/// What a pose reads, as handles of one graph.
-struct PoseInputs {
-    gpu::BufferId draws;
-    gpu::BufferId draw_of_vertex;
-    gpu::BufferId rest_vertices;
-    gpu::BufferId skin_vertices;
-    gpu::BufferId morph_offsets;
-    gpu::BufferId joints;
-    gpu::BufferId morph_weights;
-    bool has_skins = true;
-    bool has_morphs = true;
-};
-
-/// Poses all vertices: morph targets, then the skin, or the place of the object where there is none.
+/// Poses all vertices of `meshes`, which were made of `data`: morph targets, then the skin, or the place of
+/// the object where there is none. `draws` and `rest_vertices` are their handles in this graph.
 ///
 /// Writes  posed vertices, relative to the anchor
 /// Cost    one dispatch, one thread a vertex
 /// Source  linear blend skinning as glTF 2.0, section 3.7.3, has it
-[[nodiscard]] gpu::BufferId add_pose(gpu::Graph& graph, const PoseInputs& in, gpu::BufferId posed_vertices,
-                                     uint32_t vertex_count);
+[[nodiscard]] gpu::BufferId add_pose(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data,
+                                     gpu::BufferId draws, gpu::BufferId rest_vertices);
 
 } // namespace estampe::pose
