@@ -32,6 +32,27 @@ Json vector_json(const glm::dvec3& vector)
     return Json::array({vector.x, vector.y, vector.z});
 }
 
+/// For programs, and in words.
+struct LightNames {
+    const char* key;
+    const char* words;
+};
+
+LightNames names_of(LightChoice light)
+{
+    switch (light) {
+    case LightChoice::own:
+        return {"scene", "its own"};
+    case LightChoice::sun:
+        return {"sun", "none of its own: the style's sun"};
+    case LightChoice::lamp:
+        return {"lamp", "none of its own, and no sun: a lamp"};
+    case LightChoice::lamp_and_daylight:
+        return {"lamp_and_daylight", "none of its own: a lamp, and daylight from the open side"};
+    }
+    return {"", ""};
+}
+
 Json scene_json(const SceneSummary& summary, const Scene& scene, const std::string& path)
 {
     Json json;
@@ -42,6 +63,7 @@ Json scene_json(const SceneSummary& summary, const Scene& scene, const std::stri
     json["bounds"] = summary.bounds.empty() ? Json()
                                             : Json{{"min", vector_json(summary.bounds.min)},
                                                    {"max", vector_json(summary.bounds.max)}};
+    json["default_light"] = names_of(summary.light).key;
     json["animation_list"] = Json::array();
     for (const Animation& animation : scene.animations) {
         json["animation_list"].push_back({{"name", animation.name}, {"duration_s", animation.duration_s}});
@@ -71,6 +93,7 @@ std::string scene_text(const SceneSummary& summary, const Scene& scene, const st
     for (const std::string& name : summary.camera_names) {
         text += fmt::format("  {:<18} {}\n", "camera", in_quotes(name));
     }
+    text += fmt::format("  {:<18} {}\n", "light", names_of(summary.light).words);
     text += fmt::format("  {:<18} {}\n", "extensions used", listed(scene.extensions_used));
     text += fmt::format("  {:<18} {}\n", "extensions ignored", listed(scene.extensions_ignored));
     if (summary.bounds.empty()) {

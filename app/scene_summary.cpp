@@ -80,6 +80,7 @@ SceneSummary summarize(const Scene& scene)
         summary.camera_names.push_back(camera.name);
     }
     summary.bounds = scene_bounds(scene, pose_scene(scene, 0.0, no_index));
+    summary.light = default_light(scene);
     return summary;
 }
 

@@ -61,8 +61,10 @@ expect_success devices --json
 expect_printed '"compute_raster": true'
 expect_success info scene.glb
 expect_printed 'triangles  *[1-9]'
+expect_printed '  light  *its own'
 expect_success info scene.glb --json
 expect_printed '"triangles": [1-9]'
+expect_printed '"default_light": "scene"'
 
 # The command line
 expect_error 2 'a command is missing'

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include <estampe/default_light.hpp>
+
 #include "scene/outlook/room.hpp"
 #include "scene/outlook/seen_grid.hpp"
 #include "scene/outlook/subject.hpp"
@@ -164,6 +166,19 @@ Outlook find_outlook(const SurfaceCloud& cloud)
 Outlook find_outlook(const Scene& scene)
 {
     return find_outlook(surface_cloud(scene, pose_scene(scene, 0.0, no_index)));
+}
+
+LightChoice default_light(const Scene& scene)
+{
+    if (std::any_of(scene.nodes.begin(), scene.nodes.end(),
+                    [](const Node& node) { return node.light != no_index; })) {
+        return LightChoice::own;
+    }
+    const std::optional<Shelter> shelter = find_outlook(scene).shelter;
+    if (!shelter) {
+        return LightChoice::sun;
+    }
+    return shelter->towards_light ? LightChoice::lamp_and_daylight : LightChoice::lamp;
 }
 
 } // namespace estampe

@@ -7,6 +7,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <estampe/default_light.hpp>
+
 #include "scene/outlook/seen_grid.hpp"
 #include "scene/outlook/subject.hpp"
 #include "scene/outlook/view_axes.hpp"
@@ -226,6 +228,18 @@ TEST(Shelter, AClosedHollowIsSeenFromACornerByALamp)
     const Camera camera = framing_camera(scene, pose_scene(scene, 0.0), 1.6);
     EXPECT_EQ(camera.eye, outlook.corner);
     EXPECT_LT(glm::dot(camera.target - camera.eye, camera.eye * glm::dvec3(1, 0, 1)), 0.0) << "inwards";
+}
+
+TEST(DefaultLight, IsTheScenesOwnElseTheSunOrInARoomALamp)
+{
+    EXPECT_EQ(default_light(thick_room()), LightChoice::lamp);
+    Scene lit = thick_room();
+    lit.lights.push_back({.type = LightType::point});
+    EXPECT_EQ(default_light(lit), LightChoice::lamp) << "a light that no node holds lights nothing";
+    lit.nodes[0].light = 0;
+    EXPECT_EQ(default_light(lit), LightChoice::own);
+    EXPECT_EQ(default_light(test::scene_of(beast())), LightChoice::sun);
+    EXPECT_EQ(default_light(Scene{}), LightChoice::sun);
 }
 
 TEST(Shelter, ASolidThingIsNoRoomAndAnEyeOutsideNeedsNoLamp)
