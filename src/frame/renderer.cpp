@@ -321,7 +321,8 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, style);
     std::optional<gpu::CompileAhead> ahead;
-    if (!has_drawn && device.info().software) {
+    // Under validation names are given to objects by functions that a second instance would take away.
+    if (!has_drawn && device.info().software && !options.validation) {
         ahead.emplace(options, graph);
     }
     executor.run(graph);
