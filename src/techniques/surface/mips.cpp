@@ -22,12 +22,6 @@ namespace {
 
 constexpr uint32_t made_ahead = 2;
 
-/// A tent reaches half a texel beyond the border, where a mirror shows the texel itself, as clamping does.
-stbir_edge border_of(Wrap wrap)
-{
-    return wrap == Wrap::repeat ? STBIR_EDGE_WRAP : STBIR_EDGE_CLAMP;
-}
-
 std::vector<std::byte> halved(const std::vector<std::byte>& fine, uint32_t fine_side)
 {
     const uint32_t side = fine_side / 2;
@@ -48,18 +42,15 @@ std::vector<std::byte> halved(const std::vector<std::byte>& fine, uint32_t fine_
 
 } // namespace
 
-gpu::LayerPixels make_mips(const Texture& texture, uint32_t side)
+gpu::LayerPixels make_mips(const Image& image, uint32_t side)
 {
-    const Image& image = texture.image;
     std::vector<std::byte> top(static_cast<size_t>(side) * side * 4);
     if (image.width == side && image.height == side) {
         std::memcpy(top.data(), image.rgba.data(), top.size());
     } else {
-        const auto extent = static_cast<int>(side);
-        stbir_resize(image.rgba.data(), static_cast<int>(image.width), static_cast<int>(image.height), 0,
-                     top.data(), extent, extent, 0, STBIR_TYPE_UINT8, 4, STBIR_ALPHA_CHANNEL_NONE, 0,
-                     border_of(texture.wrap_u), border_of(texture.wrap_v), STBIR_FILTER_TRIANGLE,
-                     STBIR_FILTER_TRIANGLE, STBIR_COLORSPACE_LINEAR, nullptr);
+        stbir_resize_uint8(image.rgba.data(), static_cast<int>(image.width), static_cast<int>(image.height),
+                           0, reinterpret_cast<unsigned char*>(top.data()), static_cast<int>(side),
+                           static_cast<int>(side), 0, 4);
     }
     gpu::LayerPixels pixels;
     pixels.levels.push_back(std::move(top));
@@ -79,9 +70,9 @@ MipQueue::MipQueue(const Scene& scene, const std::vector<Index>& layers, uint32_
 
 void MipQueue::start(uint32_t layer)
 {
-    static const Texture white{.image = {.width = 1, .height = 1, .rgba = {255, 255, 255, 255}}};
-    const Texture& texture = layers_.empty() ? white : scene_.textures[layers_[layer]];
-    pending_[layer] = std::async(std::launch::async, make_mips, std::cref(texture), side_);
+    static const Image white{.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
+    const Image& image = layers_.empty() ? white : scene_.textures[layers_[layer]].image;
+    pending_[layer] = std::async(std::launch::async, make_mips, std::cref(image), side_);
 }
 
 gpu::LayerPixels MipQueue::take(uint32_t layer)

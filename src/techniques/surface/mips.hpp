@@ -10,10 +10,9 @@
 
 namespace estampe::surface {
 
-/// All mip levels of `texture`, stretched to `side` x `side` (a power of two) by a tent, which goes on across
-/// the borders as the texture does and never beyond the values that are there: hard edges stay without a rim.
-/// Each level is the mean of four texels of the one above. Cost: about 10 ns a texel.
-[[nodiscard]] gpu::LayerPixels make_mips(const Texture& texture, uint32_t side);
+/// All mip levels of `image`, stretched to `side` x `side` (a power of two): each level is the mean of four
+/// texels of the one above. Cost: about 10 ns a texel.
+[[nodiscard]] gpu::LayerPixels make_mips(const Image& image, uint32_t side);
 
 /// Makes the mips of several textures ahead, two at a time, so that uploads need not wait.
 class MipQueue {
