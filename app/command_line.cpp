@@ -35,6 +35,13 @@ a power of two; coarser levels are then derived. Or tone1_level0.png, tone1_leve
 
 Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
 
+constexpr const char* bench_examples = R"(Examples:
+  estampe bench lights -o lights.svg
+  estampe bench lights --counts 34 --shadowed 4 --million --size 1920x1080 --json
+
+Each count is measured in turn with frames without local lights, so that the ratio of the two does not hang
+on how busy the machine is.)";
+
 /// The options as they are typed, before they are looked at.
 struct Typed {
     std::string scene;
@@ -55,6 +62,11 @@ struct Typed {
     bool timings = false;
     bool json = false;
     bool style_manual = false;
+    std::vector<uint32_t> light_counts;
+    uint32_t shadowed = 0;
+    uint32_t frames = 9;
+    bool million = false;
+    bool moving = false;
 };
 
 void add_set_option(CLI::App& command, Typed& typed, const char* help)
@@ -138,8 +150,40 @@ void add_tam(CLI::App& app, Typed& typed)
                    "One parameter of the style, such as tam.width_px=3; may be\nrepeated (see --help-style)");
 }
 
+void add_bench(CLI::App& app, Typed& typed)
+{
+    CLI::App& bench = *app.add_subcommand("bench", "Measure what something costs, on scenes of its own");
+    bench.require_subcommand(1);
+    CLI::App& lights = *bench.add_subcommand("lights", "Cost against the number of lights");
+    lights.footer(bench_examples);
+    lights.add_option("--counts", typed.light_counts, "How many local lights [1 3 10 30 100 300 1000]")
+        ->type_name("N,N,...")
+        ->delimiter(',');
+    lights
+        .add_option("--shadowed", typed.shadowed, "How many of them throw shadows: spots and points in turn")
+        ->type_name("N")
+        ->capture_default_str();
+    lights.add_flag("--million", typed.million, "A million triangles instead of some ten thousand");
+    lights.add_flag("--moving", typed.moving, "Move the lights that throw shadows from frame to frame");
+    lights.add_option("--size", typed.size, "Width and height in pixels")
+        ->type_name("WxH")
+        ->capture_default_str();
+    lights.add_option("--frames", typed.frames, "Frames of each kind, of which the median counts")
+        ->type_name("N")
+        ->capture_default_str();
+    lights.add_option("--device", typed.device, "auto, cpu, or an index that estampe devices lists")
+        ->type_name("DEVICE")
+        ->capture_default_str();
+    lights.add_option("--raster", typed.raster, "hardware, compute, or auto")
+        ->type_name("PATH")
+        ->capture_default_str();
+    lights.add_option("-o,--output", typed.output, "Also write a plot, NAME.svg")->type_name("FILE");
+    lights.add_flag("--json", typed.json, "Print JSON");
+}
+
 void add_commands(CLI::App& app, Typed& typed)
 {
+    add_bench(app, typed);
     add_render(app, typed);
     add_tam(app, typed);
     CLI::App& info = *app.add_subcommand("info", "Tell what a scene file holds");
@@ -217,6 +261,33 @@ TamCommand read_tam(const Typed& typed)
             .preview = typed.preview};
 }
 
+BenchLightsCommand read_bench(const Typed& typed)
+{
+    constexpr uint32_t most_lights = 100000;
+    constexpr uint32_t most_frames = 10000;
+    BenchLightsCommand bench{.shadowed = typed.shadowed,
+                             .million = typed.million,
+                             .moving = typed.moving,
+                             .frames = typed.frames,
+                             .output = typed.output,
+                             .json = typed.json};
+    if (!typed.light_counts.empty()) {
+        bench.counts = typed.light_counts;
+    }
+    for (const uint32_t count : bench.counts) {
+        check_count("--counts", count, most_lights);
+    }
+    check_count("--frames", typed.frames, most_frames);
+    std::tie(bench.width, bench.height) = parse_size(typed.size);
+    check_device(typed.device);
+    bench.device.device = typed.device;
+    bench.device.raster = parse_raster_path(typed.raster);
+    if (!typed.output.empty() && lower_extension(typed.output) != ".svg") {
+        throw UsageError("the plot is an SVG picture", "-o " + typed.output, "the name must end in .svg");
+    }
+    return bench;
+}
+
 Command to_command(const CLI::App& app, const Typed& typed)
 {
     if (typed.style_manual) {
@@ -230,6 +301,9 @@ Command to_command(const CLI::App& app, const Typed& typed)
     }
     if (app.got_subcommand("styles")) {
         return StylesCommand{typed.style};
+    }
+    if (app.got_subcommand("bench")) {
+        return read_bench(typed);
     }
     if (app.got_subcommand("tam")) {
         return read_tam(typed);

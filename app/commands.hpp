@@ -14,5 +14,6 @@ void run(const DevicesCommand& command);
 void run(const StylesCommand& command);
 void run(const StyleManualCommand& command);
 void run(const TamCommand& command);
+void run(const BenchLightsCommand& command);
 
 } // namespace estampe::app

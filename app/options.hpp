@@ -75,8 +75,22 @@ struct TamCommand {
     std::string preview; ///< .png; empty: none
 };
 
-using Command = std::variant<RenderCommand, GraphCommand, InfoCommand, DevicesCommand, StylesCommand,
-                             StyleManualCommand, TamCommand>;
+/// Measures what lights cost on a scene that the program makes.
+struct BenchLightsCommand {
+    std::vector<uint32_t> counts{1, 3, 10, 30, 100, 300, 1000};
+    uint32_t shadowed = 0; ///< of them throw shadows: spots and points in turn
+    bool million = false;  ///< a million triangles, not some ten thousand
+    bool moving = false;   ///< shadowed lights move from frame to frame
+    uint32_t width = 1280;
+    uint32_t height = 720;
+    uint32_t frames = 9;
+    RendererOptions device;
+    std::string output; ///< .svg; empty: no plot
+    bool json = false;
+};
+
+using Command = std::variant<BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
+                             StylesCommand, StyleManualCommand, TamCommand>;
 
 /// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or
 /// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -8,6 +7,7 @@
 
 #include "commands.hpp"
 #include "drawing.hpp"
+#include "pass_history.hpp"
 #include "report.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
@@ -37,43 +37,6 @@ private:
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
     std::vector<std::pair<std::string, double>> steps_;
-};
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-/// GPU times of frames, by pass.
-class PassHistory {
-public:
-    void add(const std::vector<PassTiming>& passes)
-    {
-        if (passes.size() != times_.size()) {
-            times_.assign(passes.size(), {});
-        }
-        for (size_t i = 0; i < passes.size(); ++i) {
-            times_[i].push_back(passes[i].gpu_ms);
-        }
-        last_ = passes;
-    }
-
-    void forget() { times_.clear(); }
-
-    [[nodiscard]] std::vector<PassTiming> medians() const
-    {
-        std::vector<PassTiming> result = last_;
-        for (size_t i = 0; i < result.size(); ++i) {
-            result[i].gpu_ms = median(times_[i]);
-        }
-        return result;
-    }
-
-private:
-    std::vector<std::vector<double>> times_;
-    std::vector<PassTiming> last_;
 };
 
 void check_extension(const std::string& output)

@@ -23,6 +23,21 @@ namespace estampe {
 using Index = uint32_t;
 inline constexpr Index no_index = std::numeric_limits<Index>::max();
 
+/// Sixteen groups, a bit each, tie lights to objects: a light lights what shares a group with it, and is
+/// blocked by what throws shadows for one of its groups.
+using Groups = uint16_t;
+inline constexpr Groups all_groups = 0xffff;
+
+/// How a surface stands to the lights. A node's and its material's hold together: groups that both name,
+/// shadows that both receive.
+struct LightLinks {
+    Groups lit_by = all_groups;    ///< lights of these groups; ambient light comes anyway
+    Groups casts_for = all_groups; ///< throws shadows in the light of these; 0: throws none
+    bool receives_shadows = true;
+
+    bool operator==(const LightLinks& other) const = default;
+};
+
 enum class Wrap : uint8_t { repeat, clamp, mirror };
 
 struct Texture {
@@ -67,6 +82,7 @@ struct Material {
     bool double_sided = false;
     bool unlit = false;
     std::optional<ToonShade> toon;
+    LightLinks links;
 };
 
 enum class Topology : uint8_t { points, lines, triangles };
@@ -116,6 +132,7 @@ struct Node {
     Index skin = no_index;
     Index camera = no_index;
     Index light = no_index;
+    LightLinks links;
     std::vector<float> morph_weights; ///< empty: the mesh's own
     std::vector<glm::mat4>
         instances; ///< EXT_mesh_gpu_instancing: node_from_instance; empty means one, identity
@@ -127,9 +144,19 @@ struct Skin {
     std::vector<glm::mat4> joint_from_bind; ///< inverse bind matrices, one per joint
 };
 
-enum class LightType : uint8_t { directional, point, spot };
+/// Ambient light comes from everywhere and needs no place.
+enum class LightType : uint8_t { directional, point, spot, ambient };
 
-/// KHR_lights_punctual: shines along its node's -z. Intensity in lux (directional) or candela (point, spot).
+/// How a local light weakens with the distance d: 1 / d^2, or 1 - (d / range)^2 inside a volume of that
+/// radius, as if the light's volume were scaled to the unit sphere (Zanuttini, "Recherches en rendu non
+/// réaliste temps réel", Université Paris 8, 2008, chapter 4).
+enum class LightFalloff : uint8_t { inverse_square, unit_volume };
+
+/// What a spot lights: a cone, or a pyramid over a square, upright along its node's y.
+enum class SpotShape : uint8_t { cone, pyramid };
+
+/// KHR_lights_punctual: shines along its node's -z. Intensity in lux (directional, ambient) or candela
+/// (point, spot; with the fall-off of a unit volume, lux at the light).
 struct Light {
     std::string name;
     LightType type = LightType::point;
@@ -137,7 +164,13 @@ struct Light {
     float intensity = 1.0F;
     float range_m = 0.0F; ///< 0: unlimited
     float inner_cone_rad = 0.0F;
-    float outer_cone_rad = 0.7853982F;
+    float outer_cone_rad = 0.7853982F; ///< of a pyramid: half the angle between opposite sides
+    LightFalloff falloff = LightFalloff::inverse_square;
+    SpotShape shape = SpotShape::cone;
+    Groups groups = all_groups;  ///< lights what is `lit_by` one of them
+    Groups casters = all_groups; ///< blocked by what `casts_for` one of them; 0: its light throws no shadow
+
+    bool operator==(const Light& other) const = default;
 };
 
 /// A camera of the file. Looks along its node's -z.

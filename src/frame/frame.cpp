@@ -6,6 +6,7 @@
 #include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/light/exposure.hpp"
 #include "techniques/raster/raster.hpp"
 #include "techniques/screen/screen.hpp"
 #include "techniques/surface/surface.hpp"
@@ -26,6 +27,18 @@ raster::Batch batch(const pose::Range& range, bool masked = false)
 {
     return {
         .first_triangle = range.first, .triangle_count = range.count, .masked = masked, .plain = range.plain};
+}
+
+/// What blocks a light that `groups` of casters shadow.
+std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups groups)
+{
+    std::vector<raster::Batch> batches;
+    for (const pose::CasterRun& run : layout.casters) {
+        if ((run.groups & groups) != 0) {
+            batches.push_back(batch(run.range, run.masked));
+        }
+    }
+    return batches;
 }
 
 /// What hides what is behind it.
@@ -120,17 +133,18 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     // not throw.
     auto shadow_map = gpu::import_whole(graph, "shadow", resources.shadow_map);
     if (plan.redraw_shadow) {
-        shadow_map = raster::add_depth(graph, "shadow", raster_inputs, solid_batches(layout, false),
-                                       {.clip_from_anchor = plan.sun.clip_from_anchor,
-                                        .size_px = glm::uvec2(plan.shadow_size),
-                                        .cull_back_faces = false,
-                                        .path = plan.raster_path,
-                                        .tuning = plan.raster},
-                                       shadow_map);
+        shadow_map =
+            raster::add_depth(graph, "shadow", raster_inputs, caster_batches(layout, plan.sun_casters),
+                              {.clip_from_anchor = plan.sun.clip_from_anchor,
+                               .size_px = glm::uvec2(plan.shadow_size),
+                               .cull_back_faces = false,
+                               .path = plan.raster_path,
+                               .tuning = plan.raster},
+                              shadow_map);
     }
 
     // Light: what arrives there.
-    const auto light =
+    const light::LitPixels lit =
         light::add_light(graph, {.frame = frame,
                                  .lighting = lighting,
                                  .lights = lights,
@@ -146,31 +160,45 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                  .edge_look = gpu::import_whole(graph, "edges", resources.edge_look),
                                  .shadow_variant = plan.shadow_variant,
                                  .has_shadow = plan.shadow_size > 0,
-                                 .has_local_lights = plan.has_local_lights,
+                                 .local_count = plan.local_light_count,
                                  .has_emissive = plan.needs.emissive,
+                                 .keeps_strongest = plan.follows_local_light,
+                                 .has_links = plan.has_light_links,
                                  .size_px = size_px});
+    const gpu::ImageId light =
+        plan.meters_page
+            ? light::add_exposure(graph, {.light = lit.light,
+                                          .draw = surface.draw,
+                                          .state = gpu::import_whole(graph, "exposure", resources.exposure),
+                                          .adapts = plan.accumulation.sample_index == 0,
+                                          .compensation_stops = style.light.exposure_stops,
+                                          .most_change_stops = plan.adapt_stops,
+                                          .size_px = size_px})
+                  .light
+            : lit.light;
 
     // Hatch: light becomes strokes.
-    const auto hatch = hatch::add_hatch(graph,
-                                        {.frame = frame,
-                                         .draw = surface.draw,
-                                         .depth = surface.depth,
-                                         .normal = surface.normal,
-                                         .color = surface.color,
-                                         .coordinate = surface.coordinate,
-                                         .footprint = surface.footprint,
-                                         .light = light,
-                                         .screen = screen.color,
-                                         .has_screen = has_screen,
-                                         .tone = tone,
-                                         .has_directions = plan.has_directions(),
-                                         .towards_light = plan.towards_sun,
-                                         .map = resources.map != nullptr
-                                                    ? std::optional(hatch::import_map(graph, *resources.map))
-                                                    : std::nullopt,
-                                         .pixels_per_mm = plan.pixels_per_mm,
-                                         .size_px = size_px},
-                                        style.hatch);
+    const auto hatch = hatch::add_hatch(
+        graph,
+        {.frame = frame,
+         .draw = surface.draw,
+         .depth = surface.depth,
+         .normal = surface.normal,
+         .color = surface.color,
+         .coordinate = surface.coordinate,
+         .footprint = surface.footprint,
+         .light = light,
+         .screen = screen.color,
+         .has_screen = has_screen,
+         .tone = tone,
+         .has_directions = plan.has_directions(),
+         .strongest_light = plan.follows_local_light ? std::optional(lit.strongest) : std::nullopt,
+         .towards_light = plan.towards_sun,
+         .map = resources.map != nullptr ? std::optional(hatch::import_map(graph, *resources.map))
+                                         : std::nullopt,
+         .pixels_per_mm = plan.pixels_per_mm,
+         .size_px = size_px},
+        style.hatch);
 
     // Contour: lines where surfaces end, meet or fold.
     const auto lines = contour::add_contours(graph,

@@ -25,6 +25,7 @@ struct FrameResources {
     gpu::Buffer& frame_globals;
     gpu::Buffer& light_globals;
     gpu::Buffer& lights;
+    gpu::Buffer& exposure; ///< light's ExposureState, kept from frame to frame
     gpu::Buffer& shadow_map;
     gpu::Buffer& edge_look;        ///< EdgeLook, see shadow/edge.glsl.h
     gpu::Buffer& sun_shadow;       ///< SunShadow, see shadow/sun.glsl.h
@@ -45,7 +46,12 @@ struct FramePlan {
     raster::Tuning raster;
     surface::SceneNeeds needs;
     StrokePlan strokes;
-    bool has_local_lights = false;
+    uint32_t local_light_count = 0;
+    bool follows_local_light = false; ///< some strokes run along the light, and there are local lights
+    bool meters_page = false;
+    float adapt_stops = -1.0F;       ///< most that the exposure by the page changes; negative: any
+    bool has_light_links = false;    ///< not every light lights and shadows everything
+    Groups sun_casters = all_groups; ///< whose shadows the sun throws
     bool ground_drawn = false;
     bool sky_drawn = false;
     uint32_t shadow_variant = 0; ///< see shadow/edge_look.hpp

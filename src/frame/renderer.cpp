@@ -11,6 +11,7 @@
 #include <estampe/error.hpp>
 
 #include "frame/frame.hpp"
+#include "frame/loaded_scene.hpp"
 #include "frame/sun.hpp"
 #include "frame/tonal_maps.hpp"
 #include "gpu/graph/compile_ahead.hpp"
@@ -18,23 +19,10 @@
 #include "gpu/upload.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/light/daylight.hpp"
+#include "techniques/light/exposure.hpp"
 #include "techniques/raster/choose_path.hpp"
 
 namespace estampe {
-
-/// Everything of one scene that lives on the device, and the scene itself without its pictures.
-struct LoadedScene {
-    Scene scene;
-    pose::MeshData layout;
-    pose::MeshBuffers meshes;
-    surface::MaterialBuffers materials;
-    surface::SceneNeeds needs;
-    std::vector<uint32_t> stroke_kinds; ///< what the strokes of each draw follow, on the device
-    std::optional<pose::PoseData> pose; ///< what the device holds now
-    std::optional<SurfaceCloud> cloud;  ///< for what follows, made when it is first needed
-    std::optional<Outlook> outlook;     ///< where the house's light stands
-    bool pose_moved = true;             ///< the device has yet to pose its vertices by it
-};
 
 struct Renderer::Impl {
     explicit Impl(const RendererOptions& renderer_options)
@@ -59,10 +47,11 @@ struct Renderer::Impl {
     gpu::Executor executor;
     bool has_drawn = false;
     RasterPath raster_path;
-    std::optional<LoadedScene> loaded;
+    std::optional<frame::LoadedScene> loaded;
     gpu::Buffer frame_globals;
     gpu::Buffer light_globals;
     gpu::Buffer lights;
+    light::ExposureMemory exposure;
     gpu::Buffer shadow_map;
     gpu::Buffer edge_look;
     gpu::Buffer sun_shadow;
@@ -93,16 +82,6 @@ uint32_t shadow_size(const light::LightStyle& style, const RenderSettings& setti
     return style.shadow_size > 0
                ? static_cast<uint32_t>(style.shadow_size)
                : std::clamp(std::bit_ceil(std::max(settings.width, settings.height)), 512U, 4096U);
-}
-
-/// A copy of the scene that is enough to pose it: geometry and images are on the device by now.
-Scene without_images(const Scene& scene)
-{
-    Scene copy = scene;
-    for (Texture& texture : copy.textures) {
-        texture.image = {};
-    }
-    return copy;
 }
 
 } // namespace
@@ -142,13 +121,8 @@ void Renderer::set_scene(const Scene& scene)
 {
     impl_->loaded.reset();
     impl_->shadow_view.reset();
-    LoadedScene loaded;
-    loaded.layout = pose::build_meshes(scene, static_cast<Index>(scene.materials.size()));
-    loaded.meshes = pose::upload_meshes(impl_->device, loaded.layout);
-    loaded.materials = surface::upload_materials(impl_->device, scene);
-    loaded.needs = surface::scene_needs(scene);
-    loaded.scene = without_images(scene);
-    impl_->loaded = std::move(loaded);
+    impl_->exposure.forget();
+    impl_->loaded = frame::load_onto_device(impl_->device, scene);
 }
 
 void Renderer::Impl::check_size(const RenderSettings& settings) const
@@ -159,9 +133,8 @@ void Renderer::Impl::check_size(const RenderSettings& settings) const
             fmt::format("a picture of {} x {} pixels cannot be drawn", settings.width, settings.height),
             "size", fmt::format("{} draws from 1 x 1 to {} x {}", device.info().name, limit, limit));
     }
-    const uint64_t most_pixels =
-        std::min<uint64_t>(device.limits().maxStorageBufferRange / sizeof(uint64_t),
-                           device.limits().maxTexelBufferElements);
+    const uint64_t most_pixels = std::min<uint64_t>(device.limits().maxStorageBufferRange / sizeof(uint64_t),
+                                                    device.limits().maxTexelBufferElements);
     if (static_cast<uint64_t>(settings.width) * settings.height > most_pixels) {
         throw Error(fmt::format("a picture of {} x {} pixels is too large", settings.width, settings.height),
                     "size",
@@ -280,13 +253,16 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
         (style.picture.ground == frame::Ground::automatic && !is_composed && !lighting.indoors);
     plan.sky_drawn =
         style.sky.mode == sky::SkyMode::drawn || (style.sky.mode == sky::SkyMode::automatic && is_outdoors);
-    plan.shadow_size =
-        style.light.shadows && lighting.directional_count > 0 && lighting.towards_sun.y > -0.999
-            ? shadow_size(style.light, settings)
-            : 0U;
+    plan.shadow_size = style.light.shadows && lighting.sun_casters != 0 && lighting.directional_count > 0 &&
+                               lighting.towards_sun.y > -0.999
+                           ? shadow_size(style.light, settings)
+                           : 0U;
     plan.needs = loaded->needs;
     plan.strokes = frame::plan_strokes(loaded->layout, loaded->scene.materials, style.hatch);
-    plan.has_local_lights = lighting.records.size() > lighting.directional_count;
+    plan.local_light_count = static_cast<uint32_t>(lighting.records.size()) - lighting.directional_count;
+    plan.follows_local_light = plan.local_light_count > 0 && plan.strokes.has(shared::strokes_light);
+    plan.has_light_links = lighting.has_groups || !loaded->has_plain_links;
+    plan.sun_casters = lighting.sun_casters;
     plan.towards_sun = glm::vec3(lighting.towards_sun);
     plan.sun = shadow::sun_view(loaded->pose->casters, loaded->layout.anchor, lighting.towards_sun,
                                 std::max(plan.shadow_size, 4U));
@@ -308,6 +284,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     frame_globals,
                                     light_globals,
                                     lights,
+                                    exposure.buffer(),
                                     shadow_map,
                                     edge_look,
                                     sun_shadow,
@@ -346,6 +323,9 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     impl.check_size(settings);
     impl.provide_pixels(settings);
     const frame::StyleTables& tables = style.tables();
+    if (frame::style_lighting(impl.device, *impl.loaded, tables.light)) {
+        impl.shadow_view.reset();
+    }
     const pose::MeshData& layout = impl.loaded->layout;
     const ScenePose scene_pose = pose_scene(impl.loaded->scene, settings.time_s, settings.animation);
     impl.update_pose(scene_pose);
@@ -381,6 +361,8 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
     impl.provide_map(tables);
     impl.provide_strokes(plan.strokes);
+    plan.meters_page = tables.light.metering == light::Metering::page;
+    plan.adapt_stops = impl.exposure.prepare(impl.device, tables.light, settings.time_s);
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
         plan.accumulation = {.sample_index = sample, .sample_count = settings.samples};
         impl.draw_sample(camera, tables, plan);

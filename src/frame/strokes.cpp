@@ -7,28 +7,16 @@
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "frame/assignments.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "style/raw.hpp"
-#include "style/suggest.hpp"
 #include "techniques/form/form.hpp"
 
 namespace estampe::frame {
 namespace {
 
 constexpr const char* key = "hatch.materials";
-
-std::string_view trimmed(std::string_view text)
-{
-    while (!text.empty() && text.front() == ' ') {
-        text.remove_prefix(1);
-    }
-    while (!text.empty() && text.back() == ' ') {
-        text.remove_suffix(1);
-    }
-    return text;
-}
 
 /// The kind that `hatch.coordinates` calls `name`.
 uint32_t kind_named(const std::string& name)
@@ -49,30 +37,19 @@ uint32_t kind_named(const std::string& name)
 std::map<Index, uint32_t> kinds_of_materials(const std::vector<Material>& materials, std::string_view text)
 {
     std::map<Index, uint32_t> kinds;
-    while (!trimmed(text).empty()) {
-        const std::string_view item = text.substr(0, text.find(','));
-        text.remove_prefix(std::min(item.size() + 1, text.size()));
-        const size_t equals = item.rfind('=');
-        if (equals == std::string_view::npos) {
-            throw Error(fmt::format("{} is not of the form material=kind", style::in_quotes(item)), key,
-                        "write for instance \"Skin=form, Sea=wind\"");
-        }
-        const std::string name(trimmed(item.substr(0, equals)));
-        const uint32_t kind = kind_named(std::string(trimmed(item.substr(equals + 1))));
+    for (const Assignment& part : assignments(text, key, "material=kind", "Skin=form, Sea=wind")) {
+        const uint32_t kind = kind_named(part.value);
         std::vector<std::string> names;
         bool is_known = false;
         for (Index i = 0; i < materials.size(); ++i) {
             names.push_back(materials[i].name);
-            if (materials[i].name == name) {
+            if (materials[i].name == part.name) {
                 kinds[i] = kind;
                 is_known = true;
             }
         }
         if (!is_known) {
-            const std::string meant = style::nearest(name, names);
-            throw Error(fmt::format("the scene has no material {}", style::in_quotes(name)), key,
-                        meant.empty() ? fmt::format("it has {}", fmt::join(names, ", "))
-                                      : fmt::format("did you mean {}?", style::in_quotes(meant)));
+            fail_unknown("the scene has no material", part.name, key, names);
         }
     }
     return kinds;

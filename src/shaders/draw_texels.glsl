@@ -22,4 +22,16 @@ DrawPart draw_at(uint draw)
     return DrawPart(words.x, words.y, words.z, words.w);
 }
 
+// The part of a DrawRecord that says which lights reach it.
+struct DrawLinks {
+    uint flags;
+    uint groups;
+};
+
+DrawLinks draw_links_at(uint draw)
+{
+    uvec4 words = texelFetch(draw_texels, int(7u * draw + 6u));
+    return DrawLinks(words.z, words.w);
+}
+
 #endif

@@ -42,7 +42,7 @@ struct DrawRecord {
     uint morph_target_count;
     uint first_morph_weight;
     uint flags;
-    uint unused;
+    uint groups; // lit by those of bits 0-15, throws shadows for those of bits 16-31
 };
 
 // Position relative to the anchor; normal as in RestVertex.
@@ -59,6 +59,7 @@ inline constexpr uint no_skin = 0xffffffffU;
 inline constexpr uint draw_has_uv = 1U;
 inline constexpr uint draw_follows_uv = 2U; // its UVs can carry strokes
 inline constexpr uint draw_mirrored = 4U;   // its place turns it inside out
+inline constexpr uint draw_unshadowed = 8U; // receives no shadow
 
 // A triangle's fourth number: the draw, and two flags that the rasteriser needs at once.
 inline constexpr uint triangle_mirrored = 1U << 31U;
@@ -69,6 +70,7 @@ inline constexpr uint triangle_draw_mask = (1U << 28U) - 1U;
 #define NO_SKIN 0xffffffffu
 #define DRAW_RECORD_HAS_UV 1u
 #define DRAW_RECORD_FOLLOWS_UV 2u
+#define DRAW_RECORD_UNSHADOWED 8u
 #define TRIANGLE_MIRRORED (1u << 31)
 #define TRIANGLE_TWO_SIDED (1u << 30)
 #define TRIANGLE_DRAW_MASK ((1u << 28) - 1u)

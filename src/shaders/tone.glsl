@@ -10,13 +10,22 @@ float occluded(ToneConstants tone, float light, float open)
     return light * mix(1.0, open, tone.occlusion);
 }
 
+// Light as a share of white. The filmic curve is straight up to 0.6, then bends so that it reaches white
+// nowhere.
+float toned(ToneConstants tone, float value)
+{
+    float shoulder = 0.6 + 0.4 * (1.0 - exp(-max(value - 0.6, 0.0) / 0.4));
+    float bent = tone.curve == TONE_FILMIC && value > 0.6 ? shoulder : clamp(value, 0.0, 1.0);
+    return tone.curve == TONE_LINEAR ? bent : pow(bent, tone.gamma);
+}
+
 // Darkness to be drawn, 0 (paper) to 1 (ink), of a surface that is lit with `light` and has brightness
 // `local_value`. The contrast multiplies about the middle and saturates (Zanuttini, "Recherches en rendu non
 // réaliste temps réel", Université Paris 8, 2008, annex 1). Below the floor the paper stays white.
 float darkness(ToneConstants tone, float light, float local_value)
 {
     float value = light * tone.exposure * mix(1.0, local_value, tone.local_value);
-    float dark = 1.0 - pow(clamp(value, 0.0, 1.0), tone.gamma);
+    float dark = 1.0 - toned(tone, value);
     dark = clamp((dark - 0.5) * tone.contrast + 0.5, 0.0, 1.0);
     return clamp((dark - tone.floor) / (tone.ceiling - tone.floor), 0.0, 1.0) * tone.ceiling;
 }

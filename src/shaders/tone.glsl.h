@@ -8,6 +8,7 @@ namespace estampe::shared {
 
 // How light becomes darkness on the page.
 struct ToneConstants {
+    uint curve; // tone_gamma, tone_linear or tone_filmic
     float exposure;
     float gamma;
     float contrast;
@@ -18,7 +19,13 @@ struct ToneConstants {
 };
 
 #ifdef __cplusplus
+inline constexpr uint tone_gamma = 0;
+inline constexpr uint tone_linear = 1;
+inline constexpr uint tone_filmic = 2;
 } // namespace estampe::shared
+#else
+#define TONE_LINEAR 1u
+#define TONE_FILMIC 2u
 #endif
 
 #endif

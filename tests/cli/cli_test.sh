@@ -190,6 +190,16 @@ expect_error 1 'sheet.png' tam -o a.tam --brush missing-sheet.png
 head -c 2000 a.tam >truncated.tam
 expect_error 1 'truncated.tam' tam --from truncated.tam -o g.tam
 
+# Benches
+expect_success bench lights --counts 2,70 --shadowed 1 --frames 1 --size 64x36 --device cpu -o lights.svg
+expect_printed '^ *70 '
+[[ "$(head -c 4 lights.svg)" == "<svg" ]] || wrong "lights.svg is no SVG"
+expect_success bench lights --counts 1 --frames 1 --size 64x36 --device cpu --json
+expect_printed '"light_ms"'
+expect_error 2 'subcommand is required' bench
+expect_error 2 '--counts' bench lights --counts 0
+expect_error 2 'must end in .svg' bench lights -o lights.png
+
 # A failure keeps the picture that was there
 expect_error 1 'truncated.glb' render truncated.glb -o a.png
 

@@ -96,6 +96,18 @@ std::vector<raster::Batch> Drawing::batches() const
     return result;
 }
 
+std::vector<raster::Batch> Drawing::caster_batches(const LightSetup& setup) const
+{
+    const uint32_t groups = setup.has_links ? setup.records.front().groups >> 16U : all_groups;
+    std::vector<raster::Batch> result;
+    for (const pose::CasterRun& run : layout.casters) {
+        if ((run.groups & groups) != 0) {
+            result.push_back({run.range.first, run.range.count, run.masked, run.range.plain});
+        }
+    }
+    return result;
+}
+
 raster::View Drawing::raster_view() const
 {
     return {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .path = path, .tuning = tuning};
@@ -157,7 +169,7 @@ screen::Screen Drawing::add_screen(gpu::Graph& graph)
                 .size_px = size_px});
 }
 
-gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup)
+light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup)
 {
     const glm::dvec3 towards_sun =
         setup.directional_count > 0 ? glm::dvec3(setup.records.front().direction) : glm::dvec3(0, 1, 0);
@@ -178,13 +190,14 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
                               gpu::MemoryUse::device);
     auto shadow_map = gpu::import_whole(graph, "shadow", shadow_map_);
     if (setup.shadow_size > 0) {
-        shadow_map = raster::add_depth(graph, "shadow", raster_inputs(graph, stage.posed), batches(),
-                                       {.clip_from_anchor = view.clip_from_anchor,
-                                        .size_px = glm::uvec2(setup.shadow_size),
-                                        .cull_back_faces = false,
-                                        .path = path,
-                                        .tuning = tuning},
-                                       shadow_map);
+        shadow_map =
+            raster::add_depth(graph, "shadow", raster_inputs(graph, stage.posed), caster_batches(setup),
+                              {.clip_from_anchor = view.clip_from_anchor,
+                               .size_px = glm::uvec2(setup.shadow_size),
+                               .cull_back_faces = false,
+                               .path = path,
+                               .tuning = tuning},
+                              shadow_map);
     }
     return light::add_light(graph, {.frame = stage.frame,
                                     .lighting = gpu::import_whole(graph, "lighting", light_globals_),
@@ -201,8 +214,12 @@ gpu::ImageId Drawing::add_light(gpu::Graph& graph, const Stage& stage, const Lig
                                     .edge_look = gpu::import_whole(graph, "edges", edge_look_),
                                     .shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines),
                                     .has_shadow = setup.shadow_size > 0,
-                                    .has_local_lights = setup.records.size() > setup.directional_count,
+                                    .local_count = lighting.local_count,
                                     .has_emissive = needs_.emissive,
+                                    .keeps_strongest = setup.keeps_strongest,
+                                    .counts_visits = setup.counts_visits,
+                                    .looks_at_all = setup.looks_at_all,
+                                    .has_links = setup.has_links,
                                     .size_px = size_px});
 }
 
@@ -291,8 +308,20 @@ std::vector<glm::vec4> Drawing::light(const LightSetup& setup)
     gpu::Graph graph;
     const Stage stage = add_surface(graph);
     std::vector<glm::vec4> result;
-    for (const uint64_t packed : run_and_read_as<uint64_t>(graph, add_light(graph, stage, setup))) {
+    for (const uint64_t packed : run_and_read_as<uint64_t>(graph, add_light(graph, stage, setup).light)) {
         result.push_back(glm::unpackHalf4x16(packed));
+    }
+    return result;
+}
+
+std::vector<glm::vec3> Drawing::strongest_light(LightSetup setup)
+{
+    setup.keeps_strongest = true;
+    gpu::Graph graph;
+    const Stage stage = add_surface(graph);
+    std::vector<glm::vec3> result;
+    for (const uint32_t packed : run_and_read_as<uint32_t>(graph, add_light(graph, stage, setup).strongest)) {
+        result.push_back(packed == 0 ? glm::vec3(0.0F) : unpack_normal(packed));
     }
     return result;
 }
@@ -301,7 +330,7 @@ std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixe
 {
     gpu::Graph graph;
     const Stage stage = add_surface(graph);
-    const gpu::ImageId light = add_light(graph, stage, {.ambient = glm::vec3(1.0F)});
+    const gpu::ImageId light = add_light(graph, stage, {.ambient = glm::vec3(1.0F)}).light;
     const gpu::ImageId ink = contour::add_contours(graph,
                                                    {.frame = stage.frame,
                                                     .visibility = stage.visibility,

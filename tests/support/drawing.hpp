@@ -48,6 +48,10 @@ struct LightSetup {
     glm::vec3 ambient{0.0F};
     float falloff = 1.0F;
     uint32_t shadow_size = 0;
+    bool counts_visits = false;
+    bool looks_at_all = false;
+    bool keeps_strongest = false;
+    bool has_links = false;                    ///< groups of lights and draws count
     shadow::ShadowStyle shadow;                ///< millimetres are pixels
     std::optional<shadow::HatchedLines> lines; ///< what teeth follow
 };
@@ -67,6 +71,8 @@ public:
     [[nodiscard]] SurfacePixels surface();
     [[nodiscard]] ScreenPixels screen();
     [[nodiscard]] std::vector<glm::vec4> light(const LightSetup& setup);
+    /// Unit vectors towards the strongest light where it is a local one, else zero.
+    [[nodiscard]] std::vector<glm::vec3> strongest_light(LightSetup setup);
     /// Coverage of the lines, in even light of 1.
     [[nodiscard]] std::vector<float> lines(const contour::ContourStyle& style, float pixels_per_mm);
 
@@ -93,9 +99,11 @@ private:
     gpu::BufferId add_visibility(gpu::Graph& graph, gpu::BufferId posed);
     Stage add_surface(gpu::Graph& graph);
     screen::Screen add_screen(gpu::Graph& graph);
-    gpu::ImageId add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup);
+    light::LitPixels add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup);
     raster::RasterInputs raster_inputs(gpu::Graph& graph, gpu::BufferId posed);
     std::vector<raster::Batch> batches() const;
+    /// What throws shadows in the light of the first record.
+    std::vector<raster::Batch> caster_batches(const LightSetup& setup) const;
     raster::View raster_view() const;
 
     double pixel_angle_ = 0.0;

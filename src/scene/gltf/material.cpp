@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/gltf/convert.hpp"
+#include "scene/gltf/extras.hpp"
 #include "scene/gltf/texture.hpp"
 
 namespace estampe::gltf {
@@ -181,6 +182,7 @@ Material import_material(Data& data, TextureTable& textures, const tinygltf::Mat
     material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
     material.double_sided = source.doubleSided;
     apply_extensions(data, textures, source, pointer, material);
+    read_link_extras(data, source.extras, pointer, material.links);
     return material;
 }
 

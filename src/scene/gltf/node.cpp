@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/gltf/convert.hpp"
+#include "scene/gltf/extras.hpp"
 
 namespace estampe::gltf {
 namespace {
@@ -175,7 +176,9 @@ void clear_nodes_outside(const tinygltf::Scene& shown, Scene& scene)
 
 void import_lights(const Data& data, Scene& scene)
 {
-    for (const tinygltf::Light& source : data.model().lights) {
+    const auto& sources = data.model().lights;
+    for (size_t i = 0; i < sources.size(); ++i) {
+        const tinygltf::Light& source = sources[i];
         Light& light = scene.lights.emplace_back();
         light.name = source.name;
         light.type = source.type == "directional" ? LightType::directional
@@ -186,6 +189,24 @@ void import_lights(const Data& data, Scene& scene)
         light.range_m = static_cast<float>(source.range);
         light.outer_cone_rad = static_cast<float>(source.spot.outerConeAngle);
         light.inner_cone_rad = std::min(static_cast<float>(source.spot.innerConeAngle), light.outer_cone_rad);
+        read_light_extras(data, source.extras, fmt::format("/extensions/KHR_lights_punctual/lights/{}", i),
+                          light);
+    }
+}
+
+/// What a node says of its links to the lights holds for those below it, unless they say otherwise.
+void import_links(const Data& data, Scene& scene)
+{
+    std::vector<Index> open(scene.roots);
+    while (!open.empty()) {
+        const Index index = open.back();
+        open.pop_back();
+        Node& node = scene.nodes[index];
+        if (node.parent != no_index) {
+            node.links = scene.nodes[node.parent].links;
+        }
+        read_link_extras(data, data.model().nodes[index].extras, node_pointer(index), node.links);
+        open.insert(open.end(), node.children.begin(), node.children.end());
     }
 }
 
@@ -324,6 +345,7 @@ void import_nodes(Data& data, Scene& scene)
         scene.nodes.push_back(import_node(data, scene, model.nodes[i], node_pointer(i)));
     }
     link_nodes(data, scene);
+    import_links(data, scene);
     if (!model.scenes.empty()) {
         const auto shown = static_cast<size_t>(std::max(model.defaultScene, 0));
         scene.name = model.scenes[shown].name;

@@ -72,11 +72,11 @@ gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId da
     const gpu::ImageId source = overrun_px > 0.0F ? add_overrun(graph, in, darkness, overrun_px) : in.draw;
     auto pass = graph.compute("hatch/lines", shaders::lines_comp);
     pass.sample(darkness).sample(in.draw).sample(in.normal).sample(in.coordinate).sample(in.footprint);
-    pass.sample(source);
+    pass.sample(source).sample(in.strongest_light.value_or(in.draw));
     const gpu::ImageId ink = pass.write(graph.image(
         "hatch/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
     pass.variant((style.growth > 0.0F ? 1U : 0U) | (in.has_directions ? 2U : 0U) |
-                 (overrun_px > 0.0F ? 4U : 0U));
+                 (overrun_px > 0.0F ? 4U : 0U) | (in.strongest_light ? 8U : 0U));
     const float wind = glm::radians(style.wind_deg);
     pass.push(shared::LineConstants{.size_px = in.size_px,
                                     .width_px = style.width_mm * in.pixels_per_mm,

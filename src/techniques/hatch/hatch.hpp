@@ -128,6 +128,9 @@ struct HatchInputs {
     bool has_screen = false;
     shared::ToneConstants tone;
     bool has_directions = false; ///< some strokes follow height, wind or light
+    /// Octahedral directions (r32ui) towards the local light that rules a pixel, 0 for none: strokes along
+    /// the light follow it.
+    std::optional<gpu::ImageId> strongest_light;
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
     std::optional<MapInputs> map; ///< where the style asks for one
     float pixels_per_mm = 1.0F;

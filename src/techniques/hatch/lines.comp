@@ -18,8 +18,9 @@ layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform usampler2D normal_image;
 layout(binding = 3) uniform sampler2D coordinate_image;
 layout(binding = 4) uniform usampler2D footprint_image;
-layout(binding = 5) uniform usampler2D source_image; // see overrun.comp
-layout(binding = 6, r16f) writeonly uniform image2D out_ink;
+layout(binding = 5) uniform usampler2D source_image;    // see overrun.comp
+layout(binding = 6) uniform usampler2D strongest_image; // directions towards local lights, 0 for none
+layout(binding = 7, r16f) writeonly uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -27,16 +28,28 @@ layout(push_constant, scalar) uniform Constants
 };
 
 // Bit 0: newborn strokes grow in length. Bit 1: some strokes follow wind, light or height. Bit
-// 2: strokes run over silhouettes.
+// 2: strokes run over silhouettes. Bit 3: strokes along the light follow the local one that rules.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_growth = (variant & 1u) != 0u;
 const bool has_directions = (variant & 2u) != 0u;
 const bool has_overrun = (variant & 4u) != 0u;
+const bool has_local_light = (variant & 8u) != 0u;
+
+// Where the light of the pixel in hand comes from.
+vec3 towards_light = vec3(0.0, 1.0, 0.0);
+
+// A local light's direction changes from place to place, but planes must stay put: the nearest of 26
+// directions stands for it, so that the page falls into patches of straight strokes, as by hand.
+vec3 settled(vec3 direction)
+{
+    vec3 largest = vec3(max(abs(direction.x), max(abs(direction.y), abs(direction.z))));
+    return normalize(round(direction / largest));
+}
 
 StrokeAxes stroke_axes()
 {
     return StrokeAxes(constants.flat_axis_0, constants.flat_axis_1, constants.flat_axis_2, constants.wind,
-                      constants.towards_light, has_directions);
+                      towards_light, has_directions);
 }
 
 // Families of strokes, two a layer, and what each has to draw. The shares are such that what the families
@@ -129,6 +142,8 @@ void main()
     Footprint f = unpack_footprint(texelFetch(footprint_image, source, 0));
     vec3 p = texelFetch(coordinate_image, source, 0).xyz + f.dx * beyond.x + f.dy * beyond.y;
     vec3 normal = unpack_normal(texelFetch(normal_image, source, 0).y);
+    uint strongest = has_local_light ? texelFetch(strongest_image, source, 0).x : 0u;
+    towards_light = strongest != 0u ? settled(unpack_normal(strongest)) : constants.towards_light;
     float ink = strokes(p, f, normal, kind, dark);
     ink = max(ink,
               source == pixel ? smoothstep(constants.black_above, constants.black_above + 0.02, dark) : 0.0);

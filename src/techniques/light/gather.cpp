@@ -12,11 +12,39 @@ namespace {
 
 constexpr float least_light = 1.0F / 400.0F;
 
+/// What every record has that no file made.
+shared::LightRecord blank_record()
+{
+    shared::LightRecord record{};
+    record.groups = 0xffffffffU;
+    return record;
+}
+
+bool is_unit_volume(const shared::LightRecord& record)
+{
+    return (record.type & shared::light_unit_volume) != 0;
+}
+
+glm::dvec3 axis_of(const glm::dmat4& world_from_node, const glm::dvec3& axis)
+{
+    return glm::normalize(glm::dvec3(world_from_node * glm::dvec4(axis, 0.0)));
+}
+
+uint32_t type_of(const Light& light)
+{
+    uint32_t type = shared::light_point;
+    if (light.type == LightType::spot) {
+        type = light.shape == SpotShape::pyramid ? shared::light_pyramid : shared::light_spot;
+    }
+    return type | (light.falloff == LightFalloff::unit_volume ? shared::light_unit_volume : 0U);
+}
+
 shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from_node,
                                 const glm::dvec3& anchor)
 {
-    const glm::dvec3 beam = glm::normalize(glm::dvec3(world_from_node * glm::dvec4(0.0, 0.0, -1.0, 0.0)));
-    shared::LightRecord record{};
+    const glm::dvec3 beam = axis_of(world_from_node, {0.0, 0.0, -1.0});
+    shared::LightRecord record = blank_record();
+    record.groups = light.groups | static_cast<uint32_t>(light.casters) << 16U;
     record.position = glm::vec3(glm::dvec3(world_from_node[3]) - anchor);
     record.range_m = light.range_m;
     record.color = light.color * light.intensity;
@@ -25,8 +53,9 @@ shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from
         record.direction = glm::vec3(-beam);
         return record;
     }
-    record.type = light.type == LightType::spot ? shared::light_spot : shared::light_point;
+    record.type = type_of(light);
     record.direction = glm::vec3(beam);
+    record.side = glm::vec3(axis_of(world_from_node, {1.0, 0.0, 0.0}));
     // KHR_lights_punctual's recommended angular falloff, as scale and offset of the cosine.
     const float inner = std::cos(light.inner_cone_rad);
     const float outer = std::cos(light.outer_cone_rad);
@@ -40,6 +69,32 @@ float brightness(const glm::vec3& color)
     return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
 }
 
+/// The share of a local light that a distance lets through, without the window of inverse squares.
+float weakened(const shared::LightRecord& record, float distance_2)
+{
+    if (is_unit_volume(record)) {
+        return std::max(0.0F, 1.0F - distance_2 / (record.range_m * record.range_m));
+    }
+    return 1.0F / distance_2;
+}
+
+/// The share of a local light that leaves along `beam`, a unit vector.
+float in_cone(const shared::LightRecord& record, const glm::vec3& beam)
+{
+    const uint32_t type = record.type & 255U;
+    if (type == shared::light_point) {
+        return 1.0F;
+    }
+    float cosine = glm::dot(beam, record.direction);
+    if (type == shared::light_pyramid) {
+        const float aside = std::max(std::abs(glm::dot(beam, record.side)),
+                                     std::abs(glm::dot(beam, glm::cross(record.side, record.direction))));
+        cosine /= std::sqrt(std::max(cosine * cosine + aside * aside, 1e-12F));
+    }
+    const float cone = std::clamp(cosine * record.cone_scale + record.cone_offset, 0.0F, 1.0F);
+    return cone * cone;
+}
+
 /// What arrives at a point that faces every light.
 float arriving(const std::vector<shared::LightRecord>& records, const glm::vec3& point)
 {
@@ -51,12 +106,8 @@ float arriving(const std::vector<shared::LightRecord>& records, const glm::vec3&
         }
         const glm::vec3 to_light = record.position - point;
         const float distance_2 = std::max(glm::dot(to_light, to_light), 1e-6F);
-        float cone = 1.0F;
-        if (record.type == shared::light_spot) {
-            const float angle = glm::dot(-to_light / std::sqrt(distance_2), record.direction);
-            cone = std::clamp(angle * record.cone_scale + record.cone_offset, 0.0F, 1.0F);
-        }
-        sum += brightness(record.color) * cone * cone / distance_2;
+        sum += brightness(record.color) * in_cone(record, -to_light / std::sqrt(distance_2)) *
+               weakened(record, distance_2);
     }
     return sum;
 }
@@ -80,22 +131,49 @@ float key_light(const std::vector<shared::LightRecord>& records, const Scene& sc
     return *key;
 }
 
-std::vector<shared::LightRecord> scene_records(const Scene& scene, const ScenePose& pose,
-                                               const glm::dvec3& anchor)
+/// What light a white sheet shows as one: luminance 1.2 times 2^EV, of a surface that sends 1 / pi of the
+/// light that arrives.
+float manual_exposure(float ev100)
 {
+    return 1.0F / (std::numbers::pi_v<float> * 1.2F * std::exp2(ev100));
+}
+
+std::vector<shared::LightRecord> scene_records(const Scene& scene, const ScenePose& pose,
+                                               const Bounds& bounds, const glm::dvec3& anchor)
+{
+    const auto radius_m = static_cast<float>(std::max(bounds.radius(), 1e-6));
     std::vector<shared::LightRecord> records;
     for (Index node = 0; node < scene.nodes.size(); ++node) {
-        if (scene.nodes[node].light != no_index) {
-            records.push_back(
-                make_record(scene.lights[scene.nodes[node].light], pose.world_from_node[node], anchor));
+        const Index light = scene.nodes[node].light;
+        if (light != no_index && scene.lights[light].type != LightType::ambient) {
+            records.push_back(make_record(scene.lights[light], pose.world_from_node[node], anchor));
+            // A unit volume needs a size; where the file has none it is the scene's.
+            float& range_m = records.back().range_m;
+            range_m = range_m > 0.0F ? range_m : is_unit_volume(records.back()) ? radius_m : 0.0F;
         }
     }
     return records;
 }
 
+glm::vec3 ambient_lights(const Scene& scene)
+{
+    glm::vec3 sum(0.0F);
+    for (const Node& node : scene.nodes) {
+        if (node.light != no_index && scene.lights[node.light].type == LightType::ambient) {
+            sum += scene.lights[node.light].color * scene.lights[node.light].intensity;
+        }
+    }
+    return sum;
+}
+
+Groups casters_of(const shared::LightRecord& record)
+{
+    return static_cast<Groups>(record.groups >> 16U);
+}
+
 shared::LightRecord parallel_light(const glm::dvec3& towards, float brightness)
 {
-    shared::LightRecord light{};
+    shared::LightRecord light = blank_record();
     light.type = shared::light_directional;
     light.direction = glm::vec3(towards);
     light.color = glm::vec3(brightness);
@@ -147,7 +225,7 @@ std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::d
         const glm::vec3 way = point.position + offset - place;
         size_2 += glm::dot(way, way) / static_cast<float>(shelter.seen.size());
     }
-    shared::LightRecord lamp{};
+    shared::LightRecord lamp = blank_record();
     lamp.type = shared::light_point;
     lamp.position = place;
     lamp.color = glm::vec3(std::max(size_2, 1e-12F));
@@ -173,6 +251,9 @@ void expose(Lighting& lighting, float exposure, const Bounds& bounds)
 {
     for (shared::LightRecord& record : lighting.records) {
         record.color *= exposure;
+        if (is_unit_volume(record)) {
+            continue;
+        }
         const float reach = std::sqrt(std::max(brightness(record.color), 0.0F) / least_light);
         record.range_m = record.range_m > 0.0F
                              ? std::min(record.range_m, 1e9F)
@@ -188,12 +269,15 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
     Lighting lighting;
     std::vector<shared::LightRecord>& records = lighting.records;
     if (style.source != LightSource::sun) {
-        records = scene_records(scene, pose, anchor);
+        records = scene_records(scene, pose, bounds, anchor);
     }
-    if (records.empty() && style.source == LightSource::automatic && outlook.shelter) {
+    const glm::vec3 ambient = style.source != LightSource::sun ? ambient_lights(scene) : glm::vec3(0.0F);
+    const bool has_own = !records.empty();
+    const bool is_unlit = records.empty() && ambient == glm::vec3(0.0F);
+    if (is_unlit && style.source == LightSource::automatic && outlook.shelter) {
         records = lamp_light(*outlook.shelter, anchor, style);
         lighting.indoors = true;
-    } else if (records.empty() && style.source != LightSource::scene) {
+    } else if (is_unlit && style.source != LightSource::scene) {
         records = sun_and_fill(style, outlook);
     }
     const float key = records.empty() || lighting.indoors ? 1.0F : key_light(records, scene, pose, anchor);
@@ -204,13 +288,25 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
     lighting.directional_count = static_cast<uint32_t>(first_local - records.begin());
     std::stable_sort(records.begin(), first_local,
                      [](const shared::LightRecord& a, const shared::LightRecord& b) {
-                         return brightness(a.color) > brightness(b.color);
+                         const bool a_casts = casters_of(a) != 0;
+                         const bool b_casts = casters_of(b) != 0;
+                         return a_casts != b_casts ? a_casts : brightness(a.color) > brightness(b.color);
                      });
-    expose(lighting, (key > 0.0F ? 1.0F / key : 1.0F) * std::exp2(style.exposure_stops), bounds);
+    // Metering by the page adds its own stops later.
+    const float stops = style.metering == Metering::page ? 0.0F : style.exposure_stops;
+    const bool is_manual = style.metering == Metering::manual && has_own;
+    const float metered = is_manual ? manual_exposure(style.ev100) : key > 0.0F ? 1.0F / key : 1.0F;
+    const float exposure = metered * std::exp2(stops);
+    expose(lighting, exposure, bounds);
     if (lighting.directional_count > 0) {
         lighting.towards_sun = glm::dvec3(records.front().direction);
+        lighting.sun_casters = casters_of(records.front());
     }
-    lighting.ambient = glm::vec3(style.ambient * std::exp2(style.exposure_stops));
+    lighting.has_groups = std::any_of(records.begin(), records.end(), [](const shared::LightRecord& record) {
+        return (record.groups & all_groups) != all_groups;
+    });
+    lighting.ambient = glm::vec3(style.ambient * std::exp2(stops));
+    lighting.ambient += ambient * exposure;
     return lighting;
 }
 

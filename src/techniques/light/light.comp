@@ -11,6 +11,7 @@
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
 #include "techniques/light/light.glsl.h"
+#include "techniques/light/local_light.glsl"
 #include "techniques/shadow/edge.glsl.h"
 #include "techniques/shadow/sun.glsl.h"
 
@@ -57,21 +58,53 @@ layout(scalar, binding = 12) uniform EdgeLooks
     EdgeLook edge_look;
 };
 
-layout(binding = 13, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
+layout(scalar, binding = 13) readonly buffer Lists
+{
+    uint lists[]; // see light_tiles.comp
+};
+
+layout(binding = 14, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
+layout(binding = 15, r32ui) writeonly uniform uimage2D out_strongest; // see LitPixels
+
+layout(push_constant) uniform Constants
+{
+    ListTiles list_tiles;
+};
 
 // What the scene needs of this shader.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_shadow = (variant & 1u) != 0u;
 const bool has_local_lights = (variant & 2u) != 0u;
 const bool has_emissive = (variant & 4u) != 0u;
+const bool has_links = (variant & 8u) != 0u;
+const bool has_lists = (variant & 16u) != 0u;
+const bool counts_visits = (variant & 32u) != 0u; // for tests: lights looked at, and those within range
+const bool keeps_strongest = (variant & 64u) != 0u;
+const bool looks_at_all = (variant & 128u) != 0u; // for tests
 const bool has_stroke_edges = (variant & 0x100u) != 0u;
 const bool has_wave_edges = (variant & 0x200u) != 0u;
 const bool has_edges = has_stroke_edges || has_wave_edges;
 const bool has_soft_sun = (variant & 0x400u) != 0u;
 
+const float most_light = 65504.0; // that half floats hold
 const uint lights_per_round = 256u;
-shared uint tile_nearest; // bits of reversed depth, which order as numbers do
+
+// The strongest light of the pixel in hand, for those who follow it.
+float strongest = 0.0;
+vec3 towards_strongest = vec3(0.0); // of a local light; zero where a directional one rules
+
+void weigh(vec3 arriving, vec3 towards_local)
+{
+    float weight = luminance(arriving);
+    if (keeps_strongest && weight > strongest) {
+        strongest = weight;
+        towards_strongest = towards_local;
+    }
+}
+
+shared uint tile_nearest; // along the tile's axis, as ordered() has it
 shared uint tile_farthest;
+shared uint tile_slices;
 shared uint reaching[lights_per_round / 32u];
 
 #include "techniques/shadow/edge.glsl"
@@ -122,50 +155,140 @@ vec3 local_light(LightRecord light, vec3 point, vec3 normal)
     vec3 to_light = light.position - point;
     float distance_2 = max(dot(to_light, to_light), 1e-6);
     vec3 direction = to_light * inversesqrt(distance_2);
-    // KHR_lights_punctual: inverse square, windowed to reach zero at the range.
-    float ratio = distance_2 / (light.range_m * light.range_m);
-    float window = clamp(1.0 - ratio * ratio, 0.0, 1.0);
-    float attenuation = window / distance_2;
-    if (light.type == LIGHT_SPOT) {
-        float cone = clamp(dot(-direction, light.direction) * light.cone_scale + light.cone_offset, 0.0, 1.0);
-        attenuation *= cone * cone;
-    }
+    float attenuation = weakened(light, distance_2) * in_cone(light, -direction);
     return light.color * (attenuation * pow(max(dot(normal, direction), 1e-6), lighting.falloff));
 }
 
-// Bounds of the tile's visible points in anchor space.
-void tile_box(out vec3 low, out vec3 high)
+// Numbers that order as the floats do, of either sign.
+uint ordered(float x)
 {
-    vec2 corner = vec2(gl_WorkGroupID.xy * 8u);
-    float near = uintBitsToFloat(tile_nearest);
-    float far = uintBitsToFloat(tile_farthest);
-    low = vec3(1e30);
-    high = vec3(-1e30);
-    for (int i = 0; i < 8; ++i) {
-        vec2 at = corner + 8.0 * vec2(i & 1, (i >> 1) & 1);
-        vec3 point = anchor_at(frame, at, (i & 4) != 0 ? near : far);
-        low = min(low, point);
-        high = max(high, point);
-    }
+    uint bits = floatBitsToUint(x);
+    return (bits >> 31) != 0u ? ~bits : bits | 0x80000000u;
 }
 
-void find_reaching(uint first, uint count)
+float from_ordered(uint bits)
 {
+    return uintBitsToFloat((bits >> 31) != 0u ? bits & 0x7fffffffu : ~bits);
+}
+
+// What of the tile can be seen, for asking what lights reach it: a cone about the middle ray, or a cylinder
+// in parallel projection, and the distances along it between which the visible points lie.
+struct Tile {
+    vec3 origin;
+    vec3 axis;
+    float radius_m; // at the origin
+    float widening; // for each metre along the axis
+    float nearest_m;
+    float farthest_m;
+};
+
+// A slice of a tile's depth, 0 to 31 (a 2.5D depth mask).
+uint slice_at(Tile tile, float along_m)
+{
+    float share = (along_m - tile.nearest_m) / max(tile.farthest_m - tile.nearest_m, 1e-6);
+    return uint(clamp(32.0 * share, 0.0, 31.0));
+}
+
+Tile find_tile(bool sees, vec3 point)
+{
+    if (gl_LocalInvocationIndex == 0u) {
+        tile_nearest = 0xffffffffu;
+        tile_farthest = 0u;
+        tile_slices = 0u;
+    }
+    barrier();
+    vec2 corner = vec2(gl_WorkGroupID.xy * 8u);
+    // As far as the scene is large, so that directions are well known.
+    bool is_parallel = frame.is_orthographic != 0u;
+    float depth = is_parallel ? 0.5 : min(frame.near_m / frame.scene_radius_m, 0.5);
+    vec3 middle = anchor_at(frame, corner + 4.0, depth);
+    Tile tile;
+    tile.origin = is_parallel ? middle : frame.eye_anchor;
+    tile.axis = is_parallel ? frame.view_forward : normalize(middle - frame.eye_anchor);
+    float widest = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec3 to_corner = anchor_at(frame, corner + 8.0 * vec2(i & 1, i >> 1), depth) - tile.origin;
+        float along = is_parallel ? 1.0 : dot(to_corner, tile.axis);
+        widest = max(widest, length(cross(to_corner, tile.axis)) / along);
+    }
+    tile.radius_m = is_parallel ? widest : 0.0;
+    tile.widening = is_parallel ? 0.0 : widest;
+    float along_m = dot(point - tile.origin, tile.axis);
+    if (sees) {
+        atomicMin(tile_nearest, ordered(along_m));
+        atomicMax(tile_farthest, ordered(along_m));
+    }
+    barrier();
+    tile.nearest_m = from_ordered(tile_nearest);
+    tile.farthest_m = from_ordered(tile_farthest);
+    if (sees) {
+        atomicOr(tile_slices, 1u << slice_at(tile, along_m));
+    }
+    barrier();
+    return tile;
+}
+
+// Whether the light's sphere meets the tile in an occupied slice.
+bool reaches(LightRecord light, Tile tile)
+{
+    vec4 reach = reach_of(light);
+    vec3 from_origin = reach.xyz - tile.origin;
+    float along_m = dot(from_origin, tile.axis);
+    float aside_m = length(from_origin - along_m * tile.axis);
+    float widest_at_m = max(min(along_m + reach.w, tile.farthest_m), 0.0);
+    float gap_m = max(aside_m - tile.radius_m - tile.widening * widest_at_m, 0.0);
+    float half_m = sqrt(max(reach.w * reach.w - gap_m * gap_m, 0.0));
+    uint first = slice_at(tile, along_m - half_m);
+    uint last = slice_at(tile, along_m + half_m);
+    uint slices = (0xffffffffu >> (31u - last)) & (0xffffffffu << first);
+    bool apart = along_m - half_m > tile.farthest_m || along_m + half_m < tile.nearest_m;
+    return gap_m < reach.w && !apart && (slices & tile_slices) != 0u;
+}
+
+// Number of a local light by its place in the list of this part of the page.
+uint listed_light(uint first, uint place)
+{
+    return lighting.directional_count + (has_lists ? lists[first + place] : place);
+}
+
+// The sum of the local lights that reach `point`; `groups` are those that light it.
+vec3 local_lights(Tile tile, vec3 point, vec3 normal, uint groups)
+{
+    uvec2 part = gl_WorkGroupID.xy * 8u / list_tiles.tile_px;
+    uint first = (part.y * list_tiles.columns + part.x) * (lighting.local_count + 1u);
+    uint count = has_lists ? lists[first] : lighting.local_count;
     uint thread = gl_LocalInvocationIndex;
-    if (thread < lights_per_round / 32u) {
-        reaching[thread] = 0u;
-    }
-    barrier();
-    vec3 low, high;
-    tile_box(low, high);
-    for (uint i = thread; i < count; i += 64u) {
-        LightRecord light = lights[first + i];
-        vec3 gap = max(max(low - light.position, light.position - high), vec3(0.0));
-        if (tile_nearest != 0u && dot(gap, gap) < light.range_m * light.range_m) {
-            atomicOr(reaching[i >> 5], 1u << (i & 31u));
+    vec3 sum = vec3(0.0);
+    vec2 visits = vec2(0.0);
+    for (uint done = 0u; done < count; done += lights_per_round) {
+        if (thread < lights_per_round / 32u) {
+            reaching[thread] = 0u;
         }
+        barrier();
+        for (uint i = thread; i < min(lights_per_round, count - done); i += 64u) {
+            if (looks_at_all ||
+                (tile_slices != 0u && reaches(lights[listed_light(first + 1u, done + i)], tile))) {
+                atomicOr(reaching[i >> 5], 1u << (i & 31u));
+            }
+        }
+        barrier();
+        for (uint word = 0u; word < lights_per_round / 32u; ++word) {
+            uint bits = reaching[word];
+            while (bits != 0u) {
+                uint bit = uint(findLSB(bits));
+                bits &= bits - 1u;
+                LightRecord light = lights[listed_light(first + 1u, done + word * 32u + bit)];
+                vec3 arriving = local_light(light, point, normal);
+                bool lit = !has_links || (light.groups & groups) != 0u;
+                arriving = lit ? arriving : vec3(0.0);
+                weigh(arriving, light.position - point);
+                sum += arriving;
+                visits += vec2(1.0, distance(point, light.position) < light.range_m ? 1.0 : 0.0);
+            }
+        }
+        barrier();
     }
-    barrier();
+    return counts_visits ? vec3(visits, 0.0) : sum;
 }
 
 void main()
@@ -179,39 +302,34 @@ void main()
     vec3 normal = unpack_normal(normals.x);
     vec3 smooth_normal = unpack_normal(normals.y);
 
+    // Which lights reach this draw at all: every one, unless the scene ties them by groups.
+    uint groups = 0xffffu;
+    bool takes_shadow = true;
+    if (has_links && sees_draw(word)) {
+        DrawLinks draw = draw_links_at(draw_of(word));
+        groups = draw.groups & 0xffffu;
+        takes_shadow = (draw.flags & DRAW_RECORD_UNSHADOWED) == 0u;
+    }
+
     vec3 light = mix(lighting.ground_ambient, lighting.sky_ambient, 0.5 + 0.5 * normal.y);
     float sun_visible =
         has_shadow ? sun_at(pixel, word, max(depth, 1e-9), point, smooth_normal, lights[0].direction) : 1.0;
+    sun_visible = takes_shadow ? sun_visible : 1.0;
     for (uint i = 0u; i < lighting.directional_count; ++i) {
         LightRecord sun = lights[i];
+        if (has_links && (sun.groups & groups) == 0u) {
+            continue;
+        }
         float lambert = dot(smooth_normal, sun.direction) > 0.0 ? max(dot(normal, sun.direction), 0.0) : 0.0;
         float visible = i == 0u ? sun_visible : 1.0;
-        light += lambert > 0.0 ? sun.color * (pow(lambert, lighting.falloff) * visible) : vec3(0.0);
+        vec3 arriving = lambert > 0.0 ? sun.color * (pow(lambert, lighting.falloff) * visible) : vec3(0.0);
+        weigh(arriving, vec3(0.0));
+        light += arriving;
     }
     if (has_local_lights) {
-        if (gl_LocalInvocationIndex == 0u) {
-            tile_nearest = 0u;
-            tile_farthest = 0xffffffffu;
-        }
-        barrier();
-        if (sees_draw(word)) {
-            atomicMax(tile_nearest, floatBitsToUint(depth));
-            atomicMin(tile_farthest, floatBitsToUint(depth));
-        }
-        barrier();
-        for (uint done = 0u; done < lighting.local_count; done += lights_per_round) {
-            uint first = lighting.directional_count + done;
-            find_reaching(first, min(lights_per_round, lighting.local_count - done));
-            for (uint word = 0u; word < lights_per_round / 32u; ++word) {
-                uint bits = reaching[word];
-                while (bits != 0u) {
-                    uint bit = uint(findLSB(bits));
-                    bits &= bits - 1u;
-                    light += local_light(lights[first + word * 32u + bit], point, normal);
-                }
-            }
-            barrier();
-        }
+        Tile tile = find_tile(sees_draw(word), point);
+        vec3 local = local_lights(tile, point, normal, groups);
+        light = counts_visits ? local : light + local;
     }
     if (!on_page) {
         return;
@@ -220,7 +338,13 @@ void main()
         light += emissive_of(draw_at(draw_of(word)).material);
     }
     if (!sees_draw(word) || (word & DRAW_UNLIT) != 0u) {
-        light = vec3(1.0);
+        light = vec3(counts_visits ? 0.0 : 1.0);
     }
+    light = min(light, vec3(most_light));
     imageStore(out_light, pixel, vec4(light, luminance(light)));
+    if (keeps_strongest) {
+        bool is_local = dot(towards_strongest, towards_strongest) > 0.0;
+        uint packed = is_local ? max(pack_normal(normalize(towards_strongest)), 1u) : 0u;
+        imageStore(out_strongest, pixel, uvec4(packed));
+    }
 }

@@ -1,13 +1,55 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/light/light.hpp"
 
+#include <algorithm>
+
 #include "shaders/light_comp.hpp"
+#include "shaders/light_tiles_comp.hpp"
 
 namespace estampe::light {
+namespace {
+
+constexpr uint32_t list_from = 64;                // lights; fewer are looked at by every tile
+constexpr uint64_t most_list_bytes = 32ULL << 20; // larger tiles keep within it
+
+/// The lists of lights of the page's large tiles.
+struct Lists {
+    shared::ListTiles tiles{.columns = 1, .tile_px = 64};
+    gpu::BufferId words;
+    bool made = false;
+};
+
+Lists add_lists(gpu::Graph& graph, const LightInputs& in)
+{
+    Lists lists{.words = in.lights};
+    if (in.local_count <= list_from || in.looks_at_all) {
+        return lists;
+    }
+    const auto tiles_across = [&](uint32_t length_px) {
+        return (length_px + lists.tiles.tile_px - 1) / lists.tiles.tile_px;
+    };
+    const auto size_bytes = [&] {
+        return sizeof(uint32_t) * (in.local_count + 1ULL) * tiles_across(in.size_px.x) *
+               tiles_across(in.size_px.y);
+    };
+    while (size_bytes() > most_list_bytes && lists.tiles.tile_px < 1U << 14U) {
+        lists.tiles.tile_px *= 2;
+    }
+    lists.tiles.columns = tiles_across(in.size_px.x);
+    auto pass = graph.compute("light/tiles", shaders::light_tiles_comp);
+    pass.uniform(in.frame).uniform(in.lighting).read(in.lights);
+    lists.words = pass.write(graph.buffer("light/lists", {.size_bytes = (size_bytes() + 15) / 16 * 16}));
+    lists.made = true;
+    pass.push(lists.tiles).dispatch(lists.tiles.columns * tiles_across(in.size_px.y));
+    return lists;
+}
+
+} // namespace
 
 shared::ToneConstants tone_constants(const ToneStyle& style)
 {
-    return {.exposure = style.exposure,
+    return {.curve = static_cast<uint32_t>(style.curve),
+            .exposure = style.exposure,
             .gamma = style.gamma,
             .contrast = style.contrast,
             .floor = style.floor,
@@ -16,8 +58,9 @@ shared::ToneConstants tone_constants(const ToneStyle& style)
             .occlusion = style.occlusion};
 }
 
-gpu::ImageId add_light(gpu::Graph& graph, const LightInputs& in)
+LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
 {
+    const Lists lists = add_lists(graph, in);
     auto pass = graph.compute("light", shaders::light_comp);
     pass.uniform(in.frame).uniform(in.lighting).read(in.lights);
     pass.sample(in.draw)
@@ -29,13 +72,19 @@ gpu::ImageId add_light(gpu::Graph& graph, const LightInputs& in)
         .uniform(in.sun_shadow)
         .sample(in.coordinate)
         .sample(in.footprint)
-        .uniform(in.edge_look);
+        .uniform(in.edge_look)
+        .read(lists.words);
     const gpu::ImageId light = pass.write(graph.image(
         "light", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
-    pass.variant((in.has_shadow ? 1U : 0U) | (in.has_local_lights ? 2U : 0U) | (in.has_emissive ? 4U : 0U) |
-                 (in.shadow_variant << 8U));
+    const glm::uvec2 kept_px = in.keeps_strongest ? in.size_px : glm::uvec2(1);
+    const gpu::ImageId strongest = pass.write(graph.image(
+        "light/strongest", {.width = kept_px.x, .height = kept_px.y, .format = gpu::Format::r32ui}));
+    pass.variant((in.has_shadow ? 1U : 0U) | (in.local_count > 0 ? 2U : 0U) | (in.has_emissive ? 4U : 0U) |
+                 (in.has_links ? 8U : 0U) | (lists.made ? 16U : 0U) | (in.counts_visits ? 32U : 0U) |
+                 (in.keeps_strongest ? 64U : 0U) | (in.looks_at_all ? 128U : 0U) | (in.shadow_variant << 8U));
+    pass.push(lists.tiles);
     pass.dispatch_over(in.size_px.x, in.size_px.y);
-    return light;
+    return {.light = light, .strongest = strongest};
 }
 
 } // namespace estampe::light

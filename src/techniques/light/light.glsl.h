@@ -16,6 +16,9 @@ struct LightRecord {
     vec3 color;
     float cone_scale; // spots: saturate(cos(angle) * scale + offset) squared
     float cone_offset;
+    vec3 side;   // pyramids: the x axis of the node
+    uint shadow; // one more than the first of its views among the shadow maps; 0: none
+    uint groups; // lights those of bits 0-15, is blocked by those of bits 16-31
 };
 
 struct LightGlobals {
@@ -26,15 +29,26 @@ struct LightGlobals {
     float falloff; // exponent of the cosine; 1 is Lambert's
 };
 
+// The large tiles of the page that have a list of lights each, row by row.
+struct ListTiles {
+    uint columns;
+    uint tile_px;
+};
+
 #ifdef __cplusplus
-static_assert(sizeof(LightRecord) == 52);
+static_assert(sizeof(LightRecord) == 72);
 static_assert(sizeof(LightGlobals) == 36);
 inline constexpr uint light_directional = 0;
 inline constexpr uint light_point = 1;
 inline constexpr uint light_spot = 2;
+inline constexpr uint light_pyramid = 3;
+inline constexpr uint light_unit_volume = 1U << 8U; // flag of local lights: weakens by 1 - (d / range)^2
 } // namespace estampe::shared
 #else
 #define LIGHT_SPOT 2u
+#define LIGHT_PYRAMID 3u
+#define LIGHT_TYPE_MASK 255u
+#define LIGHT_UNIT_VOLUME (1u << 8)
 #endif
 
 #endif

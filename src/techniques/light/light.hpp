@@ -21,7 +21,9 @@ struct Lighting {
     uint32_t directional_count = 0;
     glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< of the first directional light; straight up when there is none
     glm::vec3 ambient{0.0F};
-    bool indoors = false; ///< the lamp of a shelter, not of the scene
+    Groups sun_casters = all_groups; ///< whose shadows the first directional light throws
+    bool has_groups = false;         ///< some light does not light all groups
+    bool indoors = false;            ///< the lamp of a shelter, not of the scene
 };
 
 /// Places the scene's lights in anchor space. Where it has none it gets the style's sun, which turns with the
@@ -51,16 +53,28 @@ struct LightInputs {
     gpu::BufferId edge_look;     ///< EdgeLook, see shadow/edge.glsl.h
     uint32_t shadow_variant = 0; ///< see shadow/edge_look.hpp
     bool has_shadow = false;
-    bool has_local_lights = false;
+    uint32_t local_count = 0; ///< point and spot lights, after the directional ones
     bool has_emissive = false;
+    bool keeps_strongest = false; ///< the direction of the strongest light is wanted
+    bool counts_visits = false; ///< instead of light: local lights looked at, and those whose range holds it
+    bool looks_at_all = false;  ///< every pixel at every light, for comparison
+    bool has_links = false;     ///< lights and draws are to be matched by their groups
     glm::uvec2 size_px{0};
+};
+
+struct LitPixels {
+    gpu::ImageId light; ///< rgba16f: irradiance over pi, at most 65504, and its luminance; 1 where a material
+                        ///< is unlit or nothing is seen
+    gpu::ImageId strongest; ///< r32ui: octahedral direction towards the strongest light, where that is a
+                            ///< local one, else 0; a single texel unless `keeps_strongest`
 };
 
 /// Lights the surface.
 ///
-/// Writes  rgba16f: irradiance over pi, and its luminance; 1 where a material is unlit or nothing is seen
-/// Cost    one full-screen dispatch; local lights cost where they reach
-/// Source  tiled culling after Olsson and Assarsson, "Tiled Shading", 2011
-[[nodiscard]] gpu::ImageId add_light(gpu::Graph& graph, const LightInputs& in);
+/// Cost    one full-screen dispatch; local lights cost where they reach. From 65 of them on a small dispatch
+///         lists them for large tiles first, linear in lights and tiles of 64 pixels
+/// Source  tiled culling after Olsson and Assarsson, "Tiled Shading", 2011; the depth mask after Harada, "A
+///         2.5D Culling for Forward+", 2012
+[[nodiscard]] LitPixels add_light(gpu::Graph& graph, const LightInputs& in);
 
 } // namespace estampe::light

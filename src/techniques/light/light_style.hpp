@@ -8,17 +8,25 @@ namespace estampe::light {
 
 enum class LightSource : uint8_t { automatic, scene, sun };
 
+/// What sets the exposure: the lights that there are, what is on the page, or the style.
+enum class Metering : uint8_t { lights, page, manual };
+
 struct LightStyle {
     LightSource source = LightSource::automatic;
     float sun_azimuth_deg = house_sun_azimuth_deg;
     float sun_elevation_deg = house_sun_elevation_deg;
     bool turn_sun = true;
+    Metering metering = Metering::lights;
     float exposure_stops = 0.0F;
+    float ev100 = 10.0F;
+    float adapt_stops_per_s = 0.0F;
     float ambient = 0.15F;
     float fill = 0.2F;
     float falloff = 0.62F;
     bool shadows = true;
     int shadow_size = 0;
+    std::string lights;
+    std::string objects;
 };
 
 inline const style::Table<LightStyle>& light_table()
@@ -40,6 +48,14 @@ inline const style::Table<LightStyle>& light_table()
                 "Whether the sun turns with the side that the framed view shows (the bearing is right for "
                 "one "
                 "from between +z and +x), and further where it would leave too much or too little in shade")
+            .choice("metering", &LightStyle::metering,
+                    {{"lights", Metering::lights}, {"page", Metering::page}, {"manual", Metering::manual}},
+                    "What sets the exposure: the scene's lights, whatever the view; a histogram of the page; "
+                    "or ev100, for files in lux and candela")
+            .number("ev100", &LightStyle::ev100, {-10.0F, 24.0F}, "EV",
+                    "Exposure value at ISO 100 of manual metering: 15 is sunlight, 8 a lit room")
+            .number("adapt_stops_per_s", &LightStyle::adapt_stops_per_s, {0.0F, 100.0F}, "stops/s",
+                    "How fast the exposure by the page follows in the scene's time; 0: at once")
             .number("exposure_stops", &LightStyle::exposure_stops, {-10.0F, 10.0F}, "stops",
                     "Brighter or darker than the exposure that the scene's lights suggest")
             .number("ambient", &LightStyle::ambient, {0.0F, 1.0F}, "",
@@ -52,11 +68,20 @@ inline const style::Table<LightStyle>& light_table()
                     "Exponent of the cosine: 1 is Lambert's law, less keeps slanted light bright")
             .toggle("shadows", &LightStyle::shadows, "Whether the sun throws shadows")
             .integer("shadow_size", &LightStyle::shadow_size, {0, 4096}, "texels",
-                     "Side of the sun's shadow map; 0 takes about a texel for each pixel of the picture");
+                     "Side of the sun's shadow map; 0 takes about a texel for each pixel of the picture")
+            .text("lights", &LightStyle::lights,
+                  "What single lights do, by their own name or their node's, as in \"Lamp=unit_volume "
+                  "no_shadow, Sun=off\"; see the manual of light")
+            .text("objects", &LightStyle::objects,
+                  "How single objects stand to the lights, by node or material, as in \"Glass=no_cast, "
+                  "Figure=groups:2 no_receive\"");
     return table;
 }
 
+enum class ToneCurve : uint8_t { gamma, linear, filmic };
+
 struct ToneStyle {
+    ToneCurve curve = ToneCurve::gamma;
     float exposure = 1.14F;
     float gamma = 0.8F;
     float contrast = 1.05F;
@@ -70,6 +95,11 @@ inline const style::Table<ToneStyle>& tone_table()
 {
     static const auto table =
         style::Table<ToneStyle>("tone", "How light becomes darkness on the page")
+            .choice(
+                "curve", &ToneStyle::curve,
+                {{"gamma", ToneCurve::gamma}, {"linear", ToneCurve::linear}, {"filmic", ToneCurve::filmic}},
+                "Light to the power of gamma; as it is; or with a shoulder that keeps bright light apart, "
+                "to the power of gamma")
             .number("exposure", &ToneStyle::exposure, {0.05F, 20.0F}, "", "Light is multiplied by this first")
             .number("gamma", &ToneStyle::gamma, {0.1F, 4.0F}, "",
                     "Exponent of light; below 1 opens the shadows")

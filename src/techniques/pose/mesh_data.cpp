@@ -6,6 +6,7 @@
 #include <cstring>
 #include <map>
 #include <numeric>
+#include <span>
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -96,23 +97,48 @@ public:
                 add_node(node);
             }
         }
-        data_.opaque = append(opaque_);
-        data_.masked = append(masked_);
+        data_.opaque = append_solid(opaque_, false);
+        data_.masked = append_solid(masked_, true);
         data_.blended = append(blended_);
         add_ground(ground_material);
     }
 
 private:
-    Range append(const std::vector<glm::uvec4>& triangles)
+    static bool is_plain(std::span<const glm::uvec4> triangles)
     {
         constexpr uint32_t flags = shared::triangle_two_sided | shared::triangle_mirrored;
+        return std::ranges::all_of(triangles,
+                                   [](const glm::uvec4& triangle) { return (triangle.w & flags) == 0; });
+    }
+
+    Range append(const std::vector<glm::uvec4>& triangles)
+    {
         const Range range{static_cast<uint32_t>(data_.triangles.size()),
-                          static_cast<uint32_t>(triangles.size()),
-                          std::ranges::all_of(triangles, [](const glm::uvec4& triangle) {
-                              return (triangle.w & flags) == 0;
-                          })};
+                          static_cast<uint32_t>(triangles.size()), is_plain(triangles)};
         data_.triangles.insert(data_.triangles.end(), triangles.begin(), triangles.end());
         return range;
+    }
+
+    /// Appends by the groups that the triangles throw shadows for, the most of them first.
+    Range append_solid(std::vector<glm::uvec4>& triangles, bool masked)
+    {
+        const auto groups_of = [this](const glm::uvec4& triangle) {
+            return static_cast<Groups>(data_.draws[triangle.w & shared::triangle_draw_mask].groups >> 16U);
+        };
+        std::stable_sort(triangles.begin(), triangles.end(), [&](const glm::uvec4& a, const glm::uvec4& b) {
+            return groups_of(a) > groups_of(b);
+        });
+        const Range whole = append(triangles);
+        for (uint32_t first = 0; first < whole.count && groups_of(triangles[first]) != 0;) {
+            const Groups groups = groups_of(triangles[first]);
+            const auto begin = triangles.begin() + first;
+            const auto end = std::find_if(begin, triangles.end(),
+                                          [&](const glm::uvec4& t) { return groups_of(t) != groups; });
+            const auto count = static_cast<uint32_t>(end - begin);
+            data_.casters.push_back({{whole.first + first, count, is_plain({begin, end})}, masked, groups});
+            first += count;
+        }
+        return whole;
     }
 
     void add_node(Index node_index)
@@ -146,11 +172,18 @@ private:
                 draw.object = node_index;
                 draw.flags = (uploaded.follows_uv ? shared::draw_follows_uv : 0U) |
                              (primitive.uvs[0].empty() ? 0U : shared::draw_has_uv);
+                link(draw, node.links, scene_.materials[primitive.material].links);
                 data_.sources.push_back(
                     {.node = node_index, .instance = instance, .local_bounds = uploaded.bounds});
                 add_draw(primitive, draw, place_of(node_index, instance), joints);
             }
         }
+    }
+
+    static void link(shared::DrawRecord& draw, const LightLinks& node, const LightLinks& material)
+    {
+        draw.groups = packed_groups(node) & packed_groups(material);
+        draw.flags |= node.receives_shadows && material.receives_shadows ? 0U : shared::draw_unshadowed;
     }
 
     glm::dmat4 place_of(Index node, uint32_t instance) const
@@ -279,6 +312,7 @@ private:
         draw.material = material;
         draw.first_skin_vertex = shared::no_skin;
         draw.object = static_cast<uint32_t>(scene_.nodes.size());
+        draw.groups = packed_groups({.casts_for = 0});
         for (const glm::vec3& position : quad.positions) {
             data_.rest_vertices.push_back(
                 {.position = position, .normal = pack_normal({0.0F, 1.0F, 0.0F}), .color = 0xffffffffU});
@@ -299,6 +333,19 @@ private:
 };
 
 } // namespace
+
+uint32_t packed_groups(const LightLinks& links)
+{
+    return links.lit_by | static_cast<uint32_t>(links.casts_for) << 16U;
+}
+
+bool has_plain_links(const MeshData& meshes)
+{
+    return std::ranges::all_of(
+        std::span(meshes.draws).first(meshes.sources.size()), [](const shared::DrawRecord& draw) {
+            return draw.groups == packed_groups({}) && (draw.flags & shared::draw_unshadowed) == 0;
+        });
+}
 
 MeshData build_meshes(const Scene& scene, Index ground_material)
 {

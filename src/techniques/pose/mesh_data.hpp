@@ -20,6 +20,13 @@ struct Range {
     bool plain = true; ///< none of them is two-sided or mirrored
 };
 
+/// Triangles that throw shadows for the same groups.
+struct CasterRun {
+    Range range;
+    bool masked = false;
+    Groups groups = all_groups;
+};
+
 /// Where a draw comes from, for posing it later.
 struct DrawSource {
     Index node = 0;
@@ -39,12 +46,19 @@ struct MeshData {
     std::vector<shared::DrawRecord> draws; ///< matrices not filled in; mirrored as the triangles are flagged
     std::vector<DrawSource> sources;       ///< one a draw; the ground has none and comes last
     Range opaque, masked, blended, ground;
+    std::vector<CasterRun> casters; ///< parts of `opaque` and `masked`; what throws no shadow is in none
     uint32_t joint_count = 0;
     uint32_t morph_weight_count = 0;
     glm::dvec3 anchor{0.0}; ///< origin of anchor space in the world
     double stroke_unit_m = 1.0;
     Bounds bounds; ///< of the rest pose
 };
+
+/// Groups in the form of DrawRecord::groups.
+[[nodiscard]] uint32_t packed_groups(const LightLinks& links);
+
+/// Whether every draw stands to all lights alike.
+[[nodiscard]] bool has_plain_links(const MeshData& meshes);
 
 /// Builds the mesh data of `scene`. Strokes follow UVs where `uvs_are_usable` of a primitive says so,
 /// otherwise the place in the rest pose, so that they stick to skinned and morphing bodies. Draws a ground of

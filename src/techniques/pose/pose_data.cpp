@@ -96,7 +96,8 @@ PoseData pose_meshes(const MeshData& meshes, const Scene& scene, const ScenePose
     for (size_t i = 0; i < draw_bounds.size(); ++i) {
         const Bounds& bounds = draw_bounds[i];
         const bool see_through = scene.materials[meshes.draws[i].material].alpha_mode == AlphaMode::blend;
-        if (!bounds.empty() && !see_through && !is_lowest_floor(bounds, all)) {
+        const bool casts = (meshes.draws[i].groups >> 16U) != 0;
+        if (!bounds.empty() && casts && !see_through && !is_lowest_floor(bounds, all)) {
             data.casters.extend(bounds.min);
             data.casters.extend(bounds.max);
         }

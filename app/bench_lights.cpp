@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <span>
+
+#include <fmt/format.h>
+#include <glm/gtc/constants.hpp>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "core/file.hpp"
+#include "pass_history.hpp"
+#include "scene/shapes.hpp"
+#include "text.hpp"
+
+namespace estampe::app {
+namespace {
+
+constexpr double field_m = 40.0; // side of the square that the scene stands on
+const Camera view{.eye = {0.0, 22.0, 34.0}, .target = {0.0, 0.0, 2.0}, .vertical_fov_rad = 0.8};
+
+/// GPU time of a frame, by what it is for.
+struct Cost {
+    double light_ms = 0.0;
+    double shadow_ms = 0.0;
+    double frame_ms = 0.0;
+};
+
+struct Row {
+    uint32_t lights = 0;
+    Cost with;
+    Cost without; ///< no local light
+};
+
+Index add_mesh(Scene& scene, Primitive primitive)
+{
+    scene.meshes.push_back({.primitives = {std::move(primitive)}});
+    return static_cast<Index>(scene.meshes.size() - 1);
+}
+
+void add_node(Scene& scene, Node node)
+{
+    scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
+    scene.nodes.push_back(std::move(node));
+}
+
+/// A floor with balls on it, 8 by 8: some 70,000 triangles, or a million.
+Scene field_of_balls(bool million)
+{
+    Scene scene;
+    scene.materials.push_back({.name = "chalk"});
+    const Index floor =
+        add_mesh(scene, shapes::plane(static_cast<float>(field_m), static_cast<float>(field_m), 32));
+    const Index ball =
+        add_mesh(scene, million ? shapes::sphere(1.2F, 128, 62) : shapes::sphere(1.2F, 32, 17));
+    add_node(scene, {.name = "floor", .mesh = floor});
+    for (int i = 0; i < 64; ++i) {
+        const double x = (i % 8 - 3.5) * field_m / 8.0;
+        const double z = (static_cast<double>(i / 8) - 3.5) * field_m / 8.0;
+        add_node(scene, {.name = "ball", .transform = {.translation = {x, 1.2, z}}, .mesh = ball});
+    }
+    // A weak light from everywhere, so that the program adds none of its own.
+    scene.lights.push_back({.type = LightType::ambient, .intensity = 0.1F});
+    add_node(scene, {.light = 0});
+    return scene;
+}
+
+/// Lights spread over the field at random, the same at each call; the first of them throw shadows. Their
+/// reach is such that a point gets light of three of them, however many there are, down to a reach of 1 m.
+void add_lights(Scene& scene, uint32_t count, uint32_t shadowed)
+{
+    std::mt19937 random(11);
+    const auto between = [&random](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    const double reach_m =
+        std::clamp(std::sqrt(3.0 * field_m * field_m / (glm::pi<double>() * count)), 1.5, 12.0);
+    for (uint32_t i = 0; i < count; ++i) {
+        const bool casts = i < shadowed;
+        const bool is_spot = casts ? i % 2 == 0 : i % 3 == 0;
+        Light light{.type = is_spot ? LightType::spot : LightType::point,
+                    .color = glm::vec3(between(0.5, 1.0), between(0.5, 1.0), between(0.5, 1.0)),
+                    .intensity = static_cast<float>(0.4 * reach_m * reach_m),
+                    .range_m = static_cast<float>(reach_m),
+                    .inner_cone_rad = 0.3F,
+                    .outer_cone_rad = 0.7F};
+        light.casters = casts ? all_groups : Groups{0};
+        const glm::dvec3 place(between(-0.5, 0.5) * field_m, between(0.2, 0.6) * reach_m + 1.0,
+                               between(-0.5, 0.5) * field_m);
+        const glm::dquat down = glm::angleAxis(-glm::half_pi<double>(), glm::dvec3(1.0, 0.0, 0.0));
+        add_node(scene, {.transform = {.translation = place, .rotation = down},
+                         .light = static_cast<Index>(scene.lights.size())});
+        scene.lights.push_back(light);
+    }
+}
+
+/// The lights circle once in a second, so that the moment moves them.
+void animate_shadowed(Scene& scene, uint32_t shadowed)
+{
+    Animation circle{.name = "circle", .duration_s = 1.0F};
+    const size_t first = scene.nodes.size() - (scene.lights.size() - 1);
+    for (uint32_t i = 0; i < shadowed; ++i) {
+        const auto node = static_cast<Index>(first + i);
+        const glm::vec3 middle(scene.nodes[node].transform.translation);
+        AnimationChannel channel{.node = node, .path = AnimatedPath::translation};
+        for (int k = 0; k <= 8; ++k) {
+            const float angle = glm::two_pi<float>() * static_cast<float>(k) / 8.0F;
+            channel.times_s.push_back(static_cast<float>(k) / 8.0F);
+            channel.values.insert(channel.values.end(), {middle.x + 0.3F * std::cos(angle), middle.y,
+                                                         middle.z + 0.3F * std::sin(angle)});
+        }
+        circle.channels.push_back(std::move(channel));
+    }
+    scene.animations.push_back(std::move(circle));
+}
+
+Cost cost_of(const std::vector<PassTiming>& passes)
+{
+    Cost cost;
+    for (const PassTiming& pass : passes) {
+        cost.frame_ms += pass.gpu_ms;
+        cost.light_ms += pass.name.starts_with("light") ? pass.gpu_ms : 0.0;
+        cost.shadow_ms += pass.name.starts_with("shadow") ? pass.gpu_ms : 0.0;
+    }
+    return cost;
+}
+
+/// Frames of one scene; the first one, which compiles and uploads, does not count.
+class Measured {
+public:
+    Measured(const BenchLightsCommand& command, const Scene& scene)
+        : command_(command), renderer_(command.device)
+    {
+        renderer_.set_scene(scene);
+        draw(0.0);
+        history_.forget();
+    }
+
+    void draw(double time_s)
+    {
+        const RenderSettings settings{.width = command_.width, .height = command_.height, .time_s = time_s};
+        static_cast<void>(renderer_.render(view, Style(), settings));
+        history_.add(renderer_.timings());
+    }
+
+    [[nodiscard]] Cost cost() const { return cost_of(history_.medians()); }
+
+    [[nodiscard]] std::string device() const { return renderer_.device().name; }
+
+private:
+    const BenchLightsCommand& command_;
+    Renderer renderer_;
+    PassHistory history_;
+};
+
+Row measure(const BenchLightsCommand& command, uint32_t count, std::string& device)
+{
+    Scene scene = field_of_balls(command.million);
+    Measured without(command, scene);
+    const uint32_t shadowed = std::min(command.shadowed, count);
+    add_lights(scene, count, shadowed);
+    if (command.moving) {
+        animate_shadowed(scene, shadowed);
+    }
+    Measured with(command, scene);
+    for (uint32_t frame = 0; frame < command.frames; ++frame) {
+        without.draw(0.0);
+        with.draw(command.moving ? (frame + 1.0) / (command.frames + 1.0) : 0.0);
+    }
+    device = with.device();
+    return {count, with.cost(), without.cost()};
+}
+
+std::string table(const BenchLightsCommand& command, const std::vector<Row>& rows, const std::string& device)
+{
+    std::string text = fmt::format("{}, {}x{}, {} with shadows, median of {} frames, GPU ms\n\n", device,
+                                   command.width, command.height, command.shadowed, command.frames);
+    text += fmt::format("{:>7} {:>10} {:>10} {:>10} {:>10} {:>8}\n", "lights", "light", "no lights",
+                        "shadows", "frame", "ratio");
+    for (const Row& row : rows) {
+        text += fmt::format("{:>7} {:>10.3f} {:>10.3f} {:>10.3f} {:>10.3f} {:>8.2f}\n", row.lights,
+                            row.with.light_ms, row.without.light_ms, row.with.shadow_ms, row.with.frame_ms,
+                            row.with.light_ms / row.without.light_ms);
+    }
+    return text;
+}
+
+std::string json_of(const BenchLightsCommand& command, const std::vector<Row>& rows,
+                    const std::string& device)
+{
+    nlohmann::ordered_json json{{"device", device},         {"width", command.width},
+                                {"height", command.height}, {"shadowed", command.shadowed},
+                                {"moving", command.moving}, {"million", command.million},
+                                {"frames", command.frames}};
+    for (const Row& row : rows) {
+        json["rows"].push_back({{"lights", row.lights},
+                                {"light_ms", row.with.light_ms},
+                                {"light_ms_without", row.without.light_ms},
+                                {"shadow_ms", row.with.shadow_ms},
+                                {"frame_ms", row.with.frame_ms},
+                                {"ratio", row.with.light_ms / row.without.light_ms}});
+    }
+    return json.dump(2) + "\n";
+}
+
+/// Milliseconds of the light passes over the logarithm of the number of lights, with and without them.
+std::string plot(const std::vector<Row>& rows)
+{
+    constexpr double width = 480.0;
+    constexpr double height = 280.0;
+    constexpr double margin = 50.0;
+    const double most_lights = std::max(10.0, static_cast<double>(rows.back().lights));
+    double most_ms = 1e-9;
+    for (const Row& row : rows) {
+        most_ms = std::max({most_ms, row.with.light_ms, row.without.light_ms});
+    }
+    const auto x_of = [&](double lights) {
+        return margin + (width - 2.0 * margin) * std::log(lights) / std::log(most_lights);
+    };
+    const auto y_of = [&](double ms) { return height - margin - (height - 2.0 * margin) * ms / most_ms; };
+    std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
+                                  "font-family=\"sans-serif\" font-size=\"11\">\n"
+                                  "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
+                                  width, height);
+    const auto line = [&](const char* color, auto value) {
+        std::string points;
+        for (const Row& row : rows) {
+            points += fmt::format("{:.1f},{:.1f} ", x_of(row.lights), y_of(value(row)));
+        }
+        svg += fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"2\" points=\"{}\"/>\n",
+                           color, points);
+    };
+    line("#999999", [](const Row& row) { return row.without.light_ms; });
+    line("#1b1a22", [](const Row& row) { return row.with.light_ms; });
+    for (const Row& row : rows) {
+        svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
+                           x_of(row.lights), height - margin + 16.0, row.lights);
+    }
+    for (const double part : {0.0, 0.5, 1.0}) {
+        svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{:.3g}</text>\n",
+                           margin - 6.0, y_of(part * most_ms) + 4.0, part * most_ms);
+    }
+    return svg + fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">lights</text>\n"
+                             "<text x=\"{}\" y=\"24\">GPU ms of the light passes; grey: without local lights"
+                             "</text>\n</svg>\n",
+                             0.5 * width, height - 12.0, margin);
+}
+
+} // namespace
+
+void run(const BenchLightsCommand& command)
+{
+    if (!command.output.empty()) {
+        check_output(command.output, {});
+    }
+    std::vector<uint32_t> counts = command.counts;
+    std::sort(counts.begin(), counts.end());
+    std::vector<Row> rows;
+    std::string device;
+    for (const uint32_t count : counts) {
+        rows.push_back(measure(command, count, device));
+    }
+    fmt::print("{}", command.json ? json_of(command, rows, device) : table(command, rows, device));
+    if (!command.output.empty()) {
+        const std::string svg = plot(rows);
+        write_file_atomically(command.output, std::as_bytes(std::span(svg)));
+    }
+}
+
+} // namespace estampe::app

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Style texts that say something of single things by their names: "Skin=form, Sea=wind".
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace estampe::frame {
+
+struct Assignment {
+    std::string name;
+    std::string value;
+};
+
+/// The parts of `text`, which commas divide; the last "=" of each ends its name. Throws Error, whose place is
+/// `key`, when a part has none: it is not of
+/// the `form` ("material=kind"), which `example` shows.
+[[nodiscard]] std::vector<Assignment> assignments(std::string_view text, const std::string& key,
+                                                  const std::string& form, const std::string& example);
+
+/// Throws Error: `wanted` ("the scene has no material") is not among `names`; the remedy is the nearest or
+/// all.
+[[noreturn]] void fail_unknown(const std::string& wanted, const std::string& name, const std::string& key,
+                               const std::vector<std::string>& names);
+
+} // namespace estampe::frame

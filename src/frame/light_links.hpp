@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a style says of single lights and objects, over what their file says.
+
+#include <vector>
+
+#include <estampe/scene.hpp>
+
+#include "techniques/light/light_style.hpp"
+
+namespace estampe::frame {
+
+/// What the style can change of a scene's lights and of how objects stand to them.
+struct LightingOfScene {
+    std::vector<Light> lights;
+    std::vector<LightLinks> node_links;
+    std::vector<LightLinks> material_links;
+
+    bool operator==(const LightingOfScene& other) const = default;
+};
+
+[[nodiscard]] LightingOfScene lighting_of(const Scene& scene);
+
+/// Whether triangles and draws differ, so that they have to be made again.
+[[nodiscard]] bool same_links(const LightingOfScene& a, const LightingOfScene& b);
+
+/// `own` with `light.lights` and `light.objects` of the style applied. A light goes by its name or its
+/// node's, an object by its node's name, which counts for the nodes below, or by its material's. Throws Error
+/// when a text cannot be read, or names what is not there. Cost: linear in nodes and words.
+[[nodiscard]] LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene,
+                                              const light::LightStyle& style);
+
+/// Writes it back.
+void set_lighting(Scene& scene, const LightingOfScene& lighting);
+
+} // namespace estampe::frame

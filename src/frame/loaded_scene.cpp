@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "frame/loaded_scene.hpp"
+
+namespace estampe::frame {
+namespace {
+
+/// A copy of the scene that is enough to pose it: geometry and images are on the device by now.
+Scene without_images(const Scene& scene)
+{
+    Scene copy = scene;
+    for (Texture& texture : copy.textures) {
+        texture.image = {};
+    }
+    return copy;
+}
+
+} // namespace
+
+LoadedScene load_onto_device(gpu::Device& device, const Scene& scene)
+{
+    LoadedScene loaded;
+    loaded.materials = surface::upload_materials(device, scene);
+    loaded.needs = surface::scene_needs(scene);
+    loaded.scene = without_images(scene);
+    loaded.own_lighting = lighting_of(scene);
+    loaded.styled_lighting = loaded.own_lighting;
+    lay_out(device, loaded);
+    return loaded;
+}
+
+void lay_out(gpu::Device& device, LoadedScene& loaded)
+{
+    loaded.layout = pose::build_meshes(loaded.scene, static_cast<Index>(loaded.scene.materials.size()));
+    loaded.meshes = pose::upload_meshes(device, loaded.layout);
+    loaded.has_plain_links = pose::has_plain_links(loaded.layout);
+    loaded.stroke_kinds.clear();
+    loaded.pose.reset();
+    loaded.pose_moved = true;
+}
+
+bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style)
+{
+    LightingOfScene wanted = styled_lighting(loaded.own_lighting, loaded.scene, style);
+    if (wanted == loaded.styled_lighting) {
+        return false;
+    }
+    set_lighting(loaded.scene, wanted);
+    const bool stands_otherwise = !same_links(wanted, loaded.styled_lighting);
+    loaded.styled_lighting = std::move(wanted);
+    if (stands_otherwise) {
+        lay_out(device, loaded);
+    }
+    return true;
+}
+
+} // namespace estampe::frame

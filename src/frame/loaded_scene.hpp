@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <estampe/scene.hpp>
+
+#include "frame/light_links.hpp"
+#include "scene/outlook/outlook.hpp"
+#include "techniques/pose/pose.hpp"
+#include "techniques/surface/materials.hpp"
+
+namespace estampe::frame {
+
+/// Everything of one scene that lives on the device, and the scene itself without its pictures.
+struct LoadedScene {
+    Scene scene;
+    LightingOfScene own_lighting;    ///< as the file has it
+    LightingOfScene styled_lighting; ///< as `scene` has it now
+    pose::MeshData layout;
+    pose::MeshBuffers meshes;
+    surface::MaterialBuffers materials;
+    surface::SceneNeeds needs;
+    std::vector<uint32_t> stroke_kinds; ///< what the strokes of each draw follow, on the device
+    std::optional<pose::PoseData> pose; ///< what the device holds now
+    std::optional<SurfaceCloud> cloud;  ///< for what follows, made when it is first needed
+    std::optional<Outlook> outlook;     ///< where the house's light stands
+    bool has_plain_links = true;        ///< every object stands to all lights alike
+    bool pose_moved = true;             ///< the device has yet to pose its vertices by it
+};
+
+/// Uploads `scene`. Throws Error when it does not fit the device.
+[[nodiscard]] LoadedScene load_onto_device(gpu::Device& device, const Scene& scene);
+
+/// Makes the meshes of the loaded scene as its objects' links want them, and forgets what was made of those
+/// before.
+void lay_out(gpu::Device& device, LoadedScene& loaded);
+
+/// Brings lights and objects to what `style` says of them, and lays out afresh when an object stands
+/// otherwise to the lights than before. Returns whether anything changed. Throws Error as styled_lighting()
+/// does.
+[[nodiscard]] bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style);
+
+} // namespace estampe::frame

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What glTF cannot say of lights and objects stands in `extras`, in an object named "estampe":
+//
+//     light           "falloff": "inverse_square" or "unit_volume"   "shape": "cone" or "pyramid"
+//                     "type": "ambient"                              "shadows": true or false
+//                     "groups": [1, 2]    lights objects of these    "casters": [1]    is blocked by those
+//     node, material  "groups": [1]       lit by lights of these     "casts": [1], true or false
+//                     "receives": true or false
+//
+// Groups have numbers from 1 to 16; what names none belongs to all. A node hands what it says down to its
+// children, which may say otherwise.
+
+#include "scene/gltf/data.hpp"
+
+namespace estampe::gltf {
+
+/// Each throws Error with a pointer when the object holds what is not listed above.
+void read_light_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+                       Light& light);
+void read_link_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+                      LightLinks& links);
+
+/// Whether `extras` has an object of ours at all.
+[[nodiscard]] bool has_extras(const tinygltf::Value& extras);
+
+} // namespace estampe::gltf

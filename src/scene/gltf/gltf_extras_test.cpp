@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+#include "scene/gltf/test_file.hpp"
+
+namespace estampe::gltf {
+namespace {
+
+TestFile lamp_file(const char* extras)
+{
+    TestFile file = triangle_file();
+    file.document["extensionsUsed"] = {"KHR_lights_punctual"};
+    file.document["extensions"]["KHR_lights_punctual"]["lights"] =
+        json::array({{{"type", "spot"}, {"spot", json::object()}, {"extras", json::parse(extras)}}});
+    return file;
+}
+
+/// Where loading fails, and what is said of it.
+std::string failure(const TestFile& file)
+{
+    try {
+        static_cast<void>(file.load());
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "loads";
+}
+
+TEST(GltfExtras, OfALight)
+{
+    const Light light = lamp_file(R"({"estampe": {"falloff": "unit_volume", "shape": "pyramid",
+                                     "groups": [1, 3], "casters": [16]}, "other": 5})")
+                            .load()
+                            .lights[0];
+    EXPECT_EQ(light.falloff, LightFalloff::unit_volume);
+    EXPECT_EQ(light.shape, SpotShape::pyramid);
+    EXPECT_EQ(light.groups, 0b101);
+    EXPECT_EQ(light.casters, 0x8000);
+    EXPECT_EQ(light.type, LightType::spot);
+    EXPECT_EQ(lamp_file(R"({"estampe": {"shadows": false}})").load().lights[0].casters, 0);
+    EXPECT_EQ(lamp_file(R"({"estampe": {"shadows": true}})").load().lights[0].casters, all_groups);
+    EXPECT_EQ(lamp_file(R"({"estampe": {"type": "ambient"}})").load().lights[0].type, LightType::ambient);
+    EXPECT_EQ(lamp_file(R"("a word")").load().lights[0], (Light{.type = LightType::spot}));
+}
+
+TEST(GltfExtras, OfNodesGoDownAndOfMaterials)
+{
+    TestFile file = triangle_file();
+    file.document["nodes"] = json::parse(R"([
+        {"children": [1, 2], "extras": {"estampe": {"groups": [2], "casts": false}}},
+        {"mesh": 0},
+        {"mesh": 0, "extras": {"estampe": {"casts": [1, 2], "receives": false}}},
+        {"mesh": 0}
+    ])");
+    file.document["scenes"] = json::parse(R"([{"nodes": [0, 3]}])");
+    file.document["materials"] = json::parse(R"([{"extras": {"estampe": {"casts": true, "groups": [4]}}}])");
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.nodes[1].links, (LightLinks{.lit_by = 2, .casts_for = 0}));
+    EXPECT_EQ(scene.nodes[2].links, (LightLinks{.lit_by = 2, .casts_for = 3, .receives_shadows = false}));
+    EXPECT_EQ(scene.nodes[3].links, LightLinks{});
+    EXPECT_EQ(scene.materials[0].links, LightLinks{.lit_by = 8});
+}
+
+TEST(GltfExtras, ErrorsNameThePlace)
+{
+    const std::string light = "test.glb#/extensions/KHR_lights_punctual/lights/0/extras/estampe";
+    const auto of_light = [](const char* ours) {
+        return failure(lamp_file((std::string(R"({"estampe": )") + ours + "}").c_str()));
+    };
+    EXPECT_EQ(of_light("5").find(light + ": should be an object"), 0U) << of_light("5");
+    EXPECT_EQ(of_light(R"({"fallof": 1})").find(light + "/fallof: is not known"), 0U);
+    EXPECT_EQ(of_light(R"({"falloff": "cubic"})").find(light + "/falloff: should be one of"), 0U);
+    EXPECT_EQ(of_light(R"({"shadows": 1})").find(light + "/shadows: should be true or false"), 0U);
+    EXPECT_EQ(of_light(R"({"groups": 1})").find(light + "/groups: should be an array"), 0U);
+    EXPECT_EQ(of_light(R"({"groups": [1, 17]})").find(light + "/groups/1: should be a group"), 0U);
+    EXPECT_EQ(of_light(R"({"groups": [0.5]})").find(light + "/groups/0: should be a group"), 0U);
+    TestFile file = triangle_file();
+    file.document["nodes"][0]["extras"] = json::parse(R"({"estampe": {"receives": "no"}})");
+    EXPECT_EQ(failure(file).find("test.glb#/nodes/0/extras/estampe/receives: should be"), 0U);
+}
+
+} // namespace
+} // namespace estampe::gltf

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Strokes along the light where lamps rule: each patch of the page runs towards its own.
+#include <gtest/gtest.h>
+
+#include <glm/gtc/packing.hpp>
+
+#include "shaders/stroke_kind.glsl.h"
+#include "support/layers.hpp"
+#include "techniques/hatch/hatch.hpp"
+
+namespace estampe::hatch {
+namespace {
+
+constexpr glm::uvec2 size_px(192, 96);
+
+/// Octahedral, of directions in the upper half.
+uint32_t packed(const glm::vec3& direction)
+{
+    const float sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
+    return glm::packSnorm2x16(glm::vec2(direction) / sum);
+}
+
+/// Strokes on a sheet in the plane z = 0, under a lamp at the right of its left third, one below the middle
+/// third, and the sun, which stands at the right, over the last.
+std::vector<float> strokes_under_lamps()
+{
+    auto draw = test::Layer::words(size_px, [](glm::uvec2) { return shared::strokes_light << 26U | 1U; });
+    auto darkness = test::Layer::coverage(size_px, [](glm::uvec2) { return 0.35F; });
+    auto normal = test::Layer::normals(size_px, [](glm::uvec2) { return glm::vec3(0, 0, 1); });
+    auto coordinate = test::Layer::places(
+        size_px, [](glm::uvec2 pixel) { return glm::vec4(0.01F * glm::vec2(pixel), 0.0F, 0.0F); });
+    auto footprint = test::Layer::footprints(size_px, [](glm::uvec2) {
+        return std::pair(glm::vec3(0.01F, 0.0F, 0.0F), glm::vec3(0.0F, 0.01F, 0.0F));
+    });
+    auto strongest = test::Layer::words(size_px, [](glm::uvec2 pixel) {
+        const uint32_t third = 3 * pixel.x / size_px.x;
+        return third == 0 ? packed({0.9F, 0.2F, 0.1F}) : third == 1 ? packed({0.1F, 0.9F, 0.2F}) : 0U;
+    });
+    gpu::Graph graph;
+    HatchInputs in{};
+    in.draw = draw.in(graph);
+    in.normal = normal.in(graph);
+    in.coordinate = coordinate.in(graph);
+    in.footprint = footprint.in(graph);
+    in.strongest_light = strongest.in(graph);
+    in.has_directions = true;
+    in.towards_light = {1.0F, 0.0F, 0.0F};
+    in.pixels_per_mm = 1.0F;
+    in.size_px = size_px;
+    const HatchStyle style{.width_mm = 1.6F, .overrun_mm = 0.0F, .black_above = 2.0F};
+    return test::run_and_read_coverage(graph, add_lines(graph, in, darkness.in(graph), style));
+}
+
+/// How much more the ink changes down a third of the page than across it.
+double lie(const std::vector<float>& ink, uint32_t third)
+{
+    double across = 0.0;
+    double down = 0.0;
+    for (uint32_t y = 8; y + 8 < size_px.y; ++y) {
+        for (uint32_t x = third * size_px.x / 3 + 8; x + 8 < (third + 1) * size_px.x / 3; ++x) {
+            const float here = ink[y * size_px.x + x];
+            across += static_cast<double>(std::abs(ink[y * size_px.x + x + 1] - here));
+            down += static_cast<double>(std::abs(ink[(y + 1) * size_px.x + x] - here));
+        }
+    }
+    return down / across;
+}
+
+TEST(HatchLocalLight, StrokesRunTowardsTheLampThatRules)
+{
+    const std::vector<float> ink = strokes_under_lamps();
+    EXPECT_GT(lie(ink, 0), 3.0);
+    EXPECT_LT(lie(ink, 1), 1.0 / 3.0);
+    EXPECT_GT(lie(ink, 2), 3.0);
+}
+
+} // namespace
+} // namespace estampe::hatch

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// One workgroup lists the lights whose sphere touches one large tile of the page, in the order of the lights.
+// What lies at which depth is not known here; the light pass looks again, tile by small tile.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/camera.glsl"
+#include "techniques/light/local_light.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(scalar, binding = 1) uniform Lighting
+{
+    LightGlobals lighting;
+};
+
+layout(scalar, binding = 2) readonly buffer Lights
+{
+    LightRecord lights[];
+};
+
+layout(scalar, binding = 3) writeonly buffer Lists
+{
+    uint lists[]; // a tile: how many, then which, numbered from the first local light
+};
+
+layout(push_constant) uniform Constants
+{
+    ListTiles list_tiles;
+};
+
+shared uint touching[2]; // of the 64 lights that are looked at, one bit each
+
+// The plane through three points as normal and offset: dot(n, p) >= d on the side of `inside`.
+vec4 side_through(vec3 a, vec3 b, vec3 c, vec3 inside)
+{
+    vec3 n = normalize(cross(b - a, c - a));
+    n *= dot(n, inside - a) < 0.0 ? -1.0 : 1.0;
+    return vec4(n, dot(n, a));
+}
+
+// The four sides of what lies behind the tile on the page, from the eye on.
+vec4[4] sides_of(uint tile)
+{
+    vec2 low = vec2(uvec2(tile % list_tiles.columns, tile / list_tiles.columns) * list_tiles.tile_px);
+    vec2 high = min(low + float(list_tiles.tile_px), vec2(frame.size_px));
+    vec2 corners[4] = vec2[](low, vec2(high.x, low.y), high, vec2(low.x, high.y));
+    bool is_parallel = frame.is_orthographic != 0u;
+    // As far as the scene is large, so that the sides are well known.
+    float depth = is_parallel ? 0.5 : min(frame.near_m / frame.scene_radius_m, 0.5);
+    vec3 from[4];
+    vec3 far[4];
+    for (int i = 0; i < 4; ++i) {
+        far[i] = anchor_at(frame, corners[i], depth);
+        from[i] = is_parallel ? far[i] - frame.view_forward * frame.scene_radius_m : frame.eye_anchor;
+    }
+    vec3 inside = 0.25 * (far[0] + far[1] + far[2] + far[3]);
+    return vec4[](
+        side_through(from[0], far[0], far[1], inside), side_through(from[1], far[1], far[2], inside),
+        side_through(from[2], far[2], far[3], inside), side_through(from[3], far[3], far[0], inside));
+}
+
+bool touches(vec4 sides[4], vec4 reach)
+{
+    vec3 from_eye = reach.xyz - frame.eye_anchor;
+    float radius = reach.w + 1e-4 * length(from_eye); // for what floats round away
+    bool ahead = frame.is_orthographic != 0u || dot(frame.view_forward, from_eye) > -radius;
+    for (int i = 0; i < 4; ++i) {
+        ahead = ahead && dot(sides[i].xyz, reach.xyz) - sides[i].w > -radius;
+    }
+    return ahead;
+}
+
+void main()
+{
+    uint tile = gl_WorkGroupID.x;
+    vec4 sides[4] = sides_of(tile);
+    uint stride = lighting.local_count + 1u;
+    uint listed = 0u;
+    uint thread = gl_LocalInvocationIndex;
+    for (uint done = 0u; done < lighting.local_count; done += 64u) {
+        if (thread < 2u) {
+            touching[thread] = 0u;
+        }
+        barrier();
+        uint light = done + thread;
+        if (light < lighting.local_count) {
+            if (touches(sides, reach_of(lights[lighting.directional_count + light]))) {
+                atomicOr(touching[thread >> 5], 1u << (thread & 31u));
+            }
+        }
+        barrier();
+        uint first = touching[0];
+        uint second = touching[1];
+        uint lower = (1u << (thread & 31u)) - 1u;
+        uint before = thread < 32u ? bitCount(first & lower) : bitCount(first) + bitCount(second & lower);
+        if ((((thread < 32u ? first : second) >> (thread & 31u)) & 1u) != 0u) {
+            lists[tile * stride + 1u + listed + before] = light;
+        }
+        listed += bitCount(first) + bitCount(second);
+        barrier();
+    }
+    if (thread == 0u) {
+        lists[tile * stride] = listed;
+    }
+}
