@@ -191,7 +191,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
          .screen = screen.color,
          .has_screen = has_screen,
          .tone = tone,
-         .has_directions = plan.has_directions(),
+         .strokes_present = plan.strokes.present,
          .strongest_light = plan.follows_local_light ? std::optional(lit.strongest) : std::nullopt,
          .towards_light = plan.towards_sun,
          .map = resources.map != nullptr ? std::optional(hatch::import_map(graph, *resources.map))

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel: how dark the strokes there have to be.
+// One thread a pixel: how dark the strokes there have to be. The ink is blank to begin with, and the tiles in
+// which anything is dark are listed; neighbours in a tile agree by subgroups, because a processor pays dearly
+// for a barrier.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_vote : require
 
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
@@ -23,6 +27,11 @@ layout(binding = 3) uniform sampler2D color_image;
 layout(binding = 4) uniform sampler2D light_image;
 layout(binding = 5) uniform sampler2D screen_image;
 layout(binding = 6, r16f) writeonly uniform image2D out_darkness;
+layout(binding = 7, r16f) writeonly uniform image2D out_ink;
+
+#define TILES_BINDING 8
+#define TILES_ACCESS
+#include "techniques/hatch/dark_tiles.glsl"
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -34,12 +43,8 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_fade = (variant & 1u) != 0u;
 const bool has_screen = (variant & 2u) != 0u;
 
-void main()
+float darkness_at(ivec2 pixel)
 {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
-        return;
-    }
     uint word = texelFetch(draw_image, pixel, 0).x;
     vec4 color = texelFetch(color_image, pixel, 0);
     float light = occluded(constants.tone, texelFetch(light_image, pixel, 0).a, color.a);
@@ -56,5 +61,22 @@ void main()
         float own = 0.6 * (1.0 - luminance(screen.rgb * screen.rgb));
         dark = sees_draw(word) ? mix(dark, own, 0.7 * screen.a) : 0.0;
     }
-    imageStore(out_darkness, pixel, vec4(dark));
+    return dark;
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    bool on_page = all(lessThan(uvec2(pixel), frame.size_px));
+    float dark = on_page ? darkness_at(pixel) : 0.0;
+    if (subgroupAny(dark > 0.0) && subgroupElect()) {
+        uint tile = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+        if (atomicExchange(dark_tiles[tile].is_listed, 1u) == 0u) {
+            dark_tiles[atomicAdd(tile_groups.x, 1u)].place = gl_WorkGroupID.y << 16 | gl_WorkGroupID.x;
+        }
+    }
+    if (on_page) {
+        imageStore(out_darkness, pixel, vec4(dark));
+        imageStore(out_ink, pixel, vec4(0.0));
+    }
 }

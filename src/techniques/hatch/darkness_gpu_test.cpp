@@ -42,7 +42,7 @@ std::vector<float> darkness_of(const shared::ToneConstants& tone)
                                         .tone = tone,
                                         .size_px = size_px},
                                        {});
-    return test::run_and_read_coverage(graph, darkness);
+    return test::run_and_read_coverage(graph, darkness.image);
 }
 
 void expect_halves(const std::vector<float>& darkness, float left, float right)

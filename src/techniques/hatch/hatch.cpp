@@ -11,6 +11,7 @@
 #include "shaders/lines_comp.hpp"
 #include "shaders/map_comp.hpp"
 #include "shaders/overrun_comp.hpp"
+#include "shaders/tiles_reset_comp.hpp"
 #include "techniques/hatch/hatch.glsl.h"
 
 namespace estampe::hatch {
@@ -20,6 +21,25 @@ namespace {
 glm::vec2 turned(float degrees)
 {
     return {-glm::sin(glm::radians(degrees)), glm::cos(glm::radians(degrees))};
+}
+
+constexpr uint32_t tile_px = 8;
+constexpr uint32_t most_listed_tiles = 65535; // every device can dispatch as many in a row
+
+gpu::BufferId add_empty_list(gpu::Graph& graph, glm::uvec2 size_px)
+{
+    const glm::uvec2 tiles = (size_px + tile_px - 1U) / tile_px;
+    const uint32_t count = tiles.x * tiles.y;
+    auto reset = graph.compute("hatch/clear", shaders::tiles_reset_comp);
+    const gpu::BufferId list = reset.write(
+        graph.buffer("hatch/tiles", {.size_bytes = sizeof(glm::uvec4) + sizeof(glm::uvec2) * count}));
+    reset.push(count).dispatch_items(count);
+    return list;
+}
+
+gpu::ImageId ink_image(gpu::Graph& graph, glm::uvec2 size_px)
+{
+    return graph.image("hatch/ink", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r16f});
 }
 
 /// For each pixel the nearest one with strokes, as far as they run over.
@@ -51,32 +71,37 @@ MapInputs import_map(gpu::Graph& graph, MapImages& map)
             .level_count = map.level_count};
 }
 
-gpu::ImageId add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
+Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
 {
+    const gpu::BufferId none = add_empty_list(graph, in.size_px);
     auto pass = graph.compute("hatch/darkness", shaders::darkness_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.color).sample(in.light);
     pass.sample(in.screen);
     const gpu::ImageId darkness = pass.write(graph.image(
         "hatch/darkness", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    const gpu::ImageId blank = pass.write(ink_image(graph, in.size_px));
+    const gpu::BufferId tiles = pass.modify(none);
     pass.variant((style.fade < 1.0F ? 1U : 0U) | (in.has_screen ? 2U : 0U));
     pass.push(shared::DarknessConstants{
                   .tone = in.tone, .fade = style.fade, .fade_distance_m = style.fade_distance_m})
         .dispatch_over(in.size_px.x, in.size_px.y);
-    return darkness;
+    return {darkness, blank, tiles};
 }
 
-gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
+gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                        const HatchStyle& style)
 {
     const float overrun_px = style.overrun_mm * in.pixels_per_mm;
-    const gpu::ImageId source = overrun_px > 0.0F ? add_overrun(graph, in, darkness, overrun_px) : in.draw;
+    const gpu::ImageId source =
+        overrun_px > 0.0F ? add_overrun(graph, in, darkness.image, overrun_px) : in.draw;
+    const glm::uvec2 tiles = (in.size_px + tile_px - 1U) / tile_px;
+    const bool all_tiles = overrun_px > 0.0F || tiles.x * tiles.y > most_listed_tiles;
     auto pass = graph.compute("hatch/lines", shaders::lines_comp);
-    pass.sample(darkness).sample(in.draw).sample(in.normal).sample(in.coordinate).sample(in.footprint);
-    pass.sample(source).sample(in.strongest_light.value_or(in.draw));
-    const gpu::ImageId ink = pass.write(graph.image(
-        "hatch/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
-    pass.variant((style.growth > 0.0F ? 1U : 0U) | (in.has_directions ? 2U : 0U) |
-                 (overrun_px > 0.0F ? 4U : 0U) | (in.strongest_light ? 8U : 0U));
+    pass.sample(darkness.image).sample(in.draw).sample(in.normal).sample(in.coordinate).sample(in.footprint);
+    pass.sample(source).sample(in.strongest_light.value_or(in.draw)).read(darkness.tiles);
+    const gpu::ImageId ink = pass.modify(darkness.blank);
+    pass.variant((style.growth > 0.0F ? 1U : 0U) | (overrun_px > 0.0F ? 2U : 0U) | (all_tiles ? 4U : 0U) |
+                 (in.strongest_light ? 8U : 0U) | in.strokes_present << 8U);
     const float wind = glm::radians(style.wind_deg);
     pass.push(shared::LineConstants{.size_px = in.size_px,
                                     .width_px = style.width_mm * in.pixels_per_mm,
@@ -94,8 +119,12 @@ gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId da
                                     .flat_axis_2 = turned(style.slant_deg - 41.0F),
                                     .wind = {glm::sin(wind), glm::cos(wind)},
                                     .towards_light = in.towards_light,
-                                    .overrun_px = overrun_px})
-        .dispatch_over(in.size_px.x, in.size_px.y);
+                                    .overrun_px = overrun_px});
+    if (all_tiles) {
+        pass.dispatch_over(in.size_px.x, in.size_px.y);
+    } else {
+        pass.dispatch_indirect(darkness.tiles);
+    }
     return ink;
 }
 
@@ -105,8 +134,7 @@ gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId dark
     pass.sample(darkness).sample(in.draw).sample(in.coordinate).sample(in.footprint);
     pass.sample(in.map->tones, gpu::Sampling::linear_repeat);
     pass.sample(in.map->thresholds, gpu::Sampling::linear_repeat).read(in.map->ramp);
-    const gpu::ImageId ink = pass.write(graph.image(
-        "hatch/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    const gpu::ImageId ink = pass.write(ink_image(graph, in.size_px));
     pass.variant(static_cast<uint32_t>(style.map_tone));
     pass.push(shared::MapConstants{.size_px = in.size_px,
                                    .map_size_texels = in.map->size_px,
@@ -121,9 +149,9 @@ gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId dark
 
 gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
 {
-    const gpu::ImageId darkness = add_darkness(graph, in, style);
+    const Darkness darkness = add_darkness(graph, in, style);
     const bool by_map = in.map && style.drawn && style.strokes == Strokes::map;
-    return by_map ? add_map(graph, in, darkness, style) : add_lines(graph, in, darkness, style);
+    return by_map ? add_map(graph, in, darkness.image, style) : add_lines(graph, in, darkness, style);
 }
 
 } // namespace estampe::hatch

@@ -127,7 +127,8 @@ struct HatchInputs {
     gpu::ImageId screen; ///< colour and cover of what is looked through; one texel for none
     bool has_screen = false;
     shared::ToneConstants tone;
-    bool has_directions = false; ///< some strokes follow height, wind or light
+    uint32_t strokes_present =
+        0x7f; ///< a bit for each kind of stroke in `draw`, see shaders/stroke_kind.glsl.h
     /// Octahedral directions (r32ui) towards the local light that rules a pixel, 0 for none: strokes along
     /// the light follow it.
     std::optional<gpu::ImageId> strongest_light;
@@ -137,17 +138,23 @@ struct HatchInputs {
     glm::uvec2 size_px{0};
 };
 
-/// How dark the strokes have to be: light by the tone curve, paler with distance and behind screens.
-///
-/// Writes  r16f: 0 paper to 1 ink
-/// Cost    one full-screen dispatch
-[[nodiscard]] gpu::ImageId add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);
+/// How dark the strokes have to be, and where there are none to draw.
+struct Darkness {
+    gpu::ImageId image;  ///< r16f: 0 paper to 1 ink
+    gpu::ImageId blank;  ///< ink before any stroke is drawn
+    gpu::BufferId tiles; ///< those that are not blank, see dark_tiles.glsl
+};
+
+/// Darkness from light by the tone curve, paler with distance and behind screens. Cost: one full-screen
+/// dispatch.
+[[nodiscard]] Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);
 
 /// Strokes whose ink, on average, is the darkness wanted: see shaders/lines.glsl for the construction.
 ///
 /// Writes  r16f: coverage, 0 paper to 1 ink
-/// Cost    one full-screen dispatch, no texture; nothing where the paper stays white
-[[nodiscard]] gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
+/// Cost    one dispatch over the tiles that are not blank, no texture; over the page where strokes run over
+///         silhouettes
+[[nodiscard]] gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                      const HatchStyle& style);
 
 /// Strokes of a tonal art map, which `in` must have. Nearer than its finest level the map repeats at half the

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/imports.hpp"
+#include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
 #include "techniques/hatch/hatch.hpp"
@@ -24,6 +26,31 @@ struct Patch {
 };
 
 using Surface = std::function<Patch(glm::dvec2 position_px)>;
+
+/// What lines are drawn on: ink that is blank so far, and a list of tiles, of which none is left out.
+class PaperToInk {
+public:
+    explicit PaperToInk(glm::uvec2 size_px)
+        : blank_(Layer::coverage(size_px, [](glm::uvec2) { return 0.0F; }))
+    {
+        const glm::uvec2 tiles = (size_px + 7U) / 8U;
+        std::vector<uint32_t> list{tiles.x * tiles.y, 1, 1, 0};
+        for (uint32_t i = 0; i < tiles.x * tiles.y; ++i) {
+            list.push_back(i / tiles.x << 16U | i % tiles.x);
+            list.push_back(1);
+        }
+        tiles_ = gpu::upload_buffer(shared_device(), "tiles", list);
+    }
+
+    hatch::Darkness in(gpu::Graph& graph, gpu::ImageId darkness)
+    {
+        return {darkness, blank_.in(graph), gpu::import_whole(graph, "tiles", tiles_)};
+    }
+
+private:
+    Layer blank_;
+    gpu::Buffer tiles_;
+};
 
 /// Lines over a surface that is the same for all darknesses, or a darkness that is the same for all surfaces.
 class Canvas {
@@ -68,7 +95,9 @@ public:
         in.size_px = size_px_;
         const gpu::ImageId darkness = darkness_.in(graph);
         if (map == nullptr) {
-            return run_and_read_coverage(graph, hatch::add_lines(graph, in, darkness, style));
+            PaperToInk paper(size_px_);
+            return run_and_read_coverage(graph,
+                                         hatch::add_lines(graph, in, paper.in(graph, darkness), style));
         }
         in.map = hatch::import_map(graph, *map);
         return run_and_read_coverage(graph, hatch::add_map(graph, in, darkness, style));

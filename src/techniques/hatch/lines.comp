@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel lays the strokes that carry the darkness wanted there.
+// One thread a pixel of the tiles that are not blank lays the strokes that carry the darkness wanted there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -20,20 +20,33 @@ layout(binding = 3) uniform sampler2D coordinate_image;
 layout(binding = 4) uniform usampler2D footprint_image;
 layout(binding = 5) uniform usampler2D source_image;    // see overrun.comp
 layout(binding = 6) uniform usampler2D strongest_image; // directions towards local lights, 0 for none
-layout(binding = 7, r16f) writeonly uniform image2D out_ink;
+
+#define TILES_BINDING 7
+#define TILES_ACCESS readonly
+#include "techniques/hatch/dark_tiles.glsl"
+
+layout(binding = 8, r16f) writeonly uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
 {
     LineConstants constants;
 };
 
-// Bit 0: newborn strokes grow in length. Bit 1: some strokes follow wind, light or height. Bit
-// 2: strokes run over silhouettes. Bit 3: strokes along the light follow the local one that rules.
+// Bit 0: newborn strokes grow in length. Bit 1: strokes run over silhouettes. Bit 2: there is a workgroup for
+// every tile, blank or not. Bit 3: strokes along the light follow the local one that rules. From bit 8: a bit
+// for each kind of stroke that is there, see shaders/stroke_kind.glsl.h.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_growth = (variant & 1u) != 0u;
-const bool has_directions = (variant & 2u) != 0u;
-const bool has_overrun = (variant & 4u) != 0u;
+const bool has_overrun = (variant & 2u) != 0u;
+const bool has_all_tiles = (variant & 4u) != 0u;
 const bool has_local_light = (variant & 8u) != 0u;
+const uint kinds = variant >> 8;
+const uint directed_kinds = 1u << STROKES_HEIGHT | 1u << STROKES_WIND | 1u << STROKES_LIGHT;
+const uint flat_kinds = 1u << STROKES_UV | 1u << STROKES_FORM | 1u << STROKES_PAGE;
+const bool has_form = (kinds & (1u << STROKES_FORM)) != 0u;
+const bool has_flat = (kinds & flat_kinds) != 0u;
+const bool has_directions = (kinds & directed_kinds) != 0u;
+const bool has_slices = (kinds & (directed_kinds | 1u << STROKES_SOLID)) != 0u;
 
 // Where the light of the pixel in hand comes from.
 vec3 towards_light = vec3(0.0, 1.0, 0.0);
@@ -52,12 +65,18 @@ StrokeAxes stroke_axes()
                       towards_light, has_directions);
 }
 
+bool lies_flat(uint kind)
+{
+    return has_flat && (!has_slices || is_flat(kind));
+}
+
 // Families of strokes, two a layer, and what each has to draw. The shares are such that what the families
-// leave white multiplies to what the darkness leaves white.
+// leave white multiplies to what the darkness leaves white. Of a layer the family with more to draw comes
+// first; where it draws all, the other is left out.
 struct Families {
-    uint next;
-    float remaining; // darkness that the layers to come have to draw
-    float share;     // darkness of the layer in hand
+    uint layer;
+    bool is_second;
+    float remaining; // darkness that this layer and those to come have to draw
 };
 
 // What a layer draws of the darkness that is left to do; the last one draws all of it.
@@ -66,23 +85,29 @@ float layer_share(uint layer, float remaining)
     return layer + 1u >= constants.layers ? remaining : min(remaining, layer == 0u ? 0.46 : 0.50);
 }
 
+// How much of a layer's strokes its slices carry; the level family has the rest.
+float slice_share(uint layer, vec3 normal, uint kind)
+{
+    return !has_slices || lies_flat(kind)
+               ? 1.0
+               : smoothstep(0.50, 0.68, length(cross(solid_axis(stroke_axes(), kind, 2u * layer), normal)));
+}
+
 // Goes on to the next family that has anything to draw, and returns its darkness; 0 when none is left.
 float next_family(inout Families families, vec3 normal, uint kind, out uint family)
 {
     float dark = 0.0;
     family = 0u;
-    while (dark < 0.002 && families.next < 2u * constants.layers && families.remaining > 1e-4) {
-        family = families.next++;
-        uint layer = family >> 1;
-        bool is_level = (family & 1u) != 0u;
-        families.share = is_level ? families.share : layer_share(layer, families.remaining);
-        float slices =
-            is_flat(kind)
-                ? 1.0
-                : smoothstep(0.50, 0.68, length(cross(solid_axis(stroke_axes(), kind, 2u * layer), normal)));
-        dark = 1.0 - pow(1.0 - families.share, is_level ? 1.0 - slices : slices);
-        if (is_level) {
-            families.remaining = 1.0 - (1.0 - families.remaining) / max(1.0 - families.share, 1e-6);
+    while (dark < 0.002 && families.layer < constants.layers && families.remaining > 1e-4) {
+        float share = layer_share(families.layer, families.remaining);
+        float slices = slice_share(families.layer, normal, kind);
+        bool takes_level = (slices < 0.5) != families.is_second;
+        family = 2u * families.layer + (takes_level ? 1u : 0u);
+        dark = has_slices ? 1.0 - pow(1.0 - share, takes_level ? 1.0 - slices : slices) : share;
+        families.is_second = has_slices && !families.is_second && slices > 0.0 && slices < 1.0;
+        if (!families.is_second) {
+            families.remaining = 1.0 - (1.0 - families.remaining) / max(1.0 - share, 1e-6);
+            ++families.layer;
         }
     }
     return dark < 0.002 ? 0.0 : dark;
@@ -92,20 +117,21 @@ float strokes(vec3 p, Footprint f, vec3 normal, uint kind, float dark)
 {
     LineLook look = LineLook(constants.width_px, constants.wobble_px, constants.gap_px, constants.taper_px,
                              constants.cell_px, constants.pressure, has_growth ? constants.growth : 0.0);
-    Families families = Families(0u, dark, 0.0);
+    Families families = Families(0u, false, dark);
+    bool flat_here = lies_flat(kind);
+    bool form_here = has_form && kind == STROKES_FORM;
     float white = 1.0;
     uint family;
     float family_dark = next_family(families, normal, kind, family);
     while (family_dark > 0.0) {
-        vec3 axis = is_flat(kind) ? flat_axis(stroke_axes(), kind, family >> 1)
-                                  : solid_axis(stroke_axes(), kind, family);
+        vec3 axis =
+            flat_here ? flat_axis(stroke_axes(), kind, family >> 1) : solid_axis(stroke_axes(), kind, family);
         vec3 side =
-            is_flat(kind)
-                ? vec3(axis.y, -axis.x, 0.0)
-                : normalize(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
+            flat_here ? vec3(axis.y, -axis.x, 0.0)
+                      : normalize(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
         LineField field = field_along(axis, side, cross(axis, side), p, f);
-        field.wraps = kind == STROKES_FORM;
-        field.wander = kind == STROKES_FORM ? vec2(0.0) : field.wander;
+        field.wraps = form_here;
+        field.wander = form_here ? vec2(0.0) : field.wander;
         white *= 1.0 - line_ink(field, look, family_dark, hash(constants.seed * 64u + family));
         family_dark = next_family(families, normal, kind, family);
     }
@@ -130,7 +156,9 @@ ivec2 source_of(ivec2 pixel, out float share)
 
 void main()
 {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    uint tile =
+        has_all_tiles ? gl_WorkGroupID.y << 16 | gl_WorkGroupID.x : dark_tiles[gl_WorkGroupID.x].place;
+    ivec2 pixel = 8 * ivec2(tile & 0xffffu, tile >> 16) + ivec2(gl_LocalInvocationID.xy);
     if (any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
         return;
     }

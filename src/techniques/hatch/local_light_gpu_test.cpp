@@ -5,8 +5,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "shaders/stroke_kind.glsl.h"
-#include "support/layers.hpp"
-#include "techniques/hatch/hatch.hpp"
+#include "techniques/hatch/hatch_test_canvas.hpp"
 
 namespace estampe::hatch {
 namespace {
@@ -36,6 +35,7 @@ std::vector<float> strokes_under_lamps()
         const uint32_t third = 3 * pixel.x / size_px.x;
         return third == 0 ? packed({0.9F, 0.2F, 0.1F}) : third == 1 ? packed({0.1F, 0.9F, 0.2F}) : 0U;
     });
+    test::PaperToInk paper(size_px);
     gpu::Graph graph;
     HatchInputs in{};
     in.draw = draw.in(graph);
@@ -43,12 +43,12 @@ std::vector<float> strokes_under_lamps()
     in.coordinate = coordinate.in(graph);
     in.footprint = footprint.in(graph);
     in.strongest_light = strongest.in(graph);
-    in.has_directions = true;
     in.towards_light = {1.0F, 0.0F, 0.0F};
     in.pixels_per_mm = 1.0F;
     in.size_px = size_px;
     const HatchStyle style{.width_mm = 1.6F, .overrun_mm = 0.0F, .black_above = 2.0F};
-    return test::run_and_read_coverage(graph, add_lines(graph, in, darkness.in(graph), style));
+    return test::run_and_read_coverage(graph,
+                                       add_lines(graph, in, paper.in(graph, darkness.in(graph)), style));
 }
 
 /// How much more the ink changes down a third of the page than across it.
