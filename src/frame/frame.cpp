@@ -36,6 +36,7 @@ std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups g
     for (const pose::CasterRun& run : layout.casters) {
         if ((run.groups & groups) != 0) {
             batches.push_back(batch(run.range, run.masked));
+            batches.back().groups = run.groups;
         }
     }
     return batches;
@@ -143,28 +144,48 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                               shadow_map);
     }
 
+    // Local shadows: how far lamps and spots see. Maps are kept; what is out of date is drawn in one go.
+    auto local_maps = gpu::import_whole(graph, "local shadows", resources.local_shadows.maps);
+    if (!plan.local_views.empty()) {
+        const auto triangle_count = static_cast<uint32_t>(layout.triangles.size());
+        const auto bounds = raster::add_cluster_bounds(
+            graph, raster_inputs, triangle_count,
+            graph.buffer("cluster bounds", {.size_bytes = raster::cluster_bounds_bytes(triangle_count)}));
+        local_maps = raster::add_depth_views(
+            graph, "local shadows", raster_inputs, caster_batches(layout, all_groups),
+            {.list = plan.local_views,
+             .records = gpu::import_whole(graph, "local views", resources.local_shadows.views),
+             .bounds = bounds,
+             .path = plan.raster_path,
+             .tuning = plan.raster},
+            local_maps);
+    }
+
     // Light: what arrives there.
-    const light::LitPixels lit =
-        light::add_light(graph, {.frame = frame,
-                                 .lighting = lighting,
-                                 .lights = lights,
-                                 .draw = surface.draw,
-                                 .depth = surface.depth,
-                                 .normal = surface.normal,
-                                 .draws = draws,
-                                 .materials = materials,
-                                 .sun_map = shadow_map,
-                                 .sun_shadow = gpu::import_whole(graph, "sun", resources.sun_shadow),
-                                 .coordinate = surface.coordinate,
-                                 .footprint = surface.footprint,
-                                 .edge_look = gpu::import_whole(graph, "edges", resources.edge_look),
-                                 .shadow_variant = plan.shadow_variant,
-                                 .has_shadow = plan.shadow_size > 0,
-                                 .local_count = plan.local_light_count,
-                                 .has_emissive = plan.needs.emissive,
-                                 .keeps_strongest = plan.follows_local_light,
-                                 .has_links = plan.has_light_links,
-                                 .size_px = size_px});
+    const light::LitPixels lit = light::add_light(
+        graph, {.frame = frame,
+                .lighting = lighting,
+                .lights = lights,
+                .draw = surface.draw,
+                .depth = surface.depth,
+                .normal = surface.normal,
+                .draws = draws,
+                .materials = materials,
+                .sun_map = shadow_map,
+                .sun_shadow = gpu::import_whole(graph, "sun", resources.sun_shadow),
+                .coordinate = surface.coordinate,
+                .footprint = surface.footprint,
+                .edge_look = gpu::import_whole(graph, "edges", resources.edge_look),
+                .shadow_variant = plan.shadow_variant,
+                .local_shadows = gpu::import_whole(graph, "lights' shadows", resources.local_shadows.shadows),
+                .local_maps = local_maps,
+                .has_local_shadows = plan.has_local_shadows,
+                .has_shadow = plan.shadow_size > 0,
+                .local_count = plan.local_light_count,
+                .has_emissive = plan.needs.emissive,
+                .keeps_strongest = plan.follows_local_light,
+                .has_links = plan.has_light_links,
+                .size_px = size_px});
     const gpu::ImageId light =
         plan.meters_page
             ? light::add_exposure(graph, {.light = lit.light,

@@ -12,11 +12,18 @@
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/light/light.hpp"
 #include "techniques/pose/pose.hpp"
-#include "techniques/raster/raster.hpp"
+#include "techniques/raster/views.hpp"
 #include "techniques/shadow/sun_view.hpp"
 #include "techniques/surface/materials.hpp"
 
 namespace estampe::frame {
+
+/// Shadow maps of local lights.
+struct LocalShadowBuffers {
+    gpu::Buffer shadows; ///< LocalShadow, one for each light that has maps
+    gpu::Buffer maps;    ///< their texels, kept from frame to frame
+    gpu::Buffer views;   ///< the maps to draw anew, FramePlan::local_views
+};
 
 /// The buffers of the outside world that a frame reads and writes.
 struct FrameResources {
@@ -27,8 +34,9 @@ struct FrameResources {
     gpu::Buffer& lights;
     gpu::Buffer& exposure; ///< light's ExposureState, kept from frame to frame
     gpu::Buffer& shadow_map;
-    gpu::Buffer& edge_look;        ///< EdgeLook, see shadow/edge.glsl.h
-    gpu::Buffer& sun_shadow;       ///< SunShadow, see shadow/sun.glsl.h
+    gpu::Buffer& edge_look;  ///< EdgeLook, see shadow/edge.glsl.h
+    gpu::Buffer& sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
+    LocalShadowBuffers& local_shadows;
     gpu::Buffer& stroke_kinds;     ///< one a draw
     gpu::Buffer& form_coordinates; ///< three a triangle, where strokes follow the form
     hatch::MapImages* map;         ///< where strokes come from a map
@@ -47,6 +55,8 @@ struct FramePlan {
     surface::SceneNeeds needs;
     StrokePlan strokes;
     uint32_t local_light_count = 0;
+    bool has_local_shadows = false;
+    std::vector<shared::RasterView> local_views; ///< maps of local lights to draw anew
     bool follows_local_light = false; ///< some strokes run along the light, and there are local lights
     bool meters_page = false;
     float adapt_stops = -1.0F;       ///< most that the exposure by the page changes; negative: any

@@ -12,6 +12,7 @@
 
 #include "frame/frame.hpp"
 #include "frame/loaded_scene.hpp"
+#include "frame/local_shadows.hpp"
 #include "frame/sun.hpp"
 #include "frame/tonal_maps.hpp"
 #include "gpu/graph/compile_ahead.hpp"
@@ -36,6 +37,8 @@ struct Renderer::Impl {
     void update_pose(const ScenePose& scene_pose);
     [[nodiscard]] Outlook outlook_from(const Camera& camera, const light::LightStyle& style);
     void provide_shadow_map(frame::FramePlan& plan);
+    void provide_local_shadows(frame::FramePlan& plan, light::Lighting& lighting, const Camera& camera,
+                               const frame::StyleTables& tables);
     void provide_map(const frame::StyleTables& style);
     void provide_strokes(const frame::StrokePlan& strokes);
     [[nodiscard]] frame::FramePlan plan(const light::Lighting& lighting, const frame::StyleTables& style,
@@ -55,6 +58,9 @@ struct Renderer::Impl {
     gpu::Buffer shadow_map;
     gpu::Buffer edge_look;
     gpu::Buffer sun_shadow;
+    frame::LocalShadows local_shadows;
+    frame::LocalShadowBuffers local_shadow_buffers;
+    std::vector<Bounds> moved; ///< since the local shadows were planned last
     gpu::Buffer stroke_kinds;
     gpu::Buffer form_coordinates;
     std::optional<glm::mat4> shadow_view; ///< of what the shadow map holds; none when it is out of date
@@ -121,6 +127,7 @@ void Renderer::set_scene(const Scene& scene)
 {
     impl_->loaded.reset();
     impl_->shadow_view.reset();
+    impl_->local_shadows.forget();
     impl_->exposure.forget();
     impl_->loaded = frame::load_onto_device(impl_->device, scene);
 }
@@ -167,6 +174,10 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     if (loaded->pose && *loaded->pose == now) {
         return;
     }
+    if (loaded->pose) {
+        const auto places = pose::moved_places(loaded->layout, *loaded->pose, now);
+        moved.insert(moved.end(), places.begin(), places.end());
+    }
     std::swap(loaded->meshes.posed_vertices[0], loaded->meshes.posed_vertices[1]);
     pose::upload_pose(device, loaded->meshes, loaded->layout, now);
     loaded->pose = std::move(now);
@@ -202,6 +213,38 @@ void Renderer::Impl::provide_shadow_map(frame::FramePlan& plan)
         shadow_view.reset();
     }
     plan.redraw_shadow = plan.shadow_size > 0 && shadow_view != plan.sun.clip_from_anchor;
+}
+
+/// Plans the maps of local lights and says who goes without.
+void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighting& lighting,
+                                           const Camera& camera, const frame::StyleTables& tables)
+{
+    shadow::ShadowStyle style = tables.shadow;
+    style.local_lights = tables.light.shadows ? style.local_lights : 0;
+    const frame::PageView page{.eye_anchor = glm::vec3(camera.eye - loaded->layout.anchor),
+                               .pixel_angle = plan.pixel_angle,
+                               .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
+                               .longer_side_px = std::max(plan.size_px.x, plan.size_px.y)};
+    frame::LocalShadowPlan local = local_shadows.plan(lighting, moved, page, style);
+    moved.clear();
+    gpu::Buffer& maps = local_shadow_buffers.maps;
+    const uint64_t needed_bytes = std::max<uint64_t>(sizeof(uint32_t) * local.texel_count, 16);
+    if (maps.empty() || maps.size_bytes() < needed_bytes) {
+        maps = gpu::Buffer(device, "local shadow maps", needed_bytes, gpu::MemoryUse::device);
+        local_shadows.forget();
+        local = local_shadows.plan(lighting, {}, page, style);
+    }
+    local_shadow_buffers.shadows =
+        mapped_buffer(device, "local shadows", local.shadows.data(), local.shadows.size());
+    local_shadow_buffers.views =
+        mapped_buffer(device, "local views", local.redrawn.data(), local.redrawn.size());
+    if (local.without > 0 && style.local_lights > 0) {
+        notes.push_back(fmt::format("{} of the scene's lamps and spots throw no shadow: shadow.local_lights "
+                                    "and shadow.local_megatexels allow {}",
+                                    local.without, local.shadows.size()));
+    }
+    plan.has_local_shadows = !local.shadows.empty();
+    plan.local_views = std::move(local.redrawn);
 }
 
 void Renderer::Impl::provide_strokes(const frame::StrokePlan& strokes)
@@ -288,6 +331,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     shadow_map,
                                     edge_look,
                                     sun_shadow,
+                                    local_shadow_buffers,
                                     stroke_kinds,
                                     form_coordinates,
                                     map ? &*map : nullptr,
@@ -306,6 +350,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     ahead.reset();
     has_drawn = true;
     loaded->pose_moved = false;
+    plan.local_views.clear();
     if (plan.redraw_shadow) {
         shadow_view = plan.sun.clip_from_anchor;
     }
@@ -325,6 +370,7 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     const frame::StyleTables& tables = style.tables();
     if (frame::style_lighting(impl.device, *impl.loaded, tables.light)) {
         impl.shadow_view.reset();
+        impl.local_shadows.forget();
     }
     const pose::MeshData& layout = impl.loaded->layout;
     const ScenePose scene_pose = pose_scene(impl.loaded->scene, settings.time_s, settings.animation);
@@ -358,9 +404,10 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     impl.edge_look = mapped_buffer(impl.device, "edges", &edge_look, 1);
     const shared::SunShadow sun_shadow = shadow::sun_shadow(plan.sun, plan.shadow_size, tables.shadow);
     impl.sun_shadow = mapped_buffer(impl.device, "sun", &sun_shadow, 1);
-    impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
     impl.provide_map(tables);
     impl.provide_strokes(plan.strokes);
+    impl.provide_local_shadows(plan, lighting, camera, tables);
+    impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
     plan.meters_page = tables.light.metering == light::Metering::page;
     plan.adapt_stops = impl.exposure.prepare(impl.device, tables.light, settings.time_s);
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "frame/local_shadows.hpp"
 #include "frame/strokes.hpp"
 #include "frame/view.hpp"
 #include "gpu/imports.hpp"
@@ -169,8 +170,55 @@ screen::Screen Drawing::add_screen(gpu::Graph& graph)
                 .size_px = size_px});
 }
 
-light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup)
+gpu::BufferId Drawing::add_local_maps(gpu::Graph& graph, const Stage& stage, LightSetup& setup)
 {
+    std::vector<shared::LocalShadow> shadows;
+    std::vector<shared::RasterView> views;
+    uint32_t texel_count = 0;
+    for (size_t i = setup.directional_count; i < setup.records.size() && setup.local_shadow_size > 0; ++i) {
+        const shadow::LocalLight local = frame::local_light(setup.records[i]);
+        shadows.push_back(shadow::local_shadow(local, setup.local_shadow_size, texel_count));
+        setup.records[i].shadow = static_cast<uint32_t>(shadows.size());
+        for (const shadow::LocalView& view : shadow::local_views(local, shadows.back())) {
+            views.push_back({.clip_from_anchor = view.clip_from_anchor,
+                             .eye_anchor = local.position,
+                             .reach_m = local.range_m,
+                             .first_texel = view.first_texel,
+                             .size_px = setup.local_shadow_size,
+                             .origin_px = glm::uvec2(0),
+                             .groups = local.casters});
+            texel_count += setup.local_shadow_size * setup.local_shadow_size;
+        }
+    }
+    raster::place_views(views);
+    local_shadows_ = gpu::upload_buffer(shared_device(), "local shadows", shadows);
+    local_views_ = gpu::upload_buffer(shared_device(), "local views", views);
+    local_maps_ = gpu::Buffer(shared_device(), "local maps", 4ULL * texel_count, gpu::MemoryUse::device);
+    const gpu::BufferId maps = gpu::import_whole(graph, "local maps", local_maps_);
+    if (views.empty()) {
+        return maps;
+    }
+    const auto triangle_count = static_cast<uint32_t>(layout.triangles.size());
+    const raster::RasterInputs inputs = raster_inputs(graph, stage.posed);
+    std::vector<raster::Batch> casters;
+    for (const pose::CasterRun& run : layout.casters) {
+        casters.push_back({run.range.first, run.range.count, run.masked, run.range.plain, run.groups});
+    }
+    const gpu::BufferId bounds = raster::add_cluster_bounds(
+        graph, inputs, triangle_count,
+        graph.buffer("bounds", {.size_bytes = raster::cluster_bounds_bytes(triangle_count)}));
+    return raster::add_depth_views(graph, "local maps", inputs, casters,
+                                   {.list = views,
+                                    .records = gpu::import_whole(graph, "local views", local_views_),
+                                    .bounds = bounds,
+                                    .path = path,
+                                    .tuning = tuning},
+                                   maps);
+}
+
+light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, LightSetup setup)
+{
+    const gpu::BufferId local_maps = add_local_maps(graph, stage, setup);
     const glm::dvec3 towards_sun =
         setup.directional_count > 0 ? glm::dvec3(setup.records.front().direction) : glm::dvec3(0, 1, 0);
     const shadow::SunView view = sun(towards_sun, std::max(setup.shadow_size, 4U));
@@ -199,28 +247,32 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, const
                                .tuning = tuning},
                               shadow_map);
     }
-    return light::add_light(graph, {.frame = stage.frame,
-                                    .lighting = gpu::import_whole(graph, "lighting", light_globals_),
-                                    .lights = gpu::import_whole(graph, "lights", lights_),
-                                    .draw = stage.surface.draw,
-                                    .depth = stage.surface.depth,
-                                    .normal = stage.surface.normal,
-                                    .draws = stage.draws,
-                                    .materials = stage.materials,
-                                    .sun_map = shadow_map,
-                                    .sun_shadow = gpu::import_whole(graph, "sun", sun_shadow_),
-                                    .coordinate = stage.surface.coordinate,
-                                    .footprint = stage.surface.footprint,
-                                    .edge_look = gpu::import_whole(graph, "edges", edge_look_),
-                                    .shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines),
-                                    .has_shadow = setup.shadow_size > 0,
-                                    .local_count = lighting.local_count,
-                                    .has_emissive = needs_.emissive,
-                                    .keeps_strongest = setup.keeps_strongest,
-                                    .counts_visits = setup.counts_visits,
-                                    .looks_at_all = setup.looks_at_all,
-                                    .has_links = setup.has_links,
-                                    .size_px = size_px});
+    return light::add_light(graph,
+                            {.frame = stage.frame,
+                             .lighting = gpu::import_whole(graph, "lighting", light_globals_),
+                             .lights = gpu::import_whole(graph, "lights", lights_),
+                             .draw = stage.surface.draw,
+                             .depth = stage.surface.depth,
+                             .normal = stage.surface.normal,
+                             .draws = stage.draws,
+                             .materials = stage.materials,
+                             .sun_map = shadow_map,
+                             .sun_shadow = gpu::import_whole(graph, "sun", sun_shadow_),
+                             .coordinate = stage.surface.coordinate,
+                             .footprint = stage.surface.footprint,
+                             .edge_look = gpu::import_whole(graph, "edges", edge_look_),
+                             .shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines),
+                             .local_shadows = gpu::import_whole(graph, "local shadows", local_shadows_),
+                             .local_maps = local_maps,
+                             .has_local_shadows = setup.local_shadow_size > 0,
+                             .has_shadow = setup.shadow_size > 0,
+                             .local_count = lighting.local_count,
+                             .has_emissive = needs_.emissive,
+                             .keeps_strongest = setup.keeps_strongest,
+                             .counts_visits = setup.counts_visits,
+                             .looks_at_all = setup.looks_at_all,
+                             .has_links = setup.has_links,
+                             .size_px = size_px});
 }
 
 std::vector<shared::PosedVertex> Drawing::posed()

@@ -47,7 +47,8 @@ struct LightSetup {
     uint32_t directional_count = 0;
     glm::vec3 ambient{0.0F};
     float falloff = 1.0F;
-    uint32_t shadow_size = 0;
+    uint32_t shadow_size = 0;       ///< texels a side of the sun's map
+    uint32_t local_shadow_size = 0; ///< of each map of a local light; 0: no such shadows
     bool counts_visits = false;
     bool looks_at_all = false;
     bool keeps_strongest = false;
@@ -99,7 +100,9 @@ private:
     gpu::BufferId add_visibility(gpu::Graph& graph, gpu::BufferId posed);
     Stage add_surface(gpu::Graph& graph);
     screen::Screen add_screen(gpu::Graph& graph);
-    light::LitPixels add_light(gpu::Graph& graph, const Stage& stage, const LightSetup& setup);
+    light::LitPixels add_light(gpu::Graph& graph, const Stage& stage, LightSetup setup);
+    /// Fills in the records' shadows and draws their maps.
+    gpu::BufferId add_local_maps(gpu::Graph& graph, const Stage& stage, LightSetup& setup);
     raster::RasterInputs raster_inputs(gpu::Graph& graph, gpu::BufferId posed);
     std::vector<raster::Batch> batches() const;
     /// What throws shadows in the light of the first record.
@@ -117,6 +120,9 @@ private:
     gpu::Buffer light_globals_;
     gpu::Buffer lights_;
     gpu::Buffer shadow_map_;
+    gpu::Buffer local_shadows_;
+    gpu::Buffer local_maps_;
+    gpu::Buffer local_views_;
     gpu::Buffer sun_shadow_;
     gpu::Buffer edge_look_;
 };

@@ -13,6 +13,7 @@
 #include "techniques/light/light.glsl.h"
 #include "techniques/light/local_light.glsl"
 #include "techniques/shadow/edge.glsl.h"
+#include "techniques/shadow/local.glsl.h"
 #include "techniques/shadow/sun.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -66,6 +67,13 @@ layout(scalar, binding = 13) readonly buffer Lists
 layout(binding = 14, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
 layout(binding = 15, r32ui) writeonly uniform uimage2D out_strongest; // see LitPixels
 
+layout(scalar, binding = 16) readonly buffer LocalShadows
+{
+    LocalShadow local_shadows[];
+};
+
+layout(binding = 17) uniform samplerBuffer local_maps;
+
 layout(push_constant) uniform Constants
 {
     ListTiles list_tiles;
@@ -85,6 +93,7 @@ const bool has_stroke_edges = (variant & 0x100u) != 0u;
 const bool has_wave_edges = (variant & 0x200u) != 0u;
 const bool has_edges = has_stroke_edges || has_wave_edges;
 const bool has_soft_sun = (variant & 0x400u) != 0u;
+const bool has_local_shadows = (variant & 0x1000u) != 0u;
 
 const float most_light = 65504.0; // that half floats hold
 const uint lights_per_round = 256u;
@@ -108,6 +117,7 @@ shared uint tile_slices;
 shared uint reaching[lights_per_round / 32u];
 
 #include "techniques/shadow/edge.glsl"
+#include "techniques/shadow/local_shadow.glsl"
 #include "techniques/shadow/sun_shadow.glsl"
 
 Edge edge_at(ivec2 pixel, uint word, float depth, vec3 point, vec3 normal)
@@ -251,8 +261,29 @@ uint listed_light(uint first, uint place)
     return lighting.directional_count + (has_lists ? lists[first + place] : place);
 }
 
-// The sum of the local lights that reach `point`; `groups` are those that light it.
-vec3 local_lights(Tile tile, vec3 point, vec3 normal, uint groups)
+// A place to light, and how it stands to the lights.
+struct Receiver {
+    vec3 point;
+    vec3 normal;
+    vec3 smooth_normal;
+    uint groups; // lit by these
+    bool takes_shadow;
+};
+
+// What arrives of a local light, its shadow counted.
+vec3 shadowed_light(LightRecord light, Receiver at)
+{
+    vec3 arriving = local_light(light, at.point, at.normal);
+    bool lit = !has_links || (light.groups & at.groups) != 0u;
+    if (has_local_shadows && lit && at.takes_shadow && light.shadow != 0u) {
+        arriving *=
+            local_visibility(local_shadows[light.shadow - 1u], light.position, at.point, at.smooth_normal);
+    }
+    return lit ? arriving : vec3(0.0);
+}
+
+// The sum of the local lights that reach a place.
+vec3 local_lights(Tile tile, Receiver at)
 {
     uvec2 part = gl_WorkGroupID.xy * 8u / list_tiles.tile_px;
     uint first = (part.y * list_tiles.columns + part.x) * (lighting.local_count + 1u);
@@ -278,12 +309,10 @@ vec3 local_lights(Tile tile, vec3 point, vec3 normal, uint groups)
                 uint bit = uint(findLSB(bits));
                 bits &= bits - 1u;
                 LightRecord light = lights[listed_light(first + 1u, done + word * 32u + bit)];
-                vec3 arriving = local_light(light, point, normal);
-                bool lit = !has_links || (light.groups & groups) != 0u;
-                arriving = lit ? arriving : vec3(0.0);
-                weigh(arriving, light.position - point);
+                vec3 arriving = shadowed_light(light, at);
+                weigh(arriving, light.position - at.point);
                 sum += arriving;
-                visits += vec2(1.0, distance(point, light.position) < light.range_m ? 1.0 : 0.0);
+                visits += vec2(1.0, distance(at.point, light.position) < light.range_m ? 1.0 : 0.0);
             }
         }
         barrier();
@@ -328,7 +357,7 @@ void main()
     }
     if (has_local_lights) {
         Tile tile = find_tile(sees_draw(word), point);
-        vec3 local = local_lights(tile, point, normal, groups);
+        vec3 local = local_lights(tile, Receiver(point, normal, smooth_normal, groups, takes_shadow));
         light = counts_visits ? local : light + local;
     }
     if (!on_page) {

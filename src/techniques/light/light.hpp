@@ -52,6 +52,9 @@ struct LightInputs {
     gpu::ImageId footprint;
     gpu::BufferId edge_look;     ///< EdgeLook, see shadow/edge.glsl.h
     uint32_t shadow_variant = 0; ///< see shadow/edge_look.hpp
+    gpu::BufferId local_shadows; ///< LocalShadow, see shadow/local.glsl.h
+    gpu::BufferId local_maps;    ///< near distance over distance, of all maps of local lights
+    bool has_local_shadows = false;
     bool has_shadow = false;
     uint32_t local_count = 0; ///< point and spot lights, after the directional ones
     bool has_emissive = false;

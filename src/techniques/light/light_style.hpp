@@ -66,7 +66,7 @@ inline const style::Table<LightStyle>& light_table()
                     "for the style's sun alone")
             .number("falloff", &LightStyle::falloff, {0.05F, 4.0F}, "",
                     "Exponent of the cosine: 1 is Lambert's law, less keeps slanted light bright")
-            .toggle("shadows", &LightStyle::shadows, "Whether the sun throws shadows")
+            .toggle("shadows", &LightStyle::shadows, "Whether lights throw shadows")
             .integer("shadow_size", &LightStyle::shadow_size, {0, 4096}, "texels",
                      "Side of the sun's shadow map; 0 takes about a texel for each pixel of the picture")
             .text("lights", &LightStyle::lights,

@@ -15,6 +15,9 @@ struct ShadowStyle {
     float edge_variety = 0.5F;
     float edge_slant_deg = 35.0F;
     float sun_radius_deg = 0.0F;
+    int local_lights = 32;
+    int local_size = 0;
+    float local_megatexels = 16.0F;
 };
 
 inline const style::Table<ShadowStyle>& shadow_table()
@@ -35,7 +38,15 @@ inline const style::Table<ShadowStyle>& shadow_table()
                     "Waves: bearing of the first direction that the teeth are set across; 0 is +z, 90 +x")
             .number("sun_radius_deg", &ShadowStyle::sun_radius_deg, {0.0F, 15.0F}, "deg",
                     "Half the angle that the sun fills: 0 for hard edges, 0.27 as it is; penumbrae widen "
-                    "with distance, and teeth with them");
+                    "with distance, and teeth with them")
+            .integer("local_lights", &ShadowStyle::local_lights, {0, 4096}, "",
+                     "How many lamps and spots throw shadows at most; those that light most of the page do")
+            .integer("local_size", &ShadowStyle::local_size, {0, 4096}, "texels",
+                     "Largest side of a spot's shadow map, and of each of a lamp's six; 0 takes the page's "
+                     "longer side for a spot and half of it for a lamp, within 256 and 2048")
+            .number("local_megatexels", &ShadowStyle::local_megatexels, {0.1F, 32.0F}, "million texels",
+                    "What all these maps hold together; beyond it they are made smaller, and at last left "
+                    "out");
     return table;
 }
 

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "frame/local_shadows.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "techniques/raster/views.hpp"
+
+namespace estampe::frame {
+namespace {
+
+constexpr uint32_t type_mask = 255;
+constexpr float range_steps = 4.0F; // to a doubling
+
+bool is_spot(const shared::LightRecord& record)
+{
+    return (record.type & type_mask) >= shared::light_spot;
+}
+
+glm::vec3 any_side(const glm::vec3& beam)
+{
+    const glm::vec3 helper = std::abs(beam.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    return glm::normalize(glm::cross(beam, helper));
+}
+
+bool reaches(const shadow::LocalLight& light, const Bounds& place)
+{
+    const glm::dvec3 position(light.position);
+    const glm::dvec3 gap = glm::max(glm::max(place.min - position, position - place.max), glm::dvec3(0.0));
+    return glm::length(gap) <= static_cast<double>(light.range_m);
+}
+
+float brightness(const glm::vec3& color)
+{
+    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
+}
+
+} // namespace
+
+shadow::LocalLight local_light(const shared::LightRecord& record)
+{
+    shadow::LocalLight light{.position = record.position,
+                             .range_m =
+                                 std::exp2(std::ceil(std::log2(record.range_m) * range_steps) / range_steps),
+                             .casters = record.groups >> 16U};
+    if (is_spot(record)) {
+        const bool has_side = glm::dot(record.side, record.side) > 0.5F;
+        light.beam = record.direction;
+        light.side = has_side ? record.side : any_side(record.direction);
+        light.half_angle_rad = std::acos(std::clamp(-record.cone_offset / record.cone_scale, -1.0F, 1.0F));
+    }
+    return light;
+}
+
+shadow::AtlasRequest atlas_request(const shared::LightRecord& record, const shadow::LocalLight& light,
+                                   const PageView& page, const shadow::ShadowStyle& style)
+{
+    const uint32_t half_page = std::bit_ceil(std::max(page.longer_side_px, 2U)) / 2;
+    const uint32_t largest = style.local_size > 0 ? static_cast<uint32_t>(style.local_size)
+                             : light.is_cube()    ? std::clamp(half_page, 256U, 1024U)
+                                                  : std::clamp(2 * half_page, 512U, 2048U);
+    // What stands half as far as the light reaches, or the scene, tells how fine its shadow is seen.
+    const float distance_m = std::max(glm::distance(light.position, page.eye_anchor), 1e-6F);
+    const float throw_m = 0.5F * std::min(light.range_m, page.scene_radius_m);
+    const float side_m = 2.0F * throw_m * (light.is_cube() ? 1.0F : std::tan(light.half_angle_rad));
+    const float reach_share = std::min(light.range_m / distance_m, 1.0F);
+    return {.map_count = light.map_count(),
+            .wanted_size = side_m / (page.pixel_angle * std::max(distance_m, throw_m)),
+            .largest_size = largest,
+            .importance = reach_share * reach_share * brightness(record.color)};
+}
+
+LocalShadowPlan LocalShadows::plan(light::Lighting& lighting, std::span<const Bounds> moved,
+                                   const PageView& page, const shadow::ShadowStyle& style)
+{
+    LocalShadowPlan plan;
+    const std::span records = std::span(lighting.records).subspan(lighting.directional_count);
+    std::vector<shadow::LocalLight> lights;
+    std::vector<shadow::AtlasRequest> requests;
+    for (shared::LightRecord& record : records) {
+        record.shadow = 0;
+        lights.push_back(local_light(record));
+        const bool throws_shadows = lights.back().casters != 0 && brightness(record.color) > 0.0F;
+        requests.push_back(throws_shadows ? atlas_request(record, lights.back(), page, style)
+                                          : shadow::AtlasRequest{});
+    }
+    const auto budget_texels = static_cast<uint64_t>(style.local_megatexels * 1e6F);
+    const auto lots =
+        atlas_.allot(requests, {.texels = budget_texels, .lights = static_cast<size_t>(style.local_lights)});
+    kept_.resize(records.size());
+    for (size_t i = 0; i < records.size(); ++i) {
+        const shadow::Allotment& lot = lots[i];
+        if (lot.size == 0) {
+            plan.without += requests[i].map_count > 0 ? 1U : 0U;
+            kept_[i] = {};
+            continue;
+        }
+        plan.shadows.push_back(shadow::local_shadow(lights[i], lot.size, lot.first_texel));
+        records[i].shadow = static_cast<uint32_t>(plan.shadows.size());
+        const bool is_kept =
+            kept_[i].light == lights[i] && kept_[i].allotment == lot &&
+            std::ranges::none_of(moved, [&](const Bounds& place) { return reaches(lights[i], place); });
+        if (is_kept) {
+            continue;
+        }
+        kept_[i] = {lights[i], lot};
+        for (const shadow::LocalView& view : shadow::local_views(lights[i], plan.shadows.back())) {
+            plan.redrawn.push_back({.clip_from_anchor = view.clip_from_anchor,
+                                    .eye_anchor = lights[i].position,
+                                    .reach_m = lights[i].range_m,
+                                    .first_texel = view.first_texel,
+                                    .size_px = lot.size,
+                                    .origin_px = glm::uvec2(0),
+                                    .groups = lights[i].casters});
+        }
+    }
+    raster::place_views(plan.redrawn);
+    plan.texel_count = atlas_.end_texel();
+    return plan;
+}
+
+} // namespace estampe::frame

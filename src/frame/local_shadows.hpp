@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The shadow maps of local lights, from frame to frame: who gets one, how large, and which are drawn anew.
+
+#include <span>
+#include <vector>
+
+#include "gpu/resources.hpp"
+#include "techniques/light/light.hpp"
+#include "techniques/raster/raster.glsl.h"
+#include "techniques/shadow/atlas.hpp"
+#include "techniques/shadow/local_view.hpp"
+#include "techniques/shadow/shadow_style.hpp"
+
+namespace estampe::frame {
+
+/// What the maps of a local light depend on. The range is rounded up, so that the exposure of a scene that
+/// moves does not change it all the time.
+[[nodiscard]] shadow::LocalLight local_light(const shared::LightRecord& record);
+
+/// Where the page is taken from, for judging how many texels a light is worth.
+struct PageView {
+    glm::vec3 eye_anchor{0.0F};
+    float pixel_angle = 0.001F; ///< radians that a pixel spans; of parallel views at a distance of 1
+    float scene_radius_m = 1.0F;
+    uint32_t longer_side_px = 1;
+};
+
+/// What a light asks of the atlas: as many texels as its shadow fills pixels, at most the style's size or
+/// half the page for an omni and the whole page for a spot; more important the more of the page it lights.
+[[nodiscard]] shadow::AtlasRequest atlas_request(const shared::LightRecord& record,
+                                                 const shadow::LocalLight& light, const PageView& page,
+                                                 const shadow::ShadowStyle& style);
+
+/// The maps of one frame.
+struct LocalShadowPlan {
+    std::vector<shared::LocalShadow> shadows; ///< what LightRecord::shadow numbers, from 1
+    std::vector<shared::RasterView> redrawn;  ///< maps that are out of date
+    uint64_t texel_count = 0;                 ///< that the buffer of all maps must hold
+    size_t without = 0;                       ///< lights that asked for a shadow and got none
+};
+
+/// Plans the maps of a scene's local lights and remembers which of them are up to date.
+class LocalShadows {
+public:
+    /// Fills in the records' `shadow`. `moved` are the places, before and after, of what moved since the last
+    /// call. Cost: linear in lights and in what moved.
+    [[nodiscard]] LocalShadowPlan plan(light::Lighting& lighting, std::span<const Bounds> moved,
+                                       const PageView& page, const shadow::ShadowStyle& style);
+
+    /// All maps are out of date: another scene, or another buffer.
+    void forget() { kept_.clear(); }
+
+private:
+    struct Kept {
+        shadow::LocalLight light;
+        shadow::Allotment allotment;
+    };
+
+    shadow::Atlas atlas_;
+    std::vector<Kept> kept_; ///< by local light: what its maps show
+};
+
+} // namespace estampe::frame

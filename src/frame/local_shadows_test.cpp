@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "frame/local_shadows.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace estampe::frame {
+namespace {
+
+shared::LightRecord lamp(const glm::vec3& position, float range_m)
+{
+    shared::LightRecord record{};
+    record.type = shared::light_point;
+    record.position = position;
+    record.range_m = range_m;
+    record.color = glm::vec3(1.0F);
+    record.groups = 0xffffffffU;
+    return record;
+}
+
+const PageView page{
+    .eye_anchor = {0, 0, 8}, .pixel_angle = 0.002F, .scene_radius_m = 5.0F, .longer_side_px = 512};
+
+TEST(LocalShadows, RedrawsOnlyTheLightsWithinWhoseReachSomethingMoved)
+{
+    light::Lighting lighting{.records = {lamp({-5, 2, 0}, 4.0F), lamp({5, 2, 0}, 4.0F)}};
+    LocalShadows shadows;
+    EXPECT_EQ(shadows.plan(lighting, {}, page, {}).redrawn.size(), 12U);
+    EXPECT_EQ(lighting.records[0].shadow, 1U);
+    EXPECT_EQ(lighting.records[1].shadow, 2U);
+    EXPECT_TRUE(shadows.plan(lighting, {}, page, {}).redrawn.empty());
+    const std::vector<Bounds> by_the_second{{.min = {6, 0, 0}, .max = {7, 1, 1}}};
+    const auto plan = shadows.plan(lighting, by_the_second, page, {});
+    ASSERT_EQ(plan.redrawn.size(), 6U);
+    EXPECT_EQ(plan.redrawn[0].eye_anchor, glm::vec3(5, 2, 0));
+    lighting.records[0].position.x -= 0.1F;
+    EXPECT_EQ(shadows.plan(lighting, {}, page, {}).redrawn.size(), 6U);
+    // A little more or less light, as a moving scene's exposure brings, redraws nothing.
+    lighting.records[0].range_m *= 0.99F;
+    EXPECT_TRUE(shadows.plan(lighting, {}, page, {}).redrawn.empty());
+    shadows.forget();
+    EXPECT_EQ(shadows.plan(lighting, {}, page, {}).redrawn.size(), 12U);
+}
+
+TEST(LocalShadows, SomeLightsGoWithout)
+{
+    light::Lighting lighting{
+        .records = {lamp({-5, 2, 0}, 4.0F), lamp({5, 2, 0}, 4.0F), lamp({0, 2, 0}, 4.0F)}};
+    lighting.records[1].groups = 0x0000ffffU; // nothing blocks it
+    LocalShadows shadows;
+    shadow::ShadowStyle style;
+    style.local_lights = 1;
+    const auto plan = shadows.plan(lighting, {}, page, style);
+    EXPECT_EQ(plan.shadows.size(), 1U);
+    EXPECT_EQ(plan.without, 1U);
+    EXPECT_EQ(lighting.records[1].shadow, 0U);
+    EXPECT_EQ(lighting.records[2].shadow, 1U);
+}
+
+TEST(LocalShadows, TakeTheConeOfASpot)
+{
+    shared::LightRecord record = lamp({0, 2, 0}, 4.0F);
+    record.type = shared::light_spot;
+    record.direction = {0, -1, 0};
+    const float outer = std::cos(0.6F);
+    record.cone_scale = 1.0F / (std::cos(0.2F) - outer);
+    record.cone_offset = -outer * record.cone_scale;
+    const shadow::LocalLight light = local_light(record);
+    EXPECT_NEAR(light.half_angle_rad, 0.6F, 1e-5F);
+    EXPECT_NEAR(glm::dot(light.side, light.beam), 0.0F, 1e-6F);
+    EXPECT_GE(light.range_m, 4.0F);
+    EXPECT_FALSE(light.is_cube());
+    EXPECT_EQ(atlas_request(record, light, page, {}).map_count, 1U);
+}
+
+} // namespace
+} // namespace estampe::frame
