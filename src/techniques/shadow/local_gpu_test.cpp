@@ -86,7 +86,9 @@ Verdict compare(const Scene& scene, const Camera& camera, const Lamp& lamp,
     const auto lit = drawing.light({.records = {record}});
     const auto surface = drawing.surface();
     const test::EmbreeScene rays(scene);
-    const double half_side = lamp.half_angle_rad > 0.0 ? std::tan(lamp.half_angle_rad) : 1.0;
+    // A spot that is too wide for one map has six, as a lamp has.
+    const bool has_one_map = lamp.half_angle_rad > 0.0 && lamp.half_angle_rad < 1.1;
+    const double half_side = has_one_map ? std::tan(lamp.half_angle_rad) : 1.0;
     Verdict verdict;
     for (size_t i = 0; i < dark.size(); ++i) {
         const glm::dvec3 normal(surface.smooth_normal[i]);
@@ -178,7 +180,7 @@ TEST(LocalShadow, ASpotAgreesWithRays)
                              {.position = {6.0, 4.0, 2.0}, .target = {0.0, 0.5, 0.0}, .half_angle_rad = 0.7}),
                      "spot on columns", 3000);
     expect_agreement(compare(columns(), over_columns,
-                             {.position = {1.5, 3.0, 1.5}, .target = {1.0, 0.0, 1.0}, .half_angle_rad = 1.4}),
+                             {.position = {0.5, 1.6, 2.0}, .target = {0.4, 0.0, 2.0}, .half_angle_rad = 1.4}),
                      "wide spot", 3000);
 }
 
