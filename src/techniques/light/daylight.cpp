@@ -62,6 +62,7 @@ shared::LightRecord parallel_light(const glm::dvec3& towards, const glm::vec3& c
     light.type = shared::light_directional;
     light.direction = glm::vec3(towards);
     light.color = color;
+    light.groups = 0xffffffffU;
     return light;
 }
 
