@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "core/exr.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include <ImfFloatVectorAttribute.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfRgbaFile.h>
+#include <ImfStringAttribute.h>
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "core/image_codec.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr float largest_half = 65504.0F;
+constexpr uint32_t exr_magic = 20000630;
+
+class MemoryReader : public Imf::IStream {
+public:
+    MemoryReader(std::span<const std::byte> bytes, const std::string& name)
+        : Imf::IStream(name.c_str()), bytes_(bytes)
+    {
+    }
+
+    bool read(char target[], int count) override
+    {
+        const auto wanted = static_cast<uint64_t>(count);
+        if (count < 0 || wanted > bytes_.size() - std::min<uint64_t>(place_, bytes_.size())) {
+            throw std::runtime_error("the file ends too early");
+        }
+        std::memcpy(target, bytes_.data() + place_, wanted);
+        place_ += wanted;
+        return place_ < bytes_.size();
+    }
+
+    uint64_t tellg() override { return place_; }
+
+    void seekg(uint64_t place) override { place_ = place; }
+
+private:
+    std::span<const std::byte> bytes_;
+    uint64_t place_ = 0;
+};
+
+class MemoryWriter : public Imf::OStream {
+public:
+    MemoryWriter() : Imf::OStream("picture") {}
+
+    void write(const char source[], int count) override
+    {
+        const auto length = static_cast<uint64_t>(count);
+        bytes.resize(std::max<uint64_t>(bytes.size(), place_ + length));
+        std::memcpy(bytes.data() + place_, source, length);
+        place_ += length;
+    }
+
+    uint64_t tellp() override { return place_; }
+
+    void seekp(uint64_t place) override { place_ = place; }
+
+    std::vector<std::byte> bytes;
+
+private:
+    uint64_t place_ = 0;
+};
+
+float sound(float value)
+{
+    return std::isfinite(value) ? std::clamp(value, 0.0F, largest_half) : 0.0F;
+}
+
+ExrFile read_picture(std::span<const std::byte> bytes, const std::string& name)
+{
+    MemoryReader stream(bytes, name);
+    Imf::RgbaInputFile file(stream, 0);
+    const Imath::Box2i window = file.dataWindow();
+    const int64_t width = int64_t{window.max.x} - window.min.x + 1;
+    const int64_t height = int64_t{window.max.y} - window.min.y + 1;
+    if (width < 1 || height < 1 || width > max_image_side || height > max_image_side ||
+        static_cast<uint64_t>(width * height) > max_image_pixels) {
+        throw Error(fmt::format("a picture of {} x {} pixels is beyond the limits", width, height), name);
+    }
+    ExrFile result;
+    result.image.width = static_cast<uint32_t>(width);
+    result.image.height = static_cast<uint32_t>(height);
+    std::vector<Imf::Rgba> row(static_cast<size_t>(width));
+    result.image.texels.reserve(static_cast<size_t>(width * height));
+    for (int y = window.min.y; y <= window.max.y; ++y) {
+        file.setFrameBuffer(row.data() - window.min.x - int64_t{y} * width, 1, static_cast<size_t>(width));
+        file.readPixels(y);
+        for (const Imf::Rgba& texel : row) {
+            result.image.texels.emplace_back(sound(texel.r), sound(texel.g), sound(texel.b));
+        }
+    }
+    for (auto entry = file.header().begin(); entry != file.header().end(); ++entry) {
+        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&entry.attribute())) {
+            result.texts[entry.name()] = text->value();
+        } else if (const auto* list = dynamic_cast<const Imf::FloatVectorAttribute*>(&entry.attribute())) {
+            result.numbers[entry.name()] = list->value();
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+bool is_exr(std::span<const std::byte> bytes)
+{
+    uint32_t magic = 0;
+    std::memcpy(&magic, bytes.data(), std::min(bytes.size(), sizeof magic));
+    return magic == exr_magic;
+}
+
+std::vector<std::byte> encode_exr(const ExrFile& file)
+{
+    const LightImage& image = file.image;
+    if (image.empty() || image.texels.size() != static_cast<size_t>(image.width) * image.height) {
+        throw Error("an empty picture cannot be written");
+    }
+    const auto width = static_cast<int>(image.width);
+    const auto height = static_cast<int>(image.height);
+    Imf::Header header(width, height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const auto& [key, text] : file.texts) {
+        header.insert(key, Imf::StringAttribute(text));
+    }
+    for (const auto& [key, list] : file.numbers) {
+        header.insert(key, Imf::FloatVectorAttribute(list));
+    }
+    std::vector<Imf::Rgba> texels;
+    texels.reserve(image.texels.size());
+    for (const glm::vec3& texel : image.texels) {
+        texels.emplace_back(sound(texel.x), sound(texel.y), sound(texel.z), 1.0F);
+    }
+    MemoryWriter stream;
+    {
+        Imf::RgbaOutputFile output(stream, header, Imf::WRITE_RGB, 0);
+        output.setFrameBuffer(texels.data(), 1, image.width);
+        output.writePixels(height);
+    }
+    return std::move(stream.bytes);
+}
+
+ExrFile decode_exr(std::span<const std::byte> bytes, const std::string& name)
+{
+    if (!is_exr(bytes)) {
+        throw Error("is not an OpenEXR picture", name);
+    }
+    try {
+        return read_picture(bytes, name);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& problem) {
+        const std::string_view reason = problem.what();
+        throw Error(fmt::format("is damaged: {}", reason.substr(0, reason.find('\n'))), name);
+    }
+}
+
+} // namespace estampe

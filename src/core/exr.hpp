@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <estampe/lightmap.hpp>
+
+namespace estampe {
+
+/// An OpenEXR picture with attributes of our own in its header.
+struct ExrFile {
+    LightImage image;
+    std::map<std::string, std::string> texts;
+    std::map<std::string, std::vector<float>> numbers;
+};
+
+/// Encodes red, green and blue as half floats, without loss beyond that; the same picture gives the same
+/// bytes. Values are held to what a half can carry. Throws Error when the image is empty.
+[[nodiscard]] std::vector<std::byte> encode_exr(const ExrFile& file);
+
+/// Decodes the first part of an OpenEXR picture; grey becomes three channels, alpha is left out. Negative and
+/// non-finite values become zero. Throws Error with `name` as its place when the data is none, damaged or
+/// beyond the limits of image_codec.hpp.
+[[nodiscard]] ExrFile decode_exr(std::span<const std::byte> bytes, const std::string& name);
+
+/// Whether the bytes begin as an OpenEXR picture does.
+[[nodiscard]] bool is_exr(std::span<const std::byte> bytes);
+
+} // namespace estampe

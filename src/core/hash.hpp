@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+namespace estampe {
+
+/// A fingerprint of values in turn, the same on every machine of the same byte order: eight bytes at a time
+/// through the finaliser of Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", 2014.
+/// Not for secrets.
+class Hash {
+public:
+    template <class T>
+    void add(const T& value)
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        add_bytes(&value, sizeof value);
+    }
+
+    template <class T>
+    void add_all(const std::vector<T>& values)
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        add(static_cast<uint64_t>(values.size()));
+        add_bytes(values.data(), values.size() * sizeof(T));
+    }
+
+    [[nodiscard]] uint64_t value() const { return state_; }
+
+    [[nodiscard]] static constexpr uint64_t mixed(uint64_t x)
+    {
+        x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+        x = (x ^ (x >> 27U)) * 0x94D049BB133111EBULL;
+        return x ^ (x >> 31U);
+    }
+
+private:
+    void add_bytes(const void* bytes, size_t count)
+    {
+        const auto* from = static_cast<const unsigned char*>(bytes);
+        while (count > 0) {
+            uint64_t word = 0;
+            const size_t taken = count < sizeof word ? count : sizeof word;
+            std::memcpy(&word, from, taken);
+            state_ = mixed(state_ + 0x9E3779B97F4A7C15ULL + word);
+            from += taken;
+            count -= taken;
+        }
+    }
+
+    uint64_t state_ = 0;
+};
+
+} // namespace estampe

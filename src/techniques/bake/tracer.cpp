@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/bake/tracer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <embree3/rtcore.h>
+#include <estampe/error.hpp>
+
+namespace estampe::bake {
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+float brightness(const glm::vec3& color)
+{
+    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
+}
+
+/// One thread builds the tree, so that the same triangles always give the same one.
+std::shared_ptr<void> build_rays(const StaticTriangles& triangles)
+{
+    RTCDevice device = rtcNewDevice("threads=1");
+    if (device == nullptr) {
+        throw Error("Embree does not start on this processor");
+    }
+    RTCScene scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    const size_t corners = triangles.positions.size();
+    auto* places = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), corners));
+    auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), corners / 3));
+    if (places == nullptr || indices == nullptr) {
+        rtcReleaseGeometry(geometry);
+        rtcReleaseScene(scene);
+        rtcReleaseDevice(device);
+        throw Error("the scene is too large to follow rays through");
+    }
+    std::copy(triangles.positions.begin(), triangles.positions.end(), places);
+    for (uint32_t i = 0; i < corners; ++i) {
+        indices[i] = i;
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene);
+    return {scene, [device](void* built) {
+                rtcReleaseScene(static_cast<RTCScene>(built));
+                rtcReleaseDevice(device);
+            }};
+}
+
+RTCRay ray_of(const glm::vec3& from, const glm::vec3& direction, float reach_m)
+{
+    RTCRay ray{};
+    ray.org_x = from.x;
+    ray.org_y = from.y;
+    ray.org_z = from.z;
+    ray.dir_x = direction.x;
+    ray.dir_y = direction.y;
+    ray.dir_z = direction.z;
+    ray.tfar = reach_m;
+    ray.mask = ~0U;
+    return ray;
+}
+
+/// A direction about `normal`, more often the more it lies along it: Malley's method, over a frame after Duff
+/// et al., "Building an Orthonormal Basis, Revisited", 2017.
+glm::vec3 cosine_direction(const glm::vec3& normal, const glm::vec2& square)
+{
+    const float sign = std::copysign(1.0F, normal.z);
+    const float a = -1.0F / (sign + normal.z);
+    const float b = normal.x * normal.y * a;
+    const glm::vec3 right(1.0F + sign * normal.x * normal.x * a, sign * b, -sign * normal.x);
+    const glm::vec3 up(b, sign + normal.y * normal.y * a, -normal.y);
+    const float radius = std::sqrt(square.x);
+    const float angle = 2.0F * pi * square.y;
+    const float height = std::sqrt(std::max(1e-6F, 1.0F - square.x));
+    return glm::normalize(right * (radius * std::cos(angle)) + up * (radius * std::sin(angle)) +
+                          normal * height);
+}
+
+/// What a lamp sends to a place that nothing hides, and the way to it.
+struct Beam {
+    glm::vec3 light{0.0F};
+    glm::vec3 direction{0.0F};
+    float distance_m = INFINITY;
+};
+
+Beam beam_of(const Lamp& lamp, const glm::vec3& place, const glm::vec3& normal)
+{
+    if (lamp.kind == LampKind::directional) {
+        return {lamp.color * std::max(glm::dot(normal, lamp.direction), 0.0F), lamp.direction, INFINITY};
+    }
+    const glm::vec3 way = lamp.position - place;
+    const float distance_2 = std::max(glm::dot(way, way), 1e-6F);
+    const float distance_m = std::sqrt(distance_2);
+    const glm::vec3 direction = way / distance_m;
+    float strength = std::max(glm::dot(normal, direction), 0.0F) / distance_2;
+    if (lamp.range_m > 0.0F) {
+        const float ratio = distance_2 / (lamp.range_m * lamp.range_m);
+        strength *= std::clamp(1.0F - ratio * ratio, 0.0F, 1.0F);
+    }
+    if (lamp.kind == LampKind::spot) {
+        const float cone =
+            std::clamp(glm::dot(-direction, lamp.direction) * lamp.cone_scale + lamp.cone_offset, 0.0F, 1.0F);
+        strength *= cone * cone;
+    }
+    return {lamp.color * strength, direction, distance_m};
+}
+
+} // namespace
+
+Tracer::Tracer(const StaticTriangles& triangles, const Surfaces& surfaces, const BakeSettings& settings)
+    : surfaces_(surfaces), settings_(settings), rays_(build_rays(triangles))
+{
+    constexpr float lift_share = 2e-5F;
+    float radius_m = 0.0F;
+    for (const glm::vec3& place : triangles.positions) {
+        radius_m = std::max(radius_m, glm::length(place));
+    }
+    lift_m_ = lift_share * radius_m;
+    float sum = 0.0F;
+    for (uint32_t i = 0; i < surfaces.count(); ++i) {
+        const float glow = brightness(surfaces.material(i).emissive);
+        const float power = glow * surfaces.area_m2(i);
+        if (power > 0.0F && surfaces.material(i).alpha_mode != AlphaMode::blend) {
+            glow_of_triangle_.resize(surfaces.count());
+            glow_of_triangle_[i] = glow;
+            sum += power;
+            glowing_.push_back(i);
+            glow_sums_.push_back(sum);
+        }
+    }
+}
+
+std::optional<Tracer::Hit> Tracer::nearest(const glm::vec3& from, const glm::vec3& direction, float reach_m,
+                                           Random& random) const
+{
+    constexpr int most_passed = 64;
+    constexpr float step_on = 1.0F + 1e-6F;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit found{};
+    found.ray = ray_of(from, direction, reach_m);
+    for (int passed = 0; passed < most_passed; ++passed) {
+        found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(static_cast<RTCScene>(rays_.get()), &context, &found);
+        if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+            return std::nullopt;
+        }
+        const Hit hit{found.hit.primID, {found.hit.u, found.hit.v}, found.ray.tfar};
+        if (!surfaces_.lets_rays_pass() || random.next() < surfaces_.cover(hit.triangle, hit.weights)) {
+            return hit;
+        }
+        found.ray.tnear = found.ray.tfar * step_on + 0.1F * lift_m_;
+        found.ray.tfar = reach_m;
+    }
+    return std::nullopt;
+}
+
+bool Tracer::blocked(const glm::vec3& from, const glm::vec3& direction, float reach_m, Random& random) const
+{
+    if (surfaces_.lets_rays_pass()) {
+        return nearest(from, direction, reach_m, random).has_value();
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay ray = ray_of(from, direction, reach_m);
+    rtcOccluded1(static_cast<RTCScene>(rays_.get()), &context, &ray);
+    return ray.tfar < 0.0F;
+}
+
+glm::vec3 Tracer::from_lamps(const Vertex& vertex, bool baked_alone, Random& random) const
+{
+    // One lamp stands for all: it is chosen as often as it is bright, so its light counts for the whole sum.
+    Beam chosen;
+    float chosen_brightness = 0.0F;
+    float sum = 0.0F;
+    for (const Lamp& lamp : settings_.lamps) {
+        if (baked_alone && !lamp.baked) {
+            continue;
+        }
+        const Beam beam = beam_of(lamp, vertex.place, vertex.normal);
+        const float own = brightness(beam.light);
+        if (own <= 0.0F || glm::dot(beam.direction, vertex.plane) <= 0.0F) {
+            continue;
+        }
+        sum += own;
+        if (random.next() * sum < own) {
+            chosen = beam;
+            chosen_brightness = own;
+        }
+    }
+    if (chosen_brightness <= 0.0F ||
+        blocked(vertex.place, chosen.direction, chosen.distance_m * (1.0F - 1e-4F), random)) {
+        return glm::vec3(0.0F);
+    }
+    return chosen.light * (sum / chosen_brightness);
+}
+
+glm::vec3 Tracer::glow_towards(const Hit& hit, const glm::vec3& direction) const
+{
+    const bool sees_front = glm::dot(direction, surfaces_.plane_normal(hit.triangle)) < 0.0F;
+    return sees_front || surfaces_.material(hit.triangle).double_sided
+               ? surfaces_.glow(hit.triangle, hit.weights)
+               : glm::vec3(0.0F);
+}
+
+/// How likely from_glow() is to look in this direction, a steradian.
+float Tracer::glow_density(uint32_t triangle, const glm::vec3& direction, float distance_m) const
+{
+    if (glowing_.empty()) {
+        return 0.0F;
+    }
+    const float cosine = std::abs(glm::dot(direction, surfaces_.plane_normal(triangle)));
+    return glow_of_triangle_[triangle] / glow_sums_.back() * distance_m * distance_m /
+           std::max(cosine, 1e-6F);
+}
+
+glm::vec3 Tracer::from_glow(const Vertex& vertex, Random& random) const
+{
+    if (glowing_.empty()) {
+        return glm::vec3(0.0F);
+    }
+    const float pick = random.next() * glow_sums_.back();
+    const auto found = std::upper_bound(glow_sums_.begin(), glow_sums_.end() - 1, pick);
+    Hit target{.triangle = glowing_[static_cast<size_t>(found - glow_sums_.begin())]};
+    const float root = std::sqrt(random.next());
+    target.weights = {root * (1.0F - random.next()), 0.0F};
+    target.weights.y = root - target.weights.x;
+    const glm::vec3 way = surfaces_.place(target.triangle, target.weights) - vertex.place;
+    const float distance_m = glm::length(way);
+    const glm::vec3 direction = way / std::max(distance_m, 1e-12F);
+    const float cosine = glm::dot(direction, vertex.normal);
+    if (cosine <= 0.0F || glm::dot(direction, vertex.plane) <= 0.0F) {
+        return glm::vec3(0.0F);
+    }
+    const glm::vec3 glow = glow_towards(target, direction);
+    const float own = glow_density(target.triangle, direction, distance_m);
+    if (glow == glm::vec3(0.0F) ||
+        blocked(vertex.place, direction, distance_m * (1.0F - 1e-4F) - lift_m_, random)) {
+        return glm::vec3(0.0F);
+    }
+    return glow * (cosine / pi / (own + cosine / pi)); // the balance heuristic
+}
+
+Arrival Tracer::follow(const Texel& texel, const glm::vec2& first, Random& random) const
+{
+    const glm::vec3 plane = surfaces_.plane_normal(texel.triangle);
+    Vertex vertex{.place = surfaces_.place(texel.triangle, texel.weights) + lift_m_ * plane,
+                  .normal = surfaces_.smooth_normal(texel.triangle, texel.weights),
+                  .plane = plane};
+    Arrival arrival{.light = from_lamps(vertex, true, random)};
+    glm::vec3 share(1.0F); // of what leaves the next surface
+    for (uint32_t bounce = 0;; ++bounce) {
+        arrival.light += share * from_glow(vertex, random);
+        const glm::vec2 square = bounce == 0 ? first : glm::vec2(random.next(), random.next());
+        glm::vec3 direction = cosine_direction(vertex.normal, square);
+        const float below = glm::dot(direction, vertex.plane);
+        direction = below < 0.0F ? direction - 2.0F * below * vertex.plane : direction;
+        const std::optional<Hit> hit = nearest(vertex.place, direction, INFINITY, random);
+        if (!hit) {
+            arrival.light += share * (direction.y > 0.0F ? settings_.sky : settings_.ground);
+            break;
+        }
+        const glm::vec3 front = surfaces_.plane_normal(hit->triangle);
+        const bool from_behind = glm::dot(direction, front) > 0.0F;
+        const Material& material = surfaces_.material(hit->triangle);
+        arrival.saw_a_back |= bounce == 0 && from_behind && !material.double_sided;
+        const glm::vec3 glow = glow_towards(*hit, direction);
+        if (glow != glm::vec3(0.0F)) {
+            const float cosine = std::max(glm::dot(direction, vertex.normal), 0.0F) / pi;
+            const float other = glow_density(hit->triangle, direction, hit->distance_m);
+            arrival.light += share * glow * (cosine / std::max(cosine + other, 1e-12F));
+        }
+        if (bounce == settings_.bounces) {
+            break;
+        }
+        share *= surfaces_.albedo(hit->triangle, hit->weights);
+        vertex.plane = from_behind ? -front : front;
+        vertex.normal = vertex.plane;
+        vertex.place = surfaces_.place(hit->triangle, hit->weights) + lift_m_ * vertex.plane;
+        arrival.light += share * from_lamps(vertex, false, random);
+    }
+    return arrival;
+}
+
+} // namespace estampe::bake
