@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "bake_options.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
 #include "text.hpp"
@@ -20,6 +21,7 @@ constexpr const char* examples = R"(Examples:
   estampe render temple.glb -o temple.png --style pencil --set hatch.width_mm=0.5
   estampe info helmet.gltf --json
   estampe tam -o pen.tam --preview pen.png
+  estampe bake room.glb -o room.exr
 
 Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
 
@@ -67,6 +69,7 @@ struct Typed {
     uint32_t frames = 9;
     bool million = false;
     bool moving = false;
+    std::string lightmap;
 };
 
 void add_set_option(CLI::App& command, Typed& typed, const char* help)
@@ -98,6 +101,10 @@ void add_draw_options(CLI::App& command, Typed& typed)
     add_set_option(
         command, typed,
         "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)");
+    command
+        .add_option("--lightmap", typed.lightmap,
+                    "Light worked out ahead, as estampe bake writes it for this\nscene")
+        ->type_name("EXR");
     command.add_option("--device", typed.device, "auto, cpu, or an index that estampe devices lists")
         ->type_name("DEVICE")
         ->capture_default_str();
@@ -181,11 +188,12 @@ void add_bench(CLI::App& app, Typed& typed)
     lights.add_flag("--json", typed.json, "Print JSON");
 }
 
-void add_commands(CLI::App& app, Typed& typed)
+void add_commands(CLI::App& app, Typed& typed, BakeOptions& bake)
 {
     add_bench(app, typed);
     add_render(app, typed);
     add_tam(app, typed);
+    bake.add_to(app);
     CLI::App& info = *app.add_subcommand("info", "Tell what a scene file holds");
     info.add_option("SCENE", typed.scene, "Scene file")->required()->type_name("FILE");
     info.add_flag("--json", typed.json, "Print JSON");
@@ -198,32 +206,12 @@ void add_commands(CLI::App& app, Typed& typed)
     app.add_flag("--help-style", typed.style_manual, "Print the manual of all style parameters and exit");
 }
 
-void check_count(const char* option, uint32_t count, uint32_t most)
-{
-    if (count < 1 || count > most) {
-        throw UsageError(fmt::format("{} is out of range", count), option,
-                         fmt::format("allowed: 1 to {}", most));
-    }
-}
-
-Style read_style(const Typed& typed)
-{
-    Style style = typed.style.empty() ? Style() : Style::load(typed.style);
-    for (const std::string& assignment : typed.assignments) {
-        try {
-            style.set(assignment);
-        } catch (const Error& problem) {
-            throw UsageError(problem.what());
-        }
-    }
-    return style;
-}
-
 DrawOptions read_draw_options(const Typed& typed)
 {
     DrawOptions draw;
     draw.scene = typed.scene;
     draw.output = typed.output;
+    draw.lightmap = typed.lightmap;
     std::tie(draw.width, draw.height) = parse_size(typed.size);
     draw.time_s = typed.time_s;
     if (!std::isfinite(typed.time_s)) {
@@ -236,7 +224,7 @@ DrawOptions read_draw_options(const Typed& typed)
     check_device(typed.device);
     draw.device.device = typed.device;
     draw.device.raster = parse_raster_path(typed.raster);
-    draw.style = read_style(typed);
+    draw.style = read_style(typed.style, typed.assignments);
     return draw;
 }
 
@@ -254,7 +242,7 @@ TamCommand read_tam(const Typed& typed)
         throw UsageError("the sheet is a PNG picture", "--preview " + typed.preview,
                          "the name must end in .png");
     }
-    return {.style = read_style(typed),
+    return {.style = read_style(typed.style, typed.assignments),
             .from = typed.from,
             .brush = typed.brush,
             .output = typed.output,
@@ -288,7 +276,7 @@ BenchLightsCommand read_bench(const Typed& typed)
     return bench;
 }
 
-Command to_command(const CLI::App& app, const Typed& typed)
+Command to_command(const CLI::App& app, const Typed& typed, const BakeOptions& bake)
 {
     if (typed.style_manual) {
         return StyleManualCommand{};
@@ -307,6 +295,9 @@ Command to_command(const CLI::App& app, const Typed& typed)
     }
     if (app.got_subcommand("tam")) {
         return read_tam(typed);
+    }
+    if (app.got_subcommand("bake")) {
+        return bake.read();
     }
     const bool render = app.got_subcommand("render");
     if (!render && !app.got_subcommand("graph")) {
@@ -329,12 +320,13 @@ Command to_command(const CLI::App& app, const Typed& typed)
 std::optional<Command> read_command_line(int argc, char** argv)
 {
     Typed typed;
+    BakeOptions bake;
     CLI::App app("Draws 3D scenes as a hand would: pen, ink and paper.", "estampe");
     app.set_version_flag("--version", "estampe " ESTAMPE_VERSION);
     app.require_subcommand(0, 1);
     app.get_formatter()->column_width(34);
     app.footer(examples);
-    add_commands(app, typed);
+    add_commands(app, typed, bake);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
@@ -347,7 +339,7 @@ std::optional<Command> read_command_line(int argc, char** argv)
                          fmt::format("see estampe {}--help",
                                      command ? app.get_subcommands().front()->get_name() + " " : ""));
     }
-    return to_command(app, typed);
+    return to_command(app, typed, bake);
 }
 
 } // namespace estampe::app

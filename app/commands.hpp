@@ -15,5 +15,6 @@ void run(const StylesCommand& command);
 void run(const StyleManualCommand& command);
 void run(const TamCommand& command);
 void run(const BenchLightsCommand& command);
+void run(const BakeCommand& command);
 
 } // namespace estampe::app

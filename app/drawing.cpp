@@ -71,4 +71,14 @@ RenderSettings settings_of(const DrawOptions& draw, Index animation)
             .animation = animation};
 }
 
+void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw)
+{
+    if (draw.lightmap.empty()) {
+        renderer.set_scene(scene);
+        return;
+    }
+    const Lightmap lightmap = load_lightmap(draw.lightmap);
+    renderer.set_scene(scene, &lightmap);
+}
+
 } // namespace estampe::app

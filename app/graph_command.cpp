@@ -11,13 +11,13 @@ namespace estampe::app {
 void run(const GraphCommand& command)
 {
     const DrawOptions& draw = command.draw;
-    check_output(draw.output, {draw.scene});
+    check_output(draw.output, {draw.scene, draw.lightmap});
     const Scene scene = load_scene(draw.scene);
     print_warnings(scene.warnings);
     const Index animation = choose_animation(draw, scene);
     const Camera camera = choose_camera(draw, scene, animation);
     Renderer renderer(draw.device);
-    renderer.set_scene(scene);
+    set_scene(renderer, scene, draw);
     static_cast<void>(renderer.render(camera, draw.style, settings_of(draw, animation)));
     write_file_atomically(draw.output, std::as_bytes(std::span(renderer.graph_dot())));
 }

@@ -153,4 +153,25 @@ void check_device(const std::string& text)
     }
 }
 
+void check_count(const char* option, uint32_t count, uint32_t most)
+{
+    if (count < 1 || count > most) {
+        throw UsageError(fmt::format("{} is out of range", count), option,
+                         fmt::format("allowed: 1 to {}", most));
+    }
+}
+
+Style read_style(const std::string& name, const std::vector<std::string>& assignments)
+{
+    Style style = name.empty() ? Style() : Style::load(name);
+    for (const std::string& assignment : assignments) {
+        try {
+            style.set(assignment);
+        } catch (const Error& problem) {
+            throw UsageError(problem.what());
+        }
+    }
+    return style;
+}
+
 } // namespace estampe::app

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "options.hpp"
 
@@ -23,5 +24,12 @@ inline constexpr uint32_t largest_side_px = 16384;
 
 /// Throws UsageError unless `text` is "auto", "cpu" or an index.
 void check_device(const std::string& text);
+
+/// Throws UsageError naming `option` unless `count` is 1 to `most`.
+void check_count(const char* option, uint32_t count, uint32_t most);
+
+/// The style that `--style` names, or the default one, with the assignments of `--set`. Throws UsageError for
+/// a mistake in these, Error for a style that cannot be read.
+[[nodiscard]] Style read_style(const std::string& name, const std::vector<std::string>& assignments);
 
 } // namespace estampe::app

@@ -10,6 +10,8 @@
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 
+#include "techniques/bake/bake.hpp"
+
 namespace estampe::app {
 
 /// Where --camera looks from.
@@ -29,6 +31,7 @@ struct CameraChoice {
 struct DrawOptions {
     std::string scene;
     std::string output;
+    std::string lightmap; ///< what `estampe bake` wrote; empty: none
     uint32_t width = 1280;
     uint32_t height = 720;
     CameraChoice camera;
@@ -89,8 +92,19 @@ struct BenchLightsCommand {
     bool json = false;
 };
 
+/// Works out light ahead.
+struct BakeCommand {
+    std::string scene;
+    std::string output; ///< .exr
+    Style style;
+    bake::BakeSettings settings; ///< light is set when the scene is known
+    uint32_t direct = 0;         ///< kinds of lights, see BakedLights
+    float sky = 1.0F;
+    bool resume = true;
+};
+
 using Command = std::variant<BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
-                             StylesCommand, StyleManualCommand, TamCommand>;
+                             StylesCommand, StyleManualCommand, TamCommand, BakeCommand>;
 
 /// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or
 /// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file

@@ -61,7 +61,7 @@ void run(const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
     check_extension(draw.output);
-    check_output(draw.output, {draw.scene});
+    check_output(draw.output, {draw.scene, draw.lightmap});
 
     StepClock clock;
     const Scene scene = load_scene(draw.scene);
@@ -72,7 +72,7 @@ void run(const RenderCommand& command)
     clock.finish("load");
     Renderer renderer(draw.device);
     clock.finish("device");
-    renderer.set_scene(scene);
+    set_scene(renderer, scene, draw);
     clock.finish("upload");
 
     const RenderSettings settings = settings_of(draw, animation);

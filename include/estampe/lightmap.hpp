@@ -23,12 +23,16 @@ struct LightImage {
     bool operator==(const LightImage&) const = default;
 };
 
+/// Kinds of light, as bits.
+enum BakedLights : uint32_t { baked_directional = 1, baked_point = 2, baked_spot = 4 };
+
 /// Light on the still triangles of one scene, and where each of them lies in the picture.
 struct Lightmap {
     LightImage light;               ///< irradiance over pi, at the exposure below
     std::vector<glm::vec2> corners; ///< three a still triangle of the scene, 0 to 1 from the top left
     std::string geometry;           ///< which scene it is for: a fingerprint of its still triangles
     float exposure = 1.0F;          ///< what the scene's lights were multiplied by
+    uint32_t baked_lights = 0;      ///< lights that are in the map themselves; a renderer leaves these out
     std::string settings;           ///< how it was made, in words
     bool operator==(const Lightmap&) const = default;
 };

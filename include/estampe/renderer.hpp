@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <estampe/image.hpp>
+#include <estampe/lightmap.hpp>
 #include <estampe/scene.hpp>
 #include <estampe/style.hpp>
 
@@ -78,9 +79,10 @@ public:
     /// How this renderer draws triangles; never RasterPath::automatic.
     [[nodiscard]] RasterPath raster_path() const;
 
-    /// Uploads `scene`; it replaces the one before. Throws Error when it does not fit the device's memory or
-    /// limits.
-    void set_scene(const Scene& scene);
+    /// Uploads `scene`; it replaces the one before. With a `lightmap`, what stands still is lit by that too.
+    /// Throws Error when it does not fit the device's memory or limits, or when the lightmap is another
+    /// scene's.
+    void set_scene(const Scene& scene, const Lightmap* lightmap = nullptr);
 
     /// Draws the scene. The same scene, camera, style and settings give the same bytes on the same device by
     /// the same raster path.

@@ -13,8 +13,9 @@ namespace {
 
 constexpr const char* geometry_key = "estampe:geometry";
 constexpr const char* settings_key = "estampe:settings";
+constexpr float most_kinds = baked_directional | baked_point | baked_spot;
 constexpr const char* corners_key = "estampe:corners";
-constexpr const char* exposure_key = "estampe:exposure";
+constexpr const char* numbers_key = "estampe:exposure and kinds of lights";
 
 template <class Map>
 typename Map::mapped_type taken(Map& attributes, const char* key, const std::filesystem::path& path)
@@ -39,7 +40,7 @@ void save_lightmap(const Lightmap& map, const std::filesystem::path& path)
     ExrFile file{.image = map.light};
     file.texts[geometry_key] = map.geometry;
     file.texts[settings_key] = map.settings;
-    file.numbers[exposure_key] = {map.exposure};
+    file.numbers[numbers_key] = {map.exposure, static_cast<float>(map.baked_lights)};
     std::vector<float>& corners = file.numbers[corners_key];
     corners.reserve(2 * map.corners.size());
     for (const glm::vec2& corner : map.corners) {
@@ -56,14 +57,15 @@ Lightmap load_lightmap(const std::filesystem::path& path)
     Lightmap map;
     map.geometry = taken(file.texts, geometry_key, path);
     map.settings = taken(file.texts, settings_key, path);
-    const std::vector<float> exposure = taken(file.numbers, exposure_key, path);
+    const std::vector<float> numbers = taken(file.numbers, numbers_key, path);
     const std::vector<float> corners = taken(file.numbers, corners_key, path);
     map.light = std::move(file.image);
-    if (exposure.size() != 1 || !std::isfinite(exposure[0]) || exposure[0] <= 0.0F ||
-        corners.size() % 6 != 0) {
+    if (numbers.size() != 2 || !std::isfinite(numbers[0]) || numbers[0] <= 0.0F || !(numbers[1] >= 0.0F) ||
+        numbers[1] > most_kinds || corners.size() % 6 != 0) {
         throw Error("is a damaged lightmap", path.string(), "bake it again");
     }
-    map.exposure = exposure[0];
+    map.exposure = numbers[0];
+    map.baked_lights = static_cast<uint32_t>(numbers[1]);
     for (size_t i = 0; i < corners.size(); i += 2) {
         if (!is_place(corners[i]) || !is_place(corners[i + 1])) {
             throw Error("is a damaged lightmap", path.string(), "bake it again");

@@ -2,6 +2,7 @@
 #include "frame/frame.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
@@ -161,6 +162,19 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
             local_maps);
     }
 
+    // Lightmap: what is known ahead of the light there.
+    std::optional<gpu::ImageId> lightmap;
+    if (resources.lightmaps != nullptr) {
+        lightmap = lightmap::add_lightmap(graph,
+                                          {.frame = frame,
+                                           .visibility = visibility,
+                                           .triangles = triangles,
+                                           .posed_vertices = posed_vertices,
+                                           .scale = plan.lightmap_scale,
+                                           .size_px = size_px},
+                                          *resources.lightmaps);
+    }
+
     // Light: what arrives there.
     const light::LitPixels lit = light::add_light(
         graph, {.frame = frame,
@@ -177,6 +191,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                 .footprint = surface.footprint,
                 .edge_look = gpu::import_whole(graph, "edges", resources.edge_look),
                 .shadow_variant = plan.shadow_variant,
+                .lightmap = lightmap,
                 .local_shadows = gpu::import_whole(graph, "lights' shadows", resources.local_shadows.shadows),
                 .local_maps = local_maps,
                 .has_local_shadows = plan.has_local_shadows,

@@ -11,6 +11,7 @@
 #include "gpu/graph/graph.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/light/light.hpp"
+#include "techniques/lightmap/lightmap.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/raster/views.hpp"
 #include "techniques/shadow/sun_view.hpp"
@@ -39,6 +40,7 @@ struct FrameResources {
     LocalShadowBuffers& local_shadows;
     gpu::Buffer& stroke_kinds;     ///< one a draw
     gpu::Buffer& form_coordinates; ///< three a triangle, where strokes follow the form
+    lightmap::MapBuffers* lightmaps; ///< where the scene has any
     hatch::MapImages* map;         ///< where strokes come from a map
     gpu::Image& sums;              ///< of a picture of several samples
     gpu::Buffer& pixels;           ///< the picture, four bytes a pixel, for reading back
@@ -54,6 +56,7 @@ struct FramePlan {
     raster::Tuning raster;
     surface::SceneNeeds needs;
     StrokePlan strokes;
+    float lightmap_scale = 1.0F; ///< from the lightmaps' exposure to the frame's
     uint32_t local_light_count = 0;
     bool has_local_shadows = false;
     std::vector<shared::RasterView> local_views; ///< maps of local lights to draw anew

@@ -11,6 +11,7 @@
 #include <estampe/error.hpp>
 
 #include "frame/frame.hpp"
+#include "frame/lightmaps.hpp"
 #include "frame/loaded_scene.hpp"
 #include "frame/local_shadows.hpp"
 #include "frame/sun.hpp"
@@ -92,19 +93,6 @@ uint32_t shadow_size(const light::LightStyle& style, const RenderSettings& setti
 
 } // namespace
 
-const char* name_of(RasterPath path)
-{
-    switch (path) {
-    case RasterPath::automatic:
-        return "auto";
-    case RasterPath::hardware:
-        return "hardware";
-    case RasterPath::compute:
-        return "compute";
-    }
-    return "";
-}
-
 Renderer::Renderer(const RendererOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 
 Renderer::~Renderer() = default;
@@ -123,13 +111,17 @@ RasterPath Renderer::raster_path() const
     return impl_->raster_path;
 }
 
-void Renderer::set_scene(const Scene& scene)
+void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
 {
     impl_->loaded.reset();
     impl_->shadow_view.reset();
     impl_->local_shadows.forget();
     impl_->exposure.forget();
     impl_->loaded = frame::load_onto_device(impl_->device, scene);
+    if (lightmap != nullptr) {
+        impl_->loaded->baked =
+            frame::upload_baked(impl_->device, *lightmap, scene, impl_->loaded->layout);
+    }
 }
 
 void Renderer::Impl::check_size(const RenderSettings& settings) const
@@ -334,6 +326,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     local_shadow_buffers,
                                     stroke_kinds,
                                     form_coordinates,
+                                    loaded->baked ? &loaded->baked->maps : nullptr,
                                     map ? &*map : nullptr,
                                     sums,
                                     pixels};
@@ -382,12 +375,15 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     if (daylight) {
         light::set_daylight(lighting, *daylight, tables.light);
     }
+    const float lightmap_scale =
+        impl.loaded->baked ? frame::make_room(lighting, *impl.loaded->baked, tables.lightmap) : 0.0F;
     impl.notes.clear();
     if (lighting.indoors) {
         impl.notes.emplace_back(
             "the scene has no light and the sun does not reach it: a lamp hangs in the room");
     }
     frame::FramePlan plan = impl.plan(lighting, tables, camera, settings);
+    plan.lightmap_scale = lightmap_scale;
     if (daylight) {
         plan.daylight_rad = static_cast<float>(daylight->elevation_rad);
     }

@@ -7,6 +7,7 @@
 #include "techniques/hatch/hatch.hpp"
 #include "techniques/light/light_style.hpp"
 #include "techniques/light/sun_style.hpp"
+#include "techniques/lightmap/lightmap.hpp"
 #include "techniques/paper/paper.hpp"
 #include "techniques/shadow/shadow_style.hpp"
 #include "techniques/sky/sky.hpp"
@@ -39,6 +40,7 @@ struct StyleTables {
     light::LightStyle light;
     light::SunStyle sun;
     shadow::ShadowStyle shadow;
+    lightmap::LightmapStyle lightmap;
     light::ToneStyle tone;
     hatch::HatchStyle hatch;
     tam::TamStyle tam;
@@ -57,6 +59,7 @@ struct StyleTables {
     sheet.bind(light::light_table(), tables.light);
     sheet.bind(light::sun_table(), tables.sun);
     sheet.bind(shadow::shadow_table(), tables.shadow);
+    sheet.bind(lightmap::lightmap_table(), tables.lightmap);
     sheet.bind(light::tone_table(), tables.tone);
     sheet.bind(hatch::hatch_table(), tables.hatch);
     sheet.bind(tam::tam_table(), tables.tam);

@@ -200,6 +200,41 @@ expect_error 2 'subcommand is required' bench
 expect_error 2 '--counts' bench lights --counts 0
 expect_error 2 'must end in .svg' bench lights -o lights.png
 
+# Lightmaps
+quick=(--size 512 --samples 1 --bounces 1)
+expect_success bake --help
+expect_printed 'Ctrl-C keeps what is done'
+expect_success bake scene.glb -o a.exr "${quick[@]}"
+grep -q 'texels of 512 x 512' ../"$name".err || wrong "bake said nothing of its texels"
+[[ ! -e a.exr.partial ]] || wrong "a finished bake left its partial file"
+expect_success bake scene.glb -o b.exr "${quick[@]}"
+cmp -s a.exr b.exr || wrong "the same bake has other bytes"
+expect_success bake scene.glb -o c.exr "${quick[@]}" --seed 2 --direct sun,point --sky 0.5 --set light.ambient=0.3
+! cmp -s a.exr c.exr || wrong "settings of a bake change nothing"
+expect_success render scene.glb -o dark.png "${small[@]}"
+expect_success render scene.glb -o lit.png "${small[@]}" --lightmap a.exr
+! cmp -s dark.png lit.png || wrong "a lightmap changes nothing"
+status=0
+timeout -s INT 4 "$estampe" bake scene.glb -o d.exr --size 512 --samples 60000 2>../"$name".err || status=$?
+[[ $status -ne 0 && -s d.exr.partial && ! -e d.exr ]] || wrong "a stopped bake did not keep its work"
+grep -q '^estampe: error: d.exr: stopped at ' ../"$name".err || wrong "a stopped bake said: $(cat ../"$name".err)"
+rm -f d.exr.partial
+expect_error 2 'output is required' bake scene.glb
+expect_error 2 'must end in .exr' bake scene.glb -o a.png
+expect_error 2 '--size: 8 is out of range' bake scene.glb -o d.exr --size 8
+expect_error 2 '--samples: 0 is out of range' bake scene.glb -o d.exr --samples 0
+expect_error 2 '--bounces: 99 is out of range' bake scene.glb -o d.exr --bounces 99
+expect_error 2 '--direct: "moon" is no kind of light' bake scene.glb -o d.exr --direct sun,moon
+expect_error 1 'missing.glb' bake missing.glb -o d.exr
+expect_error 1 'no such folder' bake scene.glb -o nowhere/d.exr
+expect_error 1 'charts do not fit' bake scene.glb -o d.exr --size 16
+expect_error 1 'missing.exr' render scene.glb -o d.png "${small[@]}" --lightmap missing.exr
+expect_error 1 'scene.glb: is not an OpenEXR picture' render scene.glb -o d.png "${small[@]}" --lightmap scene.glb
+head -c 3000 a.exr >truncated.exr
+expect_error 1 'truncated.exr: is damaged' render scene.glb -o d.png "${small[@]}" --lightmap truncated.exr
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >other.obj
+expect_error 1 'was made for another scene' render other.obj -o d.png "${small[@]}" --lightmap a.exr
+
 # A failure keeps the picture that was there
 expect_error 1 'truncated.glb' render truncated.glb -o a.png
 

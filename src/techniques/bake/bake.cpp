@@ -79,6 +79,13 @@ glm::vec2 even_point(uint32_t number, const glm::dvec2& shift)
     return glm::vec2(glm::fract(shift + static_cast<double>(number) * step));
 }
 
+uint32_t bit_of(LampKind kind)
+{
+    return kind == LampKind::directional ? baked_directional
+           : kind == LampKind::spot      ? baked_spot
+                                         : baked_point;
+}
+
 float brightness(const glm::vec3& color)
 {
     return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
@@ -243,6 +250,9 @@ Lightmap Bake::map() const
                  .exposure = state.settings.exposure,
                  .settings = fmt::format("{} samples, {} bounces, seed {}", state.settings.samples,
                                          state.settings.bounces, state.settings.seed)};
+    for (const Lamp& lamp : state.settings.lamps) {
+        map.baked_lights |= lamp.baked ? bit_of(lamp.kind) : 0U;
+    }
     for (const glm::vec2& corner : state.atlas.corners) {
         map.corners.push_back(glm::clamp(corner / static_cast<float>(state.settings.size), 0.0F, 1.0F));
     }

@@ -73,7 +73,7 @@ TEST(Bake, ALampInASphereLightsItByTheSeries)
     // Between any two places of a sphere the form factor is the same, so all light that is thrown off comes
     // back evenly: u * (a + a^2 + ...), where u = I / r^2 is the lamp's own.
     constexpr double albedo = 0.6;
-    Scene scene = room_of(inside_out(shapes::sphere(2.0F, 96, 48)), glm::vec3(0.6F));
+    Scene scene = room_of(inside_out(shapes::sphere(2.0F, 64, 32)), glm::vec3(0.6F));
     for (const uint32_t bounces : {1U, 3U}) {
         BakeSettings settings = quick(bounces);
         settings.lamps = {{.kind = LampKind::point, .color = glm::vec3(4.0F)}};
@@ -87,7 +87,7 @@ TEST(Bake, ALampInASphereLightsItByTheSeries)
 TEST(Bake, AGlowingCapLightsItsSphereEvenly)
 {
     // A cap of height h is h / 2r of the sphere; every place gets that share of its radiance.
-    Scene scene = room_of(inside_out(shapes::sphere(1.0F, 96, 64)), glm::vec3(0.5F));
+    Scene scene = room_of(inside_out(shapes::sphere(1.0F, 64, 48)), glm::vec3(0.5F));
     Primitive& all = scene.meshes[0].primitives[0];
     Primitive cap = all;
     cap.indices.clear();
@@ -124,7 +124,8 @@ TEST(Bake, AGlowingCapLightsItsSphereEvenly)
 TEST(Bake, AnOpenPlaneGetsTheSkyThatItFaces)
 {
     Scene scene = test::scene_of(shapes::plane(2.0F, 2.0F));
-    BakeSettings settings = quick(2);
+    BakeSettings settings = quick(2, 1024);
+    settings.size = 16;
     settings.sky = {0.2F, 0.4F, 0.8F};
     settings.ground = glm::vec3(0.1F);
     const glm::vec3 level = mean_light(scene, baked(scene, settings));

@@ -57,6 +57,16 @@ FlatTriangle flat(const Atlas& atlas, uint32_t triangle)
     return {corner[0], corner[1], corner[2]};
 }
 
+/// A little smaller, as rounding to texels moves corners by some hundred-thousandths of one.
+FlatTriangle shrunk(FlatTriangle t)
+{
+    const glm::vec2 middle = (t[0] + t[1] + t[2]) / 3.0F;
+    for (glm::vec2& corner : t) {
+        corner = glm::mix(corner, middle, 0.002F);
+    }
+    return t;
+}
+
 float flat_area(const FlatTriangle& t)
 {
     const glm::vec2 a = t[1] - t[0];
@@ -121,7 +131,8 @@ TEST_P(ChartsOf, ShapesNeitherOverlapNorStretch)
             EXPECT_LE(std::max(corner.x, corner.y), 512.0F - static_cast<float>(gutter));
         }
         for (const uint32_t other : atlas.triangles) {
-            ASSERT_FALSE(other < i && overlap(t, flat(atlas, other))) << i << " and " << other;
+            ASSERT_FALSE(other < i && overlap(shrunk(t), shrunk(flat(atlas, other))))
+                << i << " and " << other;
         }
     }
 }

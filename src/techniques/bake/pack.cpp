@@ -132,7 +132,9 @@ Atlas pack_charts(std::span<const Chart> charts, size_t triangle_count, uint32_t
         const double middle = std::sqrt(coarse * too_fine);
         std::vector<stbrp_rect> attempt = packed(charts, size, middle);
         (attempt.empty() ? too_fine : coarse) = middle;
-        best = attempt.empty() ? std::move(best) : std::move(attempt);
+        if (!attempt.empty()) {
+            best = std::move(attempt);
+        }
     }
     Atlas atlas{.size = size,
                 .corners = std::vector<glm::vec2>(3 * triangle_count, glm::vec2(0.5F)),

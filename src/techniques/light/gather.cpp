@@ -296,8 +296,8 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
     const float stops = style.metering == Metering::page ? 0.0F : style.exposure_stops;
     const bool is_manual = style.metering == Metering::manual && has_own;
     const float metered = is_manual ? manual_exposure(style.ev100) : key > 0.0F ? 1.0F / key : 1.0F;
-    const float exposure = metered * std::exp2(stops);
-    expose(lighting, exposure, bounds);
+    lighting.exposure = metered * std::exp2(stops);
+    expose(lighting, lighting.exposure, bounds);
     if (lighting.directional_count > 0) {
         lighting.towards_sun = glm::dvec3(records.front().direction);
         lighting.sun_casters = casters_of(records.front());
@@ -306,7 +306,7 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
         return (record.groups & all_groups) != all_groups;
     });
     lighting.ambient = glm::vec3(style.ambient * std::exp2(stops));
-    lighting.ambient += ambient * exposure;
+    lighting.ambient += ambient * lighting.exposure;
     return lighting;
 }
 

@@ -73,6 +73,7 @@ layout(scalar, binding = 16) readonly buffer LocalShadows
 };
 
 layout(binding = 17) uniform samplerBuffer local_maps;
+layout(binding = 18) uniform sampler2D lightmap_image; // irradiance / pi, and whether it is known
 
 layout(push_constant) uniform Constants
 {
@@ -89,6 +90,7 @@ const bool has_lists = (variant & 16u) != 0u;
 const bool counts_visits = (variant & 32u) != 0u; // for tests: lights looked at, and those within range
 const bool keeps_strongest = (variant & 64u) != 0u;
 const bool looks_at_all = (variant & 128u) != 0u; // for tests
+const bool has_lightmap = (variant & 0x2000u) != 0u;
 const bool has_stroke_edges = (variant & 0x100u) != 0u;
 const bool has_wave_edges = (variant & 0x200u) != 0u;
 const bool has_edges = has_stroke_edges || has_wave_edges;
@@ -341,6 +343,11 @@ void main()
     }
 
     vec3 light = mix(lighting.ground_ambient, lighting.sky_ambient, 0.5 + 0.5 * normal.y);
+    if (has_lightmap) {
+        // Where it is known what is thrown off all around, ambient need not stand for it.
+        vec4 known = texelFetch(lightmap_image, min(pixel, ivec2(frame.size_px) - 1), 0);
+        light = mix(light, known.rgb, known.a);
+    }
     float sun_visible =
         has_shadow ? sun_at(pixel, word, max(depth, 1e-9), point, smooth_normal, lights[0].direction) : 1.0;
     sun_visible = takes_shadow ? sun_visible : 1.0;

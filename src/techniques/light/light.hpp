@@ -3,6 +3,7 @@
 
 // Light that arrives at each pixel: the sun with its shadow, and any number of local lights, found per tile.
 
+#include <optional>
 #include <vector>
 
 #include <estampe/scene.hpp>
@@ -21,6 +22,7 @@ struct Lighting {
     uint32_t directional_count = 0;
     glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< of the first directional light; straight up when there is none
     glm::vec3 ambient{0.0F};
+    float exposure = 1.0F; ///< what the intensities of the scene's lights were multiplied by
     Groups sun_casters = all_groups; ///< whose shadows the first directional light throws
     bool has_groups = false;         ///< some light does not light all groups
     bool indoors = false;            ///< the lamp of a shelter, not of the scene
@@ -55,6 +57,7 @@ struct LightInputs {
     gpu::BufferId local_shadows; ///< LocalShadow, see shadow/local.glsl.h
     gpu::BufferId local_maps;    ///< near distance over distance, of all maps of local lights
     bool has_local_shadows = false;
+    std::optional<gpu::ImageId> lightmap; ///< light known ahead: takes the place of ambient where alpha is 1
     bool has_shadow = false;
     uint32_t local_count = 0; ///< point and spot lights, after the directional ones
     bool has_emissive = false;

@@ -174,7 +174,10 @@ private:
                              (primitive.uvs[0].empty() ? 0U : shared::draw_has_uv);
                 link(draw, node.links, scene_.materials[primitive.material].links);
                 data_.sources.push_back(
-                    {.node = node_index, .instance = instance, .local_bounds = uploaded.bounds});
+                    {.node = node_index,
+                     .primitive = static_cast<uint32_t>(&original - mesh.primitives.data()),
+                     .instance = instance,
+                     .local_bounds = uploaded.bounds});
                 add_draw(primitive, draw, place_of(node_index, instance), joints);
             }
         }

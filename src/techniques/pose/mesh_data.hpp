@@ -30,8 +30,9 @@ struct CasterRun {
 /// Where a draw comes from, for posing it later.
 struct DrawSource {
     Index node = 0;
-    uint32_t instance = 0; ///< into Node::instances; 0 when there are none
-    Bounds local_bounds;   ///< of the rest vertices, in object space
+    uint32_t primitive = 0; ///< of the node's mesh
+    uint32_t instance = 0;  ///< into Node::instances; 0 when there are none
+    Bounds local_bounds;    ///< of the rest vertices, in object space
 };
 
 /// Draws, vertices and triangles of a scene. Triangles come in the order opaque, masked, blended, ground.

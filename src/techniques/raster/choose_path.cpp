@@ -113,3 +113,20 @@ RasterPath choose_path(gpu::Device& device, gpu::Executor& executor, RasterPath 
 }
 
 } // namespace estampe::raster
+
+namespace estampe {
+
+const char* name_of(RasterPath path)
+{
+    switch (path) {
+    case RasterPath::automatic:
+        return "auto";
+    case RasterPath::hardware:
+        return "hardware";
+    case RasterPath::compute:
+        return "compute";
+    }
+    return "";
+}
+
+} // namespace estampe

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <unistd.h>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "frame/baking.hpp"
+#include "scene/static_triangles.hpp"
+#include "text.hpp"
+
+namespace estampe::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::atomic<bool> is_stopped = false;
+
+void stop(int)
+{
+    is_stopped = true;
+}
+
+double seconds_since(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string in_words(double seconds)
+{
+    const auto whole = static_cast<int64_t>(seconds + 0.5);
+    return whole < 60     ? fmt::format("{} s", whole)
+           : whole < 3600 ? fmt::format("{} min {} s", whole / 60, whole % 60)
+                          : fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
+}
+
+/// Percent and time left on stderr: in place on a terminal, else a line for every tenth.
+class Progress {
+public:
+    explicit Progress(double done) : first_(done), next_(done) {}
+
+    void show(double done)
+    {
+        if (!is_terminal_ && done < next_) {
+            return;
+        }
+        next_ = done + 0.1;
+        const double share = (done - first_) / std::max(1.0 - first_, 1e-9);
+        const std::string left =
+            share > 0.0 ? fmt::format(", {} left", in_words(seconds_since(start_) * (1.0 - share) / share))
+                        : "";
+        fmt::print(stderr, "{}estampe: bake: {:.0f} %{}{}", is_terminal_ ? "\r\x1b[K" : "", 100.0 * done,
+                   left, is_terminal_ ? "" : "\n");
+        std::fflush(stderr);
+    }
+
+    void clear() const
+    {
+        if (is_terminal_) {
+            fmt::print(stderr, "\r\x1b[K");
+        }
+    }
+
+private:
+    bool is_terminal_ = isatty(STDERR_FILENO) != 0;
+    double first_;
+    double next_;
+    Clock::time_point start_ = Clock::now();
+};
+
+/// Works until all is done; false when a signal came first. What is done lies in `partial` then.
+bool work_through(bake::Bake& bake, const std::filesystem::path& partial)
+{
+    constexpr double look_s = 0.5;
+    constexpr double save_s = 5.0;
+    Progress progress(bake.done());
+    Clock::time_point saved = Clock::now();
+    bool has_more = true;
+    while (has_more && !is_stopped) {
+        progress.show(bake.done());
+        has_more = bake.work(look_s);
+        if (has_more && (is_stopped || seconds_since(saved) > save_s)) {
+            bake.save_progress(partial);
+            saved = Clock::now();
+        }
+    }
+    progress.clear();
+    return !has_more;
+}
+
+} // namespace
+
+void run(const BakeCommand& command)
+{
+    check_output(command.output, {command.scene});
+    const std::filesystem::path partial = command.output + ".partial";
+    check_output(partial, {command.scene});
+    const Scene scene = load_scene(command.scene);
+    print_warnings(scene.warnings);
+    if (has_moving_parts(scene)) {
+        print_warnings(
+            {fmt::format("{}: some of it moves; only what stands still is in the map", command.scene)});
+    }
+    bake::BakeSettings settings = command.settings;
+    frame::set_light(settings, scene, command.style.tables(), {.direct = command.direct, .sky = command.sky});
+    bake::Bake bake(scene, settings);
+    if (command.resume && bake.load_progress(partial)) {
+        print_notes(
+            {fmt::format("goes on from {:.0f} %, found in {}", 100.0 * bake.done(), partial.string())});
+    } else if (std::filesystem::exists(partial)) {
+        print_notes({fmt::format("begins anew: {} is not taken up", partial.string())});
+    }
+    print_notes({fmt::format("{} texels of {} x {}, each {:.1f} mm wide", bake.texel_count(), settings.size,
+                             settings.size, 1000.0 / bake.texels_per_m())});
+    std::signal(SIGINT, stop);
+    std::signal(SIGTERM, stop);
+    if (!work_through(bake, partial)) {
+        throw Error(fmt::format("stopped at {:.0f} %", 100.0 * bake.done()), command.output,
+                    "the same command goes on from there");
+    }
+    save_lightmap(bake.map(), command.output);
+    std::filesystem::remove(partial);
+}
+
+} // namespace estampe::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// From lightmaps as files have them to lightmaps as triangles wear them.
+
+#include <optional>
+
+#include <estampe/lightmap.hpp>
+#include <estampe/scene.hpp>
+
+#include "techniques/light/light.hpp"
+#include "techniques/lightmap/lightmap.hpp"
+#include "techniques/pose/mesh_data.hpp"
+
+namespace estampe::frame {
+
+/// A baked map on the triangles of `meshes`, which were built from `scene`. What moves, what is looked
+/// through and the ground wear none. Throws Error when the map was made for another scene. Cost: linear in
+/// triangles.
+[[nodiscard]] lightmap::MapData worn_map(const Lightmap& map, const Scene& scene,
+                                         const pose::MeshData& meshes);
+
+/// The bit of a light's kind, of BakedLights.
+[[nodiscard]] uint32_t kind_of(const shared::LightRecord& light);
+
+/// A map on the device.
+struct WornLight {
+    lightmap::MapBuffers maps;
+    float exposure = 1.0F;
+    float level = 0.0F; ///< mean brightness of the map
+    uint32_t kinds = 0; ///< of lights that the map holds, see BakedLights
+};
+
+/// Uploads worn_map(). Throws Error as that, and as lightmap::upload_maps().
+[[nodiscard]] WornLight upload_baked(gpu::Device& device, const Lightmap& map, const Scene& scene,
+                                     const pose::MeshData& meshes);
+
+/// Makes room for a map in the light of a frame: leaves out lights of the kinds that it holds already, and
+/// dims the others, where the style wants that. Returns what the map is to be multiplied by.
+[[nodiscard]] float make_room(light::Lighting& lighting, const WornLight& baked,
+                              const lightmap::LightmapStyle& style);
+
+} // namespace estampe::frame

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_LIGHTMAP_GLSL_H
+#define ESTAMPE_LIGHTMAP_GLSL_H
+
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#endif
+
+// Which of the lightmaps a draw wears.
+struct LightmapSlot {
+    uint layer; // no_lightmap: none
+    float strength;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(LightmapSlot) == 8);
+inline constexpr uint no_lightmap = 0xffffffffU;
+} // namespace estampe::shared
+#else
+#define NO_LIGHTMAP 0xffffffffu
+#endif
+
+#endif
