@@ -93,17 +93,25 @@ lightmap::MapData worn_map(const Lightmap& map, const Scene& scene, const pose::
     return data;
 }
 
-WornLight upload_baked(gpu::Device& device, const Lightmap& map, const Scene& scene,
-                       const pose::MeshData& meshes)
+std::optional<WornLight> upload_baked(gpu::Device& device, const Lightmap* map, const Scene& scene,
+                                      const pose::MeshData& meshes)
 {
-    return {.maps = lightmap::upload_maps(device, worn_map(map, scene, meshes)),
-            .exposure = map.exposure,
-            .level = mean_level(map),
-            .kinds = map.baked_lights};
+    if (map == nullptr) {
+        return std::nullopt;
+    }
+    return WornLight{.maps = lightmap::upload_maps(device, worn_map(*map, scene, meshes)),
+                     .exposure = map->exposure,
+                     .level = mean_level(*map),
+                     .kinds = map->baked_lights};
 }
 
-float make_room(light::Lighting& lighting, const WornLight& baked, const lightmap::LightmapStyle& style)
+float make_room(light::Lighting& lighting, const std::optional<WornLight>& worn,
+                const lightmap::LightmapStyle& style)
 {
+    if (!worn) {
+        return 0.0F;
+    }
+    const WornLight& baked = *worn;
     std::erase_if(lighting.records,
                   [&](const shared::LightRecord& light) { return (kind_of(light) & baked.kinds) != 0; });
     lighting.directional_count = (baked.kinds & baked_directional) != 0 ? 0 : lighting.directional_count;

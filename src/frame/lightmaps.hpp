@@ -31,13 +31,14 @@ struct WornLight {
     uint32_t kinds = 0; ///< of lights that the map holds, see BakedLights
 };
 
-/// Uploads worn_map(). Throws Error as that, and as lightmap::upload_maps().
-[[nodiscard]] WornLight upload_baked(gpu::Device& device, const Lightmap& map, const Scene& scene,
-                                     const pose::MeshData& meshes);
+/// Uploads worn_map() of a map, if there is one. Throws Error as that, and as lightmap::upload_maps().
+[[nodiscard]] std::optional<WornLight> upload_baked(gpu::Device& device, const Lightmap* map,
+                                                    const Scene& scene, const pose::MeshData& meshes);
 
-/// Makes room for a map in the light of a frame: leaves out lights of the kinds that it holds already, and
-/// dims the others, where the style wants that. Returns what the map is to be multiplied by.
-[[nodiscard]] float make_room(light::Lighting& lighting, const WornLight& baked,
+/// Makes room for a map, if there is one, in the light of a frame: leaves out lights of the kinds that it
+/// holds already, and dims the others, where the style wants that. Returns what the map is to be multiplied
+/// by.
+[[nodiscard]] float make_room(light::Lighting& lighting, const std::optional<WornLight>& worn,
                               const lightmap::LightmapStyle& style);
 
 } // namespace estampe::frame

@@ -118,10 +118,7 @@ void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
     impl_->local_shadows.forget();
     impl_->exposure.forget();
     impl_->loaded = frame::load_onto_device(impl_->device, scene);
-    if (lightmap != nullptr) {
-        impl_->loaded->baked =
-            frame::upload_baked(impl_->device, *lightmap, scene, impl_->loaded->layout);
-    }
+    impl_->loaded->baked = frame::upload_baked(impl_->device, lightmap, scene, impl_->loaded->layout);
 }
 
 void Renderer::Impl::check_size(const RenderSettings& settings) const
@@ -375,8 +372,7 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     if (daylight) {
         light::set_daylight(lighting, *daylight, tables.light);
     }
-    const float lightmap_scale =
-        impl.loaded->baked ? frame::make_room(lighting, *impl.loaded->baked, tables.lightmap) : 0.0F;
+    const float lightmap_scale = frame::make_room(lighting, impl.loaded->baked, tables.lightmap);
     impl.notes.clear();
     if (lighting.indoors) {
         impl.notes.emplace_back(

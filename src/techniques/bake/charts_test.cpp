@@ -119,8 +119,11 @@ TEST_P(ChartsOf, ShapesNeitherOverlapNorStretch)
     for (uint32_t i = 0; i < corners.size() / 3; ++i) {
         const float own = area(&corners[3 * static_cast<size_t>(i)]);
         ASSERT_EQ(seen.contains(i), own > 0.0F) << i;
-        if (own < 1e-7F) {
-            continue;
+        const glm::vec3* p = &corners[3 * static_cast<size_t>(i)];
+        const float longest =
+            std::max({glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
+        if (own / longest * atlas.texels_per_m < 0.01F) {
+            continue; // rounding alone bends a triangle that is thinner than a fiftieth of a texel
         }
         const FlatTriangle t = flat(atlas, i);
         const glm::vec2 stretched = stretch(&corners[3 * static_cast<size_t>(i)], t) / atlas.texels_per_m;
