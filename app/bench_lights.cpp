@@ -19,7 +19,7 @@ namespace estampe::app {
 namespace {
 
 constexpr int shadow_texels = 512; // side of a spot's map, and of each of a lamp's six
-constexpr double field_m = 40.0; // side of the square that the scene stands on
+constexpr double field_m = 40.0;   // side of the square that the scene stands on
 const Camera view{.eye = {0.0, 22.0, 34.0}, .target = {0.0, 0.0, 2.0}, .vertical_fov_rad = 0.8};
 
 /// GPU time of a frame, by what it is for.

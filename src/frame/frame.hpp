@@ -38,12 +38,12 @@ struct FrameResources {
     gpu::Buffer& edge_look;  ///< EdgeLook, see shadow/edge.glsl.h
     gpu::Buffer& sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
     LocalShadowBuffers& local_shadows;
-    gpu::Buffer& stroke_kinds;     ///< one a draw
-    gpu::Buffer& form_coordinates; ///< three a triangle, where strokes follow the form
+    gpu::Buffer& stroke_kinds;       ///< one a draw
+    gpu::Buffer& form_coordinates;   ///< three a triangle, where strokes follow the form
     lightmap::MapBuffers* lightmaps; ///< where the scene has any
-    hatch::MapImages* map;         ///< where strokes come from a map
-    gpu::Image& sums;              ///< of a picture of several samples
-    gpu::Buffer& pixels;           ///< the picture, four bytes a pixel, for reading back
+    hatch::MapImages* map;           ///< where strokes come from a map
+    gpu::Image& sums;                ///< of a picture of several samples
+    gpu::Buffer& pixels;             ///< the picture, four bytes a pixel, for reading back
 };
 
 /// What is decided on the processor before a frame is declared.

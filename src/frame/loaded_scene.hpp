@@ -23,7 +23,7 @@ struct LoadedScene {
     pose::MeshBuffers meshes;
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
-    std::optional<WornLight> baked; ///< a lightmap, where one was given
+    std::optional<WornLight> baked;     ///< a lightmap, where one was given
     std::vector<uint32_t> stroke_kinds; ///< what the strokes of each draw follow, on the device
     std::optional<pose::PoseData> pose; ///< what the device holds now
     std::optional<SurfaceCloud> cloud;  ///< for what follows, made when it is first needed

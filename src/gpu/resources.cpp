@@ -94,9 +94,8 @@ Buffer::Buffer(Device& device, const std::string& name, uint64_t size_bytes, Mem
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
         .size = size_bytes_,
         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
-                 VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
-                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
-                 VK_BUFFER_USAGE_TRANSFER_DST_BIT};
+                 VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+                 VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT};
     vk_check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_), "vkCreateBuffer");
     VkMemoryRequirements needs{};
     vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
@@ -188,8 +187,8 @@ Image::Image(Device& device, const std::string& name, const ImageDesc& desc, boo
             desc.format == Format::depth32f ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
         const VkImageViewCreateInfo view_info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                               .image = image_,
-                                              .viewType =
-                                                  is_array_ ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D,
+                                              .viewType = is_array_ ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
+                                                                    : VK_IMAGE_VIEW_TYPE_2D,
                                               .format = info.format,
                                               .subresourceRange = {aspect, 0, desc.mips, 0, desc.layers}};
         vk_check(vkCreateImageView(device.handle(), &view_info, nullptr, &view_), "vkCreateImageView");

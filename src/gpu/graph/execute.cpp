@@ -19,7 +19,8 @@ VkDescriptorType descriptor_type(const Use& use, bool is_image)
 {
     if (!is_image) {
         return is_sampled(use.access)   ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
-               : is_uniform(use.access) ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+               : is_uniform(use.access) ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+                                        : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     }
     return is_sampled(use.access) ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
                                   : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;

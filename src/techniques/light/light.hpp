@@ -22,7 +22,7 @@ struct Lighting {
     uint32_t directional_count = 0;
     glm::dvec3 towards_sun{0.0, 1.0, 0.0}; ///< of the first directional light; straight up when there is none
     glm::vec3 ambient{0.0F};
-    float exposure = 1.0F; ///< what the intensities of the scene's lights were multiplied by
+    float exposure = 1.0F;           ///< what the intensities of the scene's lights were multiplied by
     Groups sun_casters = all_groups; ///< whose shadows the first directional light throws
     bool has_groups = false;         ///< some light does not light all groups
     bool indoors = false;            ///< the lamp of a shelter, not of the scene

@@ -43,9 +43,8 @@ Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums
     const gpu::BufferId written = pass.write(pixels);
     const bool is_last = accumulation.sample_index + 1 == accumulation.sample_count;
     pass.variant((accumulation.sample_count > 1 ? 1U : 0U) | (is_last ? 2U : 0U));
-    pass.push(shared::DevelopConstants{.width = size_px.x,
-                                       .height = size_px.y,
-                                       .sample_index = accumulation.sample_index})
+    pass.push(shared::DevelopConstants{
+                  .width = size_px.x, .height = size_px.y, .sample_index = accumulation.sample_index})
         .dispatch_over(size_px.x, size_px.y);
     return {added, written};
 }

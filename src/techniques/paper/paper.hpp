@@ -65,8 +65,8 @@ struct Developed {
 /// The sums of the samples before, or for the first of them an image that may hold anything.
 [[nodiscard]] gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation& accumulation);
 
-/// Adds a frame to `sums` (rgba32f, as large as the picture where it has several samples) and, with the last one, writes `pixels`: sRGB, four bytes a
-/// pixel. Cost: one full-screen dispatch.
+/// Adds a frame to `sums` (rgba32f, as large as the picture where it has several samples) and, with the last
+/// one, writes `pixels`: sRGB, four bytes a pixel. Cost: one full-screen dispatch.
 [[nodiscard]] Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums,
                                     gpu::BufferId pixels, glm::uvec2 size_px,
                                     const Accumulation& accumulation);

@@ -142,8 +142,7 @@ std::vector<shared::MaterialRecord> material_records(const Scene& scene, const T
              .emissive = material.emissive,
              .base_texture = slot(scene, plan, base),
              .normal_texture = slot(scene, plan, material.normal_texture, material.normal_scale),
-             .occlusion_texture =
-                 slot(scene, plan, occlusion_of(material), material.occlusion_strength)});
+             .occlusion_texture = slot(scene, plan, occlusion_of(material), material.occlusion_strength)});
     }
     const shared::TextureSlot none{.location = shared::no_texture};
     records.push_back({.base_color = glm::vec4(1.0F),
