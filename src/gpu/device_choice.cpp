@@ -13,7 +13,10 @@ namespace {
 
 Candidate judge(VkPhysicalDevice physical, uint32_t index)
 {
-    VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+    VkPhysicalDeviceSubgroupProperties subgroups{.sType =
+                                                     VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES};
+    VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES,
+                                            .pNext = &subgroups};
     VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
                                            .pNext = &driver};
     vkGetPhysicalDeviceProperties2(physical, &properties);
@@ -32,6 +35,8 @@ Candidate judge(VkPhysicalDevice physical, uint32_t index)
                                              VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version));
     } else if (const std::string missing = missing_features(have); !missing.empty()) {
         candidate.info.why_not = "lacks " + missing;
+    } else if ((subgroups.supportedOperations & VK_SUBGROUP_FEATURE_VOTE_BIT) == 0) {
+        candidate.info.why_not = "lacks votes of subgroups";
     }
     candidate.info.usable = candidate.info.why_not.empty();
     return candidate;
