@@ -18,10 +18,10 @@ float brightness(const glm::vec3& color)
     return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
 }
 
-/// One thread builds the tree, so that the same triangles always give the same one.
+/// With as many threads as there are: a device that is told of fewer holds all of the process to that.
 std::shared_ptr<void> build_rays(const StaticTriangles& triangles)
 {
-    RTCDevice device = rtcNewDevice("threads=1");
+    RTCDevice device = rtcNewDevice(nullptr);
     if (device == nullptr) {
         throw Error("Embree does not start on this processor");
     }
