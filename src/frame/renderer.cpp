@@ -14,6 +14,7 @@
 #include "frame/lightmaps.hpp"
 #include "frame/loaded_scene.hpp"
 #include "frame/local_shadows.hpp"
+#include "frame/page.hpp"
 #include "frame/sun.hpp"
 #include "frame/tonal_maps.hpp"
 #include "gpu/graph/compile_ahead.hpp"
@@ -33,8 +34,6 @@ struct Renderer::Impl {
     {
     }
 
-    void check_size(const RenderSettings& settings) const;
-    void provide_pixels(const RenderSettings& settings);
     void update_pose(const ScenePose& scene_pose);
     [[nodiscard]] Outlook outlook_from(const Camera& camera, const light::LightStyle& style);
     void provide_shadow_map(frame::FramePlan& plan);
@@ -67,8 +66,7 @@ struct Renderer::Impl {
     std::optional<glm::mat4> shadow_view; ///< of what the shadow map holds; none when it is out of date
     std::optional<hatch::MapImages> map;
     std::optional<frame::MapChoice> map_choice; ///< of what `map` holds
-    gpu::Image sums;
-    gpu::Buffer pixels;
+    frame::Page page;
     std::string dot;
     std::vector<std::string> notes;
 };
@@ -119,42 +117,6 @@ void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
     impl_->exposure.forget();
     impl_->loaded = frame::load_onto_device(impl_->device, scene);
     impl_->loaded->baked = frame::upload_baked(impl_->device, lightmap, scene, impl_->loaded->layout);
-}
-
-void Renderer::Impl::check_size(const RenderSettings& settings) const
-{
-    const uint32_t limit = std::min(device.limits().maxImageDimension2D, 16384U);
-    if (settings.width == 0 || settings.height == 0 || settings.width > limit || settings.height > limit) {
-        throw Error(
-            fmt::format("a picture of {} x {} pixels cannot be drawn", settings.width, settings.height),
-            "size", fmt::format("{} draws from 1 x 1 to {} x {}", device.info().name, limit, limit));
-    }
-    const uint64_t most_pixels = std::min<uint64_t>(device.limits().maxStorageBufferRange / sizeof(uint64_t),
-                                                    device.limits().maxTexelBufferElements);
-    if (static_cast<uint64_t>(settings.width) * settings.height > most_pixels) {
-        throw Error(fmt::format("a picture of {} x {} pixels is too large", settings.width, settings.height),
-                    "size",
-                    fmt::format("{} draws at most {:.1f} megapixels", device.info().name,
-                                static_cast<double>(most_pixels) * 1e-6));
-    }
-    if (settings.samples == 0) {
-        throw Error("a picture needs at least one sample", "samples");
-    }
-}
-
-void Renderer::Impl::provide_pixels(const RenderSettings& settings)
-{
-    const uint64_t count = static_cast<uint64_t>(settings.width) * settings.height;
-    const bool has_sums = settings.samples > 1;
-    const gpu::ImageDesc sum_desc{.width = has_sums ? settings.width : 1,
-                                  .height = has_sums ? settings.height : 1,
-                                  .format = gpu::Format::rgba32f};
-    if (sums.empty() || sums.desc() != sum_desc) {
-        sums = gpu::Image(device, "sums", sum_desc);
-    }
-    if (pixels.empty() || pixels.size_bytes() != std::max<uint64_t>(4 * count, 16)) {
-        pixels = gpu::Buffer(device, "pixels", 4 * count, gpu::MemoryUse::readback);
-    }
 }
 
 void Renderer::Impl::update_pose(const ScenePose& scene_pose)
@@ -210,18 +172,18 @@ void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighti
 {
     shadow::ShadowStyle style = tables.shadow;
     style.local_lights = tables.light.shadows ? style.local_lights : 0;
-    const frame::PageView page{.eye_anchor = glm::vec3(camera.eye - loaded->layout.anchor),
+    const frame::PageView page_view{.eye_anchor = glm::vec3(camera.eye - loaded->layout.anchor),
                                .pixel_angle = plan.pixel_angle,
                                .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
                                .longer_side_px = std::max(plan.size_px.x, plan.size_px.y)};
-    frame::LocalShadowPlan local = local_shadows.plan(lighting, moved, page, style);
+    frame::LocalShadowPlan local = local_shadows.plan(lighting, moved, page_view, style);
     moved.clear();
     gpu::Buffer& maps = local_shadow_buffers.maps;
     const uint64_t needed_bytes = std::max<uint64_t>(sizeof(uint32_t) * local.texel_count, 16);
     if (maps.empty() || maps.size_bytes() < needed_bytes) {
         maps = gpu::Buffer(device, "local shadow maps", needed_bytes, gpu::MemoryUse::device);
         local_shadows.forget();
-        local = local_shadows.plan(lighting, {}, page, style);
+        local = local_shadows.plan(lighting, {}, page_view, style);
     }
     local_shadow_buffers.shadows =
         mapped_buffer(device, "local shadows", local.shadows.data(), local.shadows.size());
@@ -325,8 +287,8 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     form_coordinates,
                                     loaded->baked ? &loaded->baked->maps : nullptr,
                                     map ? &*map : nullptr,
-                                    sums,
-                                    pixels};
+                                    page.sums,
+                                    page.pixels};
     plan.pose_moved = loaded->pose_moved;
     provide_shadow_map(plan);
     gpu::Graph graph;
@@ -355,8 +317,8 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     if (!impl.loaded) {
         throw Error("there is no scene to draw", "", "call set_scene first");
     }
-    impl.check_size(settings);
-    impl.provide_pixels(settings);
+    frame::check_size(impl.device, settings);
+    frame::provide_page(impl.device, impl.page, settings);
     const frame::StyleTables& tables = style.tables();
     if (frame::style_lighting(impl.device, *impl.loaded, tables.light)) {
         impl.shadow_view.reset();
@@ -406,7 +368,7 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
         plan.accumulation = {.sample_index = sample, .sample_count = settings.samples};
         impl.draw_sample(camera, tables, plan);
     }
-    const auto bytes = impl.pixels.mapped();
+    const auto bytes = impl.page.pixels.mapped();
     Image image{.width = settings.width, .height = settings.height};
     const auto* first = reinterpret_cast<const uint8_t*>(bytes.data());
     image.rgba.assign(first, first + 4ULL * settings.width * settings.height);

@@ -22,14 +22,15 @@ struct Lamp {
     glm::dvec3 position{0.0};
     glm::dvec3 target{0.0};
     double half_angle_rad = 0.0; ///< 0: shines to all sides
+    double range_m = 40.0;
 };
 
 shared::LightRecord record_of(const Lamp& lamp, const glm::dvec3& anchor)
 {
     shared::LightRecord record{};
     record.position = glm::vec3(lamp.position - anchor);
-    record.range_m = 40.0F;
-    record.color = glm::vec3(20.0F);
+    record.range_m = static_cast<float>(lamp.range_m);
+    record.color = glm::vec3(record.range_m * record.range_m / 80.0F);
     record.groups = 0xffffffffU;
     record.type = shared::light_point;
     if (lamp.half_angle_rad > 0.0) {
@@ -232,9 +233,10 @@ TEST(LocalShadow, AgreesWithRaysOnModels)
         const Bounds bounds = scene_bounds(scene, pose_scene(scene, 0.0));
         const Camera camera = framing_camera(scene, pose_scene(scene, 0.0), 4.0 / 3.0);
         const glm::dvec3 half = 0.5 * (bounds.max - bounds.min);
-        expect_agreement(
-            compare(scene, camera, {.position = bounds.center() + half * glm::dvec3(0.1, 0.35, 0.15)}), name,
-            3000);
+        expect_agreement(compare(scene, camera,
+                                 {.position = bounds.center() + half * glm::dvec3(0.1, 0.35, 0.15),
+                                  .range_m = 10.0 * glm::length(half)}),
+                         name, 3000);
     }
 }
 
