@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -32,6 +33,10 @@ struct Renderer::Impl {
         : options(renderer_options), device(options), executor(device),
           raster_path(raster::choose_path(device, executor, options.raster))
     {
+        // Under validation names are given to objects by functions that a second instance would take away.
+        if (device.info().software && !options.validation) {
+            ahead = std::make_unique<gpu::CompileAhead>(options);
+        }
     }
 
     void update_pose(const ScenePose& scene_pose);
@@ -48,7 +53,7 @@ struct Renderer::Impl {
     RendererOptions options;
     gpu::Device device;
     gpu::Executor executor;
-    bool has_drawn = false;
+    std::unique_ptr<gpu::CompileAhead> ahead; ///< until the first frame is drawn
     RasterPath raster_path;
     std::optional<frame::LoadedScene> loaded;
     gpu::Buffer frame_globals;
@@ -173,9 +178,9 @@ void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighti
     shadow::ShadowStyle style = tables.shadow;
     style.local_lights = tables.light.shadows ? style.local_lights : 0;
     const frame::PageView page_view{.eye_anchor = glm::vec3(camera.eye - loaded->layout.anchor),
-                               .pixel_angle = plan.pixel_angle,
-                               .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
-                               .longer_side_px = std::max(plan.size_px.x, plan.size_px.y)};
+                                    .pixel_angle = plan.pixel_angle,
+                                    .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
+                                    .longer_side_px = std::max(plan.size_px.x, plan.size_px.y)};
     frame::LocalShadowPlan local = local_shadows.plan(lighting, moved, page_view, style);
     moved.clear();
     gpu::Buffer& maps = local_shadow_buffers.maps;
@@ -293,14 +298,11 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     provide_shadow_map(plan);
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, style);
-    std::optional<gpu::CompileAhead> ahead;
-    // Under validation names are given to objects by functions that a second instance would take away.
-    if (!has_drawn && device.info().software && !options.validation) {
-        ahead.emplace(options, graph);
+    const std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
+    if (compiling) {
+        compiling->start(graph);
     }
     executor.run(graph);
-    ahead.reset();
-    has_drawn = true;
     loaded->pose_moved = false;
     plan.local_views.clear();
     if (plan.redraw_shadow) {

@@ -2,6 +2,7 @@
 #include "gpu/graph/compile_ahead.hpp"
 
 #include <chrono>
+#include <utility>
 
 #include <estampe/error.hpp>
 
@@ -16,15 +17,19 @@ constexpr std::chrono::milliseconds cached_time{25};
 /// How many of the last passes have to be in the cache for all of them to be taken as known.
 constexpr int passes_tried = 2;
 
-void compile_on_twin(RendererOptions options, const Graph& graph, const std::atomic<bool>& stop)
+void compile_on_twin(RendererOptions options, std::future<const Graph*> wanted, const std::atomic<bool>& stop)
 {
     options.validation = false;
     try {
         Device twin(options);
         Executor executor(twin);
+        const Graph* const graph = wanted.get();
+        if (graph == nullptr) {
+            return;
+        }
         int passes_cached = 0;
         auto begun = std::chrono::steady_clock::now();
-        executor.use_shaders(graph, [&] {
+        executor.use_shaders(*graph, [&] {
             const auto now = std::chrono::steady_clock::now();
             passes_cached = now - begun < cached_time ? passes_cached + 1 : -1000;
             begun = now;
@@ -38,14 +43,25 @@ void compile_on_twin(RendererOptions options, const Graph& graph, const std::ato
 
 } // namespace
 
-CompileAhead::CompileAhead(const RendererOptions& options, const Graph& graph)
-    : thread_([options, &graph, this] { compile_on_twin(options, graph, stop_); })
+CompileAhead::CompileAhead(const RendererOptions& options)
+    : thread_([options, wanted = graph_.get_future(), this]() mutable {
+          compile_on_twin(options, std::move(wanted), stop_);
+      })
 {
+}
+
+void CompileAhead::start(const Graph& graph)
+{
+    has_graph_ = true;
+    graph_.set_value(&graph);
 }
 
 CompileAhead::~CompileAhead()
 {
     stop_ = true;
+    if (!has_graph_) {
+        graph_.set_value(nullptr);
+    }
     thread_.join();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <future>
 #include <thread>
 
 #include <estampe/renderer.hpp>
@@ -22,14 +23,18 @@ namespace estampe::gpu {
 /// Cost    a cold start of 17 shaders takes about 0.6 of the time on two cores; a warm one a few milliseconds
 class CompileAhead {
 public:
-    /// `graph` must outlive this.
-    CompileAhead(const RendererOptions& options, const Graph& graph);
+    /// Opens the second device, in its thread.
+    explicit CompileAhead(const RendererOptions& options);
+    /// To be called once at most; `graph` must outlive this.
+    void start(const Graph& graph);
     /// Waits for the shader in hand, if any.
     ~CompileAhead();
     CompileAhead(const CompileAhead&) = delete;
     CompileAhead& operator=(const CompileAhead&) = delete;
 
 private:
+    std::promise<const Graph*> graph_; ///< null: there is none to come
+    bool has_graph_ = false;
     std::atomic<bool> stop_ = false;
     std::thread thread_;
 };
