@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -33,7 +34,7 @@ double seconds_since(Clock::time_point start)
 
 std::string in_words(double seconds)
 {
-    const auto whole = static_cast<int64_t>(seconds + 0.5);
+    const int64_t whole = std::llround(seconds);
     return whole < 60     ? fmt::format("{} s", whole)
            : whole < 3600 ? fmt::format("{} min {} s", whole / 60, whole % 60)
                           : fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);

@@ -58,8 +58,9 @@ Scene field_of_balls(bool million)
         add_mesh(scene, million ? shapes::sphere(1.2F, 128, 62) : shapes::sphere(1.2F, 32, 17));
     add_node(scene, {.name = "floor", .mesh = floor});
     for (int i = 0; i < 64; ++i) {
+        const int row = i / 8;
         const double x = (i % 8 - 3.5) * field_m / 8.0;
-        const double z = (static_cast<double>(i / 8) - 3.5) * field_m / 8.0;
+        const double z = (row - 3.5) * field_m / 8.0;
         add_node(scene, {.name = "ball", .transform = {.translation = {x, 1.2, z}}, .mesh = ball});
     }
     // A weak light from everywhere, so that the program adds none of its own.
@@ -264,6 +265,7 @@ void run(const BenchLightsCommand& command)
     std::sort(counts.begin(), counts.end());
     std::vector<Row> rows;
     std::string device;
+    rows.reserve(counts.size());
     for (const uint32_t count : counts) {
         rows.push_back(measure(command, count, device));
     }

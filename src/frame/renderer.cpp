@@ -29,8 +29,8 @@
 namespace estampe {
 
 struct Renderer::Impl {
-    explicit Impl(const RendererOptions& renderer_options)
-        : options(renderer_options), device(options), executor(device),
+    explicit Impl(RendererOptions renderer_options)
+        : options(std::move(renderer_options)), device(options), executor(device),
           raster_path(raster::choose_path(device, executor, options.raster))
     {
         // Under validation names are given to objects by functions that a second instance would take away.

@@ -161,8 +161,9 @@ private:
             }
         };
         take(seed);
-        for (size_t next = 0; next < members.size(); ++next) {
-            const Face& face = faces_[members[next]];
+        size_t next = 0; // members come to it meanwhile
+        while (next < members.size()) {
+            const Face& face = faces_[members[next++]];
             for (const uint32_t neighbour : face.neighbours) {
                 if (!taken_[neighbour] && queued_by_[neighbour] != round_ && fits(faces_[neighbour], plane) &&
                     glm::dot(faces_[neighbour].normal, face.normal) >= sharpest_edge_cosine) {
@@ -199,6 +200,7 @@ glm::vec2 extent(const std::vector<glm::vec2>& corners, float angle_rad, glm::ve
 void settle(Chart& chart)
 {
     std::vector<float> angles_rad;
+    angles_rad.reserve(13);
     for (int step = 0; step < 12; ++step) {
         angles_rad.push_back(static_cast<float>(step) * 0.1308997F);
     }

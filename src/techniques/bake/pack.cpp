@@ -91,7 +91,8 @@ void claim_texels(std::vector<Claim>& claims, const Atlas& atlas, uint32_t trian
     const glm::vec2 low = glm::min(glm::min(corner[0], corner[1]), corner[2]) - reach;
     const glm::vec2 high = glm::max(glm::max(corner[0], corner[1]), corner[2]) + reach;
     const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(low)), glm::ivec2(0));
-    const glm::ivec2 last = glm::min(glm::ivec2(glm::floor(high)), glm::ivec2(atlas.size) - 1);
+    const glm::ivec2 last =
+        glm::min(glm::ivec2(glm::floor(high)), glm::ivec2(static_cast<int>(atlas.size)) - 1);
     for (int y = first.y; y <= last.y; ++y) {
         for (int x = first.x; x <= last.x; ++x) {
             const glm::vec2 centre = glm::vec2(x, y) + 0.5F;

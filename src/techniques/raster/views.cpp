@@ -136,6 +136,7 @@ gpu::ImageId hardware_batch(gpu::Graph& graph, const std::string& name, const Ra
 auto copy_views(gpu::ImageId from, gpu::BufferId to, const std::vector<shared::RasterView>& views)
 {
     std::vector<VkBufferImageCopy> regions;
+    regions.reserve(views.size());
     for (const shared::RasterView& view : views) {
         regions.push_back({.bufferOffset = sizeof(uint32_t) * uint64_t{view.first_texel},
                            .imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1},
