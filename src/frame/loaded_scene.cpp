@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/loaded_scene.hpp"
 
+#include <estampe/error.hpp>
+
 namespace estampe::frame {
 namespace {
 
@@ -44,8 +46,12 @@ bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::Light
     if (wanted == loaded.styled_lighting) {
         return false;
     }
-    set_lighting(loaded.scene, wanted);
     const bool stands_otherwise = !same_links(wanted, loaded.styled_lighting);
+    if (stands_otherwise && loaded.baked) {
+        throw Error("objects of a scene that wears a lightmap cannot be put into other groups",
+                    "light.objects", "say it in the file's extras, or draw without the lightmap");
+    }
+    set_lighting(loaded.scene, wanted);
     loaded.styled_lighting = std::move(wanted);
     if (stands_otherwise) {
         lay_out(device, loaded);

@@ -41,7 +41,7 @@ void lay_out(gpu::Device& device, LoadedScene& loaded);
 
 /// Brings lights and objects to what `style` says of them, and lays out afresh when an object stands
 /// otherwise to the lights than before. Returns whether anything changed. Throws Error as styled_lighting()
-/// does.
+/// does, and where the scene wears a lightmap, which knows its triangles by their places.
 [[nodiscard]] bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style);
 
 } // namespace estampe::frame
