@@ -8,6 +8,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/luminance.hpp"
 #include "scene/static_triangles.hpp"
 
 namespace estampe::frame {
@@ -26,11 +27,6 @@ void visit_triangles(const pose::MeshData& meshes, const Visit& visit)
     }
 }
 
-float brightness(const glm::vec3& color)
-{
-    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
-}
-
 /// Mean over the triangles of a map, each at its middle and by the room that it takes.
 float mean_level(const Lightmap& map)
 {
@@ -45,7 +41,7 @@ float mean_level(const Lightmap& map)
         const auto y = std::min(static_cast<uint32_t>(middle.y * static_cast<float>(map.light.height)),
                                 map.light.height - 1);
         const double own = std::abs(a.x * b.y - a.y * b.x);
-        sum += own * brightness(map.light.texels[size_t{y} * map.light.width + x]);
+        sum += own * luminance(map.light.texels[size_t{y} * map.light.width + x]);
         room += own;
     }
     return static_cast<float>(sum / std::max(room, 1e-12));
@@ -120,7 +116,7 @@ float make_room(light::Lighting& lighting, const std::optional<WornLight>& worn,
         return scale;
     }
     // Well-lit places come to about one and the ambient light; now they come to one and the map.
-    const float dimmed = (1.0F + brightness(lighting.ambient)) / (1.0F + scale * baked.level);
+    const float dimmed = (1.0F + luminance(lighting.ambient)) / (1.0F + scale * baked.level);
     lighting.ambient *= dimmed;
     for (shared::LightRecord& light : lighting.records) {
         light.color *= dimmed;

@@ -169,6 +169,21 @@ TEST_F(WornLightmaps, LightsThatTheMapHoldsAreLeftOut)
     EXPECT_GT(mean(lit, 20, 76, 16, 32), mean(unlit, 20, 76, 16, 32) + 60.0);
 }
 
+TEST_F(WornLightmaps, GroupsByStyleLeaveTheMapWhereItIs)
+{
+    Scene scene = two_panels();
+    scene.nodes[0].name = "left";
+    const LightImage halves{.width = 4,
+                            .height = 1,
+                            .texels = {glm::vec3(0.8F), glm::vec3(0.8F), glm::vec3(0.3F), glm::vec3(0.3F)}};
+    const Lightmap map = map_of(scene, halves);
+    const Image plain = draw(scene, &map, bare(0.0F));
+    EXPECT_GT(mean(plain, 20, 40, 16, 32), mean(plain, 56, 76, 16, 32) + 60.0);
+    Style grouped = bare(0.0F);
+    grouped.set("light.objects=left=groups:2 casts:2");
+    EXPECT_EQ(draw(scene, &map, grouped), plain);
+}
+
 TEST_F(WornLightmaps, AMapOfAnotherSceneIsAnError)
 {
     Scene scene = two_panels();

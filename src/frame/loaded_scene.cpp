@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "frame/loaded_scene.hpp"
 
-#include <estampe/error.hpp>
-
 namespace estampe::frame {
 namespace {
 
@@ -18,9 +16,12 @@ Scene without_images(const Scene& scene)
 
 } // namespace
 
-LoadedScene load_onto_device(gpu::Device& device, const Scene& scene)
+LoadedScene load_onto_device(gpu::Device& device, const Scene& scene, const Lightmap* lightmap)
 {
     LoadedScene loaded;
+    if (lightmap != nullptr) {
+        loaded.lightmap = *lightmap;
+    }
     loaded.materials = surface::upload_materials(device, scene);
     loaded.needs = surface::scene_needs(scene);
     loaded.scene = without_images(scene);
@@ -34,6 +35,8 @@ void lay_out(gpu::Device& device, LoadedScene& loaded)
 {
     loaded.layout = pose::build_meshes(loaded.scene, static_cast<Index>(loaded.scene.materials.size()));
     loaded.meshes = pose::upload_meshes(device, loaded.layout);
+    loaded.baked =
+        upload_baked(device, loaded.lightmap ? &*loaded.lightmap : nullptr, loaded.scene, loaded.layout);
     loaded.has_plain_links = pose::has_plain_links(loaded.layout);
     loaded.stroke_kinds.clear();
     loaded.pose.reset();
@@ -47,10 +50,6 @@ bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::Light
         return false;
     }
     const bool stands_otherwise = !same_links(wanted, loaded.styled_lighting);
-    if (stands_otherwise && loaded.baked) {
-        throw Error("objects of a scene that wears a lightmap cannot be put into other groups",
-                    "light.objects", "say it in the file's extras, or draw without the lightmap");
-    }
     set_lighting(loaded.scene, wanted);
     loaded.styled_lighting = std::move(wanted);
     if (stands_otherwise) {

@@ -23,7 +23,8 @@ struct LoadedScene {
     pose::MeshBuffers meshes;
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
-    std::optional<WornLight> baked;     ///< a lightmap, where one was given
+    std::optional<Lightmap> lightmap;   ///< where one was given
+    std::optional<WornLight> baked;     ///< the same as the meshes wear it
     std::vector<uint32_t> stroke_kinds; ///< what the strokes of each draw follow, on the device
     std::optional<pose::PoseData> pose; ///< what the device holds now
     std::optional<SurfaceCloud> cloud;  ///< for what follows, made when it is first needed
@@ -32,8 +33,9 @@ struct LoadedScene {
     bool pose_moved = true;             ///< the device has yet to pose its vertices by it
 };
 
-/// Uploads `scene`. Throws Error when it does not fit the device.
-[[nodiscard]] LoadedScene load_onto_device(gpu::Device& device, const Scene& scene);
+/// Uploads `scene`, with a lightmap unless that is null. Throws Error when it does not fit the device, or
+/// when the lightmap is another scene's.
+[[nodiscard]] LoadedScene load_onto_device(gpu::Device& device, const Scene& scene, const Lightmap* lightmap);
 
 /// Makes the meshes of the loaded scene as its objects' links want them, and forgets what was made of those
 /// before.
@@ -41,7 +43,7 @@ void lay_out(gpu::Device& device, LoadedScene& loaded);
 
 /// Brings lights and objects to what `style` says of them, and lays out afresh when an object stands
 /// otherwise to the lights than before. Returns whether anything changed. Throws Error as styled_lighting()
-/// does, and where the scene wears a lightmap, which knows its triangles by their places.
+/// does.
 [[nodiscard]] bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style);
 
 } // namespace estampe::frame

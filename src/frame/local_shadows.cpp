@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/luminance.hpp"
 #include "techniques/raster/views.hpp"
 
 namespace estampe::frame {
@@ -29,11 +30,6 @@ bool reaches(const shadow::LocalLight& light, const Bounds& place)
     const glm::dvec3 position(light.position);
     const glm::dvec3 gap = glm::max(glm::max(place.min - position, position - place.max), glm::dvec3(0.0));
     return glm::length(gap) <= static_cast<double>(light.range_m);
-}
-
-float brightness(const glm::vec3& color)
-{
-    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
 }
 
 } // namespace
@@ -68,7 +64,7 @@ shadow::AtlasRequest atlas_request(const shared::LightRecord& record, const shad
     return {.map_count = light.map_count(),
             .wanted_size = side_m / (page.pixel_angle * std::max(distance_m, throw_m)),
             .largest_size = largest,
-            .importance = reach_share * reach_share * brightness(record.color)};
+            .importance = reach_share * reach_share * luminance(record.color)};
 }
 
 LocalShadowPlan LocalShadows::plan(light::Lighting& lighting, std::span<const Bounds> moved,
@@ -81,7 +77,7 @@ LocalShadowPlan LocalShadows::plan(light::Lighting& lighting, std::span<const Bo
     for (shared::LightRecord& record : records) {
         record.shadow = 0;
         lights.push_back(local_light(record));
-        const bool throws_shadows = lights.back().casters != 0 && brightness(record.color) > 0.0F;
+        const bool throws_shadows = lights.back().casters != 0 && luminance(record.color) > 0.0F;
         requests.push_back(throws_shadows ? atlas_request(record, lights.back(), page, style)
                                           : shadow::AtlasRequest{});
     }

@@ -120,8 +120,7 @@ void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
     impl_->shadow_view.reset();
     impl_->local_shadows.forget();
     impl_->exposure.forget();
-    impl_->loaded = frame::load_onto_device(impl_->device, scene);
-    impl_->loaded->baked = frame::upload_baked(impl_->device, lightmap, scene, impl_->loaded->layout);
+    impl_->loaded = frame::load_onto_device(impl_->device, scene, lightmap);
 }
 
 void Renderer::Impl::update_pose(const ScenePose& scene_pose)

@@ -2,9 +2,8 @@
 #include "gpu/graph/compile_ahead.hpp"
 
 #include <chrono>
+#include <exception>
 #include <utility>
-
-#include <estampe/error.hpp>
 
 #include "gpu/device.hpp"
 #include "gpu/graph/execute.hpp"
@@ -35,7 +34,7 @@ void compile_on_twin(RendererOptions options, std::future<const Graph*> wanted, 
             begun = now;
             return !stop && passes_cached < passes_tried;
         });
-    } catch (const Error&) {
+    } catch (const std::exception&) {
         // The device that draws meets the same trouble and reports it, or has none.
         return;
     }

@@ -11,6 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/file.hpp"
+#include "core/luminance.hpp"
 #include "techniques/bake/charts.hpp"
 #include "techniques/bake/fingerprint.hpp"
 #include "techniques/bake/spread.hpp"
@@ -86,11 +87,6 @@ uint32_t bit_of(LampKind kind)
                                          : baked_point;
 }
 
-float brightness(const glm::vec3& color)
-{
-    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
-}
-
 } // namespace
 
 struct Bake::State {
@@ -139,7 +135,7 @@ void Bake::State::work_on(uint64_t block)
         for (uint32_t path = first_path; path < last_path; ++path) {
             Random random(Hash::mixed(own + path + 1));
             const Arrival arrival = tracer.follow(texels[i], even_point(path, shift), random);
-            const float level = brightness(arrival.light);
+            const float level = luminance(arrival.light);
             sums[i].light += arrival.light;
             sums[i].square += level * level;
             sums[i].backs += arrival.saw_a_back ? 1.0F : 0.0F;
@@ -157,7 +153,7 @@ std::vector<Estimate> Bake::State::estimates() const
             static_cast<float>(std::clamp<uint64_t>(rounds * paths_a_visit, 1, settings.samples));
         Estimate& estimate = result[i];
         estimate.light = sums[i].light / paths;
-        const float level = brightness(estimate.light);
+        const float level = luminance(estimate.light);
         estimate.variance = std::max(sums[i].square / paths - level * level, 0.0F) / paths;
         estimate.place = surfaces.place(texels[i].triangle, texels[i].weights);
         estimate.normal = surfaces.plane_normal(texels[i].triangle);

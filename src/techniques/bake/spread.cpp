@@ -7,16 +7,13 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "core/luminance.hpp"
+
 namespace estampe::bake {
 namespace {
 
 constexpr int filter_reach = 3;
 constexpr uint32_t nobody = 0xffffffffU;
-
-float brightness(const glm::vec3& color)
-{
-    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
-}
 
 /// How much texel `b`, `step` texels away, says about texel `a`.
 float agreement(const Estimate& a, const Estimate& b, const glm::ivec2& step)
@@ -28,7 +25,7 @@ float agreement(const Estimate& a, const Estimate& b, const glm::ivec2& step)
     if (!b.known || cosine < 0.9F || off_plane * off_plane > 0.02F * glm::dot(way, way)) {
         return 0.0F;
     }
-    const float difference = brightness(a.light) - brightness(b.light);
+    const float difference = luminance(a.light) - luminance(b.light);
     const float noise_2 = 4.0F * (a.variance + b.variance) + 1e-12F;
     return std::exp(-steps_2 / 6.0F - difference * difference / noise_2);
 }

@@ -2,17 +2,18 @@
 #pragma once
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "scene/shapes.hpp"
 #include "scene/static_triangles.hpp"
+#include "support/folder.hpp"
 #include "support/scenes.hpp"
 #include "techniques/bake/bake.hpp"
 
 namespace estampe::bake::testing {
+
+using test::Folder;
 
 /// The same surface seen from the other side.
 inline Primitive inside_out(Primitive primitive)
@@ -65,25 +66,5 @@ inline glm::vec3 light_on(const Lightmap& map, size_t triangle)
     const glm::vec2* corner = &map.corners[3 * triangle];
     return light_at(map.light, (corner[0] + corner[1] + corner[2]) / 3.0F);
 }
-
-/// A folder that goes when the test ends.
-class Folder {
-public:
-    Folder()
-    {
-        std::string name = (std::filesystem::temp_directory_path() / "estampe-XXXXXX").string();
-        path_ = mkdtemp(name.data());
-    }
-
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    ~Folder() { std::filesystem::remove_all(path_); }
-
-    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-private:
-    std::filesystem::path path_;
-};
 
 } // namespace estampe::bake::testing

@@ -8,15 +8,12 @@
 #include <embree3/rtcore.h>
 #include <estampe/error.hpp>
 
+#include "core/luminance.hpp"
+
 namespace estampe::bake {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-
-float brightness(const glm::vec3& color)
-{
-    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
-}
 
 /// With as many threads as there are: a device that is told of fewer holds all of the process to that.
 std::shared_ptr<void> build_rays(const StaticTriangles& triangles)
@@ -125,7 +122,7 @@ Tracer::Tracer(const StaticTriangles& triangles, const Surfaces& surfaces, const
     lift_m_ = lift_share * radius_m;
     float sum = 0.0F;
     for (uint32_t i = 0; i < surfaces.count(); ++i) {
-        const float glow = brightness(surfaces.material(i).emissive);
+        const float glow = luminance(surfaces.material(i).emissive);
         const float power = glow * surfaces.area_m2(i);
         if (power > 0.0F && surfaces.material(i).alpha_mode != AlphaMode::blend) {
             glow_of_triangle_.resize(surfaces.count());
@@ -186,7 +183,7 @@ glm::vec3 Tracer::from_lamps(const Vertex& vertex, bool baked_alone, Random& ran
             continue;
         }
         const Beam beam = beam_of(lamp, vertex.place, vertex.normal);
-        const float own = brightness(beam.light);
+        const float own = luminance(beam.light);
         if (own <= 0.0F || glm::dot(beam.direction, vertex.plane) <= 0.0F) {
             continue;
         }

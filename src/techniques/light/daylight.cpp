@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/luminance.hpp"
 #include "scene/outlook/view_axes.hpp"
 #include "scene/sun_position.hpp"
 
@@ -12,14 +13,9 @@ namespace {
 
 constexpr double lowest_deg = 3.0;
 
-float brightness(const glm::vec3& color)
-{
-    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
-}
-
 glm::vec3 of_brightness_one(const glm::vec3& color)
 {
-    return color / std::max(brightness(color), 1e-6F);
+    return color / std::max(luminance(color), 1e-6F);
 }
 
 /// 0 below `low`, 1 above `high`.
@@ -50,7 +46,7 @@ glm::vec3 sun_of(double elevation_deg, const SunStyle& style)
     const auto through = [&](double deg) {
         return glm::vec3(sunlight_through_air(glm::radians(deg), static_cast<double>(style.haze)));
     };
-    const float strength = std::max(std::pow(brightness(through(elevation_deg)), 0.25F), 0.3F);
+    const float strength = std::max(std::pow(luminance(through(elevation_deg)), 0.25F), 0.3F);
     // The last light is rosy rather than the red of the disc itself.
     const glm::vec3 hue = of_brightness_one(through(std::max(elevation_deg, lowest_deg)));
     return strength * between(-8.0, 0.5, elevation_deg) * glm::mix(glm::vec3(1.0F), hue, style.warmth);
@@ -97,12 +93,12 @@ void set_daylight(Lighting& lighting, const Daylight& daylight, const LightStyle
     const float scale = std::exp2(style.exposure_stops) / (1.0F + style.fill);
     // A black sun too: a scene out of doors keeps its sky in a night without a moon.
     std::vector records{parallel_light(daylight.towards_sun, scale * daylight.sun)};
-    if (brightness(daylight.moon) > 0.0F) {
+    if (luminance(daylight.moon) > 0.0F) {
         records.push_back(parallel_light(daylight.towards_moon, scale * daylight.moon));
     }
     std::stable_sort(records.begin(), records.end(),
                      [](const shared::LightRecord& a, const shared::LightRecord& b) {
-                         return brightness(a.color) > brightness(b.color);
+                         return luminance(a.color) > luminance(b.color);
                      });
     if (style.fill > 0.0F) {
         const glm::dvec3 key = glm::dvec3(records.front().direction);

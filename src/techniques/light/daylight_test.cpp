@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The light of an hour: where it comes from, how strong it is, and what it leaves alone.
+#include "core/luminance.hpp"
 #include "techniques/light/daylight.hpp"
 
 #include <cmath>
@@ -23,11 +24,6 @@ SunStyle at_hour(float hour)
 Daylight light_at(float hour)
 {
     return daylight_of(at_hour(hour)).value();
-}
-
-float brightness(const glm::vec3& color)
-{
-    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
 }
 
 /// A sun of the scene, its fill, and a lamp.
@@ -84,12 +80,12 @@ TEST(Daylight, ClockOfAZoneKnowsLongitude)
 
 TEST(Daylight, WeakensAndWarmsTowardsTheEveningAndNeverJumps)
 {
-    EXPECT_NEAR(brightness(light_at(12.0F).sun), 1.0F, 0.1F);
+    EXPECT_NEAR(luminance(light_at(12.0F).sun), 1.0F, 0.1F);
     Daylight before = light_at(12.0F);
     for (int step = 1; step <= 4320; ++step) { // of ten seconds
         const Daylight now = light_at(12.0F + static_cast<float>(step) / 360.0F);
-        EXPECT_LE(brightness(now.sun), brightness(before.sun) + 1e-5F);
-        EXPECT_GE(brightness(now.moon), brightness(before.moon) - 1e-5F);
+        EXPECT_LE(luminance(now.sun), luminance(before.sun) + 1e-5F);
+        EXPECT_GE(luminance(now.moon), luminance(before.moon) - 1e-5F);
         if (now.elevation_rad > 0.0) {
             EXPECT_GE(now.sun.x / now.sun.z, before.sun.x / before.sun.z - 1e-4F) << "redder";
         }
@@ -101,10 +97,10 @@ TEST(Daylight, WeakensAndWarmsTowardsTheEveningAndNeverJumps)
         EXPECT_GT(now.towards_moon.y, 0.05);
         before = now;
     }
-    EXPECT_EQ(brightness(before.sun), 0.0F) << "midnight";
-    EXPECT_NEAR(brightness(before.moon), SunStyle().moon, 1e-4F);
+    EXPECT_EQ(luminance(before.sun), 0.0F) << "midnight";
+    EXPECT_NEAR(luminance(before.moon), SunStyle().moon, 1e-4F);
     EXPECT_GT(before.moon.z, before.moon.x);
-    EXPECT_LT(brightness(before.ambient), 0.6F);
+    EXPECT_LT(luminance(before.ambient), 0.6F);
 }
 
 TEST(Daylight, StandsForTheScenesDirectionalLightsAndLeavesLamps)
@@ -114,7 +110,7 @@ TEST(Daylight, StandsForTheScenesDirectionalLightsAndLeavesLamps)
     set_daylight(noon, light_at(12.0F), style);
     ASSERT_EQ(noon.directional_count, 2U) << "the sun and its fill";
     ASSERT_EQ(noon.records.size(), 3U);
-    EXPECT_NEAR(brightness(noon.records[0].color) + brightness(noon.records[1].color), 1.0F, 0.1F);
+    EXPECT_NEAR(luminance(noon.records[0].color) + luminance(noon.records[1].color), 1.0F, 0.1F);
     EXPECT_NEAR(noon.records[1].color.x / noon.records[0].color.x, 0.25F, 1e-5F);
     EXPECT_NEAR(glm::dot(noon.towards_sun, light_at(12.0F).towards_sun), 1.0, 1e-6);
     EXPECT_EQ(noon.records[2].color.x, 7.0F);
@@ -123,7 +119,7 @@ TEST(Daylight, StandsForTheScenesDirectionalLightsAndLeavesLamps)
     set_daylight(night, light_at(23.5F), style);
     EXPECT_NEAR(glm::dot(night.towards_sun, light_at(23.5F).towards_moon), 1.0, 1e-6)
         << "the strongest comes first";
-    EXPECT_LT(brightness(night.ambient), 0.6F * 0.15F);
+    EXPECT_LT(luminance(night.ambient), 0.6F * 0.15F);
     EXPECT_EQ(night.records.back().color.x, 7.0F);
 }
 
@@ -146,7 +142,7 @@ TEST(Daylight, MoonlessNightKeepsABlackSun)
     Lighting night = scene_lighting();
     set_daylight(night, daylight_of(style).value(), {});
     EXPECT_GE(night.directional_count, 1U);
-    EXPECT_EQ(brightness(night.records[0].color), 0.0F);
+    EXPECT_EQ(luminance(night.records[0].color), 0.0F);
 }
 
 TEST(Daylight, DateThatIsNoneIsNamedByItsKey)

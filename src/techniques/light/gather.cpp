@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/luminance.hpp"
 #include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
 #include "techniques/light/light.hpp"
@@ -64,11 +65,6 @@ shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from
     return record;
 }
 
-float brightness(const glm::vec3& color)
-{
-    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));
-}
-
 /// The share of a local light that a distance lets through, without the window of inverse squares.
 float weakened(const shared::LightRecord& record, float distance_2)
 {
@@ -101,12 +97,12 @@ float arriving(const std::vector<shared::LightRecord>& records, const glm::vec3&
     float sum = 0.0F;
     for (const shared::LightRecord& record : records) {
         if (record.type == shared::light_directional) {
-            sum += brightness(record.color);
+            sum += luminance(record.color);
             continue;
         }
         const glm::vec3 to_light = record.position - point;
         const float distance_2 = std::max(glm::dot(to_light, to_light), 1e-6F);
-        sum += brightness(record.color) * in_cone(record, -to_light / std::sqrt(distance_2)) *
+        sum += luminance(record.color) * in_cone(record, -to_light / std::sqrt(distance_2)) *
                weakened(record, distance_2);
     }
     return sum;
@@ -206,7 +202,7 @@ float falling_on(const std::vector<shared::LightRecord>& records, const SurfaceP
         const glm::vec3 way = is_parallel ? record.direction : record.position - point;
         const float distance_2 = std::max(glm::dot(way, way), 1e-12F);
         const float cosine = glm::dot(way, surface.normal) / std::sqrt(distance_2);
-        sum += brightness(record.color) * std::pow(std::max(cosine, 0.0F), falloff) / distance_2;
+        sum += luminance(record.color) * std::pow(std::max(cosine, 0.0F), falloff) / distance_2;
     }
     return sum;
 }
@@ -254,7 +250,7 @@ void expose(Lighting& lighting, float exposure, const Bounds& bounds)
         if (is_unit_volume(record)) {
             continue;
         }
-        const float reach = std::sqrt(std::max(brightness(record.color), 0.0F) / least_light);
+        const float reach = std::sqrt(std::max(luminance(record.color), 0.0F) / least_light);
         record.range_m = record.range_m > 0.0F
                              ? std::min(record.range_m, 1e9F)
                              : std::min(reach, static_cast<float>(8.0 * bounds.radius() + 1.0) * 4.0F);
@@ -290,7 +286,7 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
                      [](const shared::LightRecord& a, const shared::LightRecord& b) {
                          const bool a_casts = casters_of(a) != 0;
                          const bool b_casts = casters_of(b) != 0;
-                         return a_casts != b_casts ? a_casts : brightness(a.color) > brightness(b.color);
+                         return a_casts != b_casts ? a_casts : luminance(a.color) > luminance(b.color);
                      });
     // Metering by the page adds its own stops later.
     const float stops = style.metering == Metering::page ? 0.0F : style.exposure_stops;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 
 #include <estampe/error.hpp>
 
+#include "support/folder.hpp"
 #include "techniques/tam/maker.hpp"
 
 namespace estampe::tam::testing {
+
+using test::Folder;
 
 /// A map that is quick to draw.
 inline TamStyle small_style(Tool tool = Tool::pen, int size_px = 128)
@@ -23,28 +24,6 @@ inline TamStyle small_style(Tool tool = Tool::pen, int size_px = 128)
     style.second_from = 3;
     return style;
 }
-
-/// A folder that goes when the test ends.
-class Folder {
-public:
-    Folder()
-    {
-        std::string name = (std::filesystem::temp_directory_path() / "estampe-XXXXXX").string();
-        path_ = mkdtemp(name.data());
-    }
-
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    ~Folder() { std::filesystem::remove_all(path_); }
-
-    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// The message of the Error that `job` throws; empty when it throws none.
 template <typename Job>
