@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "frame/sun.hpp"
 #include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
 #include "shaders/stroke_kind.glsl.h"
@@ -133,17 +134,9 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
 
     // Shadow: how far the sun sees, drawn only when it moved or something did. The ground receives but does
     // not throw.
-    auto shadow_map = gpu::import_whole(graph, "shadow", resources.shadow_map);
-    if (plan.redraw_shadow) {
-        shadow_map =
-            raster::add_depth(graph, "shadow", raster_inputs, caster_batches(layout, plan.sun_casters),
-                              {.clip_from_anchor = plan.sun.clip_from_anchor,
-                               .size_px = glm::uvec2(plan.shadow_size),
-                               .cull_back_faces = false,
-                               .path = plan.raster_path,
-                               .tuning = plan.raster},
-                              shadow_map);
-    }
+    const auto shadow_map =
+        add_sun_map(graph, raster_inputs, caster_batches(layout, plan.sun_casters), plan, meshes.vertex_count,
+                    gpu::import_whole(graph, "shadow", resources.shadow_map));
 
     // Local shadows: how far lamps and spots see. Maps are kept; what is out of date is drawn in one go.
     auto local_maps = gpu::import_whole(graph, "local shadows", resources.local_shadows.maps);

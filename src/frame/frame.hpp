@@ -14,7 +14,8 @@
 #include "techniques/lightmap/lightmap.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/raster/views.hpp"
-#include "techniques/shadow/sun_view.hpp"
+#include "techniques/shadow/clipmap.hpp"
+#include "techniques/shadow/edge_look.hpp"
 #include "techniques/surface/materials.hpp"
 
 namespace estampe::frame {
@@ -68,12 +69,17 @@ struct FramePlan {
     bool ground_drawn = false;
     bool sky_drawn = false;
     uint32_t shadow_variant = 0; ///< see shadow/edge_look.hpp
+    shared::EdgeLook edge_look;  ///< teeth of shadows' edges
     uint32_t shadow_size = 0;    ///< texels a side; 0 for no shadow
     bool pose_moved = true;      ///< the posed vertices are not yet those of this moment
     bool redraw_shadow = true;   ///< the shadow map is not yet that of this moment
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
     shadow::SunView sun;
-    std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
+    float pixel_m = 0.001F;                 ///< at a distance of one; in parallel projection at any
+    std::optional<shadow::Clipmap> clipmap; ///< in place of a single map of the sun's view
+    shadow::Windows sun_windows;
+    std::vector<shadow::Piece> sun_pieces; ///< of the clipmap, not drawn yet
+    std::optional<float> daylight_rad;     ///< height of a sun that stands by place and hour
     paper::Accumulation accumulation;
 
     /// Whether some strokes follow height, wind or light.

@@ -41,7 +41,6 @@ struct Renderer::Impl {
 
     void update_pose(const ScenePose& scene_pose);
     [[nodiscard]] Outlook outlook_from(const Camera& camera, const light::LightStyle& style);
-    void provide_shadow_map(frame::FramePlan& plan);
     void provide_local_shadows(frame::FramePlan& plan, light::Lighting& lighting, const Camera& camera,
                                const frame::StyleTables& tables);
     void provide_map(const frame::StyleTables& style);
@@ -60,7 +59,7 @@ struct Renderer::Impl {
     gpu::Buffer light_globals;
     gpu::Buffer lights;
     light::ExposureMemory exposure;
-    gpu::Buffer shadow_map;
+    frame::SunMap sun_map;
     gpu::Buffer edge_look;
     gpu::Buffer sun_shadow;
     frame::LocalShadows local_shadows;
@@ -68,7 +67,6 @@ struct Renderer::Impl {
     std::vector<Bounds> moved; ///< since the local shadows were planned last
     gpu::Buffer stroke_kinds;
     gpu::Buffer form_coordinates;
-    std::optional<glm::mat4> shadow_view; ///< of what the shadow map holds; none when it is out of date
     std::optional<hatch::MapImages> map;
     std::optional<frame::MapChoice> map_choice; ///< of what `map` holds
     frame::Page page;
@@ -84,14 +82,6 @@ gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const T* items,
     gpu::Buffer buffer(device, name, std::max<size_t>(count, 1) * sizeof(T), gpu::MemoryUse::upload);
     std::memcpy(buffer.mapped().data(), items, count * sizeof(T));
     return buffer;
-}
-
-/// Side of the shadow map: the style's, or about a texel a pixel.
-uint32_t shadow_size(const light::LightStyle& style, const RenderSettings& settings)
-{
-    return style.shadow_size > 0
-               ? static_cast<uint32_t>(style.shadow_size)
-               : std::clamp(std::bit_ceil(std::max(settings.width, settings.height)), 512U, 4096U);
 }
 
 } // namespace
@@ -117,7 +107,7 @@ RasterPath Renderer::raster_path() const
 void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
 {
     impl_->loaded.reset();
-    impl_->shadow_view.reset();
+    impl_->sun_map.forget();
     impl_->local_shadows.forget();
     impl_->exposure.forget();
     impl_->loaded = frame::load_onto_device(impl_->device, scene, lightmap);
@@ -137,7 +127,7 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     pose::upload_pose(device, loaded->meshes, loaded->layout, now);
     loaded->pose = std::move(now);
     loaded->pose_moved = true;
-    shadow_view.reset();
+    sun_map.forget();
 }
 
 /// How the house's light is set up for an eye; nothing worth knowing where the scene brings its own.
@@ -158,16 +148,6 @@ Outlook Renderer::Impl::outlook_from(const Camera& camera, const light::LightSty
         outlook.shelter = shelter_around(*loaded->cloud, camera.eye);
     }
     return outlook;
-}
-
-void Renderer::Impl::provide_shadow_map(frame::FramePlan& plan)
-{
-    const uint64_t size_bytes = std::max<uint64_t>(sizeof(float) * plan.shadow_size * plan.shadow_size, 16);
-    if (shadow_map.empty() || shadow_map.size_bytes() != size_bytes) {
-        shadow_map = gpu::Buffer(device, "shadow map", size_bytes, gpu::MemoryUse::device);
-        shadow_view.reset();
-    }
-    plan.redraw_shadow = plan.shadow_size > 0 && shadow_view != plan.sun.clip_from_anchor;
 }
 
 /// Plans the maps of local lights and says who goes without.
@@ -251,10 +231,6 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
         (style.picture.ground == frame::Ground::automatic && !is_composed && !lighting.indoors);
     plan.sky_drawn =
         style.sky.mode == sky::SkyMode::drawn || (style.sky.mode == sky::SkyMode::automatic && is_outdoors);
-    plan.shadow_size = style.light.shadows && lighting.sun_casters != 0 && lighting.directional_count > 0 &&
-                               lighting.towards_sun.y > -0.999
-                           ? shadow_size(style.light, settings)
-                           : 0U;
     plan.needs = loaded->needs;
     plan.strokes = frame::plan_strokes(loaded->layout, loaded->scene.materials, style.hatch);
     plan.local_light_count = static_cast<uint32_t>(lighting.records.size()) - lighting.directional_count;
@@ -262,8 +238,19 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
     plan.has_light_links = lighting.has_groups || !loaded->has_plain_links;
     plan.sun_casters = lighting.sun_casters;
     plan.towards_sun = glm::vec3(lighting.towards_sun);
-    plan.sun = shadow::sun_view(loaded->pose->casters, loaded->layout.anchor, lighting.towards_sun,
-                                std::max(plan.shadow_size, 4U));
+    const auto lines = frame::hatched_lines(style.hatch, plan.towards_sun, plan.has_directions());
+    plan.shadow_variant = shadow::shadow_variant(style.shadow, lines);
+    plan.edge_look = shadow::edge_look(style.shadow, lines, plan.pixels_per_mm);
+    frame::plan_sun(plan,
+                    {.casters = loaded->pose->casters,
+                     .anchor = loaded->layout.anchor,
+                     .towards_sun = lighting.towards_sun,
+                     .throws_shadow = style.light.shadows && lighting.sun_casters != 0 &&
+                                      lighting.directional_count > 0 &&
+                                      lighting.towards_sun.y > -0.999,
+                     .most_bytes = std::min<uint64_t>(device.limits().maxStorageBufferRange,
+                                                      4ULL * device.limits().maxTexelBufferElements)},
+                    camera, style);
     return plan;
 }
 
@@ -277,13 +264,14 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
          .page_height_mm = style.paper.height_mm});
     plan.clip_from_anchor = globals.clip_from_anchor;
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
+    sun_map.provide(device, plan);
     frame::FrameResources resources{loaded->meshes,
                                     loaded->materials,
                                     frame_globals,
                                     light_globals,
                                     lights,
                                     exposure.buffer(),
-                                    shadow_map,
+                                    sun_map.buffer(),
                                     edge_look,
                                     sun_shadow,
                                     local_shadow_buffers,
@@ -294,7 +282,6 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     page.sums,
                                     page.pixels};
     plan.pose_moved = loaded->pose_moved;
-    provide_shadow_map(plan);
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, style);
     const std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
@@ -304,9 +291,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     executor.run(graph);
     loaded->pose_moved = false;
     plan.local_views.clear();
-    if (plan.redraw_shadow) {
-        shadow_view = plan.sun.clip_from_anchor;
-    }
+    sun_map.drawn(plan);
     if (plan.accumulation.sample_index + 1 == plan.accumulation.sample_count) {
         dot = gpu::to_dot(graph, gpu::compile(graph));
     }
@@ -322,7 +307,7 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     frame::provide_page(impl.device, impl.page, settings);
     const frame::StyleTables& tables = style.tables();
     if (frame::style_lighting(impl.device, *impl.loaded, tables.light)) {
-        impl.shadow_view.reset();
+        impl.sun_map.forget();
         impl.local_shadows.forget();
     }
     const pose::MeshData& layout = impl.loaded->layout;
@@ -353,11 +338,8 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
                                                             lighting.directional_count,
                                              .falloff = tables.light.falloff};
     impl.light_globals = mapped_buffer(impl.device, "lighting", &light_globals, 1);
-    const auto lines = frame::hatched_lines(tables.hatch, plan.towards_sun, plan.has_directions());
-    plan.shadow_variant = shadow::shadow_variant(tables.shadow, lines);
-    const shared::EdgeLook edge_look = shadow::edge_look(tables.shadow, lines, plan.pixels_per_mm);
-    impl.edge_look = mapped_buffer(impl.device, "edges", &edge_look, 1);
-    const shared::SunShadow sun_shadow = shadow::sun_shadow(plan.sun, plan.shadow_size, tables.shadow);
+    impl.edge_look = mapped_buffer(impl.device, "edges", &plan.edge_look, 1);
+    const shared::SunShadow sun_shadow = frame::sun_globals(plan, tables.shadow);
     impl.sun_shadow = mapped_buffer(impl.device, "sun", &sun_shadow, 1);
     impl.provide_map(tables);
     impl.provide_strokes(plan.strokes);

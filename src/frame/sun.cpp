@@ -2,10 +2,43 @@
 #include "frame/sun.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 #include <glm/trigonometric.hpp>
 
 namespace estampe::frame {
+namespace {
+
+// From how many pixels a texel on, near the eye, a single map gives way to a clipmap.
+constexpr double coarse_texel_px = 48.0;
+
+uint32_t whole_size(const StyleTables& style, glm::uvec2 size_px)
+{
+    return style.light.shadow_size > 0
+               ? static_cast<uint32_t>(style.light.shadow_size)
+               : std::clamp(std::bit_ceil(std::max(size_px.x, size_px.y)), 512U, 4096U);
+}
+
+/// About how far the eye is from the nearest of what throws shadows: beside it, or below where it stands.
+double nearest_m(const Bounds& casters, const glm::dvec3& eye)
+{
+    const double beside = glm::distance(glm::clamp(eye, casters.min, casters.max), eye);
+    const double above = std::max(eye.y - casters.min.y, 0.0);
+    return std::clamp(std::max(beside, above), 1e-3 * casters.radius(), 2.0 * casters.radius());
+}
+
+/// Size of a level: a power of two, of which the device can hold `levels`.
+uint32_t level_size(uint32_t wanted, uint32_t levels, uint64_t most_bytes)
+{
+    uint32_t size = std::clamp(std::bit_ceil(wanted), 64U, 4096U);
+    while (size > 64U && 4ULL * size * size * levels > most_bytes) {
+        size /= 2;
+    }
+    return size;
+}
+
+} // namespace
 
 std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style,
                                                   const glm::vec3& towards_light, bool has_directions)
@@ -26,6 +59,102 @@ std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style
                                 .wind = {glm::sin(wind), glm::cos(wind)},
                                 .towards_light = towards_light,
                                 .has_directions = has_directions};
+}
+
+void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, const StyleTables& style)
+{
+    plan.shadow_size = scene.throws_shadow ? whole_size(style, plan.size_px) : 0U;
+    plan.sun =
+        shadow::sun_view(scene.casters, scene.anchor, scene.towards_sun, std::max(plan.shadow_size, 4U));
+    plan.pixel_m = plan.pixel_angle;
+    if (camera.orthographic_half_height_m) {
+        plan.pixel_m = static_cast<float>(2.0 * *camera.orthographic_half_height_m / plan.size_px.y);
+    }
+    const shadow::SunMapKind kind = style.shadow.sun_map;
+    if (!scene.throws_shadow || scene.casters.empty() || kind == shadow::SunMapKind::whole) {
+        return;
+    }
+    const double near_m = camera.orthographic_half_height_m ? 1.0 : nearest_m(scene.casters, camera.eye);
+    const double pixel_m = static_cast<double>(plan.pixel_m) * near_m;
+    if (kind == shadow::SunMapKind::automatic &&
+        static_cast<double>(plan.sun.texel_m) < coarse_texel_px * pixel_m) {
+        return;
+    }
+    if (kind == shadow::SunMapKind::faded) {
+        const auto reach_m = static_cast<double>(style.shadow.faded_reach_m);
+        const uint32_t size = level_size(plan.shadow_size, 1, scene.most_bytes);
+        plan.clipmap = shadow::Clipmap{
+            .view = plan.sun, .finest_m = 2.0 * reach_m / size, .size = size, .level_count = 1};
+    } else {
+        const uint32_t size = level_size(2 * plan.shadow_size, shadow::most_levels, scene.most_bytes);
+        plan.clipmap = shadow::fit_clipmap(plan.sun, size, pixel_m, scene.casters.radius());
+    }
+    plan.shadow_size = plan.clipmap->size;
+    plan.shadow_variant |= shadow::levels_variant;
+    plan.sun_windows = shadow::windows_about(*plan.clipmap, camera.eye - scene.anchor);
+}
+
+shared::SunShadow sun_globals(const FramePlan& plan, const shadow::ShadowStyle& style)
+{
+    return plan.clipmap ? shadow::sun_shadow(*plan.clipmap, plan.sun_windows, plan.pixel_m,
+                                             style.sun_map == shadow::SunMapKind::faded, style)
+                        : shadow::sun_shadow(plan.sun, plan.shadow_size, style);
+}
+
+void SunMap::provide(gpu::Device& device, FramePlan& plan)
+{
+    const uint64_t levels = plan.clipmap ? plan.clipmap->level_count : 1;
+    const uint64_t size_bytes =
+        std::max<uint64_t>(sizeof(float) * plan.shadow_size * plan.shadow_size * levels, 16);
+    if (map_.empty() || map_.size_bytes() != size_bytes) {
+        map_ = gpu::Buffer(device, "shadow map", size_bytes, gpu::MemoryUse::device);
+        view_.reset();
+    }
+    if (clipmap_ != plan.clipmap) {
+        view_.reset();
+    }
+    plan.redraw_shadow = plan.shadow_size > 0 && view_ != plan.sun.clip_from_anchor;
+    if (plan.clipmap) {
+        plan.sun_pieces = shadow::uncovered(*plan.clipmap, plan.redraw_shadow ? shadow::Windows() : windows_,
+                                            plan.sun_windows);
+    }
+}
+
+void SunMap::drawn(const FramePlan& plan)
+{
+    if (plan.shadow_size > 0) {
+        view_ = plan.sun.clip_from_anchor;
+        clipmap_ = plan.clipmap;
+        windows_ = plan.sun_windows;
+    }
+}
+
+gpu::BufferId add_sun_map(gpu::Graph& graph, const raster::RasterInputs& in,
+                          const std::vector<raster::Batch>& batches, const FramePlan& plan,
+                          uint32_t vertex_count, gpu::BufferId map)
+{
+    raster::View view{.clip_from_anchor = plan.sun.clip_from_anchor,
+                      .size_px = glm::uvec2(plan.shadow_size),
+                      .cull_back_faces = false,
+                      .path = plan.raster_path,
+                      .tuning = plan.raster};
+    if (!plan.clipmap) {
+        return plan.redraw_shadow ? raster::add_depth(graph, "shadow", in, batches, view, map) : map;
+    }
+    if (plan.sun_pieces.empty()) {
+        return map;
+    }
+    raster::RasterInputs by_sun = in;
+    by_sun.posed_vertices = shadow::add_sun_vertices(graph, in.posed_vertices, vertex_count, *plan.clipmap);
+    for (const shadow::Piece& piece : plan.sun_pieces) {
+        view.clip_from_anchor = shadow::clip_from_sun(piece);
+        view.size_px = piece.size;
+        const auto depths = raster::add_depth(
+            graph, "shadow", by_sun, batches, view,
+            graph.buffer("shadow/depths", {.size_bytes = 4ULL * piece.size.x * piece.size.y}));
+        map = shadow::add_piece(graph, depths, piece, *plan.clipmap, map);
+    }
+    return map;
 }
 
 } // namespace estampe::frame

@@ -7,6 +7,7 @@
 
 #include "frame/local_shadows.hpp"
 #include "frame/strokes.hpp"
+#include "frame/sun.hpp"
 #include "frame/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
@@ -170,6 +171,42 @@ screen::Screen Drawing::add_screen(gpu::Graph& graph)
                 .size_px = size_px});
 }
 
+frame::FramePlan Drawing::sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const
+{
+    frame::FramePlan plan;
+    plan.raster_path = path;
+    plan.raster = tuning;
+    plan.shadow_size = setup.shadow_size;
+    plan.sun = sun(towards_sun, std::max(setup.shadow_size, 4U));
+    plan.pixel_m = static_cast<float>(pixel_angle_);
+    plan.shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines);
+    if (setup.clipmap) {
+        plan.clipmap = setup.clipmap;
+        plan.shadow_size = setup.clipmap->size;
+        plan.sun_windows = shadow::windows_about(*plan.clipmap, glm::dvec3(globals.eye_anchor));
+        plan.sun_pieces = shadow::uncovered(*plan.clipmap, {}, plan.sun_windows);
+        plan.shadow_variant |= shadow::levels_variant;
+    }
+    return plan;
+}
+
+std::vector<uint32_t> Drawing::sun_piece(const shadow::Clipmap& clipmap, const shadow::Piece& piece)
+{
+    gpu::Graph graph;
+    const gpu::BufferId posed_vertices = add_posed(graph);
+    raster::RasterInputs inputs = raster_inputs(graph, posed_vertices);
+    inputs.posed_vertices = shadow::add_sun_vertices(graph, posed_vertices, meshes_.vertex_count, clipmap);
+    const auto target = graph.buffer("depths", {.size_bytes = 4ULL * piece.size.x * piece.size.y});
+    return run_and_read_as<uint32_t>(graph,
+                                     raster::add_depth(graph, "piece", inputs, batches(),
+                                                       {.clip_from_anchor = shadow::clip_from_sun(piece),
+                                                        .size_px = piece.size,
+                                                        .cull_back_faces = false,
+                                                        .path = path,
+                                                        .tuning = tuning},
+                                                       target));
+}
+
 gpu::BufferId Drawing::add_local_maps(gpu::Graph& graph, const Stage& stage, LightSetup& setup)
 {
     std::vector<shared::LocalShadow> shadows;
@@ -221,7 +258,7 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, Light
     const gpu::BufferId local_maps = add_local_maps(graph, stage, setup);
     const glm::dvec3 towards_sun =
         setup.directional_count > 0 ? glm::dvec3(setup.records.front().direction) : glm::dvec3(0, 1, 0);
-    const shadow::SunView view = sun(towards_sun, std::max(setup.shadow_size, 4U));
+    const frame::FramePlan plan = sun_plan(towards_sun, setup);
     const shared::LightGlobals lighting{.sky_ambient = setup.ambient,
                                         .ground_ambient = setup.ambient,
                                         .directional_count = setup.directional_count,
@@ -229,23 +266,18 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, Light
                                                        setup.directional_count,
                                         .falloff = setup.falloff};
     light_globals_ = gpu::upload_buffer(shared_device(), "lighting", std::vector{lighting});
-    sun_shadow_ = gpu::upload_buffer(shared_device(), "sun",
-                                     std::vector{shadow::sun_shadow(view, setup.shadow_size, setup.shadow)});
+    sun_shadow_ =
+        gpu::upload_buffer(shared_device(), "sun", std::vector{frame::sun_globals(plan, setup.shadow)});
     edge_look_ = gpu::upload_buffer(shared_device(), "edges",
                                     std::vector{shadow::edge_look(setup.shadow, setup.lines, 1.0F)});
     lights_ = gpu::upload_buffer(shared_device(), "lights", setup.records);
-    shadow_map_ = gpu::Buffer(shared_device(), "shadow map", 4ULL * setup.shadow_size * setup.shadow_size,
-                              gpu::MemoryUse::device);
+    const uint64_t levels = plan.clipmap ? plan.clipmap->level_count : 1;
+    shadow_map_ = gpu::Buffer(shared_device(), "shadow map",
+                              4ULL * plan.shadow_size * plan.shadow_size * levels, gpu::MemoryUse::device);
     auto shadow_map = gpu::import_whole(graph, "shadow", shadow_map_);
-    if (setup.shadow_size > 0) {
-        shadow_map =
-            raster::add_depth(graph, "shadow", raster_inputs(graph, stage.posed), caster_batches(setup),
-                              {.clip_from_anchor = view.clip_from_anchor,
-                               .size_px = glm::uvec2(setup.shadow_size),
-                               .cull_back_faces = false,
-                               .path = path,
-                               .tuning = tuning},
-                              shadow_map);
+    if (plan.shadow_size > 0) {
+        shadow_map = frame::add_sun_map(graph, raster_inputs(graph, stage.posed), caster_batches(setup), plan,
+                                        meshes_.vertex_count, shadow_map);
     }
     return light::add_light(graph,
                             {.frame = stage.frame,
@@ -261,11 +293,11 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, Light
                              .coordinate = stage.surface.coordinate,
                              .footprint = stage.surface.footprint,
                              .edge_look = gpu::import_whole(graph, "edges", edge_look_),
-                             .shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines),
+                             .shadow_variant = plan.shadow_variant,
                              .local_shadows = gpu::import_whole(graph, "local shadows", local_shadows_),
                              .local_maps = local_maps,
                              .has_local_shadows = setup.local_shadow_size > 0,
-                             .has_shadow = setup.shadow_size > 0,
+                             .has_shadow = plan.shadow_size > 0,
                              .local_count = lighting.local_count,
                              .has_emissive = needs_.emissive,
                              .keeps_strongest = setup.keeps_strongest,

@@ -9,6 +9,7 @@
 
 #include <estampe/scene.hpp>
 
+#include "frame/frame.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/frame.glsl.h"
 #include "techniques/contour/contour.hpp"
@@ -17,6 +18,7 @@
 #include "techniques/raster/raster.hpp"
 #include "techniques/raster/views.hpp"
 #include "techniques/screen/screen.hpp"
+#include "techniques/shadow/clipmap.hpp"
 #include "techniques/shadow/edge_look.hpp"
 #include "techniques/shadow/sun_view.hpp"
 #include "techniques/surface/materials.hpp"
@@ -55,6 +57,7 @@ struct LightSetup {
     bool has_links = false;                    ///< groups of lights and draws count
     shadow::ShadowStyle shadow;                ///< millimetres are pixels
     std::optional<shadow::HatchedLines> lines; ///< what teeth follow
+    std::optional<shadow::Clipmap> clipmap;    ///< about the eye, in place of a single map
 };
 
 class Drawing {
@@ -74,6 +77,8 @@ public:
     [[nodiscard]] std::vector<glm::vec4> light(const LightSetup& setup);
     /// Unit vectors towards the strongest light where it is a local one, else zero.
     [[nodiscard]] std::vector<glm::vec3> strongest_light(LightSetup setup);
+    /// Depths of a piece of the sun's clipmap, row by row.
+    [[nodiscard]] std::vector<uint32_t> sun_piece(const shadow::Clipmap& clipmap, const shadow::Piece& piece);
     /// Coverage of the lines, in even light of 1.
     [[nodiscard]] std::vector<float> lines(const contour::ContourStyle& style, float pixels_per_mm);
 
@@ -100,6 +105,7 @@ private:
     gpu::BufferId add_visibility(gpu::Graph& graph, gpu::BufferId posed);
     Stage add_surface(gpu::Graph& graph);
     screen::Screen add_screen(gpu::Graph& graph);
+    frame::FramePlan sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const;
     light::LitPixels add_light(gpu::Graph& graph, const Stage& stage, LightSetup setup);
     /// Fills in the records' shadows and draws their maps.
     gpu::BufferId add_local_maps(gpu::Graph& graph, const Stage& stage, LightSetup& setup);

@@ -27,4 +27,7 @@ struct HatchedLines {
 /// breadth.
 [[nodiscard]] uint32_t shadow_variant(const ShadowStyle& style, const std::optional<HatchedLines>& lines);
 
+/// The bit to add where the sun's map is a clipmap.
+inline constexpr uint32_t levels_variant = 8U;
+
 } // namespace estampe::shadow

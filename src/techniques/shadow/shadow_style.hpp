@@ -8,7 +8,12 @@ namespace estampe::shadow {
 /// How the edges of shadows are drawn.
 enum class Edge : uint8_t { plain, strokes, waves };
 
+/// What holds the sun's shadow.
+enum class SunMapKind : uint8_t { automatic, whole, clipmap, faded };
+
 struct ShadowStyle {
+    SunMapKind sun_map = SunMapKind::automatic;
+    float faded_reach_m = 60.0F;
     Edge edge = Edge::plain;
     float edge_reach_mm = 1.0F;
     float edge_spacing_mm = 0.7F;
@@ -24,6 +29,17 @@ inline const style::Table<ShadowStyle>& shadow_table()
 {
     static const auto table =
         style::Table<ShadowStyle>("shadow", "How shadows fall")
+            .choice(
+                "sun_map", &ShadowStyle::sun_map,
+                {{"auto", SunMapKind::automatic},
+                 {"whole", SunMapKind::whole},
+                 {"clipmap", SunMapKind::clipmap},
+                 {"faded", SunMapKind::faded}},
+                "The sun's shadow map: one for the whole scene; maps about the eye, each twice as wide as "
+                "the last; one about the eye, whose shadow pales towards its edge; or (auto) whole, "
+                "unless the scene is far larger than what is near")
+            .number("faded_reach_m", &ShadowStyle::faded_reach_m, {0.1F, 1e5F}, "m",
+                    "How far a faded map reaches to each side")
             .choice("edge", &ShadowStyle::edge,
                     {{"plain", Edge::plain}, {"strokes", Edge::strokes}, {"waves", Edge::waves}},
                     "Edges of shadows: plain; the hatching's strokes run past them; or teeth of their own, "

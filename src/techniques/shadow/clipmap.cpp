@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow/clipmap.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "shaders/sun_piece_comp.hpp"
+#include "shaders/sun_vertices_comp.hpp"
+#include "techniques/shadow/clipmap.glsl.h"
+
+namespace estampe::shadow {
+namespace {
+
+constexpr uint32_t steps = 16; // of a window over its own size
+
+double texel_m(const Clipmap& clipmap, uint32_t level)
+{
+    return std::ldexp(clipmap.finest_m, static_cast<int>(level));
+}
+
+/// A strip of the window at `low` as broad as a power of two, where the window has moved by `by`.
+Piece strip(uint32_t level, glm::ivec2 low, uint32_t size, int axis, int by)
+{
+    const uint32_t breadth = std::min(std::bit_ceil(static_cast<uint32_t>(std::abs(by))), size);
+    Piece piece{.level = level, .low = low, .size = glm::uvec2(size)};
+    piece.size[axis] = breadth;
+    piece.low[axis] += by > 0 ? static_cast<int>(size - breadth) : 0;
+    return piece;
+}
+
+} // namespace
+
+Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double radius_m)
+{
+    Clipmap clipmap{.view = view, .size = size};
+    // What a window covers on each side of the eye, wherever it has stopped.
+    const double covered_texels = static_cast<double>(size) * (0.5 - 1.0 / steps) - 2.0;
+    const double coarsest_m = std::max(2.0 * radius_m / covered_texels, 1e-9);
+    int finest = static_cast<int>(std::floor(std::log2(std::max(finest_m, 1e-9))));
+    const int coarsest = std::max(static_cast<int>(std::ceil(std::log2(coarsest_m))), finest);
+    finest = std::max(finest, coarsest + 1 - static_cast<int>(most_levels));
+    clipmap.finest_m = std::ldexp(1.0, finest);
+    clipmap.level_count = static_cast<uint32_t>(coarsest + 1 - finest);
+    return clipmap;
+}
+
+Windows windows_about(const Clipmap& clipmap, const glm::dvec3& eye_anchor)
+{
+    const double step = static_cast<double>(clipmap.size) / steps;
+    const glm::dvec2 eye(glm::dot(eye_anchor, glm::dvec3(clipmap.view.right)),
+                         glm::dot(eye_anchor, glm::dvec3(clipmap.view.down)));
+    Windows windows;
+    for (uint32_t level = 0; level < clipmap.level_count; ++level) {
+        const glm::dvec2 low = eye / texel_m(clipmap, level) - 0.5 * static_cast<double>(clipmap.size);
+        windows.emplace_back(glm::ivec2(glm::floor(low / step + 0.5) * step));
+    }
+    return windows;
+}
+
+std::vector<Piece> uncovered(const Clipmap& clipmap, const Windows& before, const Windows& now)
+{
+    const auto size = static_cast<int>(clipmap.size);
+    std::vector<Piece> pieces;
+    for (uint32_t level = 0; level < now.size(); ++level) {
+        const glm::ivec2 low = now[level];
+        const glm::ivec2 by = before.empty() ? glm::ivec2(size) : low - before[level];
+        if (std::max(std::abs(by.x), std::abs(by.y)) >= size) {
+            pieces.push_back({.level = level, .low = low, .size = glm::uvec2(clipmap.size)});
+            continue;
+        }
+        for (int axis = 0; axis < 2; ++axis) {
+            if (by[axis] != 0) {
+                pieces.push_back(strip(level, low, clipmap.size, axis, by[axis]));
+            }
+        }
+    }
+    return pieces;
+}
+
+glm::mat4 clip_from_sun(const Piece& piece)
+{
+    // Powers of two, and whole texels in units of them: floats lose nothing.
+    const double scale = std::ldexp(1.0, -static_cast<int>(piece.level));
+    glm::dmat4 clip(1.0);
+    for (int axis = 0; axis < 2; ++axis) {
+        clip[axis][axis] = 2.0 * scale / piece.size[axis];
+        clip[3][axis] = -2.0 * piece.low[axis] / piece.size[axis] - 1.0;
+    }
+    return glm::mat4(clip);
+}
+
+shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, float pixel_m, bool fades,
+                             const ShadowStyle& style)
+{
+    shared::SunShadow shadow = sun_shadow(clipmap.view, clipmap.size, style);
+    shadow.texel_m = static_cast<float>(clipmap.finest_m);
+    shadow.texels_per_m = glm::vec2(static_cast<float>(1.0 / clipmap.finest_m));
+    shadow.level_count = clipmap.level_count;
+    shadow.pixel_m = pixel_m;
+    shadow.fade = fades ? 1.0F : 0.0F;
+    for (size_t level = 0; level < windows.size(); ++level) {
+        shadow.window_low[level] = glm::vec2(windows[level]);
+    }
+    return shadow;
+}
+
+gpu::BufferId add_sun_vertices(gpu::Graph& graph, gpu::BufferId posed_vertices, uint32_t vertex_count,
+                               const Clipmap& clipmap)
+{
+    auto pass = graph.compute("shadow/vertices", shaders::sun_vertices_comp);
+    pass.read(posed_vertices);
+    const auto vertices =
+        pass.write(graph.buffer("sun vertices", {.size_bytes = 16ULL * std::max(vertex_count, 1U)}));
+    const auto texels_per_m = static_cast<float>(1.0 / clipmap.finest_m);
+    const glm::mat4 rows = glm::transpose(clipmap.view.clip_from_anchor);
+    pass.push(shared::SunVerticesConstants{.right = clipmap.view.right * texels_per_m,
+                                           .vertex_count = vertex_count,
+                                           .down = clipmap.view.down * texels_per_m,
+                                           .depth_row = rows[2]})
+        .dispatch_items(vertex_count);
+    return vertices;
+}
+
+gpu::BufferId add_piece(gpu::Graph& graph, gpu::BufferId depths, const Piece& piece, const Clipmap& clipmap,
+                        gpu::BufferId map)
+{
+    auto pass = graph.compute("shadow/piece", shaders::sun_piece_comp);
+    pass.read(depths);
+    const auto filled = pass.modify(map);
+    pass.push(shared::SunPieceConstants{.low_x = piece.low.x,
+                                        .low_y = piece.low.y,
+                                        .size_px = piece.size,
+                                        .map_size = clipmap.size,
+                                        .level = piece.level})
+        .dispatch_over(piece.size.x, piece.size.y);
+    return filled;
+}
+
+} // namespace estampe::shadow
