@@ -83,7 +83,7 @@ TEST(SunClipmap, HoldsTheSameBitsWhereverItsWindowIs)
                         other += same ? 0U : 1U;
                     }
                 }
-                EXPECT_EQ(other, 0U) << "level " << level;
+                EXPECT_EQ(other, 0U) << "level " << level << ", path " << name_of(path);
             }
             EXPECT_GT(covered, 2000U);
         }
