@@ -255,6 +255,15 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
 #endif
 }
 
+// Depth where the edge functions are `edges`. The same bits whichever way a triangle is drawn, since where a
+// picture begins decides on the way.
+float depth_of(vec3 edges, float inverse_area, vec3 depth)
+{
+    precise vec3 weights = edges * inverse_area;
+    precise float sum = weights.x * depth.x + weights.y * depth.y + weights.z * depth.z;
+    return sum;
+}
+
 // Fills the part of a triangle within [low, high], for triangles of at most 64 pixels a side: 32-bit
 // arithmetic.
 void fill_small(PageTriangle t, ivec2 low, ivec2 high, uint triangle)
@@ -275,7 +284,7 @@ void fill_small(PageTriangle t, ivec2 low, ivec2 high, uint triangle)
         ivec3 edge = row;
         for (int x = low.x; x <= high.x; ++x) {
             if (all(greaterThanEqual(edge + owned, ivec3(0)))) {
-                write_pixel(ivec2(x, y), dot(vec3(edge), t.depth) * inverse_area, triangle);
+                write_pixel(ivec2(x, y), depth_of(vec3(edge), inverse_area, t.depth), triangle);
             }
             edge += right;
         }
@@ -313,8 +322,8 @@ void fill_column(PageTriangle t, ivec2 top, int count, uint triangle)
     float inverse_area = 1.0 / float(e0.value + e1.value + e2.value);
     for (int i = 0; i < count; ++i) {
         if (e0.value + e0.owned >= 0 && e1.value + e1.owned >= 0 && e2.value + e2.owned >= 0) {
-            vec3 weights = vec3(float(e0.value), float(e1.value), float(e2.value)) * inverse_area;
-            write_pixel(top + ivec2(0, i), dot(weights, t.depth), triangle);
+            vec3 edges = vec3(float(e0.value), float(e1.value), float(e2.value));
+            write_pixel(top + ivec2(0, i), depth_of(edges, inverse_area, t.depth), triangle);
         }
         e0.value += e0.down;
         e1.value += e1.down;
