@@ -246,8 +246,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
                      .anchor = loaded->layout.anchor,
                      .towards_sun = lighting.towards_sun,
                      .throws_shadow = style.light.shadows && lighting.sun_casters != 0 &&
-                                      lighting.directional_count > 0 &&
-                                      lighting.towards_sun.y > -0.999,
+                                      lighting.directional_count > 0 && lighting.towards_sun.y > -0.999,
                      .most_bytes = std::min<uint64_t>(device.limits().maxStorageBufferRange,
                                                       4ULL * device.limits().maxTexelBufferElements)},
                     camera, style);

@@ -5,7 +5,6 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "frame/local_shadows.hpp"
 #include "frame/strokes.hpp"
 #include "frame/sun.hpp"
 #include "frame/view.hpp"
@@ -169,88 +168,6 @@ screen::Screen Drawing::add_screen(gpu::Graph& graph)
                 .textures = inputs.textures,
                 .texture_classes = needs_.texture_classes,
                 .size_px = size_px});
-}
-
-frame::FramePlan Drawing::sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const
-{
-    frame::FramePlan plan;
-    plan.raster_path = path;
-    plan.raster = tuning;
-    plan.shadow_size = setup.shadow_size;
-    plan.sun = sun(towards_sun, std::max(setup.shadow_size, 4U));
-    plan.pixel_m = static_cast<float>(pixel_angle_);
-    plan.shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines);
-    if (setup.clipmap) {
-        plan.clipmap = setup.clipmap;
-        plan.shadow_size = setup.clipmap->size;
-        plan.sun_windows = shadow::windows_about(*plan.clipmap, glm::dvec3(globals.eye_anchor));
-        plan.sun_pieces = shadow::uncovered(*plan.clipmap, {}, plan.sun_windows);
-        plan.shadow_variant |= shadow::levels_variant;
-    }
-    return plan;
-}
-
-std::vector<uint32_t> Drawing::sun_piece(const shadow::Clipmap& clipmap, const shadow::Piece& piece)
-{
-    gpu::Graph graph;
-    const gpu::BufferId posed_vertices = add_posed(graph);
-    raster::RasterInputs inputs = raster_inputs(graph, posed_vertices);
-    inputs.posed_vertices = shadow::add_sun_vertices(graph, posed_vertices, meshes_.vertex_count, clipmap);
-    const auto target = graph.buffer("depths", {.size_bytes = 4ULL * piece.size.x * piece.size.y});
-    return run_and_read_as<uint32_t>(graph,
-                                     raster::add_depth(graph, "piece", inputs, batches(),
-                                                       {.clip_from_anchor = shadow::clip_from_sun(piece),
-                                                        .size_px = piece.size,
-                                                        .cull_back_faces = false,
-                                                        .path = path,
-                                                        .tuning = tuning},
-                                                       target));
-}
-
-gpu::BufferId Drawing::add_local_maps(gpu::Graph& graph, const Stage& stage, LightSetup& setup)
-{
-    std::vector<shared::LocalShadow> shadows;
-    std::vector<shared::RasterView> views;
-    uint32_t texel_count = 0;
-    for (size_t i = setup.directional_count; i < setup.records.size() && setup.local_shadow_size > 0; ++i) {
-        const shadow::LocalLight local = frame::local_light(setup.records[i]);
-        shadows.push_back(shadow::local_shadow(local, setup.local_shadow_size, texel_count));
-        setup.records[i].shadow = static_cast<uint32_t>(shadows.size());
-        for (const shadow::LocalView& view : shadow::local_views(local, shadows.back())) {
-            views.push_back({.clip_from_anchor = view.clip_from_anchor,
-                             .eye_anchor = local.position,
-                             .reach_m = local.range_m,
-                             .first_texel = view.first_texel,
-                             .size_px = setup.local_shadow_size,
-                             .origin_px = glm::uvec2(0),
-                             .groups = local.casters});
-            texel_count += setup.local_shadow_size * setup.local_shadow_size;
-        }
-    }
-    raster::place_views(views);
-    local_shadows_ = gpu::upload_buffer(shared_device(), "local shadows", shadows);
-    local_views_ = gpu::upload_buffer(shared_device(), "local views", views);
-    local_maps_ = gpu::Buffer(shared_device(), "local maps", 4ULL * texel_count, gpu::MemoryUse::device);
-    const gpu::BufferId maps = gpu::import_whole(graph, "local maps", local_maps_);
-    if (views.empty()) {
-        return maps;
-    }
-    const auto triangle_count = static_cast<uint32_t>(layout.triangles.size());
-    const raster::RasterInputs inputs = raster_inputs(graph, stage.posed);
-    std::vector<raster::Batch> casters;
-    for (const pose::CasterRun& run : layout.casters) {
-        casters.push_back({run.range.first, run.range.count, run.masked, run.range.plain, run.groups});
-    }
-    const gpu::BufferId bounds = raster::add_cluster_bounds(
-        graph, inputs, triangle_count,
-        graph.buffer("bounds", {.size_bytes = raster::cluster_bounds_bytes(triangle_count)}));
-    return raster::add_depth_views(graph, "local maps", inputs, casters,
-                                   {.list = views,
-                                    .records = gpu::import_whole(graph, "local views", local_views_),
-                                    .bounds = bounds,
-                                    .path = path,
-                                    .tuning = tuning},
-                                   maps);
 }
 
 light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, LightSetup setup)
