@@ -115,22 +115,24 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const auto screen =
         !has_screen
             ? screen::add_no_screen(graph)
-            : screen::add_screen(graph, {.frame = frame,
-                                         .solid_visibility = visibility,
-                                         .screen_visibility = raster::add_visibility(
-                                             graph, "screen", raster_inputs, {batch(layout.blended, true)},
-                                             {.clip_from_anchor = plan.clip_from_anchor,
-                                              .size_px = size_px,
-                                              .path = plan.raster_path,
-                                              .tuning = plan.raster}),
-                                         .triangles = triangles,
-                                         .posed_vertices = posed_vertices,
-                                         .draws = draws,
-                                         .rest_vertices = rest_vertices,
-                                         .materials = materials,
-                                         .textures = textures,
-                                         .texture_classes = plan.needs.texture_classes,
-                                         .size_px = size_px});
+            : screen::add_screen(
+                  graph, {.frame = frame,
+                          .solid_visibility = visibility,
+                          .layers = raster::add_layers(
+                              graph, "screen", raster_inputs, {batch(layout.blended, true)},
+                              {.clip_from_anchor = plan.clip_from_anchor,
+                               .size_px = size_px,
+                               .path = plan.raster_path,
+                               .tuning = plan.raster},
+                              std::min(layout.blended_sheets, static_cast<uint32_t>(style.screen.layers))),
+                          .triangles = triangles,
+                          .posed_vertices = posed_vertices,
+                          .draws = draws,
+                          .rest_vertices = rest_vertices,
+                          .materials = materials,
+                          .textures = textures,
+                          .texture_classes = plan.needs.texture_classes,
+                          .size_px = size_px});
 
     // Shadow: how far the sun sees, drawn only when it moved or something did. The ground receives but does
     // not throw.

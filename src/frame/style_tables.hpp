@@ -9,6 +9,7 @@
 #include "techniques/light/sun_style.hpp"
 #include "techniques/lightmap/lightmap.hpp"
 #include "techniques/paper/paper.hpp"
+#include "techniques/screen/screen.hpp"
 #include "techniques/shadow/shadow_style.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/tam/tam_style.hpp"
@@ -42,6 +43,7 @@ struct StyleTables {
     shadow::ShadowStyle shadow;
     lightmap::LightmapStyle lightmap;
     light::ToneStyle tone;
+    screen::ScreenStyle screen;
     hatch::HatchStyle hatch;
     tam::TamStyle tam;
     contour::ContourStyle contour;
@@ -61,6 +63,7 @@ struct StyleTables {
     sheet.bind(shadow::shadow_table(), tables.shadow);
     sheet.bind(lightmap::lightmap_table(), tables.lightmap);
     sheet.bind(light::tone_table(), tables.tone);
+    sheet.bind(screen::screen_table(), tables.screen);
     sheet.bind(hatch::hatch_table(), tables.hatch);
     sheet.bind(tam::tam_table(), tables.tam);
     sheet.bind(contour::contour_table(), tables.contour);

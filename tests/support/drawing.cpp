@@ -157,9 +157,9 @@ screen::Screen Drawing::add_screen(gpu::Graph& graph)
     return screen::add_screen(
         graph, {.frame = gpu::import_whole(graph, "frame", frame_),
                 .solid_visibility = add_visibility(graph, posed),
-                .screen_visibility = raster::add_visibility(
-                    graph, "screen", inputs, {{layout.blended.first, layout.blended.count, true}},
-                    {.clip_from_anchor = globals.clip_from_anchor, .size_px = size_px, .tuning = tuning}),
+                .layers = raster::add_layers(graph, "screen", inputs,
+                                             {{layout.blended.first, layout.blended.count, true}},
+                                             raster_view(), layout.blended_sheets),
                 .triangles = inputs.triangles,
                 .posed_vertices = posed,
                 .draws = inputs.draws,

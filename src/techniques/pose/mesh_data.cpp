@@ -20,6 +20,7 @@ namespace estampe::pose {
 namespace {
 
 constexpr uint64_t most_vertices = 1ULL << 31;
+constexpr uint32_t enough_sheets = 4;
 constexpr double wire_radius = 3e-3; // of lines, in the scene's own: framed whole, as wide as a pen
 
 uint32_t pack_normal(glm::vec3 n)
@@ -270,6 +271,10 @@ private:
         auto& list = material.alpha_mode == AlphaMode::opaque ? opaque_
                      : material.alpha_mode == AlphaMode::mask ? masked_
                                                               : blended_;
+        if (material.alpha_mode == AlphaMode::blend && data_.blended_sheets < enough_sheets) {
+            const uint32_t sheets = most_sheets(primitive, material.double_sided, enough_sheets);
+            data_.blended_sheets = std::min(data_.blended_sheets + sheets, enough_sheets);
+        }
         for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
             list.emplace_back(draw.first_posed_vertex + primitive.indices[i],
                               draw.first_posed_vertex + primitive.indices[i + 1],

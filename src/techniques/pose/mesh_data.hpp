@@ -47,6 +47,7 @@ struct MeshData {
     std::vector<shared::DrawRecord> draws; ///< matrices not filled in; mirrored as the triangles are flagged
     std::vector<DrawSource> sources;       ///< one a draw; the ground has none and comes last
     Range opaque, masked, blended, ground;
+    uint32_t blended_sheets = 0;    ///< most of `blended` that can lie one behind another, counted up to 4
     std::vector<CasterRun> casters; ///< parts of `opaque` and `masked`; what throws no shadow is in none
     uint32_t joint_count = 0;
     uint32_t morph_weight_count = 0;
@@ -71,6 +72,11 @@ struct MeshData {
 /// anything else. They keep the skin and morph targets of their vertices. Cost: 10 triangles a line, 8 a
 /// point.
 [[nodiscard]] Primitive drawn_body(const Primitive& primitive, float radius_m);
+
+/// Most of a primitive's surfaces that can be seen one behind another, from wherever one looks, counted up to
+/// `enough`. A flat part is one, and so is a convex one seen from one side alone; of what has another form or
+/// changes it nothing is known. Cost: n log n in triangles; square in those of a convex part, up to 50 ms.
+[[nodiscard]] uint32_t most_sheets(const Primitive& primitive, bool two_sided, uint32_t enough);
 
 /// Whether a primitive's first UV set can carry strokes: present, finite, hardly stretched, and not cut into
 /// islands, at whose borders strokes would break. Cost: linear in triangles.

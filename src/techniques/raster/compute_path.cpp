@@ -3,14 +3,17 @@
 
 #include <algorithm>
 
+#include "shaders/bin_behind_comp.hpp"
 #include "shaders/bin_depth_comp.hpp"
 #include "shaders/bin_depth_masked_comp.hpp"
 #include "shaders/bin_ids_comp.hpp"
 #include "shaders/bin_masked_comp.hpp"
+#include "shaders/small_behind_comp.hpp"
 #include "shaders/small_depth_comp.hpp"
 #include "shaders/small_depth_masked_comp.hpp"
 #include "shaders/small_ids_comp.hpp"
 #include "shaders/small_masked_comp.hpp"
+#include "shaders/tile_behind_comp.hpp"
 #include "shaders/tile_depth_comp.hpp"
 #include "shaders/tile_depth_masked_comp.hpp"
 #include "shaders/tile_ids_comp.hpp"
@@ -30,8 +33,11 @@ struct Stages {
     const gpu::Shader& tile;
 };
 
-Stages stages(bool depth_only, bool masked)
+Stages stages(bool depth_only, bool masked, bool behind)
 {
+    if (behind) {
+        return {shaders::small_behind_comp, shaders::bin_behind_comp, shaders::tile_behind_comp};
+    }
     if (depth_only) {
         return masked ? Stages{shaders::small_depth_masked_comp, shaders::bin_depth_masked_comp,
                                shaders::tile_depth_masked_comp}
@@ -50,7 +56,7 @@ gpu::BufferId zeros(gpu::Graph& graph, const std::string& name, uint64_t size_by
 gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
                         const Batch& batch, const View& view, gpu::BufferId target, bool depth_only)
 {
-    const Stages shaders = stages(depth_only, batch.masked);
+    const Stages shaders = stages(depth_only, batch.masked, view.behind.has_value());
     const uint32_t large_capacity = 2 * batch.triangle_count; // clipping makes two of one at most
     const glm::uvec2 page_tiles = (view.size_px + shared::raster_tile_px - 1U) / shared::raster_tile_px;
     const auto tile_capacity = static_cast<uint32_t>(
@@ -79,6 +85,9 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
         if (batch.masked) {
             bind_masks(pass, in);
             pass.variant(in.texture_classes);
+        }
+        if (view.behind) {
+            pass.read(*view.behind);
         }
         pass.push(constants);
         return pass;

@@ -11,6 +11,8 @@ layout(location = 1) flat out uint triangle_flags;
 
 layout(constant_id = 0) const uint variant = 0u;
 
+invariant gl_Position; // layers are peeled by exact depth, by pipelines that are not the same
+
 void main()
 {
     uint triangle = constants.first_triangle + uint(gl_VertexIndex) / 3u;

@@ -18,8 +18,19 @@ layout(location = 0) out uvec2 word;
 layout(constant_id = 0) const uint variant = 0u;
 #endif
 
+#ifdef RASTER_BEHIND
+#define BEHIND_BINDING (MASK_BINDING + 8)
+#include "techniques/raster/behind.glsl"
+#endif
+
 void main()
 {
+#ifdef RASTER_BEHIND
+    uint index = uint(gl_FragCoord.y) * PICTURE_PX.x + uint(gl_FragCoord.x);
+    if (!lies_behind(index, floatBitsToUint(clamp(gl_FragCoord.z, 1e-30, 1.0)), triangle_drawn)) {
+        discard;
+    }
+#endif
     bool counts_either_way =
         (variant & DRAW_TESTS_SIDES) == 0u || (triangle_flags & TRIANGLE_TWO_SIDED) != 0u;
     bool front = gl_FrontFacing != ((triangle_flags & TRIANGLE_MIRRORED) != 0u);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/graph/execute.hpp"
 #include "shaders/corner_vert.hpp"
+#include "shaders/draw_behind_frag.hpp"
 #include "shaders/draw_depth_frag.hpp"
 #include "shaders/draw_depth_masked_frag.hpp"
 #include "shaders/draw_ids_frag.hpp"
@@ -18,8 +19,11 @@ struct Attachments {
 };
 
 gpu::Pass begin_draw(gpu::Graph& graph, const std::string& name, bool masked, bool depth_only,
-                     bool tests_sides)
+                     bool tests_sides, bool behind)
 {
+    if (behind) {
+        return graph.raster(name, shaders::corner_vert, shaders::draw_behind_frag);
+    }
     if (depth_only && !masked) {
         return tests_sides ? graph.raster(name, shaders::corner_vert, shaders::draw_depth_frag)
                            : graph.raster(name, shaders::corner_vert);
@@ -35,10 +39,13 @@ void add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& i
                const View& view, bool depth_only, Attachments& to)
 {
     const bool tests_sides = view.cull_back_faces && !batch.plain;
-    auto pass = begin_draw(graph, name, batch.masked, depth_only, tests_sides);
+    auto pass = begin_draw(graph, name, batch.masked, depth_only, tests_sides, view.behind.has_value());
     pass.sample(in.triangles).sample(in.posed_vertices);
     if (batch.masked) {
         bind_masks(pass, in);
+    }
+    if (view.behind) {
+        pass.read(*view.behind);
     }
     if (!depth_only) {
         to.words = pass.color(to.words);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "techniques/raster/passes.hpp"
 
 namespace estampe::raster {
@@ -27,6 +29,17 @@ gpu::BufferId add_visibility(gpu::Graph& graph, const std::string& name, const R
     const uint64_t size_bytes = sizeof(uint64_t) * view.size_px.x * view.size_px.y;
     const gpu::BufferId target = graph.buffer(name, {.size_bytes = (size_bytes + 15) / 16 * 16});
     return draw(graph, name, in, batches, view, target, false);
+}
+
+std::vector<gpu::BufferId> add_layers(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                                      const std::vector<Batch>& batches, View view, uint32_t count)
+{
+    std::vector<gpu::BufferId> layers{add_visibility(graph, name, in, batches, view)};
+    while (layers.size() < count) {
+        view.behind = layers.back();
+        layers.push_back(add_visibility(graph, fmt::format("{}/{}", name, layers.size()), in, batches, view));
+    }
+    return layers;
 }
 
 gpu::BufferId add_depth(gpu::Graph& graph, const std::string& name, const RasterInputs& in,

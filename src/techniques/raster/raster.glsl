@@ -235,9 +235,19 @@ int owns_its_pixels(ivec2 from, ivec2 to)
 #endif
 #include "techniques/raster/mask.glsl"
 #endif
+#ifdef RASTER_BEHIND
+#define BEHIND_BINDING (MASK_BINDING + 8)
+#include "techniques/raster/behind.glsl"
+#endif
 
 void write_pixel(ivec2 pixel, float depth, uint triangle)
 {
+    uint depth_bits = floatBitsToUint(clamp(depth, 1e-30, 1.0));
+#ifdef RASTER_BEHIND
+    if (!lies_behind(uint(pixel.y) * PICTURE_PX.x + uint(pixel.x), depth_bits, triangle)) {
+        return;
+    }
+#endif
 #ifdef RASTER_MASKED
     if (!passes_mask(triangle, pixel)) {
         return;
@@ -247,7 +257,6 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
 #ifdef RASTER_VIEWS
     index += view.first_texel;
 #endif
-    uint depth_bits = floatBitsToUint(clamp(depth, 1e-30, 1.0));
 #ifdef RASTER_DEPTH_ONLY
     atomicMax(target[index], depth_bits);
 #else

@@ -5,7 +5,9 @@
 // the device's own rasteriser; what comes out has the same form, and is the same in 99.99 % of pixels.
 
 #include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <estampe/renderer.hpp>
 
@@ -46,6 +48,9 @@ struct View {
     bool cull_back_faces = true;           ///< of triangles that are not two-sided
     RasterPath path = RasterPath::compute; ///< never automatic
     Tuning tuning;
+    /// A visibility buffer of the same size: only what lies behind is drawn, and of equal depths what has a
+    /// lower number, so that one layer after another is peeled off. For identities of masked batches.
+    std::optional<gpu::BufferId> behind = std::nullopt;
 };
 
 /// A picture of 64-bit words, row by row: reversed depth above, triangle below; 0 where nothing is seen.
@@ -58,6 +63,14 @@ struct View {
 ///         Rasterization", 1988
 [[nodiscard]] gpu::BufferId add_visibility(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
                                            const std::vector<Batch>& batches, const View& view);
+
+/// Visibility of what is nearest, of what lies behind that, and so on: `count` buffers, at least one. Batches
+/// are masked. Costs as much as so many pictures.
+///
+/// Source  Everitt, "Interactive Order-Independent Transparency", 2001
+[[nodiscard]] std::vector<gpu::BufferId> add_layers(gpu::Graph& graph, const std::string& name,
+                                                    const RasterInputs& in, const std::vector<Batch>& batches,
+                                                    View view, uint32_t count);
 
 /// Draws a picture of 32-bit words into `target`: the bits of reversed depth as float; 0 where nothing is
 /// seen.

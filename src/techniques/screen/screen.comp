@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread looks through one pixel: the nearest see-through surface in front of the solid ones, its colour
-// and how much it covers.
+// One thread looks through one pixel: the see-through surfaces in front of the solid ones, nearest first,
+// laid over each other as one: its colour and how much it covers.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -8,6 +8,7 @@
 #include "shaders/barycentric.glsl"
 #include "shaders/color.glsl"
 #include "shaders/frame.glsl.h"
+#include "shaders/hash.glsl"
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/visibility.glsl"
@@ -24,52 +25,73 @@ layout(scalar, binding = 1) readonly buffer SolidVisibility
     uvec2 solid[];
 };
 
-layout(scalar, binding = 2) readonly buffer ScreenVisibility
-{
-    uvec2 screen[];
-};
-
-#define MESH_TEXELS_BINDING 3
+#define MESH_TEXELS_BINDING 2
 #include "shaders/mesh_texels.glsl"
 
-#define DRAW_TEXELS_BINDING 5
+#define DRAW_TEXELS_BINDING 4
 #include "shaders/draw_texels.glsl"
 
-layout(scalar, binding = 6) readonly buffer RestVertices
+layout(scalar, binding = 5) readonly buffer RestVertices
 {
     RestVertex rest_vertices[];
 };
 
-#define MATERIAL_TEXELS_BINDING 7
+#define MATERIAL_TEXELS_BINDING 6
 #include "shaders/material_texels.glsl"
 
-layout(binding = 8) uniform sampler2DArray texture_class_0;
-layout(binding = 9) uniform sampler2DArray texture_class_1;
-layout(binding = 10) uniform sampler2DArray texture_class_2;
-layout(binding = 11) uniform sampler2DArray texture_class_3;
-layout(binding = 12) uniform sampler2DArray texture_class_4;
-layout(binding = 13, r32ui) writeonly uniform uimage2D out_draw; // draw + 1, 0 for none
-layout(binding = 14, rgba8) writeonly uniform image2D out_color; // square root of linear colour; cover
+layout(binding = 7) uniform sampler2DArray texture_class_0;
+layout(binding = 8) uniform sampler2DArray texture_class_1;
+layout(binding = 9) uniform sampler2DArray texture_class_2;
+layout(binding = 10) uniform sampler2DArray texture_class_3;
+layout(binding = 11) uniform sampler2DArray texture_class_4;
 
-// The size classes that hold textures.
+// Layer after layer, each behind the one before; a binding without a layer holds one of the others.
+layout(scalar, binding = 12) readonly buffer Layer0
+{
+    uvec2 layer_0[];
+};
+
+layout(scalar, binding = 13) readonly buffer Layer1
+{
+    uvec2 layer_1[];
+};
+
+layout(scalar, binding = 14) readonly buffer Layer2
+{
+    uvec2 layer_2[];
+};
+
+layout(scalar, binding = 15) readonly buffer Layer3
+{
+    uvec2 layer_3[];
+};
+
+layout(binding = 16, r32ui) writeonly uniform uimage2D out_draw; // 0 for none
+layout(binding = 17, rgba8) writeonly uniform image2D out_color; // square root of linear colour; cover
+
+// Bits: 0-4 the size classes that hold textures, 5-6 how many layers there are besides the first.
 layout(constant_id = 0) const uint variant = 31u;
-#define TEXTURE_CLASSES variant
+#define TEXTURE_CLASSES (variant & 31u)
+const int LAYERS = int((variant >> 5) & 3u) + 1;
 
 #include "shaders/texture.glsl"
 
-void main()
+struct Layer {
+    uint draw; // draw + 1
+    uint depth_bits;
+    vec4 color; // linear; cover
+};
+
+uvec2 seen_in(int layer, uint index)
 {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, imageSize(out_draw)))) {
-        return;
-    }
-    uint index = uint(pixel.y) * frame.size_px.x + uint(pixel.x);
-    uvec2 seen = screen[index];
-    if (!sees_triangle(seen) || seen_depth(seen) <= seen_depth(solid[index])) {
-        imageStore(out_draw, pixel, uvec4(0u));
-        imageStore(out_color, pixel, vec4(0.0));
-        return;
-    }
+    return layer == 0   ? layer_0[index]
+           : layer == 1 ? layer_1[index]
+           : layer == 2 ? layer_2[index]
+                        : layer_3[index];
+}
+
+Layer layer_at(uvec2 seen, ivec2 pixel)
+{
     uvec4 corners = triangle_at(seen_triangle(seen));
     uint draw_index = corners.w & TRIANGLE_DRAW_MASK;
     DrawPart draw = draw_at(draw_index);
@@ -92,7 +114,74 @@ void main()
         vec4 texel = sample_texture(slot, UvFootprint(uv * at.weight, uv * at.dx, uv * at.dy));
         color *= vec4(linear_from_srgb(texel.rgb), texel.a);
     }
-    float cover = clamp(color.a, 0.0, 1.0);
-    imageStore(out_draw, pixel, uvec4(cover >= LEAST_COVER ? draw_index + 1u : 0u));
-    imageStore(out_color, pixel, vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), cover));
+    color = clamp(color, 0.0, 1.0);
+    return Layer(color.a >= LEAST_COVER ? draw_index + 1u : 0u, seen.y, color);
+}
+
+// Whether the order of two layers at the same depth, which their numbers decided, is to be decided by what
+// they look like: the picture must not depend on which comes first in the scene.
+bool is_out_of_order(Layer a, Layer b)
+{
+    uint of_a = packUnorm4x8(a.color);
+    uint of_b = packUnorm4x8(b.color);
+    return a.depth_bits == b.depth_bits && of_a < of_b;
+}
+
+void sort_ties(inout Layer layers[LAYERS])
+{
+    for (int last = LAYERS - 1; last > 0; --last) {
+        for (int i = 0; i < last; ++i) {
+            if (is_out_of_order(layers[i], layers[i + 1])) {
+                Layer nearer = layers[i];
+                layers[i] = layers[i + 1];
+                layers[i + 1] = nearer;
+            }
+        }
+    }
+}
+
+// Names the draws in their order, each where it comes first, so that borders of all layers are borders here;
+// several surfaces of one draw are one. One draw alone is named by itself.
+uint name_of(Layer layers[LAYERS])
+{
+    uint name = 0u;
+    for (int i = 0; i < LAYERS; ++i) {
+        bool is_new = layers[i].draw != 0u;
+        for (int k = 0; k < i; ++k) {
+            is_new = is_new && layers[k].draw != layers[i].draw;
+        }
+        name = !is_new ? name : name == 0u ? layers[i].draw : hash(name, layers[i].draw);
+    }
+    return name;
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(out_draw)))) {
+        return;
+    }
+    uint index = uint(pixel.y) * frame.size_px.x + uint(pixel.x);
+    float solid_depth = seen_depth(solid[index]);
+    Layer layers[LAYERS];
+    for (int i = 0; i < LAYERS; ++i) {
+        layers[i] = Layer(0u, 0u, vec4(0.0));
+    }
+    for (int i = 0; i < LAYERS; ++i) {
+        uvec2 seen = seen_in(i, index);
+        if (!sees_triangle(seen) || seen_depth(seen) <= solid_depth) {
+            break;
+        }
+        layers[i] = layer_at(seen, pixel);
+    }
+    sort_ties(layers);
+    vec3 color = vec3(0.0); // times cover
+    float through = 1.0;
+    for (int i = 0; i < LAYERS; ++i) {
+        color += through * layers[i].color.a * layers[i].color.rgb;
+        through *= 1.0 - layers[i].color.a;
+    }
+    float cover = 1.0 - through;
+    imageStore(out_draw, pixel, uvec4(name_of(layers)));
+    imageStore(out_color, pixel, vec4(sqrt(color / max(cover, 1e-6)), cover));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/screen/screen.hpp"
 
+#include <algorithm>
+
 #include "shaders/no_screen_comp.hpp"
 #include "shaders/screen_comp.hpp"
 
@@ -21,13 +23,16 @@ Screen write_screen(gpu::Graph& graph, gpu::Pass& pass, glm::uvec2 size_px)
 Screen add_screen(gpu::Graph& graph, const ScreenInputs& in)
 {
     auto pass = graph.compute("screen", shaders::screen_comp);
-    pass.uniform(in.frame).read(in.solid_visibility).read(in.screen_visibility).sample(in.triangles);
-    pass.sample(in.posed_vertices).sample(in.draws).read(in.rest_vertices).sample(in.materials);
+    pass.uniform(in.frame).read(in.solid_visibility).sample(in.triangles).sample(in.posed_vertices);
+    pass.sample(in.draws).read(in.rest_vertices).sample(in.materials);
     for (const gpu::ImageId texture : in.textures) {
         pass.sample(texture, gpu::Sampling::linear_repeat);
     }
+    for (size_t i = 0; i < most_layers; ++i) {
+        pass.read(in.layers[std::min(i, in.layers.size() - 1)]);
+    }
     const Screen screen = write_screen(graph, pass, in.size_px);
-    pass.variant(in.texture_classes);
+    pass.variant(in.texture_classes | static_cast<uint32_t>(in.layers.size() - 1) << 5U);
     pass.dispatch_over(in.size_px.x, in.size_px.y);
     return screen;
 }

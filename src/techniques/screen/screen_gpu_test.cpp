@@ -3,6 +3,9 @@
 #include "techniques/screen/screen.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -50,9 +53,34 @@ void add_pane(Scene& scene, const glm::vec3& color, float opacity, double z, Pri
     scene.materials.back().alpha_mode = AlphaMode::blend;
 }
 
-test::ScreenPixels look(const Scene& scene)
+test::ScreenPixels look(const Scene& scene, RasterPath path = RasterPath::compute)
 {
-    return test::Drawing(scene, parallel_camera(), glm::uvec2(side_px)).screen();
+    test::Drawing drawing(scene, parallel_camera(), glm::uvec2(side_px));
+    drawing.path = path;
+    return drawing.screen();
+}
+
+/// Panes laid over each other, the nearest first: colour and cover of all.
+glm::vec4 laid_over(const std::vector<glm::vec4>& panes)
+{
+    glm::vec3 color(0.0F);
+    float through = 1.0F;
+    for (const glm::vec4& pane : panes) {
+        color += through * pane.w * glm::vec3(pane);
+        through *= 1.0F - pane.w;
+    }
+    return {color / (1.0F - through), 1.0F - through};
+}
+
+void expect_color(const test::ScreenPixels& pixels, const glm::vec4& color)
+{
+    // Eight bits of the colour's root and of the cover, with a hair of float.
+    for (const glm::vec4& c : pixels.color) {
+        for (int k = 0; k < 3; ++k) {
+            ASSERT_NEAR(std::sqrt(c[k]), std::sqrt(color[k]), 0.51 / 255.0) << k;
+        }
+        ASSERT_NEAR(c.w, color.w, 0.51 / 255.0);
+    }
 }
 
 void expect_everywhere(const test::ScreenPixels& pixels, uint32_t draw, const glm::vec4& color)
@@ -98,19 +126,85 @@ TEST(Screen, MultipliesByVertexColoursAndTexture)
     EXPECT_NEAR(pixels.color[right].y, 0.0F, 1e-3F);
 }
 
-TEST(Screen, TheNearestCountsInWhateverOrderTheyCome)
+constexpr std::array paths{RasterPath::compute, RasterPath::hardware};
+
+TEST(Screen, PanesInARowCoverAsTheirProductInWhateverOrderTheyCome)
 {
-    Scene green_first, blue_first;
-    add_pane(green_first, green, 0.5F, 0.2);
-    add_pane(green_first, blue, 0.7F, 0.1);
-    add_pane(blue_first, blue, 0.7F, 0.1);
-    add_pane(blue_first, green, 0.5F, 0.2);
-    expect_everywhere(look(green_first), 1, glm::vec4(green, 0.5F));
-    expect_everywhere(look(blue_first), 2, glm::vec4(green, 0.5F));
-    EXPECT_EQ(look(green_first).color, look(blue_first).color);
-    // A hair's breadth apart, or crossing: still by depth alone.
-    green_first.nodes[1].transform.translation.z = 0.2 - 1e-4;
-    expect_everywhere(look(green_first), 1, glm::vec4(green, 0.5F));
+    const std::array<glm::vec4, 4> panes{glm::vec4(green, 0.5F), glm::vec4(blue, 0.3F),
+                                         glm::vec4(0.81F, 0.25F, 0.04F, 0.4F), glm::vec4(blue, 0.9F)};
+    const std::vector<std::vector<size_t>> orders{{0, 1},       {1, 0},      {0, 1, 2}, {0, 2, 1},
+                                                  {1, 0, 2},    {1, 2, 0},   {2, 0, 1}, {2, 1, 0},
+                                                  {0, 1, 2, 3}, {3, 1, 0, 2}};
+    for (const RasterPath path : paths) {
+        for (const std::vector<size_t>& order : orders) {
+            Scene scene;
+            for (const size_t i : order) {
+                add_pane(scene, panes.at(i), panes.at(i).w, 0.2 - 0.05 * static_cast<double>(i));
+            }
+            expect_color(look(scene, path),
+                         laid_over({panes.begin(), panes.begin() + static_cast<long>(order.size())}));
+        }
+    }
+}
+
+TEST(Screen, PanesThatCrossAreInOrderOnEitherSide)
+{
+    const std::array<glm::vec4, 2> panes{glm::vec4(green, 0.5F), glm::vec4(blue, 0.7F)};
+    for (const RasterPath path : paths) {
+        for (const bool turned : {false, true}) {
+            Scene scene;
+            for (const size_t i : {0U, 1U}) {
+                add_pane(scene, panes.at(turned ? 1 - i : i), panes.at(turned ? 1 - i : i).w, 0.0);
+                scene.nodes.back().transform.rotation =
+                    glm::angleAxis((i == 0) != turned ? 0.3 : -0.3, glm::dvec3(0, 1, 0));
+            }
+            const auto pixels = look(scene, path);
+            const size_t row = 40 * size_t{side_px};
+            const glm::vec4 left = pixels.color[row + 20];
+            const glm::vec4 right = pixels.color[row + 70];
+            EXPECT_LT(glm::distance(left, laid_over({panes[0], panes[1]})), 6e-3F); // turned towards the eye
+            EXPECT_LT(glm::distance(right, laid_over({panes[1], panes[0]})), 6e-3F);
+            EXPECT_NE(pixels.draw[row + 20], pixels.draw[row + 70]);
+        }
+    }
+}
+
+TEST(Screen, PanesInOnePlaneLookAlikeInWhateverOrderTheyCome)
+{
+    for (const RasterPath path : paths) {
+        Scene green_first, blue_first;
+        add_pane(green_first, green, 0.5F, 0.2);
+        add_pane(green_first, blue, 0.7F, 0.2);
+        add_pane(blue_first, blue, 0.7F, 0.2);
+        add_pane(blue_first, green, 0.5F, 0.2);
+        const auto pixels = look(green_first, path);
+        EXPECT_NEAR(pixels.color[1000].w, 0.85F, 3e-3F);
+        EXPECT_EQ(pixels.color, look(blue_first, path).color);
+    }
+}
+
+TEST(Screen, WhatStandsBetweenPanesHidesThoseBehind)
+{
+    Scene scene = test::scene_of(pane());
+    add_pane(scene, green, 0.4F, 1.0);
+    add_pane(scene, blue, 0.4F, -1.0);
+    add_pane(scene, blue, 0.2F, 2.0);
+    expect_color(look(scene), laid_over({glm::vec4(blue, 0.2F), glm::vec4(green, 0.4F)}));
+}
+
+TEST(Screen, BordersOfPanesBehindPanesAreBorders)
+{
+    // The pane behind fills the left half; a name for what is there changes at its border, and there alone.
+    Scene scene;
+    add_pane(scene, green, 0.4F, 1.0);
+    add_pane(scene, blue, 0.4F, 0.0);
+    scene.nodes.back().transform.translation.x = -1.0;
+    const auto pixels = look(scene);
+    EXPECT_EQ(pixels.draw[95], 1U);
+    for (size_t i = 0; i < pixels.draw.size(); ++i) {
+        ASSERT_EQ(pixels.draw[i], i % side_px < side_px / 2 ? pixels.draw[0] : 1U) << i;
+    }
+    EXPECT_NE(pixels.draw[0], 1U);
 }
 
 TEST(Screen, AClearPlaceHidesNoScreenBehind)
@@ -195,6 +289,51 @@ TEST(Screen, CoverPalesWhatIsBehindAndHidesItsPaintAtLast)
     // sRGB of the pane's colour.
     EXPECT_NEAR(red, 56.0, 3.0);
     EXPECT_NEAR(grass, 162.0, 3.0);
+}
+
+TEST(Screen, TheOrderInTheSceneChangesNoByte)
+{
+    // Bodies that cross each other: a bottle's two walls, a pane through it, a ball behind.
+    const auto glass = [](const std::vector<size_t>& order) {
+        Scene scene = still_life();
+        for (const size_t i : order) {
+            add_pane(scene, i % 2 == 0 ? green : blue, 0.25F + 0.1F * static_cast<float>(i),
+                     1.0 + 0.1 * static_cast<double>(i),
+                     i == 0   ? shapes::sphere(0.6F)
+                     : i == 1 ? shapes::sphere(0.5F)
+                     : i == 2 ? pane()
+                              : shapes::sphere(0.3F),
+                     1.0);
+            scene.materials.back().double_sided = i < 2;
+        }
+        return draw(scene);
+    };
+    const Image first = glass({0, 1, 2, 3});
+    EXPECT_EQ(glass({3, 2, 1, 0}), first);
+    EXPECT_EQ(glass({2, 0, 3, 1}), first);
+}
+
+TEST(Screen, AsManyLayersAreDrawnAsTheSceneCanShow)
+{
+    const auto layers = [](const Scene& scene, const Style& style = {}) {
+        (void)draw(scene, style);
+        std::set<std::string> names;
+        for (const PassTiming& timing : test::shared_renderer().timings()) {
+            if (timing.name.starts_with("screen") && timing.name.ends_with("/copy")) {
+                names.insert(timing.name);
+            }
+        }
+        return names.size();
+    };
+    Scene scene = still_life();
+    EXPECT_EQ(layers(scene), 0U);
+    for (const size_t count : {1U, 2U, 3U, 4U, 4U}) {
+        add_pane(scene, green, 0.3F, 2.0 + 0.1 * static_cast<double>(scene.nodes.size()), pane(), 1.2);
+        EXPECT_EQ(layers(scene), count);
+    }
+    Style nearest;
+    nearest.set("screen.layers=1");
+    EXPECT_EQ(layers(scene, nearest), 1U);
 }
 
 TEST(Screen, APaleScreenThinsTheStrokesBehindIt)
