@@ -130,19 +130,22 @@ gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness&
 
 gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness, const HatchStyle& style)
 {
+    const float overrun_px = style.overrun_mm * in.pixels_per_mm;
+    const gpu::ImageId source = overrun_px > 0.0F ? add_overrun(graph, in, darkness, overrun_px) : in.draw;
     auto pass = graph.compute("hatch/map", shaders::map_comp);
     pass.sample(darkness).sample(in.draw).sample(in.coordinate).sample(in.footprint);
     pass.sample(in.map->tones, gpu::Sampling::linear_repeat);
-    pass.sample(in.map->thresholds, gpu::Sampling::linear_repeat).read(in.map->ramp);
+    pass.sample(in.map->thresholds, gpu::Sampling::linear_repeat).read(in.map->ramp).sample(source);
     const gpu::ImageId ink = pass.write(ink_image(graph, in.size_px));
-    pass.variant(static_cast<uint32_t>(style.map_tone));
+    pass.variant(static_cast<uint32_t>(style.map_tone) | (overrun_px > 0.0F ? 4U : 0U));
     pass.push(shared::MapConstants{.size_px = in.size_px,
                                    .map_size_texels = in.map->size_px,
                                    .tone_count = in.map->tone_count,
                                    .level_count = in.map->level_count,
                                    .texels_per_px = 1.0F / (style.map_texel_mm * in.pixels_per_mm),
                                    .contrast = style.map_contrast,
-                                   .black_above = style.black_above})
+                                   .black_above = style.black_above,
+                                   .overrun_px = overrun_px})
         .dispatch_over(in.size_px.x, in.size_px.y);
     return ink;
 }

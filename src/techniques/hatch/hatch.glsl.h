@@ -50,6 +50,7 @@ struct MapConstants {
     float texels_per_px; // wanted on the page
     float contrast;      // of the tones about their middle; 1 for none
     float black_above;
+    float overrun_px;
 };
 
 // The ramp says, for darknesses from 0 to 1, what to ask of a map so that its mean ink is that darkness: a

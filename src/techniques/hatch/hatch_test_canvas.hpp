@@ -56,13 +56,20 @@ private:
 class Canvas {
 public:
     Canvas(glm::uvec2 size_px, uint32_t kind)
-        : size_px_(size_px), draw_(Layer::words(size_px, [&](glm::uvec2) { return kind << 26U | 1U; })),
+        : size_px_(size_px), kind_(kind),
+          draw_(Layer::words(size_px, [&](glm::uvec2) { return kind << 26U | 1U; })),
           darkness_(Layer::coverage(size_px, [](glm::uvec2) { return 0.0F; })),
           normal_(Layer::normals(size_px, [](glm::uvec2) { return glm::vec3(0, 0, 1); })),
           coordinate_(Layer::places({1, 1}, [](glm::uvec2) { return glm::vec4(0.0F); })),
           footprint_(Layer::footprints(
               {1, 1}, [](glm::uvec2) { return std::pair(glm::vec3(0.0F), glm::vec3(0.0F)); }))
     {
+    }
+
+    /// What is not seen is bare paper.
+    void paint_seen(const Painter<bool>& seen)
+    {
+        draw_ = Layer::words(size_px_, [&](glm::uvec2 p) { return seen(p) ? kind_ << 26U | 1U : 0U; });
     }
 
     void paint_darkness(const Painter<float>& darkness) { darkness_ = Layer::coverage(size_px_, darkness); }
@@ -105,6 +112,7 @@ public:
 
 private:
     glm::uvec2 size_px_;
+    uint32_t kind_;
     Layer draw_, darkness_, normal_, coordinate_, footprint_;
 };
 

@@ -138,21 +138,8 @@ float strokes(vec3 p, Footprint f, vec3 normal, uint kind, float dark)
     return 1.0 - white;
 }
 
-// The pixel whose strokes are drawn here: itself, or one nearby whose strokes run over onto bare paper. Then
-// `share` tells how much of its darkness is left.
-ivec2 source_of(ivec2 pixel, out float share)
-{
-    share = 1.0;
-    if (!has_overrun || !is_paper(texelFetch(draw_image, pixel, 0).x) ||
-        texelFetch(darkness_image, pixel, 0).x > 0.0) {
-        return pixel;
-    }
-    uint source = texelFetch(source_image, pixel, 0).x;
-    ivec2 at = ivec2(source & 0xffffu, source >> 16);
-    float away = distance(vec2(pixel), vec2(at));
-    share = source == NO_SOURCE ? 0.0 : 1.0 - smoothstep(0.3, 1.0, away / constants.overrun_px);
-    return source == NO_SOURCE ? pixel : at;
-}
+#define OVERRUN_PX constants.overrun_px
+#include "techniques/hatch/overrun_source.glsl"
 
 void main()
 {

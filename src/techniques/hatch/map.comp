@@ -24,17 +24,23 @@ layout(scalar, binding = 6) readonly buffer Ramp
     float ramp[];
 };
 
-layout(binding = 7, r16f) writeonly uniform image2D out_ink;
+layout(binding = 7) uniform usampler2D source_image; // see overrun.comp
+layout(binding = 8, r16f) writeonly uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
 {
     MapConstants constants;
 };
 
-// 0: stroke by stroke, in the order of the thresholds. 1: between two tones. 2: tone by tone, in hard steps.
+// Bits 0-1: 0 stroke by stroke, in the order of the thresholds; 1 between two tones; 2 tone by tone, in hard
+// steps. Bit 2: strokes run over silhouettes.
 layout(constant_id = 0) const uint variant = 0u;
-const bool in_order = variant == 0u;
-const bool in_steps = variant == 2u;
+const bool in_order = (variant & 3u) == 0u;
+const bool in_steps = (variant & 3u) == 2u;
+const bool has_overrun = (variant & 4u) != 0u;
+
+#define OVERRUN_PX constants.overrun_px
+#include "techniques/hatch/overrun_source.glsl"
 
 struct Place {
     vec2 at;   // in sides of the map
@@ -165,12 +171,17 @@ void main()
     if (any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
         return;
     }
-    float dark = texelFetch(darkness_image, pixel, 0).x;
-    uint kind = strokes_of(texelFetch(draw_image, pixel, 0).x);
-    vec3 p = texelFetch(coordinate_image, pixel, 0).xyz;
-    Levels levels = levels_at(place_on(kind, p, unpack_footprint(texelFetch(footprint_image, pixel, 0))));
+    float share;
+    ivec2 source = source_of(pixel, share);
+    vec2 beyond = vec2(pixel - source);
+    float dark = texelFetch(darkness_image, source, 0).x * share;
+    uint kind = strokes_of(texelFetch(draw_image, source, 0).x);
+    Footprint f = unpack_footprint(texelFetch(footprint_image, source, 0));
+    vec3 p = texelFetch(coordinate_image, source, 0).xyz + f.dx * beyond.x + f.dy * beyond.y;
+    Levels levels = levels_at(place_on(kind, p, f));
     float ink = in_order ? ordered_ink(levels, dark) : layered_ink(levels, dark);
     ink = dark > 0.002 ? ink : 0.0;
-    ink = max(ink, smoothstep(constants.black_above, constants.black_above + 0.02, dark));
+    ink = max(ink,
+              source == pixel ? smoothstep(constants.black_above, constants.black_above + 0.02, dark) : 0.0);
     imageStore(out_ink, pixel, vec4(ink));
 }

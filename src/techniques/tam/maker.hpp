@@ -10,7 +10,7 @@
 namespace estampe::tam {
 
 /// Rises whenever the same style would draw another map: maps that were kept are then drawn anew.
-inline constexpr int drawing_version = 1;
+inline constexpr int drawing_version = 2;
 
 /// A stroke of a map, and what it is drawn in: all levels from 0 to `level`, all tones from `tone` on.
 struct PlacedStroke {

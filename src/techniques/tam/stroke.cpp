@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "techniques/tam/random.hpp"
 
@@ -54,6 +55,57 @@ private:
     std::vector<float> half_px_;
 };
 
+/// The texels that the middle of a stroke runs through: of each column of the picture, or each row when the
+/// stroke runs upright, those from the lowest to the highest.
+class Middle {
+public:
+    Middle(const Stroke& stroke, uint32_t size_px, int major) : major_(major)
+    {
+        constexpr float samples_a_px = 4.0F;
+        const auto size = static_cast<float>(size_px);
+        const auto count = static_cast<size_t>(std::ceil(samples_a_px * stroke.length * size)) + 1;
+        glm::vec2 before = size * stroke.point(0.0F);
+        enter(before, column_of(before));
+        for (size_t i = 1; i <= count; ++i) {
+            const glm::vec2 here = size * stroke.point(static_cast<float>(i) / static_cast<float>(count));
+            const int from = column_of(before);
+            const int to = column_of(here);
+            if (from != to) {
+                const auto border = static_cast<float>(std::max(from, to));
+                const glm::vec2 crossing =
+                    glm::mix(before, here, (border - before[major]) / (here[major] - before[major]));
+                enter(crossing, from);
+                enter(crossing, to);
+            }
+            enter(here, to);
+            before = here;
+        }
+    }
+
+    [[nodiscard]] bool runs_through(glm::ivec2 texel) const
+    {
+        const auto found = rows_.find(texel[major_]);
+        return found != rows_.end() && texel[1 - major_] >= found->second.x &&
+               texel[1 - major_] <= found->second.y;
+    }
+
+private:
+    [[nodiscard]] int column_of(glm::vec2 place_px) const
+    {
+        return static_cast<int>(std::floor(place_px[major_]));
+    }
+
+    void enter(glm::vec2 place_px, int column)
+    {
+        const int row = static_cast<int>(std::floor(place_px[1 - major_]));
+        const auto [rows, is_new] = rows_.try_emplace(column, row, row);
+        rows->second = {std::min(rows->second.x, row), std::max(rows->second.y, row)};
+    }
+
+    int major_;
+    std::unordered_map<int, glm::ivec2> rows_; ///< lowest and highest
+};
+
 /// Walks the columns of the picture that a stroke crosses, or its rows when it runs upright, so that each
 /// texel is met once.
 class Walk {
@@ -63,8 +115,7 @@ public:
         : path_(path), brush_(brush), tooth_(tooth), marks_(marks), seed_(stroke.seed), size_px_(size_px),
           start_px_(stroke.start * static_cast<float>(size_px)), direction_(stroke.direction),
           across_(-stroke.direction.y, stroke.direction.x),
-          middle_px_(0.5F * (std::abs(direction_.x) + std::abs(direction_.y)) + 0.04F),
-          major_(std::abs(direction_.x) >= std::abs(direction_.y) ? 0 : 1)
+          major_(std::abs(direction_.x) >= std::abs(direction_.y) ? 0 : 1), middle_(stroke, size_px, major_)
     {
     }
 
@@ -117,12 +168,13 @@ private:
         const glm::vec2 from_start = glm::vec2(texel) + 0.5F - start_px_;
         const float along_px = glm::dot(from_start, direction_);
         const float inside = std::min(along_px, path_.length_px() - along_px) + 0.5F;
-        if (inside <= 0.0F) {
+        const bool on_middle = middle_.runs_through(texel);
+        if (inside <= 0.0F && !on_middle) {
             return;
         }
         const float across_px = glm::dot(from_start, across_) - path_.offset_px(along_px);
         const float half_px = path_.half_px(along_px);
-        if (std::abs(across_px) >= std::max(half_px + 0.5F, middle_px_)) {
+        if (std::abs(across_px) >= half_px + 0.5F && !on_middle) {
             return;
         }
         const uint32_t mask = size_px_ - 1;
@@ -132,8 +184,8 @@ private:
                           .across_px = across_px,
                           .half_px = half_px,
                           .tooth = tooth_.empty() ? 0.0F : tooth_[index],
-                          .on_middle = inside >= 0.5F && std::abs(across_px) <= middle_px_};
-        const float ink = brush_.ink(touch, seed_) * (touch.on_middle ? 1.0F : std::min(inside, 1.0F));
+                          .on_middle = on_middle};
+        const float ink = brush_.ink(touch, seed_) * (on_middle ? 1.0F : std::min(inside, 1.0F));
         const auto amount = static_cast<uint16_t>(std::lround(std::clamp(ink, 0.0F, 1.0F) * 65535.0F));
         if (amount > 0) {
             marks_.push_back({index, amount});
@@ -149,8 +201,8 @@ private:
     glm::vec2 start_px_;
     glm::vec2 direction_;
     glm::vec2 across_;
-    float middle_px_; ///< half the width of a texel across the stroke, and a little for its bend
     int major_;
+    Middle middle_;
 };
 
 } // namespace
