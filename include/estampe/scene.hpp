@@ -167,8 +167,10 @@ struct Light {
     float outer_cone_rad = 0.7853982F; ///< of a pyramid: half the angle between opposite sides
     LightFalloff falloff = LightFalloff::inverse_square;
     SpotShape shape = SpotShape::cone;
-    Groups groups = all_groups;  ///< lights what is `lit_by` one of them
-    Groups casters = all_groups; ///< blocked by what `casts_for` one of them; 0: its light throws no shadow
+    std::optional<float> radius_m; ///< of a lamp or spot, the ball that glows: how wide its penumbrae are, 0
+                                   ///< for none; not given: `shadow.lamp_radius_m` of the style
+    Groups groups = all_groups;    ///< lights what is `lit_by` one of them
+    Groups casters = all_groups;   ///< blocked by what `casts_for` one of them; 0: its light throws no shadow
 
     bool operator==(const Light& other) const = default;
 };

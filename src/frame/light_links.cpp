@@ -86,10 +86,12 @@ void apply_to_light(Light& light, const std::string& word)
         light.intensity *= parse_number(*factor, lights_key);
     } else if (const auto range_m = argument(word, "range")) {
         light.range_m = parse_number(*range_m, lights_key);
+    } else if (const auto radius_m = argument(word, "radius")) {
+        light.radius_m = parse_number(*radius_m, lights_key);
     } else {
         fail_word(word, lights_key,
                   "off, shadow, no_shadow, inverse_square, unit_volume, cone, pyramid, groups:1+2, "
-                  "casters:1+2, intensity:2, range:5");
+                  "casters:1+2, intensity:2, range:5, radius:0.1");
     }
 }
 
@@ -224,6 +226,12 @@ void set_lighting(Scene& scene, const LightingOfScene& lighting)
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         scene.materials[i].links = lighting.material_links[i];
     }
+}
+
+Scene lit_by_style(Scene scene, const light::LightStyle& style)
+{
+    set_lighting(scene, styled_lighting(lighting_of(scene), scene, style));
+    return scene;
 }
 
 } // namespace estampe::frame

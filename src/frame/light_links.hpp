@@ -31,6 +31,9 @@ struct LightingOfScene {
 [[nodiscard]] LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene,
                                               const light::LightStyle& style);
 
+/// `scene` lit as the style wants it; throws as styled_lighting().
+[[nodiscard]] Scene lit_by_style(Scene scene, const light::LightStyle& style);
+
 /// Writes it back.
 void set_lighting(Scene& scene, const LightingOfScene& lighting);
 

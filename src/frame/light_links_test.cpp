@@ -56,6 +56,8 @@ TEST(LightLinks, LightsGoByTheirNameOrTheirNodes)
     EXPECT_EQ(lighting.lights[0].groups, 0b101);
     EXPECT_EQ(lighting.lights[0].casters, all_groups);
     EXPECT_EQ(lighting.lights[1].casters, 0);
+    EXPECT_FALSE(lighting.lights[0].radius_m);
+    EXPECT_EQ(styled("Lamp=radius:0.2", "").lights[0].radius_m, 0.2F);
     EXPECT_EQ(styled("Sun=off", "").lights[1].intensity, 0.0F);
     EXPECT_EQ(styled("Lantern=pyramid casters:2", "").lights[0].shape, SpotShape::pyramid);
     EXPECT_EQ(styled("Lantern=pyramid casters:2", "").lights[0].casters, 0b10);

@@ -49,6 +49,11 @@ shadow::LocalLight local_light(const shared::LightRecord& record)
     return light;
 }
 
+float radius_of(const shared::LightRecord& record, const shadow::ShadowStyle& style)
+{
+    return record.radius_m >= 0.0F ? record.radius_m : style.lamp_radius_m;
+}
+
 shadow::AtlasRequest atlas_request(const shared::LightRecord& record, const shadow::LocalLight& light,
                                    const PageView& page, const shadow::ShadowStyle& style)
 {
@@ -92,7 +97,8 @@ LocalShadowPlan LocalShadows::plan(light::Lighting& lighting, std::span<const Bo
             kept_[i] = {};
             continue;
         }
-        plan.shadows.push_back(shadow::local_shadow(lights[i], lot.size, lot.first_texel));
+        plan.shadows.push_back(
+            shadow::local_shadow(lights[i], lot.size, lot.first_texel, radius_of(records[i], style)));
         records[i].shadow = static_cast<uint32_t>(plan.shadows.size());
         const bool is_kept =
             kept_[i].light == lights[i] && kept_[i].allotment == lot &&

@@ -19,6 +19,9 @@ namespace estampe::frame {
 /// moves does not change it all the time.
 [[nodiscard]] shadow::LocalLight local_light(const shared::LightRecord& record);
 
+/// Radius in metres of the ball that glows: the light's own, or what the style says of all.
+[[nodiscard]] float radius_of(const shared::LightRecord& record, const shadow::ShadowStyle& style);
+
 /// Where the page is taken from, for judging how many texels a light is worth.
 struct PageView {
     glm::vec3 eye_anchor{0.0F};

@@ -58,6 +58,23 @@ TEST(LocalShadows, SomeLightsGoWithout)
     EXPECT_EQ(lighting.records[2].shadow, 1U);
 }
 
+TEST(LocalShadows, ALightsOwnRadiusCountsBeforeTheStyles)
+{
+    light::Lighting lighting{.records = {lamp({-5, 2, 0}, 4.0F), lamp({5, 2, 0}, 4.0F)}};
+    lighting.records[0].radius_m = -1.0F;
+    lighting.records[1].radius_m = 0.0F;
+    shadow::ShadowStyle style;
+    style.lamp_radius_m = 0.3F;
+    LocalShadows shadows;
+    const auto plan = shadows.plan(lighting, {}, page, style);
+    ASSERT_EQ(plan.shadows.size(), 2U);
+    EXPECT_EQ(plan.shadows[0].radius_m, 0.3F);
+    EXPECT_EQ(plan.shadows[1].radius_m, 0.0F);
+    // Maps do not depend on it.
+    lighting.records[1].radius_m = 0.5F;
+    EXPECT_TRUE(shadows.plan(lighting, {}, page, style).redrawn.empty());
+}
+
 TEST(LocalShadows, TakeTheConeOfASpot)
 {
     shared::LightRecord record = lamp({0, 2, 0}, 4.0F);

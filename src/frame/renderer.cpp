@@ -179,6 +179,7 @@ void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighti
                                     local.without, local.shadows.size()));
     }
     plan.has_local_shadows = !local.shadows.empty();
+    plan.shadow_variant |= shadow::lamps_variant(local.shadows);
     plan.local_views = std::move(local.redrawn);
 }
 

@@ -210,7 +210,7 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, Light
                              .coordinate = stage.surface.coordinate,
                              .footprint = stage.surface.footprint,
                              .edge_look = gpu::import_whole(graph, "edges", edge_look_),
-                             .shadow_variant = plan.shadow_variant,
+                             .shadow_variant = plan.shadow_variant | lamps_variant_,
                              .local_shadows = gpu::import_whole(graph, "local shadows", local_shadows_),
                              .local_maps = local_maps,
                              .has_local_shadows = setup.local_shadow_size > 0,

@@ -126,6 +126,7 @@ private:
     gpu::Buffer light_globals_;
     gpu::Buffer lights_;
     gpu::Buffer shadow_map_;
+    uint32_t lamps_variant_ = 0;
     gpu::Buffer local_shadows_;
     gpu::Buffer local_maps_;
     gpu::Buffer local_views_;

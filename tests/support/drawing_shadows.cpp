@@ -53,7 +53,8 @@ gpu::BufferId Drawing::add_local_maps(gpu::Graph& graph, const Stage& stage, Lig
     uint32_t texel_count = 0;
     for (size_t i = setup.directional_count; i < setup.records.size() && setup.local_shadow_size > 0; ++i) {
         const shadow::LocalLight local = frame::local_light(setup.records[i]);
-        shadows.push_back(shadow::local_shadow(local, setup.local_shadow_size, texel_count));
+        shadows.push_back(shadow::local_shadow(local, setup.local_shadow_size, texel_count,
+                                               frame::radius_of(setup.records[i], setup.shadow)));
         setup.records[i].shadow = static_cast<uint32_t>(shadows.size());
         for (const shadow::LocalView& view : shadow::local_views(local, shadows.back())) {
             views.push_back({.clip_from_anchor = view.clip_from_anchor,
@@ -67,6 +68,7 @@ gpu::BufferId Drawing::add_local_maps(gpu::Graph& graph, const Stage& stage, Lig
         }
     }
     raster::place_views(views);
+    lamps_variant_ = shadow::lamps_variant(shadows);
     local_shadows_ = gpu::upload_buffer(shared_device(), "local shadows", shadows);
     local_views_ = gpu::upload_buffer(shared_device(), "local views", views);
     local_maps_ = gpu::Buffer(shared_device(), "local maps", 4ULL * texel_count, gpu::MemoryUse::device);

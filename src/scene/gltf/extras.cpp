@@ -45,6 +45,16 @@ public:
         return value_.Get(key).Get<bool>();
     }
 
+    [[nodiscard]] float positive_number(const std::string& key) const
+    {
+        const tinygltf::Value& value = value_.Get(key);
+        const double number = value.IsNumber() ? value.GetNumberAsDouble() : -1.0;
+        if (!(number >= 0.0 && number <= 1e6)) {
+            data_.fail(at(key), "should be a number, 0 or more");
+        }
+        return static_cast<float>(number);
+    }
+
     /// The place of the word among `words`.
     [[nodiscard]] size_t choice(const std::string& key, std::span<const std::string_view> words) const
     {
@@ -97,7 +107,8 @@ void read_light_extras(const Data& data, const tinygltf::Value& extras, const st
     if (!has_extras(extras)) {
         return;
     }
-    static constexpr std::string_view keys[] = {"casters", "falloff", "groups", "shadows", "shape", "type"};
+    static constexpr std::string_view keys[] = {"casters", "falloff", "groups", "radius",
+                                                "shadows", "shape",   "type"};
     static constexpr std::string_view falloffs[] = {"inverse_square", "unit_volume"};
     static constexpr std::string_view shapes[] = {"cone", "pyramid"};
     static constexpr std::string_view types[] = {"ambient"};
@@ -118,6 +129,9 @@ void read_light_extras(const Data& data, const tinygltf::Value& extras, const st
     }
     if (reader.has("casters")) {
         light.casters = reader.groups("casters");
+    }
+    if (reader.has("radius")) {
+        light.radius_m = reader.positive_number("radius");
     }
     if (reader.has("shadows") && !reader.boolean("shadows")) {
         light.casters = 0;

@@ -6,6 +6,7 @@
 //     light           "falloff": "inverse_square" or "unit_volume"   "shape": "cone" or "pyramid"
 //                     "type": "ambient"                              "shadows": true or false
 //                     "groups": [1, 2]    lights objects of these    "casters": [1]    is blocked by those
+//                     "radius": 0.1       metres, of what glows
 //     node, material  "groups": [1]       lit by lights of these     "casts": [1], true or false
 //                     "receives": true or false
 //

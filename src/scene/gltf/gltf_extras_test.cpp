@@ -39,6 +39,9 @@ TEST(GltfExtras, OfALight)
     EXPECT_EQ(light.groups, 0b101);
     EXPECT_EQ(light.casters, 0x8000);
     EXPECT_EQ(light.type, LightType::spot);
+    EXPECT_FALSE(light.radius_m);
+    EXPECT_EQ(lamp_file(R"({"estampe": {"radius": 0.25}})").load().lights[0].radius_m, 0.25F);
+    EXPECT_EQ(lamp_file(R"({"estampe": {"radius": 0}})").load().lights[0].radius_m, 0.0F);
     EXPECT_EQ(lamp_file(R"({"estampe": {"shadows": false}})").load().lights[0].casters, 0);
     EXPECT_EQ(lamp_file(R"({"estampe": {"shadows": true}})").load().lights[0].casters, all_groups);
     EXPECT_EQ(lamp_file(R"({"estampe": {"type": "ambient"}})").load().lights[0].type, LightType::ambient);
@@ -73,6 +76,8 @@ TEST(GltfExtras, ErrorsNameThePlace)
     EXPECT_EQ(of_light(R"({"fallof": 1})").find(light + "/fallof: is not known"), 0U);
     EXPECT_EQ(of_light(R"({"falloff": "cubic"})").find(light + "/falloff: should be one of"), 0U);
     EXPECT_EQ(of_light(R"({"shadows": 1})").find(light + "/shadows: should be true or false"), 0U);
+    EXPECT_EQ(of_light(R"({"radius": -1})").find(light + "/radius: should be a number"), 0U);
+    EXPECT_EQ(of_light(R"({"radius": "wide"})").find(light + "/radius: should be a number"), 0U);
     EXPECT_EQ(of_light(R"({"groups": 1})").find(light + "/groups: should be an array"), 0U);
     EXPECT_EQ(of_light(R"({"groups": [1, 17]})").find(light + "/groups/1: should be a group"), 0U);
     EXPECT_EQ(of_light(R"({"groups": [0.5]})").find(light + "/groups/0: should be a group"), 0U);

@@ -18,6 +18,7 @@ shared::LightRecord blank_record()
 {
     shared::LightRecord record{};
     record.groups = 0xffffffffU;
+    record.radius_m = -1.0F;
     return record;
 }
 
@@ -55,6 +56,7 @@ shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from
         return record;
     }
     record.type = type_of(light);
+    record.radius_m = light.radius_m.value_or(-1.0F);
     record.direction = glm::vec3(beam);
     record.side = glm::vec3(axis_of(world_from_node, {1.0, 0.0, 0.0}));
     // KHR_lights_punctual's recommended angular falloff, as scale and offset of the cosine.

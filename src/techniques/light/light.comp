@@ -96,6 +96,7 @@ const bool has_wave_edges = (variant & 0x200u) != 0u;
 const bool has_edges = has_stroke_edges || has_wave_edges;
 const bool has_soft_sun = (variant & 0x400u) != 0u;
 const bool has_sun_levels = (variant & 0x800u) != 0u;
+const bool has_soft_lamps = (variant & 0x4000u) != 0u;
 const bool has_local_shadows = (variant & 0x1000u) != 0u;
 
 const float most_light = 65504.0; // that half floats hold
@@ -114,54 +115,10 @@ void weigh(vec3 arriving, vec3 towards_local)
     }
 }
 
-shared uint tile_nearest; // along the tile's axis, as ordered() has it
-shared uint tile_farthest;
-shared uint tile_slices;
 shared uint reaching[lights_per_round / 32u];
 
-#include "techniques/shadow/edge.glsl"
-#include "techniques/shadow/local_shadow.glsl"
-#include "techniques/shadow/sun_shadow.glsl"
-
-Edge edge_at(ivec2 pixel, uint word, float depth, vec3 point, vec3 normal)
-{
-    vec2 at_px = vec2(pixel) + 0.5;
-    PageRates rates = page_rates(frame, at_px, depth, point, normal);
-    Edge edge;
-    edge.first = wave_teeth(edge_look.axis_0, point, rates, 1u);
-    edge.second = wave_teeth(edge_look.axis_1, point, rates, 2u);
-    edge.m_per_px = distance(point, anchor_at(frame, at_px + vec2(1.0, 0.0), depth));
-    if (has_stroke_edges) {
-        edge.first = stroke_teeth(edge_look, strokes_of(word), texelFetch(coordinate_image, pixel, 0).xyz,
-                                  unpack_footprint(texelFetch(footprint_image, pixel, 0)), normal, rates);
-    }
-    return edge;
-}
-
-// Share of the sun that arrives, edges and breadth of the sun counted.
-float sun_share(vec3 point, vec3 normal, vec3 towards_sun, Edge edge)
-{
-    float penumbra_m = has_soft_sun ? sun_penumbra_m(point, normal, towards_sun) : 0.0;
-    EdgePoints points = edge_points(edge, edge_look, has_wave_edges, point, penumbra_m);
-    float radius_m = 0.5 * penumbra_m;
-    float first = has_soft_sun ? sun_soft_visibility(points.first, normal, towards_sun, radius_m)
-                               : sun_visibility(points.first, normal, towards_sun);
-    float second = has_soft_sun ? sun_soft_visibility(points.second, normal, towards_sun, radius_m)
-                                : sun_visibility(points.second, normal, towards_sun);
-    return edge_blend(points, first, second);
-}
-
-// What arrives of the sun at a pixel.
-float sun_at(ivec2 pixel, uint word, float depth, vec3 point, vec3 normal, vec3 towards_sun)
-{
-    if (has_edges) {
-        return sun_share(point, normal, towards_sun, edge_at(pixel, word, depth, point, normal));
-    }
-    if (has_soft_sun) {
-        return sun_soft_visibility(point, normal, towards_sun, sun_penumbra_m(point, normal, towards_sun));
-    }
-    return sun_visibility(point, normal, towards_sun);
-}
+#include "techniques/light/light_tile.glsl"
+#include "techniques/light/shadow_share.glsl"
 
 vec3 local_light(LightRecord light, vec3 point, vec3 normal)
 {
@@ -170,92 +127,6 @@ vec3 local_light(LightRecord light, vec3 point, vec3 normal)
     vec3 direction = to_light * inversesqrt(distance_2);
     float attenuation = weakened(light, distance_2) * in_cone(light, -direction);
     return light.color * (attenuation * pow(max(dot(normal, direction), 1e-6), lighting.falloff));
-}
-
-// Numbers that order as the floats do, of either sign.
-uint ordered(float x)
-{
-    uint bits = floatBitsToUint(x);
-    return (bits >> 31) != 0u ? ~bits : bits | 0x80000000u;
-}
-
-float from_ordered(uint bits)
-{
-    return uintBitsToFloat((bits >> 31) != 0u ? bits & 0x7fffffffu : ~bits);
-}
-
-// What of the tile can be seen, for asking what lights reach it: a cone about the middle ray, or a cylinder
-// in parallel projection, and the distances along it between which the visible points lie.
-struct Tile {
-    vec3 origin;
-    vec3 axis;
-    float radius_m; // at the origin
-    float widening; // for each metre along the axis
-    float nearest_m;
-    float farthest_m;
-};
-
-// A slice of a tile's depth, 0 to 31 (a 2.5D depth mask).
-uint slice_at(Tile tile, float along_m)
-{
-    float share = (along_m - tile.nearest_m) / max(tile.farthest_m - tile.nearest_m, 1e-6);
-    return uint(clamp(32.0 * share, 0.0, 31.0));
-}
-
-Tile find_tile(bool sees, vec3 point)
-{
-    if (gl_LocalInvocationIndex == 0u) {
-        tile_nearest = 0xffffffffu;
-        tile_farthest = 0u;
-        tile_slices = 0u;
-    }
-    barrier();
-    vec2 corner = vec2(gl_WorkGroupID.xy * 8u);
-    // As far as the scene is large, so that directions are well known.
-    bool is_parallel = frame.is_orthographic != 0u;
-    float depth = is_parallel ? 0.5 : min(frame.near_m / frame.scene_radius_m, 0.5);
-    vec3 middle = anchor_at(frame, corner + 4.0, depth);
-    Tile tile;
-    tile.origin = is_parallel ? middle : frame.eye_anchor;
-    tile.axis = is_parallel ? frame.view_forward : normalize(middle - frame.eye_anchor);
-    float widest = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        vec3 to_corner = anchor_at(frame, corner + 8.0 * vec2(i & 1, i >> 1), depth) - tile.origin;
-        float along = is_parallel ? 1.0 : dot(to_corner, tile.axis);
-        widest = max(widest, length(cross(to_corner, tile.axis)) / along);
-    }
-    tile.radius_m = is_parallel ? widest : 0.0;
-    tile.widening = is_parallel ? 0.0 : widest;
-    float along_m = dot(point - tile.origin, tile.axis);
-    if (sees) {
-        atomicMin(tile_nearest, ordered(along_m));
-        atomicMax(tile_farthest, ordered(along_m));
-    }
-    barrier();
-    tile.nearest_m = from_ordered(tile_nearest);
-    tile.farthest_m = from_ordered(tile_farthest);
-    if (sees) {
-        atomicOr(tile_slices, 1u << slice_at(tile, along_m));
-    }
-    barrier();
-    return tile;
-}
-
-// Whether the light's sphere meets the tile in an occupied slice.
-bool reaches(LightRecord light, Tile tile)
-{
-    vec4 reach = reach_of(light);
-    vec3 from_origin = reach.xyz - tile.origin;
-    float along_m = dot(from_origin, tile.axis);
-    float aside_m = length(from_origin - along_m * tile.axis);
-    float widest_at_m = max(min(along_m + reach.w, tile.farthest_m), 0.0);
-    float gap_m = max(aside_m - tile.radius_m - tile.widening * widest_at_m, 0.0);
-    float half_m = sqrt(max(reach.w * reach.w - gap_m * gap_m, 0.0));
-    uint first = slice_at(tile, along_m - half_m);
-    uint last = slice_at(tile, along_m + half_m);
-    uint slices = (0xffffffffu >> (31u - last)) & (0xffffffffu << first);
-    bool apart = along_m - half_m > tile.farthest_m || along_m + half_m < tile.nearest_m;
-    return gap_m < reach.w && !apart && (slices & tile_slices) != 0u;
 }
 
 // Number of a local light by its place in the list of this part of the page.
@@ -271,6 +142,7 @@ struct Receiver {
     vec3 smooth_normal;
     uint groups; // lit by these
     bool takes_shadow;
+    Edge edge;
 };
 
 // What arrives of a local light, its shadow counted.
@@ -279,8 +151,8 @@ vec3 shadowed_light(LightRecord light, Receiver at)
     vec3 arriving = local_light(light, at.point, at.normal);
     bool lit = !has_links || (light.groups & at.groups) != 0u;
     if (has_local_shadows && lit && at.takes_shadow && light.shadow != 0u) {
-        arriving *=
-            local_visibility(local_shadows[light.shadow - 1u], light.position, at.point, at.smooth_normal);
+        arriving *= local_share(local_shadows[light.shadow - 1u], light.position, at.point, at.smooth_normal,
+                                at.edge);
     }
     return lit ? arriving : vec3(0.0);
 }
@@ -349,8 +221,11 @@ void main()
         vec4 known = texelFetch(lightmap_image, min(pixel, ivec2(frame.size_px) - 1), 0);
         light = mix(light, known.rgb, known.a);
     }
-    float sun_visible =
-        has_shadow ? sun_at(pixel, word, max(depth, 1e-9), point, smooth_normal, lights[0].direction) : 1.0;
+    Edge edge;
+    if (has_edges) {
+        edge = edge_at(pixel, word, max(depth, 1e-9), point, smooth_normal);
+    }
+    float sun_visible = has_shadow ? sun_share(point, smooth_normal, lights[0].direction, edge) : 1.0;
     sun_visible = takes_shadow ? sun_visible : 1.0;
     for (uint i = 0u; i < lighting.directional_count; ++i) {
         LightRecord sun = lights[i];
@@ -365,7 +240,7 @@ void main()
     }
     if (has_local_lights) {
         Tile tile = find_tile(sees_draw(word), point);
-        vec3 local = local_lights(tile, Receiver(point, normal, smooth_normal, groups, takes_shadow));
+        vec3 local = local_lights(tile, Receiver(point, normal, smooth_normal, groups, takes_shadow, edge));
         light = counts_visits ? local : light + local;
     }
     if (!on_page) {

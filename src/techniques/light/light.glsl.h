@@ -16,9 +16,10 @@ struct LightRecord {
     vec3 color;
     float cone_scale; // spots: saturate(cos(angle) * scale + offset) squared
     float cone_offset;
-    vec3 side;   // pyramids: the x axis of the node
-    uint shadow; // one more than the first of its views among the shadow maps; 0: none
-    uint groups; // lights those of bits 0-15, is blocked by those of bits 16-31
+    vec3 side;      // pyramids: the x axis of the node
+    uint shadow;    // one more than the first of its views among the shadow maps; 0: none
+    uint groups;    // lights those of bits 0-15, is blocked by those of bits 16-31
+    float radius_m; // of the ball that glows, for its penumbrae; below 0: as the style says
 };
 
 struct LightGlobals {
@@ -36,7 +37,7 @@ struct ListTiles {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(LightRecord) == 72);
+static_assert(sizeof(LightRecord) == 76);
 static_assert(sizeof(LightGlobals) == 36);
 inline constexpr uint light_directional = 0;
 inline constexpr uint light_point = 1;

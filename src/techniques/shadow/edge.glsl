@@ -109,6 +109,7 @@ EdgePoints wave_edge(Teeth first, Teeth second, EdgeLook look, vec3 point, float
 struct Edge {
     Teeth first;
     Teeth second;   // waves only
+    Teeth third;    // waves of lamps
     float m_per_px; // of a surface that faces the eye
 };
 
@@ -117,6 +118,14 @@ EdgePoints edge_points(Edge edge, EdgeLook look, bool is_waves, vec3 point, floa
     float penumbra_px = penumbra_m / max(edge.m_per_px, 1e-20);
     return is_waves ? wave_edge(edge.first, edge.second, look, point, penumbra_px)
                     : stroke_edge(edge.first, look, point, penumbra_px);
+}
+
+// One more place to look up what shines to all sides.
+vec3 third_wave_point(Edge edge, EdgeLook look, vec3 point, float penumbra_m)
+{
+    float penumbra_px = penumbra_m / max(edge.m_per_px, 1e-20);
+    float reach_px = look.amplitude_px + 0.5f * penumbra_px;
+    return point + edge.third.step_m * (reach_px * edge_tooth(edge.third, look, penumbra_px));
 }
 
 // The share of light of an edge, from those of its two points.

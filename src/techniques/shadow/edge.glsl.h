@@ -15,6 +15,7 @@ struct EdgeLook {
     vec3 axis_0;    // waves: across the teeth of the first and of the second family
     uint seed;      // of the hatching
     vec3 axis_1;    // waves
+    vec3 axis_2;    // waves of lamps
     vec2 flat_axis; // strokes: as the hatching's first layer has them
     vec2 wind;
     vec3 towards_light;
@@ -22,7 +23,7 @@ struct EdgeLook {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(EdgeLook) == 76);
+static_assert(sizeof(EdgeLook) == 88);
 } // namespace estampe::shared
 #endif
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow/edge_look.hpp"
 
+#include <algorithm>
+
 #include <glm/trigonometric.hpp>
 
 namespace estampe::shadow {
@@ -28,7 +30,8 @@ shared::EdgeLook edge_look(const ShadowStyle& style, const std::optional<Hatched
                           .darkness = 0.5F,
                           .variety = style.edge_variety,
                           .axis_0 = slanted(style.edge_slant_deg),
-                          .axis_1 = slanted(style.edge_slant_deg + 97.0F)};
+                          .axis_1 = slanted(style.edge_slant_deg + 97.0F),
+                          .axis_2 = slanted(style.edge_slant_deg + 228.0F)};
     if (follows_strokes(style, lines)) {
         look.width_px = lines->width_mm * pixels_per_mm;
         look.darkness = lines->darkness;
@@ -47,6 +50,11 @@ uint32_t shadow_variant(const ShadowStyle& style, const std::optional<HatchedLin
     const bool by_strokes = has_teeth && follows_strokes(style, lines);
     return (by_strokes ? 1U : 0U) | (has_teeth && !by_strokes ? 2U : 0U) |
            (style.sun_radius_deg > 0.0F ? 4U : 0U);
+}
+
+uint32_t lamps_variant(std::span<const shared::LocalShadow> lamps)
+{
+    return std::ranges::any_of(lamps, [](const auto& lamp) { return lamp.radius_m > 0.0F; }) ? 64U : 0U;
 }
 
 } // namespace estampe::shadow

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "techniques/shadow/edge.glsl.h"
+#include "techniques/shadow/local.glsl.h"
 #include "techniques/shadow/shadow_style.hpp"
 
 namespace estampe::shadow {
@@ -26,6 +28,9 @@ struct HatchedLines {
 /// What the light's shader has to do for it: bit 0 teeth along strokes, bit 1 in waves, bit 2 a sun with
 /// breadth.
 [[nodiscard]] uint32_t shadow_variant(const ShadowStyle& style, const std::optional<HatchedLines>& lines);
+
+/// What it has to do besides for those lamps and spots: bit 6 breadth.
+[[nodiscard]] uint32_t lamps_variant(std::span<const shared::LocalShadow> lamps);
 
 /// The bit to add where the sun's map is a clipmap.
 inline constexpr uint32_t levels_variant = 8U;

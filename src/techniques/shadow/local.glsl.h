@@ -17,10 +17,11 @@ struct LocalShadow {
     uint size;        // texels a side
     float near_m;
     uint is_cube;
+    float radius_m; // of the ball that glows; 0: a point
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(LocalShadow) == 56);
+static_assert(sizeof(LocalShadow) == 60);
 } // namespace estampe::shared
 #endif
 

@@ -214,6 +214,25 @@ TEST(LocalShadow, WhatLiesBehindASpotThrowsNone)
     EXPECT_EQ(dark, lit);
 }
 
+TEST(LocalShadow, AgreesWithRaysOnTheSquare)
+{
+    const Scene scene = load_scene(ESTAMPE_SQUARE_GLB);
+    const ScenePose pose = pose_scene(scene, 0.0);
+    const Camera camera = scene_camera(scene, pose, "square");
+    // What the camera looks at, between its eye and its target.
+    const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
+    const glm::dvec3 middle(camera.eye.x + 14.0 * ahead.x, 0.0, camera.eye.z + 14.0 * ahead.z);
+    expect_agreement(
+        compare(scene, camera, {.position = middle + glm::dvec3(0.0, 5.0, 0.0), .range_m = 80.0}),
+        "lamp on the square", 3000);
+    expect_agreement(compare(scene, camera,
+                             {.position = middle + glm::dvec3(6.0, 8.0, 6.0),
+                              .target = middle + glm::dvec3(-3.0, 0.0, -6.0),
+                              .half_angle_rad = 0.7,
+                              .range_m = 80.0}),
+                     "spot on the square", 2000);
+}
+
 TEST(LocalShadow, AgreesWithRaysOnModels)
 {
     const char* folder = std::getenv("ESTAMPE_MODELS");

@@ -5,6 +5,7 @@
 // Looks a local light up in its maps. Who includes this declares `LocalShadow local_shadows[]` and the texels
 // of all maps, `samplerBuffer local_maps`.
 
+#include "shaders/spiral.glsl"
 #include "techniques/shadow/local.glsl.h"
 
 // A point as a map sees it.
@@ -63,13 +64,10 @@ float lift_m(MapPlace place, LocalShadow shadow, vec3 normal)
     return texel_m * (0.3 + 1.25 * (abs(dot(normal, place.right)) + abs(dot(normal, place.down))));
 }
 
-// Share of a local light at `light_position` that arrives at a point of anchor space: four comparisons,
-// blended as a bilinear lookup would (Reeves et al. 1987). 1 where the map does not look.
-float local_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
+// Four comparisons about a place in a map, blended as a bilinear lookup would (Reeves et al. 1987). 1 where
+// the map does not look.
+float compare_at(LocalShadow shadow, MapPlace place)
 {
-    MapPlace place = map_place(shadow, point - light_position);
-    vec3 lifted = point + normal * lift_m(place, shadow, normal);
-    place = map_place(shadow, lifted - light_position);
     float last = float(shadow.size - 1u);
     if (place.along_m <= shadow.near_m || any(lessThan(place.texel, vec2(0.0))) ||
         any(greaterThan(place.texel, vec2(last)))) {
@@ -85,6 +83,90 @@ float local_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3
                         local_depth_at(shadow, place.first_texel, corner + ivec2(1, 1)));
     vec4 lit = vec4(greaterThanEqual(vec4(receiver), blocker));
     return mix(mix(lit.x, lit.y, f.x), mix(lit.z, lit.w, f.x), f.y);
+}
+
+// The map's place of a point that is lifted off its plane.
+MapPlace lifted_place(LocalShadow shadow, vec3 from_light, vec3 normal)
+{
+    MapPlace place = map_place(shadow, from_light);
+    return map_place(shadow, from_light + normal * lift_m(place, shadow, normal));
+}
+
+// Share of a local light at `light_position` that arrives at a point of anchor space.
+float local_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
+{
+    return compare_at(shadow, lifted_place(shadow, point - light_position, normal));
+}
+
+// A disc about a receiver, square to the way from the light. What a tap of it compares with is the receiver's
+// plane, but nothing farther away than the disc: what lies behind cannot stand before the light.
+struct LampDisc {
+    vec3 from_light;
+    vec3 right;
+    vec3 down;
+    vec3 normal;
+};
+
+LampDisc lamp_disc(vec3 from_light, vec3 normal)
+{
+    vec3 along = normalize(from_light);
+    vec3 right = normalize(abs(along.y) < 0.9 ? vec3(along.z, 0.0, -along.x) : vec3(0.0, along.z, -along.y));
+    return LampDisc(from_light, right, cross(along, right), normal);
+}
+
+// How much nearer to the light, as a factor, the receiver's plane is there than the disc.
+float nearer_by(LampDisc disc, vec3 on_disc)
+{
+    float height = min(dot(disc.normal, disc.from_light), -1e-9);
+    return height / min(dot(disc.normal, on_disc), height);
+}
+
+// Half the breadth in metres, on the disc, of the penumbra that `point` may lie in: that of the blockers
+// which stand before some part of the light, on average (Fernando, "Percentage-Closer Soft Shadows", 2005).
+// Those nearer to its middle than twice its radius are overlooked. 0 where there are none.
+float local_penumbra_m(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
+{
+    const uint most_taps = 40u;
+    LampDisc disc = lamp_disc(point - light_position, normal);
+    float distance_m = length(disc.from_light);
+    float reach_m = max(0.5 * distance_m - shadow.radius_m, 0.0);
+    float texel_m = texel_width(shadow) * distance_m;
+    uint count = shadow.radius_m > 0.0 ? most_taps : 0u;
+    float sum = 0.0;
+    float found = 0.0;
+    for (uint i = 0u; i < count; ++i) {
+        // Dense about the middle, where far blockers show.
+        vec2 aside = reach_m * spiral(i, most_taps, 2.0);
+        vec3 on_disc = disc.from_light + disc.right * aside.x + disc.down * aside.y;
+        float factor = nearer_by(disc, on_disc);
+        MapPlace place = lifted_place(shadow, on_disc * factor, normal);
+        float texel = local_depth_at(shadow, place.first_texel, ivec2(floor(place.texel + 0.5)));
+        float blocker_m = shadow.near_m / max(texel, 1e-9);
+        float share =
+            clamp(blocker_m / max(place.along_m, 1e-9) * factor, 1e-6, 1.0); // of the way to the disc
+        float half_breadth_m = shadow.radius_m * (1.0 / share - 1.0);
+        bool blocks = texel > 0.0 && blocker_m < place.along_m * (1.0 - 0.5 * texel_width(shadow)) &&
+                      length(aside) <= half_breadth_m + texel_m;
+        sum += blocks ? half_breadth_m : 0.0;
+        found += blocks ? 1.0 : 0.0;
+    }
+    return found > 0.0 ? sum / found : 0.0;
+}
+
+// Share of light where a penumbra is `radius_m` to either side, on the disc.
+float local_soft_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, float radius_m)
+{
+    const uint most_taps = 32u;
+    LampDisc disc = lamp_disc(point - light_position, normal);
+    uint count = radius_m > 0.0 ? most_taps : 1u;
+    float sum = 0.0;
+    for (uint i = 0u; i < count; ++i) {
+        vec2 aside = radius_m * spiral(i, count, 0.5);
+        vec3 on_disc = disc.from_light + disc.right * aside.x + disc.down * aside.y;
+        MapPlace place = lifted_place(shadow, on_disc * nearer_by(disc, on_disc), normal);
+        sum += compare_at(shadow, place);
+    }
+    return sum / float(count);
 }
 
 #endif

@@ -45,7 +45,7 @@ bool LocalLight::is_cube() const
     return half_angle_rad <= 0.0F || half_angle_rad > widest_map_rad;
 }
 
-shared::LocalShadow local_shadow(const LocalLight& light, uint32_t size, uint32_t first_texel)
+shared::LocalShadow local_shadow(const LocalLight& light, uint32_t size, uint32_t first_texel, float radius_m)
 {
     const bool is_cube = light.is_cube();
     const auto texels = static_cast<float>(size);
@@ -59,6 +59,7 @@ shared::LocalShadow local_shadow(const LocalLight& light, uint32_t size, uint32_
     shadow.size = size;
     shadow.near_m = near_share * light.range_m;
     shadow.is_cube = is_cube ? 1U : 0U;
+    shadow.radius_m = radius_m;
     return shadow;
 }
 

@@ -32,8 +32,10 @@ struct LocalLight {
 /// Texels about each map beyond what it has to show, so that lookups near its border find neighbours there.
 inline constexpr uint32_t rim_texels = 2;
 
-/// The record that lookups read, of maps of `size` texels a side that begin at `first_texel`.
-[[nodiscard]] shared::LocalShadow local_shadow(const LocalLight& light, uint32_t size, uint32_t first_texel);
+/// The record that lookups read, of maps of `size` texels a side that begin at `first_texel`. `radius_m` is
+/// that of the ball that glows.
+[[nodiscard]] shared::LocalShadow local_shadow(const LocalLight& light, uint32_t size, uint32_t first_texel,
+                                               float radius_m = 0.0F);
 
 /// One map to draw. In clip space y points down, z is reversed: near_m at the near plane, 0 at infinity.
 struct LocalView {

@@ -20,6 +20,7 @@ struct ShadowStyle {
     float edge_variety = 0.5F;
     float edge_slant_deg = 35.0F;
     float sun_radius_deg = 0.0F;
+    float lamp_radius_m = 0.0F;
     int local_lights = 32;
     int local_size = 0;
     float local_megatexels = 16.0F;
@@ -55,6 +56,8 @@ inline const style::Table<ShadowStyle>& shadow_table()
             .number("sun_radius_deg", &ShadowStyle::sun_radius_deg, {0.0F, 15.0F}, "deg",
                     "Half the angle that the sun fills: 0 for hard edges, 0.27 as it is; penumbrae widen "
                     "with distance, and teeth with them")
+            .number("lamp_radius_m", &ShadowStyle::lamp_radius_m, {0.0F, 10.0F}, "m",
+                    "Radius of lamps and spots that do not say their own: 0 for hard edges")
             .integer("local_lights", &ShadowStyle::local_lights, {0, 4096}, "",
                      "How many lamps and spots throw shadows at most; those that light most of the page do")
             .integer("local_size", &ShadowStyle::local_size, {0, 4096}, "texels",

@@ -6,6 +6,7 @@
 // `samplerBuffer sun_map`, reversed depth row by row; `FrameGlobals frame`; and a constant that tells
 // whether the map is a clipmap, `has_sun_levels`.
 
+#include "shaders/spiral.glsl"
 #include "techniques/shadow/sun.glsl.h"
 
 // A place in the map, and the plane of the surface there.
@@ -110,15 +111,6 @@ float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
     SunPlace place = sun_place(point, normal, towards_sun, 1.8, 0.0);
     float share = place.inside ? sun_compare(place, place.texel, place.depth, vec2(0.0)) : 1.0;
     return has_sun_levels ? mix(1.0, share, sun_fade(point)) : share;
-}
-
-// The i-th of a spiral of points that fill the unit disc (Vogel 1979): evenly for a power of a half, denser
-// about the middle for a power of one.
-vec2 spiral(uint i, uint count, float power)
-{
-    float radius = pow((float(i) + 0.5) / float(count), power);
-    float angle = 2.3999632 * float(i);
-    return radius * vec2(cos(angle), sin(angle));
 }
 
 // Beyond a single map there is nothing to throw a shadow; beyond a clipmap's levels nothing is known.
