@@ -7,15 +7,15 @@
 // Light that is left where the share `open` of it gets through, by the material's occlusion texture.
 float occluded(ToneConstants tone, float light, float open)
 {
-    return light * mix(1.0, open, tone.occlusion);
+    return light * mix(1.0f, open, tone.occlusion);
 }
 
 // Light as a share of white. The filmic curve is straight up to 0.6, then bends so that it reaches white
 // nowhere.
 float toned(ToneConstants tone, float value)
 {
-    float shoulder = 0.6 + 0.4 * (1.0 - exp(-max(value - 0.6, 0.0) / 0.4));
-    float bent = tone.curve == TONE_FILMIC && value > 0.6 ? shoulder : clamp(value, 0.0, 1.0);
+    float shoulder = 0.6f + 0.4f * (1.0f - exp(-max(value - 0.6f, 0.0f) / 0.4f));
+    float bent = tone.curve == TONE_FILMIC && value > 0.6f ? shoulder : clamp(value, 0.0f, 1.0f);
     return tone.curve == TONE_LINEAR ? bent : pow(bent, tone.gamma);
 }
 
@@ -24,10 +24,10 @@ float toned(ToneConstants tone, float value)
 // réaliste temps réel", Université Paris 8, 2008, annex 1). Below the floor the paper stays white.
 float darkness(ToneConstants tone, float light, float local_value)
 {
-    float value = light * tone.exposure * mix(1.0, local_value, tone.local_value);
-    float dark = 1.0 - toned(tone, value);
-    dark = clamp((dark - 0.5) * tone.contrast + 0.5, 0.0, 1.0);
-    return clamp((dark - tone.floor) / (tone.ceiling - tone.floor), 0.0, 1.0) * tone.ceiling;
+    float value = light * tone.exposure * mix(1.0f, local_value, tone.local_value);
+    float dark = 1.0f - toned(tone, value);
+    dark = clamp((dark - 0.5f) * tone.contrast + 0.5f, 0.0f, 1.0f);
+    return clamp((dark - tone.floor) / (tone.ceiling - tone.floor), 0.0f, 1.0f) * tone.ceiling;
 }
 
 #endif
