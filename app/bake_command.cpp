@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "frame/baking.hpp"
+#include "frame/light_links.hpp"
 #include "scene/static_triangles.hpp"
 #include "text.hpp"
 
@@ -101,7 +102,7 @@ void run(const BakeCommand& command)
     check_output(command.output, {command.scene});
     const std::filesystem::path partial = command.output + ".partial";
     check_output(partial, {command.scene});
-    const Scene scene = load_scene(command.scene);
+    const Scene scene = frame::lit_by_style(load_scene(command.scene), command.style.tables().light);
     print_warnings(scene.warnings);
     if (has_moving_parts(scene)) {
         print_warnings(

@@ -24,18 +24,34 @@ Outlook outlook_of(const Scene& scene, const ScenePose& pose)
     return outlook;
 }
 
+bake::LampKind kind_of_lamp(const shared::LightRecord& record)
+{
+    switch (record.type & 255U) {
+    case shared::light_directional:
+        return bake::LampKind::directional;
+    case shared::light_spot:
+        return bake::LampKind::spot;
+    case shared::light_pyramid:
+        return bake::LampKind::pyramid;
+    default:
+        return bake::LampKind::point;
+    }
+}
+
 bake::Lamp lamp_of(const shared::LightRecord& record)
 {
-    const bool is_directional = record.type == shared::light_directional;
-    return {.kind = is_directional                      ? bake::LampKind::directional
-                    : record.type == shared::light_spot ? bake::LampKind::spot
-                                                        : bake::LampKind::point,
+    const bake::LampKind kind = kind_of_lamp(record);
+    return {.kind = kind,
             .position = record.position,
             .direction = record.direction,
             .color = record.color,
-            .range_m = is_directional ? 0.0F : record.range_m,
+            .range_m = kind == bake::LampKind::directional ? 0.0F : record.range_m,
             .cone_scale = record.cone_scale,
-            .cone_offset = record.cone_offset};
+            .cone_offset = record.cone_offset,
+            .side = record.side,
+            .unit_volume = (record.type & shared::light_unit_volume) != 0,
+            .groups = static_cast<Groups>(record.groups),
+            .casters = static_cast<Groups>(record.groups >> 16U)};
 }
 
 } // namespace

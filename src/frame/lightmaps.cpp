@@ -51,9 +51,10 @@ float mean_level(const Lightmap& map)
 
 uint32_t kind_of(const shared::LightRecord& light)
 {
-    return light.type == shared::light_directional ? baked_directional
-           : light.type == shared::light_spot      ? baked_spot
-                                                   : baked_point;
+    const uint32_t type = light.type & 255U;
+    return type == shared::light_directional ? baked_directional
+           : type >= shared::light_spot      ? baked_spot
+                                             : baked_point;
 }
 
 lightmap::MapData worn_map(const Lightmap& map, const Scene& scene, const pose::MeshData& meshes)

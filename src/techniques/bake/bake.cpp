@@ -82,9 +82,8 @@ glm::vec2 even_point(uint32_t number, const glm::dvec2& shift)
 
 uint32_t bit_of(LampKind kind)
 {
-    return kind == LampKind::directional ? baked_directional
-           : kind == LampKind::spot      ? baked_spot
-                                         : baked_point;
+    const bool is_spot = kind == LampKind::spot || kind == LampKind::pyramid;
+    return kind == LampKind::directional ? baked_directional : is_spot ? baked_spot : baked_point;
 }
 
 } // namespace

@@ -15,10 +15,11 @@
 
 namespace estampe::bake {
 
-enum class LampKind : uint8_t { directional, point, spot };
+enum class LampKind : uint8_t { directional, point, spot, pyramid };
 
 /// A light that throws its own rays, in space relative to StaticTriangles::anchor. Its colour is what a
-/// surface that faces it gets, as irradiance over pi: at any distance (directional) or at one metre.
+/// surface that faces it gets, as irradiance over pi: at any distance (directional), at one metre, or beside
+/// the lamp (unit volume).
 struct Lamp {
     LampKind kind = LampKind::directional;
     glm::vec3 position{0.0F};
@@ -27,6 +28,10 @@ struct Lamp {
     float range_m = 0.0F;    ///< 0: unlimited
     float cone_scale = 0.0F; ///< spots: saturate(cos(angle) * scale + offset) squared
     float cone_offset = 1.0F;
+    glm::vec3 side{1.0F, 0.0F, 0.0F}; ///< pyramids: unit, square to the beam, across two of the four sides
+    bool unit_volume = false;         ///< weakens by 1 - (d / range)^2, not by the square of the distance
+    Groups groups = all_groups;       ///< lights what is lit by one of them
+    Groups casters = all_groups;      ///< blocked by what throws shadows for one of them
     bool baked = false; ///< whether its own light is in the map, beside what it throws off other surfaces
 };
 

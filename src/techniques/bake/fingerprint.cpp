@@ -13,6 +13,13 @@ void add_texture(Hash& hash, const TextureRef& reference)
     hash.add(reference.uv_transform);
 }
 
+void add_links(Hash& hash, const LightLinks& links)
+{
+    hash.add(links.lit_by);
+    hash.add(links.casts_for);
+    hash.add(links.receives_shadows);
+}
+
 void add_material(Hash& hash, const Material& material)
 {
     hash.add(material.base_color);
@@ -23,6 +30,7 @@ void add_material(Hash& hash, const Material& material)
     hash.add(material.alpha_cutoff);
     hash.add(material.double_sided);
     hash.add(material.unlit);
+    add_links(hash, material.links);
 }
 
 void add_lamp(Hash& hash, const Lamp& lamp)
@@ -34,6 +42,10 @@ void add_lamp(Hash& hash, const Lamp& lamp)
     hash.add(lamp.range_m);
     hash.add(lamp.cone_scale);
     hash.add(lamp.cone_offset);
+    hash.add(lamp.side);
+    hash.add(lamp.unit_volume);
+    hash.add(lamp.groups);
+    hash.add(lamp.casters);
     hash.add(lamp.baked);
 }
 
@@ -45,6 +57,7 @@ uint64_t work_fingerprint(const Scene& scene, const StaticTriangles& triangles, 
     for (const StaticDraw& draw : triangles.draws) {
         hash.add(draw.triangle_count);
         hash.add(draw.material);
+        add_links(hash, scene.nodes[draw.node].links);
     }
     hash.add_all(triangles.positions);
     hash.add_all(triangles.normals);

@@ -42,6 +42,13 @@ T between(const std::vector<T>& corners, uint32_t triangle, const glm::vec2& wei
     return (1.0F - weights.x - weights.y) * corner[0] + weights.x * corner[1] + weights.y * corner[2];
 }
 
+LightLinks both(const LightLinks& a, const LightLinks& b)
+{
+    return {.lit_by = static_cast<Groups>(a.lit_by & b.lit_by),
+            .casts_for = static_cast<Groups>(a.casts_for & b.casts_for),
+            .receives_shadows = a.receives_shadows && b.receives_shadows};
+}
+
 } // namespace
 
 Surfaces::Surfaces(const Scene& scene, const StaticTriangles& triangles)
@@ -50,6 +57,9 @@ Surfaces::Surfaces(const Scene& scene, const StaticTriangles& triangles)
     material_of_.reserve(triangles.count());
     for (const StaticDraw& draw : triangles.draws) {
         material_of_.insert(material_of_.end(), draw.triangle_count, draw.material);
+        const LightLinks links = both(scene.nodes[draw.node].links, scene.materials[draw.material].links);
+        links_of_.insert(links_of_.end(), draw.triangle_count, links);
+        has_links_ |= links != LightLinks{};
         lets_rays_pass_ |= scene.materials[draw.material].alpha_mode != AlphaMode::opaque;
     }
     for (size_t i = 0; i < triangles.count(); ++i) {

@@ -51,6 +51,12 @@ public:
         return material(triangle).alpha_mode != AlphaMode::blend && !material(triangle).unlit;
     }
 
+    /// How a triangle stands to lamps: its node's word and its material's, whichever allows less.
+    [[nodiscard]] const LightLinks& links(uint32_t triangle) const { return links_of_[triangle]; }
+
+    /// Whether some triangle does not stand to all lamps as all others do.
+    [[nodiscard]] bool has_links() const { return has_links_; }
+
 private:
     [[nodiscard]] glm::vec4 texel(const TextureRef& reference, uint32_t triangle,
                                   const glm::vec2& weights) const;
@@ -58,9 +64,11 @@ private:
     const Scene& scene_;
     const StaticTriangles& triangles_;
     std::vector<Index> material_of_;
+    std::vector<LightLinks> links_of_;
     std::vector<glm::vec3> plane_normals_;
     std::vector<float> areas_m2_;
     bool lets_rays_pass_ = false;
+    bool has_links_ = false;
 };
 
 } // namespace estampe::bake

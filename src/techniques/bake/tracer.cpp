@@ -85,28 +85,46 @@ struct Beam {
     glm::vec3 light{0.0F};
     glm::vec3 direction{0.0F};
     float distance_m = INFINITY;
+    Groups casters = all_groups;
 };
+
+/// The share that leaves along a unit vector.
+float in_cone(const Lamp& lamp, const glm::vec3& along)
+{
+    if (lamp.kind != LampKind::spot && lamp.kind != LampKind::pyramid) {
+        return 1.0F;
+    }
+    float cosine = glm::dot(along, lamp.direction);
+    if (lamp.kind == LampKind::pyramid) {
+        // The angle to the nearest of the sides counts.
+        const float aside = std::max(std::abs(glm::dot(along, lamp.side)),
+                                     std::abs(glm::dot(along, glm::cross(lamp.side, lamp.direction))));
+        cosine /= std::sqrt(std::max(cosine * cosine + aside * aside, 1e-12F));
+    }
+    const float cone = std::clamp(cosine * lamp.cone_scale + lamp.cone_offset, 0.0F, 1.0F);
+    return cone * cone;
+}
+
+float weakened(const Lamp& lamp, float distance_2)
+{
+    const float ratio = lamp.range_m > 0.0F ? distance_2 / (lamp.range_m * lamp.range_m) : 0.0F;
+    return lamp.unit_volume ? std::max(1.0F - ratio, 0.0F)
+                            : std::clamp(1.0F - ratio * ratio, 0.0F, 1.0F) / distance_2;
+}
 
 Beam beam_of(const Lamp& lamp, const glm::vec3& place, const glm::vec3& normal)
 {
     if (lamp.kind == LampKind::directional) {
-        return {lamp.color * std::max(glm::dot(normal, lamp.direction), 0.0F), lamp.direction, INFINITY};
+        return {lamp.color * std::max(glm::dot(normal, lamp.direction), 0.0F), lamp.direction, INFINITY,
+                lamp.casters};
     }
     const glm::vec3 way = lamp.position - place;
     const float distance_2 = std::max(glm::dot(way, way), 1e-6F);
     const float distance_m = std::sqrt(distance_2);
     const glm::vec3 direction = way / distance_m;
-    float strength = std::max(glm::dot(normal, direction), 0.0F) / distance_2;
-    if (lamp.range_m > 0.0F) {
-        const float ratio = distance_2 / (lamp.range_m * lamp.range_m);
-        strength *= std::clamp(1.0F - ratio * ratio, 0.0F, 1.0F);
-    }
-    if (lamp.kind == LampKind::spot) {
-        const float cone =
-            std::clamp(glm::dot(-direction, lamp.direction) * lamp.cone_scale + lamp.cone_offset, 0.0F, 1.0F);
-        strength *= cone * cone;
-    }
-    return {lamp.color * strength, direction, distance_m};
+    const float strength =
+        std::max(glm::dot(normal, direction), 0.0F) * weakened(lamp, distance_2) * in_cone(lamp, -direction);
+    return {lamp.color * strength, direction, distance_m, lamp.casters};
 }
 
 } // namespace
@@ -135,7 +153,7 @@ Tracer::Tracer(const StaticTriangles& triangles, const Surfaces& surfaces, const
 }
 
 std::optional<Tracer::Hit> Tracer::nearest(const glm::vec3& from, const glm::vec3& direction, float reach_m,
-                                           Random& random) const
+                                           Random& random, std::optional<Groups> casters) const
 {
     constexpr int most_passed = 64;
     constexpr float step_on = 1.0F + 1e-6F;
@@ -151,7 +169,9 @@ std::optional<Tracer::Hit> Tracer::nearest(const glm::vec3& from, const glm::vec
             return std::nullopt;
         }
         const Hit hit{found.hit.primID, {found.hit.u, found.hit.v}, found.ray.tfar};
-        if (!surfaces_.lets_rays_pass() || random.next() < surfaces_.cover(hit.triangle, hit.weights)) {
+        const bool counts = !casters || (surfaces_.links(hit.triangle).casts_for & *casters) != 0;
+        if (counts &&
+            (!surfaces_.lets_rays_pass() || random.next() < surfaces_.cover(hit.triangle, hit.weights))) {
             return hit;
         }
         found.ray.tnear = found.ray.tfar * step_on + 0.1F * lift_m_;
@@ -160,10 +180,14 @@ std::optional<Tracer::Hit> Tracer::nearest(const glm::vec3& from, const glm::vec
     return std::nullopt;
 }
 
-bool Tracer::blocked(const glm::vec3& from, const glm::vec3& direction, float reach_m, Random& random) const
+bool Tracer::blocked(const glm::vec3& from, const glm::vec3& direction, float reach_m, Random& random,
+                     std::optional<Groups> casters) const
 {
-    if (surfaces_.lets_rays_pass()) {
-        return nearest(from, direction, reach_m, random).has_value();
+    if (casters && *casters == 0) {
+        return false;
+    }
+    if (surfaces_.lets_rays_pass() || (casters && surfaces_.has_links())) {
+        return nearest(from, direction, reach_m, random, casters).has_value();
     }
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -179,7 +203,7 @@ glm::vec3 Tracer::from_lamps(const Vertex& vertex, bool baked_alone, Random& ran
     float chosen_brightness = 0.0F;
     float sum = 0.0F;
     for (const Lamp& lamp : settings_.lamps) {
-        if (baked_alone && !lamp.baked) {
+        if ((baked_alone && !lamp.baked) || (lamp.groups & vertex.links.lit_by) == 0) {
             continue;
         }
         const Beam beam = beam_of(lamp, vertex.place, vertex.normal);
@@ -193,8 +217,9 @@ glm::vec3 Tracer::from_lamps(const Vertex& vertex, bool baked_alone, Random& ran
             chosen_brightness = own;
         }
     }
-    if (chosen_brightness <= 0.0F ||
-        blocked(vertex.place, chosen.direction, chosen.distance_m * (1.0F - 1e-4F), random)) {
+    if (chosen_brightness <= 0.0F || (vertex.links.receives_shadows &&
+                                      blocked(vertex.place, chosen.direction,
+                                              chosen.distance_m * (1.0F - 1e-4F), random, chosen.casters))) {
         return glm::vec3(0.0F);
     }
     return chosen.light * (sum / chosen_brightness);
@@ -251,7 +276,8 @@ Arrival Tracer::follow(const Texel& texel, const glm::vec2& first, Random& rando
     const glm::vec3 plane = surfaces_.plane_normal(texel.triangle);
     Vertex vertex{.place = surfaces_.place(texel.triangle, texel.weights) + lift_m_ * plane,
                   .normal = surfaces_.smooth_normal(texel.triangle, texel.weights),
-                  .plane = plane};
+                  .plane = plane,
+                  .links = surfaces_.links(texel.triangle)};
     Arrival arrival{.light = from_lamps(vertex, true, random)};
     glm::vec3 share(1.0F); // of what leaves the next surface
     for (uint32_t bounce = 0;; ++bounce) {
@@ -281,6 +307,7 @@ Arrival Tracer::follow(const Texel& texel, const glm::vec2& first, Random& rando
         share *= surfaces_.albedo(hit->triangle, hit->weights);
         vertex.plane = from_behind ? -front : front;
         vertex.normal = vertex.plane;
+        vertex.links = surfaces_.links(hit->triangle);
         vertex.place = surfaces_.place(hit->triangle, hit->weights) + lift_m_ * vertex.plane;
         arrival.light += share * from_lamps(vertex, false, random);
     }

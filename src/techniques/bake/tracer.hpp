@@ -58,12 +58,15 @@ private:
         glm::vec3 place;
         glm::vec3 normal; ///< of the cosine
         glm::vec3 plane;  ///< of what may be seen
+        LightLinks links;
     };
 
+    /// Of the triangles that throw shadows for one of `casters`, or of all.
     [[nodiscard]] std::optional<Hit> nearest(const glm::vec3& from, const glm::vec3& direction, float reach_m,
-                                             Random& random) const;
+                                             Random& random,
+                                             std::optional<Groups> casters = std::nullopt) const;
     [[nodiscard]] bool blocked(const glm::vec3& from, const glm::vec3& direction, float reach_m,
-                               Random& random) const;
+                               Random& random, std::optional<Groups> casters = std::nullopt) const;
     [[nodiscard]] glm::vec3 from_lamps(const Vertex& vertex, bool baked_alone, Random& random) const;
     [[nodiscard]] glm::vec3 from_glow(const Vertex& vertex, Random& random) const;
     [[nodiscard]] float glow_density(uint32_t triangle, const glm::vec3& direction, float distance_m) const;

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// What is baked of lamps against the light that the frame finds for itself.
+#include "frame/baking.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "frame/light_links.hpp"
+#include "scene/shapes.hpp"
+#include "scene/static_triangles.hpp"
+#include "support/drawing.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe::frame {
+namespace {
+
+constexpr glm::uvec2 size_px(120, 90);
+
+/// A floor with a box on it, and a spot and a lamp over it.
+Scene lit_floor()
+{
+    Scene scene = test::scene_of(shapes::plane(4.0F, 4.0F));
+    test::add_object(scene, shapes::box({0.6F, 0.6F, 0.6F}), glm::vec3(1.0F), {0.5, 0.0, 0.3});
+    scene.nodes[1].name = "Box";
+    const auto add_light = [&](Light light, const glm::dvec3& place) {
+        scene.lights.push_back(std::move(light));
+        scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
+        scene.nodes.push_back(
+            {.name = scene.lights.back().name,
+             .transform = {.translation = place, .rotation = glm::angleAxis(-1.2, glm::dvec3(1.0, 0.0, 0.0))},
+             .light = static_cast<Index>(scene.lights.size() - 1)});
+    };
+    add_light({.name = "Spot",
+               .type = LightType::spot,
+               .intensity = 6.0F,
+               .range_m = 9.0F,
+               .inner_cone_rad = 0.3F,
+               .outer_cone_rad = 0.7F},
+              {0.0, 2.5, 1.0});
+    add_light({.name = "Lamp", .type = LightType::point, .intensity = 1.5F, .range_m = 7.0F},
+              {-1.2, 1.6, -0.8});
+    return scene;
+}
+
+/// The map's light at a place of the floor, whose triangles come first.
+float on_floor(const StaticTriangles& still, const Lightmap& map, const glm::dvec3& place)
+{
+    for (size_t i = 0; i < 2; ++i) {
+        const auto corner = [&](size_t k) {
+            const glm::dvec3 at = glm::dvec3(still.positions[3 * i + k]) + still.anchor;
+            return glm::dvec2(at.x, at.z);
+        };
+        const glm::dmat2 edges(corner(1) - corner(0), corner(2) - corner(0));
+        const glm::vec2 w(glm::inverse(edges) * (glm::dvec2(place.x, place.z) - corner(0)));
+        if (w.x >= 0.0F && w.y >= 0.0F && w.x + w.y <= 1.0F) {
+            const glm::vec2* at = &map.corners[3 * i];
+            const glm::vec2 texel =
+                (at[0] + w.x * (at[1] - at[0]) + w.y * (at[2] - at[0])) * static_cast<float>(map.light.width);
+            return map.light
+                .texels[static_cast<size_t>(texel.y) * map.light.width + static_cast<size_t>(texel.x)]
+                .y;
+        }
+    }
+    return -1.0F;
+}
+
+struct Likeness {
+    size_t compared = 0;
+    size_t off = 0; ///< by more than 0.04
+    double mean_off = 0.0;
+    double mean = 0.0;
+};
+
+/// Bakes the lamps' own light, and lights a page by the same style.
+Likeness compare(const Scene& plain, const char* lights, const char* objects)
+{
+    StyleTables style;
+    style.light.lights = lights;
+    style.light.objects = objects;
+    style.light.ambient = 0.0F;
+    style.light.falloff = 1.0F;
+    const Scene scene = lit_by_style(plain, style.light);
+    bake::BakeSettings settings{.size = 256, .samples = 32, .bounces = 0, .smooth = false};
+    set_light(settings, scene, style, {.direct = baked_point | baked_spot});
+    bake::Bake bake(scene, settings);
+    while (bake.work(1.0)) {
+    }
+    const Lightmap map = bake.map();
+
+    const Camera camera{.eye = {0.0, 5.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.75};
+    test::Drawing drawing(scene, camera, size_px);
+    const ScenePose pose = pose_scene(scene, 0.0);
+    light::Lighting lighting =
+        light::gather_lights(scene, pose, drawing.layout.bounds, drawing.layout.anchor, style.light);
+    const auto light = drawing.light({.records = lighting.records,
+                                      .directional_count = lighting.directional_count,
+                                      .local_shadow_size = 512,
+                                      .has_links = true});
+    const auto surface = drawing.surface();
+    const StaticTriangles still = static_triangles(scene);
+    Likeness result;
+    for (size_t i = 0; i < light.size(); ++i) {
+        const glm::dvec2 at(static_cast<double>(i % size_px.x) + 0.5,
+                            static_cast<double>(i / size_px.x) + 0.5);
+        const glm::dvec3 point =
+            drawing.point_at(at, static_cast<double>(std::max(surface.depth[i], 1e-9F))) +
+            drawing.layout.anchor;
+        if (surface.draw[i] == 0 || std::abs(point.y) > 1e-3 || std::abs(point.x) > 1.9 ||
+            std::abs(point.z) > 1.9) {
+            continue;
+        }
+        const double off = std::abs(static_cast<double>(light[i].y - on_floor(still, map, point)));
+        ++result.compared;
+        result.off += off > 0.04 ? 1U : 0U;
+        result.mean_off += off;
+        result.mean += static_cast<double>(light[i].y);
+    }
+    result.mean_off /= static_cast<double>(result.compared);
+    result.mean /= static_cast<double>(result.compared);
+    return result;
+}
+
+TEST(Baking, LampsAreWhatTheFrameMakesOfThem)
+{
+    const Scene scene = lit_floor();
+    const std::pair<const char*, const char*> kinds[] = {
+        {"", ""},
+        {"Spot=pyramid, Lamp=off", ""},
+        {"Spot=pyramid unit_volume range:4 intensity:0.1, Lamp=unit_volume range:3", ""},
+        {"Spot=casters:2, Lamp=no_shadow", "Box=casts:1"},
+        {"Spot=groups:2, Lamp=groups:1", "Box=no_cast"},
+    };
+    for (const auto& [lights, objects] : kinds) {
+        const Likeness found = compare(scene, lights, objects);
+        fmt::print("{:72} {:14} mean {:.3f} off by {:.4f}, {} of {} by more than 0.04\n", lights, objects,
+                   found.mean, found.mean_off, found.off, found.compared);
+        EXPECT_GT(found.mean, 0.05);
+        EXPECT_LT(found.mean_off, 0.02 * found.mean + 0.002);
+        // Edges of shadows, and what the box hides.
+        EXPECT_LT(found.off, found.compared / 40);
+        EXPECT_GT(found.compared, 3000U);
+    }
+}
+
+} // namespace
+} // namespace estampe::frame
