@@ -11,6 +11,22 @@
 
 #include "shaders/hash.glsl"
 
+// Powers of two by their bits, exact and much cheaper than by exp2 and log2, for x above 0.
+float power_of_two(int exponent)
+{
+    return intBitsToFloat((exponent + 127) << 23);
+}
+
+int floor_log2(float x)
+{
+    return (floatBitsToInt(x) >> 23) - 127;
+}
+
+int ceil_log2(float x)
+{
+    return ((floatBitsToInt(x) + 0x7fffff) >> 23) - 127;
+}
+
 // A line or a cell boundary keeps its number at every zoom: i = odd * 2^level.
 uint dyadic_identity(int i, int level, uint seed)
 {
@@ -83,10 +99,9 @@ Lines lines_of(LineField field, float width_px, float darkness)
     Lines lines;
     lines.width = width_px * max(field.v_per_px, 1e-12f);
     // Seen along its own plane a field does not change at all: spacing stays such that lines can be counted.
-    lines.level =
-        max(int(ceil(log2(lines.width / darkness))), int(ceil(log2(max(abs(field.v), 1e-6f)))) - 24);
+    lines.level = max(ceil_log2(lines.width / darkness), ceil_log2(max(abs(field.v), 1e-6f)) - 24);
     lines.level = field.wraps ? min(lines.level, 0) : lines.level;
-    lines.spacing = exp2(float(lines.level));
+    lines.spacing = power_of_two(lines.level);
     float owed = darkness * lines.spacing;
     lines.width = min(lines.width, owed);
     lines.newborn = clamp(owed / lines.width - 1.0f, 0.0f, 1.0f);
@@ -110,25 +125,27 @@ struct LineScale {
     int cell_level;
     float cell_growth; // how far the boundaries halfway have opened
     float gap_scale;
+    float px_per_u;
 };
 
 LineScale scale_of(LineField field, LineLook look, float dark)
 {
     LineScale scale;
     float u_per_px = max(field.u_per_px, 1e-6f * abs(field.u) + 1e-12f);
-    float octave = log2(1.6f * look.cell_px * u_per_px);
-    octave = field.wraps ? min(octave, -1.0f) : octave;
-    scale.wobble_frequency = exp2(-floor(octave));
-    scale.wobble_fade = octave - floor(octave);
+    float wavelength = 1.6f * look.cell_px * u_per_px;
+    wavelength = field.wraps ? min(wavelength, 0.5f) : wavelength;
+    scale.wobble_frequency = power_of_two(-floor_log2(wavelength));
+    scale.wobble_fade = log2(wavelength * scale.wobble_frequency);
     // Ends, wobble and pressure give way as the paper fills up: lines that touch would lose ink.
     scale.gap_scale = clamp(2.0f * (1.0f - dark), 0.0f, 1.0f);
     scale.wobble_px = min(look.wobble_px, 0.17f * look.width_px / dark * (1.0f - dark));
     scale.pressure = min(look.pressure, 0.5f * (1.0f - dark) / dark);
-    float cells = log2(look.cell_px * u_per_px);
-    cells = field.wraps ? min(cells, 0.0f) : cells;
-    scale.cell_level = int(ceil(cells));
-    scale.cell = exp2(float(scale.cell_level));
-    scale.cell_growth = exp2(float(scale.cell_level) - cells) - 1.0f;
+    float cell = look.cell_px * u_per_px;
+    cell = field.wraps ? min(cell, 1.0f) : cell;
+    scale.cell_level = ceil_log2(cell);
+    scale.cell = power_of_two(scale.cell_level);
+    scale.cell_growth = scale.cell / cell - 1.0f;
+    scale.px_per_u = 1.0f / max(field.u_per_px, 1e-12f);
     return scale;
 }
 
@@ -153,13 +170,13 @@ float stroke_profile(LineField field, LineLook look, LineScale scale, uint ident
 {
     float u = field.u + 16.0f * trait(identity, 3u);
     float half_cell = 0.5f * scale.cell;
-    int nearest = int(round(u / half_cell));
+    int nearest = int(round(u * (1.0f / half_cell)));
     int count = 1 << clamp(1 - scale.cell_level, 0, 30);
     uint boundary = dyadic_identity(field.wraps ? ((nearest - 1) & (count - 1)) + 1 : nearest,
                                     scale.cell_level, identity);
     bool open = trait(boundary, 4u) < 0.75f;
     float opening = open ? scale.gap_scale * ((nearest & 1) == 0 ? 1.0f : scale.cell_growth) : 0.0f;
-    float distance_px = abs(u - float(nearest) * half_cell) / max(field.u_per_px, 1e-12f);
+    float distance_px = abs(u - float(nearest) * half_cell) * scale.px_per_u;
     float taper_px = look.taper_px * opening;
     return opening > 0.0f ? soft_step(distance_px - 0.5f * (look.gap_px * opening + taper_px), taper_px)
                           : 1.0f;
@@ -221,9 +238,9 @@ float line_ink(LineField field, LineLook look, float dark, uint seed)
         float at = 0.5f * float(i) * lines.spacing + g * wobble(field, scale, identity);
         float low = max(at - 0.5f * width * profile, field.v - 0.5f * g);
         float high = min(at + 0.5f * width * profile, field.v + 0.5f * g);
-        ink += max(high - low, 0.0f) / g;
+        ink += max(high - low, 0.0f);
     }
-    return dark > 0.0f ? min(ink, 1.0f) : 0.0f;
+    return dark > 0.0f ? min(ink / g, 1.0f) : 0.0f;
 }
 
 #endif

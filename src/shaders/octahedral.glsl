@@ -5,6 +5,18 @@
 // Unit vectors as two numbers in [-1, 1]: Cigolle et al., "A Survey of Efficient Representations for
 // Independent Unit Vectors", JCGT 2014.
 
+// As normalize and length are, but for vectors of middling size only: processors pay much for what those do
+// about very large and very small ones.
+vec3 unit(vec3 v)
+{
+    return v * inversesqrt(dot(v, v));
+}
+
+float size_of(vec3 v)
+{
+    return sqrt(dot(v, v));
+}
+
 vec2 sign_not_zero(vec2 v)
 {
     return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0);
@@ -22,7 +34,7 @@ vec3 octahedral_decode(vec2 e)
     if (n.z < 0.0) {
         n.xy = (1.0 - abs(n.yx)) * sign_not_zero(n.xy);
     }
-    return normalize(n);
+    return unit(n);
 }
 
 uint pack_normal(vec3 n)

@@ -90,8 +90,8 @@ LineField field_along(vec3 axis, vec3 side, vec3 other, vec3 p, Footprint f)
     vec2 across = vec2(dot(axis, f.dx), dot(axis, f.dy));
     LineField field;
     field.v = dot(axis, p);
-    field.v_per_px = length(across);
-    vec2 along = vec2(-across.y, across.x) / max(field.v_per_px, 1e-20);
+    field.v_per_px = sqrt(dot(across, across));
+    vec2 along = vec2(-across.y, across.x) * (1.0 / max(field.v_per_px, 1e-18));
     float side_rate = dot(vec2(dot(side, f.dx), dot(side, f.dy)), along);
     float other_rate = dot(vec2(dot(other, f.dx), dot(other, f.dy)), along);
     bool take_side = abs(side_rate) >= abs(other_rate);

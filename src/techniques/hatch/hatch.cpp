@@ -98,7 +98,8 @@ gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness&
     const bool all_tiles = overrun_px > 0.0F || tiles.x * tiles.y > most_listed_tiles;
     auto pass = graph.compute("hatch/lines", shaders::lines_comp);
     pass.sample(darkness.image).sample(in.draw).sample(in.normal).sample(in.coordinate).sample(in.footprint);
-    pass.sample(source).sample(in.strongest_light.value_or(in.draw)).read(darkness.tiles);
+    pass.sample(source).sample(in.strongest_light.value_or(in.draw));
+    pass.sample(darkness.tiles, gpu::Format::rg32ui);
     const gpu::ImageId ink = pass.modify(darkness.blank);
     pass.variant((style.growth > 0.0F ? 1U : 0U) | (overrun_px > 0.0F ? 2U : 0U) | (all_tiles ? 4U : 0U) |
                  (in.strongest_light ? 8U : 0U) | in.strokes_present << 8U);

@@ -21,9 +21,7 @@ layout(binding = 4) uniform usampler2D footprint_image;
 layout(binding = 5) uniform usampler2D source_image;    // see overrun.comp
 layout(binding = 6) uniform usampler2D strongest_image; // directions towards local lights, 0 for none
 
-#define TILES_BINDING 7
-#define TILES_ACCESS readonly
-#include "techniques/hatch/dark_tiles.glsl"
+layout(binding = 7) uniform usamplerBuffer dark_tile_texels; // as in dark_tiles.glsl, two words a texel
 
 layout(binding = 8, r16f) writeonly uniform image2D out_ink;
 
@@ -90,7 +88,7 @@ float slice_share(uint layer, vec3 normal, uint kind)
 {
     return !has_slices || lies_flat(kind)
                ? 1.0
-               : smoothstep(0.50, 0.68, length(cross(solid_axis(stroke_axes(), kind, 2u * layer), normal)));
+               : smoothstep(0.50, 0.68, size_of(cross(solid_axis(stroke_axes(), kind, 2u * layer), normal)));
 }
 
 // Goes on to the next family that has anything to draw, and returns its darkness; 0 when none is left.
@@ -126,9 +124,9 @@ float strokes(vec3 p, Footprint f, vec3 normal, uint kind, float dark)
     while (family_dark > 0.0) {
         vec3 axis =
             flat_here ? flat_axis(stroke_axes(), kind, family >> 1) : solid_axis(stroke_axes(), kind, family);
-        vec3 side =
-            flat_here ? vec3(axis.y, -axis.x, 0.0)
-                      : normalize(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
+        vec3 side = flat_here
+                        ? vec3(axis.y, -axis.x, 0.0)
+                        : unit(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
         LineField field = field_along(axis, side, cross(axis, side), p, f);
         field.wraps = form_here;
         field.wander = form_here ? vec2(0.0) : field.wander;
@@ -143,8 +141,8 @@ float strokes(vec3 p, Footprint f, vec3 normal, uint kind, float dark)
 
 void main()
 {
-    uint tile =
-        has_all_tiles ? gl_WorkGroupID.y << 16 | gl_WorkGroupID.x : dark_tiles[gl_WorkGroupID.x].place;
+    uint tile = has_all_tiles ? gl_WorkGroupID.y << 16 | gl_WorkGroupID.x
+                              : texelFetch(dark_tile_texels, 2 + int(gl_WorkGroupID.x)).x;
     ivec2 pixel = 8 * ivec2(tile & 0xffffu, tile >> 16) + ivec2(gl_LocalInvocationID.xy);
     if (any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
         return;
