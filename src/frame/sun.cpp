@@ -149,10 +149,11 @@ gpu::BufferId add_sun_map(gpu::Graph& graph, const raster::RasterInputs& in,
     for (const shadow::Piece& piece : plan.sun_pieces) {
         view.clip_from_anchor = shadow::clip_from_sun(piece);
         view.size_px = piece.size;
-        const auto depths = raster::add_depth(
-            graph, "shadow", by_sun, batches, view,
-            graph.buffer("shadow/depths", {.size_bytes = 4ULL * piece.size.x * piece.size.y}));
-        map = shadow::add_piece(graph, depths, piece, *plan.clipmap, map);
+        std::vector<raster::DepthPart> parts;
+        for (const shadow::PieceHome& home : shadow::homes(*plan.clipmap, piece)) {
+            parts.push_back({.from_px = home.from, .size_px = home.size, .first_texel = home.texel});
+        }
+        map = raster::add_depth_parts(graph, "shadow", by_sun, batches, view, parts, plan.clipmap->size, map);
     }
     return map;
 }

@@ -61,16 +61,47 @@ void add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& i
         .draw(3 * batch.triangle_count);
 }
 
-/// The whole of an image, row by row.
-auto copy_image(gpu::ImageId from, gpu::BufferId to, VkImageAspectFlags aspect)
+/// Parts of an image, row by row, into a buffer of such rows.
+gpu::BufferId add_copy(gpu::Graph& graph, const std::string& name, gpu::ImageId from,
+                       VkImageAspectFlags aspect, const std::vector<DepthPart>& parts, uint32_t row_texels,
+                       gpu::BufferId target)
 {
-    return [from, to, aspect](gpu::Recorder& recorder) {
-        const gpu::Image& image = recorder.image(from);
-        const VkBufferImageCopy region{.imageSubresource = {aspect, 0, 0, 1},
-                                       .imageExtent = {image.desc().width, image.desc().height, 1}};
-        vkCmdCopyImageToBuffer(recorder.commands(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               recorder.buffer(to).handle(), 1, &region);
+    std::vector<VkBufferImageCopy> regions;
+    regions.reserve(parts.size());
+    for (const DepthPart& part : parts) {
+        regions.push_back(
+            {.bufferOffset = sizeof(uint32_t) * uint64_t{part.first_texel},
+             .bufferRowLength = row_texels,
+             .imageSubresource = {aspect, 0, 0, 1},
+             .imageOffset = {static_cast<int32_t>(part.from_px.x), static_cast<int32_t>(part.from_px.y), 0},
+             .imageExtent = {part.size_px.x, part.size_px.y, 1}});
+    }
+    auto copy = graph.custom(name + "/copy");
+    copy.touch(from, gpu::Access::transfer_read);
+    const gpu::BufferId to = copy.touch_write(target, gpu::Access::transfer_write);
+    copy.execute([from, to, regions](gpu::Recorder& recorder) {
+        vkCmdCopyImageToBuffer(recorder.commands(), recorder.image(from).handle(),
+                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, recorder.buffer(to).handle(),
+                               static_cast<uint32_t>(regions.size()), regions.data());
+    });
+    return to;
+}
+
+Attachments draw_batches(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                         const std::vector<Batch>& batches, const View& view, bool depth_only)
+{
+    const auto image = [&](const char* part, gpu::Format format) {
+        return graph.image(name + part,
+                           {.width = view.size_px.x, .height = view.size_px.y, .format = format});
     };
+    Attachments to{image("/words", gpu::Format::rg32ui), image("/depth", gpu::Format::depth32f)};
+    for (const Batch& batch : batches) {
+        if (batch.triangle_count > 0) {
+            add_batch(graph, name + (batch.masked ? "/masked/draw" : "/draw"), in, batch, view, depth_only,
+                      to);
+        }
+    }
+    return to;
 }
 
 } // namespace
@@ -79,21 +110,19 @@ gpu::BufferId draw_by_hardware(gpu::Graph& graph, const std::string& name, const
                                const std::vector<Batch>& batches, const View& view, gpu::BufferId target,
                                bool depth_only)
 {
-    const auto image = [&](const char* part, gpu::Format format) {
-        return graph.image(name + part,
-                           {.width = view.size_px.x, .height = view.size_px.y, .format = format});
-    };
-    Attachments to{image("/words", gpu::Format::rg32ui), image("/depth", gpu::Format::depth32f)};
-    for (const Batch& batch : batches) {
-        add_batch(graph, name + (batch.masked ? "/masked/draw" : "/draw"), in, batch, view, depth_only, to);
-    }
-    const gpu::ImageId drawn = depth_only ? to.depth : to.words;
-    auto copy = graph.custom(name + "/copy");
-    copy.touch(drawn, gpu::Access::transfer_read);
-    const gpu::BufferId copied = copy.touch_write(target, gpu::Access::transfer_write);
-    copy.execute(
-        copy_image(drawn, copied, depth_only ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT));
-    return copied;
+    const Attachments drawn = draw_batches(graph, name, in, batches, view, depth_only);
+    return add_copy(graph, name, depth_only ? drawn.depth : drawn.words,
+                    depth_only ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT,
+                    {{.size_px = view.size_px}}, view.size_px.x, target);
+}
+
+gpu::BufferId draw_parts_by_hardware(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                                     const std::vector<Batch>& batches, const View& view,
+                                     const std::vector<DepthPart>& parts, uint32_t row_texels,
+                                     gpu::BufferId map)
+{
+    const Attachments drawn = draw_batches(graph, name, in, batches, view, true);
+    return add_copy(graph, name, drawn.depth, VK_IMAGE_ASPECT_DEPTH_BIT, parts, row_texels, map);
 }
 
 } // namespace estampe::raster

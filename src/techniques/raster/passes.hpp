@@ -20,5 +20,9 @@ void bind_masks(gpu::Pass& pass, const RasterInputs& in);
 [[nodiscard]] gpu::BufferId draw_by_hardware(gpu::Graph& graph, const std::string& name,
                                              const RasterInputs& in, const std::vector<Batch>& batches,
                                              const View& view, gpu::BufferId target, bool depth_only);
+[[nodiscard]] gpu::BufferId draw_parts_by_hardware(gpu::Graph& graph, const std::string& name,
+                                                   const RasterInputs& in, const std::vector<Batch>& batches,
+                                                   const View& view, const std::vector<DepthPart>& parts,
+                                                   uint32_t row_texels, gpu::BufferId map);
 
 } // namespace estampe::raster

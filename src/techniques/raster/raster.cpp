@@ -5,10 +5,27 @@
 
 #include <fmt/format.h>
 
+#include "shaders/depth_part_comp.hpp"
 #include "techniques/raster/passes.hpp"
+#include "techniques/raster/raster.glsl.h"
 
 namespace estampe::raster {
 namespace {
+
+gpu::BufferId add_part(gpu::Graph& graph, const std::string& name, gpu::BufferId picture, uint32_t width_px,
+                       const DepthPart& part, uint32_t row_texels, gpu::BufferId map)
+{
+    auto pass = graph.compute(name + "/part", shaders::depth_part_comp);
+    pass.sample(picture, gpu::Format::r32f);
+    const gpu::BufferId filled = pass.modify(map);
+    pass.push(shared::DepthPartConstants{.from_px = part.from_px,
+                                         .size_px = part.size_px,
+                                         .picture_width_px = width_px,
+                                         .row_texels = row_texels,
+                                         .first_texel = part.first_texel})
+        .dispatch_over(part.size_px.x, part.size_px.y);
+    return filled;
+}
 
 gpu::BufferId draw(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
                    std::vector<Batch> batches, const View& view, gpu::BufferId target, bool depth_only)
@@ -46,6 +63,24 @@ gpu::BufferId add_depth(gpu::Graph& graph, const std::string& name, const Raster
                         const std::vector<Batch>& batches, const View& view, gpu::BufferId target)
 {
     return draw(graph, name, in, batches, view, target, true);
+}
+
+gpu::BufferId add_depth_parts(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+                              const std::vector<Batch>& batches, const View& view,
+                              const std::vector<DepthPart>& parts, uint32_t row_texels, gpu::BufferId map)
+{
+    const auto holds_any = [](const Batch& batch) { return batch.triangle_count > 0; };
+    if (view.path == RasterPath::hardware && std::ranges::any_of(batches, holds_any)) {
+        return draw_parts_by_hardware(graph, name, in, batches, view, parts, row_texels, map);
+    }
+    const uint64_t size_bytes = sizeof(uint32_t) * uint64_t{view.size_px.x} * view.size_px.y;
+    const gpu::BufferId picture =
+        draw(graph, name, in, batches, view,
+             graph.buffer(name + "/picture", {.size_bytes = (size_bytes + 15) / 16 * 16}), true);
+    for (const DepthPart& part : parts) {
+        map = add_part(graph, name, picture, view.size_px.x, part, row_texels, map);
+    }
+    return map;
 }
 
 } // namespace estampe::raster

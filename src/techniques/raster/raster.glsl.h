@@ -74,6 +74,15 @@ struct RasterCounters {
     uint tile_count;
 };
 
+// A rectangle of a depth picture, and where it goes in a map of longer rows.
+struct DepthPartConstants {
+    uvec2 from_px;
+    uvec2 size_px;
+    uint picture_width_px;
+    uint row_texels;
+    uint first_texel;
+};
+
 // The same for the hardware path.
 struct DrawConstants {
     mat4 clip_from_anchor;
@@ -82,6 +91,7 @@ struct DrawConstants {
 };
 
 #ifdef __cplusplus
+static_assert(sizeof(DepthPartConstants) == 28);
 static_assert(sizeof(DrawConstants) == 76);
 static_assert(sizeof(RasterConstants) == 96);
 static_assert(sizeof(RasterView) == 100);

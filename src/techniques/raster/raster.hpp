@@ -78,4 +78,18 @@ struct View {
                                       const std::vector<Batch>& batches, const View& view,
                                       gpu::BufferId target);
 
+/// A rectangle of a depth picture, and the texel of a map where its first row begins.
+struct DepthPart {
+    glm::uvec2 from_px{0};
+    glm::uvec2 size_px{0};
+    uint32_t first_texel = 0;
+};
+
+/// Draws as add_depth() does, and puts `parts` of the picture into `map`, an imported buffer whose rows are
+/// `row_texels` apart and whose other texels stay as they are.
+[[nodiscard]] gpu::BufferId add_depth_parts(gpu::Graph& graph, const std::string& name,
+                                            const RasterInputs& in, const std::vector<Batch>& batches,
+                                            const View& view, const std::vector<DepthPart>& parts,
+                                            uint32_t row_texels, gpu::BufferId map);
+
 } // namespace estampe::raster

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 
-#include "shaders/sun_piece_comp.hpp"
 #include "shaders/sun_vertices_comp.hpp"
 #include "techniques/shadow/clipmap.glsl.h"
 
@@ -78,6 +77,26 @@ std::vector<Piece> uncovered(const Clipmap& clipmap, const Windows& before, cons
     return pieces;
 }
 
+std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece)
+{
+    // A level is a torus: the power of two takes care of what lies below zero, too.
+    const glm::uvec2 first = glm::uvec2(piece.low) & (clipmap.size - 1U);
+    const glm::uvec2 until_rim = glm::min(piece.size, clipmap.size - first);
+    std::vector<PieceHome> parts;
+    for (uint32_t y = 0; y < piece.size.y; y += y == 0 ? until_rim.y : piece.size.y) {
+        for (uint32_t x = 0; x < piece.size.x; x += x == 0 ? until_rim.x : piece.size.x) {
+            const glm::uvec2 from(x, y);
+            const glm::uvec2 at = (first + from) & (clipmap.size - 1U);
+            const glm::uvec2 size(x == 0 ? until_rim.x : piece.size.x - x,
+                                  y == 0 ? until_rim.y : piece.size.y - y);
+            parts.push_back({.from = from,
+                             .size = size,
+                             .texel = (piece.level * clipmap.size + at.y) * clipmap.size + at.x});
+        }
+    }
+    return parts;
+}
+
 glm::mat4 clip_from_sun(const Piece& piece)
 {
     // Powers of two, and whole texels in units of them: floats lose nothing.
@@ -120,21 +139,6 @@ gpu::BufferId add_sun_vertices(gpu::Graph& graph, gpu::BufferId posed_vertices, 
                                            .depth_row = rows[2]})
         .dispatch_items(vertex_count);
     return vertices;
-}
-
-gpu::BufferId add_piece(gpu::Graph& graph, gpu::BufferId depths, const Piece& piece, const Clipmap& clipmap,
-                        gpu::BufferId map)
-{
-    auto pass = graph.compute("shadow/piece", shaders::sun_piece_comp);
-    pass.read(depths);
-    const auto filled = pass.modify(map);
-    pass.push(shared::SunPieceConstants{.low_x = piece.low.x,
-                                        .low_y = piece.low.y,
-                                        .size_px = piece.size,
-                                        .map_size = clipmap.size,
-                                        .level = piece.level})
-        .dispatch_over(piece.size.x, piece.size.y);
-    return filled;
 }
 
 } // namespace estampe::shadow

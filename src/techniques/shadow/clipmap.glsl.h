@@ -13,14 +13,6 @@ struct SunVerticesConstants {
     vec4 depth_row; // of the sun's clip z
 };
 
-struct SunPieceConstants {
-    int low_x; // texel of the level
-    int low_y;
-    uvec2 size_px;
-    uint map_size;
-    uint level;
-};
-
 #ifdef __cplusplus
 } // namespace estampe::shared
 #endif

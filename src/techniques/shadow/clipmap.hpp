@@ -52,6 +52,16 @@ struct Piece {
 /// uncovered, widened to powers of two.
 [[nodiscard]] std::vector<Piece> uncovered(const Clipmap& clipmap, const Windows& before, const Windows& now);
 
+/// A rectangle of a piece that lies in one run of rows of the map.
+struct PieceHome {
+    glm::uvec2 from{0}; ///< texel of the piece
+    glm::uvec2 size{0};
+    uint32_t texel = 0; ///< of the map, where the rectangle begins; rows are a level's size apart
+};
+
+/// Where a piece goes in the map: four rectangles at most, since a level wraps around in both directions.
+[[nodiscard]] std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece);
+
 /// Projection of a piece, for the vertices of add_sun_vertices.
 [[nodiscard]] glm::mat4 clip_from_sun(const Piece& piece);
 
@@ -64,9 +74,5 @@ struct Piece {
 /// is drawn of them does not depend on where a piece begins.
 [[nodiscard]] gpu::BufferId add_sun_vertices(gpu::Graph& graph, gpu::BufferId posed_vertices,
                                              uint32_t vertex_count, const Clipmap& clipmap);
-
-/// Puts a piece's depths, row by row, in their place in the map.
-[[nodiscard]] gpu::BufferId add_piece(gpu::Graph& graph, gpu::BufferId depths, const Piece& piece,
-                                      const Clipmap& clipmap, gpu::BufferId map);
 
 } // namespace estampe::shadow

@@ -65,6 +65,24 @@ TEST(Clipmap, MovesByWholeStepsAndKeepsTheEyeInTheMiddle)
 /// Texels of a level that are held, as the map holds them: modulo its size.
 using Held = std::vector<std::vector<glm::ivec2>>;
 
+/// Puts the texels of a piece where the map has them.
+void put_home(const Clipmap& clipmap, const Piece& piece, Held& held)
+{
+    size_t count = 0;
+    for (const PieceHome& home : homes(clipmap, piece)) {
+        for (uint32_t y = 0; y < home.size.y; ++y) {
+            for (uint32_t x = 0; x < home.size.x; ++x) {
+                const size_t place = home.texel + y * clipmap.size + x;
+                const size_t level_texels = size_t{clipmap.size} * clipmap.size;
+                held.at(place / level_texels).at(place % level_texels) =
+                    piece.low + glm::ivec2(home.from + glm::uvec2(x, y));
+                ++count;
+            }
+        }
+    }
+    EXPECT_EQ(count, size_t{piece.size.x} * piece.size.y);
+}
+
 TEST(Clipmap, WhatIsUncoveredIsDrawnAndNothingElseIsNeeded)
 {
     const Clipmap clipmap = clipmap_over(300.0, 64);
@@ -82,13 +100,7 @@ TEST(Clipmap, WhatIsUncoveredIsDrawnAndNothingElseIsNeeded)
             drawn += static_cast<size_t>(piece.size.x) * piece.size.y;
             EXPECT_EQ(piece.size.x & (piece.size.x - 1), 0U);
             EXPECT_EQ(piece.size.y & (piece.size.y - 1), 0U);
-            for (int y = 0; y < static_cast<int>(piece.size.y); ++y) {
-                for (int x = 0; x < static_cast<int>(piece.size.x); ++x) {
-                    const glm::ivec2 texel = piece.low + glm::ivec2(x, y);
-                    const glm::ivec2 place = texel & (size - 1);
-                    held[piece.level][static_cast<size_t>(place.y * size + place.x)] = texel;
-                }
-            }
+            put_home(clipmap, piece, held);
         }
         for (uint32_t level = 0; level < clipmap.level_count; ++level) {
             for (int y = 0; y < size; ++y) {
