@@ -175,7 +175,7 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, Light
     const gpu::BufferId local_maps = add_local_maps(graph, stage, setup);
     const glm::dvec3 towards_sun =
         setup.directional_count > 0 ? glm::dvec3(setup.records.front().direction) : glm::dvec3(0, 1, 0);
-    const frame::FramePlan plan = sun_plan(towards_sun, setup);
+    frame::FramePlan plan = sun_plan(towards_sun, setup);
     const shared::LightGlobals lighting{.sky_ambient = setup.ambient,
                                         .ground_ambient = setup.ambient,
                                         .directional_count = setup.directional_count,
@@ -188,14 +188,7 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, Light
     edge_look_ = gpu::upload_buffer(shared_device(), "edges",
                                     std::vector{shadow::edge_look(setup.shadow, setup.lines, 1.0F)});
     lights_ = gpu::upload_buffer(shared_device(), "lights", setup.records);
-    const uint64_t levels = plan.clipmap ? plan.clipmap->level_count : 1;
-    shadow_map_ = gpu::Buffer(shared_device(), "shadow map",
-                              4ULL * plan.shadow_size * plan.shadow_size * levels, gpu::MemoryUse::device);
-    auto shadow_map = gpu::import_whole(graph, "shadow", shadow_map_);
-    if (plan.shadow_size > 0) {
-        shadow_map = frame::add_sun_map(graph, raster_inputs(graph, stage.posed), caster_batches(setup), plan,
-                                        meshes_.vertex_count, shadow_map);
-    }
+    const gpu::BufferId shadow_map = add_sun_map(graph, stage, setup, plan);
     return light::add_light(graph,
                             {.frame = stage.frame,
                              .lighting = gpu::import_whole(graph, "lighting", light_globals_),

@@ -10,6 +10,7 @@
 #include <estampe/scene.hpp>
 
 #include "frame/frame.hpp"
+#include "frame/sun.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/frame.glsl.h"
 #include "techniques/contour/contour.hpp"
@@ -58,6 +59,7 @@ struct LightSetup {
     shadow::ShadowStyle shadow;                ///< millimetres are pixels
     std::optional<shadow::HatchedLines> lines; ///< what teeth follow
     std::optional<shadow::Clipmap> clipmap;    ///< about the eye, in place of a single map
+    frame::SunMap* sun_memory = nullptr;       ///< keeps the map from picture to picture
 };
 
 class Drawing {
@@ -106,6 +108,8 @@ private:
     Stage add_surface(gpu::Graph& graph);
     screen::Screen add_screen(gpu::Graph& graph);
     frame::FramePlan sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const;
+    gpu::BufferId add_sun_map(gpu::Graph& graph, const Stage& stage, const LightSetup& setup,
+                              frame::FramePlan& plan);
     light::LitPixels add_light(gpu::Graph& graph, const Stage& stage, LightSetup setup);
     /// Fills in the records' shadows and draws their maps.
     gpu::BufferId add_local_maps(gpu::Graph& graph, const Stage& stage, LightSetup& setup);
@@ -125,7 +129,7 @@ private:
     uint32_t strokes_present_ = 0;
     gpu::Buffer light_globals_;
     gpu::Buffer lights_;
-    gpu::Buffer shadow_map_;
+    frame::SunMap sun_map_;
     uint32_t lamps_variant_ = 0;
     gpu::Buffer local_shadows_;
     gpu::Buffer local_maps_;

@@ -29,6 +29,18 @@ frame::FramePlan Drawing::sun_plan(const glm::dvec3& towards_sun, const LightSet
     return plan;
 }
 
+gpu::BufferId Drawing::add_sun_map(gpu::Graph& graph, const Stage& stage, const LightSetup& setup,
+                                   frame::FramePlan& plan)
+{
+    sun_map_ = {};
+    frame::SunMap& memory = setup.sun_memory != nullptr ? *setup.sun_memory : sun_map_;
+    memory.provide(shared_device(), plan);
+    const gpu::BufferId map = gpu::import_whole(graph, "shadow", memory.buffer());
+    memory.drawn(plan);
+    return frame::add_sun_map(graph, raster_inputs(graph, stage.posed), caster_batches(setup), plan,
+                              meshes_.vertex_count, map);
+}
+
 std::vector<uint32_t> Drawing::sun_piece(const shadow::Clipmap& clipmap, const shadow::Piece& piece)
 {
     gpu::Graph graph;
