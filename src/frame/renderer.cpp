@@ -244,6 +244,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
     plan.edge_look = shadow::edge_look(style.shadow, lines, plan.pixels_per_mm);
     frame::plan_sun(plan,
                     {.casters = loaded->pose->casters,
+                     .floor_m = loaded->layout.bounds.min.y,
                      .anchor = loaded->layout.anchor,
                      .towards_sun = lighting.towards_sun,
                      .throws_shadow = style.light.shadows && lighting.sun_casters != 0 &&

@@ -7,6 +7,8 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "techniques/shadow/warp.hpp"
+
 namespace estampe::frame {
 namespace {
 
@@ -72,6 +74,17 @@ void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, cons
     }
     const shadow::SunMapKind kind = style.shadow.sun_map;
     if (!scene.throws_shadow || scene.casters.empty() || kind == shadow::SunMapKind::whole) {
+        return;
+    }
+    if (kind == shadow::SunMapKind::warped) {
+        plan.sun = shadow::warped_view(
+            {.casters = scene.casters,
+             .anchor = scene.anchor,
+             .towards_sun = scene.towards_sun,
+             .floor_m = scene.floor_m,
+             .nearest_m = nearest_m(scene.casters, camera.eye)},
+            frame_globals(camera, scene.casters, scene.anchor, {.size_px = plan.size_px}), plan.shadow_size);
+        plan.shadow_variant |= plan.sun.warp.y > 0.0F ? shadow::warp_variant : 0U;
         return;
     }
     const double near_m = camera.orthographic_half_height_m ? 1.0 : nearest_m(scene.casters, camera.eye);

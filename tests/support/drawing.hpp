@@ -59,6 +59,7 @@ struct LightSetup {
     shadow::ShadowStyle shadow;                ///< millimetres are pixels
     std::optional<shadow::HatchedLines> lines; ///< what teeth follow
     std::optional<shadow::Clipmap> clipmap;    ///< about the eye, in place of a single map
+    bool is_warped = false;                    ///< a single map in perspective
     frame::SunMap* sun_memory = nullptr;       ///< keeps the map from picture to picture
 };
 
@@ -86,6 +87,7 @@ public:
 
     /// The point of anchor space seen at a place of the page.
     [[nodiscard]] glm::dvec3 point_at(glm::dvec2 position_px, double depth) const;
+    [[nodiscard]] shadow::SunView warped_sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
     [[nodiscard]] shadow::SunView sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
 
     glm::uvec2 size_px;

@@ -7,6 +7,7 @@
 #include "gpu/upload.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
+#include "techniques/shadow/warp.hpp"
 
 namespace estampe::test {
 
@@ -19,6 +20,10 @@ frame::FramePlan Drawing::sun_plan(const glm::dvec3& towards_sun, const LightSet
     plan.sun = sun(towards_sun, std::max(setup.shadow_size, 4U));
     plan.pixel_m = static_cast<float>(pixel_angle_);
     plan.shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines);
+    if (setup.is_warped) {
+        plan.sun = warped_sun(towards_sun, setup.shadow_size);
+        plan.shadow_variant |= shadow::warp_variant;
+    }
     if (setup.clipmap) {
         plan.clipmap = setup.clipmap;
         plan.shadow_size = setup.clipmap->size;
@@ -27,6 +32,16 @@ frame::FramePlan Drawing::sun_plan(const glm::dvec3& towards_sun, const LightSet
         plan.shadow_variant |= shadow::levels_variant;
     }
     return plan;
+}
+
+shadow::SunView Drawing::warped_sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const
+{
+    return shadow::warped_view({.casters = pose.casters,
+                                .anchor = layout.anchor,
+                                .towards_sun = towards_sun,
+                                .floor_m = layout.bounds.min.y,
+                                .nearest_m = 2.0},
+                               globals, shadow_size);
 }
 
 gpu::BufferId Drawing::add_sun_map(gpu::Graph& graph, const Stage& stage, const LightSetup& setup,

@@ -17,6 +17,9 @@ Index add_object(Scene& scene, Primitive primitive, const glm::vec3& color,
 /// Adds a directional light that comes from `towards_light`.
 void add_sun(Scene& scene, const glm::dvec3& towards_light, float intensity = 1.0F);
 
+/// A square 400 m long under open sky: arcades along both sides, a tower, a ring. Its floor is at y = 0.
+[[nodiscard]] Scene long_square();
+
 /// A camera on the +z axis that looks back along it.
 [[nodiscard]] Camera front_camera(double distance_m, double vertical_fov_rad);
 

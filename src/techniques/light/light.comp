@@ -96,6 +96,7 @@ const bool has_wave_edges = (variant & 0x200u) != 0u;
 const bool has_edges = has_stroke_edges || has_wave_edges;
 const bool has_soft_sun = (variant & 0x400u) != 0u;
 const bool has_sun_levels = (variant & 0x800u) != 0u;
+const bool has_sun_warp = (variant & 0x8000u) != 0u;
 const bool has_soft_lamps = (variant & 0x4000u) != 0u;
 const bool has_local_shadows = (variant & 0x1000u) != 0u;
 

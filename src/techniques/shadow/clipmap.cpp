@@ -47,8 +47,12 @@ Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double 
 Windows windows_about(const Clipmap& clipmap, const glm::dvec3& eye_anchor)
 {
     const double step = static_cast<double>(clipmap.size) / steps;
-    const glm::dvec2 eye(glm::dot(eye_anchor, glm::dvec3(clipmap.view.right)),
-                         glm::dot(eye_anchor, glm::dvec3(clipmap.view.down)));
+    // An eye far from all casters has the levels about what of them is next to it.
+    const glm::dvec2 half_m = 0.5 * glm::dvec2(clipmap.view.extent_m);
+    const glm::dvec2 middle_m = -half_m * glm::dvec2(clipmap.view.clip_from_anchor[3]);
+    const glm::dvec2 eye = glm::clamp(glm::dvec2(glm::dot(eye_anchor, glm::dvec3(clipmap.view.right)),
+                                                 glm::dot(eye_anchor, glm::dvec3(clipmap.view.down))),
+                                      middle_m - half_m, middle_m + half_m);
     Windows windows;
     for (uint32_t level = 0; level < clipmap.level_count; ++level) {
         const glm::dvec2 low = eye / texel_m(clipmap, level) - 0.5 * static_cast<double>(clipmap.size);

@@ -42,10 +42,12 @@ struct Piece {
 };
 
 /// As many levels as it takes to get from texels of `finest_m`, rounded down to a power of two, to a level
-/// that covers `radius_m` about any eye among the casters; where `most_levels` do not suffice, coarser ones.
+/// that covers `radius_m` about any place among the casters; where `most_levels` do not suffice, coarser
+/// ones.
 [[nodiscard]] Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double radius_m);
 
-/// Windows about an eye, in steps of a sixteenth of their size.
+/// Windows about an eye, or about what is next to it of the casters' box, in steps of a sixteenth of their
+/// size.
 [[nodiscard]] Windows windows_about(const Clipmap& clipmap, const glm::dvec3& eye_anchor);
 
 /// What has to be drawn where `before` was drawn, all of it when that is empty: strips that the windows have

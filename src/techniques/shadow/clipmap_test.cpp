@@ -48,6 +48,19 @@ TEST(Clipmap, HasLevelsFromTheFinestToOneThatCoversAllCasters)
     }
 }
 
+TEST(Clipmap, CoversAllCastersFromFarAwayToo)
+{
+    const Clipmap clipmap = clipmap_over(40.0);
+    const uint32_t last = clipmap.level_count - 1;
+    const glm::ivec2 low = windows_about(clipmap, {500.0, 900.0, -2000.0})[last];
+    for (const double x : {-40.0, 40.0}) {
+        for (const double z : {-40.0, 40.0}) {
+            const glm::dvec2 at = texel_at(clipmap, last, {x, 0.0, z}) - glm::dvec2(low);
+            EXPECT_TRUE(at.x > 0 && at.y > 0 && at.x < clipmap.size && at.y < clipmap.size);
+        }
+    }
+}
+
 TEST(Clipmap, MovesByWholeStepsAndKeepsTheEyeInTheMiddle)
 {
     const Clipmap clipmap = clipmap_over(300.0);

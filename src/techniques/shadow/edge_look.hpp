@@ -34,5 +34,7 @@ struct HatchedLines {
 
 /// The bit to add where the sun's map is a clipmap.
 inline constexpr uint32_t levels_variant = 8U;
+/// The bit to add where it is in perspective.
+inline constexpr uint32_t warp_variant = 128U;
 
 } // namespace estampe::shadow

@@ -9,7 +9,7 @@ namespace estampe::shadow {
 enum class Edge : uint8_t { plain, strokes, waves };
 
 /// What holds the sun's shadow.
-enum class SunMapKind : uint8_t { automatic, whole, clipmap, faded };
+enum class SunMapKind : uint8_t { automatic, whole, clipmap, faded, warped };
 
 struct ShadowStyle {
     SunMapKind sun_map = SunMapKind::automatic;
@@ -35,10 +35,12 @@ inline const style::Table<ShadowStyle>& shadow_table()
                 {{"auto", SunMapKind::automatic},
                  {"whole", SunMapKind::whole},
                  {"clipmap", SunMapKind::clipmap},
-                 {"faded", SunMapKind::faded}},
+                 {"faded", SunMapKind::faded},
+                 {"warped", SunMapKind::warped}},
                 "The sun's shadow map: one for the whole scene; maps about the eye, each twice as wide as "
-                "the last; one about the eye, whose shadow pales towards its edge; or (auto) whole, "
-                "unless the scene is far larger than what is near")
+                "the last; one about the eye, whose shadow pales towards its edge; one in perspective, whose "
+                "texels grow with distance, but whose edges crawl; or (auto) whole, unless the scene is far "
+                "larger than what is near")
             .number("faded_reach_m", &ShadowStyle::faded_reach_m, {0.1F, 1e5F}, "m",
                     "How far a faded map reaches to each side")
             .choice("edge", &ShadowStyle::edge,

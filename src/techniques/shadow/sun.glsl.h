@@ -26,10 +26,11 @@ struct SunShadow {
     float pixel_m;     // what a pixel spans at a distance of one; in parallel projection at any
     float fade;        // 1: shadow pales towards the edge of the last level
     vec2 window_low[8];
+    vec2 warp; // of a map in perspective: clip y is warp.x - warp.y / w
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(SunShadow) == 188);
+static_assert(sizeof(SunShadow) == 196);
 } // namespace estampe::shared
 #endif
 

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "gpu/imports.hpp"
-#include "scene/shapes.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
 #include "support/gpu_device.hpp"
@@ -22,20 +21,6 @@ namespace {
 constexpr glm::uvec2 size_px(192, 108);
 constexpr double step_m = 0.1;
 const glm::dvec3 towards_sun = glm::normalize(glm::dvec3(0.6, 0.5, 0.4));
-
-/// Arcades along both sides of a square that is 400 m long, and a tower.
-Scene square()
-{
-    Scene scene = test::scene_of(shapes::plane(500.0F, 200.0F));
-    for (int i = -40; i <= 40; ++i) {
-        test::add_object(scene, shapes::box({0.6F, 4.0F, 0.6F}), glm::vec3(1.0F), {5.0 * i, 0.0, -6.0});
-        test::add_object(scene, shapes::box({0.9F, 5.0F, 0.9F}), glm::vec3(1.0F), {6.1 * i, 0.0, 16.0});
-    }
-    test::add_object(scene, shapes::box({400.6F, 0.8F, 1.2F}), glm::vec3(1.0F), {0.0, 4.0, -6.0});
-    test::add_object(scene, shapes::box({6.0F, 20.0F, 6.0F}), glm::vec3(1.0F), {45.0, 0.0, 30.0});
-    test::add_object(scene, shapes::torus(1.5F, 0.4F), glm::vec3(1.0F), {12.0, 1.0, 3.0});
-    return scene;
-}
 
 Camera walker(double along_m)
 {
@@ -225,7 +210,7 @@ std::vector<std::pair<double, int>> stretches()
 
 TEST(SunCrawl, AMapThatCameAlongIsTheMapDrawnAfresh)
 {
-    const Scene scene = square();
+    const Scene scene = test::long_square();
     const test::EmbreeScene rays(scene);
     for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {
         Walk walk(scene, rays, {}, std::nullopt);
@@ -262,7 +247,7 @@ TEST(SunCrawl, AMapThatCameAlongIsTheMapDrawnAfresh)
 
 TEST(SunCrawl, ShadowsAndTheirStrokesStayInPlaceWhileTheEyeWalks)
 {
-    const Scene scene = square();
+    const Scene scene = test::long_square();
     const test::EmbreeScene rays(scene);
     const ShadowStyle toothed{.edge = Edge::strokes, .edge_reach_mm = 3.0F};
     for (const bool has_teeth : {false, true}) {

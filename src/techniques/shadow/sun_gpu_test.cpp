@@ -50,14 +50,20 @@ struct Lit {
 };
 
 Lit lit(const Scene& scene, const Camera& camera, const glm::dvec3& sun, const ShadowStyle& style,
-        const std::optional<HatchedLines>& lines = std::nullopt)
+        const std::optional<HatchedLines>& lines = std::nullopt, SunMapKind kind = SunMapKind::whole)
 {
     test::Drawing drawing(scene, camera, size_px);
-    const auto light = drawing.light({.records = {sun_record(sun)},
-                                      .directional_count = 1,
-                                      .shadow_size = map_size,
-                                      .shadow = style,
-                                      .lines = lines});
+    test::LightSetup setup{.records = {sun_record(sun)},
+                           .directional_count = 1,
+                           .shadow_size = map_size,
+                           .shadow = style,
+                           .lines = lines,
+                           .is_warped = kind == SunMapKind::warped};
+    if (kind == SunMapKind::clipmap) {
+        setup.clipmap =
+            fit_clipmap(drawing.sun(sun, 2 * map_size), 2 * map_size, 0.01, drawing.pose.casters.radius());
+    }
+    const auto light = drawing.light(setup);
     const auto surface = drawing.surface();
     Lit result;
     for (size_t i = 0; i < light.size(); ++i) {
@@ -249,8 +255,12 @@ TEST(SunPenumbra, AgreesWithRaysOverTheDisc)
     test::add_object(scene, shapes::torus(0.8F, 0.25F), glm::vec3(1.0F), {0.5, 2.5, 0.0});
     const test::EmbreeScene rays(scene);
     const Camera camera{.eye = {4.0, 6.0, 8.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.8};
-    for (const float radius_deg : {0.27F, 1.0F, 3.0F}) {
-        const Lit soft = lit(scene, camera, towards_sun, {.sun_radius_deg = radius_deg});
+    const auto whole = SunMapKind::whole;
+    for (const auto& [radius_deg, kind] :
+         {std::pair(0.27F, whole), std::pair(1.0F, whole), std::pair(3.0F, whole),
+          std::pair(1.0F, SunMapKind::clipmap), std::pair(3.0F, SunMapKind::clipmap),
+          std::pair(1.0F, SunMapKind::warped)}) {
+        const Lit soft = lit(scene, camera, towards_sun, {.sun_radius_deg = radius_deg}, std::nullopt, kind);
         double error = 0.0;
         double compared = 0.0;
         double partly = 0.0;
@@ -266,9 +276,11 @@ TEST(SunPenumbra, AgreesWithRaysOverTheDisc)
                 partly_error += is_partly ? std::abs(soft.share[i] - share) : 0.0;
             }
         }
-        fmt::print("{} degrees: mean error {:.4f}; in penumbrae {:.4f}, {:.0f} of {:.0f} px\n", radius_deg,
-                   error / compared, partly_error / std::max(partly, 1.0), partly, compared);
-        EXPECT_LT(error / compared, 0.04);
+        const char* name = kind == whole ? "whole" : kind == SunMapKind::clipmap ? "clipmap" : "warped";
+        fmt::print("{}, {} degrees: mean error {:.4f}; in penumbrae {:.4f}, {:.0f} of {:.0f} px\n", name,
+                   radius_deg, error / compared, partly_error / std::max(partly, 1.0), partly, compared);
+        EXPECT_LT(error / compared, 0.04) << name;
+        EXPECT_LT(partly_error / std::max(partly, 1.0), 0.04) << name;
         EXPECT_GT(compared, 5000.0);
     }
 }

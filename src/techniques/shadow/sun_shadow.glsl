@@ -3,8 +3,9 @@
 #define ESTAMPE_SUN_SHADOW
 
 // Looks the sun up in its map. Who includes this declares `SunShadow sun_shadow`, a uniform, and the map,
-// `samplerBuffer sun_map`, reversed depth row by row; `FrameGlobals frame`; and a constant that tells
-// whether the map is a clipmap, `has_sun_levels`.
+// `samplerBuffer sun_map`, reversed depth row by row; `FrameGlobals frame`; and constants that tell
+// whether the map is a clipmap, `has_sun_levels`, or in perspective, `has_sun_warp`, and whether the sun has
+// breadth, `has_soft_sun`.
 
 #include "shaders/spiral.glsl"
 #include "techniques/shadow/sun.glsl.h"
@@ -30,7 +31,13 @@ float sun_depth_at(ivec2 texel, uint level)
         return texelFetch(sun_map, int(row * sun_shadow.size + place.x)).x;
     }
     ivec2 inside = clamp(texel, ivec2(0), ivec2(sun_shadow.size) - 1);
-    return texelFetch(sun_map, inside.y * int(sun_shadow.size) + inside.x).x;
+    float depth = texelFetch(sun_map, inside.y * int(sun_shadow.size) + inside.x).x;
+    if (has_sun_warp) {
+        // All of a row has been divided by the same w.
+        float y = (2.0 * float(inside.y) + 1.0) / float(sun_shadow.size) - 1.0;
+        depth *= sun_shadow.warp.y / (sun_shadow.warp.x - y);
+    }
+    return depth;
 }
 
 // The finest level of a clipmap that is not finer than the page there and has `margin_m` about the point
@@ -40,7 +47,9 @@ uint sun_level(vec3 point, float margin_m)
     float away = frame.is_orthographic != 0u ? 1.0 : dot(point - frame.eye_anchor, frame.view_forward);
     float pixel_m = sun_shadow.pixel_m * max(away, frame.near_m);
     int last = int(sun_shadow.level_count) - 1;
-    int wanted = clamp(int(floor(log2(pixel_m / sun_shadow.texel_m))), 0, last);
+    // A penumbra that is a pixel wide wants more than a texel.
+    float wanted_m = has_soft_sun ? 0.5 * pixel_m : pixel_m;
+    int wanted = clamp(int(floor(log2(wanted_m / sun_shadow.texel_m))), 0, last);
     vec2 at = vec2(dot(sun_shadow.right, point), dot(sun_shadow.down, point));
     int level = last + 1;
     for (int i = SUN_LEVELS - 1; i >= 0; --i) {
@@ -71,10 +80,18 @@ SunPlace sun_place(vec3 point, vec3 normal, vec3 towards_sun, float lift, float 
     float coarser = has_sun_levels ? exp2(float(place.level)) : 1.0;
     place.texel_m = sun_shadow.texel_m * coarser;
     place.texels_per_m = sun_shadow.texels_per_m / coarser;
+    if (has_sun_warp) {
+        float w = max((sun_shadow.clip_from_anchor * vec4(point, 1.0)).w, 1e-3);
+        place.texels_per_m = sun_shadow.texels_per_m / vec2(w, w * w);
+        place.texel_m = 1.0 / min(place.texels_per_m.x, place.texels_per_m.y);
+    }
     float facing = dot(normal, towards_sun);
     float slope = sqrt(max(0.0, 1.0 - facing * facing));
     vec3 lifted = point + normal * (place.texel_m * (0.4 + lift * slope));
     vec4 clip = sun_shadow.clip_from_anchor * vec4(lifted, 1.0);
+    if (has_sun_warp) {
+        clip.xy /= max(clip.w, 1e-3);
+    }
     place.texel = (0.5 * clip.xy + 0.5) * float(sun_shadow.size) - 0.5;
     place.inside = all(greaterThanEqual(place.texel, vec2(0.0))) &&
                    all(lessThanEqual(place.texel, vec2(sun_shadow.size - 1u)));
@@ -113,10 +130,10 @@ float sun_visibility(vec3 point, vec3 normal, vec3 towards_sun)
     return has_sun_levels ? mix(1.0, share, sun_fade(point)) : share;
 }
 
-// Beyond a single map there is nothing to throw a shadow; beyond a clipmap's levels nothing is known.
+// Beyond a map of all casters there is nothing to throw a shadow; beyond what else there is nothing is known.
 bool place_counts(SunPlace place)
 {
-    return !has_sun_levels || place.inside;
+    return (!has_sun_levels && !has_sun_warp) || place.inside;
 }
 
 // How far aside, square to the sun, a caster can be that stands before part of the sun.

@@ -56,7 +56,8 @@ shared::SunShadow sun_shadow(const SunView& view, uint32_t size, const ShadowSty
             .depth_m = view.depth_m,
             .texels_per_m = static_cast<float>(size) / view.extent_m,
             .size = size,
-            .sun_slope = std::tan(glm::radians(style.sun_radius_deg))};
+            .sun_slope = std::tan(glm::radians(style.sun_radius_deg)),
+            .warp = view.warp};
 }
 
 } // namespace estampe::shadow

@@ -17,6 +17,8 @@ struct SunView {
     glm::vec3 down{0.0F, 0.0F, 1.0F};
     glm::vec2 extent_m{1.0F}; ///< what the map covers along both
     float texel_m = 0.0F;     ///< the longer side of a texel
+    glm::vec2 warp{0.0F};     ///< of a map in perspective: rows are at y = warp.x - warp.y / w; extent_m and
+                              ///< texel_m are those where w is 1
     float depth_m = 1.0F;     ///< what clip z of 0 to 1 spans
 };
 
