@@ -35,7 +35,7 @@ std::vector<glm::dvec3> corners_of(std::vector<Plane> planes)
     for (size_t a = 0; a < planes.size(); ++a) {
         for (size_t b = a + 1; b < planes.size(); ++b) {
             for (size_t c = b + 1; c < planes.size(); ++c) {
-                const glm::dmat3 normals(glm::dvec3(planes[a]), glm::dvec3(planes[b]), glm::dvec3(planes[c]));
+                const glm::dmat3 normals{glm::dvec3(planes[a]), glm::dvec3(planes[b]), glm::dvec3(planes[c])};
                 if (std::abs(glm::determinant(normals)) < 1e-9) {
                     continue;
                 }
