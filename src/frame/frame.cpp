@@ -8,6 +8,7 @@
 #include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/contour/chains/chains.hpp"
 #include "techniques/light/exposure.hpp"
 #include "techniques/raster/raster.hpp"
 #include "techniques/screen/screen.hpp"
@@ -232,25 +233,27 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
         style.hatch);
 
     // Contour: lines where surfaces end, meet or fold.
-    const auto lines = contour::add_contours(graph,
-                                             {.frame = frame,
-                                              .visibility = visibility,
-                                              .triangles = triangles,
-                                              .posed_vertices = posed_vertices,
-                                              .draws = draws,
-                                              .materials = materials,
-                                              .own_outlines = plan.needs.own_outlines,
-                                              .draw = surface.draw,
-                                              .depth = surface.depth,
-                                              .normal = surface.normal,
-                                              .coordinate = surface.coordinate,
-                                              .light = light,
-                                              .screen_draw = screen.draw,
-                                              .has_screen = has_screen,
-                                              .pixels_per_mm = plan.pixels_per_mm,
-                                              .pixel_angle = plan.pixel_angle,
-                                              .size_px = size_px},
-                                             style.contour);
+    const contour::ContourInputs contour_inputs{.frame = frame,
+                                                .visibility = visibility,
+                                                .triangles = triangles,
+                                                .posed_vertices = posed_vertices,
+                                                .draws = draws,
+                                                .materials = materials,
+                                                .own_outlines = plan.needs.own_outlines,
+                                                .draw = surface.draw,
+                                                .depth = surface.depth,
+                                                .normal = surface.normal,
+                                                .coordinate = surface.coordinate,
+                                                .light = light,
+                                                .screen_draw = screen.draw,
+                                                .has_screen = has_screen,
+                                                .pixels_per_mm = plan.pixels_per_mm,
+                                                .pixel_angle = plan.pixel_angle,
+                                                .size_px = size_px};
+    const gpu::ImageId lines =
+        resources.line_mesh != nullptr
+            ? contour::add_chain_contours(graph, contour_inputs, *resources.line_mesh, style.contour)
+            : contour::add_contours(graph, contour_inputs, style.contour);
 
     // Bleed: ink of strokes and lines runs together.
     const auto ink = bleed::add_bleed(

@@ -10,6 +10,7 @@
 #include "frame/view.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/contour/chains/line_mesh.hpp"
 #include "techniques/light/light.hpp"
 #include "techniques/lightmap/lightmap.hpp"
 #include "techniques/pose/pose.hpp"
@@ -43,6 +44,7 @@ struct FrameResources {
     gpu::Buffer& form_coordinates;   ///< three a triangle, where strokes follow the form
     lightmap::MapBuffers* lightmaps; ///< where the scene has any
     hatch::MapImages* map;           ///< where strokes come from a map
+    contour::LineMesh* line_mesh;    ///< where lines are chains
     gpu::Image& sums;                ///< of a picture of several samples
     gpu::Buffer& pixels;             ///< the picture, four bytes a pixel, for reading back
 };

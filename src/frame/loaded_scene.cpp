@@ -39,6 +39,7 @@ void lay_out(gpu::Device& device, LoadedScene& loaded)
         upload_baked(device, loaded.lightmap ? &*loaded.lightmap : nullptr, loaded.scene, loaded.layout);
     loaded.has_plain_links = pose::has_plain_links(loaded.layout);
     loaded.stroke_kinds.clear();
+    loaded.line_meshes.forget();
     loaded.pose.reset();
     loaded.pose_moved = true;
 }

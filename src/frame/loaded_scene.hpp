@@ -8,6 +8,7 @@
 
 #include "frame/light_links.hpp"
 #include "frame/lightmaps.hpp"
+#include "frame/line_meshes.hpp"
 #include "scene/outlook/outlook.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
@@ -27,10 +28,11 @@ struct LoadedScene {
     std::optional<WornLight> baked;     ///< the same as the meshes wear it
     std::vector<uint32_t> stroke_kinds; ///< what the strokes of each draw follow, on the device
     std::optional<pose::PoseData> pose; ///< what the device holds now
-    std::optional<SurfaceCloud> cloud;  ///< for what follows, made when it is first needed
-    std::optional<Outlook> outlook;     ///< where the house's light stands
-    bool has_plain_links = true;        ///< every object stands to all lights alike
-    bool pose_moved = true;             ///< the device has yet to pose its vertices by it
+    LineMeshes line_meshes;
+    std::optional<SurfaceCloud> cloud; ///< for what follows, made when it is first needed
+    std::optional<Outlook> outlook;    ///< where the house's light stands
+    bool has_plain_links = true;       ///< every object stands to all lights alike
+    bool pose_moved = true;            ///< the device has yet to pose its vertices by it
 };
 
 /// Uploads `scene`, with a lightmap unless that is null. Throws Error when it does not fit the device, or

@@ -124,7 +124,9 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
         moved.insert(moved.end(), places.begin(), places.end());
     }
     std::swap(loaded->meshes.posed_vertices[0], loaded->meshes.posed_vertices[1]);
-    pose::upload_pose(device, loaded->meshes, loaded->layout, now);
+    if (pose::upload_pose(device, loaded->meshes, loaded->layout, now)) {
+        loaded->line_meshes.forget();
+    }
     loaded->pose = std::move(now);
     loaded->pose_moved = true;
     sun_map.forget();
@@ -280,6 +282,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     form_coordinates,
                                     loaded->baked ? &loaded->baked->maps : nullptr,
                                     map ? &*map : nullptr,
+                                    loaded->line_meshes.provide(device, loaded->layout, style.contour),
                                     page.sums,
                                     page.pixels};
     plan.pose_moved = loaded->pose_moved;

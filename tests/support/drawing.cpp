@@ -15,17 +15,6 @@
 namespace estampe::test {
 namespace {
 
-glm::vec3 unpack_normal(uint32_t packed)
-{
-    const glm::vec2 e = glm::unpackSnorm2x16(packed);
-    glm::vec3 n(e, 1.0F - std::abs(e.x) - std::abs(e.y));
-    if (n.z < 0.0F) {
-        n = {(1.0F - std::abs(e.y)) * (e.x >= 0.0F ? 1.0F : -1.0F),
-             (1.0F - std::abs(e.x)) * (e.y >= 0.0F ? 1.0F : -1.0F), n.z};
-    }
-    return glm::normalize(n);
-}
-
 /// Linear colour of what holds its root, alpha as it is.
 std::vector<glm::vec4> unpack_roots(const std::vector<uint32_t>& packed)
 {
@@ -61,7 +50,7 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
       materials_(surface::upload_materials(shared_device(), scene)), needs_(surface::scene_needs(scene)),
       frame_(gpu::upload_buffer(shared_device(), "frame", std::vector{globals}))
 {
-    pose::upload_pose(shared_device(), meshes_, layout, pose);
+    (void)pose::upload_pose(shared_device(), meshes_, layout, pose);
     const frame::StrokePlan strokes = frame::plan_strokes(layout, scene.materials, {});
     strokes_present_ = strokes.present;
     stroke_kinds_ = gpu::upload_buffer(shared_device(), "stroke kinds", strokes.kind_of_draw);
@@ -276,8 +265,8 @@ SurfacePixels Drawing::surface()
     pixels.draw = read(&surface::Surface::draw, uint32_t{});
     pixels.depth = read(&surface::Surface::depth, float{});
     for (const glm::uvec2& packed : read(&surface::Surface::normal, glm::uvec2{})) {
-        pixels.shading_normal.push_back(unpack_normal(packed.x));
-        pixels.smooth_normal.push_back(unpack_normal(packed.y));
+        pixels.shading_normal.push_back(pose::unpack_normal(packed.x));
+        pixels.smooth_normal.push_back(pose::unpack_normal(packed.y));
     }
     pixels.color = unpack_roots(read(&surface::Surface::color, uint32_t{}));
     for (const glm::vec4& coordinate : read(&surface::Surface::coordinate, glm::vec4{})) {
@@ -315,7 +304,7 @@ std::vector<glm::vec3> Drawing::strongest_light(LightSetup setup)
     const Stage stage = add_surface(graph);
     std::vector<glm::vec3> result;
     for (const uint32_t packed : run_and_read_as<uint32_t>(graph, add_light(graph, stage, setup).strongest)) {
-        result.push_back(packed == 0 ? glm::vec3(0.0F) : unpack_normal(packed));
+        result.push_back(packed == 0 ? glm::vec3(0.0F) : pose::unpack_normal(packed));
     }
     return result;
 }

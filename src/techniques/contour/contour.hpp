@@ -7,8 +7,14 @@
 
 namespace estampe::contour {
 
+enum class Lines : uint8_t { chains, page };
+
+enum class Silhouettes : uint8_t { smooth, edges };
+
 struct ContourStyle {
     bool drawn = true;
+    Lines lines = Lines::chains;
+    Silhouettes silhouettes = Silhouettes::smooth;
     glm::vec3 ink = style::srgb(0x141318);
     float outline_mm = 0.42F;
     float boundary_mm = 0.24F;
@@ -17,6 +23,10 @@ struct ContourStyle {
     float depth_step = 1.0F;
     float pressure = 0.8F;
     float distance_thinning = 0.7F;
+    float taper_mm = 6.0F;
+    float overshoot_mm = 0.0F;
+    float wobble_mm = 0.0F;
+    int seed = 1;
 };
 
 inline const style::Table<ContourStyle>& contour_table()
@@ -24,6 +34,13 @@ inline const style::Table<ContourStyle>& contour_table()
     static const auto table =
         style::Table<ContourStyle>("contour", "Ink lines where surfaces end, meet or fold")
             .toggle("drawn", &ContourStyle::drawn, "Whether there are lines at all")
+            .choice(
+                "lines", &ContourStyle::lines, {{"chains", Lines::chains}, {"page", Lines::page}},
+                "How lines are found: strokes along true edges (chains), or breaks between pixels (page), "
+                "which is the quicker for large meshes")
+            .choice("silhouettes", &ContourStyle::silhouettes,
+                    {{"smooth", Silhouettes::smooth}, {"edges", Silhouettes::edges}},
+                    "Outlines of chains run across the faces as the shading bends, or along the edges")
             .color("ink", &ContourStyle::ink,
                    "Colour of the ink; a material with an outline of its own brings its own")
             .number("outline_mm", &ContourStyle::outline_mm, {0.0F, 20.0F}, "mm",
@@ -37,7 +54,14 @@ inline const style::Table<ContourStyle>& contour_table()
             .number("pressure", &ContourStyle::pressure, {0.0F, 1.0F}, "",
                     "How much a line swells in the shade and thins in the light")
             .number("distance_thinning", &ContourStyle::distance_thinning, {0.0F, 1.0F}, "",
-                    "How much lines thin with distance");
+                    "How much lines thin with distance")
+            .number("taper_mm", &ContourStyle::taper_mm, {0.0F, 100.0F}, "mm",
+                    "How far from its ends a stroke of a chain begins to thin")
+            .number("overshoot_mm", &ContourStyle::overshoot_mm, {0.0F, 20.0F}, "mm",
+                    "How far strokes of chains run beyond their ends")
+            .number("wobble_mm", &ContourStyle::wobble_mm, {0.0F, 20.0F}, "mm",
+                    "How far strokes of chains sway to either side")
+            .integer("seed", &ContourStyle::seed, {0, 1000000}, "", "Another hand for another number");
     return table;
 }
 

@@ -23,20 +23,6 @@ constexpr uint64_t most_vertices = 1ULL << 31;
 constexpr uint32_t enough_sheets = 4;
 constexpr double wire_radius = 3e-3; // of lines, in the scene's own: framed whole, as wide as a pen
 
-uint32_t pack_normal(glm::vec3 n)
-{
-    const float sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-    if (!(sum > 0.0F)) {
-        return pack_normal({0.0F, 1.0F, 0.0F});
-    }
-    glm::vec2 e = glm::vec2(n.x, n.y) / sum;
-    if (n.z < 0.0F) {
-        const glm::vec2 sign(e.x >= 0.0F ? 1.0F : -1.0F, e.y >= 0.0F ? 1.0F : -1.0F);
-        e = (1.0F - glm::abs(glm::vec2(e.y, e.x))) * sign;
-    }
-    return glm::packSnorm2x16(e);
-}
-
 template <typename T>
 T value_or(const std::vector<T>& values, size_t index, const T& otherwise)
 {
@@ -341,6 +327,32 @@ private:
 };
 
 } // namespace
+
+uint32_t pack_normal(glm::vec3 n)
+{
+    const float sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+    if (!(sum > 0.0F)) {
+        return pack_normal({0.0F, 1.0F, 0.0F});
+    }
+    glm::vec2 e = glm::vec2(n.x, n.y) / sum;
+    if (n.z < 0.0F) {
+        const glm::vec2 sign(e.x >= 0.0F ? 1.0F : -1.0F, e.y >= 0.0F ? 1.0F : -1.0F);
+        e = (1.0F - glm::abs(glm::vec2(e.y, e.x))) * sign;
+    }
+    return glm::packSnorm2x16(e);
+}
+
+glm::vec3 unpack_normal(uint32_t packed)
+{
+    const glm::vec2 e = glm::unpackSnorm2x16(packed);
+    glm::vec3 n(e, 1.0F - std::abs(e.x) - std::abs(e.y));
+    if (n.z < 0.0F) {
+        const glm::vec2 sign(e.x >= 0.0F ? 1.0F : -1.0F, e.y >= 0.0F ? 1.0F : -1.0F);
+        const glm::vec2 folded = (1.0F - glm::abs(glm::vec2(e.y, e.x))) * sign;
+        n = {folded, n.z};
+    }
+    return glm::normalize(n);
+}
 
 uint32_t packed_groups(const LightLinks& links)
 {

@@ -56,6 +56,10 @@ struct MeshData {
     Bounds bounds; ///< of the rest pose
 };
 
+/// A unit vector as shaders/octahedral.glsl has it, and back.
+[[nodiscard]] uint32_t pack_normal(glm::vec3 normal);
+[[nodiscard]] glm::vec3 unpack_normal(uint32_t packed);
+
 /// Groups in the form of DrawRecord::groups.
 [[nodiscard]] uint32_t packed_groups(const LightLinks& links);
 

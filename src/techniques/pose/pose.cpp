@@ -24,14 +24,16 @@ MeshBuffers upload_meshes(gpu::Device& device, const MeshData& data)
     return meshes;
 }
 
-void upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const PoseData& pose)
+bool upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const PoseData& pose)
 {
-    if (turn_triangles(data, pose)) {
+    const bool has_turned = turn_triangles(data, pose);
+    if (has_turned) {
         meshes.triangles = upload_buffer(device, "triangles", data.triangles);
     }
     meshes.draws = upload_buffer(device, "draws", pose.draws);
     meshes.joints = upload_buffer(device, "joints", pose.joints);
     meshes.morph_weights = upload_buffer(device, "morph weights", pose.morph_weights);
+    return has_turned;
 }
 
 gpu::BufferId add_pose(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data, gpu::BufferId draws,

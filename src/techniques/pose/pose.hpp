@@ -28,8 +28,8 @@ struct MeshBuffers {
 [[nodiscard]] MeshBuffers upload_meshes(gpu::Device& device, const MeshData& data);
 
 /// Overwrites what moves: draws, joints, weights, and the triangles when draws of `data`, which `meshes` were
-/// made of, turned inside out or back. Waits for the copy.
-void upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const PoseData& pose);
+/// made of, turned inside out or back; returns whether any did. Waits for the copy.
+bool upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const PoseData& pose);
 
 /// Poses all vertices of `meshes`, which were made of `data`: morph targets, then the skin, or the place of
 /// the object where there is none. `draws` and `rest_vertices` are their handles in this graph.

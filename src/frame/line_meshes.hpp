@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "techniques/contour/chains/line_mesh.hpp"
+#include "techniques/contour/contour.hpp"
+#include "techniques/pose/mesh_data.hpp"
+
+namespace estampe::frame {
+
+/// The line mesh of one scene, made when lines are first drawn as chains.
+class LineMeshes {
+public:
+    /// The line mesh for `style`, or null when lines are not chains. Cost: nothing when neither meshes nor
+    /// choice changed; else linear in triangles. Throws Error when memory runs out.
+    [[nodiscard]] contour::LineMesh* provide(gpu::Device& device, const pose::MeshData& layout,
+                                             const contour::ContourStyle& style);
+
+    /// To be called when triangles change, or what they are flagged with.
+    void forget();
+
+private:
+    struct Choice {
+        contour::FeatureChoice features;
+        bool along_edges = false;
+        bool operator==(const Choice&) const = default;
+    };
+
+    std::optional<contour::EdgeMesh> edges_;
+    std::optional<Choice> choice_; ///< of what `lines_` holds
+    std::optional<contour::LineMesh> lines_;
+};
+
+/// The edge mesh of the triangles in `layout`. Neither the ground nor anything with holes cut by a texture
+/// has lines: their edges are not where they seem to end.
+[[nodiscard]] contour::EdgeMesh edge_mesh_of(const pose::MeshData& layout);
+
+} // namespace estampe::frame

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/contour/chains/chains.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gpu/imports.hpp"
+#include "shaders/emit_comp.hpp"
+#include "shaders/mark_edges_comp.hpp"
+#include "shaders/mark_triangles_comp.hpp"
+#include "shaders/order_features_comp.hpp"
+#include "shaders/order_segments_comp.hpp"
+#include "shaders/rank_comp.hpp"
+#include "shaders/string_comp.hpp"
+#include "techniques/contour/chains/scan.hpp"
+
+namespace estampe::contour {
+namespace {
+
+/// An outline of n triangles crosses about 0.7 n^0.8 of them (McGuire 2004); six times as many have room.
+uint32_t segment_capacity(const LineMesh& mesh, bool along_edges)
+{
+    const auto items = static_cast<double>(along_edges ? mesh.loose_edge_count
+                                                       : mesh.triangle_count + mesh.loose_edge_count);
+    const double usual = 4096.0 + 6.0 * 0.7 * std::pow(items, 0.8);
+    return std::max(1U, static_cast<uint32_t>(std::min(items, usual)));
+}
+
+/// Samples that a page is ever covered with.
+uint32_t sample_capacity(glm::uvec2 size_px)
+{
+    return std::max(size_px.x * size_px.y / 6, 16384U);
+}
+
+struct Marks {
+    gpu::BufferId facing;
+    gpu::BufferId words;
+    gpu::BufferId before;
+    gpu::BufferId sizes;
+};
+
+Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_edges,
+                const shared::ChainConstants& constants, bool along_edges)
+{
+    const uint32_t triangle_words = (constants.triangle_count + 31) / 32;
+    const uint32_t words = triangle_words + (constants.loose_edge_count + 31) / 32;
+    auto triangles = graph.compute("contour/mark triangles", shaders::mark_triangles_comp);
+    triangles.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices).sample(in.neighbors);
+    const gpu::BufferId facing =
+        triangles.write(graph.buffer("contour/facing", list_of(triangle_words, sizeof(uint32_t))));
+    gpu::BufferId marks = triangles.write(graph.buffer("contour/marks", list_of(words, sizeof(uint32_t))));
+    triangles.variant(along_edges ? 1U : 0U).push(constants);
+    triangles.dispatch((constants.triangle_count + 63) / 64);
+    if (constants.loose_edge_count > 0) {
+        auto edges = graph.compute("contour/mark edges", shaders::mark_edges_comp);
+        edges.read(loose_edges).sample(in.neighbors).read(facing);
+        marks = edges.modify(marks);
+        edges.push(constants).dispatch((constants.loose_edge_count + 63) / 64);
+    }
+    const gpu::BufferId sizes =
+        graph.buffer("contour/sizes", list_of(shared::list_count, sizeof(shared::ListSize)));
+    const Scanned scanned = add_scan(graph, "marks",
+                                     {.sizes = sizes,
+                                      .values = marks,
+                                      .sizes_are_new = true,
+                                      .counts_bits = true,
+                                      .value_capacity = words,
+                                      .constants = {.fixed_count = words,
+                                                    .count_of = shared::no_list,
+                                                    .total_to = shared::list_segments,
+                                                    .capacity = constants.segment_capacity,
+                                                    .slots_before = constants.feature_chain_count}});
+    return {facing, marks, scanned.before, scanned.sizes};
+}
+
+} // namespace
+
+Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges)
+{
+    const uint32_t segments_most = segment_capacity(mesh, along_edges);
+    const shared::ChainConstants constants{.triangle_count = mesh.triangle_count,
+                                           .loose_edge_count = mesh.loose_edge_count,
+                                           .feature_chain_count = mesh.feature_chain_count,
+                                           .feature_point_count = mesh.feature_point_count,
+                                           .segment_capacity = segments_most,
+                                           .point_capacity = 2 * segments_most + mesh.feature_point_count,
+                                           .sample_capacity = sample_capacity(in.size_px),
+                                           .step_px = 3.0F};
+    const auto loose_edges = gpu::import_whole(graph, "loose edges", mesh.loose_edges);
+    const Marks marks = add_marks(graph, in, loose_edges, constants, along_edges);
+
+    auto emit = graph.compute("contour/emit", shaders::emit_comp);
+    emit.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices).sample(in.neighbors);
+    emit.read(loose_edges).read(gpu::import_whole(graph, "loose edges of sides", mesh.loose_edge_of_side));
+    emit.read(marks.facing).read(marks.words).read(marks.before).read(marks.sizes);
+    const gpu::BufferId segments =
+        emit.write(graph.buffer("contour/segments", list_of(segments_most, sizeof(shared::Segment))));
+    gpu::BufferId ranks =
+        emit.write(graph.buffer("contour/ranks", list_of(segments_most, sizeof(shared::Rank))));
+    emit.variant(mesh.loose_edge_count > 0 ? 1U : 0U).push(constants);
+    emit.dispatch_indirect(marks.sizes, indirect_offset(shared::list_segments));
+
+    for (uint64_t reach = 1; reach < segments_most; reach *= 4) {
+        auto rank = graph.compute("contour/rank", shaders::rank_comp);
+        rank.read(marks.sizes).read(ranks);
+        ranks = rank.write(graph.buffer("contour/ranks", list_of(segments_most, sizeof(shared::Rank))));
+        rank.dispatch_indirect(marks.sizes, indirect_offset(shared::list_segments));
+    }
+
+    const uint32_t slots_most = segments_most + mesh.feature_chain_count;
+    const auto feature_chains = gpu::import_whole(graph, "feature chains", mesh.feature_chains);
+    auto string = graph.compute("contour/string", shaders::string_comp);
+    string.read(marks.sizes).read(feature_chains).read(segments).read(ranks);
+    const gpu::BufferId points_of_slot =
+        string.write(graph.buffer("contour/points of slot", list_of(slots_most, sizeof(uint32_t))));
+    const gpu::BufferId flags_of_slot =
+        string.write(graph.buffer("contour/flags of slot", list_of(slots_most, sizeof(uint32_t))));
+    const gpu::BufferId first_of_end =
+        string.write(graph.buffer("contour/first of end", list_of(segments_most, sizeof(uint32_t))));
+    string.push(constants).dispatch_indirect(marks.sizes, indirect_offset(shared::list_slots));
+    const Scanned scanned = add_scan(graph, "points",
+                                     {.sizes = marks.sizes,
+                                      .values = points_of_slot,
+                                      .value_capacity = slots_most,
+                                      .constants = {.fixed_count = 0,
+                                                    .count_of = shared::list_slots,
+                                                    .total_to = shared::list_points,
+                                                    .capacity = constants.point_capacity,
+                                                    .slots_before = shared::no_list}});
+
+    auto order = graph.compute("contour/order outline", shaders::order_segments_comp);
+    order.uniform(in.frame).read(scanned.sizes).read(segments).read(ranks).read(first_of_end);
+    order.read(scanned.before);
+    gpu::BufferId points = order.write(
+        graph.buffer("contour/points", list_of(constants.point_capacity, sizeof(shared::ChainPoint))));
+    gpu::BufferId lengths =
+        order.write(graph.buffer("contour/lengths", list_of(constants.point_capacity, sizeof(uint32_t))));
+    order.push(constants).dispatch_indirect(scanned.sizes, indirect_offset(shared::list_segments));
+    if (mesh.feature_point_count > 0) {
+        auto features = graph.compute("contour/order features", shaders::order_features_comp);
+        features.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices);
+        features.read(gpu::import_whole(graph, "feature points", mesh.feature_points));
+        features.read(feature_chains).read(scanned.before);
+        points = features.modify(points);
+        lengths = features.modify(lengths);
+        features.push(constants).dispatch_items(mesh.feature_point_count);
+    }
+    return {.constants = constants,
+            .facing = marks.facing,
+            .sizes = scanned.sizes,
+            .points_of_slot = points_of_slot,
+            .flags_of_slot = flags_of_slot,
+            .points_before = scanned.before,
+            .points = points,
+            .lengths = lengths};
+}
+
+} // namespace estampe::contour

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CHAINS_GLSL_H
+#define ESTAMPE_CHAINS_GLSL_H
+// Lines strung along the surface. An item is what may hold a piece of outline: a triangle, or after all
+// triangles a loose edge. A slot is a chain: first those of features, then one for each segment found, of
+// which only the one that stands for its whole chain is not empty.
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#endif
+
+// A point of a feature's line; its kind and sides are those of the edge to the next point.
+struct FeaturePoint {
+    uint vertex;
+    uint chain;
+    uint kind;
+    uint side;
+    uint other_side;
+};
+
+struct FeatureChain {
+    uint first_point;
+    uint point_count;
+    uint is_closed;
+};
+
+// A piece of outline within one item; the next goes on where it ends.
+struct Segment {
+    vec3 from;
+    uint from_normal;
+    vec3 to;
+    uint to_normal;
+    uint side; // corner 3 for the whole triangle
+    uint next; // segment, or no_segment
+    uint has_previous;
+    float bulge_m; // how far the true surface may stand out beyond the item
+};
+
+// What pointer jumping knows of a segment: where it has got to, in how many steps, and the highest segment
+// on the way, with the steps to it.
+struct Rank {
+    uint at;
+    uint steps;
+    uint highest;
+    uint steps_to_highest;
+};
+
+// A point of a chain; bulge and source are those of the piece to the next.
+struct ChainPoint {
+    vec3 anchor;
+    uint normal;
+    float bulge_m;
+    uint source; // kind << 28 | side; corner 3 for the whole triangle
+};
+
+// One step along a chain, all steps of a chain alike.
+struct LineSample {
+    vec3 anchor;
+    uint normal;
+    vec2 page_px;
+    uint source;
+    uint state; // see the bits below; the distance to the next sample in pixels, as a half, above
+};
+
+// A sample as it is inked.
+struct LinePoint {
+    vec2 page_px;
+    float half_width_px;
+    uint ink; // material that brings its own, + 1
+};
+
+// How many there are of something, and the arguments of a dispatch with a thread for each.
+struct ListSize {
+    uint count;
+    uint groups_x;
+    uint groups_y;
+    uint groups_z;
+};
+
+struct ScanConstants {
+    uint fixed_count; // how many values there are
+    uint count_of;    // and the list that brings more, or no_list
+    uint total_to;    // the list whose size is the total
+    uint capacity;
+    uint slots_before; // of the slots that the total's come after
+};
+
+struct ChainConstants {
+    uint triangle_count;
+    uint loose_edge_count;
+    uint feature_chain_count;
+    uint feature_point_count;
+    uint segment_capacity;
+    uint point_capacity;
+    uint sample_capacity;
+    float step_px; // between samples, about
+};
+
+struct ShapeConstants {
+    float silhouette_px; // whole widths
+    float border_px;
+    float boundary_px;
+    float crease_px;
+    float taper_px;
+    float overshoot_px;
+    float wobble_px;
+    float pressure;
+    float distance_thinning;
+    float pixel_angle; // size of a pixel at distance one
+    uint seed;
+};
+
+struct InkConstants {
+    uint width;
+    uint height;
+    vec3 ink_color;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(Segment) == 48);
+static_assert(sizeof(ChainPoint) == 24);
+static_assert(sizeof(LineSample) == 32);
+inline constexpr uint no_segment = 0xffffffffU;
+inline constexpr uint no_list = 0xffffffffU;
+inline constexpr uint line_silhouette = 0U;
+inline constexpr uint line_border = 1U;
+inline constexpr uint line_boundary = 2U;
+inline constexpr uint line_crease = 3U;
+inline constexpr uint list_segments = 0U;
+inline constexpr uint list_points = 1U;
+inline constexpr uint list_samples = 2U;
+inline constexpr uint list_strokes = 3U;
+inline constexpr uint list_slots = 4U;
+inline constexpr uint list_count = 5U;
+inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of these a pixel
+} // namespace estampe::shared
+#else
+#define NO_SIDE 0xffffffffu
+#define NO_SEGMENT 0xffffffffu
+#define NO_LIST 0xffffffffu
+#define LINE_SILHOUETTE 0u
+#define LINE_BORDER 1u
+#define LINE_BOUNDARY 2u
+#define LINE_CREASE 3u
+#define LIST_SEGMENTS 0u
+#define LIST_POINTS 1u
+#define LIST_SAMPLES 2u
+#define LIST_STROKES 3u
+#define LIST_SLOTS 4u
+#define LIST_COUNT 5u
+#define LENGTH_UNIT_PX 1024.0
+#define NEIGHBOR_IS_TURNED 1u
+#define NEIGHBOR_SMOOTH_SHIFT 1u
+#define NO_ROTATION 0xffffffffu
+#define ROTATION_TO_CORNER 0x40000000u // better none than at a corner: lower is better
+#define CHAIN_IS_CLOSED 1u
+#define SAMPLE_IS_VISIBLE 1u
+#define SAMPLE_IS_OFF_PAGE 2u
+#define SAMPLE_IS_CORNER 4u
+#define SAMPLE_IN_RING 8u  // of a closed line without a break
+#define PIECE_IS_THERE 16u // a line goes on to the next sample
+#endif
+
+#endif

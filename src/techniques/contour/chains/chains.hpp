@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "gpu/graph/graph.hpp"
+#include "techniques/contour/chains/line_mesh.hpp"
+#include "techniques/contour/contour.hpp"
+
+namespace estampe::contour {
+
+/// Outlines and features strung into whole lines.
+struct Chains {
+    shared::ChainConstants constants;
+    gpu::BufferId facing; ///< a bit a triangle: faces the eye
+    gpu::BufferId sizes;  ///< ListSize of each list
+    gpu::BufferId points_of_slot;
+    gpu::BufferId flags_of_slot;
+    gpu::BufferId points_before; ///< each slot
+    gpu::BufferId points;        ///< ChainPoint
+    gpu::BufferId lengths;       ///< of the piece to the next point
+};
+
+/// The same as strokes: even samples, and where each stroke starts and ends.
+struct ChainStrokes {
+    gpu::BufferId sizes;
+    gpu::BufferId samples;        ///< LineSample; closed chains cut open
+    gpu::BufferId strokes_before; ///< each sample
+    gpu::BufferId strokes;        ///< first and last sample
+};
+
+/// What strings lines together reads of the frame.
+struct ChainInputs {
+    gpu::BufferId frame;
+    gpu::BufferId posed_vertices;
+    gpu::BufferId visibility;
+    gpu::BufferId neighbors; ///< of the line mesh, as its triangles
+    gpu::BufferId line_triangles;
+    glm::uvec2 size_px{0};
+};
+
+/// Finds the outline, one segment a triangle or edge, and strings it and the features together.
+///
+/// Cost    one thread a triangle; all else grows with the outline
+/// Source  segments: Hertzmann and Zorin, "Illustrating Smooth Surfaces", 2000; ranking: Wyllie, "The
+/// Complexity of Parallel Computations", 1979
+[[nodiscard]] Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges);
+
+/// Divides chains into even steps, asks what hides each, and makes strokes of what is seen.
+///
+/// Source  Cole and Finkelstein, "Fast High-Quality Line Visibility", 2009
+[[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains& chains);
+
+/// Draws chains as strokes into an ink layer: the choice beside add_contours().
+[[nodiscard]] gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
+                                              const ContourStyle& style);
+
+} // namespace estampe::contour

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What lies on the other side of each edge, found once for a scene: contours link along it without a search.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace estampe::contour {
+
+constexpr uint32_t no_side = ~0U;
+
+/// The edge from corner `corner` of `triangle` to the next.
+constexpr uint32_t side_of(uint32_t triangle, uint32_t corner)
+{
+    return triangle << 2U | corner;
+}
+
+/// What an edge mesh is made of. Positions and normals are those of the rest pose, one a vertex.
+struct TriangleSoup {
+    std::span<const glm::uvec4> triangles; ///< three vertices, and what is handed through
+    std::span<const glm::vec3> positions;
+    std::span<const glm::vec3> normals;
+    std::span<const uint32_t> bodies; ///< one a triangle: only triangles of one body share edges; no_side for
+                                      ///< triangles that have no lines
+    std::span<const uint32_t> materials; ///< one a triangle
+};
+
+enum class FeatureKind : uint8_t { border, boundary, crease };
+
+/// An edge that may have a line from wherever it is seen.
+struct FeatureEdge {
+    uint32_t side = no_side;
+    uint32_t other_side = no_side; ///< none for a border
+    float fold_deg = 0.0F;         ///< how much the surface bends; 180 where more than two triangles meet
+    FeatureKind kind = FeatureKind::crease;
+    bool is_split = false; ///< shading breaks here: the two sides have normals of their own
+};
+
+/// Triangles with their neighbours. Vertices at one place of one body are one point, whatever else differs
+/// in them; triangles that are there twice count once.
+struct EdgeMesh {
+    /// Corners, of vertices that stand for all at their place with their normal, and what is handed through.
+    std::vector<glm::uvec4> triangles;
+    /// The three sides that face a triangle's own, or no_side; then flags, see neighbor_flags.
+    std::vector<glm::uvec4> neighbors;
+    std::vector<uint32_t> points;       ///< one a vertex: the first vertex at its place
+    std::vector<FeatureEdge> features;  ///< borders, boundaries, and all folds of more than `least_fold_deg`
+    std::vector<glm::uvec2> hard_edges; ///< both sides of each edge that shading breaks at
+};
+
+/// Flags of EdgeMesh::neighbors: the triangle runs against the sense of its piece of the surface; and which
+/// of its sides are smooth, where shading goes on.
+constexpr uint32_t neighbor_is_turned = 1;
+constexpr uint32_t neighbor_smooth_shift = 1;
+
+constexpr float least_fold_deg = 10.0F;
+
+/// Cost: linear; about 0.3 s for a million triangles.
+[[nodiscard]] EdgeMesh build_edge_mesh(const TriangleSoup& soup);
+
+} // namespace estampe::contour

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// One thread turns one inked word into a pixel of the layer.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/material.glsl.h"
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) readonly buffer Inked
+{
+    uint inked[];
+};
+
+#define MATERIAL_TEXELS_BINDING 1
+#include "shaders/material_texels.glsl"
+
+layout(binding = 2, rgba8) writeonly uniform image2D out_ink; // square root of linear colour; coverage
+
+layout(push_constant, scalar) uniform Constants
+{
+    InkConstants constants;
+};
+
+// Bit 0: some material brings an outline of its own.
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_own_outlines = (variant & 1u) != 0u;
+
+void main()
+{
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (pixel.x >= constants.width || pixel.y >= constants.height) {
+        return;
+    }
+    uint word = inked[pixel.y * constants.width + pixel.x];
+    vec3 color = constants.ink_color;
+    uint ink = word & 0xffffu;
+    if (has_own_outlines && ink != 0u) {
+        color = outline_color_of(ink - 1u);
+    }
+    imageStore(out_ink, ivec2(pixel), vec4(sqrt(color), float(word >> 16) / 65535.0));
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// A subgroup looks at 32 edges that shading breaks at and writes one word: which have a front on one side and
+// a back on the other.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_ballot : require
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) readonly buffer LooseEdges
+{
+    uvec2 loose_edges[];
+};
+
+layout(binding = 1) uniform usamplerBuffer neighbor_texels;
+
+layout(scalar, binding = 2) readonly buffer Facing
+{
+    uint facing[];
+};
+
+layout(scalar, binding = 3) buffer Marks
+{
+    uint marks[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    ChainConstants constants;
+};
+
+// In the sense of its piece of the surface.
+bool is_front(uint triangle)
+{
+    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
+    return (facing[triangle / 32u] >> (triangle & 31u) & 1u) != (is_turned ? 1u : 0u);
+}
+
+void main()
+{
+    uint first_word = (constants.triangle_count + 31u) / 32u;
+    uint word_count = (constants.loose_edge_count + 31u) / 32u;
+    uint step = gl_NumWorkGroups.x * gl_NumSubgroups;
+    for (uint word = gl_WorkGroupID.x * gl_NumSubgroups + gl_SubgroupID; word < word_count; word += step) {
+        uint outline = 0u;
+        for (uint first = 0u; first < 32u; first += gl_SubgroupSize) {
+            uint edge = 32u * word + first + gl_SubgroupInvocationID;
+            uvec2 sides = loose_edges[min(edge, constants.loose_edge_count - 1u)];
+            bool is_outline = is_front(sides.x / 4u) != is_front(sides.y / 4u);
+            bool is_there = edge < constants.loose_edge_count && first + gl_SubgroupInvocationID < 32u;
+            outline |= subgroupBallot(is_outline && is_there).x << first;
+        }
+        if (subgroupElect()) {
+            marks[first_word + word] = outline;
+        }
+    }
+}

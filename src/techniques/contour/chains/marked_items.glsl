@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_MARKED_ITEMS
+#define ESTAMPE_MARKED_ITEMS
+
+// Items that hold a segment, as bits; and how many lie before each word of them. The segment of an item needs
+// no table. Wanted before: MARKS_BINDING, of the words; that of their prefix sums comes next.
+
+layout(scalar, binding = MARKS_BINDING) readonly buffer Marks
+{
+    uint marks[];
+};
+
+layout(scalar, binding = MARKS_BINDING + 1) readonly buffer MarksBefore
+{
+    uint marks_before[];
+};
+
+bool is_marked(uint item)
+{
+    return (marks[item / 32u] >> (item & 31u) & 1u) != 0u;
+}
+
+uint segment_of(uint item)
+{
+    uint word = item / 32u;
+    return marks_before[word] + uint(bitCount(marks[word] & ((1u << (item & 31u)) - 1u)));
+}
+
+// The item that holds a segment: `word_count` words are marked.
+uint item_of(uint segment, uint word_count)
+{
+    uint low = 0u;
+    uint high = word_count;
+    while (high - low > 1u) {
+        uint middle = (low + high) / 2u;
+        if (marks_before[middle] <= segment) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    uint word = marks[low];
+    for (uint skipped = segment - marks_before[low]; skipped > 0u; --skipped) {
+        word &= word - 1u;
+    }
+    return 32u * low + uint(findLSB(word));
+}
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_PAGE_PIECE
+#define ESTAMPE_PAGE_PIECE
+
+// A straight piece in space as it lies on the page, cut where it leaves the page or comes too near.
+// Wanted before: `frame`, a FrameGlobals.
+
+const float page_margin_px = 32.0;
+
+struct PagePiece {
+    vec2 from_px;
+    vec2 to_px;
+    float from_w;
+    float to_w;
+    vec2 kept; // share of the piece where it starts and ends; nothing is left where they are equal
+    float length_px;
+};
+
+vec2 page_position(vec4 clip)
+{
+    return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.size_px);
+}
+
+// Keeps the part of [from, to] where a value that runs from `a` to `b` is not negative.
+void keep_positive(float a, float b, inout vec2 kept)
+{
+    if (a < 0.0) {
+        kept.x = b > 0.0 ? max(kept.x, a / (a - b)) : 2.0;
+    }
+    if (b < 0.0) {
+        kept.y = a > 0.0 ? min(kept.y, a / (a - b)) : -1.0;
+    }
+}
+
+PagePiece piece_on_page(vec3 from, vec3 to)
+{
+    vec4 a = frame.clip_from_anchor * vec4(from, 1.0);
+    vec4 b = frame.clip_from_anchor * vec4(to, 1.0);
+    vec2 kept = vec2(0.0, 1.0);
+    keep_positive(a.w - a.z, b.w - b.z, kept);
+    vec2 reach = 1.0 + 2.0 * page_margin_px / vec2(frame.size_px);
+    keep_positive(reach.x * a.w - a.x, reach.x * b.w - b.x, kept);
+    keep_positive(reach.x * a.w + a.x, reach.x * b.w + b.x, kept);
+    keep_positive(reach.y * a.w - a.y, reach.y * b.w - b.y, kept);
+    keep_positive(reach.y * a.w + a.y, reach.y * b.w + b.y, kept);
+    if (kept.x >= kept.y) {
+        return PagePiece(vec2(0.0), vec2(0.0), 1.0, 1.0, vec2(0.0), 0.0);
+    }
+    vec4 start = mix(a, b, kept.x);
+    vec4 end = mix(a, b, kept.y);
+    vec2 start_px = page_position(start);
+    vec2 end_px = page_position(end);
+    return PagePiece(start_px, end_px, start.w, end.w, kept, distance(start_px, end_px));
+}
+
+// Share of the whole piece in space of what lies `along` the kept part on the page, both in [0, 1].
+float share_at(PagePiece piece, float along)
+{
+    float weight = along * piece.from_w;
+    return mix(piece.kept.x, piece.kept.y, weight / max(weight + (1.0 - along) * piece.to_w, 1e-20));
+}
+
+// Size of a pixel at the distance of a point.
+float pixel_size_m(vec3 anchor)
+{
+    float w = (frame.clip_from_anchor * vec4(anchor, 1.0)).w;
+    vec3 up = vec3(frame.clip_from_anchor[0].y, frame.clip_from_anchor[1].y, frame.clip_from_anchor[2].y);
+    return 2.0 * w / (float(frame.size_px.y) * max(length(up), 1e-20));
+}
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// One thread lets one segment look four times as far along its chain as before: pointer jumping. What ends
+// stays at its end; what is closed finds its highest segment, which then counts as the first.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) readonly buffer Sizes
+{
+    ListSize sizes[];
+};
+
+layout(scalar, binding = 1) readonly buffer RanksBefore
+{
+    Rank ranks_before[];
+};
+
+layout(scalar, binding = 2) writeonly buffer Ranks
+{
+    Rank ranks[];
+};
+
+void main()
+{
+    uint slot = gl_GlobalInvocationID.x;
+    if (slot >= sizes[LIST_SEGMENTS].count) {
+        return;
+    }
+    Rank rank = ranks_before[slot];
+    for (int i = 0; i < 3; ++i) {
+        Rank there = ranks_before[rank.at];
+        if (there.highest > rank.highest) {
+            rank.highest = there.highest;
+            rank.steps_to_highest = rank.steps + there.steps_to_highest;
+        }
+        rank.at = there.at;
+        rank.steps += there.steps;
+    }
+    ranks[slot] = rank;
+}

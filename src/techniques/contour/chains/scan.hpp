@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "gpu/graph/graph.hpp"
+#include "techniques/contour/chains/chains.glsl.h"
+
+namespace estampe::contour {
+
+struct ScanInputs {
+    gpu::BufferId sizes; ///< ListSize of each list
+    gpu::BufferId values;
+    bool sizes_are_new = false; ///< nothing has been written there yet
+    bool counts_bits = false;   ///< of the values, not the values themselves
+    uint32_t value_capacity = 0;
+    shared::ScanConstants constants;
+};
+
+struct Scanned {
+    gpu::BufferId sizes;
+    gpu::BufferId before; ///< sum of all values before each; the total at the end
+};
+
+/// Sums up a list whose length only the device knows. Cost: one workgroup.
+[[nodiscard]] Scanned add_scan(gpu::Graph& graph, const std::string& name, const ScanInputs& in);
+
+/// Where the size of a list, as the arguments of a dispatch, lies in `sizes`.
+[[nodiscard]] inline uint64_t indirect_offset(uint32_t list)
+{
+    return list * sizeof(shared::ListSize) + sizeof(uint32_t);
+}
+
+/// Room for `count` items, and for one where there are none.
+[[nodiscard]] inline gpu::BufferDesc list_of(uint64_t count, uint64_t item_bytes)
+{
+    return {.size_bytes = (count > 0 ? count : 1) * item_bytes};
+}
+
+} // namespace estampe::contour

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// One thread settles whether one sample is seen, by what most around it say, and looks for a place where a
+// closed chain can be cut: where it is hidden, or else at a corner.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) readonly buffer Sizes
+{
+    ListSize sizes[];
+};
+
+#define SLOTS_BINDING 1
+#include "techniques/contour/chains/slots.glsl"
+
+layout(scalar, binding = 2) readonly buffer FlagsOfSlot
+{
+    uint flags_of_slot[];
+};
+
+layout(scalar, binding = 3) readonly buffer Samples
+{
+    LineSample samples[];
+};
+
+layout(scalar, binding = 4) writeonly buffer States
+{
+    uint states[];
+};
+
+layout(scalar, binding = 5) buffer RotationOfSlot
+{
+    uint rotation_of_slot[];
+};
+
+#include "techniques/contour/chains/sample_list.glsl"
+
+const int votes_each_side = 2;
+const float corner_cosine = 0.5; // 60 degrees
+
+bool is_visible_at(ChainOfSamples chain, int place)
+{
+    return (samples[chain.first + place_in(chain, place)].state & SAMPLE_IS_VISIBLE) != 0u;
+}
+
+bool is_corner(ChainOfSamples chain, int place)
+{
+    vec2 here = samples[chain.first + place_in(chain, place)].page_px;
+    vec2 arriving = here - samples[chain.first + place_in(chain, place - 2)].page_px;
+    vec2 leaving = samples[chain.first + place_in(chain, place + 2)].page_px - here;
+    float lengths = length(arriving) * length(leaving);
+    return lengths > 0.0 && dot(arriving, leaving) < corner_cosine * lengths;
+}
+
+void main()
+{
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= sizes[LIST_SAMPLES].count) {
+        return;
+    }
+    uint slot = slot_of_sample(index);
+    ChainOfSamples chain =
+        ChainOfSamples(samples_before[slot], samples_before[slot + 1u] - samples_before[slot] - 1u,
+                       (flags_of_slot[slot] & CHAIN_IS_CLOSED) != 0u);
+    int place = int(index - chain.first);
+    int votes = 0;
+    for (int i = -votes_each_side; i <= votes_each_side; ++i) {
+        votes += is_visible_at(chain, place + i) ? 1 : 0;
+    }
+    uint before = samples[index].state;
+    bool is_seen = votes > votes_each_side && (before & SAMPLE_IS_OFF_PAGE) == 0u;
+    bool is_first = !chain.is_closed && place == 0;
+    bool is_last = !chain.is_closed && uint(place) == chain.steps;
+    bool turns = !is_first && !is_last && is_corner(chain, place);
+    states[index] =
+        (before & ~SAMPLE_IS_VISIBLE) | (is_seen ? SAMPLE_IS_VISIBLE : 0u) | (turns ? SAMPLE_IS_CORNER : 0u);
+    if (chain.is_closed && uint(place) < chain.steps && (!is_seen || turns)) {
+        atomicMin(rotation_of_slot[slot], uint(place) | (is_seen ? ROTATION_TO_CORNER : 0u));
+    }
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// One thread puts one sample where it comes in its chain once that has been cut open, and says whether a
+// piece of line goes on from it, and whether a stroke starts with that.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) readonly buffer Sizes
+{
+    ListSize sizes[];
+};
+
+#define SLOTS_BINDING 1
+#include "techniques/contour/chains/slots.glsl"
+
+layout(scalar, binding = 2) readonly buffer FlagsOfSlot
+{
+    uint flags_of_slot[];
+};
+
+layout(scalar, binding = 3) readonly buffer RotationOfSlot
+{
+    uint rotation_of_slot[];
+};
+
+layout(scalar, binding = 4) readonly buffer Samples
+{
+    LineSample samples[];
+};
+
+layout(scalar, binding = 5) readonly buffer States
+{
+    uint states[];
+};
+
+layout(scalar, binding = 6) writeonly buffer CutSamples
+{
+    LineSample cut_samples[];
+};
+
+layout(scalar, binding = 7) writeonly buffer Starts
+{
+    uint starts[]; // 1 where a stroke starts
+};
+
+#include "techniques/contour/chains/sample_list.glsl"
+
+const float most_stretch = 3.0; // a piece this much longer than a step leads off the page and back
+
+bool leads_on(ChainOfSamples chain, uint place)
+{
+    if (place >= chain.steps) {
+        return false;
+    }
+    uint from = chain.first + place;
+    bool both_seen = (states[from] & states[from + 1u] & SAMPLE_IS_VISIBLE) != 0u;
+    return both_seen && distance(samples[from].page_px, samples[from + 1u].page_px) <
+                            most_stretch * max(spacing_of(states[from]), 1.0);
+}
+
+void main()
+{
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= sizes[LIST_SAMPLES].count) {
+        return;
+    }
+    uint slot = slot_of_sample(index);
+    ChainOfSamples chain =
+        ChainOfSamples(samples_before[slot], samples_before[slot + 1u] - samples_before[slot] - 1u,
+                       (flags_of_slot[slot] & CHAIN_IS_CLOSED) != 0u);
+    uint cut_place = index - chain.first;
+    uint rotation = rotation_of_slot[slot];
+    bool is_whole = chain.is_closed && rotation == NO_ROTATION;
+    uint shift = chain.is_closed && !is_whole ? rotation & ~ROTATION_TO_CORNER : 0u;
+    uint place = chain.is_closed && cut_place < chain.steps ? (cut_place + shift) % chain.steps : cut_place;
+    if (chain.is_closed && cut_place == chain.steps) {
+        place = shift;
+    }
+    // On a closed chain the last sample is the first, so that a piece always leads to the next in the list.
+    bool is_last = cut_place == chain.steps;
+    bool goes_on = !is_last && leads_on(chain, place);
+    uint previous = chain.is_closed ? (place + chain.steps - 1u) % chain.steps : place - 1u;
+    bool was_on = cut_place > 0u && leads_on(chain, previous);
+    bool starts_here = goes_on && (!was_on || (states[chain.first + place] & SAMPLE_IS_CORNER) != 0u);
+    LineSample cut = samples[chain.first + place];
+    cut.state =
+        states[chain.first + place] | (goes_on ? PIECE_IS_THERE : 0u) | (is_whole ? SAMPLE_IN_RING : 0u);
+    cut_samples[index] = cut;
+    starts[index] = starts_here ? 1u : 0u;
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// One thread says of one slot how many points its chain has, if it stands for the whole chain: the first
+// segment of an open one, the highest of a closed one.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) readonly buffer Sizes
+{
+    ListSize sizes[];
+};
+
+layout(scalar, binding = 1) readonly buffer FeatureChains
+{
+    FeatureChain feature_chains[];
+};
+
+layout(scalar, binding = 2) readonly buffer Segments
+{
+    Segment segments[];
+};
+
+layout(scalar, binding = 3) readonly buffer Ranks
+{
+    Rank ranks[];
+};
+
+layout(scalar, binding = 4) writeonly buffer PointsOfSlot
+{
+    uint points_of_slot[];
+};
+
+layout(scalar, binding = 5) writeonly buffer FlagsOfSlot
+{
+    uint flags_of_slot[];
+};
+
+layout(scalar, binding = 6) writeonly buffer FirstOfEnd
+{
+    uint first_of_end[]; // by the last segment of an open chain
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    ChainConstants constants;
+};
+
+void main()
+{
+    uint slot = gl_GlobalInvocationID.x;
+    if (slot >= sizes[LIST_SLOTS].count) {
+        return;
+    }
+    uint point_count = 0u;
+    uint flags = 0u;
+    if (slot < constants.feature_chain_count) {
+        point_count = feature_chains[slot].point_count;
+        flags = feature_chains[slot].is_closed != 0u ? CHAIN_IS_CLOSED : 0u;
+    } else {
+        uint segment = slot - constants.feature_chain_count;
+        Rank rank = ranks[segment];
+        if (segments[rank.at].next == NO_SEGMENT) {
+            if (segments[segment].has_previous == 0u) {
+                point_count = rank.steps + 2u;
+                first_of_end[rank.at] = segment;
+            }
+        } else if (rank.highest == segment) {
+            point_count = ranks[segments[segment].next].steps_to_highest + 2u;
+            flags = CHAIN_IS_CLOSED;
+        }
+    }
+    points_of_slot[slot] = point_count;
+    flags_of_slot[slot] = flags;
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// One thread notes where strokes start and end at its sample.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) readonly buffer Sizes
+{
+    ListSize sizes[];
+};
+
+layout(scalar, binding = 1) readonly buffer CutSamples
+{
+    LineSample samples[];
+};
+
+layout(scalar, binding = 2) readonly buffer StrokesBefore
+{
+    uint strokes_before[]; // each sample
+};
+
+layout(scalar, binding = 3) writeonly buffer Strokes
+{
+    uvec2 strokes[]; // first and last sample
+};
+
+void main()
+{
+    uint index = gl_GlobalInvocationID.x;
+    uint count = sizes[LIST_SAMPLES].count;
+    if (index >= count || (samples[index].state & PIECE_IS_THERE) == 0u) {
+        return;
+    }
+    uint stroke = strokes_before[index + 1u] - 1u;
+    if (strokes_before[index] == stroke) {
+        strokes[stroke].x = index;
+    }
+    bool ends = index + 1u >= count || (samples[index + 1u].state & PIECE_IS_THERE) == 0u ||
+                strokes_before[index + 2u] - 1u != stroke;
+    if (ends) {
+        strokes[stroke].y = index + 1u;
+    }
+}

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "gpu/imports.hpp"
+#include "shaders/clear_ink_comp.hpp"
+#include "shaders/divide_comp.hpp"
+#include "shaders/ink_layer_comp.hpp"
+#include "shaders/ink_pieces_comp.hpp"
+#include "shaders/sample_comp.hpp"
+#include "shaders/settle_comp.hpp"
+#include "shaders/shape_comp.hpp"
+#include "shaders/split_comp.hpp"
+#include "shaders/strokes_comp.hpp"
+#include "techniques/contour/chains/chains.hpp"
+#include "techniques/contour/chains/scan.hpp"
+
+namespace estampe::contour {
+namespace {
+
+shared::ScanConstants scan_of(uint32_t values_of, uint32_t total_to, uint32_t capacity)
+{
+    return {.fixed_count = 0,
+            .count_of = values_of,
+            .total_to = total_to,
+            .capacity = capacity,
+            .slots_before = shared::no_list};
+}
+
+gpu::BufferId add_ink(gpu::Graph& graph, const ChainStrokes& strokes, gpu::BufferId line_points,
+                      const shared::InkConstants& constants)
+{
+    const uint32_t quads = (constants.width * constants.height + 3) / 4;
+    auto clear = graph.compute("contour/clear ink", shaders::clear_ink_comp);
+    const gpu::BufferId blank = clear.write(graph.buffer("contour/inked", {.size_bytes = 16ULL * quads}));
+    clear.push(quads).dispatch_items(quads);
+    auto ink = graph.compute("contour/ink pieces", shaders::ink_pieces_comp);
+    ink.read(strokes.sizes).read(strokes.samples).read(line_points);
+    const gpu::BufferId inked = ink.modify(blank);
+    ink.push(constants).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
+    return inked;
+}
+
+} // namespace
+
+ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains& chains)
+{
+    const shared::ChainConstants& constants = chains.constants;
+    const uint32_t slots_most = constants.segment_capacity + constants.feature_chain_count;
+    const uint32_t samples_most = constants.sample_capacity;
+    const Scanned lengths = add_scan(graph, "lengths",
+                                     {.sizes = chains.sizes,
+                                      .values = chains.lengths,
+                                      .value_capacity = constants.point_capacity,
+                                      .constants = scan_of(shared::list_points, shared::no_list, 0)});
+
+    auto divide = graph.compute("contour/divide", shaders::divide_comp);
+    divide.read(lengths.sizes).read(chains.points_before).read(chains.flags_of_slot).read(lengths.before);
+    const gpu::BufferId samples_of_slot =
+        divide.write(graph.buffer("contour/samples of slot", list_of(slots_most, sizeof(uint32_t))));
+    const gpu::BufferId no_rotation =
+        divide.write(graph.buffer("contour/rotation", list_of(slots_most, sizeof(uint32_t))));
+    divide.push(constants).dispatch_indirect(lengths.sizes, indirect_offset(shared::list_slots));
+    const Scanned divided =
+        add_scan(graph, "samples",
+                 {.sizes = lengths.sizes,
+                  .values = samples_of_slot,
+                  .value_capacity = slots_most,
+                  .constants = scan_of(shared::list_slots, shared::list_samples, samples_most)});
+
+    const uint64_t per_sample = indirect_offset(shared::list_samples);
+    auto sample = graph.compute("contour/sample", shaders::sample_comp);
+    sample.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices).read(in.visibility);
+    sample.read(divided.sizes).read(divided.before).read(chains.points_before).read(lengths.before);
+    sample.read(chains.points).sample(in.neighbors);
+    const gpu::BufferId samples =
+        sample.write(graph.buffer("contour/samples", list_of(samples_most, sizeof(shared::LineSample))));
+    sample.push(constants).dispatch_indirect(divided.sizes, per_sample);
+
+    auto settle = graph.compute("contour/settle", shaders::settle_comp);
+    settle.read(divided.sizes).read(divided.before).read(chains.flags_of_slot).read(samples);
+    const gpu::BufferId states =
+        settle.write(graph.buffer("contour/states", list_of(samples_most, sizeof(uint32_t))));
+    const gpu::BufferId rotation = settle.modify(no_rotation);
+    settle.dispatch_indirect(divided.sizes, per_sample);
+
+    auto split = graph.compute("contour/split", shaders::split_comp);
+    split.read(divided.sizes).read(divided.before).read(chains.flags_of_slot).read(rotation);
+    split.read(samples).read(states);
+    const gpu::BufferId cut =
+        split.write(graph.buffer("contour/cut samples", list_of(samples_most, sizeof(shared::LineSample))));
+    const gpu::BufferId starts =
+        split.write(graph.buffer("contour/starts", list_of(samples_most, sizeof(uint32_t))));
+    split.dispatch_indirect(divided.sizes, per_sample);
+    const Scanned started =
+        add_scan(graph, "strokes",
+                 {.sizes = divided.sizes,
+                  .values = starts,
+                  .value_capacity = samples_most,
+                  .constants = scan_of(shared::list_samples, shared::list_strokes, samples_most)});
+
+    auto bounds = graph.compute("contour/strokes", shaders::strokes_comp);
+    bounds.read(started.sizes).read(cut).read(started.before);
+    const gpu::BufferId strokes =
+        bounds.write(graph.buffer("contour/strokes", list_of(samples_most, sizeof(glm::uvec2))));
+    bounds.dispatch_indirect(started.sizes, per_sample);
+    return {.sizes = started.sizes, .samples = cut, .strokes_before = started.before, .strokes = strokes};
+}
+
+gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
+                                const ContourStyle& style)
+{
+    const ChainInputs chain_inputs{.frame = in.frame,
+                                   .posed_vertices = in.posed_vertices,
+                                   .visibility = in.visibility,
+                                   .neighbors = gpu::import_whole(graph, "line neighbors", mesh.neighbors),
+                                   .line_triangles =
+                                       gpu::import_whole(graph, "line triangles", mesh.triangles),
+                                   .size_px = in.size_px};
+    const Chains chains = add_chains(graph, chain_inputs, mesh, style.silhouettes == Silhouettes::edges);
+    const ChainStrokes strokes = add_strokes(graph, chain_inputs, chains);
+
+    auto shape = graph.compute("contour/shape", shaders::shape_comp);
+    shape.uniform(in.frame).read(strokes.sizes).read(strokes.samples).read(strokes.strokes_before);
+    shape.read(strokes.strokes).sample(chain_inputs.line_triangles).sample(chain_inputs.neighbors);
+    shape.read(chains.facing).sample(in.light).sample(in.draws).sample(in.materials);
+    const gpu::BufferId line_points = shape.write(graph.buffer(
+        "contour/line points", list_of(2ULL * chains.constants.sample_capacity, sizeof(shared::LinePoint))));
+    shape.variant(in.own_outlines ? 1U : 0U)
+        .push(shared::ShapeConstants{.silhouette_px = style.outline_mm * in.pixels_per_mm,
+                                     .border_px = style.outline_mm * in.pixels_per_mm,
+                                     .boundary_px = style.boundary_mm * in.pixels_per_mm,
+                                     .crease_px = style.crease_mm * in.pixels_per_mm,
+                                     .taper_px = style.taper_mm * in.pixels_per_mm,
+                                     .overshoot_px = style.overshoot_mm * in.pixels_per_mm,
+                                     .wobble_px = style.wobble_mm * in.pixels_per_mm,
+                                     .pressure = style.pressure,
+                                     .distance_thinning = style.distance_thinning,
+                                     .pixel_angle = in.pixel_angle,
+                                     .seed = static_cast<uint32_t>(style.seed)})
+        .dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
+
+    const shared::InkConstants constants{
+        .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};
+    const gpu::BufferId inked = add_ink(graph, strokes, line_points, constants);
+    auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
+    layer.read(inked).sample(in.materials).variant(in.own_outlines ? 1U : 0U);
+    const gpu::ImageId ink = layer.write(graph.image(
+        "contour/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba8}));
+    layer.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    return ink;
+}
+
+} // namespace estampe::contour
