@@ -48,12 +48,21 @@ struct RendererOptions {
     std::function<void(const std::string&)> on_validation_message;
 };
 
+/// What a frame has to do with the one drawn before it by the same renderer.
+enum class Continuity : uint8_t {
+    still,  ///< nothing: the picture stands for itself
+    starts, ///< it is the first of a film
+    follows ///< it comes right after it in a film: lines go on from those drawn there, of the same size of
+            ///< page, and do not jump in width or shape
+};
+
 struct RenderSettings {
     uint32_t width = 1280;
     uint32_t height = 720;
     uint32_t samples = 1; ///< sub-pixel jittered frames to accumulate
     double time_s = 0.0;  ///< moment of the scene's animation
     Index animation = 0;
+    Continuity continuity = Continuity::still;
 };
 
 /// GPU time of one pass of the last frame.
@@ -85,7 +94,7 @@ public:
     void set_scene(const Scene& scene, const Lightmap* lightmap = nullptr);
 
     /// Draws the scene. The same scene, camera, style and settings give the same bytes on the same device by
-    /// the same raster path.
+    /// the same raster path; so do the frames of a film that follow one another.
     /// Throws Error when the size is zero or beyond the device's limits, or when no scene was set.
     [[nodiscard]] Image render(const Camera& camera, const Style& style, const RenderSettings& settings);
 

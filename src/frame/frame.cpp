@@ -252,7 +252,9 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                                 .size_px = size_px};
     const gpu::ImageId lines =
         resources.line_mesh != nullptr
-            ? contour::add_chain_contours(graph, contour_inputs, *resources.line_mesh, style.contour)
+            ? contour::add_chain_contours(graph, contour_inputs, *resources.line_mesh,
+                                          plan.remembers_lines ? &resources.line_history : nullptr,
+                                          style.contour)
             : contour::add_contours(graph, contour_inputs, style.contour);
 
     // Bleed: ink of strokes and lines runs together.

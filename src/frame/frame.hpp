@@ -10,6 +10,7 @@
 #include "frame/view.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/contour/chains/line_history.hpp"
 #include "techniques/contour/chains/line_mesh.hpp"
 #include "techniques/light/light.hpp"
 #include "techniques/lightmap/lightmap.hpp"
@@ -45,8 +46,9 @@ struct FrameResources {
     lightmap::MapBuffers* lightmaps; ///< where the scene has any
     hatch::MapImages* map;           ///< where strokes come from a map
     contour::LineMesh* line_mesh;    ///< where lines are chains
-    gpu::Image& sums;                ///< of a picture of several samples
-    gpu::Buffer& pixels;             ///< the picture, four bytes a pixel, for reading back
+    contour::LineHistory& line_history;
+    gpu::Image& sums;    ///< of a picture of several samples
+    gpu::Buffer& pixels; ///< the picture, four bytes a pixel, for reading back
 };
 
 /// What is decided on the processor before a frame is declared.
@@ -70,11 +72,12 @@ struct FramePlan {
     Groups sun_casters = all_groups; ///< whose shadows the sun throws
     bool ground_drawn = false;
     bool sky_drawn = false;
-    uint32_t shadow_variant = 0; ///< see shadow/edge_look.hpp
-    shared::EdgeLook edge_look;  ///< teeth of shadows' edges
-    uint32_t shadow_size = 0;    ///< texels a side; 0 for no shadow
-    bool pose_moved = true;      ///< the posed vertices are not yet those of this moment
-    bool redraw_shadow = true;   ///< the shadow map is not yet that of this moment
+    uint32_t shadow_variant = 0;  ///< see shadow/edge_look.hpp
+    shared::EdgeLook edge_look;   ///< teeth of shadows' edges
+    uint32_t shadow_size = 0;     ///< texels a side; 0 for no shadow
+    bool pose_moved = true;       ///< the posed vertices are not yet those of this moment
+    bool redraw_shadow = true;    ///< the shadow map is not yet that of this moment
+    bool remembers_lines = false; ///< the frame goes on from one before, or another may from this
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
     shadow::SunView sun;
     float pixel_m = 0.001F;                 ///< at a distance of one; in parallel projection at any

@@ -69,6 +69,7 @@ struct Renderer::Impl {
     gpu::Buffer form_coordinates;
     std::optional<hatch::MapImages> map;
     std::optional<frame::MapChoice> map_choice; ///< of what `map` holds
+    contour::LineHistory line_history;
     frame::Page page;
     std::string dot;
     std::vector<std::string> notes;
@@ -110,6 +111,7 @@ void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
     impl_->sun_map.forget();
     impl_->local_shadows.forget();
     impl_->exposure.forget();
+    impl_->line_history.forget();
     impl_->loaded = frame::load_onto_device(impl_->device, scene, lightmap);
 }
 
@@ -283,6 +285,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     loaded->baked ? &loaded->baked->maps : nullptr,
                                     map ? &*map : nullptr,
                                     loaded->line_meshes.provide(device, loaded->layout, style.contour),
+                                    line_history,
                                     page.sums,
                                     page.pixels};
     plan.pose_moved = loaded->pose_moved;
@@ -294,6 +297,10 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     }
     executor.run(graph);
     loaded->pose_moved = false;
+    if (plan.remembers_lines) {
+        line_history.end_frame(plan.clip_from_anchor);
+        plan.remembers_lines = false;
+    }
     plan.local_views.clear();
     sun_map.drawn(plan);
     if (plan.accumulation.sample_index + 1 == plan.accumulation.sample_count) {
@@ -351,6 +358,11 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
     plan.meters_page = tables.light.metering == light::Metering::page;
     plan.adapt_stops = impl.exposure.prepare(impl.device, tables.light, settings.time_s);
+    // Later samples of a picture of several go their own way by a pixel at most.
+    plan.remembers_lines = settings.continuity != Continuity::still;
+    if (plan.remembers_lines) {
+        impl.line_history.begin_frame(impl.device, plan.size_px, settings.continuity == Continuity::follows);
+    }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
         plan.accumulation = {.sample_index = sample, .sample_count = settings.samples};
         impl.draw_sample(camera, tables, plan);

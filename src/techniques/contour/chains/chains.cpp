@@ -12,6 +12,7 @@
 #include "shaders/order_segments_comp.hpp"
 #include "shaders/rank_comp.hpp"
 #include "shaders/string_comp.hpp"
+#include "techniques/contour/chains/line_history.hpp"
 #include "techniques/contour/chains/scan.hpp"
 
 namespace estampe::contour {
@@ -24,12 +25,6 @@ uint32_t segment_capacity(const LineMesh& mesh, bool along_edges)
                                                        : mesh.triangle_count + mesh.loose_edge_count);
     const double usual = 4096.0 + 6.0 * 0.7 * std::pow(items, 0.8);
     return std::max(1U, static_cast<uint32_t>(std::min(items, usual)));
-}
-
-/// Samples that a page is ever covered with.
-uint32_t sample_capacity(glm::uvec2 size_px)
-{
-    return std::max(size_px.x * size_px.y / 6, 16384U);
 }
 
 struct Marks {

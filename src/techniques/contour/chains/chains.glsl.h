@@ -62,6 +62,38 @@ struct LineSample {
     uint state; // see the bits below; the distance to the next sample in pixels, as a half, above
 };
 
+// Consecutive samples that are drawn in one go.
+struct Stroke {
+    uint first; // samples
+    uint last;
+    uint ends;      // which meet another line, see the bits below
+    uint seed;      // of the stroke that it was in the frame before, or no_seed
+    int offset_sum; // of the arc length there less that here, in sixteenths of a pixel
+    uint offset_count;
+};
+
+// What is remembered of a sample for the frame after.
+struct DrawnSample {
+    vec2 page_px;
+    uint direction; // two signed halves
+    float half_width_px;
+    float arc_px; // along the stroke, from where it was first begun
+    uint seed;
+};
+
+// What a sample was in the frame before.
+struct Recall {
+    float half_width_px; // negative: it was not there
+    float offset_px;
+    uint seed;
+};
+
+struct RecallConstants {
+    mat4 clip_from_anchor_before;
+    uint width;
+    uint height;
+};
+
 // A sample as it is inked.
 struct LinePoint {
     vec2 page_px;
@@ -106,8 +138,9 @@ struct ShapeConstants {
     float wobble_px;
     float pressure;
     float distance_thinning;
-    float pixel_angle; // size of a pixel at distance one
     uint seed;
+    uint width;
+    uint height;
 };
 
 struct InkConstants {
@@ -120,6 +153,8 @@ struct InkConstants {
 static_assert(sizeof(Segment) == 48);
 static_assert(sizeof(ChainPoint) == 24);
 static_assert(sizeof(LineSample) == 32);
+static_assert(sizeof(Stroke) == 24);
+static_assert(sizeof(DrawnSample) == 24);
 inline constexpr uint no_segment = 0xffffffffU;
 inline constexpr uint no_list = 0xffffffffU;
 inline constexpr uint line_silhouette = 0U;
@@ -132,6 +167,7 @@ inline constexpr uint list_samples = 2U;
 inline constexpr uint list_strokes = 3U;
 inline constexpr uint list_slots = 4U;
 inline constexpr uint list_count = 5U;
+inline constexpr uint grid_cell_px = 4U;      // of the grid in which samples find each other
 inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of these a pixel
 } // namespace estampe::shared
 #else
@@ -157,7 +193,12 @@ inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of th
 #define SAMPLE_IS_VISIBLE 1u
 #define SAMPLE_IS_OFF_PAGE 2u
 #define SAMPLE_IS_CORNER 4u
-#define SAMPLE_IN_RING 8u  // of a closed line without a break
+#define SAMPLE_IN_RING 8u // of a closed line without a break
+#define NO_SAMPLE 0xffffffffu
+#define NO_SEED 0xffffffffu
+#define STROKE_STARTS_AT_LINE 1u
+#define STROKE_ENDS_AT_LINE 2u
+#define GRID_CELL_PX 4u
 #define PIECE_IS_THERE 16u // a line goes on to the next sample
 #endif
 

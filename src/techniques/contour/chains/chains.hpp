@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/graph/graph.hpp"
+#include "techniques/contour/chains/line_history.hpp"
 #include "techniques/contour/chains/line_mesh.hpp"
 #include "techniques/contour/contour.hpp"
 
@@ -24,7 +25,8 @@ struct ChainStrokes {
     gpu::BufferId sizes;
     gpu::BufferId samples;        ///< LineSample; closed chains cut open
     gpu::BufferId strokes_before; ///< each sample
-    gpu::BufferId strokes;        ///< first and last sample
+    gpu::BufferId strokes;        ///< Stroke
+    gpu::BufferId grid;           ///< where on the page samples are
 };
 
 /// What strings lines together reads of the frame.
@@ -44,13 +46,16 @@ struct ChainInputs {
 /// Complexity of Parallel Computations", 1979
 [[nodiscard]] Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges);
 
-/// Divides chains into even steps, asks what hides each, and makes strokes of what is seen.
+/// Divides chains into even steps, asks what hides each, and makes strokes of what is seen. `grid` is where
+/// samples enter the cells they lie in.
 ///
 /// Source  Cole and Finkelstein, "Fast High-Quality Line Visibility", 2009
-[[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains& chains);
+[[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains& chains,
+                                       gpu::BufferId grid);
 
-/// Draws chains as strokes into an ink layer: the choice beside add_contours().
+/// Draws chains as strokes into an ink layer: the choice beside add_contours(). With a `history`, strokes go
+/// on from the frame it holds and are remembered for the next; it must outlive the graph's run.
 [[nodiscard]] gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
-                                              const ContourStyle& style);
+                                              LineHistory* history, const ContourStyle& style);
 
 } // namespace estampe::contour

@@ -39,7 +39,7 @@ layout(scalar, binding = 3) readonly buffer StrokesBefore
 
 layout(scalar, binding = 4) readonly buffer Strokes
 {
-    uvec2 strokes[];
+    Stroke strokes[];
 };
 
 layout(binding = 5) uniform usamplerBuffer triangle_texels;
@@ -63,14 +63,31 @@ layout(scalar, binding = 11) writeonly buffer LinePoints
     LinePoint line_points[]; // two a sample: as its piece starts, as the piece before it ends
 };
 
+layout(scalar, binding = 12) readonly buffer Recalls
+{
+    Recall recalls[];
+};
+
+layout(scalar, binding = 13) writeonly buffer DrawnSamples
+{
+    DrawnSample drawn[];
+};
+
 layout(push_constant, scalar) uniform Constants
 {
     ShapeConstants constants;
 };
 
-// Bit 0: some material brings an outline of its own.
+// Bit 0: some material brings an outline of its own. Bit 1: there was a frame before this. Bit 2: there will
+// be one after it.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_own_outlines = (variant & 1u) != 0u;
+const bool recalls_frame = (variant & 2u) != 0u;
+const bool is_remembered = (variant & 4u) != 0u;
+
+const float new_half_width_px = 0.15;
+const float least_change_px = 0.25;
+const float change_share = 0.08; // of the full width
 
 bool is_front(uint triangle)
 {
@@ -99,17 +116,17 @@ float width_of(uint kind)
 }
 
 // Kinds change from edge to edge, widths do not: the mean over a few samples of the stroke.
-float even_width(uint index, uvec2 stroke)
+float even_width(uint index, Stroke stroke)
 {
     float sum = 0.0;
     for (int i = -3; i <= 3; ++i) {
-        uint at = uint(clamp(int(index) + i, int(stroke.x), int(stroke.y)));
+        uint at = uint(clamp(int(index) + i, int(stroke.first), int(stroke.last)));
         sum += width_of(kind_now(samples[at].source));
     }
     return sum / 7.0;
 }
 
-float pressure_at(LineSample point, vec3 normal, vec2 inwards_px)
+float pressure_at(LineSample point, vec2 inwards_px)
 {
     float slow = value_noise(vec2(11.0, 7.0) * (point.anchor.xy + point.anchor.z) / frame.scene_radius_m,
                              constants.seed) -
@@ -122,63 +139,94 @@ float pressure_at(LineSample point, vec3 normal, vec2 inwards_px)
     return thinning * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
 }
 
-LinePoint shape_of(uint index, uvec2 stroke)
+// Whole width that a sample would have in the middle of a stroke, and the material that brings it, + 1.
+float full_width(uint index, Stroke stroke, out uint ink)
 {
     LineSample point = samples[index];
-    float spacing = unpackHalf2x16(point.state).y;
     vec3 normal = unpack_normal(point.normal);
-    vec2 outwards = page_position(frame.clip_from_anchor *
-                                  vec4(point.anchor + normal * pixel_size_m(point.anchor), 1.0)) -
-                    point.page_px;
-    float width = even_width(index, stroke) * pressure_at(point, normal, -2.5 * outwards);
-    uint ink = 0u;
+    float pixel_m = pixel_size_m(point.anchor);
+    vec4 outside = frame.clip_from_anchor * vec4(point.anchor + normal * pixel_m, 1.0);
+    vec2 outwards_px = page_position(outside) - point.page_px;
+    float width = even_width(index, stroke) * pressure_at(point, -2.5 * outwards_px);
+    ink = 0u;
     if (has_own_outlines) {
         uint triangle = (point.source & 0x0fffffffu) >> 2;
         uint material = draw_at(texelFetch(triangle_texels, int(triangle)).w & TRIANGLE_DRAW_MASK).material;
         float own_m = outline_width_m_of(material);
         if (own_m > 0.0) {
-            width = own_m / pixel_size_m(point.anchor);
+            width = own_m / pixel_m;
             ink = material + 1u;
         }
     }
-    bool is_ring = (point.state & SAMPLE_IN_RING) != 0u;
-    float from_end = spacing * float(min(index - stroke.x, stroke.y - index));
-    float whole = spacing * float(stroke.y - stroke.x);
-    // A short stroke tapers over a third of itself at each end.
+    return width;
+}
+
+// Share of its width that a stroke has at a sample: it runs out where an end is free, over at most a third of
+// itself.
+float taper_at(uint index, Stroke stroke)
+{
+    float spacing = unpackHalf2x16(samples[index].state).y;
+    float whole = spacing * float(stroke.last - stroke.first);
     float reach = min(constants.taper_px, whole / 3.0);
-    float taper =
-        is_ring || reach <= 0.0 ? 1.0 : smoothstep(0.0, 1.0, (from_end + 0.25 * reach) / (1.25 * reach));
-    vec2 page = point.page_px;
-    uint before = index == stroke.x ? index : index - 1u;
-    uint after = index == stroke.y ? index : index + 1u;
-    vec2 along = samples[after].page_px - samples[before].page_px;
-    along = length(along) > 0.0 ? normalize(along) : vec2(0.0);
-    if (!is_ring && constants.overshoot_px > 0.0 && whole > 6.0 * constants.overshoot_px) {
-        page += along * (index == stroke.x   ? -constants.overshoot_px
-                         : index == stroke.y ? constants.overshoot_px
-                                             : 0.0);
+    bool is_ring = (samples[index].state & SAMPLE_IN_RING) != 0u;
+    float from_start =
+        (stroke.ends & STROKE_STARTS_AT_LINE) != 0u ? whole : spacing * float(index - stroke.first);
+    float to_end = (stroke.ends & STROKE_ENDS_AT_LINE) != 0u ? whole : spacing * float(stroke.last - index);
+    float from_end = min(from_start, to_end);
+    return is_ring || reach <= 0.0 ? 1.0 : smoothstep(0.0, 1.0, (from_end + 0.25 * reach) / (1.25 * reach));
+}
+
+// Where the pen goes at a sample: past the ends, and to and fro.
+vec2 pen_at(uint index, Stroke stroke, vec2 way, float arc_px, uint seed)
+{
+    vec2 page = samples[index].page_px;
+    bool is_ring = (samples[index].state & SAMPLE_IN_RING) != 0u;
+    if (!is_ring && stroke.last - stroke.first > 4u) {
+        float past = index == stroke.first ? -1.0 : index == stroke.last ? 1.0 : 0.0;
+        page += past * constants.overshoot_px * way;
     }
-    if (constants.wobble_px > 0.0) {
-        float arc = spacing * float(index - stroke.x) / 40.0;
-        float sway = value_noise(vec2(arc, 0.5), hash(constants.seed, samples[stroke.x].source)) - 0.5;
-        page += vec2(-along.y, along.x) * 2.0 * constants.wobble_px * sway * taper;
+    float sway = value_noise(vec2(arc_px / 40.0, 0.5), seed) - 0.5;
+    return page + 2.0 * constants.wobble_px * sway * vec2(-way.y, way.x);
+}
+
+LinePoint shape_of(uint index, Stroke stroke)
+{
+    uint ink;
+    float full = full_width(index, stroke, ink);
+    float half_width = 0.5 * full * taper_at(index, stroke);
+    uint seed =
+        stroke.seed != NO_SEED ? stroke.seed : hash(constants.seed, samples[stroke.first].source) >> 1;
+    float arc_px = unpackHalf2x16(samples[index].state).y * float(index - stroke.first);
+    if (recalls_frame) {
+        arc_px +=
+            stroke.offset_count > 0u ? float(stroke.offset_sum) / (16.0 * float(stroke.offset_count)) : 0.0;
+        float before = recalls[index].half_width_px;
+        before = before >= 0.0 ? before : new_half_width_px;
+        float most_change = max(least_change_px, change_share * 0.5 * full);
+        half_width = clamp(half_width, before - most_change, before + most_change);
     }
-    return LinePoint(page, 0.5 * width * taper, ink);
+    uint previous = index == stroke.first ? index : index - 1u;
+    uint next = index == stroke.last ? index : index + 1u;
+    vec2 way = samples[next].page_px - samples[previous].page_px;
+    way = length(way) > 0.0 ? normalize(way) : vec2(0.0);
+    if (is_remembered) {
+        drawn[index] = DrawnSample(samples[index].page_px, packHalf2x16(way), half_width, arc_px, seed);
+    }
+    return LinePoint(pen_at(index, stroke, way, arc_px, seed), half_width, ink);
 }
 
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    uint count = sizes[LIST_SAMPLES].count;
-    if (index >= count) {
+    if (index >= sizes[LIST_SAMPLES].count) {
         return;
     }
     bool goes_on = (samples[index].state & PIECE_IS_THERE) != 0u;
     bool was_on = index > 0u && (samples[index - 1u].state & PIECE_IS_THERE) != 0u;
-    if (goes_on) {
-        line_points[2u * index] = shape_of(index, strokes[strokes_before[index + 1u] - 1u]);
-    }
     if (was_on) {
         line_points[2u * index + 1u] = shape_of(index, strokes[strokes_before[index] - 1u]);
+    }
+    if (goes_on) {
+        line_points[2u * index] = shape_of(index, strokes[strokes_before[index + 1u] - 1u]);
     }
 }

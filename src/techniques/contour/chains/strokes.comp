@@ -25,7 +25,7 @@ layout(scalar, binding = 2) readonly buffer StrokesBefore
 
 layout(scalar, binding = 3) writeonly buffer Strokes
 {
-    uvec2 strokes[]; // first and last sample
+    Stroke strokes[];
 };
 
 void main()
@@ -37,11 +37,11 @@ void main()
     }
     uint stroke = strokes_before[index + 1u] - 1u;
     if (strokes_before[index] == stroke) {
-        strokes[stroke].x = index;
+        strokes[stroke].first = index;
     }
     bool ends = index + 1u >= count || (samples[index + 1u].state & PIECE_IS_THERE) == 0u ||
                 strokes_before[index + 2u] - 1u != stroke;
     if (ends) {
-        strokes[stroke].y = index + 1u;
+        strokes[stroke].last = index + 1u;
     }
 }

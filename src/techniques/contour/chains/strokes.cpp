@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-
 #include "gpu/imports.hpp"
+#include "shaders/clear_grid_comp.hpp"
 #include "shaders/clear_ink_comp.hpp"
 #include "shaders/divide_comp.hpp"
+#include "shaders/elect_comp.hpp"
+#include "shaders/ends_comp.hpp"
+#include "shaders/fill_grid_comp.hpp"
 #include "shaders/ink_layer_comp.hpp"
 #include "shaders/ink_pieces_comp.hpp"
+#include "shaders/recall_comp.hpp"
 #include "shaders/sample_comp.hpp"
 #include "shaders/settle_comp.hpp"
 #include "shaders/shape_comp.hpp"
@@ -40,9 +43,93 @@ gpu::BufferId add_ink(gpu::Graph& graph, const ChainStrokes& strokes, gpu::Buffe
     return inked;
 }
 
+/// Enters samples into the grid, and asks of each stroke whether its ends meet other lines.
+ChainStrokes find_ends(gpu::Graph& graph, ChainStrokes strokes, glm::uvec2 size_px)
+{
+    const uint32_t cells = grid_cell_count(size_px);
+    auto clear = graph.compute("contour/clear grid", shaders::clear_grid_comp);
+    strokes.grid = clear.write(strokes.grid);
+    clear.push(cells).dispatch_items(cells);
+    auto fill = graph.compute("contour/fill grid", shaders::fill_grid_comp);
+    fill.read(strokes.sizes).read(strokes.samples);
+    strokes.grid = fill.modify(strokes.grid);
+    fill.push(size_px).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
+    auto ends = graph.compute("contour/ends", shaders::ends_comp);
+    ends.read(strokes.sizes).read(strokes.samples).read(strokes.grid);
+    strokes.strokes = ends.modify(strokes.strokes);
+    ends.push(size_px).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));
+    return strokes;
+}
+
+/// Lets strokes find what they were in the frame before.
+gpu::BufferId add_recall(gpu::Graph& graph, ChainStrokes& strokes, LineHistory& history, glm::uvec2 size_px)
+{
+    const uint64_t per_sample = indirect_offset(shared::list_samples);
+    auto recall = graph.compute("contour/recall", shaders::recall_comp);
+    recall.read(strokes.sizes).read(strokes.samples).read(strokes.strokes_before);
+    strokes.strokes = recall.modify(strokes.strokes);
+    recall.read(gpu::import_whole(graph, "grid before", history.before().grid));
+    recall.read(gpu::import_whole(graph, "samples before", history.before().samples));
+    const gpu::BufferId recalls = recall.write(
+        graph.buffer("contour/recalls", list_of(sample_capacity(size_px), sizeof(shared::Recall))));
+    recall
+        .push(shared::RecallConstants{.clip_from_anchor_before = history.clip_from_anchor_before(),
+                                      .width = size_px.x,
+                                      .height = size_px.y})
+        .dispatch_indirect(strokes.sizes, per_sample);
+    auto elect = graph.compute("contour/elect", shaders::elect_comp);
+    elect.read(strokes.sizes).read(strokes.samples).read(strokes.strokes_before).read(recalls);
+    strokes.strokes = elect.modify(strokes.strokes);
+    elect.dispatch_indirect(strokes.sizes, per_sample);
+    return recalls;
+}
+
+shared::ShapeConstants shape_constants(const ContourStyle& style, const ContourInputs& in)
+{
+    const float pixels_per_mm = style.drawn ? in.pixels_per_mm : 0.0F;
+    return {.silhouette_px = style.outline_mm * pixels_per_mm,
+            .border_px = style.outline_mm * pixels_per_mm,
+            .boundary_px = style.boundary_mm * pixels_per_mm,
+            .crease_px = style.crease_mm * pixels_per_mm,
+            .taper_px = style.taper_mm * pixels_per_mm,
+            .overshoot_px = style.overshoot_mm * pixels_per_mm,
+            .wobble_px = style.wobble_mm * pixels_per_mm,
+            .pressure = style.pressure,
+            .distance_thinning = style.distance_thinning,
+            .seed = static_cast<uint32_t>(style.seed),
+            .width = in.size_px.x,
+            .height = in.size_px.y};
+}
+
+/// Where the pen goes and how wide it draws, two LinePoints a sample.
+gpu::BufferId add_shape(gpu::Graph& graph, const ContourInputs& in, const ChainInputs& lines,
+                        const Chains& chains, ChainStrokes& strokes, LineHistory* history,
+                        const ContourStyle& style)
+{
+    const bool recalls_frame = history != nullptr && history->holds_frame();
+    const uint32_t samples_most = chains.constants.sample_capacity;
+    const gpu::BufferId recalls =
+        recalls_frame ? add_recall(graph, strokes, *history, in.size_px) : strokes.strokes_before;
+    auto shape = graph.compute("contour/shape", shaders::shape_comp);
+    shape.uniform(in.frame).read(strokes.sizes).read(strokes.samples).read(strokes.strokes_before);
+    shape.read(strokes.strokes).sample(lines.line_triangles).sample(lines.neighbors);
+    shape.read(chains.facing).sample(in.light).sample(in.draws).sample(in.materials);
+    const gpu::BufferId line_points = shape.write(
+        graph.buffer("contour/line points", list_of(2ULL * samples_most, sizeof(shared::LinePoint))));
+    shape.read(recalls);
+    const gpu::BufferId remembered = shape.write(
+        history != nullptr ? gpu::import_whole(graph, "samples now", history->now().samples)
+                           : graph.buffer("contour/unremembered", list_of(1, sizeof(shared::DrawnSample))));
+    static_cast<void>(remembered);
+    shape.variant((in.own_outlines ? 1U : 0U) | (recalls_frame ? 2U : 0U) | (history != nullptr ? 4U : 0U))
+        .push(shape_constants(style, in))
+        .dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
+    return line_points;
+}
+
 } // namespace
 
-ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains& chains)
+ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains& chains, gpu::BufferId grid)
 {
     const shared::ChainConstants& constants = chains.constants;
     const uint32_t slots_most = constants.segment_capacity + constants.feature_chain_count;
@@ -101,43 +188,33 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains&
     auto bounds = graph.compute("contour/strokes", shaders::strokes_comp);
     bounds.read(started.sizes).read(cut).read(started.before);
     const gpu::BufferId strokes =
-        bounds.write(graph.buffer("contour/strokes", list_of(samples_most, sizeof(glm::uvec2))));
+        bounds.write(graph.buffer("contour/strokes", list_of(samples_most, sizeof(shared::Stroke))));
     bounds.dispatch_indirect(started.sizes, per_sample);
-    return {.sizes = started.sizes, .samples = cut, .strokes_before = started.before, .strokes = strokes};
+    return find_ends(graph,
+                     {.sizes = started.sizes,
+                      .samples = cut,
+                      .strokes_before = started.before,
+                      .strokes = strokes,
+                      .grid = grid},
+                     in.size_px);
 }
 
 gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
-                                const ContourStyle& style)
+                                LineHistory* history, const ContourStyle& style)
 {
-    const ChainInputs chain_inputs{.frame = in.frame,
-                                   .posed_vertices = in.posed_vertices,
-                                   .visibility = in.visibility,
-                                   .neighbors = gpu::import_whole(graph, "line neighbors", mesh.neighbors),
-                                   .line_triangles =
-                                       gpu::import_whole(graph, "line triangles", mesh.triangles),
-                                   .size_px = in.size_px};
-    const Chains chains = add_chains(graph, chain_inputs, mesh, style.silhouettes == Silhouettes::edges);
-    const ChainStrokes strokes = add_strokes(graph, chain_inputs, chains);
-
-    auto shape = graph.compute("contour/shape", shaders::shape_comp);
-    shape.uniform(in.frame).read(strokes.sizes).read(strokes.samples).read(strokes.strokes_before);
-    shape.read(strokes.strokes).sample(chain_inputs.line_triangles).sample(chain_inputs.neighbors);
-    shape.read(chains.facing).sample(in.light).sample(in.draws).sample(in.materials);
-    const gpu::BufferId line_points = shape.write(graph.buffer(
-        "contour/line points", list_of(2ULL * chains.constants.sample_capacity, sizeof(shared::LinePoint))));
-    shape.variant(in.own_outlines ? 1U : 0U)
-        .push(shared::ShapeConstants{.silhouette_px = style.outline_mm * in.pixels_per_mm,
-                                     .border_px = style.outline_mm * in.pixels_per_mm,
-                                     .boundary_px = style.boundary_mm * in.pixels_per_mm,
-                                     .crease_px = style.crease_mm * in.pixels_per_mm,
-                                     .taper_px = style.taper_mm * in.pixels_per_mm,
-                                     .overshoot_px = style.overshoot_mm * in.pixels_per_mm,
-                                     .wobble_px = style.wobble_mm * in.pixels_per_mm,
-                                     .pressure = style.pressure,
-                                     .distance_thinning = style.distance_thinning,
-                                     .pixel_angle = in.pixel_angle,
-                                     .seed = static_cast<uint32_t>(style.seed)})
-        .dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
+    const ChainInputs lines{.frame = in.frame,
+                            .posed_vertices = in.posed_vertices,
+                            .visibility = in.visibility,
+                            .neighbors = gpu::import_whole(graph, "line neighbors", mesh.neighbors),
+                            .line_triangles = gpu::import_whole(graph, "line triangles", mesh.triangles),
+                            .size_px = in.size_px};
+    const Chains chains = add_chains(graph, lines, mesh, style.silhouettes == Silhouettes::edges);
+    const gpu::BufferId grid =
+        history != nullptr
+            ? gpu::import_whole(graph, "grid now", history->now().grid)
+            : graph.buffer("contour/grid", list_of(grid_cell_count(in.size_px), sizeof(glm::uvec2)));
+    ChainStrokes strokes = add_strokes(graph, lines, chains, grid);
+    const gpu::BufferId line_points = add_shape(graph, in, lines, chains, strokes, history, style);
 
     const shared::InkConstants constants{
         .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};

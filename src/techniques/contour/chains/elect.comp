@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// One thread lets one sample say where along the stroke of the frame before its own begins, if that is the
+// one that the stroke goes on from.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) readonly buffer Sizes
+{
+    ListSize sizes[];
+};
+
+layout(scalar, binding = 1) readonly buffer CutSamples
+{
+    LineSample samples[];
+};
+
+layout(scalar, binding = 2) readonly buffer StrokesBefore
+{
+    uint strokes_before[];
+};
+
+layout(scalar, binding = 3) readonly buffer Recalls
+{
+    Recall recalls[];
+};
+
+layout(scalar, binding = 4) buffer Strokes
+{
+    Stroke strokes[];
+};
+
+const float offset_unit = 16.0; // a pixel
+const float most_offset_px = 4096.0;
+
+void main()
+{
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= sizes[LIST_SAMPLES].count || (samples[index].state & PIECE_IS_THERE) == 0u) {
+        return;
+    }
+    uint stroke = strokes_before[index + 1u] - 1u;
+    Recall recall = recalls[index];
+    if (recall.seed != NO_SEED && recall.seed == strokes[stroke].seed &&
+        abs(recall.offset_px) < most_offset_px) {
+        atomicAdd(strokes[stroke].offset_sum, int(offset_unit * recall.offset_px));
+        atomicAdd(strokes[stroke].offset_count, 1u);
+    }
+}

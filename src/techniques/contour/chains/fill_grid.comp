@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// One thread enters one sample that is part of a stroke into the grid.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) readonly buffer Sizes
+{
+    ListSize sizes[];
+};
+
+layout(scalar, binding = 1) readonly buffer CutSamples
+{
+    LineSample samples[];
+};
+
+#define GRID_BINDING 2
+#define GRID_ACCESS
+#include "techniques/contour/chains/sample_grid.glsl"
+
+layout(push_constant, scalar) uniform Constants
+{
+    uvec2 size_px;
+};
+
+void main()
+{
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= sizes[LIST_SAMPLES].count) {
+        return;
+    }
+    bool is_drawn = (samples[index].state & PIECE_IS_THERE) != 0u ||
+                    (index > 0u && (samples[index - 1u].state & PIECE_IS_THERE) != 0u);
+    if (is_drawn) {
+        uint cell = cell_at(samples[index].page_px, ivec2(0), size_px);
+        atomicMin(grid[cell].x, index);
+        atomicMax(grid[cell].y, index + 1u);
+    }
+}

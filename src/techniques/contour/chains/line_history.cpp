@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/contour/chains/line_history.hpp"
+
+#include <algorithm>
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+namespace estampe::contour {
+
+void LineHistory::begin_frame(gpu::Device& device, glm::uvec2 size_px, bool continues)
+{
+    if (size_px_ != size_px) {
+        for (Drawn& drawn : drawn_) {
+            drawn.grid = gpu::Buffer(device, "line grid", sizeof(glm::uvec2) * grid_cell_count(size_px),
+                                     gpu::MemoryUse::device);
+            drawn.samples =
+                gpu::Buffer(device, "drawn samples", sizeof(shared::DrawnSample) * sample_capacity(size_px),
+                            gpu::MemoryUse::device);
+        }
+        size_px_ = size_px;
+        holds_frame_ = false;
+    }
+    holds_frame_ = holds_frame_ && continues;
+}
+
+void LineHistory::end_frame(const glm::mat4& clip_from_anchor)
+{
+    clip_from_anchor_ = clip_from_anchor;
+    now_ = 1 - now_;
+    holds_frame_ = true;
+}
+
+uint32_t grid_cell_count(glm::uvec2 size_px)
+{
+    const glm::uvec2 cells = (size_px + shared::grid_cell_px - 1U) / shared::grid_cell_px;
+    return cells.x * cells.y;
+}
+
+uint32_t sample_capacity(glm::uvec2 size_px)
+{
+    return std::max(size_px.x * size_px.y / 6, 16384U);
+}
+
+} // namespace estampe::contour
