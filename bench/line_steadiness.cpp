@@ -65,7 +65,7 @@ Style line_style(const Options& options)
 {
     Style style = Style::load("comic");
     for (const char* setting : {"hatch.drawn=false", "picture.ground=none", "wash.strength=0",
-                                "paper.grain=0", "paper.color=#ffffff", "contour.ink=#000000"}) {
+                                "paper.grain=0", "paper.color=#ffffff", "paper.ink_break=0", "bleed.width_mm=0", "contour.ink=#000000"}) {
         style.set(setting);
     }
     for (const std::string& setting : options.settings) {
@@ -176,7 +176,7 @@ int main(int count, char** arguments)
     CLI::App app("Measures how steady lines are while a scene turns");
     app.add_option("scene", options.scene)->required();
     app.add_option("--levels", options.levels, "Subdivide so many times first");
-    app.add_option("--frames", options.frames);
+    app.add_option("--frames", options.frames)->check(CLI::Range(2, 100000));
     app.add_option("--width", options.width);
     app.add_option("--height", options.height);
     app.add_option("--step-deg", options.step_deg);

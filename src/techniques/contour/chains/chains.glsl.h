@@ -33,7 +33,7 @@ struct Segment {
     uint side; // corner 3 for the whole triangle
     uint next; // segment, or no_segment
     uint has_previous;
-    float bulge_m; // how far the true surface may stand out beyond the item
+    float bulge_m; // how far the true surface may stand out; negative where it is hidden by itself
 };
 
 // What pointer jumping knows of a segment: where it has got to, in how many steps, and the highest segment
@@ -198,6 +198,7 @@ inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of th
 #define NO_SEED 0xffffffffu
 #define STROKE_STARTS_AT_LINE 1u
 #define STROKE_ENDS_AT_LINE 2u
+#define STROKE_IS_DROPPED 4u
 #define GRID_CELL_PX 4u
 #define PIECE_IS_THERE 16u // a line goes on to the next sample
 #endif

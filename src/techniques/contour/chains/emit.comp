@@ -128,6 +128,23 @@ float bulge_of(PosedVertex a, PosedVertex b, PosedVertex c)
     return 0.125 * max(ab, max(bc, ca));
 }
 
+// How fast the surface turns to the eye on the way to the eye. Where it turns away the outline lies behind
+// the surface that it belongs to; at a cusp one becomes the other.
+float turn_to_eye(PosedVertex a, PosedVertex b, PosedVertex c)
+{
+    vec3 u = b.position - a.position;
+    vec3 v = c.position - a.position;
+    vec3 way = way_to_eye(a.position);
+    vec3 s = vec3(dot(unpack_normal(a.normal), way), dot(unpack_normal(b.normal), way_to_eye(b.position)),
+                  dot(unpack_normal(c.normal), way_to_eye(c.position)));
+    float uu = dot(u, u);
+    float uv = dot(u, v);
+    float vv = dot(v, v);
+    float along_u = vv * dot(way, u) - uv * dot(way, v);
+    float along_v = uu * dot(way, v) - uv * dot(way, u);
+    return along_u * (s.y - s.x) + along_v * (s.z - s.x);
+}
+
 Segment through_triangle(uint triangle)
 {
     uvec4 corners = triangle_at(triangle);
@@ -183,8 +200,15 @@ Segment along_edge(uint edge)
     PosedVertex b = posed_vertex_at(corners[reversed ? first : next_corner(first)]);
     vec3 normal = unpack_normal(a.normal) + unpack_normal(b.normal);
     uint packed = pack_normal(normalize(normal + 1e-6 * way_to_eye(a.position)));
+    // In a hollow the front hides its own outline.
+    uint behind = is_front(sides.x >> 2) ? sides.y : sides.x;
+    vec3 beyond =
+        posed_vertex_at(triangle_at(behind >> 2)[(behind & 3u) == 0u ? 2u : (behind & 3u) - 1u]).position;
+    vec3 third = posed_vertex_at(corners[first == 0u ? 2u : first - 1u]).position;
+    vec3 plane = cross(b.position - a.position, third - a.position);
+    bool is_hollow = dot(plane, beyond - a.position) * dot(plane, way_to_eye(a.position)) > 0.0;
     return Segment(a.position, packed, b.position, packed, side, outline_around(triangle, first, true),
-                   outline_around(triangle, first, false) != NO_SEGMENT ? 1u : 0u, 0.0);
+                   outline_around(triangle, first, false) != NO_SEGMENT ? 1u : 0u, is_hollow ? -1e-30 : 0.0);
 }
 
 void main()

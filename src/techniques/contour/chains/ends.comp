@@ -23,7 +23,12 @@ layout(scalar, binding = 1) readonly buffer CutSamples
 #define GRID_ACCESS readonly
 #include "techniques/contour/chains/sample_grid.glsl"
 
-layout(scalar, binding = 3) buffer Strokes
+layout(scalar, binding = 3) readonly buffer StrokesBefore
+{
+    uint strokes_before[];
+};
+
+layout(scalar, binding = 4) buffer Strokes
 {
     Stroke strokes[];
 };
@@ -36,6 +41,11 @@ layout(push_constant, scalar) uniform Constants
 const float meeting_px = 5.0;
 const uint far_along = 8u; // samples; nearer ones are the stroke itself
 
+bool is_dropped(uint other)
+{
+    return (strokes[strokes_before[other + 1u] - 1u].ends & STROKE_IS_DROPPED) != 0u;
+}
+
 bool meets_line(Stroke stroke, uint end)
 {
     bool meets = false;
@@ -47,7 +57,7 @@ bool meets_line(Stroke stroke, uint end)
             other = is_there ? other : end;
             bool is_own = other >= stroke.first && other <= stroke.last;
             uint apart = other > end ? other - end : end - other;
-            meets = meets || (is_there && (!is_own || apart > far_along) &&
+            meets = meets || (is_there && !is_dropped(other) && (!is_own || apart > far_along) &&
                               distance(samples[other].page_px, samples[end].page_px) < meeting_px);
         }
     }
@@ -61,10 +71,8 @@ void main()
         return;
     }
     Stroke stroke = strokes[index];
-    stroke.ends = (meets_line(stroke, stroke.first) ? STROKE_STARTS_AT_LINE : 0u) |
-                  (meets_line(stroke, stroke.last) ? STROKE_ENDS_AT_LINE : 0u);
-    stroke.seed = NO_SEED;
-    stroke.offset_sum = 0;
-    stroke.offset_count = 0u;
-    strokes[index] = stroke;
+    stroke.ends |= (meets_line(stroke, stroke.first) ? STROKE_STARTS_AT_LINE : 0u) |
+                   (meets_line(stroke, stroke.last) ? STROKE_ENDS_AT_LINE : 0u);
+    // The bits of others may be asked for meanwhile, but not these.
+    strokes[index].ends = stroke.ends;
 }

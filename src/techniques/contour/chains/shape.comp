@@ -193,7 +193,8 @@ LinePoint shape_of(uint index, Stroke stroke)
 {
     uint ink;
     float full = full_width(index, stroke, ink);
-    float half_width = 0.5 * full * taper_at(index, stroke);
+    bool is_dropped = (stroke.ends & STROKE_IS_DROPPED) != 0u;
+    float half_width = is_dropped ? 0.0 : 0.5 * full * taper_at(index, stroke);
     uint seed =
         stroke.seed != NO_SEED ? stroke.seed : hash(constants.seed, samples[stroke.first].source) >> 1;
     float arc_px = unpackHalf2x16(samples[index].state).y * float(index - stroke.first);
@@ -203,7 +204,7 @@ LinePoint shape_of(uint index, Stroke stroke)
         float before = recalls[index].half_width_px;
         before = before >= 0.0 ? before : new_half_width_px;
         float most_change = max(least_change_px, change_share * 0.5 * full);
-        half_width = clamp(half_width, before - most_change, before + most_change);
+        half_width = is_dropped ? 0.0 : clamp(half_width, before - most_change, before + most_change);
     }
     uint previous = index == stroke.first ? index : index - 1u;
     uint next = index == stroke.last ? index : index + 1u;

@@ -3,6 +3,7 @@
 #include "shaders/clear_grid_comp.hpp"
 #include "shaders/clear_ink_comp.hpp"
 #include "shaders/divide_comp.hpp"
+#include "shaders/drop_comp.hpp"
 #include "shaders/elect_comp.hpp"
 #include "shaders/ends_comp.hpp"
 #include "shaders/fill_grid_comp.hpp"
@@ -43,7 +44,8 @@ gpu::BufferId add_ink(gpu::Graph& graph, const ChainStrokes& strokes, gpu::Buffe
     return inked;
 }
 
-/// Enters samples into the grid, and asks of each stroke whether its ends meet other lines.
+/// Enters samples into the grid, drops what runs beside a longer stroke, and asks of the ends of each stroke
+/// whether they meet other lines.
 ChainStrokes find_ends(gpu::Graph& graph, ChainStrokes strokes, glm::uvec2 size_px)
 {
     const uint32_t cells = grid_cell_count(size_px);
@@ -54,10 +56,14 @@ ChainStrokes find_ends(gpu::Graph& graph, ChainStrokes strokes, glm::uvec2 size_
     fill.read(strokes.sizes).read(strokes.samples);
     strokes.grid = fill.modify(strokes.grid);
     fill.push(size_px).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
-    auto ends = graph.compute("contour/ends", shaders::ends_comp);
-    ends.read(strokes.sizes).read(strokes.samples).read(strokes.grid);
-    strokes.strokes = ends.modify(strokes.strokes);
-    ends.push(size_px).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));
+    const auto ask_strokes = [&](const char* name, const gpu::Shader& shader) {
+        auto pass = graph.compute(name, shader);
+        pass.read(strokes.sizes).read(strokes.samples).read(strokes.grid).read(strokes.strokes_before);
+        strokes.strokes = pass.modify(strokes.strokes);
+        pass.push(size_px).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));
+    };
+    ask_strokes("contour/drop", shaders::drop_comp);
+    ask_strokes("contour/ends", shaders::ends_comp);
     return strokes;
 }
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// One thread asks of one short stroke whether it runs beside a longer one, as the far side of a cusp does: it
+// is not drawn then. No stroke has a past yet.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) readonly buffer Sizes
+{
+    ListSize sizes[];
+};
+
+layout(scalar, binding = 1) readonly buffer CutSamples
+{
+    LineSample samples[];
+};
+
+#define GRID_BINDING 2
+#define GRID_ACCESS readonly
+#include "techniques/contour/chains/sample_grid.glsl"
+
+layout(scalar, binding = 3) readonly buffer StrokesBefore
+{
+    uint strokes_before[];
+};
+
+layout(scalar, binding = 4) buffer Strokes
+{
+    Stroke strokes[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    uvec2 size_px;
+};
+
+const float beside_px = 4.0;
+const uint most_steps = 10u;
+const float most_share = 0.5; // of its samples may lie beside another
+
+bool is_beside_longer(uint index, uint own, uint own_steps)
+{
+    bool is_beside = false;
+    for (int i = 0; i < 9; ++i) {
+        uvec2 found = grid[cell_at(samples[index].page_px, ivec2(i % 3 - 1, i / 3 - 1), size_px)];
+        for (int k = 0; k < 2; ++k) {
+            uint other = found.y == 0u ? index : k == 0 ? found.x : found.y - 1u;
+            uint stroke = strokes_before[other + 1u] - 1u;
+            uint steps = strokes[stroke].last - strokes[stroke].first;
+            bool is_longer = stroke != own && (steps > own_steps || (steps == own_steps && stroke < own));
+            is_beside = is_beside || (found.y != 0u && is_longer &&
+                                      distance(samples[other].page_px, samples[index].page_px) < beside_px);
+        }
+    }
+    return is_beside;
+}
+
+void main()
+{
+    uint own = gl_GlobalInvocationID.x;
+    if (own >= sizes[LIST_STROKES].count) {
+        return;
+    }
+    uint first = strokes[own].first;
+    uint steps = strokes[own].last - first;
+    uint beside = 0u;
+    for (uint i = 0u; i <= min(steps, most_steps); ++i) {
+        beside += is_beside_longer(first + i, own, steps) ? 1u : 0u;
+    }
+    bool is_dropped = steps <= most_steps && float(beside) > most_share * float(steps + 1u);
+    strokes[own].ends = is_dropped ? STROKE_IS_DROPPED : 0u;
+    strokes[own].seed = NO_SEED;
+    strokes[own].offset_sum = 0;
+    strokes[own].offset_count = 0u;
+}
