@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ struct Options {
     double step_deg = 0.25;
     double reach_px = 4.0;
     bool stills = false;
+    bool timings = false;
 };
 
 Scene loaded(const Options& options)
@@ -64,8 +66,9 @@ size_t triangle_count(const Scene& scene)
 Style line_style(const Options& options)
 {
     Style style = Style::load("comic");
-    for (const char* setting : {"hatch.drawn=false", "picture.ground=none", "wash.strength=0",
-                                "paper.grain=0", "paper.color=#ffffff", "paper.ink_break=0", "bleed.width_mm=0", "contour.ink=#000000"}) {
+    for (const char* setting :
+         {"hatch.drawn=false", "picture.ground=none", "wash.strength=0", "paper.grain=0",
+          "paper.color=#ffffff", "paper.ink_break=0", "bleed.width_mm=0", "contour.ink=#000000"}) {
         style.set(setting);
     }
     for (const std::string& setting : options.settings) {
@@ -130,6 +133,13 @@ Camera turned(const Camera& camera, double angle_deg)
     return result;
 }
 
+double median(std::vector<double>& values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 void measure(const Options& options)
 {
     const Scene scene = loaded(options);
@@ -139,6 +149,8 @@ void measure(const Options& options)
     const Camera first = framing_camera(scene, pose_scene(scene, 0.0, no_index),
                                         static_cast<double>(options.width) / options.height);
     std::vector<double> shares;
+    std::vector<double> lines_ms;
+    std::map<std::string, std::vector<double>> pass_ms;
     std::vector<uint8_t> lines_before;
     std::vector<uint8_t> near_before;
     for (uint32_t frame = 0; frame < options.frames; ++frame) {
@@ -147,6 +159,14 @@ void measure(const Options& options)
                               : frame == 0   ? Continuity::starts
                                              : Continuity::follows;
         const Image image = renderer.render(turned(first, frame * options.step_deg), style, settings);
+        double sum_ms = 0.0;
+        for (const PassTiming& pass : renderer.timings()) {
+            if (pass.name.starts_with("contour/")) {
+                sum_ms += pass.gpu_ms;
+                pass_ms[pass.name].push_back(pass.gpu_ms);
+            }
+        }
+        lines_ms.push_back(sum_ms);
         if (!options.frames_to.empty()) {
             save_png(image, fmt::format("{}/{:03}.png", options.frames_to, frame));
         }
@@ -166,6 +186,7 @@ void measure(const Options& options)
         "the neighbouring frame: mean {:.4f} %, worst {:.4f} %\n",
         options.scene, triangle_count(scene), options.frames, options.step_deg, options.width, options.height,
         options.reach_px, mean, *std::max_element(shares.begin(), shares.end()));
+    fmt::print("lines on {}: median {:.3f} ms a frame\n", renderer.device().name, median(lines_ms));
 }
 
 } // namespace
@@ -185,6 +206,7 @@ int main(int count, char** arguments)
     app.add_option("--device", options.device);
     app.add_option("--frames-to", options.frames_to, "Folder to write the frames to");
     app.add_flag("--stills", options.stills, "No frame goes on from the one before");
+    app.add_flag("--timings", options.timings, "Time of every pass that draws lines");
     CLI11_PARSE(app, count, arguments);
     try {
         measure(options);
