@@ -309,35 +309,6 @@ std::vector<glm::vec3> Drawing::strongest_light(LightSetup setup)
     return result;
 }
 
-std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixels_per_mm)
-{
-    gpu::Graph graph;
-    const Stage stage = add_surface(graph);
-    const gpu::ImageId light = add_light(graph, stage, {.ambient = glm::vec3(1.0F)}).light;
-    const gpu::ImageId ink = contour::add_contours(graph,
-                                                   {.frame = stage.frame,
-                                                    .visibility = stage.visibility,
-                                                    .triangles = stage.triangles,
-                                                    .posed_vertices = stage.posed,
-                                                    .draws = stage.draws,
-                                                    .materials = stage.materials,
-                                                    .draw = stage.surface.draw,
-                                                    .depth = stage.surface.depth,
-                                                    .normal = stage.surface.normal,
-                                                    .coordinate = stage.surface.coordinate,
-                                                    .light = light,
-                                                    .screen_draw = screen::add_no_screen(graph).draw,
-                                                    .pixels_per_mm = pixels_per_mm,
-                                                    .pixel_angle = static_cast<float>(pixel_angle_),
-                                                    .size_px = size_px},
-                                                   style);
-    std::vector<float> result;
-    for (const uint32_t packed : run_and_read_as<uint32_t>(graph, ink)) {
-        result.push_back(glm::unpackUnorm4x8(packed).w);
-    }
-    return result;
-}
-
 glm::dvec3 Drawing::point_at(glm::dvec2 position_px, double depth) const
 {
     const glm::dvec2 ndc = 2.0 * position_px / glm::dvec2(size_px) - 1.0;

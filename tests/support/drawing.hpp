@@ -13,7 +13,7 @@
 #include "frame/sun.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/frame.glsl.h"
-#include "techniques/contour/contour.hpp"
+#include "techniques/contour/chains/chains.hpp"
 #include "techniques/light/light.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/raster/raster.hpp"
@@ -63,6 +63,22 @@ struct LightSetup {
     frame::SunMap* sun_memory = nullptr;       ///< keeps the map from picture to picture
 };
 
+/// Lines strung as chains, as contour/chains/chains.glsl.h has them.
+struct ChainLists {
+    contour::FeatureChains features;
+    std::vector<uint32_t> marks;  ///< a bit an item
+    std::vector<uint32_t> facing; ///< a bit a triangle
+    std::vector<shared::ListSize> sizes;
+    std::vector<uint32_t> points_before; ///< each slot
+    std::vector<uint32_t> flags_of_slot;
+    std::vector<shared::ChainPoint> points;
+    std::vector<uint32_t> lengths;        ///< of the piece to the next point
+    std::vector<uint32_t> lengths_before; ///< each point
+    std::vector<shared::LineSample> samples;
+    std::vector<uint32_t> strokes_before; ///< each sample
+    std::vector<shared::Stroke> strokes;
+};
+
 class Drawing {
 public:
     Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size_px, double time_s = 0.0);
@@ -82,8 +98,12 @@ public:
     [[nodiscard]] std::vector<glm::vec3> strongest_light(LightSetup setup);
     /// Depths of a piece of the sun's clipmap, row by row.
     [[nodiscard]] std::vector<uint32_t> sun_piece(const shadow::Clipmap& clipmap, const shadow::Piece& piece);
-    /// Coverage of the lines, in even light of 1.
-    [[nodiscard]] std::vector<float> lines(const contour::ContourStyle& style, float pixels_per_mm);
+    /// Coverage of the lines, in even light of 1; those of chains go on from the frame that `history` holds.
+    [[nodiscard]] std::vector<float> lines(const contour::ContourStyle& style, float pixels_per_mm,
+                                           contour::LineHistory* history = nullptr);
+    /// Makes `history` ready for the next frame of a film, which goes on from the one before or is the first.
+    void begin_film_frame(contour::LineHistory& history, bool continues) const;
+    [[nodiscard]] ChainLists chains(const contour::ContourStyle& style);
 
     /// The point of anchor space seen at a place of the page.
     [[nodiscard]] glm::dvec3 point_at(glm::dvec2 position_px, double depth) const;
@@ -109,6 +129,7 @@ private:
     gpu::BufferId add_visibility(gpu::Graph& graph, gpu::BufferId posed);
     Stage add_surface(gpu::Graph& graph);
     screen::Screen add_screen(gpu::Graph& graph);
+    contour::ContourInputs contour_inputs(gpu::Graph& graph, const Stage& stage);
     frame::FramePlan sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const;
     gpu::BufferId add_sun_map(gpu::Graph& graph, const Stage& stage, const LightSetup& setup,
                               frame::FramePlan& plan);

@@ -134,6 +134,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
     if (mesh.feature_point_count > 0) {
         auto features = graph.compute("contour/order features", shaders::order_features_comp);
         features.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices);
+        features.sample(in.neighbors);
         features.read(gpu::import_whole(graph, "feature points", mesh.feature_points));
         features.read(feature_chains).read(scanned.before);
         points = features.modify(points);
@@ -142,6 +143,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
     }
     return {.constants = constants,
             .facing = marks.facing,
+            .marks = marks.words,
             .sizes = scanned.sizes,
             .points_of_slot = points_of_slot,
             .flags_of_slot = flags_of_slot,

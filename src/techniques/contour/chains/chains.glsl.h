@@ -167,6 +167,12 @@ inline constexpr uint list_samples = 2U;
 inline constexpr uint list_strokes = 3U;
 inline constexpr uint list_slots = 4U;
 inline constexpr uint list_count = 5U;
+inline constexpr uint no_seed = 0xffffffffU;
+inline constexpr uint chain_is_closed = 1U;
+inline constexpr uint sample_is_visible = 1U;
+inline constexpr uint sample_is_off_page = 2U;
+inline constexpr uint piece_is_there = 16U;
+inline constexpr uint stroke_is_dropped = 4U;
 inline constexpr uint grid_cell_px = 4U;      // of the grid in which samples find each other
 inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of these a pixel
 } // namespace estampe::shared

@@ -12,6 +12,7 @@ namespace estampe::contour {
 struct Chains {
     shared::ChainConstants constants;
     gpu::BufferId facing; ///< a bit a triangle: faces the eye
+    gpu::BufferId marks;  ///< a bit an item: the outline runs through it
     gpu::BufferId sizes;  ///< ListSize of each list
     gpu::BufferId points_of_slot;
     gpu::BufferId flags_of_slot;
@@ -23,6 +24,7 @@ struct Chains {
 /// The same as strokes: even samples, and where each stroke starts and ends.
 struct ChainStrokes {
     gpu::BufferId sizes;
+    gpu::BufferId lengths_before; ///< each point of the chains
     gpu::BufferId samples;        ///< LineSample; closed chains cut open
     gpu::BufferId strokes_before; ///< each sample
     gpu::BufferId strokes;        ///< Stroke

@@ -6,6 +6,7 @@
 
 #include "shaders/frame.glsl.h"
 #include "shaders/items.glsl"
+#include "shaders/octahedral.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -20,27 +21,29 @@ layout(scalar, binding = 0) uniform Frame
 #define MESH_TEXELS_BINDING 1
 #include "shaders/mesh_texels.glsl"
 
-layout(scalar, binding = 3) readonly buffer FeaturePoints
+layout(binding = 3) uniform usamplerBuffer neighbor_texels;
+
+layout(scalar, binding = 4) readonly buffer FeaturePoints
 {
     FeaturePoint feature_points[];
 };
 
-layout(scalar, binding = 4) readonly buffer FeatureChains
+layout(scalar, binding = 5) readonly buffer FeatureChains
 {
     FeatureChain feature_chains[];
 };
 
-layout(scalar, binding = 5) readonly buffer PointsBefore
+layout(scalar, binding = 6) readonly buffer PointsBefore
 {
     uint points_before[]; // each slot
 };
 
-layout(scalar, binding = 6) buffer Points
+layout(scalar, binding = 7) buffer Points
 {
     ChainPoint points[];
 };
 
-layout(scalar, binding = 7) buffer Lengths
+layout(scalar, binding = 8) buffer Lengths
 {
     uint lengths[]; // of the piece from each point to the next
 };
@@ -49,6 +52,34 @@ layout(push_constant, scalar) uniform Constants
 {
     ChainConstants constants;
 };
+
+// Of a triangle, in its own winding, of no particular length.
+vec3 triangle_normal(uint triangle)
+{
+    uvec4 corners = triangle_at(triangle);
+    vec3 a = posed_vertex_at(corners.x).position;
+    vec3 n = cross(posed_vertex_at(corners.y).position - a, posed_vertex_at(corners.z).position - a);
+    return (corners.w & TRIANGLE_MIRRORED) != 0u ? -n : n;
+}
+
+bool is_turned(uint triangle)
+{
+    return (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
+}
+
+// Out of the surface, between both sides of an edge.
+vec3 edge_normal(uint side)
+{
+    uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
+    vec3 normal = triangle_normal(side >> 2);
+    normal /= max(length(normal), 1e-30);
+    if (beyond != NO_SIDE) {
+        vec3 other =
+            triangle_normal(beyond >> 2) * (is_turned(side >> 2) != is_turned(beyond >> 2) ? -1.0 : 1.0);
+        normal += other / max(length(other), 1e-30);
+    }
+    return length(normal) > 1e-6 ? normalize(normal) : vec3(0.0, 1.0, 0.0);
+}
 
 void main()
 {
@@ -64,7 +95,8 @@ void main()
         return;
     }
     PosedVertex vertex = posed_vertex_at(point.vertex);
-    points[at] = ChainPoint(vertex.position, vertex.normal, 0.0, point.kind << 28 | point.side);
+    points[at] =
+        ChainPoint(vertex.position, pack_normal(edge_normal(point.side)), 0.0, point.kind << 28 | point.side);
     bool is_last = place + 1u == chain.point_count;
     vec3 onwards = posed_vertex_at(feature_points[is_last ? index : index + 1u].vertex).position;
     lengths[at] =

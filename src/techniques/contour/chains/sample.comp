@@ -51,9 +51,7 @@ layout(scalar, binding = 8) readonly buffer Points
     ChainPoint points[];
 };
 
-layout(binding = 9) uniform usamplerBuffer neighbor_texels;
-
-layout(scalar, binding = 10) writeonly buffer Samples
+layout(scalar, binding = 9) writeonly buffer Samples
 {
     LineSample samples[];
 };
@@ -64,6 +62,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 const float outside_px = 0.75;
+const float tolerance_px = 0.05;
 
 // The last point of a chain, but not the very last, that lies no farther than `length` along.
 uint point_at(uint first, uint end, uint length)
@@ -81,49 +80,57 @@ uint point_at(uint first, uint end, uint length)
     return low;
 }
 
-bool is_own(uint triangle, uint own)
-{
-    uvec3 neighbors = texelFetch(neighbor_texels, int(own)).xyz >> 2;
-    return triangle == own || any(equal(neighbors, uvec3(triangle)));
-}
+struct Cover {
+    bool is_over; // the point lies within the triangle as seen from the eye
+    bool hides;   // the triangle's plane, no farther away than the triangle itself, comes before the point
+};
 
-// Whether the triangle's plane, no farther away than the triangle itself, comes between the eye and a point.
-bool hides(uint triangle, vec3 point, float tolerance_m)
+Cover cover_of(uint triangle, vec3 point, float tolerance_m)
 {
     uvec4 corners = triangle_at(triangle);
-    vec3 a = posed_vertex_at(corners.x).position;
-    vec3 b = posed_vertex_at(corners.y).position;
-    vec3 c = posed_vertex_at(corners.z).position;
-    vec3 plane = cross(b - a, c - a);
     bool is_parallel = frame.is_orthographic != 0u;
-    vec3 way = is_parallel ? frame.view_forward : point - frame.eye_anchor;
-    // Distances along the view, of the point and of the plane before or behind it.
+    // Everything from an origin before the point, all as seen along the way to it.
     vec3 origin = is_parallel ? point - frame.view_forward : frame.eye_anchor;
+    vec3 way = point - origin;
+    vec3 a = posed_vertex_at(corners.x).position - origin;
+    vec3 b = posed_vertex_at(corners.y).position - origin;
+    vec3 c = posed_vertex_at(corners.z).position - origin;
+    vec3 plane = cross(b - a, c - a);
+    vec3 sides = is_parallel
+                     ? vec3(dot(cross(b - a, way), a), dot(cross(c - b, way), b), dot(cross(a - c, way), c))
+                     : vec3(dot(cross(a, b), way), dot(cross(b, c), way), dot(cross(c, a), way));
+    bool is_over = all(greaterThanEqual(sides, vec3(0.0))) || all(lessThanEqual(sides, vec3(0.0)));
     float scale = dot(way, frame.view_forward);
-    float crossing = dot(a - origin, plane) / dot(way, plane) * scale;
-    vec3 corners_at = vec3(dot(a - origin, frame.view_forward), dot(b - origin, frame.view_forward),
-                           dot(c - origin, frame.view_forward));
-    float nearest = min(corners_at.x, min(corners_at.y, corners_at.z));
-    float farthest = max(corners_at.x, max(corners_at.y, corners_at.z));
+    float crossing = dot(a, plane) / dot(way, plane) * scale;
+    vec3 depths = vec3(dot(a, frame.view_forward), dot(b, frame.view_forward), dot(c, frame.view_forward));
+    float nearest = min(depths.x, min(depths.y, depths.z));
+    float farthest = max(depths.x, max(depths.y, depths.z));
     bool is_beside = !is_parallel && crossing < 0.0;
-    return !is_beside && clamp(crossing, nearest, farthest) < scale - tolerance_m;
+    return Cover(is_over, !is_beside && clamp(crossing, nearest, farthest) < scale - tolerance_m);
 }
 
+// Of the triangles seen about the point, one that lies over it decides; where none does, as all are smaller
+// than a pixel, most of them.
 bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
 {
     float pixel_m = pixel_size_m(anchor);
     vec3 outside = anchor + normal * (bulge_m + outside_px * pixel_m);
-    vec4 clip = frame.clip_from_anchor * vec4(outside, 1.0);
-    ivec2 corner = ivec2(floor(page_position(clip) - 0.5));
+    vec2 place = page_position(frame.clip_from_anchor * vec4(outside, 1.0));
+    ivec2 corner = ivec2(floor(place - 0.5));
     ivec2 last = ivec2(frame.size_px) - 1;
-    bool is_seen = false;
+    bool is_covered = false;
+    bool is_free = false;
+    int hiding = 0;
     for (int i = 0; i < 4; ++i) {
         ivec2 pixel = clamp(corner + ivec2(i & 1, i >> 1), ivec2(0), last);
         uvec2 word = visibility[uint(pixel.y) * frame.size_px.x + uint(pixel.x)];
-        bool is_free = !sees_triangle(word) || is_own(seen_triangle(word), own);
-        is_seen = is_seen || is_free || !hides(seen_triangle(word), outside, 0.5 * pixel_m);
+        bool may_hide = sees_triangle(word) && seen_triangle(word) != own;
+        Cover cover = cover_of(may_hide ? seen_triangle(word) : own, outside, tolerance_px * pixel_m);
+        is_covered = is_covered || (may_hide && cover.is_over && cover.hides);
+        is_free = is_free || (may_hide && cover.is_over && !cover.hides);
+        hiding += may_hide && cover.hides ? 1 : 0;
     }
-    return is_seen;
+    return !is_covered && (is_free || hiding < 3);
 }
 
 void main()
@@ -146,8 +153,11 @@ void main()
     float along = float(length - lengths_before[at]) / max(LENGTH_UNIT_PX * piece.length_px, 1e-6);
     float share = share_at(piece, clamp(along, 0.0, 1.0));
     vec3 anchor = mix(from.anchor, to.anchor, share);
-    vec3 normal = normalize(mix(unpack_normal(from.normal), unpack_normal(to.normal), share) +
-                            1e-6 * towards_eye(frame, anchor));
+    // Through triangles normals run on from piece to piece; edges have one each.
+    bool is_smooth = (from.source & 3u) == 3u;
+    vec3 normal =
+        normalize(mix(unpack_normal(from.normal), unpack_normal(to.normal), is_smooth ? share : 0.0) +
+                  1e-6 * towards_eye(frame, anchor));
     vec2 page_px = page_position(frame.clip_from_anchor * vec4(anchor, 1.0));
     bool is_on_page = all(greaterThan(page_px, vec2(-0.5 * page_margin_px))) &&
                       all(lessThan(page_px, vec2(frame.size_px) + 0.5 * page_margin_px));

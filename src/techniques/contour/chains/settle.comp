@@ -39,7 +39,7 @@ layout(scalar, binding = 5) buffer RotationOfSlot
 
 #include "techniques/contour/chains/sample_list.glsl"
 
-const int votes_each_side = 2;
+const int votes_each_side = 1;
 const float corner_cosine = 0.5; // 60 degrees
 
 bool is_visible_at(ChainOfSamples chain, int place)

@@ -164,7 +164,7 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains&
     auto sample = graph.compute("contour/sample", shaders::sample_comp);
     sample.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices).read(in.visibility);
     sample.read(divided.sizes).read(divided.before).read(chains.points_before).read(lengths.before);
-    sample.read(chains.points).sample(in.neighbors);
+    sample.read(chains.points);
     const gpu::BufferId samples =
         sample.write(graph.buffer("contour/samples", list_of(samples_most, sizeof(shared::LineSample))));
     sample.push(constants).dispatch_indirect(divided.sizes, per_sample);
@@ -198,6 +198,7 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains&
     bounds.dispatch_indirect(started.sizes, per_sample);
     return find_ends(graph,
                      {.sizes = started.sizes,
+                      .lengths_before = lengths.before,
                       .samples = cut,
                       .strokes_before = started.before,
                       .strokes = strokes,

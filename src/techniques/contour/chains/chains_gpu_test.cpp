@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: MIT
+// Lines as chains: against a search through all triangles and edges, against what is known of spheres, and
+// against rays.
+#include "techniques/contour/chains/chains.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "frame/line_meshes.hpp"
+#include "scene/pose.hpp"
+#include "scene/shapes.hpp"
+#include "scene/subdivision.hpp"
+#include "support/drawing.hpp"
+#include "support/embree_scene.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe::contour {
+namespace {
+
+using shared::ChainPoint;
+using shared::LineSample;
+
+constexpr glm::uvec2 page_px{320, 240};
+
+bool bit(const std::vector<uint32_t>& words, size_t i)
+{
+    return (words[i / 32] >> (i % 32) & 1U) != 0;
+}
+
+/// The shapes that the project has, each where it hides some of the others.
+Scene shapes_scene()
+{
+    Scene scene = test::scene_of(shapes::sphere(1.0F, 48, 24));
+    test::add_object(scene, shapes::torus(1.4F, 0.35F, 48, 20), glm::vec3(0.5F), {1.2, 0.3, 0.8});
+    test::add_object(scene, shapes::box({1.0F, 1.4F, 0.8F}), glm::vec3(0.5F), {-1.3, -0.2, 0.9});
+    test::add_object(scene, shapes::cone(0.7F, 1.6F, 24), glm::vec3(0.5F), {-0.6, 0.6, -1.4});
+    test::add_object(scene, shapes::plane(6.0F, 6.0F, 4), glm::vec3(0.5F), {0.0, -1.0, 0.0});
+    return scene;
+}
+
+Camera view_from_above()
+{
+    return {.eye = {3.1, 2.6, 6.3}, .target = {0.1, 0.0, 0.2}};
+}
+
+/// What faces an eye, computed one by one as the shaders do, with the same rounding.
+class Facing {
+public:
+    Facing(test::Drawing& drawing, const EdgeMesh& mesh)
+        : posed_(drawing.posed()), mesh_(mesh), eye_(drawing.globals.eye_anchor)
+    {
+    }
+
+    [[nodiscard]] bool is_front(uint32_t t) const
+    {
+        const glm::uvec4& c = mesh_.triangles[t];
+        const glm::vec3 a = posed_[c.x].position;
+        const glm::vec3 u = posed_[c.y].position - a;
+        const glm::vec3 v = posed_[c.z].position - a;
+        const glm::vec3 n(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+        return dot(n, eye_ - a) > 0.0F;
+    }
+
+    [[nodiscard]] bool faces(uint32_t vertex) const
+    {
+        const auto x = static_cast<float>(static_cast<int16_t>(posed_[vertex].normal & 0xffffU));
+        const auto y = static_cast<float>(static_cast<int16_t>(posed_[vertex].normal >> 16U));
+        const float z = 32767.0F - std::abs(x) - std::abs(y);
+        glm::vec3 n(x, y, z);
+        if (z < 0.0F) {
+            n.x = (32767.0F - std::abs(y)) * (x >= 0.0F ? 1.0F : -1.0F);
+            n.y = (32767.0F - std::abs(x)) * (y >= 0.0F ? 1.0F : -1.0F);
+        }
+        return dot(n, eye_ - posed_[vertex].position) >= 0.0F;
+    }
+
+private:
+    static float dot(const glm::vec3& a, const glm::vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+    std::vector<shared::PosedVertex> posed_;
+    const EdgeMesh& mesh_;
+    glm::vec3 eye_;
+};
+
+/// Outlines along edges are those edges, and no others, that lie between a front and a back.
+void expect_edges_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
+{
+    test::Drawing drawing(scene, camera, page_px);
+    const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
+    const auto lists = drawing.chains({.silhouettes = Silhouettes::edges, .crease_deg = 180.0F});
+    const Facing facing(drawing, mesh);
+    size_t wrong_triangles = 0;
+    for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        wrong_triangles += bit(lists.facing, t) != facing.is_front(t) ? 1U : 0U;
+    }
+    EXPECT_EQ(wrong_triangles, 0U) << name;
+    size_t expected = 0;
+    for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t beyond = mesh.neighbors[t][static_cast<int>(k)];
+            const auto looks = [&](uint32_t triangle) {
+                return facing.is_front(triangle) != ((mesh.neighbors[triangle].w & neighbor_is_turned) != 0);
+            };
+            const bool is_feature =
+                std::any_of(mesh.features.begin(), mesh.features.end(), [&](const FeatureEdge& f) {
+                    return f.kind == FeatureKind::boundary &&
+                           (f.side == side_of(t, k) || f.other_side == side_of(t, k));
+                });
+            expected +=
+                beyond != no_side && side_of(t, k) < beyond && !is_feature && looks(t) != looks(beyond >> 2U)
+                    ? 1U
+                    : 0U;
+        }
+    }
+    size_t found = 0;
+    for (const uint32_t word : lists.marks) {
+        found += static_cast<size_t>(std::popcount(word));
+    }
+    EXPECT_EQ(found, expected) << name;
+    EXPECT_EQ(lists.sizes[shared::list_segments].count, expected) << name;
+    EXPECT_GT(expected, 0U) << name;
+}
+
+/// Smooth outlines run through those triangles, and no others, whose corners do not all face alike.
+void expect_triangles_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
+{
+    test::Drawing drawing(scene, camera, page_px);
+    const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
+    const auto lists = drawing.chains({});
+    const Facing facing(drawing, mesh);
+    size_t wrong = 0;
+    for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const glm::uvec4& c = mesh.triangles[t];
+        const bool has_area = c.x != c.y && c.y != c.z && c.z != c.x;
+        const bool is_crossed =
+            has_area && (facing.faces(c.x) != facing.faces(c.y) || facing.faces(c.y) != facing.faces(c.z));
+        wrong += bit(lists.marks, t) != is_crossed ? 1U : 0U;
+    }
+    EXPECT_EQ(wrong, 0U) << name;
+}
+
+TEST(ContourChains, OutlinesAreThoseOfASearch)
+{
+    expect_edges_as_searched(shapes_scene(), view_from_above(), "shapes");
+    expect_triangles_as_searched(shapes_scene(), view_from_above(), "shapes");
+}
+
+TEST(ContourChains, OutlinesOfModelsAreThoseOfASearch)
+{
+    const char* folder = std::getenv("ESTAMPE_MODELS");
+    for (const char* name :
+         {"suzanne.gltf", "fandisk.obj", "teapot.gltf", "spot.obj", "stanford-bunny.obj", "Fox.glb",
+          "FlightHelmet/FlightHelmet.gltf", "CesiumMan/CesiumMan.gltf", "sampleroom.gltf"}) {
+        if (folder == nullptr || !std::filesystem::exists(std::filesystem::path(folder) / name)) {
+            continue;
+        }
+        const Scene scene = load_scene(std::filesystem::path(folder) / name);
+        const Camera camera = framing_camera(scene, pose_scene(scene, 0.0, no_index), 4.0 / 3.0);
+        expect_triangles_as_searched(scene, camera, name);
+        expect_edges_as_searched(scene, camera, name);
+    }
+}
+
+/// A chain as the points of its slot.
+struct Chain {
+    std::vector<ChainPoint> points;
+    bool is_closed = false;
+};
+
+std::vector<Chain> chains_of(const test::ChainLists& lists)
+{
+    std::vector<Chain> chains;
+    for (size_t slot = 0; slot + 1 < lists.points_before.size(); ++slot) {
+        const uint32_t first = lists.points_before[slot];
+        const uint32_t end = lists.points_before[slot + 1];
+        if (end > first) {
+            chains.push_back({{lists.points.begin() + first, lists.points.begin() + end},
+                              (lists.flags_of_slot[slot] & shared::chain_is_closed) != 0});
+        }
+    }
+    return chains;
+}
+
+double length_of(const Chain& chain)
+{
+    double length = 0.0;
+    for (size_t i = 0; i + 1 < chain.points.size(); ++i) {
+        length += static_cast<double>(glm::distance(chain.points[i].anchor, chain.points[i + 1].anchor));
+    }
+    return length;
+}
+
+TEST(ContourChains, ASphereHasOneClosedLoopOfTheRightRadiusAndLength)
+{
+    constexpr double distance_m = 3.0;
+    // 10,000 triangles, none of whose corners lies on the outline by chance.
+    const Scene scene = test::scene_of(subdivided(shapes::sphere(1.0F, 100, 51), 0));
+    test::Drawing drawing(scene, test::front_camera(distance_m, 0.8), page_px);
+    const std::vector<Chain> chains = chains_of(drawing.chains({}));
+    ASSERT_EQ(chains.size(), 1U);
+    EXPECT_TRUE(chains[0].is_closed);
+    EXPECT_EQ(chains[0].points.front().anchor, chains[0].points.back().anchor);
+    const double radius = std::sqrt(1.0 - 1.0 / (distance_m * distance_m));
+    const double expected = 2.0 * std::numbers::pi * radius;
+    EXPECT_NEAR(length_of(chains[0]), expected, 0.005 * expected);
+    for (const ChainPoint& point : chains[0].points) {
+        const glm::dvec3 p = glm::dvec3(point.anchor) + drawing.layout.anchor;
+        EXPECT_NEAR(std::hypot(p.x, p.y), radius, 0.01);
+        EXPECT_NEAR(p.z, 1.0 / distance_m, 0.02);
+    }
+}
+
+TEST(ContourChains, EachChainGoesOnFromPieceToPieceAndNoneIsMissing)
+{
+    test::Drawing drawing(shapes_scene(), view_from_above(), page_px);
+    const auto lists = drawing.chains({});
+    const std::vector<Chain> chains = chains_of(lists);
+    size_t pieces = 0;
+    size_t jumps = 0;
+    for (const Chain& chain : chains) {
+        pieces += chain.points.size() - 1;
+        for (size_t i = 0; i + 1 < chain.points.size(); ++i) {
+            // No piece is longer than a triangle.
+            jumps += glm::distance(chain.points[i].anchor, chain.points[i + 1].anchor) > 1.8F ? 1U : 0U;
+        }
+        EXPECT_EQ(chain.is_closed, chain.points.front().anchor == chain.points.back().anchor);
+    }
+    EXPECT_EQ(jumps, 0U);
+    uint32_t feature_pieces = 0;
+    for (const Chain& chain : chains) {
+        feature_pieces += chain.points[0].source >> 28U != shared::line_silhouette
+                              ? static_cast<uint32_t>(chain.points.size() - 1)
+                              : 0U;
+    }
+    EXPECT_EQ(pieces - feature_pieces, lists.sizes[shared::list_segments].count);
+}
+
+TEST(ContourChains, OnAClosedManifoldEveryOutlineCloses)
+{
+    const Scene scene = test::scene_of(subdivided(shapes::torus(1.0F, 0.45F, 30, 14), 1));
+    for (const double height : {0.3, 1.1, 2.7}) {
+        test::Drawing drawing(scene, {.eye = {0.4, height, 4.0}, .target = {0.0, 0.0, 0.0}}, page_px);
+        for (const Silhouettes kind : {Silhouettes::smooth, Silhouettes::edges}) {
+            const std::vector<Chain> chains =
+                chains_of(drawing.chains({.silhouettes = kind, .crease_deg = 180.0F}));
+            EXPECT_GE(chains.size(), 2U);
+            for (const Chain& chain : chains) {
+                EXPECT_TRUE(chain.is_closed);
+            }
+        }
+    }
+}
+
+TEST(ContourChains, ArcLengthsAreThoseOfASerialSum)
+{
+    test::Drawing drawing(shapes_scene(), view_from_above(), page_px);
+    const auto lists = drawing.chains({});
+    const glm::dmat4 clip_from_anchor(drawing.globals.clip_from_anchor);
+    const auto page = [&](const glm::vec3& anchor) {
+        const glm::dvec4 clip = clip_from_anchor * glm::dvec4(anchor, 1.0);
+        return (0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(page_px);
+    };
+    double worst = 0.0;
+    size_t compared = 0;
+    for (size_t slot = 0; slot + 1 < lists.points_before.size(); ++slot) {
+        const uint32_t begin = lists.points_before[slot];
+        const uint32_t end = lists.points_before[slot + 1];
+        const bool is_on_page = std::all_of(
+            lists.points.begin() + begin, lists.points.begin() + end, [&](const ChainPoint& point) {
+                const glm::dvec2 at = page(point.anchor);
+                return at.x > 0.0 && at.y > 0.0 && at.x < page_px.x && at.y < page_px.y;
+            });
+        double serial = 0.0;
+        for (uint32_t i = begin; is_on_page && i + 1 < end; ++i, ++compared) {
+            serial += glm::distance(page(lists.points[i].anchor), page(lists.points[i + 1].anchor));
+            const double scanned =
+                static_cast<double>(lists.lengths_before[i + 1] - lists.lengths_before[begin]) /
+                shared::length_unit_px;
+            worst = std::max(worst, std::abs(scanned - serial) / std::max(serial, 1.0));
+        }
+    }
+    EXPECT_GT(compared, 100U);
+    EXPECT_LT(worst, 1e-3);
+}
+
+/// Share of samples whose visibility rays agree with; how many are hidden and shown against them.
+struct Agreement {
+    size_t asked = 0;
+    size_t falsely_hidden = 0;
+    size_t falsely_shown = 0;
+};
+
+/// How far the smooth surface may stand out beyond the triangle that an outline runs through.
+float bulge_m(const EdgeMesh& mesh, const std::vector<shared::PosedVertex>& posed, uint32_t side)
+{
+    if ((side & 3U) != 3U) {
+        return 0.0F;
+    }
+    float bulge = 0.0F;
+    const glm::uvec4& corners = mesh.triangles[side >> 2U];
+    for (int k = 0; k < 3; ++k) {
+        const shared::PosedVertex& a = posed[corners[k]];
+        const shared::PosedVertex& b = posed[corners[(k + 1) % 3]];
+        bulge =
+            std::max(bulge, 0.125F * glm::distance(a.position, b.position) *
+                                glm::distance(pose::unpack_normal(a.normal), pose::unpack_normal(b.normal)));
+    }
+    return bulge;
+}
+
+/// Asks rays what samples are asked: a little outside of their own surface, so that what hides them is not
+/// it.
+Agreement compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec2 size_px)
+{
+    test::Drawing drawing(scene, camera, size_px);
+    const auto lists = drawing.chains({});
+    const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
+    const std::vector<shared::PosedVertex> posed = drawing.posed();
+    const test::EmbreeScene rays(scene, 0.0, [&](const PosedPrimitive& primitive) {
+        return scene.materials[primitive.primitive->material].alpha_mode != AlphaMode::blend;
+    });
+    const glm::dmat4 clip_from_anchor(drawing.globals.clip_from_anchor);
+    Agreement result;
+    for (const LineSample& sample : lists.samples) {
+        const bool is_on_page = sample.page_px.x > 2.0F && sample.page_px.y > 2.0F &&
+                                sample.page_px.x < static_cast<float>(size_px.x) - 2.0F &&
+                                sample.page_px.y < static_cast<float>(size_px.y) - 2.0F;
+        if (!is_on_page) {
+            continue;
+        }
+        const double w = (clip_from_anchor * glm::dvec4(sample.anchor, 1.0)).w;
+        const double pixel_m = 2.0 * w * std::tan(0.5 * camera.vertical_fov_rad) / size_px.y;
+        const double outside_m =
+            0.75 * pixel_m + static_cast<double>(bulge_m(mesh, posed, sample.source & 0x0fffffffU));
+        const glm::dvec3 outside = glm::dvec3(sample.anchor) + drawing.layout.anchor +
+                                   outside_m * glm::dvec3(pose::unpack_normal(sample.normal));
+        const glm::dvec3 way = outside - camera.eye;
+        const bool is_free = !rays.is_blocked(camera.eye, glm::normalize(way), glm::length(way));
+        const bool is_shown = (sample.state & shared::sample_is_visible) != 0;
+        ++result.asked;
+        result.falsely_hidden += is_free && !is_shown ? 1U : 0U;
+        result.falsely_shown += !is_free && is_shown ? 1U : 0U;
+    }
+    return result;
+}
+
+void expect_agreement(const Agreement& agreement, const std::string& name)
+{
+    EXPECT_GT(agreement.asked, 500U) << name;
+    EXPECT_LE(static_cast<double>(agreement.falsely_hidden + agreement.falsely_shown),
+              0.01 * static_cast<double>(agreement.asked))
+        << name << ": of " << agreement.asked << " samples " << agreement.falsely_hidden
+        << " falsely hidden, " << agreement.falsely_shown << " falsely shown";
+}
+
+TEST(ContourChains, VisibilityAgreesWithRays)
+{
+    expect_agreement(compare_with_rays(shapes_scene(), view_from_above(), {640, 480}), "shapes");
+}
+
+TEST(ContourChains, VisibilityOnModelsAgreesWithRays)
+{
+    const char* folder = std::getenv("ESTAMPE_MODELS");
+    for (const char* name :
+         {"suzanne.gltf", "fandisk.obj", "stanford-bunny.obj", "FlightHelmet/FlightHelmet.gltf"}) {
+        if (folder == nullptr || !std::filesystem::exists(std::filesystem::path(folder) / name)) {
+            continue;
+        }
+        const Scene scene = load_scene(std::filesystem::path(folder) / name);
+        const Camera camera = framing_camera(scene, pose_scene(scene, 0.0, no_index), 16.0 / 9.0);
+        expect_agreement(compare_with_rays(scene, camera, {1920, 1080}), name);
+    }
+}
+
+/// Chains of an outline at each of several levels of subdivision.
+void expect_stable_count(const Primitive& cage, const Camera& camera, uint32_t coarsest, uint32_t finest)
+{
+    std::vector<double> counts;
+    for (uint32_t level = coarsest; level <= finest; ++level) {
+        test::Drawing drawing(test::scene_of(subdivided(cage, level)), camera, page_px);
+        counts.push_back(static_cast<double>(chains_of(drawing.chains({})).size()));
+    }
+    for (const double count : counts) {
+        EXPECT_NEAR(count, counts.back(), 0.15 * counts.back());
+    }
+}
+
+TEST(ContourChains, AFinerMeshHasNoMoreChains)
+{
+    expect_stable_count(shapes::torus(1.0F, 0.4F, 14, 8), {.eye = {0.3, 1.1, 4.0}, .target = {0.0, 0.0, 0.0}},
+                        2, 4);
+    const char* folder = std::getenv("ESTAMPE_MODELS");
+    if (folder != nullptr && std::filesystem::exists(std::filesystem::path(folder) / "suzanne.gltf")) {
+        const Scene scene = load_scene(std::filesystem::path(folder) / "suzanne.gltf");
+        expect_stable_count(scene.meshes[0].primitives[0],
+                            framing_camera(scene, pose_scene(scene, 0.0, no_index), 4.0 / 3.0), 0, 3);
+    }
+}
+
+/// Even lines of one width, as LineHistory carries them from frame to frame.
+ContourStyle tapered(float width_px)
+{
+    ContourStyle style;
+    style.outline_mm = style.boundary_mm = style.crease_mm = width_px;
+    style.pressure = 0.0F;
+    style.distance_thinning = 0.0F;
+    style.taper_mm = 40.0F;
+    return style;
+}
+
+TEST(ContourChains, AFilmIsSteadierThanStills)
+{
+    const Scene scene = shapes_scene();
+    constexpr glm::uvec2 size_px{480, 360};
+    const auto alone = [&](const std::vector<float>& frame, const std::vector<float>& other) {
+        size_t count = 0;
+        const auto width = static_cast<int>(size_px.x);
+        for (int i = 0; i < static_cast<int>(frame.size()); ++i) {
+            bool is_near = frame[static_cast<size_t>(i)] < 0.5F;
+            for (int dy = -4; dy <= 4 && !is_near; ++dy) {
+                for (int dx = -4; dx <= 4 && !is_near; ++dx) {
+                    const int at = i + dy * width + dx;
+                    is_near = dx * dx + dy * dy <= 16 && at >= 0 && at < static_cast<int>(frame.size()) &&
+                              other[static_cast<size_t>(at)] >= 0.5F;
+                }
+            }
+            count += is_near ? 0U : 1U;
+        }
+        return count;
+    };
+    size_t in_film = 0;
+    size_t in_stills = 0;
+    LineHistory history;
+    std::vector<float> film_before;
+    std::vector<float> still_before;
+    for (int frame = 0; frame < 12; ++frame) {
+        const double angle = glm::radians(0.25) * frame;
+        Camera camera = view_from_above();
+        camera.eye = {camera.eye.x * std::cos(angle) + camera.eye.z * std::sin(angle), camera.eye.y,
+                      camera.eye.z * std::cos(angle) - camera.eye.x * std::sin(angle)};
+        test::Drawing drawing(scene, camera, size_px);
+        const auto still = drawing.lines(tapered(8.0F), 1.0F);
+        drawing.begin_film_frame(history, frame > 0);
+        const auto film = drawing.lines(tapered(8.0F), 1.0F, &history);
+        history.end_frame(drawing.globals.clip_from_anchor);
+        if (frame > 0) {
+            in_film += alone(film, film_before) + alone(film_before, film);
+            in_stills += alone(still, still_before) + alone(still_before, still);
+        }
+        film_before = film;
+        still_before = still;
+    }
+    EXPECT_LT(in_film, 40U);
+    EXPECT_LE(in_film, in_stills);
+}
+
+} // namespace
+} // namespace estampe::contour

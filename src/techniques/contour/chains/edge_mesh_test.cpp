@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// What lies on the other side of each edge: against a search through all edges, on surfaces good and bad.
+#include "techniques/contour/chains/edge_mesh.hpp"
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "scene/shapes.hpp"
+#include "techniques/contour/chains/feature_chains.hpp"
+
+namespace estampe::contour {
+namespace {
+
+/// A soup that owns what it is made of.
+struct Soup {
+    std::vector<glm::uvec4> triangles;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<uint32_t> bodies;
+    std::vector<uint32_t> materials;
+
+    void add(const Primitive& primitive, uint32_t body = 0, uint32_t material = 0)
+    {
+        const auto first = static_cast<uint32_t>(positions.size());
+        positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
+        normals.insert(normals.end(), primitive.normals.begin(), primitive.normals.end());
+        normals.resize(positions.size(), glm::vec3(0.0F, 1.0F, 0.0F));
+        for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+            triangles.emplace_back(first + primitive.indices[i], first + primitive.indices[i + 1],
+                                   first + primitive.indices[i + 2], 7U);
+            bodies.push_back(body);
+            materials.push_back(material);
+        }
+    }
+
+    [[nodiscard]] EdgeMesh build() const
+    {
+        return build_edge_mesh({triangles, positions, normals, bodies, materials});
+    }
+};
+
+Primitive triangles_of(std::vector<glm::vec3> positions, std::vector<uint32_t> indices)
+{
+    Primitive primitive;
+    primitive.positions = std::move(positions);
+    primitive.indices = std::move(indices);
+    return primitive;
+}
+
+/// Sides by the two places they join, found the slow way.
+using Places = std::pair<std::array<float, 3>, std::array<float, 3>>;
+
+Places places_of(const EdgeMesh& mesh, const Soup& soup, uint32_t side)
+{
+    const auto place = [&](uint32_t corner) {
+        const glm::vec3 p = soup.positions[mesh.triangles[side >> 2U][static_cast<int>(corner % 3)]];
+        return std::array{p.x, p.y, p.z};
+    };
+    const auto a = place(side & 3U);
+    const auto b = place((side & 3U) + 1);
+    return {std::min(a, b), std::max(a, b)};
+}
+
+/// Every edge of two triangles joins them, any other joins none.
+void expect_adjacency(const Soup& soup)
+{
+    const EdgeMesh mesh = soup.build();
+    std::map<Places, std::vector<uint32_t>> sides;
+    for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            sides[places_of(mesh, soup, side_of(t, k))].push_back(side_of(t, k));
+        }
+    }
+    size_t wrong = 0;
+    for (const auto& [places, around] : sides) {
+        for (const uint32_t side : around) {
+            const uint32_t beyond = mesh.neighbors[side >> 2U][static_cast<int>(side & 3U)];
+            const uint32_t expected = around.size() != 2  ? no_side
+                                      : around[0] == side ? around[1]
+                                                          : around[0];
+            wrong += beyond != expected ? 1U : 0U;
+        }
+    }
+    EXPECT_EQ(wrong, 0U);
+}
+
+TEST(EdgeMesh, JoinsTrianglesAsASearchDoes)
+{
+    Soup closed;
+    closed.add(shapes::sphere(1.0F, 24, 12), 0); // its seam has every vertex twice
+    closed.add(shapes::torus(2.0F, 0.5F, 24, 12), 1);
+    closed.add(shapes::box({1.0F, 2.0F, 3.0F}), 2);
+    closed.add(shapes::plane(4.0F, 4.0F, 6), 3);
+    // Poles of the sphere have triangles without area, which join nothing.
+    Soup sound;
+    for (size_t t = 0; t < closed.triangles.size(); ++t) {
+        const glm::uvec4& c = closed.triangles[t];
+        if (closed.positions[c.x] != closed.positions[c.y] &&
+            closed.positions[c.y] != closed.positions[c.z] &&
+            closed.positions[c.z] != closed.positions[c.x]) {
+            sound.triangles.push_back(c);
+            sound.bodies.push_back(0);
+            sound.materials.push_back(0);
+        }
+    }
+    sound.positions = closed.positions;
+    sound.normals = closed.normals;
+    expect_adjacency(sound);
+}
+
+TEST(EdgeMesh, JoinsRandomSoupsAsASearchDoes)
+{
+    std::mt19937 random(3);
+    for (int run = 0; run < 200; ++run) {
+        Soup soup;
+        for (uint32_t i = 0; i < 12; ++i) {
+            soup.positions.emplace_back(static_cast<float>(i), static_cast<float>(i * i % 5), 0.0F);
+            soup.normals.emplace_back(0.0F, 0.0F, 1.0F);
+        }
+        std::set<std::set<uint32_t>> used;
+        for (int t = 0; t < 14; ++t) {
+            const glm::uvec3 c(random() % 12, random() % 12, random() % 12);
+            if (c.x != c.y && c.y != c.z && c.z != c.x && used.insert({c.x, c.y, c.z}).second) {
+                soup.triangles.emplace_back(c, 0U);
+                soup.bodies.push_back(0);
+                soup.materials.push_back(0);
+            }
+        }
+        expect_adjacency(soup);
+    }
+}
+
+TEST(EdgeMesh, CountsATriangleThatIsThereTwiceOnce)
+{
+    Soup soup;
+    soup.add(triangles_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0, 1, 2, 1, 3, 2, 2, 1, 0}));
+    const EdgeMesh mesh = soup.build();
+    EXPECT_EQ(mesh.neighbors[0].y, side_of(1, 2));
+    EXPECT_EQ(std::count_if(mesh.features.begin(), mesh.features.end(),
+                            [](const FeatureEdge& f) { return f.kind == FeatureKind::border; }),
+              4);
+}
+
+TEST(EdgeMesh, AnEdgeOfThreeTrianglesJoinsNoneAndIsAFeature)
+{
+    Soup soup;
+    soup.add(
+        triangles_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}, {0, 1, 2, 1, 0, 3, 0, 1, 4}));
+    const EdgeMesh mesh = soup.build();
+    EXPECT_EQ(mesh.neighbors[0].x, no_side);
+    EXPECT_EQ(mesh.neighbors[1].x, no_side);
+    EXPECT_EQ(std::count_if(mesh.features.begin(), mesh.features.end(),
+                            [](const FeatureEdge& f) { return f.fold_deg == 180.0F; }),
+              1);
+}
+
+TEST(EdgeMesh, TurnsAllPiecesToOneSense)
+{
+    Soup soup;
+    Primitive plane = shapes::plane(4.0F, 4.0F, 6);
+    for (size_t t = 0; t < plane.indices.size() / 3; t += 2) {
+        std::swap(plane.indices[3 * t], plane.indices[3 * t + 1]); // every other triangle lies on its face
+    }
+    soup.add(plane);
+    const EdgeMesh mesh = soup.build();
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+        EXPECT_EQ(mesh.neighbors[t].w & neighbor_is_turned, (t % 2 == 0 ? 0U : 1U)) << t;
+    }
+}
+
+TEST(EdgeMesh, BodiesShareNoEdgesAndMaterialsMakeBoundaries)
+{
+    const auto half = [](bool upper) {
+        return upper ? triangles_of({{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2})
+                     : triangles_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2});
+    };
+    Soup apart;
+    apart.add(half(false), 0);
+    apart.add(half(true), 1);
+    EXPECT_EQ(apart.build().neighbors[0].y, no_side);
+    Soup materials;
+    materials.add(half(false), 0, 0);
+    materials.add(half(true), 0, 1);
+    const EdgeMesh mesh = materials.build();
+    EXPECT_EQ(mesh.neighbors[0].y, side_of(1, 2));
+    EXPECT_EQ(std::count_if(mesh.features.begin(), mesh.features.end(),
+                            [](const FeatureEdge& f) { return f.kind == FeatureKind::boundary; }),
+              1);
+}
+
+TEST(EdgeMesh, HardEdgesAreWhereNormalsDiffer)
+{
+    Soup soup;
+    soup.add(shapes::box({1.0F, 1.0F, 1.0F}));
+    const EdgeMesh mesh = soup.build();
+    EXPECT_EQ(mesh.hard_edges.size(), 12U);
+    EXPECT_EQ(mesh.features.size(), 12U);
+    for (const FeatureEdge& feature : mesh.features) {
+        EXPECT_NEAR(feature.fold_deg, 90.0F, 1e-3F);
+        EXPECT_TRUE(feature.is_split);
+    }
+}
+
+FeatureChains strung(const Soup& soup, const FeatureChoice& choice = {})
+{
+    return string_features(soup.build(), soup.positions, choice);
+}
+
+TEST(FeatureChains, ABoxHasTwelveLinesOfOneEdge)
+{
+    Soup soup;
+    soup.add(shapes::box({1.0F, 1.0F, 1.0F}));
+    const FeatureChains chains = strung(soup);
+    ASSERT_EQ(chains.chains.size(), 12U);
+    for (const shared::FeatureChain& chain : chains.chains) {
+        EXPECT_EQ(chain.point_count, 2U);
+    }
+    EXPECT_TRUE(chains.loose_edges.empty());
+    EXPECT_EQ(strung(soup, {.crease_deg = 100.0F}).loose_edges.size(), 12U);
+}
+
+TEST(FeatureChains, RimsAreClosedAndGoOnceAround)
+{
+    Soup soup;
+    soup.add(shapes::cylinder(1.0F, 2.0F, 32));
+    const FeatureChains chains = strung(soup);
+    ASSERT_EQ(chains.chains.size(), 2U);
+    for (const shared::FeatureChain& chain : chains.chains) {
+        EXPECT_EQ(chain.is_closed, 1U);
+        EXPECT_EQ(chain.point_count, 33U);
+        double length = 0.0;
+        for (uint32_t i = chain.first_point; i + 1 < chain.first_point + chain.point_count; ++i) {
+            length += static_cast<double>(glm::distance(soup.positions[chains.points[i].vertex],
+                                                        soup.positions[chains.points[i + 1].vertex]));
+        }
+        EXPECT_NEAR(length, 64.0 * std::sin(3.14159265 / 32.0), 1e-4);
+    }
+}
+
+TEST(FeatureChains, TheBorderOfASheetBreaksAtItsCorners)
+{
+    Soup soup;
+    soup.add(shapes::plane(4.0F, 4.0F, 5));
+    const FeatureChains chains = strung(soup);
+    EXPECT_EQ(chains.chains.size(), 4U);
+    EXPECT_EQ(chains.points.size(), 24U);
+}
+
+TEST(FeatureChains, SmoothShadingHidesGentleFolds)
+{
+    Soup soup;
+    soup.add(shapes::sphere(1.0F, 12, 6)); // folds of 30 degrees, shaded smooth
+    EXPECT_TRUE(strung(soup, {.crease_deg = 20.0F}).chains.empty());
+}
+
+} // namespace
+} // namespace estampe::contour

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include <glm/gtc/packing.hpp>
+
+#include "frame/line_meshes.hpp"
+#include "gpu/imports.hpp"
+#include "support/drawing.hpp"
+#include "support/gpu_device.hpp"
+#include "techniques/contour/chains/scan.hpp"
+
+namespace estampe::test {
+
+contour::ContourInputs Drawing::contour_inputs(gpu::Graph& graph, const Stage& stage)
+{
+    return {.frame = stage.frame,
+            .visibility = stage.visibility,
+            .triangles = stage.triangles,
+            .posed_vertices = stage.posed,
+            .draws = stage.draws,
+            .materials = stage.materials,
+            .draw = stage.surface.draw,
+            .depth = stage.surface.depth,
+            .normal = stage.surface.normal,
+            .coordinate = stage.surface.coordinate,
+            .light = add_light(graph, stage, {.ambient = glm::vec3(1.0F)}).light,
+            .screen_draw = screen::add_no_screen(graph).draw,
+            .pixel_angle = static_cast<float>(pixel_angle_),
+            .size_px = size_px};
+}
+
+std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixels_per_mm,
+                                  contour::LineHistory* history)
+{
+    gpu::Graph graph;
+    const Stage stage = add_surface(graph);
+    contour::ContourInputs inputs = contour_inputs(graph, stage);
+    inputs.pixels_per_mm = pixels_per_mm;
+    frame::LineMeshes meshes;
+    contour::LineMesh* mesh = meshes.provide(shared_device(), layout, style);
+    const gpu::ImageId ink = mesh != nullptr
+                                 ? contour::add_chain_contours(graph, inputs, *mesh, history, style)
+                                 : contour::add_contours(graph, inputs, style);
+    std::vector<float> result;
+    for (const uint32_t packed : run_and_read_as<uint32_t>(graph, ink)) {
+        result.push_back(glm::unpackUnorm4x8(packed).w);
+    }
+    return result;
+}
+
+void Drawing::begin_film_frame(contour::LineHistory& history, bool continues) const
+{
+    history.begin_frame(shared_device(), size_px, continues);
+}
+
+ChainLists Drawing::chains(const contour::ContourStyle& style)
+{
+    ChainLists lists;
+    frame::LineMeshes meshes;
+    contour::LineMesh* mesh = meshes.provide(shared_device(), layout, style);
+    const bool along_edges = style.silhouettes == contour::Silhouettes::edges;
+    const auto read = [&]<class T>(std::vector<T>& list, auto choose) {
+        gpu::Graph graph;
+        const Stage stage = add_surface(graph);
+        const contour::ChainInputs inputs{
+            .frame = stage.frame,
+            .posed_vertices = stage.posed,
+            .visibility = stage.visibility,
+            .neighbors = gpu::import_whole(graph, "line neighbors", mesh->neighbors),
+            .line_triangles = gpu::import_whole(graph, "line triangles", mesh->triangles),
+            .size_px = size_px};
+        const contour::Chains chains = contour::add_chains(graph, inputs, *mesh, along_edges);
+        const auto grid =
+            graph.buffer("grid", contour::list_of(contour::grid_cell_count(size_px), sizeof(glm::uvec2)));
+        const contour::ChainStrokes strokes = contour::add_strokes(graph, inputs, chains, grid);
+        list = run_and_read_as<T>(graph, choose(chains, strokes));
+    };
+    using contour::Chains;
+    using contour::ChainStrokes;
+    read(lists.marks, [](const Chains& c, const ChainStrokes&) { return c.marks; });
+    read(lists.facing, [](const Chains& c, const ChainStrokes&) { return c.facing; });
+    read(lists.sizes, [](const Chains&, const ChainStrokes& s) { return s.sizes; });
+    read(lists.points_before, [](const Chains& c, const ChainStrokes&) { return c.points_before; });
+    read(lists.flags_of_slot, [](const Chains& c, const ChainStrokes&) { return c.flags_of_slot; });
+    read(lists.points, [](const Chains& c, const ChainStrokes&) { return c.points; });
+    read(lists.lengths, [](const Chains& c, const ChainStrokes&) { return c.lengths; });
+    read(lists.lengths_before, [](const Chains&, const ChainStrokes& s) { return s.lengths_before; });
+    read(lists.samples, [](const Chains&, const ChainStrokes& s) { return s.samples; });
+    read(lists.strokes_before, [](const Chains&, const ChainStrokes& s) { return s.strokes_before; });
+    read(lists.strokes, [](const Chains&, const ChainStrokes& s) { return s.strokes; });
+    lists.points.resize(lists.sizes[shared::list_points].count);
+    lists.lengths.resize(lists.points.size());
+    lists.samples.resize(lists.sizes[shared::list_samples].count);
+    lists.strokes.resize(lists.sizes[shared::list_strokes].count);
+    lists.points_before.resize(lists.sizes[shared::list_slots].count + 1);
+    return lists;
+}
+
+} // namespace estampe::test
