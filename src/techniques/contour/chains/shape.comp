@@ -204,7 +204,7 @@ LinePoint shape_of(uint index, Stroke stroke)
         float before = recalls[index].half_width_px;
         before = before >= 0.0 ? before : new_half_width_px;
         float most_change = max(least_change_px, change_share * 0.5 * full);
-        half_width = is_dropped ? 0.0 : clamp(half_width, before - most_change, before + most_change);
+        half_width = clamp(half_width, before - most_change, before + most_change);
     }
     uint previous = index == stroke.first ? index : index - 1u;
     uint next = index == stroke.last ? index : index + 1u;
