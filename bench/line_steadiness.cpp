@@ -179,6 +179,11 @@ void measure(const Options& options)
         lines_before = std::move(lines);
         near_before = std::move(near_lines);
     }
+    for (auto& [name, times] : pass_ms) {
+        if (options.timings) {
+            fmt::print("{:28} {:8.3f} ms x {}\n", name, median(times), times.size() / options.frames);
+        }
+    }
     const double mean =
         std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
     fmt::print(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread turns one inked word into a pixel of the layer.
+// One workgroup turns one tile of inked words into pixels of the layer, which is blank elsewhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -17,7 +17,11 @@ layout(scalar, binding = 0) readonly buffer Inked
 #define MATERIAL_TEXELS_BINDING 1
 #include "shaders/material_texels.glsl"
 
-layout(binding = 2, rgba8) writeonly uniform image2D out_ink; // square root of linear colour; coverage
+#define INK_TILES_BINDING 2
+#define INK_TILES_ACCESS readonly
+#include "techniques/contour/chains/ink_tiles.glsl"
+
+layout(binding = 3, rgba8) writeonly uniform image2D out_ink; // square root of linear colour; coverage
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -30,7 +34,9 @@ const bool has_own_outlines = (variant & 1u) != 0u;
 
 void main()
 {
-    uvec2 pixel = gl_GlobalInvocationID.xy;
+    uint columns = (constants.width + 7u) / 8u;
+    uint tile = ink_tiles[gl_WorkGroupID.x].tile;
+    uvec2 pixel = 8u * uvec2(tile % columns, tile / columns) + gl_LocalInvocationID.xy;
     if (pixel.x >= constants.width || pixel.y >= constants.height) {
         return;
     }

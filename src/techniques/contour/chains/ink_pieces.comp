@@ -29,6 +29,10 @@ layout(scalar, binding = 3) buffer Inked
     uint inked[]; // coverage above, ink below
 };
 
+#define INK_TILES_BINDING 4
+#define INK_TILES_ACCESS
+#include "techniques/contour/chains/ink_tiles.glsl"
+
 layout(push_constant, scalar) uniform Constants
 {
     InkConstants constants;
@@ -40,6 +44,23 @@ const float widest_px = 96.0; // half width
 float coverage(float half_width, float distance)
 {
     return clamp(max(half_width, 0.5) + 0.5 - distance, 0.0, 1.0) * min(half_width / 0.5, 1.0);
+}
+
+// Lists the tiles of a rectangle of pixels.
+void list_tiles(ivec2 low, ivec2 high)
+{
+    uint columns = (constants.width + 7u) / 8u;
+    if (any(greaterThanEqual(low, high))) {
+        return;
+    }
+    for (int y = low.y / 8; y <= (high.y - 1) / 8; ++y) {
+        for (int x = low.x / 8; x <= (high.x - 1) / 8; ++x) {
+            uint tile = uint(y) * columns + uint(x);
+            if (atomicExchange(ink_tiles[tile].is_listed, 1u) == 0u) {
+                ink_tiles[atomicAdd(tile_count, 1u)].tile = tile;
+            }
+        }
+    }
 }
 
 void main()
@@ -54,6 +75,7 @@ void main()
     vec2 size = vec2(constants.width, constants.height);
     ivec2 low = ivec2(clamp(floor(min(a.page_px, b.page_px) - reach), vec2(0.0), size));
     ivec2 high = ivec2(clamp(ceil(max(a.page_px, b.page_px) + reach), vec2(0.0), size));
+    list_tiles(low, high);
     vec2 way = b.page_px - a.page_px;
     float inverse = 1.0 / max(dot(way, way), 1e-12);
     for (int y = low.y; y < high.y; ++y) {

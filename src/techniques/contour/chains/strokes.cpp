@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
 #include "shaders/clear_grid_comp.hpp"
-#include "shaders/clear_ink_comp.hpp"
 #include "shaders/divide_comp.hpp"
 #include "shaders/drop_comp.hpp"
 #include "shaders/elect_comp.hpp"
@@ -30,18 +30,65 @@ shared::ScanConstants scan_of(uint32_t values_of, uint32_t total_to, uint32_t ca
             .slots_before = shared::no_list};
 }
 
-gpu::BufferId add_ink(gpu::Graph& graph, const ChainStrokes& strokes, gpu::BufferId line_points,
-                      const shared::InkConstants& constants)
+/// What lines have inked.
+struct Inked {
+    gpu::BufferId pixels; ///< a word each
+    gpu::BufferId tiles;  ///< see ink_tiles.glsl
+};
+
+/// A buffer of zeros, behind the arguments of a dispatch of no workgroups if it `starts_with_groups`.
+gpu::BufferId add_zeros(gpu::Graph& graph, const char* name, uint64_t size_bytes, bool starts_with_groups)
 {
-    const uint32_t quads = (constants.width * constants.height + 3) / 4;
-    auto clear = graph.compute("contour/clear ink", shaders::clear_ink_comp);
-    const gpu::BufferId blank = clear.write(graph.buffer("contour/inked", {.size_bytes = 16ULL * quads}));
-    clear.push(quads).dispatch_items(quads);
+    auto clear = graph.custom(name);
+    const gpu::BufferId zeros =
+        clear.touch_write(graph.buffer(name, {.size_bytes = size_bytes}), gpu::Access::transfer_write);
+    clear.execute([=](gpu::Recorder& recorder) {
+        const auto fill = [&](uint64_t from, uint64_t to, uint32_t word) {
+            vkCmdFillBuffer(recorder.commands(), recorder.buffer(zeros).handle(), from, to - from, word);
+        };
+        fill(0, 4, 0);
+        fill(4, 12, starts_with_groups ? 1 : 0);
+        fill(12, size_bytes, 0);
+    });
+    return zeros;
+}
+
+Inked add_ink(gpu::Graph& graph, const ChainStrokes& strokes, gpu::BufferId line_points,
+              const shared::InkConstants& constants)
+{
+    const uint64_t tiles = uint64_t{(constants.width + 7) / 8} * ((constants.height + 7) / 8);
+    const gpu::BufferId blank =
+        add_zeros(graph, "contour/inked", sizeof(uint32_t) * constants.width * constants.height + 16, false);
+    const gpu::BufferId no_tiles = add_zeros(graph, "contour/ink tiles", 16 + 8 * tiles, true);
     auto ink = graph.compute("contour/ink pieces", shaders::ink_pieces_comp);
     ink.read(strokes.sizes).read(strokes.samples).read(line_points);
     const gpu::BufferId inked = ink.modify(blank);
+    const gpu::BufferId listed = ink.modify(no_tiles);
     ink.push(constants).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
-    return inked;
+    return {inked, listed};
+}
+
+/// The layer, blank where no line runs.
+gpu::ImageId add_layer(gpu::Graph& graph, const ContourInputs& in, const Inked& inked,
+                       const shared::InkConstants& constants)
+{
+    auto clear = graph.custom("contour/blank layer");
+    const gpu::ImageId blank = clear.touch_write(
+        graph.image("contour/ink",
+                    {.width = constants.width, .height = constants.height, .format = gpu::Format::rgba8}),
+        gpu::Access::transfer_write);
+    clear.execute([blank, color = glm::sqrt(constants.ink_color)](gpu::Recorder& recorder) {
+        const VkClearColorValue paper{.float32 = {color.x, color.y, color.z, 0.0F}};
+        const VkImageSubresourceRange whole{
+            .aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .levelCount = 1, .layerCount = 1};
+        vkCmdClearColorImage(recorder.commands(), recorder.image(blank).handle(),
+                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &paper, 1, &whole);
+    });
+    auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
+    layer.read(inked.pixels).sample(in.materials).read(inked.tiles).variant(in.own_outlines ? 1U : 0U);
+    const gpu::ImageId ink = layer.modify(blank);
+    layer.push(constants).dispatch_indirect(inked.tiles);
+    return ink;
 }
 
 /// Enters samples into the grid, drops what runs beside a longer stroke, and asks of the ends of each stroke
@@ -225,13 +272,7 @@ gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, Line
 
     const shared::InkConstants constants{
         .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};
-    const gpu::BufferId inked = add_ink(graph, strokes, line_points, constants);
-    auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
-    layer.read(inked).sample(in.materials).variant(in.own_outlines ? 1U : 0U);
-    const gpu::ImageId ink = layer.write(graph.image(
-        "contour/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba8}));
-    layer.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
-    return ink;
+    return add_layer(graph, in, add_ink(graph, strokes, line_points, constants), constants);
 }
 
 } // namespace estampe::contour
