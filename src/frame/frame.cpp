@@ -233,6 +233,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
         style.hatch);
 
     // Contour: lines where surfaces end, meet or fold.
+    const bool has_chains = resources.line_mesh != nullptr;
     const contour::ContourInputs contour_inputs{.frame = frame,
                                                 .visibility = visibility,
                                                 .triangles = triangles,
@@ -246,16 +247,20 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                                 .coordinate = surface.coordinate,
                                                 .light = light,
                                                 .screen_draw = screen.draw,
-                                                .has_screen = has_screen,
+                                                .has_screen = has_screen && !has_chains,
+                                                .only_cut = has_chains,
                                                 .pixels_per_mm = plan.pixels_per_mm,
                                                 .pixel_angle = plan.pixel_angle,
                                                 .size_px = size_px};
+    const std::optional<gpu::ImageId> page_lines =
+        !has_chains || layout.masked.count > 0
+            ? std::optional(contour::add_contours(graph, contour_inputs, style.contour))
+            : std::nullopt;
     const gpu::ImageId lines =
-        resources.line_mesh != nullptr
-            ? contour::add_chain_contours(graph, contour_inputs, *resources.line_mesh,
-                                          plan.remembers_lines ? &resources.line_history : nullptr,
-                                          style.contour)
-            : contour::add_contours(graph, contour_inputs, style.contour);
+        has_chains ? contour::add_chain_contours(graph, contour_inputs, *resources.line_mesh,
+                                                 plan.remembers_lines ? &resources.line_history : nullptr,
+                                                 style.contour, page_lines)
+                   : *page_lines;
 
     // Bleed: ink of strokes and lines runs together.
     const auto ink = bleed::add_bleed(

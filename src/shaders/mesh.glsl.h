@@ -60,6 +60,7 @@ inline constexpr uint draw_has_uv = 1U;
 inline constexpr uint draw_follows_uv = 2U; // its UVs can carry strokes
 inline constexpr uint draw_mirrored = 4U;   // its place turns it inside out
 inline constexpr uint draw_unshadowed = 8U; // receives no shadow
+inline constexpr uint draw_is_cut = 16U;    // by its material's alpha: it does not end where its edges are
 
 // A triangle's fourth number: the draw, and two flags that the rasteriser needs at once.
 inline constexpr uint triangle_mirrored = 1U << 31U;
@@ -71,6 +72,7 @@ inline constexpr uint triangle_draw_mask = (1U << 28U) - 1U;
 #define DRAW_RECORD_HAS_UV 1u
 #define DRAW_RECORD_FOLLOWS_UV 2u
 #define DRAW_RECORD_UNSHADOWED 8u
+#define DRAW_RECORD_IS_CUT 16u
 #define TRIANGLE_MIRRORED (1u << 31)
 #define TRIANGLE_TWO_SIDED (1u << 30)
 #define TRIANGLE_DRAW_MASK ((1u << 28) - 1u)

@@ -33,7 +33,7 @@ Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& 
 
     auto detect = graph.compute("contour/edges", shaders::edges_comp);
     detect.uniform(in.frame).sample(in.draws).sample(in.draw).sample(in.depth).sample(in.normal);
-    detect.sample(in.screen_draw).variant(in.has_screen ? 1U : 0U);
+    detect.sample(in.screen_draw).variant((in.has_screen ? 1U : 0U) | (in.only_cut ? 2U : 0U));
     const gpu::BufferId count = detect.modify(none);
     const gpu::BufferId edges =
         detect.write(graph.buffer("contour/edges", {.size_bytes = capacity * sizeof(shared::EdgePixel)}));

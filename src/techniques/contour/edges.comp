@@ -42,9 +42,10 @@ layout(push_constant, scalar) uniform Constants
     EdgeConstants constants;
 };
 
-// Bit 0: there are see-through surfaces.
+// Bit 0: there are see-through surfaces. Bit 1: only what a texture's alpha cuts has lines.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_screen = (variant & 1u) != 0u;
+const bool only_cut = (variant & 2u) != 0u;
 
 ivec2 on_page(ivec2 pixel)
 {
@@ -97,9 +98,14 @@ float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
     return is_crease ? constants.crease_px : 0.0;
 }
 
+bool is_cut(uint word)
+{
+    return sees_draw(word) && (draw_links_at(draw_of(word)).flags & DRAW_RECORD_IS_CUT) != 0u;
+}
+
 float line_width(Seen a, Seen b, ivec2 before, ivec2 after)
 {
-    if (is_paper(a.word) && is_paper(b.word)) {
+    if ((is_paper(a.word) && is_paper(b.word)) || (only_cut && !is_cut(a.word) && !is_cut(b.word))) {
         return 0.0;
     }
     return sees_draw(a.word) && sees_draw(b.word) ? line_within_scene(a, b, before, after)

@@ -159,6 +159,9 @@ private:
                 draw.object = node_index;
                 draw.flags = (uploaded.follows_uv ? shared::draw_follows_uv : 0U) |
                              (primitive.uvs[0].empty() ? 0U : shared::draw_has_uv);
+                draw.flags |= scene_.materials[primitive.material].alpha_mode == AlphaMode::mask
+                                  ? shared::draw_is_cut
+                                  : 0U;
                 link(draw, node.links, scene_.materials[primitive.material].links);
                 data_.sources.push_back(
                     {.node = node_index,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "gpu/graph/graph.hpp"
 #include "techniques/contour/chains/line_history.hpp"
 #include "techniques/contour/chains/line_mesh.hpp"
@@ -56,8 +58,10 @@ struct ChainInputs {
                                        gpu::BufferId grid);
 
 /// Draws chains as strokes into an ink layer: the choice beside add_contours(). With a `history`, strokes go
-/// on from the frame it holds and are remembered for the next; it must outlive the graph's run.
+/// on from the frame it holds and are remembered for the next; it must outlive the graph's run. `under` is an
+/// ink layer to draw over.
 [[nodiscard]] gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
-                                              LineHistory* history, const ContourStyle& style);
+                                              LineHistory* history, const ContourStyle& style,
+                                              std::optional<gpu::ImageId> under = std::nullopt);
 
 } // namespace estampe::contour

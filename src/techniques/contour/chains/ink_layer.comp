@@ -21,7 +21,7 @@ layout(scalar, binding = 0) readonly buffer Inked
 #define INK_TILES_ACCESS readonly
 #include "techniques/contour/chains/ink_tiles.glsl"
 
-layout(binding = 3, rgba8) writeonly uniform image2D out_ink; // square root of linear colour; coverage
+layout(binding = 3, rgba8) uniform image2D ink_image; // square root of linear colour; coverage
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -46,5 +46,8 @@ void main()
     if (has_own_outlines && ink != 0u) {
         color = outline_color_of(ink - 1u);
     }
-    imageStore(out_ink, ivec2(pixel), vec4(sqrt(color), float(word >> 16) / 65535.0));
+    // Where other lines are, the darker ink stands.
+    vec4 ink_before = imageLoad(ink_image, ivec2(pixel));
+    float coverage = float(word >> 16) / 65535.0;
+    imageStore(ink_image, ivec2(pixel), coverage >= ink_before.a ? vec4(sqrt(color), coverage) : ink_before);
 }

@@ -68,9 +68,7 @@ Inked add_ink(gpu::Graph& graph, const ChainStrokes& strokes, gpu::BufferId line
     return {inked, listed};
 }
 
-/// The layer, blank where no line runs.
-gpu::ImageId add_layer(gpu::Graph& graph, const ContourInputs& in, const Inked& inked,
-                       const shared::InkConstants& constants)
+gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants)
 {
     auto clear = graph.custom("contour/blank layer");
     const gpu::ImageId blank = clear.touch_write(
@@ -84,11 +82,7 @@ gpu::ImageId add_layer(gpu::Graph& graph, const ContourInputs& in, const Inked& 
         vkCmdClearColorImage(recorder.commands(), recorder.image(blank).handle(),
                              VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &paper, 1, &whole);
     });
-    auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
-    layer.read(inked.pixels).sample(in.materials).read(inked.tiles).variant(in.own_outlines ? 1U : 0U);
-    const gpu::ImageId ink = layer.modify(blank);
-    layer.push(constants).dispatch_indirect(inked.tiles);
-    return ink;
+    return blank;
 }
 
 /// Enters samples into the grid, drops what runs beside a longer stroke, and asks of the ends of each stroke
@@ -254,7 +248,8 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains&
 }
 
 gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
-                                LineHistory* history, const ContourStyle& style)
+                                LineHistory* history, const ContourStyle& style,
+                                std::optional<gpu::ImageId> under)
 {
     const ChainInputs lines{.frame = in.frame,
                             .posed_vertices = in.posed_vertices,
@@ -272,7 +267,12 @@ gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, Line
 
     const shared::InkConstants constants{
         .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};
-    return add_layer(graph, in, add_ink(graph, strokes, line_points, constants), constants);
+    const Inked inked = add_ink(graph, strokes, line_points, constants);
+    auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
+    layer.read(inked.pixels).sample(in.materials).read(inked.tiles).variant(in.own_outlines ? 1U : 0U);
+    const gpu::ImageId ink = layer.modify(under ? *under : add_blank_layer(graph, constants));
+    layer.push(constants).dispatch_indirect(inked.tiles);
+    return ink;
 }
 
 } // namespace estampe::contour
