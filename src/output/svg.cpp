@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include <estampe/vector_drawing.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <span>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "core/file.hpp"
+#include "output/stroke_shape.hpp"
+
+namespace estampe {
+namespace {
+
+using output::number;
+
+constexpr size_t kind_count = 5;
+constexpr const char* hidden_dashes_mm = "1.2,0.9";
+
+std::string color_text(const glm::vec3& srgb)
+{
+    const auto byte = [](float value) { return std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)); };
+    return fmt::format("#{:02x}{:02x}{:02x}", byte(srgb.x), byte(srgb.y), byte(srgb.z));
+}
+
+/// Length of the UTF-8 sequence that starts at `i`; 0 where none does.
+size_t sequence_length(const std::string& text, size_t i)
+{
+    const auto first = static_cast<unsigned char>(text[i]);
+    const size_t length = first < 0x80                    ? 1
+                          : first >= 0xc2 && first < 0xe0 ? 2
+                          : first >= 0xe0 && first < 0xf0 ? 3
+                          : first >= 0xf0 && first < 0xf5 ? 4
+                                                          : 0;
+    for (size_t k = 1; k < length; ++k) {
+        if (i + k >= text.size() || (static_cast<unsigned char>(text[i + k]) & 0xc0U) != 0x80) {
+            return 0;
+        }
+    }
+    return length;
+}
+
+/// Text between quotes: what XML would take for its own is written out, what it cannot hold becomes a space
+/// or a question mark.
+std::string escaped(const std::string& text)
+{
+    static const std::map<char, std::string> own{
+        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
+    std::string result;
+    result.reserve(text.size());
+    for (size_t i = 0; i < text.size();) {
+        const size_t length = sequence_length(text, i);
+        const auto written = own.find(text[i]);
+        if (length == 0) {
+            result += '?';
+        } else if (written != own.end()) {
+            result += written->second;
+        } else if (static_cast<unsigned char>(text[i]) < 0x20) {
+            result += ' ';
+        } else {
+            result += text.substr(i, length);
+        }
+        i += std::max<size_t>(length, 1);
+    }
+    return result;
+}
+
+/// Names that may stand as ids: letters and digits, none given twice.
+class Ids {
+public:
+    std::string make(const std::string& name)
+    {
+        std::string id;
+        for (const char c : name) {
+            const bool is_plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+                                  (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
+            id += is_plain ? c : '_';
+        }
+        std::string free = id;
+        for (int i = 2; !taken_.insert(free).second; ++i) {
+            free = fmt::format("{}-{}", id, i);
+        }
+        return free;
+    }
+
+private:
+    std::set<std::string> taken_;
+};
+
+std::string head(const VectorDrawing& drawing, bool has_paper)
+{
+    const std::string width = number(drawing.width_mm);
+    const std::string height = number(drawing.height_mm);
+    std::string text =
+        fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"\n"
+                    "     xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
+                    "     width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
+                    width, height);
+    if (has_paper) {
+        text += fmt::format("<rect id=\"paper\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", width, height,
+                            color_text(drawing.paper_srgb));
+    }
+    return text;
+}
+
+std::string layer_start(const std::string& id, const std::string& label, const std::string& more)
+{
+    return fmt::format("<g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"{}\"{}>\n", id,
+                       escaped(label), more);
+}
+
+constexpr const char* round_lines = " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
+
+std::string path_of(const VectorDrawing& drawing, const VectorStroke& stroke, float tolerance_mm)
+{
+    const std::string ink = color_text(drawing.inks_srgb.at(stroke.ink));
+    if (stroke.is_hidden || output::has_one_width(stroke, tolerance_mm)) {
+        return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\"/>\n",
+                           output::center_path(stroke, tolerance_mm), ink,
+                           number(output::mean_width_mm(stroke)));
+    }
+    return fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", output::area_path(stroke, tolerance_mm), ink);
+}
+
+/// Layers by kind, those of hidden lines below; in each a group for every object.
+std::string layers_by_kind(const VectorDrawing& drawing, float tolerance_mm)
+{
+    using Key = std::tuple<bool, StrokeKind, uint32_t>; // seen, kind, object
+    std::map<Key, std::vector<const VectorStroke*>> groups;
+    for (const VectorStroke& stroke : drawing.strokes) {
+        groups[{!stroke.is_hidden, stroke.kind, stroke.object}].push_back(&stroke);
+    }
+    Ids ids;
+    std::string text;
+    bool is_open = false;
+    const Key* before = nullptr;
+    for (const auto& [key, strokes] : groups) {
+        const auto& [is_seen, kind, object] = key;
+        const std::string label = fmt::format("{}{}", is_seen ? "" : "hidden ", name_of(kind));
+        if (before == nullptr || std::get<0>(*before) != is_seen || std::get<1>(*before) != kind) {
+            text += is_open ? "</g>\n" : "";
+            text += layer_start(
+                ids.make(label), label,
+                round_lines +
+                    (is_seen ? std::string() : fmt::format(" stroke-dasharray=\"{}\"", hidden_dashes_mm)));
+            is_open = true;
+        }
+        before = &key;
+        const std::string& name = drawing.objects.at(object);
+        text += fmt::format("<g id=\"{}\" inkscape:label=\"{}\">\n",
+                            ids.make(fmt::format("{}-{}", label, name)), escaped(name));
+        for (const VectorStroke* stroke : strokes) {
+            text += path_of(drawing, *stroke, tolerance_mm);
+        }
+        text += "</g>\n";
+    }
+    return text + (is_open ? "</g>\n" : "");
+}
+
+/// A layer for each pen, its strokes in the order of the drawing. Numbers lead the labels, as programs that
+/// drive plotters want them.
+std::string layers_by_pen(const VectorDrawing& drawing, float tolerance_mm)
+{
+    std::vector<std::vector<const VectorStroke*>> pens(drawing.inks_srgb.size());
+    for (const VectorStroke& stroke : drawing.strokes) {
+        pens.at(stroke.ink).push_back(&stroke);
+    }
+    std::string text;
+    for (size_t i = 0; i < pens.size(); ++i) {
+        if (pens[i].empty()) {
+            continue;
+        }
+        const std::string ink = color_text(drawing.inks_srgb[i]);
+        const std::string width = number(
+            drawing.hatch_width_mm > 0.0F ? drawing.hatch_width_mm : output::mean_width_mm(*pens[i].front()));
+        text += layer_start(fmt::format("pen-{}", i + 1), fmt::format("{} pen {}", i + 1, ink),
+                            fmt::format("{} stroke=\"{}\" stroke-width=\"{}\"", round_lines, ink, width));
+        for (const VectorStroke* stroke : pens[i]) {
+            text += fmt::format("<path d=\"{}\"/>\n", output::center_path(*stroke, tolerance_mm));
+        }
+        text += "</g>\n";
+    }
+    return text;
+}
+
+} // namespace
+
+const char* name_of(StrokeKind kind)
+{
+    constexpr std::array<const char*, kind_count> names{"hatch", "crease", "boundary", "border", "outline"};
+    return names.at(static_cast<size_t>(kind));
+}
+
+void save_svg(const VectorDrawing& drawing, const std::filesystem::path& path, const SvgSettings& settings)
+{
+    if (!(drawing.width_mm > 0.0F && drawing.height_mm > 0.0F)) {
+        throw Error("a drawing without a size cannot be written", path.string());
+    }
+    const std::string text = head(drawing, !settings.is_for_plotter) +
+                             (settings.is_for_plotter ? layers_by_pen(drawing, settings.tolerance_mm)
+                                                      : layers_by_kind(drawing, settings.tolerance_mm)) +
+                             "</svg>\n";
+    write_file_atomically(path, std::as_bytes(std::span(text)));
+}
+
+} // namespace estampe
