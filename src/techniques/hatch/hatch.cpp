@@ -13,6 +13,7 @@
 #include "shaders/overrun_comp.hpp"
 #include "shaders/tiles_reset_comp.hpp"
 #include "techniques/hatch/hatch.glsl.h"
+#include "techniques/hatch/line_pass.hpp"
 
 namespace estampe::hatch {
 namespace {
@@ -42,9 +43,15 @@ gpu::ImageId ink_image(gpu::Graph& graph, glm::uvec2 size_px)
     return graph.image("hatch/ink", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r16f});
 }
 
-/// For each pixel the nearest one with strokes, as far as they run over.
-gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness, float overrun_px)
+} // namespace
+
+gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
+                         const HatchStyle& style)
 {
+    const float overrun_px = style.overrun_mm * in.pixels_per_mm;
+    if (overrun_px <= 0.0F) {
+        return in.draw;
+    }
     auto step_px = static_cast<int32_t>(std::bit_ceil(static_cast<uint32_t>(std::ceil(overrun_px))));
     gpu::ImageId source = in.draw;
     for (bool is_first = true; step_px > 0; step_px /= 2, is_first = false) {
@@ -59,7 +66,33 @@ gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId 
     return source;
 }
 
-} // namespace
+shared::LineConstants line_constants(const HatchInputs& in, const HatchStyle& style)
+{
+    const float wind = glm::radians(style.wind_deg);
+    return {.size_px = in.size_px,
+            .width_px = style.width_mm * in.pixels_per_mm,
+            .wobble_px = style.wobble_mm * in.pixels_per_mm,
+            .gap_px = style.gap_mm * in.pixels_per_mm,
+            .taper_px = style.taper_mm * in.pixels_per_mm,
+            .cell_px = style.length_mm * in.pixels_per_mm,
+            .pressure = style.pressure,
+            .growth = style.growth,
+            .black_above = style.drawn ? style.black_above : 2.0F,
+            .layers = style.drawn ? static_cast<uint32_t>(style.layers) : 0U,
+            .seed = static_cast<uint32_t>(style.seed),
+            .flat_axis_0 = turned(style.slant_deg),
+            .flat_axis_1 = turned(style.slant_deg + 62.0F),
+            .flat_axis_2 = turned(style.slant_deg - 41.0F),
+            .wind = {glm::sin(wind), glm::cos(wind)},
+            .towards_light = in.towards_light,
+            .overrun_px = style.overrun_mm * in.pixels_per_mm};
+}
+
+uint32_t line_variant(const HatchInputs& in, const HatchStyle& style)
+{
+    return (style.growth > 0.0F ? 1U : 0U) | (style.overrun_mm > 0.0F ? 2U : 0U) |
+           (in.strongest_light ? 8U : 0U) | in.strokes_present << 8U;
+}
 
 MapInputs import_map(gpu::Graph& graph, MapImages& map)
 {
@@ -91,36 +124,15 @@ Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle
 gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                        const HatchStyle& style)
 {
-    const float overrun_px = style.overrun_mm * in.pixels_per_mm;
-    const gpu::ImageId source =
-        overrun_px > 0.0F ? add_overrun(graph, in, darkness.image, overrun_px) : in.draw;
+    const gpu::ImageId source = add_overrun(graph, in, darkness.image, style);
     const glm::uvec2 tiles = (in.size_px + tile_px - 1U) / tile_px;
-    const bool all_tiles = overrun_px > 0.0F || tiles.x * tiles.y > most_listed_tiles;
+    const bool all_tiles = style.overrun_mm > 0.0F || tiles.x * tiles.y > most_listed_tiles;
     auto pass = graph.compute("hatch/lines", shaders::lines_comp);
     pass.sample(darkness.image).sample(in.draw).sample(in.normal).sample(in.coordinate).sample(in.footprint);
     pass.sample(source).sample(in.strongest_light.value_or(in.draw));
     pass.sample(darkness.tiles, gpu::Format::rg32ui);
     const gpu::ImageId ink = pass.modify(darkness.blank);
-    pass.variant((style.growth > 0.0F ? 1U : 0U) | (overrun_px > 0.0F ? 2U : 0U) | (all_tiles ? 4U : 0U) |
-                 (in.strongest_light ? 8U : 0U) | in.strokes_present << 8U);
-    const float wind = glm::radians(style.wind_deg);
-    pass.push(shared::LineConstants{.size_px = in.size_px,
-                                    .width_px = style.width_mm * in.pixels_per_mm,
-                                    .wobble_px = style.wobble_mm * in.pixels_per_mm,
-                                    .gap_px = style.gap_mm * in.pixels_per_mm,
-                                    .taper_px = style.taper_mm * in.pixels_per_mm,
-                                    .cell_px = style.length_mm * in.pixels_per_mm,
-                                    .pressure = style.pressure,
-                                    .growth = style.growth,
-                                    .black_above = style.drawn ? style.black_above : 2.0F,
-                                    .layers = style.drawn ? static_cast<uint32_t>(style.layers) : 0U,
-                                    .seed = static_cast<uint32_t>(style.seed),
-                                    .flat_axis_0 = turned(style.slant_deg),
-                                    .flat_axis_1 = turned(style.slant_deg + 62.0F),
-                                    .flat_axis_2 = turned(style.slant_deg - 41.0F),
-                                    .wind = {glm::sin(wind), glm::cos(wind)},
-                                    .towards_light = in.towards_light,
-                                    .overrun_px = overrun_px});
+    pass.variant(line_variant(in, style) | (all_tiles ? 4U : 0U)).push(line_constants(in, style));
     if (all_tiles) {
         pass.dispatch_over(in.size_px.x, in.size_px.y);
     } else {
@@ -132,7 +144,7 @@ gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness&
 gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness, const HatchStyle& style)
 {
     const float overrun_px = style.overrun_mm * in.pixels_per_mm;
-    const gpu::ImageId source = overrun_px > 0.0F ? add_overrun(graph, in, darkness, overrun_px) : in.draw;
+    const gpu::ImageId source = add_overrun(graph, in, darkness, style);
     auto pass = graph.compute("hatch/map", shaders::map_comp);
     pass.sample(darkness).sample(in.draw).sample(in.coordinate).sample(in.footprint);
     pass.sample(in.map->tones, gpu::Sampling::linear_repeat);

@@ -28,9 +28,17 @@ struct ChainStrokes {
     gpu::BufferId sizes;
     gpu::BufferId lengths_before; ///< each point of the chains
     gpu::BufferId samples;        ///< LineSample; closed chains cut open
+    gpu::BufferId samples_before; ///< each slot
     gpu::BufferId strokes_before; ///< each sample
     gpu::BufferId strokes;        ///< Stroke
     gpu::BufferId grid;           ///< where on the page samples are
+};
+
+/// Strokes with the way and the width of the pen.
+struct ShapedStrokes {
+    ChainStrokes strokes;
+    gpu::BufferId facing;      ///< as in Chains
+    gpu::BufferId line_points; ///< LinePoint, two a sample: as its piece starts, as the piece before it ends
 };
 
 /// What strings lines together reads of the frame.
@@ -57,9 +65,13 @@ struct ChainInputs {
 [[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains& chains,
                                        gpu::BufferId grid);
 
-/// Draws chains as strokes into an ink layer: the choice beside add_contours(). With a `history`, strokes go
-/// on from the frame it holds and are remembered for the next; it must outlive the graph's run. `under` is an
-/// ink layer to draw over.
+/// Strings lines together and shapes their strokes: all that comes before the ink. With a `history`, strokes
+/// go on from the frame it holds and are remembered for the next; it must outlive the graph's run.
+[[nodiscard]] ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
+                                               LineHistory* history, const ContourStyle& style);
+
+/// Draws chains as strokes into an ink layer: the choice beside add_contours(). For `history` see
+/// add_shaped_strokes(); `under` is an ink layer to draw over.
 [[nodiscard]] gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
                                               LineHistory* history, const ContourStyle& style,
                                               std::optional<gpu::ImageId> under = std::nullopt);

@@ -241,15 +241,15 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains&
                      {.sizes = started.sizes,
                       .lengths_before = lengths.before,
                       .samples = cut,
+                      .samples_before = divided.before,
                       .strokes_before = started.before,
                       .strokes = strokes,
                       .grid = grid},
                      in.size_px);
 }
 
-gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
-                                LineHistory* history, const ContourStyle& style,
-                                std::optional<gpu::ImageId> under)
+ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
+                                 LineHistory* history, const ContourStyle& style)
 {
     const ChainInputs lines{.frame = in.frame,
                             .posed_vertices = in.posed_vertices,
@@ -264,10 +264,17 @@ gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, Line
             : graph.buffer("contour/grid", list_of(grid_cell_count(in.size_px), sizeof(glm::uvec2)));
     ChainStrokes strokes = add_strokes(graph, lines, chains, grid);
     const gpu::BufferId line_points = add_shape(graph, in, lines, chains, strokes, history, style);
+    return {.strokes = strokes, .facing = chains.facing, .line_points = line_points};
+}
 
+gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
+                                LineHistory* history, const ContourStyle& style,
+                                std::optional<gpu::ImageId> under)
+{
+    const ShapedStrokes shaped = add_shaped_strokes(graph, in, mesh, history, style);
     const shared::InkConstants constants{
         .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};
-    const Inked inked = add_ink(graph, strokes, line_points, constants);
+    const Inked inked = add_ink(graph, shaped.strokes, shaped.line_points, constants);
     auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
     layer.read(inked.pixels).sample(in.materials).read(inked.tiles).variant(in.own_outlines ? 1U : 0U);
     const gpu::ImageId ink = layer.modify(under ? *under : add_blank_layer(graph, constants));

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_LINE_FAMILIES
+#define ESTAMPE_LINE_FAMILIES
+
+// The families of strokes that cross at a pixel. Wanted before: `constants`, LineConstants as push constants.
+
+// Bit 0: newborn strokes grow in length. Bit 1: strokes run over silhouettes. Bit 2: there is a workgroup for
+// every tile, blank or not. Bit 3: strokes along the light follow the local one that rules. From bit 8: a bit
+// for each kind of stroke that is there, see shaders/stroke_kind.glsl.h.
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_growth = (variant & 1u) != 0u;
+const bool has_overrun = (variant & 2u) != 0u;
+const bool has_all_tiles = (variant & 4u) != 0u;
+const bool has_local_light = (variant & 8u) != 0u;
+const uint kinds = variant >> 8;
+const uint directed_kinds = 1u << STROKES_HEIGHT | 1u << STROKES_WIND | 1u << STROKES_LIGHT;
+const uint flat_kinds = 1u << STROKES_UV | 1u << STROKES_FORM | 1u << STROKES_PAGE;
+const bool has_form = (kinds & (1u << STROKES_FORM)) != 0u;
+const bool has_flat = (kinds & flat_kinds) != 0u;
+const bool has_directions = (kinds & directed_kinds) != 0u;
+const bool has_slices = (kinds & (directed_kinds | 1u << STROKES_SOLID)) != 0u;
+
+// Where the light of the pixel in hand comes from.
+vec3 towards_light = vec3(0.0, 1.0, 0.0);
+
+// A local light's direction changes from place to place, but planes must stay put: the nearest of 26
+// directions stands for it, so that the page falls into patches of straight strokes, as by hand.
+vec3 settled(vec3 direction)
+{
+    vec3 largest = vec3(max(abs(direction.x), max(abs(direction.y), abs(direction.z))));
+    return normalize(round(direction / largest));
+}
+
+// By what the light pass says of the strongest local light; 0 for none.
+vec3 towards_light_of(uint strongest)
+{
+    return strongest != 0u ? settled(unpack_normal(strongest)) : constants.towards_light;
+}
+
+StrokeAxes stroke_axes()
+{
+    return StrokeAxes(constants.flat_axis_0, constants.flat_axis_1, constants.flat_axis_2, constants.wind,
+                      towards_light, has_directions);
+}
+
+bool lies_flat(uint kind)
+{
+    return has_flat && (!has_slices || is_flat(kind));
+}
+
+// Families of strokes, two a layer, and what each has to draw. The shares are such that what the families
+// leave white multiplies to what the darkness leaves white. Of a layer the family with more to draw comes
+// first; where it draws all, the other is left out.
+struct Families {
+    uint layer;
+    bool is_second;
+    float remaining; // darkness that this layer and those to come have to draw
+};
+
+// What a layer draws of the darkness that is left to do; the last one draws all of it.
+float layer_share(uint layer, float remaining)
+{
+    return layer + 1u >= constants.layers ? remaining : min(remaining, layer == 0u ? 0.46 : 0.50);
+}
+
+// How much of a layer's strokes its slices carry; the level family has the rest.
+float slice_share(uint layer, vec3 normal, uint kind)
+{
+    return !has_slices || lies_flat(kind)
+               ? 1.0
+               : smoothstep(0.50, 0.68, size_of(cross(solid_axis(stroke_axes(), kind, 2u * layer), normal)));
+}
+
+// Goes on to the next family that has anything to draw, and returns its darkness; 0 when none is left.
+float next_family(inout Families families, vec3 normal, uint kind, out uint family)
+{
+    float dark = 0.0;
+    family = 0u;
+    while (dark < 0.002 && families.layer < constants.layers && families.remaining > 1e-4) {
+        float share = layer_share(families.layer, families.remaining);
+        float slices = slice_share(families.layer, normal, kind);
+        bool takes_level = (slices < 0.5) != families.is_second;
+        family = 2u * families.layer + (takes_level ? 1u : 0u);
+        dark = has_slices ? 1.0 - pow(1.0 - share, takes_level ? 1.0 - slices : slices) : share;
+        families.is_second = has_slices && !families.is_second && slices > 0.0 && slices < 1.0;
+        if (!families.is_second) {
+            families.remaining = 1.0 - (1.0 - families.remaining) / max(1.0 - share, 1e-6);
+            ++families.layer;
+        }
+    }
+    return dark < 0.002 ? 0.0 : dark;
+}
+
+LineLook line_look()
+{
+    return LineLook(constants.width_px, constants.wobble_px, constants.gap_px, constants.taper_px,
+                    constants.cell_px, constants.pressure, has_growth ? constants.growth : 0.0);
+}
+
+uint family_seed(uint family)
+{
+    return hash(constants.seed * 64u + family);
+}
+
+// What the lines of a family follow at a place of the surface, and how it changes there.
+LineField family_field(vec3 p, Footprint f, uint kind, uint family)
+{
+    bool flat_here = lies_flat(kind);
+    bool form_here = has_form && kind == STROKES_FORM;
+    vec3 axis =
+        flat_here ? flat_axis(stroke_axes(), kind, family >> 1) : solid_axis(stroke_axes(), kind, family);
+    vec3 side = flat_here ? vec3(axis.y, -axis.x, 0.0)
+                          : unit(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
+    LineField field = field_along(axis, side, cross(axis, side), p, f);
+    field.wraps = form_here;
+    field.wander = form_here ? vec2(0.0) : field.wander;
+    return field;
+}
+
+#endif
