@@ -19,6 +19,7 @@ constexpr const char* examples = R"(Examples:
   estampe render fox.glb -o fox.png --animation Run --time 0.4
   estampe render bunny.obj -o bunny.png --camera "eye=2,1,3 target=0,0.5,0 fov=35"
   estampe render temple.glb -o temple.png --style pencil --set hatch.width_mm=0.5
+  estampe render temple.glb -o temple.svg --plotter
   estampe info helmet.gltf --json
   estampe tam -o pen.tam --preview pen.png
   estampe bake room.glb -o room.exr
@@ -63,6 +64,8 @@ struct Typed {
     uint32_t repeat = 1;
     bool timings = false;
     bool json = false;
+    bool hidden = false;
+    bool plotter = false;
     bool style_manual = false;
     std::vector<uint32_t> light_counts;
     uint32_t shadowed = 0;
@@ -118,7 +121,8 @@ void add_draw_options(CLI::App& command, Typed& typed)
 
 void add_render(CLI::App& app, Typed& typed)
 {
-    CLI::App& command = *app.add_subcommand("render", "Draw a scene and write the picture as PNG");
+    CLI::App& command =
+        *app.add_subcommand("render", "Draw a scene and write it as a PNG picture, or as SVG strokes");
     command.footer(examples);
     add_draw_options(command, typed);
     command.add_option("--samples", typed.samples, "Jittered frames to accumulate, for smooth edges")
@@ -127,6 +131,10 @@ void add_render(CLI::App& app, Typed& typed)
     command.add_option("--repeat", typed.repeat, "Draw N times and time the median of all after the first")
         ->type_name("N")
         ->capture_default_str();
+    command.add_flag("--hidden", typed.hidden, "SVG: lines behind something too, dashed");
+    command.add_flag(
+        "--plotter", typed.plotter,
+        "SVG: for pens that draw; one line a stroke, none twice, in an\norder with little travel");
     command.add_flag("--timings", typed.timings, "Print the time of every pass");
     command.add_flag("--json", typed.json, "Print the timings as JSON");
 }
@@ -228,6 +236,24 @@ DrawOptions read_draw_options(const Typed& typed)
     return draw;
 }
 
+/// Some options go with strokes alone, some with pictures alone.
+void check_strokes(const Typed& typed)
+{
+    const bool is_strokes = lower_extension(typed.output) == ".svg";
+    if (!is_strokes && (typed.hidden || typed.plotter)) {
+        throw UsageError("goes with strokes alone", typed.hidden ? "--hidden" : "--plotter",
+                         "the name of the output must end in .svg");
+    }
+    if (is_strokes && (typed.samples > 1 || typed.repeat > 1 || typed.timings || typed.json)) {
+        throw UsageError("goes with pictures alone",
+                         typed.samples > 1  ? "--samples"
+                         : typed.repeat > 1 ? "--repeat"
+                         : typed.timings    ? "--timings"
+                                            : "--json",
+                         "leave it out, or write a .png");
+    }
+}
+
 TamCommand read_tam(const Typed& typed)
 {
     if (!typed.from.empty() && (!typed.brush.empty() || !typed.assignments.empty())) {
@@ -310,7 +336,13 @@ Command to_command(const CLI::App& app, const Typed& typed, const BakeOptions& b
     if (render) {
         constexpr uint32_t most_frames = 100000;
         check_count("--repeat", typed.repeat, most_frames);
-        return RenderCommand{std::move(draw), typed.repeat, typed.timings, typed.json};
+        check_strokes(typed);
+        return RenderCommand{.draw = std::move(draw),
+                             .hidden = typed.hidden,
+                             .plotter = typed.plotter,
+                             .repeat = typed.repeat,
+                             .timings = typed.timings,
+                             .json = typed.json};
     }
     return GraphCommand{std::move(draw)};
 }

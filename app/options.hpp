@@ -44,6 +44,8 @@ struct DrawOptions {
 
 struct RenderCommand {
     DrawOptions draw;
+    bool hidden = false;  ///< .svg only: lines behind something too
+    bool plotter = false; ///< .svg only: for pens that draw
     uint32_t repeat = 1;
     bool timings = false;
     bool json = false;

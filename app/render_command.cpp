@@ -42,9 +42,9 @@ private:
 void check_extension(const std::string& output)
 {
     const std::string extension = lower_extension(output);
-    if (extension != ".png") {
+    if (extension != ".png" && extension != ".svg") {
         throw UsageError(fmt::format("cannot write a picture as {}", in_quotes(extension)), "-o " + output,
-                         "the name must end in .png");
+                         "the name must end in .png, or in .svg for strokes");
     }
 }
 
@@ -53,6 +53,30 @@ void warn_of_idle_time(const DrawOptions& draw, const Scene& scene)
     if (draw.time_s != 0.0 && scene.animations.empty()) {
         print_warnings({fmt::format("{}: has no animation, so --time changes nothing", draw.scene)});
     }
+}
+
+std::string in_meters(double mm)
+{
+    return fmt::format("{:.2f} m", 1e-3 * mm);
+}
+
+void write_strokes(Renderer& renderer, const Camera& camera, Index animation, const RenderCommand& command)
+{
+    const DrawOptions& draw = command.draw;
+    VectorDrawing drawing = renderer.draw_strokes(camera, draw.style, settings_of(draw, animation),
+                                                  command.hidden ? HiddenLines::kept : HiddenLines::left_out);
+    print_notes(renderer.notes());
+    if (command.plotter) {
+        const PlotterWork before = plotter_work(drawing);
+        prepare_for_plotter(drawing);
+        const PlotterWork after = plotter_work(drawing);
+        fmt::print("strokes    {:>10} before {:>10} after\n"
+                   "pen down   {:>10} before {:>10} after\n"
+                   "pen up     {:>10} before {:>10} after\n",
+                   before.strokes, after.strokes, in_meters(before.drawn_mm), in_meters(after.drawn_mm),
+                   in_meters(before.lifted_mm), in_meters(after.lifted_mm));
+    }
+    save_svg(drawing, draw.output, {.is_for_plotter = command.plotter});
 }
 
 } // namespace
@@ -74,6 +98,10 @@ void run(const RenderCommand& command)
     clock.finish("device");
     set_scene(renderer, scene, draw);
     clock.finish("upload");
+    if (lower_extension(draw.output) == ".svg") {
+        write_strokes(renderer, camera, animation, command);
+        return;
+    }
 
     const RenderSettings settings = settings_of(draw, animation);
     PassHistory passes;

@@ -11,6 +11,7 @@
 #include <estampe/lightmap.hpp>
 #include <estampe/scene.hpp>
 #include <estampe/style.hpp>
+#include <estampe/vector_drawing.hpp>
 
 namespace estampe {
 
@@ -65,6 +66,9 @@ struct RenderSettings {
     Continuity continuity = Continuity::still;
 };
 
+/// Whether lines behind something come along.
+enum class HiddenLines : uint8_t { left_out, kept };
+
 /// GPU time of one pass of the last frame.
 struct PassTiming {
     std::string name;
@@ -97,6 +101,15 @@ public:
     /// the same raster path; so do the frames of a film that follow one another.
     /// Throws Error when the size is zero or beyond the device's limits, or when no scene was set.
     [[nodiscard]] Image render(const Camera& camera, const Style& style, const RenderSettings& settings);
+
+    /// The strokes that render() would draw, as paths: lines, and hatching where it is of lines. Paths follow
+    /// what the picture of that size shows, to about a third of a pixel; a larger one gives finer paths.
+    /// Samples do not matter. No picture is drawn.
+    /// Throws Error as render() does, and when the style draws strokes that have no paths: those of a tonal
+    /// art map, and lines that are found between pixels.
+    [[nodiscard]] VectorDrawing draw_strokes(const Camera& camera, const Style& style,
+                                             const RenderSettings& settings,
+                                             HiddenLines hidden = HiddenLines::left_out);
 
     /// What was decided for the last frame that is not plain to see, one line each: a lamp that the scene
     /// does not have. Empty for most scenes.

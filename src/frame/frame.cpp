@@ -210,27 +210,26 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
             : lit.light;
 
     // Hatch: light becomes strokes.
-    const auto hatch = hatch::add_hatch(
-        graph,
-        {.frame = frame,
-         .draw = surface.draw,
-         .depth = surface.depth,
-         .normal = surface.normal,
-         .color = surface.color,
-         .coordinate = surface.coordinate,
-         .footprint = surface.footprint,
-         .light = light,
-         .screen = screen.color,
-         .has_screen = has_screen,
-         .tone = tone,
-         .strokes_present = plan.strokes.present,
-         .strongest_light = plan.follows_local_light ? std::optional(lit.strongest) : std::nullopt,
-         .towards_light = plan.towards_sun,
-         .map = resources.map != nullptr ? std::optional(hatch::import_map(graph, *resources.map))
-                                         : std::nullopt,
-         .pixels_per_mm = plan.pixels_per_mm,
-         .size_px = size_px},
-        style.hatch);
+    const hatch::HatchInputs hatch_inputs{
+        .frame = frame,
+        .draw = surface.draw,
+        .depth = surface.depth,
+        .normal = surface.normal,
+        .color = surface.color,
+        .coordinate = surface.coordinate,
+        .footprint = surface.footprint,
+        .light = light,
+        .screen = screen.color,
+        .has_screen = has_screen,
+        .tone = tone,
+        .strokes_present = plan.strokes.present,
+        .strongest_light = plan.follows_local_light ? std::optional(lit.strongest) : std::nullopt,
+        .towards_light = plan.towards_sun,
+        .map =
+            resources.map != nullptr ? std::optional(hatch::import_map(graph, *resources.map)) : std::nullopt,
+        .pixels_per_mm = plan.pixels_per_mm,
+        .size_px = size_px};
+    const auto hatch = hatch::add_hatch(graph, hatch_inputs, style.hatch);
 
     // Contour: lines where surfaces end, meet or fold.
     const bool has_chains = resources.line_mesh != nullptr;
@@ -252,6 +251,11 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                                 .pixels_per_mm = plan.pixels_per_mm,
                                                 .pixel_angle = plan.pixel_angle,
                                                 .size_px = size_px};
+    if (resources.lists != nullptr) {
+        declare_stroke_lists(graph, hatch_inputs, contour_inputs, resources.line_mesh, style,
+                             *resources.lists);
+        return;
+    }
     const std::optional<gpu::ImageId> page_lines =
         !has_chains || layout.masked.count > 0
             ? std::optional(contour::add_contours(graph, contour_inputs, style.contour))

@@ -7,6 +7,7 @@
 
 #include "frame/strokes.hpp"
 #include "frame/style_tables.hpp"
+#include "frame/vectors.hpp"
 #include "frame/view.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/stroke_kind.glsl.h"
@@ -47,8 +48,9 @@ struct FrameResources {
     hatch::MapImages* map;           ///< where strokes come from a map
     contour::LineMesh* line_mesh;    ///< where lines are chains
     contour::LineHistory& line_history;
-    gpu::Image& sums;    ///< of a picture of several samples
-    gpu::Buffer& pixels; ///< the picture, four bytes a pixel, for reading back
+    gpu::Image& sums;             ///< of a picture of several samples
+    gpu::Buffer& pixels;          ///< the picture, four bytes a pixel, for reading back
+    StrokeLists* lists = nullptr; ///< where strokes are wanted in place of a picture
 };
 
 /// What is decided on the processor before a frame is declared.

@@ -17,6 +17,9 @@ public:
     [[nodiscard]] contour::LineMesh* provide(gpu::Device& device, const pose::MeshData& layout,
                                              const contour::ContourStyle& style);
 
+    /// What the line mesh was made of; null when there is none.
+    [[nodiscard]] const contour::EdgeMesh* edges() const { return edges_ ? &*edges_ : nullptr; }
+
     /// To be called when triangles change, or what they are flagged with.
     void forget();
 

@@ -1,79 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include <estampe/renderer.hpp>
+#include "frame/renderer_impl.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <memory>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include <estampe/error.hpp>
 
-#include "frame/frame.hpp"
 #include "frame/lightmaps.hpp"
-#include "frame/loaded_scene.hpp"
-#include "frame/local_shadows.hpp"
-#include "frame/page.hpp"
-#include "frame/sun.hpp"
-#include "frame/tonal_maps.hpp"
-#include "gpu/graph/compile_ahead.hpp"
-#include "gpu/graph/execute.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/light/daylight.hpp"
-#include "techniques/light/exposure.hpp"
-#include "techniques/raster/choose_path.hpp"
 
 namespace estampe {
-
-struct Renderer::Impl {
-    explicit Impl(RendererOptions renderer_options)
-        : options(std::move(renderer_options)), device(options), executor(device),
-          raster_path(raster::choose_path(device, executor, options.raster))
-    {
-        // Under validation names are given to objects by functions that a second instance would take away.
-        if (device.info().software && !options.validation) {
-            ahead = std::make_unique<gpu::CompileAhead>(options);
-        }
-    }
-
-    void update_pose(const ScenePose& scene_pose);
-    [[nodiscard]] Outlook outlook_from(const Camera& camera, const light::LightStyle& style);
-    void provide_local_shadows(frame::FramePlan& plan, light::Lighting& lighting, const Camera& camera,
-                               const frame::StyleTables& tables);
-    void provide_map(const frame::StyleTables& style);
-    void provide_strokes(const frame::StrokePlan& strokes);
-    [[nodiscard]] frame::FramePlan plan(const light::Lighting& lighting, const frame::StyleTables& style,
-                                        const Camera& camera, const RenderSettings& settings) const;
-    void draw_sample(const Camera& camera, const frame::StyleTables& style, frame::FramePlan& plan);
-
-    RendererOptions options;
-    gpu::Device device;
-    gpu::Executor executor;
-    std::unique_ptr<gpu::CompileAhead> ahead; ///< until the first frame is drawn
-    RasterPath raster_path;
-    std::optional<frame::LoadedScene> loaded;
-    gpu::Buffer frame_globals;
-    gpu::Buffer light_globals;
-    gpu::Buffer lights;
-    light::ExposureMemory exposure;
-    frame::SunMap sun_map;
-    gpu::Buffer edge_look;
-    gpu::Buffer sun_shadow;
-    frame::LocalShadows local_shadows;
-    frame::LocalShadowBuffers local_shadow_buffers;
-    std::vector<Bounds> moved; ///< since the local shadows were planned last
-    gpu::Buffer stroke_kinds;
-    gpu::Buffer form_coordinates;
-    std::optional<hatch::MapImages> map;
-    std::optional<frame::MapChoice> map_choice; ///< of what `map` holds
-    contour::LineHistory line_history;
-    frame::Page page;
-    std::string dot;
-    std::vector<std::string> notes;
-};
 
 namespace {
 
@@ -260,7 +201,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
 }
 
 void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style,
-                                 frame::FramePlan& plan)
+                                 frame::FramePlan& plan, frame::StrokeLists* lists)
 {
     const shared::FrameGlobals globals = frame::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
@@ -287,7 +228,8 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     loaded->line_meshes.provide(device, loaded->layout, style.contour),
                                     line_history,
                                     page.sums,
-                                    page.pixels};
+                                    page.pixels,
+                                    lists};
     plan.pose_moved = loaded->pose_moved;
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, style);
@@ -308,56 +250,61 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     }
 }
 
-Image Renderer::render(const Camera& camera, const Style& style, const RenderSettings& settings)
+frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::StyleTables& tables,
+                                         const RenderSettings& settings)
 {
-    Impl& impl = *impl_;
-    if (!impl.loaded) {
+    if (!loaded) {
         throw Error("there is no scene to draw", "", "call set_scene first");
     }
-    frame::check_size(impl.device, settings);
-    frame::provide_page(impl.device, impl.page, settings);
-    const frame::StyleTables& tables = style.tables();
-    if (frame::style_lighting(impl.device, *impl.loaded, tables.light)) {
-        impl.sun_map.forget();
-        impl.local_shadows.forget();
+    frame::check_size(device, settings);
+    frame::provide_page(device, page, settings);
+    if (frame::style_lighting(device, *loaded, tables.light)) {
+        sun_map.forget();
+        local_shadows.forget();
     }
-    const pose::MeshData& layout = impl.loaded->layout;
-    const ScenePose scene_pose = pose_scene(impl.loaded->scene, settings.time_s, settings.animation);
-    impl.update_pose(scene_pose);
-    light::Lighting lighting =
-        light::gather_lights(impl.loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,
-                             impl.outlook_from(camera, tables.light));
+    const pose::MeshData& layout = loaded->layout;
+    const ScenePose scene_pose = pose_scene(loaded->scene, settings.time_s, settings.animation);
+    update_pose(scene_pose);
+    light::Lighting lighting = light::gather_lights(loaded->scene, scene_pose, layout.bounds, layout.anchor,
+                                                    tables.light, outlook_from(camera, tables.light));
     const std::optional<light::Daylight> daylight = light::daylight_of(tables.sun);
     if (daylight) {
         light::set_daylight(lighting, *daylight, tables.light);
     }
-    const float lightmap_scale = frame::make_room(lighting, impl.loaded->baked, tables.lightmap);
-    impl.notes.clear();
+    const float lightmap_scale = frame::make_room(lighting, loaded->baked, tables.lightmap);
+    notes.clear();
     if (lighting.indoors) {
-        impl.notes.emplace_back(
-            "the scene has no light and the sun does not reach it: a lamp hangs in the room");
+        notes.emplace_back("the scene has no light and the sun does not reach it: a lamp hangs in the room");
     }
-    frame::FramePlan plan = impl.plan(lighting, tables, camera, settings);
-    plan.lightmap_scale = lightmap_scale;
+    frame::FramePlan frame_plan = plan(lighting, tables, camera, settings);
+    frame_plan.lightmap_scale = lightmap_scale;
     if (daylight) {
-        plan.daylight_rad = static_cast<float>(daylight->elevation_rad);
+        frame_plan.daylight_rad = static_cast<float>(daylight->elevation_rad);
     }
-    const shared::LightGlobals light_globals{.sky_ambient = lighting.ambient * 1.25F,
-                                             .ground_ambient = lighting.ambient * 0.75F,
-                                             .directional_count = lighting.directional_count,
-                                             .local_count = static_cast<uint32_t>(lighting.records.size()) -
-                                                            lighting.directional_count,
-                                             .falloff = tables.light.falloff};
-    impl.light_globals = mapped_buffer(impl.device, "lighting", &light_globals, 1);
-    impl.edge_look = mapped_buffer(impl.device, "edges", &plan.edge_look, 1);
-    const shared::SunShadow sun_shadow = frame::sun_globals(plan, tables.shadow);
-    impl.sun_shadow = mapped_buffer(impl.device, "sun", &sun_shadow, 1);
-    impl.provide_map(tables);
-    impl.provide_strokes(plan.strokes);
-    impl.provide_local_shadows(plan, lighting, camera, tables);
-    impl.lights = mapped_buffer(impl.device, "lights", lighting.records.data(), lighting.records.size());
-    plan.meters_page = tables.light.metering == light::Metering::page;
-    plan.adapt_stops = impl.exposure.prepare(impl.device, tables.light, settings.time_s);
+    const shared::LightGlobals light_values{.sky_ambient = lighting.ambient * 1.25F,
+                                            .ground_ambient = lighting.ambient * 0.75F,
+                                            .directional_count = lighting.directional_count,
+                                            .local_count = static_cast<uint32_t>(lighting.records.size()) -
+                                                           lighting.directional_count,
+                                            .falloff = tables.light.falloff};
+    light_globals = mapped_buffer(device, "lighting", &light_values, 1);
+    edge_look = mapped_buffer(device, "edges", &frame_plan.edge_look, 1);
+    const shared::SunShadow sun_values = frame::sun_globals(frame_plan, tables.shadow);
+    sun_shadow = mapped_buffer(device, "sun", &sun_values, 1);
+    provide_map(tables);
+    provide_strokes(frame_plan.strokes);
+    provide_local_shadows(frame_plan, lighting, camera, tables);
+    lights = mapped_buffer(device, "lights", lighting.records.data(), lighting.records.size());
+    frame_plan.meters_page = tables.light.metering == light::Metering::page;
+    frame_plan.adapt_stops = exposure.prepare(device, tables.light, settings.time_s);
+    return frame_plan;
+}
+
+Image Renderer::render(const Camera& camera, const Style& style, const RenderSettings& settings)
+{
+    Impl& impl = *impl_;
+    const frame::StyleTables& tables = style.tables();
+    frame::FramePlan plan = impl.prepare(camera, tables, settings);
     // Later samples of a picture of several go their own way by a pixel at most.
     plan.remembers_lines = settings.continuity != Continuity::still;
     if (plan.remembers_lines) {
@@ -372,6 +319,26 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     const auto* first = reinterpret_cast<const uint8_t*>(bytes.data());
     image.rgba.assign(first, first + 4ULL * settings.width * settings.height);
     return image;
+}
+
+VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, const RenderSettings& settings,
+                                     HiddenLines hidden)
+{
+    Impl& impl = *impl_;
+    const frame::StyleTables& tables = style.tables();
+    frame::check_has_paths(tables);
+    frame::FramePlan plan = impl.prepare(camera, tables, settings);
+    if (tables.wash.strength > 0.0F || plan.sky_drawn || tables.bleed.width_mm > 0.0F) {
+        impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs");
+    }
+    frame::StrokeLists lists(impl.device);
+    impl.draw_sample(camera, tables, plan, &lists);
+    return frame::drawing_of(lists,
+                             {.scene = impl.loaded->scene,
+                              .layout = impl.loaded->layout,
+                              .edges = impl.loaded->line_meshes.edges(),
+                              .size_px = plan.size_px},
+                             tables, hidden == HiddenLines::kept);
 }
 
 const std::vector<std::string>& Renderer::notes() const

@@ -207,37 +207,62 @@ float pressure_at(LineField field, LineScale scale, uint identity)
     return 1.0f + scale.pressure * wave(scale.wobble_frequency * field.u + trait(identity, 5u));
 }
 
+// The lines of one family as they are drawn about a pixel.
+struct DrawnLines {
+    Lines lines;
+    LineScale scale;
+    float newborn_length; // share of a newborn line that is drawn
+    float newborn_width;
+};
+
+// `dark` is the darkness that the family has to draw.
+DrawnLines drawn_lines(LineField field, LineLook look, float dark)
+{
+    DrawnLines drawn;
+    drawn.scale = scale_of(field, look, max(dark, 1e-4f));
+    float wanted = clamp(dark / kept_share(look, drawn.scale.gap_scale), 1e-4f, 1.0f);
+    drawn.lines = lines_of(field, look.width_px, wanted);
+    drawn.newborn_length = 1.0f;
+    drawn.newborn_width = drawn.lines.width * drawn.lines.newborn;
+    if (look.growth > 0.0f) {
+        // A newborn stroke is never so wide that it touches the old lines beside it.
+        float room = 0.7f * (drawn.lines.spacing - drawn.lines.width) / drawn.lines.width;
+        float share = max(pow(drawn.lines.newborn, look.growth), drawn.lines.newborn / room);
+        drawn.newborn_length = clamp(share, 1e-6f, 1.0f);
+        drawn.newborn_width /= drawn.newborn_length;
+    }
+    return drawn;
+}
+
+// Width of the i-th line at the pixel, in v's unit.
+float drawn_width(LineField field, LineLook look, DrawnLines drawn, int i, uint identity)
+{
+    bool is_old = (i & 1) == 0;
+    float profile =
+        stroke_profile(field, look, drawn.scale, identity) * pressure_at(field, drawn.scale, identity);
+    if (!is_old && look.growth > 0.0f) {
+        profile *= grown_profile(field, look, drawn.lines, identity, drawn.newborn_length);
+    }
+    return (is_old ? drawn.lines.width : drawn.newborn_width) * profile;
+}
+
 // Ink of one family of lines at a pixel whose darkness is `dark`, box-filtered over the pixel.
 float line_ink(LineField field, LineLook look, float dark, uint seed)
 {
     float g = max(field.v_per_px, 1e-12f);
-    LineScale scale = scale_of(field, look, max(dark, 1e-4f));
-    float wanted = clamp(dark / kept_share(look, scale.gap_scale), 1e-4f, 1.0f);
-    Lines lines = lines_of(field, look.width_px, wanted);
-    float newborn_length = 1.0f;
-    float newborn_width = lines.width * lines.newborn;
-    if (look.growth > 0.0f) {
-        // A newborn stroke is never so wide that it touches the old lines beside it.
-        float room = 0.7f * (lines.spacing - lines.width) / lines.width;
-        newborn_length = clamp(max(pow(lines.newborn, look.growth), lines.newborn / room), 1e-6f, 1.0f);
-        newborn_width /= newborn_length;
-    }
+    DrawnLines drawn = drawn_lines(field, look, dark);
     // The lines that may touch the pixel: no more than four, since they keep apart.
-    float reach = 0.5f * lines.width * (1.0f + scale.pressure) + g * (1.15f * scale.wobble_px + 0.5f);
-    int first = int(ceil(2.0f * (field.v - reach) / lines.spacing));
-    int last = min(int(floor(2.0f * (field.v + reach) / lines.spacing)), first + 3);
+    float reach =
+        0.5f * drawn.lines.width * (1.0f + drawn.scale.pressure) + g * (1.15f * drawn.scale.wobble_px + 0.5f);
+    int first = int(ceil(2.0f * (field.v - reach) / drawn.lines.spacing));
+    int last = min(int(floor(2.0f * (field.v + reach) / drawn.lines.spacing)), first + 3);
     float ink = 0.0f;
     for (int i = first; i <= last; ++i) {
-        uint identity = line_identity(field, lines, i, seed);
-        bool is_old = (i & 1) == 0;
-        float width = is_old ? lines.width : newborn_width;
-        float profile = stroke_profile(field, look, scale, identity) * pressure_at(field, scale, identity);
-        if (!is_old && look.growth > 0.0f) {
-            profile *= grown_profile(field, look, lines, identity, newborn_length);
-        }
-        float at = 0.5f * float(i) * lines.spacing + g * wobble(field, scale, identity);
-        float low = max(at - 0.5f * width * profile, field.v - 0.5f * g);
-        float high = min(at + 0.5f * width * profile, field.v + 0.5f * g);
+        uint identity = line_identity(field, drawn.lines, i, seed);
+        float width = drawn_width(field, look, drawn, i, identity);
+        float at = 0.5f * float(i) * drawn.lines.spacing + g * wobble(field, drawn.scale, identity);
+        float low = max(at - 0.5f * width, field.v - 0.5f * g);
+        float high = min(at + 0.5f * width, field.v + 0.5f * g);
         ink += max(high - low, 0.0f);
     }
     return dark > 0.0f ? min(ink / g, 1.0f) : 0.0f;

@@ -94,6 +94,9 @@ expect_error 2 '--set: unknown key .*--help-style' render scene.glb -o a.png --s
 expect_error 2 '--set: .* is not an assignment' render scene.glb -o a.png --set nothing
 expect_error 2 'must end in .png' render scene.glb -o a.jpg
 expect_error 2 'must end in .png' render scene.glb -o a
+expect_error 2 '--plotter: goes with strokes alone' render scene.glb -o a.png --plotter
+expect_error 2 '--hidden: goes with strokes alone' render scene.glb -o a.png --hidden
+expect_error 2 '--samples: goes with pictures alone' render scene.glb -o a.svg --samples 2
 
 # A typing mistake in a key that there is gets the right one suggested
 key="$("$estampe" --help-style | awk '$1 ~ /\./ && !found { print $1; found = 1 }')"
@@ -128,6 +131,8 @@ if [[ $(id -u) -ne 0 ]]; then
     expect_error 1 'cannot write into this folder' render scene.glb -o locked/a.png
 fi
 expect_error 1 '' render scene.glb -o a.png --device 4000000000
+expect_error 1 'hatch.strokes: .*no paths' render scene.glb -o a.svg "${small[@]}" --set hatch.strokes=map
+expect_error 1 'contour.lines: .*no paths' render scene.glb -o a.svg "${small[@]}" --set contour.lines=page
 
 # Control characters of names do not reach the terminal
 expect_error 1 'red.glb' info $'\e[31mred.glb'
@@ -147,6 +152,14 @@ expect_printed '"raster": "compute"'
 expect_success render scene.glb -o b.png "${small[@]}" --json
 expect_printed '"raster": "hardware"'
 expect_printed '"gpu_ms": '
+expect_success render scene.glb -o a.svg "${small[@]}"
+expect_success render scene.glb -o b.svg "${small[@]}"
+cmp a.svg b.svg || wrong "the same command gave other strokes"
+grep -q '<path ' a.svg || wrong "a.svg has no strokes"
+expect_success render scene.glb -o b.svg "${small[@]}" --hidden
+grep -q 'stroke-dasharray' b.svg || wrong "b.svg has no hidden lines"
+expect_success render scene.glb -o b.svg "${small[@]}" --plotter
+expect_printed 'pen up .* before .* after'
 expect_success render scene.glb -o b.png "${small[@]}" --camera auto
 expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=0,50,0 target=0,0,0 fov=40'
 expect_success graph scene.glb -o frame.dot "${small[@]}"

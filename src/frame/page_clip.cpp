@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "frame/page_clip.hpp"
+
+#include <algorithm>
+
+namespace estampe::frame {
+namespace {
+
+struct Share {
+    float from = 0.0F;
+    float to = 1.0F;
+};
+
+/// Keeps the part of a straight piece where coordinates are from 0 to `most`.
+void keep_between(float a, float b, float most, Share& kept)
+{
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(most - a, most - b)}) {
+        if (from < 0.0F && to < 0.0F) {
+            kept = {1.0F, 0.0F};
+        } else if (from < 0.0F) {
+            kept.from = std::max(kept.from, from / (from - to));
+        } else if (to < 0.0F) {
+            kept.to = std::min(kept.to, from / (from - to));
+        }
+    }
+}
+
+VectorPoint between(const VectorPoint& a, const VectorPoint& b, float share, const glm::vec2& page_mm)
+{
+    return {glm::clamp(glm::mix(a.page_mm, b.page_mm, share), glm::vec2(0.0F), page_mm),
+            glm::mix(a.width_mm, b.width_mm, share)};
+}
+
+bool has_length(const VectorStroke& stroke)
+{
+    return std::ranges::any_of(stroke.points, [&](const VectorPoint& point) {
+        return point.page_mm != stroke.points.front().page_mm;
+    });
+}
+
+} // namespace
+
+std::vector<VectorStroke> clipped(const VectorStroke& stroke, const glm::vec2& page_mm)
+{
+    std::vector<VectorStroke> parts;
+    const bool is_inside = std::ranges::all_of(stroke.points, [&](const VectorPoint& point) {
+        return glm::clamp(point.page_mm, glm::vec2(0.0F), page_mm) == point.page_mm;
+    });
+    if (is_inside) {
+        parts.push_back(stroke);
+    }
+    VectorStroke open = stroke;
+    open.is_closed = false;
+    open.points.clear();
+    const auto finish = [&] {
+        if (open.points.size() > 1) {
+            parts.push_back(open);
+        }
+        open.points.clear();
+    };
+    for (size_t i = 1; i < stroke.points.size() && !is_inside; ++i) {
+        const VectorPoint& a = stroke.points[i - 1];
+        const VectorPoint& b = stroke.points[i];
+        Share kept;
+        keep_between(a.page_mm.x, b.page_mm.x, page_mm.x, kept);
+        keep_between(a.page_mm.y, b.page_mm.y, page_mm.y, kept);
+        if (kept.from >= kept.to) {
+            finish();
+            continue;
+        }
+        if (open.points.empty() || kept.from > 0.0F) {
+            finish();
+            open.points.push_back(between(a, b, kept.from, page_mm));
+        }
+        open.points.push_back(between(a, b, kept.to, page_mm));
+        if (kept.to < 1.0F) {
+            finish();
+        }
+    }
+    finish();
+    std::erase_if(parts, [](const VectorStroke& part) { return !has_length(part); });
+    return parts;
+}
+
+} // namespace estampe::frame

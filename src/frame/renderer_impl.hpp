@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+
+#include "frame/frame.hpp"
+#include "frame/loaded_scene.hpp"
+#include "frame/local_shadows.hpp"
+#include "frame/page.hpp"
+#include "frame/sun.hpp"
+#include "frame/tonal_maps.hpp"
+#include "frame/vectors.hpp"
+#include "gpu/graph/compile_ahead.hpp"
+#include "gpu/graph/execute.hpp"
+#include "techniques/light/exposure.hpp"
+#include "techniques/raster/choose_path.hpp"
+
+namespace estampe {
+
+struct Renderer::Impl {
+    explicit Impl(RendererOptions renderer_options)
+        : options(std::move(renderer_options)), device(options), executor(device),
+          raster_path(raster::choose_path(device, executor, options.raster))
+    {
+        // Under validation names are given to objects by functions that a second instance would take away.
+        if (device.info().software && !options.validation) {
+            ahead = std::make_unique<gpu::CompileAhead>(options);
+        }
+    }
+
+    void update_pose(const ScenePose& scene_pose);
+    [[nodiscard]] Outlook outlook_from(const Camera& camera, const light::LightStyle& style);
+    void provide_local_shadows(frame::FramePlan& plan, light::Lighting& lighting, const Camera& camera,
+                               const frame::StyleTables& tables);
+    void provide_map(const frame::StyleTables& style);
+    void provide_strokes(const frame::StrokePlan& strokes);
+    [[nodiscard]] frame::FramePlan plan(const light::Lighting& lighting, const frame::StyleTables& style,
+                                        const Camera& camera, const RenderSettings& settings) const;
+    /// All that comes before the first sample. Throws Error as Renderer::render() does.
+    [[nodiscard]] frame::FramePlan prepare(const Camera& camera, const frame::StyleTables& tables,
+                                           const RenderSettings& settings);
+    /// Draws into the page, or where there are `lists`, what the strokes are into those.
+    void draw_sample(const Camera& camera, const frame::StyleTables& style, frame::FramePlan& plan,
+                     frame::StrokeLists* lists = nullptr);
+
+    RendererOptions options;
+    gpu::Device device;
+    gpu::Executor executor;
+    std::unique_ptr<gpu::CompileAhead> ahead; ///< until the first frame is drawn
+    RasterPath raster_path;
+    std::optional<frame::LoadedScene> loaded;
+    gpu::Buffer frame_globals;
+    gpu::Buffer light_globals;
+    gpu::Buffer lights;
+    light::ExposureMemory exposure;
+    frame::SunMap sun_map;
+    gpu::Buffer edge_look;
+    gpu::Buffer sun_shadow;
+    frame::LocalShadows local_shadows;
+    frame::LocalShadowBuffers local_shadow_buffers;
+    std::vector<Bounds> moved; ///< since the local shadows were planned last
+    gpu::Buffer stroke_kinds;
+    gpu::Buffer form_coordinates;
+    std::optional<hatch::MapImages> map;
+    std::optional<frame::MapChoice> map_choice; ///< of what `map` holds
+    contour::LineHistory line_history;
+    frame::Page page;
+    std::string dot;
+    std::vector<std::string> notes;
+};
+
+} // namespace estampe

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "frame/vectors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+
+#include "frame/page_clip.hpp"
+#include "gpu/graph/execute.hpp"
+#include "gpu/imports.hpp"
+#include "style/color.hpp"
+#include "techniques/contour/chains/chains.hpp"
+#include "techniques/contour/chains/line_paths.hpp"
+#include "techniques/hatch/trace.hpp"
+
+namespace estampe::frame {
+namespace {
+
+constexpr float hidden_share = 0.6F; // of the width that a line would have if it were seen
+
+bool draws_hatching(const StyleTables& style)
+{
+    return style.hatch.drawn;
+}
+
+/// Copies what `from` holds into `to`.
+void read_back(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from, gpu::Buffer& to)
+{
+    const uint64_t size_bytes = graph.describe(from).size_bytes;
+    to = gpu::Buffer(device, "read-back of strokes", size_bytes, gpu::MemoryUse::readback);
+    auto copy = graph.custom("read back strokes");
+    copy.touch(from, gpu::Access::transfer_read);
+    const gpu::BufferId copied =
+        copy.touch_write(gpu::import_whole(graph, "read-back of strokes", to), gpu::Access::transfer_write);
+    copy.execute([from, copied, size_bytes](gpu::Recorder& recorder) {
+        const VkBufferCopy region{.size = size_bytes};
+        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(from).handle(), recorder.buffer(copied).handle(),
+                        1, &region);
+    });
+    graph.custom("host").touch(copied, gpu::Access::host_read).keep();
+}
+
+template <class T>
+std::span<const T> items_of(const gpu::Buffer& buffer, uint64_t offset_bytes = 0)
+{
+    const auto bytes = buffer.mapped().subspan(offset_bytes);
+    return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
+}
+
+StrokeKind kind_of_line(uint32_t kind)
+{
+    constexpr std::array<StrokeKind, 4> kinds{StrokeKind::outline, StrokeKind::border, StrokeKind::boundary,
+                                              StrokeKind::crease};
+    return kinds.at(kind);
+}
+
+/// Gathers strokes, and numbers objects and inks as they occur.
+class Gathering {
+public:
+    Gathering(const DrawnScene& drawn, const StyleTables& style)
+        : drawn_(drawn), mm_per_px_(style.paper.height_mm / static_cast<float>(drawn.size_px.y))
+    {
+        drawing_.height_mm = style.paper.height_mm;
+        drawing_.width_mm = mm_per_px_ * static_cast<float>(drawn.size_px.x);
+        drawing_.hatch_width_mm = style.hatch.width_mm;
+        drawing_.paper_srgb = style::srgb_from_linear(style.paper.color);
+    }
+
+    /// `Points` have a page_px and a width_px.
+    template <class Points>
+    void add(VectorStroke stroke, uint32_t draw, const glm::vec3& ink, const Points& points)
+    {
+        stroke.object = object_of(draw);
+        stroke.ink = number_of(ink);
+        stroke.points.reserve(points.size());
+        for (const auto& point : points) {
+            stroke.points.push_back({mm_per_px_ * point.page_px, mm_per_px_ * point.width_px});
+        }
+        const std::vector<VectorStroke> parts = clipped(stroke, {drawing_.width_mm, drawing_.height_mm});
+        drawing_.strokes.insert(drawing_.strokes.end(), parts.begin(), parts.end());
+    }
+
+    [[nodiscard]] VectorDrawing take() { return std::move(drawing_); }
+
+private:
+    uint32_t object_of(uint32_t draw)
+    {
+        const bool is_ground = draw >= drawn_.layout.sources.size();
+        const Index node = is_ground ? no_index : drawn_.layout.sources[draw].node;
+        const auto number = static_cast<uint32_t>(drawing_.objects.size());
+        const auto [place, is_new] = objects_.try_emplace(node, number);
+        if (is_new) {
+            const std::string name = is_ground ? "ground" : drawn_.scene.nodes.at(node).name;
+            drawing_.objects.push_back(name.empty() ? fmt::format("object {}", node) : name);
+        }
+        return place->second;
+    }
+
+    uint32_t number_of(const glm::vec3& ink)
+    {
+        const glm::vec3 srgb(style::srgb_from_linear(ink));
+        auto& inks = drawing_.inks_srgb;
+        const auto found = std::ranges::find(inks, srgb);
+        const auto number = static_cast<uint32_t>(found - inks.begin());
+        if (found == inks.end()) {
+            inks.push_back(srgb);
+        }
+        return number;
+    }
+
+    const DrawnScene& drawn_;
+    float mm_per_px_;
+    VectorDrawing drawing_;
+    std::map<Index, uint32_t> objects_;
+};
+
+void add_hatching(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn,
+                  const StyleTables& style)
+{
+    const uint32_t count = items_of<uint32_t>(lists.crossings).front();
+    const auto crossings = items_of<shared::Crossing>(lists.crossings, sizeof(uint32_t));
+    if (count > crossings.size()) {
+        throw Error("there are more strokes than the device has room for", "hatch.width_mm",
+                    "draw fewer pixels with --size, or wider strokes");
+    }
+    for (const hatch::TracedStroke& stroke : hatch::string_crossings(crossings.first(count), drawn.size_px)) {
+        gathering.add({.kind = StrokeKind::hatch, .is_closed = stroke.is_closed}, stroke.draw,
+                      style.paper.ink, stroke.points);
+    }
+}
+
+void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn,
+               const StyleTables& style, bool with_hidden_lines)
+{
+    const contour::ContourStyle& contour = style.contour;
+    const float hidden_px_per_mm = hidden_share * static_cast<float>(drawn.size_px.y) / style.paper.height_mm;
+    const std::array<float, 4> hidden_widths_px{
+        contour.outline_mm * hidden_px_per_mm, contour.outline_mm * hidden_px_per_mm,
+        contour.boundary_mm * hidden_px_per_mm, contour.crease_mm * hidden_px_per_mm};
+    const std::vector<contour::LinePath> paths =
+        contour::line_paths({.sizes = items_of<shared::ListSize>(lists.line_sizes),
+                             .samples = items_of<shared::LineSample>(lists.line_samples),
+                             .samples_before = items_of<uint32_t>(lists.line_samples_before),
+                             .strokes_before = items_of<uint32_t>(lists.line_strokes_before),
+                             .points = items_of<shared::LinePoint>(lists.line_points),
+                             .facing = items_of<uint32_t>(lists.line_facing)},
+                            *drawn.edges, with_hidden_lines ? std::optional(hidden_widths_px) : std::nullopt);
+    for (const contour::LinePath& path : paths) {
+        const uint32_t draw = drawn.layout.triangles[path.triangle].w & shared::triangle_draw_mask;
+        const glm::vec3 ink = path.ink > 0 && drawn.scene.materials.at(path.ink - 1).toon
+                                  ? drawn.scene.materials[path.ink - 1].toon->outline_color
+                                  : contour.ink;
+        const bool has_width = std::ranges::any_of(
+            path.points, [](const contour::PathPoint& point) { return point.width_px > 0.0F; });
+        if (has_width) {
+            gathering.add(
+                {.kind = kind_of_line(path.kind), .is_hidden = path.is_hidden, .is_closed = path.is_closed},
+                draw, ink, path.points);
+        }
+    }
+}
+
+} // namespace
+
+void check_has_paths(const StyleTables& style)
+{
+    if (draws_hatching(style) && style.hatch.strokes == hatch::Strokes::map) {
+        throw Error("the strokes of a tonal art map have no paths", "hatch.strokes",
+                    "--set hatch.strokes=lines draws others, --set hatch.drawn=false none");
+    }
+    if (style.contour.drawn && style.contour.lines == contour::Lines::page) {
+        throw Error("lines that are found between pixels have no paths", "contour.lines",
+                    "--set contour.lines=chains draws others, --set contour.drawn=false none");
+    }
+}
+
+void declare_stroke_lists(gpu::Graph& graph, const hatch::HatchInputs& hatch,
+                          const contour::ContourInputs& contour, contour::LineMesh* line_mesh,
+                          const StyleTables& style, StrokeLists& lists)
+{
+    gpu::Device& device = lists.device;
+    if (draws_hatching(style)) {
+        read_back(graph, device,
+                  hatch::add_trace(graph, hatch, style.hatch, device.limits().maxStorageBufferRange),
+                  lists.crossings);
+    }
+    if (line_mesh != nullptr) {
+        const contour::ShapedStrokes shaped =
+            contour::add_shaped_strokes(graph, contour, *line_mesh, nullptr, style.contour);
+        read_back(graph, device, shaped.strokes.sizes, lists.line_sizes);
+        read_back(graph, device, shaped.strokes.samples, lists.line_samples);
+        read_back(graph, device, shaped.strokes.samples_before, lists.line_samples_before);
+        read_back(graph, device, shaped.strokes.strokes_before, lists.line_strokes_before);
+        read_back(graph, device, shaped.line_points, lists.line_points);
+        read_back(graph, device, shaped.facing, lists.line_facing);
+    }
+}
+
+VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn, const StyleTables& style,
+                         bool with_hidden_lines)
+{
+    Gathering gathering(drawn, style);
+    if (!lists.crossings.empty()) {
+        add_hatching(gathering, lists, drawn, style);
+    }
+    if (!lists.line_sizes.empty()) {
+        add_lines(gathering, lists, drawn, style, with_hidden_lines);
+    }
+    return gathering.take();
+}
+
+} // namespace estampe::frame

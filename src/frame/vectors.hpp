@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A frame as strokes of the pen.
+
+#include <estampe/scene.hpp>
+#include <estampe/vector_drawing.hpp>
+
+#include "frame/style_tables.hpp"
+#include "gpu/resources.hpp"
+#include "techniques/contour/chains/edge_mesh.hpp"
+#include "techniques/contour/chains/line_mesh.hpp"
+#include "techniques/pose/mesh_data.hpp"
+
+namespace estampe::frame {
+
+/// What the device hands back of one frame's strokes. Empty where lines or hatching are not drawn.
+struct StrokeLists {
+    explicit StrokeLists(gpu::Device& on_device) : device(on_device) {}
+
+    gpu::Device& device;
+    gpu::Buffer line_sizes; ///< these six as in contour::LineLists
+    gpu::Buffer line_samples;
+    gpu::Buffer line_samples_before;
+    gpu::Buffer line_strokes_before;
+    gpu::Buffer line_points;
+    gpu::Buffer line_facing;
+    gpu::Buffer crossings; ///< as hatch::add_trace() writes them
+};
+
+/// Throws Error when a style draws strokes that have no paths: those of a tonal art map, and lines that are
+/// found between pixels.
+void check_has_paths(const StyleTables& style);
+
+/// Declares what fills `lists` in place of a picture. The lists must outlive the graph.
+void declare_stroke_lists(gpu::Graph& graph, const hatch::HatchInputs& hatch,
+                          const contour::ContourInputs& contour, contour::LineMesh* line_mesh,
+                          const StyleTables& style, StrokeLists& lists);
+
+/// What strokes belong to.
+struct DrawnScene {
+    const Scene& scene;
+    const pose::MeshData& layout;
+    const contour::EdgeMesh* edges; ///< where there are lines
+    glm::uvec2 size_px{0};
+};
+
+/// The strokes of `lists` on the page. Throws Error when there was no room for all of the hatching.
+[[nodiscard]] VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn,
+                                       const StyleTables& style, bool with_hidden_lines);
+
+} // namespace estampe::frame

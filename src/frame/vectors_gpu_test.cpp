@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+// Strokes as paths against the picture of the same strokes: what librsvg makes of the SVG and what the frame
+// draws have to lie upon each other.
+#include <estampe/renderer.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+#include "scene/shapes.hpp"
+#include "style/color.hpp"
+#include "support/folder.hpp"
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr RenderSettings small{.width = 240, .height = 180};
+const Camera camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.4, 0.0}};
+
+/// Things before and behind each other, some of them beyond the edge of the page.
+Scene still_life()
+{
+    Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
+    test::add_object(scene, shapes::box({1.0F, 1.5F, 1.0F}), {0.8F, 0.3F, 0.2F}, {-0.6, 0.0, 0.0});
+    test::add_object(scene, shapes::sphere(0.6F), {0.2F, 0.4F, 0.7F}, {0.8, 0.6, 0.5});
+    test::add_object(scene, shapes::sphere(0.9F), {0.7F, 0.7F, 0.7F}, {1.5, 0.9, -1.6});
+    test::add_sun(scene, {1.0, 2.0, 1.5});
+    return scene;
+}
+
+/// Black strokes on white, and nothing else.
+Style bare(const std::vector<std::string>& assignments)
+{
+    Style style;
+    for (const char* assignment :
+         {"wash.strength=0", "paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.color=#fff",
+          "paper.ink=#000", "contour.ink=#000", "sky.mode=paper", "paper.height_mm=50"}) {
+        style.set(assignment);
+    }
+    for (const std::string& assignment : assignments) {
+        style.set(assignment);
+    }
+    return style;
+}
+
+const std::vector<std::string> only_lines{"hatch.drawn=false"};
+const std::vector<std::string> only_hatching{"contour.drawn=false"};
+
+/// How much of each pixel is ink, by the encoding in which black was laid over white.
+struct Ink {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<double> of_pixel;
+
+    [[nodiscard]] double at(int64_t x, int64_t y) const
+    {
+        const bool is_inside = x >= 0 && y >= 0 && x < width && y < height;
+        return is_inside ? of_pixel[static_cast<size_t>(y * width + x)] : 0.0;
+    }
+
+    [[nodiscard]] double mean() const
+    {
+        double sum = 0.0;
+        for (const double ink : of_pixel) {
+            sum += ink;
+        }
+        return sum / static_cast<double>(of_pixel.size());
+    }
+};
+
+Ink ink_of(const Image& image, bool is_linear)
+{
+    Ink ink{image.width, image.height, {}};
+    ink.of_pixel.reserve(image.rgba.size() / 4);
+    for (size_t i = 0; i < image.rgba.size(); i += 4) {
+        const double value = image.rgba[i + 1] / 255.0;
+        ink.of_pixel.push_back(
+            1.0 - (is_linear ? static_cast<double>(style::linear_from_srgb(glm::dvec3(value)).x) : value));
+    }
+    return ink;
+}
+
+/// Share of the ink of `a` that has ink of `b` within 1.5 pixels, at least half as much.
+double covered(const Ink& a, const Ink& b)
+{
+    double all = 0.0;
+    double met = 0.0;
+    for (int64_t y = 0; y < a.height; ++y) {
+        for (int64_t x = 0; x < a.width; ++x) {
+            const double ink = a.at(x, y);
+            double most = 0.0;
+            for (int64_t i = 0; i < 9; ++i) {
+                most = std::max(most, b.at(x + i % 3 - 1, y + i / 3 - 1)); // corners are 1.41 away
+            }
+            all += ink;
+            met += most >= 0.5 * ink ? ink : 0.0;
+        }
+    }
+    return all > 0.0 ? met / all : 1.0;
+}
+
+Image by_librsvg(const std::filesystem::path& svg, const RenderSettings& settings)
+{
+    const std::string png = svg.string() + ".png";
+    const std::string command = fmt::format("rsvg-convert -w {} -h {} -o '{}' '{}'", settings.width,
+                                            settings.height, png, svg.string());
+    // NOLINTNEXTLINE(cert-env33-c,concurrency-mt-unsafe): a test's own command
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    return load_image(png);
+}
+
+struct Both {
+    Ink picture;
+    Ink paths;
+};
+
+Both both_ways(const Scene& scene, const Camera& from, const Style& style, const RenderSettings& settings)
+{
+    const test::Folder folder;
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    const Image picture = renderer.render(from, style, settings);
+    save_svg(renderer.draw_strokes(from, style, settings), folder / "strokes.svg");
+    return {ink_of(picture, true), ink_of(by_librsvg(folder / "strokes.svg", settings), false)};
+}
+
+/// Mean ink of lines may differ: where two meet within a pixel the picture keeps the darker, an SVG lays one
+/// over the other.
+void expect_alike(const Both& both, double least_covered, double most_more_ink = 0.06)
+{
+    EXPECT_GT(both.picture.mean(), 0.002);
+    EXPECT_GE(covered(both.picture, both.paths), least_covered);
+    EXPECT_GE(covered(both.paths, both.picture), least_covered);
+    EXPECT_NEAR(both.paths.mean(), both.picture.mean(), most_more_ink * both.picture.mean());
+}
+
+TEST(Vectors, LinesLieWhereThePictureHasThem)
+{
+    expect_alike(both_ways(still_life(), camera, bare(only_lines), small), 0.99);
+}
+
+TEST(Vectors, LinesOfMeshEdgesToo)
+{
+    expect_alike(both_ways(still_life(), camera,
+                           bare({"hatch.drawn=false", "contour.silhouettes=edges", "contour.wobble_mm=0.2"}),
+                           small),
+                 0.99);
+}
+
+class HatchVectors : public testing::TestWithParam<const char*> {};
+
+TEST_P(HatchVectors, HatchingLiesWhereThePictureHasIt)
+{
+    std::vector<std::string> assignments = only_hatching;
+    assignments.emplace_back(GetParam());
+    expect_alike(both_ways(still_life(), camera, bare(assignments), small), 0.98);
+}
+
+INSTANTIATE_TEST_SUITE_P(Styles, HatchVectors,
+                         testing::Values("hatch.coordinates=solid", "hatch.coordinates=uv",
+                                         "hatch.coordinates=form", "hatch.coordinates=page", "hatch.growth=1",
+                                         "hatch.overrun_mm=1"),
+                         [](const auto& named) {
+                             std::string name = named.param;
+                             std::ranges::replace_if(
+                                 name, [](char c) { return c == '.' || c == '='; }, '_');
+                             return name;
+                         });
+
+TEST(Vectors, StrokesStayOnThePageAndKnowWhatTheyBelongTo)
+{
+    Scene scene = still_life();
+    scene.nodes[2].name = "ball";
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    const VectorDrawing drawing = renderer.draw_strokes(camera, bare({}), small);
+    EXPECT_FLOAT_EQ(drawing.height_mm, 50.0F);
+    EXPECT_NEAR(drawing.width_mm, 66.667F, 1e-3F);
+    size_t of_ball = 0;
+    bool has_hatching = false;
+    for (const VectorStroke& stroke : drawing.strokes) {
+        EXPECT_FALSE(stroke.is_hidden);
+        EXPECT_GE(stroke.points.size(), 2U);
+        of_ball += drawing.objects.at(stroke.object) == "ball" ? 1 : 0;
+        has_hatching = has_hatching || stroke.kind == StrokeKind::hatch;
+        for (const VectorPoint& point : stroke.points) {
+            EXPECT_EQ(glm::clamp(point.page_mm, glm::vec2(0.0F), glm::vec2(drawing.width_mm, 50.0F)),
+                      point.page_mm);
+            EXPECT_GE(point.width_mm, 0.0F);
+        }
+    }
+    EXPECT_GT(of_ball, 1U);
+    EXPECT_TRUE(has_hatching);
+}
+
+TEST(Vectors, HiddenLinesComeWhereAskedFor)
+{
+    Scene scene = test::scene_of(shapes::box({1.0F, 1.0F, 1.0F}));
+    test::add_sun(scene, {1.0, 2.0, 1.5});
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    const auto total_mm = [&](HiddenLines hidden, bool of_hidden) {
+        const VectorDrawing drawing =
+            renderer.draw_strokes({.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}},
+                                  bare({"hatch.drawn=false", "picture.ground=none"}), small, hidden);
+        double sum = 0.0;
+        for (const VectorStroke& stroke : drawing.strokes) {
+            for (size_t i = 1; i < stroke.points.size() && stroke.is_hidden == of_hidden; ++i) {
+                sum += glm::distance(stroke.points[i - 1].page_mm, stroke.points[i].page_mm);
+            }
+        }
+        return sum;
+    };
+    EXPECT_EQ(total_mm(HiddenLines::left_out, true), 0.0);
+    const double seen_mm = total_mm(HiddenLines::kept, false);
+    EXPECT_DOUBLE_EQ(seen_mm, total_mm(HiddenLines::left_out, false));
+    // Nine edges of a box are seen, three are hidden, each about as long.
+    EXPECT_NEAR(total_mm(HiddenLines::kept, true), seen_mm / 3.0, 0.12 * seen_mm);
+}
+
+TEST(Vectors, WhatHasNoPathsIsAnErrorThatNamesTheKey)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    for (const auto& [assignment, key] : {std::pair("hatch.strokes=map", "hatch.strokes"),
+                                          std::pair("contour.lines=page", "contour.lines")}) {
+        try {
+            static_cast<void>(renderer.draw_strokes(camera, bare({assignment}), small));
+            ADD_FAILURE() << assignment;
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("no paths"), std::string::npos);
+            EXPECT_EQ(error.where(), key);
+        }
+    }
+    const VectorDrawing none =
+        renderer.draw_strokes(camera, bare({"hatch.drawn=false", "contour.drawn=false"}), small);
+    EXPECT_TRUE(none.strokes.empty());
+}
+
+TEST(Vectors, ThePictureIsTheSameBeforeAndAfter)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    const Image before = renderer.render(camera, {}, small);
+    const VectorDrawing first = renderer.draw_strokes(camera, {}, small);
+    EXPECT_EQ(before, renderer.render(camera, {}, small));
+    const VectorDrawing second = renderer.draw_strokes(camera, {}, small);
+    ASSERT_EQ(first.strokes.size(), second.strokes.size());
+    for (size_t i = 0; i < first.strokes.size(); ++i) {
+        EXPECT_EQ(first.strokes[i].points, second.strokes[i].points);
+    }
+}
+
+/// Looks at scenes outside of the project where ESTAMPE_MODELS names a folder of them.
+TEST(Vectors, ModelsLieWhereThePictureHasThem)
+{
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody sets it
+    const char* folder = std::getenv("ESTAMPE_MODELS");
+    const std::vector<std::string> models{"suzanne.gltf", "FlightHelmet/FlightHelmet.gltf", "Fox.glb"};
+    for (const std::string& model : folder != nullptr ? models : std::vector<std::string>()) {
+        const std::filesystem::path path = std::filesystem::path(folder) / model;
+        if (!std::filesystem::exists(path)) {
+            continue;
+        }
+        const Scene scene = load_scene(path.string());
+        const RenderSettings settings{.width = 640, .height = 480};
+        const Camera from = framing_camera(scene, pose_scene(scene, 0.0), 4.0 / 3.0);
+        for (const auto& only : {only_lines, only_hatching}) {
+            SCOPED_TRACE(model + " " + only.front());
+            Style style = bare(only);
+            style.set("paper.height_mm=110");
+            expect_alike(both_ways(scene, from, style, settings), 0.98, 0.08);
+        }
+    }
+}
+
+} // namespace
+} // namespace estampe
