@@ -275,9 +275,10 @@ gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, Line
     const shared::InkConstants constants{
         .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};
     const Inked inked = add_ink(graph, shaped.strokes, shaped.line_points, constants);
+    const gpu::ImageId below = under ? *under : add_blank_layer(graph, constants);
     auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
     layer.read(inked.pixels).sample(in.materials).read(inked.tiles).variant(in.own_outlines ? 1U : 0U);
-    const gpu::ImageId ink = layer.modify(under ? *under : add_blank_layer(graph, constants));
+    const gpu::ImageId ink = layer.modify(below);
     layer.push(constants).dispatch_indirect(inked.tiles);
     return ink;
 }
