@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/frame.glsl.h"
+#include "shaders/camera.glsl"
 #include "shaders/items.glsl"
 #include "shaders/octahedral.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
@@ -67,16 +67,21 @@ bool is_turned(uint triangle)
     return (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
 }
 
-// Out of the surface, between both sides of an edge.
-vec3 edge_normal(uint side)
+// Out of the surface at an edge: of what of its two sides faces the eye, or of both where nothing does. So a
+// box on the ground is not looked for beneath that.
+vec3 edge_normal(uint side, vec3 place)
 {
     uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
+    vec3 way = towards_eye(frame, place);
     vec3 normal = triangle_normal(side >> 2);
     normal /= max(length(normal), 1e-30);
     if (beyond != NO_SIDE) {
         vec3 other =
             triangle_normal(beyond >> 2) * (is_turned(side >> 2) != is_turned(beyond >> 2) ? -1.0 : 1.0);
-        normal += other / max(length(other), 1e-30);
+        other /= max(length(other), 1e-30);
+        bool is_front = dot(normal, way) > 0.0;
+        bool is_other_front = dot(other, way) > 0.0;
+        normal = is_front == is_other_front ? normal + other : is_front ? normal : other;
     }
     return length(normal) > 1e-6 ? normalize(normal) : vec3(0.0, 1.0, 0.0);
 }
@@ -95,8 +100,8 @@ void main()
         return;
     }
     PosedVertex vertex = posed_vertex_at(point.vertex);
-    points[at] =
-        ChainPoint(vertex.position, pack_normal(edge_normal(point.side)), 0.0, point.kind << 28 | point.side);
+    points[at] = ChainPoint(vertex.position, pack_normal(edge_normal(point.side, vertex.position)), 0.0,
+                            point.kind << 28 | point.side);
     bool is_last = place + 1u == chain.point_count;
     vec3 onwards = posed_vertex_at(feature_points[is_last ? index : index + 1u].vertex).position;
     lengths[at] =
