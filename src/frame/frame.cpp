@@ -246,7 +246,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                                 .coordinate = surface.coordinate,
                                                 .light = light,
                                                 .screen_draw = screen.draw,
-                                                .has_screen = has_screen,
+                                                .has_screen = has_screen && !has_chains,
                                                 .only_cut = has_chains,
                                                 .pixels_per_mm = plan.pixels_per_mm,
                                                 .pixel_angle = plan.pixel_angle,
@@ -257,7 +257,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
         return;
     }
     const std::optional<gpu::ImageId> page_lines =
-        !has_chains || layout.masked.count > 0 || has_screen
+        !has_chains || layout.masked.count > 0
             ? std::optional(contour::add_contours(graph, contour_inputs, style.contour))
             : std::nullopt;
     const gpu::ImageId lines =

@@ -38,8 +38,8 @@ contour::EdgeMesh edge_mesh_of(const pose::MeshData& layout)
     materials.reserve(layout.triangles.size());
     for (uint32_t t = 0; t < layout.triangles.size(); ++t) {
         const uint32_t draw = layout.triangles[t].w & shared::triangle_draw_mask;
-        const bool is_whole = t - layout.opaque.first < layout.opaque.count;
-        bodies.push_back(is_whole ? body_of_draw[draw] : contour::no_side);
+        const bool is_cut = (layout.draws[draw].flags & shared::draw_is_cut) != 0;
+        bodies.push_back(is_cut ? contour::no_side : body_of_draw[draw]);
         materials.push_back(layout.draws[draw].material);
     }
     return contour::build_edge_mesh({.triangles = layout.triangles,

@@ -60,7 +60,8 @@ inline constexpr uint draw_has_uv = 1U;
 inline constexpr uint draw_follows_uv = 2U; // its UVs can carry strokes
 inline constexpr uint draw_mirrored = 4U;   // its place turns it inside out
 inline constexpr uint draw_unshadowed = 8U; // receives no shadow
-inline constexpr uint draw_is_cut = 16U;    // by its material's alpha: it does not end where its edges are
+inline constexpr uint draw_is_cut =
+    16U; // by its material's alpha, or wholly clear: it does not end where its edges are
 
 // A triangle's fourth number: the draw, and two flags that the rasteriser needs at once.
 inline constexpr uint triangle_mirrored = 1U << 31U;

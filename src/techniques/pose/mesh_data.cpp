@@ -159,9 +159,7 @@ private:
                 draw.object = node_index;
                 draw.flags = (uploaded.follows_uv ? shared::draw_follows_uv : 0U) |
                              (primitive.uvs[0].empty() ? 0U : shared::draw_has_uv);
-                draw.flags |= scene_.materials[primitive.material].alpha_mode == AlphaMode::mask
-                                  ? shared::draw_is_cut
-                                  : 0U;
+                draw.flags |= is_cut(scene_.materials[primitive.material]) ? shared::draw_is_cut : 0U;
                 link(draw, node.links, scene_.materials[primitive.material].links);
                 data_.sources.push_back(
                     {.node = node_index,
@@ -171,6 +169,12 @@ private:
                 add_draw(primitive, draw, place_of(node_index, instance), joints);
             }
         }
+    }
+
+    static bool is_cut(const Material& material)
+    {
+        return material.alpha_mode == AlphaMode::mask ||
+               (material.alpha_mode == AlphaMode::blend && material.base_color.w <= 0.0F);
     }
 
     static void link(shared::DrawRecord& draw, const LightLinks& node, const LightLinks& material)
