@@ -248,6 +248,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                                 .screen_draw = screen.draw,
                                                 .has_screen = has_screen && !has_chains,
                                                 .only_cut = has_chains,
+                                                .on_processor = plan.on_processor,
                                                 .pixels_per_mm = plan.pixels_per_mm,
                                                 .pixel_angle = plan.pixel_angle,
                                                 .size_px = size_px};

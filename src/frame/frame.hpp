@@ -61,6 +61,7 @@ struct FramePlan {
     float pixel_angle = 0.001F;
     RasterPath raster_path = RasterPath::compute;
     raster::Tuning raster;
+    bool on_processor = false; ///< the device is no GPU
     surface::SceneNeeds needs;
     StrokePlan strokes;
     float lightmap_scale = 1.0F; ///< from the lightmaps' exposure to the frame's

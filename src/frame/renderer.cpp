@@ -168,7 +168,8 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
     plan.pixels_per_mm = static_cast<float>(settings.height) / style.paper.height_mm;
     plan.pixel_angle = frame::pixel_angle(camera, settings.height);
     plan.raster_path = raster_path;
-    if (device.info().software) {
+    plan.on_processor = device.info().software;
+    if (plan.on_processor) {
         // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
         plan.raster = {.small_area_px = 2048, .list_groups = 32};
     }

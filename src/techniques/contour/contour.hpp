@@ -80,7 +80,8 @@ struct ContourInputs {
     gpu::ImageId light;
     gpu::ImageId screen_draw; ///< of what is looked through; one texel for none
     bool has_screen = false;
-    bool only_cut = false; ///< only what a texture's alpha cuts has lines
+    bool only_cut = false;     ///< only what a texture's alpha cuts has lines
+    bool on_processor = false; ///< the device is no GPU
     float pixels_per_mm = 1.0F;
     float pixel_angle = 0.001F; ///< size of a pixel at distance one
     glm::uvec2 size_px{0};

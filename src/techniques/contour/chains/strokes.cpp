@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
+#include "shaders/blank_layer_comp.hpp"
 #include "shaders/clear_grid_comp.hpp"
 #include "shaders/divide_comp.hpp"
 #include "shaders/drop_comp.hpp"
@@ -68,13 +69,19 @@ Inked add_ink(gpu::Graph& graph, const ChainStrokes& strokes, gpu::BufferId line
     return {inked, listed};
 }
 
-gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants)
+/// A processor fills an image quicker by itself than by threads; a GPU is the other way round.
+gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants, bool on_processor)
 {
+    const gpu::ImageId layer = graph.image(
+        "contour/ink", {.width = constants.width, .height = constants.height, .format = gpu::Format::rgba8});
+    if (!on_processor) {
+        auto pass = graph.compute("contour/blank layer", shaders::blank_layer_comp);
+        const gpu::ImageId blank = pass.write(layer);
+        pass.push(constants).dispatch_over(constants.width, constants.height);
+        return blank;
+    }
     auto clear = graph.custom("contour/blank layer");
-    const gpu::ImageId blank = clear.touch_write(
-        graph.image("contour/ink",
-                    {.width = constants.width, .height = constants.height, .format = gpu::Format::rgba8}),
-        gpu::Access::transfer_write);
+    const gpu::ImageId blank = clear.touch_write(layer, gpu::Access::transfer_write);
     clear.execute([blank, color = glm::sqrt(constants.ink_color)](gpu::Recorder& recorder) {
         const VkClearColorValue paper{.float32 = {color.x, color.y, color.z, 0.0F}};
         const VkImageSubresourceRange whole{
@@ -275,7 +282,7 @@ gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, Line
     const shared::InkConstants constants{
         .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};
     const Inked inked = add_ink(graph, shaped.strokes, shaped.line_points, constants);
-    const gpu::ImageId below = under ? *under : add_blank_layer(graph, constants);
+    const gpu::ImageId below = under ? *under : add_blank_layer(graph, constants, in.on_processor);
     auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
     layer.read(inked.pixels).sample(in.materials).read(inked.tiles).variant(in.own_outlines ? 1U : 0U);
     const gpu::ImageId ink = layer.modify(below);

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// One thread blanks one pixel of the layer.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0, rgba8) writeonly uniform image2D out_ink; // square root of linear colour; coverage
+
+layout(push_constant, scalar) uniform Constants
+{
+    InkConstants constants;
+};
+
+void main()
+{
+    uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (pixel.x < constants.width && pixel.y < constants.height) {
+        imageStore(out_ink, ivec2(pixel), vec4(sqrt(constants.ink_color), 0.0));
+    }
+}

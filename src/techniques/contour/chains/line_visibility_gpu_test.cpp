@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// What of lines is seen, against rays; and how it lasts from frame to frame.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "frame/line_meshes.hpp"
+#include "scene/pose.hpp"
+#include "support/drawing.hpp"
+#include "support/embree_scene.hpp"
+#include "techniques/contour/chains/chains_test_scene.hpp"
+
+namespace estampe::contour {
+namespace {
+
+using shared::LineSample;
+
+/// Share of samples whose visibility rays agree with; how many are hidden and shown against them.
+struct Agreement {
+    size_t asked = 0;
+    size_t falsely_hidden = 0;
+    size_t falsely_shown = 0;
+};
+
+/// How far the smooth surface may stand out beyond the triangle that an outline runs through.
+float bulge_m(const EdgeMesh& mesh, const std::vector<shared::PosedVertex>& posed, uint32_t side)
+{
+    if ((side & 3U) != 3U) {
+        return 0.0F;
+    }
+    float bulge = 0.0F;
+    const glm::uvec4& corners = mesh.triangles[side >> 2U];
+    for (int k = 0; k < 3; ++k) {
+        const shared::PosedVertex& a = posed[corners[k]];
+        const shared::PosedVertex& b = posed[corners[(k + 1) % 3]];
+        bulge =
+            std::max(bulge, 0.125F * glm::distance(a.position, b.position) *
+                                glm::distance(pose::unpack_normal(a.normal), pose::unpack_normal(b.normal)));
+    }
+    return bulge;
+}
+
+/// Asks rays what samples are asked: a little outside of their own surface, so that what hides them is not
+/// it.
+Agreement compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec2 size_px)
+{
+    test::Drawing drawing(scene, camera, size_px);
+    const auto lists = drawing.chains({});
+    const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
+    const std::vector<shared::PosedVertex> posed = drawing.posed();
+    const test::EmbreeScene rays(scene, 0.0, [&](const PosedPrimitive& primitive) {
+        return scene.materials[primitive.primitive->material].alpha_mode != AlphaMode::blend;
+    });
+    const glm::dmat4 clip_from_anchor(drawing.globals.clip_from_anchor);
+    Agreement result;
+    for (const LineSample& sample : lists.samples) {
+        const bool is_on_page = sample.page_px.x > 2.0F && sample.page_px.y > 2.0F &&
+                                sample.page_px.x < static_cast<float>(size_px.x) - 2.0F &&
+                                sample.page_px.y < static_cast<float>(size_px.y) - 2.0F;
+        if (!is_on_page) {
+            continue;
+        }
+        const double w = (clip_from_anchor * glm::dvec4(sample.anchor, 1.0)).w;
+        const double pixel_m = 2.0 * w * std::tan(0.5 * camera.vertical_fov_rad) / size_px.y;
+        const double outside_m =
+            0.75 * pixel_m + static_cast<double>(bulge_m(mesh, posed, sample.source & 0x0fffffffU));
+        const glm::dvec3 outside = glm::dvec3(sample.anchor) + drawing.layout.anchor +
+                                   outside_m * glm::dvec3(pose::unpack_normal(sample.normal));
+        const glm::dvec3 way = outside - camera.eye;
+        const bool is_free = !rays.is_blocked(camera.eye, glm::normalize(way), glm::length(way));
+        const bool is_shown = (sample.state & shared::sample_is_visible) != 0;
+        ++result.asked;
+        result.falsely_hidden += is_free && !is_shown ? 1U : 0U;
+        result.falsely_shown += !is_free && is_shown ? 1U : 0U;
+    }
+    return result;
+}
+
+void expect_agreement(const Agreement& agreement, const std::string& name)
+{
+    EXPECT_GT(agreement.asked, 500U) << name;
+    EXPECT_LE(static_cast<double>(agreement.falsely_hidden + agreement.falsely_shown),
+              0.01 * static_cast<double>(agreement.asked))
+        << name << ": of " << agreement.asked << " samples " << agreement.falsely_hidden
+        << " falsely hidden, " << agreement.falsely_shown << " falsely shown";
+}
+
+TEST(ContourChains, VisibilityAgreesWithRays)
+{
+    expect_agreement(compare_with_rays(shapes_scene(), view_from_above(), {640, 480}), "shapes");
+}
+
+TEST(ContourChains, VisibilityOnModelsAgreesWithRays)
+{
+    const char* folder = std::getenv("ESTAMPE_MODELS");
+    for (const char* name :
+         {"suzanne.gltf", "fandisk.obj", "stanford-bunny.obj", "FlightHelmet/FlightHelmet.gltf"}) {
+        if (folder == nullptr || !std::filesystem::exists(std::filesystem::path(folder) / name)) {
+            continue;
+        }
+        const Scene scene = load_scene(std::filesystem::path(folder) / name);
+        const Camera camera = framing_camera(scene, pose_scene(scene, 0.0, no_index), 16.0 / 9.0);
+        expect_agreement(compare_with_rays(scene, camera, {1920, 1080}), name);
+    }
+}
+
+/// Even lines of one width, as LineHistory carries them from frame to frame.
+ContourStyle tapered(float width_px)
+{
+    ContourStyle style;
+    style.outline_mm = style.boundary_mm = style.crease_mm = width_px;
+    style.pressure = 0.0F;
+    style.distance_thinning = 0.0F;
+    style.taper_mm = 40.0F;
+    return style;
+}
+
+TEST(ContourChains, AFilmIsSteadierThanStills)
+{
+    const Scene scene = shapes_scene();
+    constexpr glm::uvec2 size_px{480, 360};
+    const auto alone = [&](const std::vector<float>& frame, const std::vector<float>& other) {
+        size_t count = 0;
+        const auto width = static_cast<int>(size_px.x);
+        for (int i = 0; i < static_cast<int>(frame.size()); ++i) {
+            bool is_near = frame[static_cast<size_t>(i)] < 0.5F;
+            for (int dy = -4; dy <= 4 && !is_near; ++dy) {
+                for (int dx = -4; dx <= 4 && !is_near; ++dx) {
+                    const int at = i + dy * width + dx;
+                    is_near = dx * dx + dy * dy <= 16 && at >= 0 && at < static_cast<int>(frame.size()) &&
+                              other[static_cast<size_t>(at)] >= 0.5F;
+                }
+            }
+            count += is_near ? 0U : 1U;
+        }
+        return count;
+    };
+    size_t in_film = 0;
+    size_t in_stills = 0;
+    LineHistory history;
+    std::vector<float> film_before;
+    std::vector<float> still_before;
+    for (int frame = 0; frame < 12; ++frame) {
+        const double angle = glm::radians(0.25) * frame;
+        Camera camera = view_from_above();
+        camera.eye = {camera.eye.x * std::cos(angle) + camera.eye.z * std::sin(angle), camera.eye.y,
+                      camera.eye.z * std::cos(angle) - camera.eye.x * std::sin(angle)};
+        test::Drawing drawing(scene, camera, size_px);
+        const auto still = drawing.lines(tapered(8.0F), 1.0F);
+        drawing.begin_film_frame(history, frame > 0);
+        const auto film = drawing.lines(tapered(8.0F), 1.0F, &history);
+        history.end_frame(drawing.globals.clip_from_anchor);
+        if (frame > 0) {
+            in_film += alone(film, film_before) + alone(film_before, film);
+            in_stills += alone(still, still_before) + alone(still_before, still);
+        }
+        film_before = film;
+        still_before = still;
+    }
+    EXPECT_LT(in_film, 40U);
+    EXPECT_LE(in_film, in_stills);
+}
+
+} // namespace
+} // namespace estampe::contour
