@@ -130,7 +130,7 @@ private:
     /// Follows edges from `end` to where they go no further, or come back.
     void string_from(uint32_t end, bool is_closed)
     {
-        const uint32_t chain = static_cast<uint32_t>(result_.chains.size());
+        const auto chain = static_cast<uint32_t>(result_.chains.size());
         const auto first = static_cast<uint32_t>(result_.points.size());
         uint32_t last = end;
         while (end != none && !is_strung_[end / 2]) {
