@@ -100,11 +100,7 @@ Likeness compare(const Scene& plain, const char* lights, const char* objects)
     const StaticTriangles still = static_triangles(scene);
     Likeness result;
     for (size_t i = 0; i < light.size(); ++i) {
-        const glm::dvec2 at(static_cast<double>(i % size_px.x) + 0.5,
-                            static_cast<double>(i / size_px.x) + 0.5);
-        const glm::dvec3 point =
-            drawing.point_at(at, static_cast<double>(std::max(surface.depth[i], 1e-9F))) +
-            drawing.layout.anchor;
+        const glm::dvec3 point = drawing.point_seen(i, surface.depth[i]) + drawing.layout.anchor;
         if (surface.draw[i] == 0 || std::abs(point.y) > 1e-3 || std::abs(point.x) > 1.9 ||
             std::abs(point.z) > 1.9) {
             continue;

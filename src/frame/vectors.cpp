@@ -22,11 +22,6 @@ namespace {
 
 constexpr float hidden_share = 0.6F; // of the width that a line would have if it were seen
 
-bool draws_hatching(const StyleTables& style)
-{
-    return style.hatch.drawn;
-}
-
 /// Copies what `from` holds into `to`.
 void read_back(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from, gpu::Buffer& to)
 {
@@ -168,7 +163,7 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
 
 void check_has_paths(const StyleTables& style)
 {
-    if (draws_hatching(style) && style.hatch.strokes == hatch::Strokes::map) {
+    if (style.hatch.drawn && style.hatch.strokes == hatch::Strokes::map) {
         throw Error("the strokes of a tonal art map have no paths", "hatch.strokes",
                     "--set hatch.strokes=lines draws others, --set hatch.drawn=false none");
     }
@@ -183,7 +178,7 @@ void declare_stroke_lists(gpu::Graph& graph, const hatch::HatchInputs& hatch,
                           const StyleTables& style, StrokeLists& lists)
 {
     gpu::Device& device = lists.device;
-    if (draws_hatching(style)) {
+    if (style.hatch.drawn) {
         read_back(graph, device,
                   hatch::add_trace(graph, hatch, style.hatch, device.limits().maxStorageBufferRange),
                   lists.crossings);

@@ -316,6 +316,13 @@ glm::dvec3 Drawing::point_at(glm::dvec2 position_px, double depth) const
     return glm::dvec3(p) / p.w;
 }
 
+glm::dvec3 Drawing::point_seen(size_t pixel, float depth) const
+{
+    const glm::dvec2 center(static_cast<double>(pixel % size_px.x) + 0.5,
+                            static_cast<double>(pixel / size_px.x) + 0.5);
+    return point_at(center, static_cast<double>(std::max(depth, 1e-9F)));
+}
+
 shadow::SunView Drawing::sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const
 {
     return shadow::sun_view(pose.casters, layout.anchor, towards_sun, shadow_size);

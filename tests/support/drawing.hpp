@@ -107,6 +107,8 @@ public:
 
     /// The point of anchor space seen at a place of the page.
     [[nodiscard]] glm::dvec3 point_at(glm::dvec2 position_px, double depth) const;
+    /// The same at the centre of a pixel, counted row by row; far away where nothing is seen.
+    [[nodiscard]] glm::dvec3 point_seen(size_t pixel, float depth) const;
     [[nodiscard]] shadow::SunView warped_sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
     [[nodiscard]] shadow::SunView sun(const glm::dvec3& towards_sun, uint32_t shadow_size) const;
 

@@ -102,9 +102,7 @@ Verdict compare_with_sum(test::Drawing& drawing, const std::vector<shared::Light
         if (surface.draw[i] == 0) {
             continue;
         }
-        const glm::dvec2 at(static_cast<double>(i % size_px.x) + 0.5,
-                            static_cast<double>(i / size_px.x) + 0.5);
-        const glm::dvec3 point = drawing.point_at(at, static_cast<double>(surface.depth[i]));
+        const glm::dvec3 point = drawing.point_seen(i, surface.depth[i]);
         double wanted = 0.0;
         for (const shared::LightRecord& record : records) {
             wanted += arriving(record, point, glm::dvec3(surface.shading_normal[i]));
@@ -225,9 +223,7 @@ TEST(LightTiles, TheStrongestLightIsKept)
         if (surface.draw[i] == 0) {
             continue;
         }
-        const glm::dvec2 at(static_cast<double>(i % size_px.x) + 0.5,
-                            static_cast<double>(i / size_px.x) + 0.5);
-        const glm::dvec3 point = drawing.point_at(at, static_cast<double>(surface.depth[i]));
+        const glm::dvec3 point = drawing.point_seen(i, surface.depth[i]);
         const glm::dvec3 normal(surface.shading_normal[i]);
         double most = 0.3 * std::max(0.0, normal.y);
         glm::dvec3 towards(0.0);

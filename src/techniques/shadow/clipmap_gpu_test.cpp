@@ -108,11 +108,7 @@ Lit lit(const Scene& scene, const Camera& camera, const std::optional<Clipmap>& 
     result.pixel_m = 2.0 * std::tan(0.5 * camera.vertical_fov_rad) / size_px.y;
     const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
     for (size_t i = 0; i < light.size(); ++i) {
-        const glm::dvec2 at(static_cast<double>(i % size_px.x) + 0.5,
-                            static_cast<double>(i / size_px.x) + 0.5);
-        const glm::dvec3 point =
-            drawing.point_at(at, static_cast<double>(std::max(surface.depth[i], 1e-9F))) +
-            drawing.layout.anchor;
+        const glm::dvec3 point = drawing.point_seen(i, surface.depth[i]) + drawing.layout.anchor;
         const double cosine = glm::dot(glm::dvec3(surface.smooth_normal[i]), towards_sun);
         const bool faces = surface.draw[i] != 0 && cosine > 0.02;
         result.share.push_back(faces ? static_cast<double>(light[i].x) / cosine : -1.0);

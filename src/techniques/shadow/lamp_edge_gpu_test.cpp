@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/shapes.hpp"
+#include "support/crawl.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
 #include "support/scenes.hpp"
@@ -62,10 +63,7 @@ Lit lit(const Scene& scene, const Camera& camera, const Lamp& lamp, const Shadow
     const auto surface = drawing.surface();
     Lit result;
     for (size_t i = 0; i < dark.size(); ++i) {
-        const glm::dvec2 at(static_cast<double>(i % size_px.x) + 0.5,
-                            static_cast<double>(i / size_px.x) + 0.5);
-        result.point.push_back(drawing.point_at(at, static_cast<double>(std::max(surface.depth[i], 1e-9F))) +
-                               drawing.layout.anchor);
+        result.point.push_back(drawing.point_seen(i, surface.depth[i]) + drawing.layout.anchor);
         result.normal.emplace_back(surface.smooth_normal[i]);
         const double facing =
             glm::dot(result.normal.back(), glm::normalize(lamp.position - result.point.back()));
@@ -253,32 +251,6 @@ TEST(LampEdge, TeethAreAsLongOnThePageFromNearAndFar)
     }
 }
 
-/// Share of the page where the light at the same point of the world is another half a step later.
-double crawl(const Lit& before, const Lit& now, const test::Drawing& later)
-{
-    size_t changed = 0;
-    size_t seen = 0;
-    const glm::dmat4 clip_from_anchor(later.globals.clip_from_anchor);
-    for (size_t i = 0; i < before.share.size(); ++i) {
-        const glm::dvec4 clip = clip_from_anchor * glm::dvec4(before.point[i] - later.layout.anchor, 1.0);
-        const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size_px);
-        if (at.x < 0.0 || at.y < 0.0 || at.x >= size_px.x || at.y >= size_px.y) {
-            continue;
-        }
-        const size_t there = static_cast<size_t>(at.y) * size_px.x + static_cast<size_t>(at.x);
-        ++seen;
-        // Between two pixels the edge may pass: what counts is light that no neighbour has.
-        bool found = false;
-        for (const int step : {0, -1, 1, -static_cast<int>(size_px.x), static_cast<int>(size_px.x)}) {
-            const auto other = static_cast<size_t>(
-                std::clamp(static_cast<int>(there) + step, 0, static_cast<int>(now.share.size()) - 1));
-            found |= std::abs(now.share[other] - before.share[i]) < 0.5;
-        }
-        changed += found ? 0U : 1U;
-    }
-    return static_cast<double>(changed) / static_cast<double>(seen);
-}
-
 TEST(LampEdge, TeethStayInPlaceWhileTheEyeMoves)
 {
     const Scene scene = board();
@@ -288,7 +260,7 @@ TEST(LampEdge, TeethStayInPlaceWhileTheEyeMoves)
         for (int step = 1; step <= 3; ++step) {
             const Camera camera = under_board(6.0, 0.1 * step);
             const Lit now = lit(scene, camera, teeth.lamp, teeth.style, teeth.lines);
-            worst = std::max(worst, crawl(before, now, test::Drawing(scene, camera, size_px)));
+            worst = std::max(worst, test::crawl(before, now, test::Drawing(scene, camera, size_px)));
             before = now;
         }
         fmt::print("{:17} {:.4f} % of pixels change in a step of 0.1 m\n", teeth.name, 100.0 * worst);

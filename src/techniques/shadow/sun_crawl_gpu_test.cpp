@@ -73,10 +73,7 @@ public:
                   .anchor = drawing.layout.anchor};
         const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
         for (size_t i = 0; i < light.size(); ++i) {
-            const glm::dvec2 at(static_cast<double>(i % size_px.x) + 0.5,
-                                static_cast<double>(i / size_px.x) + 0.5);
-            const glm::dvec3 point =
-                drawing.point_at(at, static_cast<double>(std::max(depth[i], 1e-9F))) + seen.anchor;
+            const glm::dvec3 point = drawing.point_seen(i, depth[i]) + seen.anchor;
             seen.share.push_back(static_cast<double>(light[i].x));
             const glm::dvec3 way = glm::normalize(point - camera.eye);
             const auto hit = rays_.first_hit(camera.eye, way);

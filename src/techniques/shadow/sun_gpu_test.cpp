@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/shapes.hpp"
+#include "support/crawl.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
 #include "support/scenes.hpp"
@@ -69,11 +70,8 @@ Lit lit(const Scene& scene, const Camera& camera, const glm::dvec3& sun, const S
     for (size_t i = 0; i < light.size(); ++i) {
         const double cosine = glm::dot(glm::dvec3(surface.smooth_normal[i]), sun);
         const bool faces = surface.draw[i] != 0 && cosine > 0.02;
-        const glm::dvec2 at(static_cast<double>(i % size_px.x) + 0.5,
-                            static_cast<double>(i / size_px.x) + 0.5);
         result.share.push_back(faces ? static_cast<double>(light[i].x) / cosine : 1.0);
-        result.point.push_back(drawing.point_at(at, static_cast<double>(std::max(surface.depth[i], 1e-9F))) +
-                               drawing.layout.anchor);
+        result.point.push_back(drawing.point_seen(i, surface.depth[i]) + drawing.layout.anchor);
     }
     return result;
 }
@@ -142,32 +140,6 @@ TEST(ShadowEdge, TeethKeepTheShadowsAreaAndStayWithinTheirReach)
     }
 }
 
-/// Share of the page where the light at the same point of the world is another half a step later.
-double crawl(const Lit& before, const Lit& now, const test::Drawing& later)
-{
-    size_t changed = 0;
-    size_t seen = 0;
-    const glm::dmat4 clip_from_anchor(later.globals.clip_from_anchor);
-    for (size_t i = 0; i < before.share.size(); ++i) {
-        const glm::dvec4 clip = clip_from_anchor * glm::dvec4(before.point[i] - later.layout.anchor, 1.0);
-        const glm::dvec2 at = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size_px);
-        if (at.x < 0.0 || at.y < 0.0 || at.x >= size_px.x || at.y >= size_px.y) {
-            continue;
-        }
-        const size_t there = static_cast<size_t>(at.y) * size_px.x + static_cast<size_t>(at.x);
-        ++seen;
-        // Between two pixels the edge may pass: what counts is light that no neighbour has.
-        bool found = false;
-        for (const int step : {0, -1, 1, -static_cast<int>(size_px.x), static_cast<int>(size_px.x)}) {
-            const auto other = static_cast<size_t>(
-                std::clamp(static_cast<int>(there) + step, 0, static_cast<int>(now.share.size()) - 1));
-            found |= std::abs(now.share[other] - before.share[i]) < 0.5;
-        }
-        changed += found ? 0U : 1U;
-    }
-    return static_cast<double>(changed) / static_cast<double>(seen);
-}
-
 TEST(ShadowEdge, TeethStayInPlaceWhileTheEyeMoves)
 {
     const Scene scene = canopy();
@@ -177,7 +149,7 @@ TEST(ShadowEdge, TeethStayInPlaceWhileTheEyeMoves)
         for (int step = 1; step <= 6; ++step) {
             const Camera camera = under_canopy(0.1 * step);
             const Lit now = lit(scene, camera, towards_sun, teeth.style, teeth.lines);
-            worst = std::max(worst, crawl(before, now, test::Drawing(scene, camera, size_px)));
+            worst = std::max(worst, test::crawl(before, now, test::Drawing(scene, camera, size_px)));
             before = now;
         }
         fmt::print("{:8} {:.4f} % of pixels change in a step of 0.1 m\n", teeth.name, 100.0 * worst);

@@ -151,9 +151,7 @@ Verdict compare(const Shot& shot, const test::EmbreeScene& rays, test::Drawing& 
         if (surface.draw[i] == 0 || glm::dot(normal, shot.towards_sun) < 0.03) {
             continue;
         }
-        const glm::dvec2 at(static_cast<double>(i % size_px.x) + 0.5,
-                            static_cast<double>(i / size_px.x) + 0.5);
-        const glm::dvec3 anchored = drawing.point_at(at, static_cast<double>(surface.depth[i]));
+        const glm::dvec3 anchored = drawing.point_seen(i, surface.depth[i]);
         const glm::dvec3 way = anchored - glm::dvec3(drawing.globals.eye_anchor);
         const double away_m = glm::dot(way, forward);
         const double beside_m = glm::length(way - shot.towards_sun * glm::dot(way, shot.towards_sun));

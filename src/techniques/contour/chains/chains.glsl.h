@@ -9,13 +9,12 @@
 namespace estampe::shared {
 #endif
 
-// A point of a feature's line; its kind and sides are those of the edge to the next point.
+// A point of a feature's line; its kind and side are those of the edge to the next point.
 struct FeaturePoint {
     uint vertex;
     uint chain;
     uint kind;
     uint side;
-    uint other_side;
 };
 
 struct FeatureChain {
@@ -66,7 +65,7 @@ struct LineSample {
 struct Stroke {
     uint first; // samples
     uint last;
-    uint ends;      // which meet another line, see the bits below
+    uint ends;      // whether they meet other lines, and whether it is drawn at all: see the bits below
     uint seed;      // of the stroke that it was in the frame before, or no_seed
     int offset_sum; // of the arc length there less that here, in sixteenths of a pixel
     uint offset_count;
@@ -139,8 +138,6 @@ struct ShapeConstants {
     float pressure;
     float distance_thinning;
     uint seed;
-    uint width;
-    uint height;
 };
 
 struct InkConstants {
@@ -190,7 +187,6 @@ inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of th
 #define LIST_SAMPLES 2u
 #define LIST_STROKES 3u
 #define LIST_SLOTS 4u
-#define LIST_COUNT 5u
 #define LENGTH_UNIT_PX 1024.0
 #define NEIGHBOR_IS_TURNED 1u
 #define NEIGHBOR_SMOOTH_SHIFT 1u

@@ -33,10 +33,8 @@ layout(scalar, binding = 5) readonly buffer LooseEdgeOfSide
     uint loose_edge_of_side[]; // three a triangle
 };
 
-layout(scalar, binding = 6) readonly buffer Facing
-{
-    uint facing[];
-};
+#define FACING_BINDING 6
+#include "techniques/contour/chains/facing.glsl"
 
 #define MARKS_BINDING 7
 #include "techniques/contour/chains/marked_items.glsl"
@@ -77,12 +75,6 @@ bool is_reversed(uint triangle)
 {
     bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
     return is_turned != ((triangle_at(triangle).w & TRIANGLE_MIRRORED) != 0u);
-}
-
-bool is_front(uint triangle)
-{
-    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
-    return (facing[triangle / 32u] >> (triangle & 31u) & 1u) != (is_turned ? 1u : 0u);
 }
 
 // The segment beyond a side, if the surface goes on smoothly and the outline with it.

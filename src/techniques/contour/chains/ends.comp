@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread asks of one stroke whether its ends meet other lines: those are drawn right up to them, and only
-// free ends run out. A stroke has no past yet.
+// free ends run out.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -71,8 +71,7 @@ void main()
         return;
     }
     Stroke stroke = strokes[index];
-    stroke.ends |= (meets_line(stroke, stroke.first) ? STROKE_STARTS_AT_LINE : 0u) |
-                   (meets_line(stroke, stroke.last) ? STROKE_ENDS_AT_LINE : 0u);
-    // The bits of others may be asked for meanwhile, but not these.
-    strokes[index].ends = stroke.ends;
+    // Others ask meanwhile whether this one is dropped: that bit stays as it is.
+    strokes[index].ends = stroke.ends | (meets_line(stroke, stroke.first) ? STROKE_STARTS_AT_LINE : 0u) |
+                          (meets_line(stroke, stroke.last) ? STROKE_ENDS_AT_LINE : 0u);
 }

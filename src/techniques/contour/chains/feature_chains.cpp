@@ -139,8 +139,7 @@ private:
             result_.points.push_back({.vertex = vertex_at(end),
                                       .chain = chain,
                                       .kind = line_kind(feature.kind),
-                                      .side = feature.side,
-                                      .other_side = feature.other_side});
+                                      .side = feature.side});
             last = end ^ 1U;
             end = partner_[last];
         }

@@ -18,10 +18,8 @@ layout(scalar, binding = 0) readonly buffer LooseEdges
 
 layout(binding = 1) uniform usamplerBuffer neighbor_texels;
 
-layout(scalar, binding = 2) readonly buffer Facing
-{
-    uint facing[];
-};
+#define FACING_BINDING 2
+#include "techniques/contour/chains/facing.glsl"
 
 layout(scalar, binding = 3) buffer Marks
 {
@@ -32,13 +30,6 @@ layout(push_constant, scalar) uniform Constants
 {
     ChainConstants constants;
 };
-
-// In the sense of its piece of the surface.
-bool is_front(uint triangle)
-{
-    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
-    return (facing[triangle / 32u] >> (triangle & 31u) & 1u) != (is_turned ? 1u : 0u);
-}
 
 void main()
 {

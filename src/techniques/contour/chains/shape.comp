@@ -45,10 +45,8 @@ layout(scalar, binding = 4) readonly buffer Strokes
 layout(binding = 5) uniform usamplerBuffer triangle_texels;
 layout(binding = 6) uniform usamplerBuffer neighbor_texels;
 
-layout(scalar, binding = 7) readonly buffer Facing
-{
-    uint facing[];
-};
+#define FACING_BINDING 7
+#include "techniques/contour/chains/facing.glsl"
 
 layout(binding = 8) uniform sampler2D light_image;
 
@@ -88,12 +86,6 @@ const bool is_remembered = (variant & 4u) != 0u;
 const float new_half_width_px = 0.15;
 const float least_change_px = 0.25;
 const float change_share = 0.08; // of the full width
-
-bool is_front(uint triangle)
-{
-    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
-    return (facing[triangle / 32u] >> (triangle & 31u) & 1u) != (is_turned ? 1u : 0u);
-}
 
 // A fold or a boundary behind which the surface turns away is an outline there.
 uint kind_now(uint source)

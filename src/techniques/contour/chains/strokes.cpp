@@ -150,9 +150,7 @@ shared::ShapeConstants shape_constants(const ContourStyle& style, const ContourI
             .wobble_px = style.wobble_mm * pixels_per_mm,
             .pressure = style.pressure,
             .distance_thinning = style.distance_thinning,
-            .seed = static_cast<uint32_t>(style.seed),
-            .width = in.size_px.x,
-            .height = in.size_px.y};
+            .seed = static_cast<uint32_t>(style.seed)};
 }
 
 /// Where the pen goes and how wide it draws, two LinePoints a sample.
@@ -170,7 +168,7 @@ gpu::BufferId add_shape(gpu::Graph& graph, const ContourInputs& in, const ChainI
     shape.read(chains.facing).sample(in.light).sample(in.draws).sample(in.materials);
     const gpu::BufferId line_points = shape.write(
         graph.buffer("contour/line points", list_of(2ULL * samples_most, sizeof(shared::LinePoint))));
-    shape.read(recalls);
+    shape.read(recalls); // of no use where there is no frame before
     const gpu::BufferId remembered = shape.write(
         history != nullptr ? gpu::import_whole(graph, "samples now", history->now().samples)
                            : graph.buffer("contour/unremembered", list_of(1, sizeof(shared::DrawnSample))));

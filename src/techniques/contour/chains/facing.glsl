@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_FACING
+#define ESTAMPE_FACING
+
+// Which triangles face the eye, in the sense of their piece of the surface.
+// Wanted before: FACING_BINDING, of a bit a triangle, and `neighbor_texels`.
+
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(scalar, binding = FACING_BINDING) readonly buffer Facing
+{
+    uint facing[];
+};
+
+bool is_front(uint triangle)
+{
+    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
+    return (facing[triangle / 32u] >> (triangle & 31u) & 1u) != (is_turned ? 1u : 0u);
+}
+
+#endif
