@@ -22,7 +22,7 @@ template <class T>
 gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const T* items, size_t count)
 {
     gpu::Buffer buffer(device, name, std::max<size_t>(count, 1) * sizeof(T), gpu::MemoryUse::upload);
-    std::memcpy(buffer.mapped().data(), items, count * sizeof(T));
+    std::ranges::copy(std::as_bytes(std::span(items, count)), buffer.mapped().begin());
     return buffer;
 }
 

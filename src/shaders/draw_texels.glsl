@@ -22,6 +22,29 @@ DrawPart draw_at(uint draw)
     return DrawPart(words.x, words.y, words.z, words.w);
 }
 
+// The part of a DrawRecord that poses its vertices.
+struct DrawPose {
+    mat4 anchor_from_object;
+    uint vertex_count;
+    uint first_skin_vertex;
+    uint first_joint;
+    uint first_morph_offset;
+    uint morph_target_count;
+    uint first_morph_weight;
+};
+
+DrawPose draw_pose_at(uint draw)
+{
+    int first = int(7u * draw);
+    mat4 place;
+    for (int column = 0; column < 4; ++column) {
+        place[column] = uintBitsToFloat(texelFetch(draw_texels, first + column));
+    }
+    uvec4 lists = texelFetch(draw_texels, first + 5);
+    uvec2 morph = texelFetch(draw_texels, first + 6).xy;
+    return DrawPose(place, lists.x, lists.y, lists.z, lists.w, morph.x, morph.y);
+}
+
 // The part of a DrawRecord that says which lights reach it.
 struct DrawLinks {
     uint flags;

@@ -7,14 +7,15 @@
 namespace estampe::shared {
 #endif
 
-// A vertex as the file has it. Normal octahedral in two signed 16-bit parts; colour in four unsigned 8-bit
-// parts.
+// A vertex as the file has it, three texels of 16 bytes, see shaders/rest_texels.glsl. Normal octahedral in
+// two signed 16-bit parts; colour in four unsigned 8-bit parts.
 struct RestVertex {
     vec3 position;
     uint normal;
     vec2 uv_0;
     vec2 uv_1;
     uint color;
+    uvec3 unused;
 };
 
 // Up to eight influences: joint numbers in 16-bit pairs, weights in unsigned normalised 16-bit pairs.
@@ -52,7 +53,7 @@ struct PosedVertex {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RestVertex) == 36);
+static_assert(sizeof(RestVertex) == 48);
 static_assert(sizeof(DrawRecord) == 112);
 static_assert(sizeof(PosedVertex) == 16);
 inline constexpr uint no_skin = 0xffffffffU;

@@ -5,17 +5,7 @@
 // Unit vectors as two numbers in [-1, 1]: Cigolle et al., "A Survey of Efficient Representations for
 // Independent Unit Vectors", JCGT 2014.
 
-// As normalize and length are, but for vectors of middling size only: processors pay much for what those do
-// about very large and very small ones.
-vec3 unit(vec3 v)
-{
-    return v * inversesqrt(dot(v, v));
-}
-
-float size_of(vec3 v)
-{
-    return sqrt(dot(v, v));
-}
+#include "shaders/unit.glsl"
 
 vec2 sign_not_zero(vec2 v)
 {

@@ -13,6 +13,7 @@ namespace estampe::shared {
 
 using glm::mat4;
 using glm::uvec2;
+using glm::uvec3;
 using glm::uvec4;
 using glm::vec2;
 using glm::vec3;

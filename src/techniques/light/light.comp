@@ -28,10 +28,7 @@ layout(scalar, binding = 1) uniform Lighting
     LightGlobals lighting;
 };
 
-layout(scalar, binding = 2) readonly buffer Lights
-{
-    LightRecord lights[];
-};
+layout(binding = 2) uniform usamplerBuffer light_texels;
 
 layout(binding = 3) uniform usampler2D draw_image;
 layout(binding = 4) uniform sampler2D depth_image;
@@ -116,6 +113,18 @@ void weigh(vec3 arriving, vec3 towards_local)
     }
 }
 
+LightRecord light_at(uint light)
+{
+    uvec4 a = texelFetch(light_texels, int(5u * light));
+    uvec4 b = texelFetch(light_texels, int(5u * light + 1u));
+    uvec4 c = texelFetch(light_texels, int(5u * light + 2u));
+    uvec4 d = texelFetch(light_texels, int(5u * light + 3u));
+    uvec4 e = texelFetch(light_texels, int(5u * light + 4u));
+    return LightRecord(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz), b.w,
+                       uintBitsToFloat(c.xyz), uintBitsToFloat(c.w), uintBitsToFloat(d.x),
+                       uintBitsToFloat(d.yzw), e.x, e.y, uintBitsToFloat(e.z), 0u);
+}
+
 shared uint reaching[lights_per_round / 32u];
 
 #include "techniques/light/light_tile.glsl"
@@ -174,7 +183,7 @@ vec3 local_lights(Tile tile, Receiver at)
         barrier();
         for (uint i = thread; i < min(lights_per_round, count - done); i += 64u) {
             if (looks_at_all ||
-                (tile_slices != 0u && reaches(lights[listed_light(first + 1u, done + i)], tile))) {
+                (tile_slices != 0u && reaches(light_at(listed_light(first + 1u, done + i)), tile))) {
                 atomicOr(reaching[i >> 5], 1u << (i & 31u));
             }
         }
@@ -184,7 +193,7 @@ vec3 local_lights(Tile tile, Receiver at)
             while (bits != 0u) {
                 uint bit = uint(findLSB(bits));
                 bits &= bits - 1u;
-                LightRecord light = lights[listed_light(first + 1u, done + word * 32u + bit)];
+                LightRecord light = light_at(listed_light(first + 1u, done + word * 32u + bit));
                 vec3 arriving = shadowed_light(light, at);
                 weigh(arriving, light.position - at.point);
                 sum += arriving;
@@ -226,10 +235,12 @@ void main()
     if (has_edges) {
         edge = edge_at(pixel, word, max(depth, 1e-9), point, smooth_normal);
     }
-    float sun_visible = has_shadow ? sun_share(point, smooth_normal, lights[0].direction, edge) : 1.0;
+    float sun_visible = has_shadow ? sun_share(point, smooth_normal, light_at(0u).direction, edge) : 1.0;
     sun_visible = takes_shadow ? sun_visible : 1.0;
-    for (uint i = 0u; i < lighting.directional_count; ++i) {
-        LightRecord sun = lights[i];
+    // Of what is not seen there is no light to sum; nor does lavapipe then compile a shader for each count.
+    uint directional_count = sees_draw(word) ? lighting.directional_count : 0u;
+    for (uint i = 0u; i < directional_count; ++i) {
+        LightRecord sun = light_at(i);
         if (has_links && (sun.groups & groups) == 0u) {
             continue;
         }

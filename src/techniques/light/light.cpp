@@ -62,7 +62,7 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
 {
     const Lists lists = add_lists(graph, in);
     auto pass = graph.compute("light", shaders::light_comp);
-    pass.uniform(in.frame).uniform(in.lighting).read(in.lights);
+    pass.uniform(in.frame).uniform(in.lighting).sample(in.lights);
     pass.sample(in.draw)
         .sample(in.depth)
         .sample(in.normal)

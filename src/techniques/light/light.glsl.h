@@ -20,6 +20,7 @@ struct LightRecord {
     uint shadow;    // one more than the first of its views among the shadow maps; 0: none
     uint groups;    // lights those of bits 0-15, is blocked by those of bits 16-31
     float radius_m; // of the ball that glows, for its penumbrae; below 0: as the style says
+    uint unused;
 };
 
 struct LightGlobals {
@@ -37,7 +38,7 @@ struct ListTiles {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(LightRecord) == 76);
+static_assert(sizeof(LightRecord) == 80);
 static_assert(sizeof(LightGlobals) == 36);
 inline constexpr uint light_directional = 0;
 inline constexpr uint light_point = 1;

@@ -10,20 +10,16 @@
 
 layout(local_size_x = 64) in;
 
-layout(scalar, binding = 0) readonly buffer Draws
-{
-    DrawRecord draws[];
-};
+#define DRAW_TEXELS_BINDING 0
+#include "shaders/draw_texels.glsl"
 
 layout(scalar, binding = 1) readonly buffer DrawOfVertex
 {
     uint draw_of_vertex[];
 };
 
-layout(scalar, binding = 2) readonly buffer RestVertices
-{
-    RestVertex rest_vertices[];
-};
+#define REST_TEXELS_BINDING 2
+#include "shaders/rest_texels.glsl"
 
 layout(scalar, binding = 3) readonly buffer SkinVertices
 {
@@ -60,7 +56,7 @@ layout(constant_id = 0) const uint variant = 3u;
 const bool has_skins = (variant & 1u) != 0u;
 const bool has_morphs = (variant & 2u) != 0u;
 
-mat4 skin_matrix(DrawRecord draw, uint local)
+mat4 skin_matrix(DrawPose draw, uint local)
 {
     SkinVertex skin = skin_vertices[draw.first_skin_vertex + local];
     mat4 blended = mat4(0.0);
@@ -83,9 +79,11 @@ void main()
     if (index >= vertex_count) {
         return;
     }
-    DrawRecord draw = draws[draw_of_vertex[index]];
-    uint local = index - draw.first_posed_vertex;
-    RestVertex rest = rest_vertices[draw.first_rest_vertex + local];
+    uint draw_index = draw_of_vertex[index];
+    DrawPose draw = draw_pose_at(draw_index);
+    DrawPart lists = draw_at(draw_index);
+    uint local = index - lists.first_posed_vertex;
+    RestVertex rest = rest_vertex_at(lists.first_rest_vertex + local);
     vec3 position = rest.position;
     vec3 normal = unpack_normal(rest.normal);
     if (has_morphs) {

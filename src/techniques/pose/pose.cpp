@@ -40,9 +40,9 @@ gpu::BufferId add_pose(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& d
                        gpu::BufferId rest_vertices)
 {
     auto pass = graph.compute("pose", shaders::pose_comp);
-    pass.read(draws)
+    pass.sample(draws)
         .read(gpu::import_whole(graph, "draw of vertex", meshes.draw_of_vertex))
-        .read(rest_vertices)
+        .sample(rest_vertices)
         .read(gpu::import_whole(graph, "skin vertices", meshes.skin_vertices))
         .read(gpu::import_whole(graph, "morph offsets", meshes.morph_offsets))
         .read(gpu::import_whole(graph, "joints", meshes.joints))

@@ -31,10 +31,8 @@ layout(binding = 1) uniform usamplerBuffer visibility_texels;
 #define DRAW_TEXELS_BINDING 4
 #include "shaders/draw_texels.glsl"
 
-layout(scalar, binding = 5) readonly buffer RestVertices
-{
-    RestVertex rest_vertices[];
-};
+#define REST_TEXELS_BINDING 5
+#include "shaders/rest_texels.glsl"
 
 layout(scalar, binding = 6) readonly buffer StrokeCoordinates
 {
@@ -91,9 +89,9 @@ const bool has_occlusion = (variant & 4096u) != 0u;
 
 UvFootprint uv_at(uvec3 rest, uint uv_set, Barycentric b)
 {
-    mat3x2 uv = mat3x2(rest_vertices[rest.x].uv_0, rest_vertices[rest.y].uv_0, rest_vertices[rest.z].uv_0);
+    mat3x2 uv = mat3x2(rest_vertex_at(rest.x).uv_0, rest_vertex_at(rest.y).uv_0, rest_vertex_at(rest.z).uv_0);
     if (has_second_uvs && uv_set != 0u) {
-        uv = mat3x2(rest_vertices[rest.x].uv_1, rest_vertices[rest.y].uv_1, rest_vertices[rest.z].uv_1);
+        uv = mat3x2(rest_vertex_at(rest.x).uv_1, rest_vertex_at(rest.y).uv_1, rest_vertex_at(rest.z).uv_1);
     }
     return UvFootprint(uv * b.weight, uv * b.dx, uv * b.dy);
 }
@@ -113,7 +111,7 @@ vec3 perturb(vec3 normal, vec3 mapped, vec3 position_dx, vec3 position_dy, UvFoo
     // Down the page is the second direction, so the two span a left-handed frame where they face the eye.
     float inverse = inversesqrt(longest) * (dot(cross(position_dx, position_dy), normal) < 0.0 ? -1.0 : 1.0);
     vec3 turned = tangent * inverse * mapped.x - bitangent * inverse * mapped.y + normal * mapped.z;
-    return normalize(turned);
+    return unit(turned);
 }
 
 void main()
@@ -139,7 +137,7 @@ void main()
         frame.clip_from_anchor * vec4(c.position, 1.0), vec2(pixel) + 0.5, frame.size_px);
     mat3 positions = mat3(a.position, b.position, c.position);
     mat3 normals = mat3(unpack_normal(a.normal), unpack_normal(b.normal), unpack_normal(c.normal));
-    vec3 smooth_normal = normalize(normals * at.weight + 1e-12);
+    vec3 smooth_normal = unit(normals * at.weight + 1e-12);
     vec3 eye = towards_eye(frame, positions * at.weight);
     vec3 flat_normal = cross(b.position - a.position, c.position - a.position);
     float facing = dot(flat_normal, eye) * ((corners.w & TRIANGLE_MIRRORED) != 0u ? -1.0 : 1.0);
@@ -149,9 +147,9 @@ void main()
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
     vec3 color = base_color_of(draw.material).rgb;
     if (has_vertex_colors) {
-        mat3 colors =
-            mat3(vertex_color(rest_vertices[rest.x].color).rgb, vertex_color(rest_vertices[rest.y].color).rgb,
-                 vertex_color(rest_vertices[rest.z].color).rgb);
+        mat3 colors = mat3(vertex_color(rest_vertex_at(rest.x).color).rgb,
+                           vertex_color(rest_vertex_at(rest.y).color).rgb,
+                           vertex_color(rest_vertex_at(rest.z).color).rgb);
         color *= colors * at.weight;
     }
     vec3 shading_normal = smooth_normal;

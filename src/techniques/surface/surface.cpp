@@ -14,7 +14,7 @@ Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in)
     auto pass = graph.compute("surface", shaders::resolve_comp);
     pass.uniform(in.frame).sample(in.visibility, gpu::Format::rg32ui);
     pass.sample(in.triangles).sample(in.posed_vertices).sample(in.draws);
-    pass.read(in.rest_vertices).read(in.stroke_coordinates).sample(in.materials);
+    pass.sample(in.rest_vertices).read(in.stroke_coordinates).sample(in.materials);
     pass.read(in.stroke_kinds).read(in.form_coordinates);
     for (const gpu::ImageId texture : in.textures) {
         pass.sample(texture, gpu::Sampling::linear_repeat);

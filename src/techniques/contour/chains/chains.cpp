@@ -48,7 +48,7 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
     triangles.dispatch((constants.triangle_count + 63) / 64);
     if (constants.loose_edge_count > 0) {
         auto edges = graph.compute("contour/mark edges", shaders::mark_edges_comp);
-        edges.read(loose_edges).sample(in.neighbors).read(facing);
+        edges.read(loose_edges).sample(in.neighbors).sample(facing, gpu::Format::r32ui);
         marks = edges.modify(marks);
         edges.push(constants).dispatch((constants.loose_edge_count + 63) / 64);
     }
@@ -58,13 +58,13 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
                                      {.sizes = sizes,
                                       .values = marks,
                                       .sizes_are_new = true,
-                                      .counts_bits = true,
                                       .value_capacity = words,
                                       .constants = {.fixed_count = words,
                                                     .count_of = shared::no_list,
                                                     .total_to = shared::list_segments,
                                                     .capacity = constants.segment_capacity,
-                                                    .slots_before = constants.feature_chain_count}});
+                                                    .slots_before = constants.feature_chain_count,
+                                                    .counts_bits = 1}});
     return {facing, marks, scanned.before, scanned.sizes};
 }
 
@@ -87,7 +87,10 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
     auto emit = graph.compute("contour/emit", shaders::emit_comp);
     emit.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices).sample(in.neighbors);
     emit.read(loose_edges).read(gpu::import_whole(graph, "loose edges of sides", mesh.loose_edge_of_side));
-    emit.read(marks.facing).read(marks.words).read(marks.before).read(marks.sizes);
+    for (const gpu::BufferId words : {marks.facing, marks.words, marks.before}) {
+        emit.sample(words, gpu::Format::r32ui);
+    }
+    emit.read(marks.sizes);
     const gpu::BufferId segments =
         emit.write(graph.buffer("contour/segments", list_of(segments_most, sizeof(shared::Segment))));
     gpu::BufferId ranks =
@@ -97,7 +100,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
 
     for (uint64_t reach = 1; reach < segments_most; reach *= 4) {
         auto rank = graph.compute("contour/rank", shaders::rank_comp);
-        rank.read(marks.sizes).read(ranks);
+        rank.read(marks.sizes).sample(ranks);
         ranks = rank.write(graph.buffer("contour/ranks", list_of(segments_most, sizeof(shared::Rank))));
         rank.dispatch_indirect(marks.sizes, indirect_offset(shared::list_segments));
     }
@@ -105,7 +108,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
     const uint32_t slots_most = segments_most + mesh.feature_chain_count;
     const auto feature_chains = gpu::import_whole(graph, "feature chains", mesh.feature_chains);
     auto string = graph.compute("contour/string", shaders::string_comp);
-    string.read(marks.sizes).read(feature_chains).read(segments).read(ranks);
+    string.read(marks.sizes).read(feature_chains).sample(segments).sample(ranks);
     const gpu::BufferId points_of_slot =
         string.write(graph.buffer("contour/points of slot", list_of(slots_most, sizeof(uint32_t))));
     const gpu::BufferId flags_of_slot =
@@ -121,11 +124,12 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
                                                     .count_of = shared::list_slots,
                                                     .total_to = shared::list_points,
                                                     .capacity = constants.point_capacity,
-                                                    .slots_before = shared::no_list}});
+                                                    .slots_before = shared::no_list,
+                                                    .counts_bits = 0}});
 
     auto order = graph.compute("contour/order outline", shaders::order_segments_comp);
-    order.uniform(in.frame).read(scanned.sizes).read(segments).read(ranks).read(first_of_end);
-    order.read(scanned.before);
+    order.uniform(in.frame).read(scanned.sizes).sample(segments).sample(ranks).read(first_of_end);
+    order.sample(scanned.before, gpu::Format::r32ui);
     gpu::BufferId points = order.write(
         graph.buffer("contour/points", list_of(constants.point_capacity, sizeof(shared::ChainPoint))));
     gpu::BufferId lengths =
@@ -136,7 +140,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
         features.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices);
         features.sample(in.neighbors);
         features.read(gpu::import_whole(graph, "feature points", mesh.feature_points));
-        features.read(feature_chains).read(scanned.before);
+        features.read(feature_chains).sample(scanned.before, gpu::Format::r32ui);
         points = features.modify(points);
         lengths = features.modify(lengths);
         features.push(constants).dispatch_items(mesh.feature_point_count);

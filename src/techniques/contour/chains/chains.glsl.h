@@ -50,6 +50,7 @@ struct ChainPoint {
     uint normal;
     float bulge_m;
     uint source; // kind << 28 | side; corner 3 for the whole triangle
+    uvec2 unused;
 };
 
 // One step along a chain, all steps of a chain alike.
@@ -114,6 +115,7 @@ struct ScanConstants {
     uint total_to;    // the list whose size is the total
     uint capacity;
     uint slots_before; // of the slots that the total's come after
+    uint counts_bits;  // of the values, not the values themselves
 };
 
 struct ChainConstants {
@@ -148,7 +150,7 @@ struct InkConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(Segment) == 48);
-static_assert(sizeof(ChainPoint) == 24);
+static_assert(sizeof(ChainPoint) == 32);
 static_assert(sizeof(LineSample) == 32);
 static_assert(sizeof(Stroke) == 24);
 static_assert(sizeof(DrawnSample) == 24);

@@ -13,20 +13,14 @@ layout(scalar, binding = 0) readonly buffer Sizes
     ListSize sizes[];
 };
 
-layout(scalar, binding = 1) readonly buffer PointsBefore
-{
-    uint points_before[];
-};
-
 layout(scalar, binding = 2) readonly buffer FlagsOfSlot
 {
     uint flags_of_slot[];
 };
 
-layout(scalar, binding = 3) readonly buffer LengthsBefore
-{
-    uint lengths_before[];
-};
+#define POINTS_BEFORE_BINDING 1
+#define LENGTHS_BEFORE_BINDING 3
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 4) writeonly buffer SamplesOfSlot
 {
@@ -51,11 +45,11 @@ void main()
     if (slot >= sizes[LIST_SLOTS].count) {
         return;
     }
-    uint first = points_before[slot];
-    uint end = points_before[slot + 1u];
+    uint first = points_before(slot);
+    uint end = points_before(slot + 1u);
     uint count = 0u;
     if (end > first && end <= sizes[LIST_POINTS].count) {
-        float length_px = float(lengths_before[end - 1u] - lengths_before[first]) / LENGTH_UNIT_PX;
+        float length_px = float(lengths_before(end - 1u) - lengths_before(first)) / LENGTH_UNIT_PX;
         bool is_closed = (flags_of_slot[slot] & CHAIN_IS_CLOSED) != 0u;
         uint steps = max(uint(ceil(length_px / constants.step_px)), is_closed ? 3u : 1u);
         count = length_px >= shortest_px ? steps + 1u : 0u;

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -14,19 +15,13 @@ layout(scalar, binding = 0) readonly buffer Sizes
     ListSize sizes[];
 };
 
-layout(scalar, binding = 1) readonly buffer CutSamples
-{
-    LineSample samples[];
-};
-
 #define GRID_BINDING 2
 #define GRID_ACCESS readonly
 #include "techniques/contour/chains/sample_grid.glsl"
 
-layout(scalar, binding = 3) readonly buffer StrokesBefore
-{
-    uint strokes_before[];
-};
+#define SAMPLES_BINDING 1
+#define STROKES_BEFORE_BINDING 3
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 4) buffer Strokes
 {
@@ -44,16 +39,18 @@ const float most_share = 0.5; // of its samples may lie beside another
 
 bool is_beside_longer(uint index, uint own, uint own_steps)
 {
+    vec2 here = sample_at(index).page_px;
     bool is_beside = false;
-    for (int i = 0; i < 9; ++i) {
-        uvec2 found = grid[cell_at(samples[index].page_px, ivec2(i % 3 - 1, i / 3 - 1), size_px)];
+    Cells around = cells_around(here, size_px);
+    for (ivec2 cell = around.low; cell.y <= around.high.y; cell = next_cell(cell, around)) {
+        uvec2 found = grid[cell_index(cell, size_px)];
         for (int k = 0; k < 2; ++k) {
             uint other = found.y == 0u ? index : k == 0 ? found.x : found.y - 1u;
-            uint stroke = strokes_before[other + 1u] - 1u;
+            uint stroke = strokes_before(other + 1u) - 1u;
             uint steps = strokes[stroke].last - strokes[stroke].first;
             bool is_longer = stroke != own && (steps > own_steps || (steps == own_steps && stroke < own));
-            is_beside = is_beside || (found.y != 0u && is_longer &&
-                                      distance(samples[other].page_px, samples[index].page_px) < beside_px);
+            is_beside = is_beside ||
+                        (found.y != 0u && is_longer && size_of(sample_at(other).page_px - here) < beside_px);
         }
     }
     return is_beside;

@@ -14,15 +14,9 @@ layout(scalar, binding = 0) readonly buffer Sizes
     ListSize sizes[];
 };
 
-layout(scalar, binding = 1) readonly buffer CutSamples
-{
-    LineSample samples[];
-};
-
-layout(scalar, binding = 2) readonly buffer StrokesBefore
-{
-    uint strokes_before[];
-};
+#define SAMPLES_BINDING 1
+#define STROKES_BEFORE_BINDING 2
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 3) readonly buffer Recalls
 {
@@ -40,10 +34,10 @@ const float most_offset_px = 4096.0;
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SAMPLES].count || (samples[index].state & PIECE_IS_THERE) == 0u) {
+    if (index >= sizes[LIST_SAMPLES].count || (sample_at(index).state & PIECE_IS_THERE) == 0u) {
         return;
     }
-    uint stroke = strokes_before[index + 1u] - 1u;
+    uint stroke = strokes_before(index + 1u) - 1u;
     Recall recall = recalls[index];
     if (recall.seed != NO_SEED && recall.seed == strokes[stroke].seed &&
         abs(recall.offset_px) < most_offset_px) {

@@ -78,87 +78,85 @@ bool is_reversed(uint triangle)
 }
 
 // The segment beyond a side, if the surface goes on smoothly and the outline with it.
-uint segment_beyond(uint triangle, uint corner)
+uint segment_beyond(uint triangle, uint corner, uint segment_count)
 {
     uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));
     bool is_smooth = (neighbors.w >> (NEIGHBOR_SMOOTH_SHIFT + corner) & 1u) != 0u;
     uint beyond = neighbors[corner] >> 2;
     uint segment = is_smooth && is_marked(beyond) ? segment_of(beyond) : NO_SEGMENT;
-    return segment < sizes[LIST_SEGMENTS].count ? segment : NO_SEGMENT;
+    return segment < segment_count ? segment : NO_SEGMENT;
+}
+
+// A vertex as an outline passes it by.
+struct Corner {
+    uint vertex;
+    vec3 position;
+    vec3 normal; // unit
+    float facing;
+};
+
+Corner corner_at(uint vertex)
+{
+    PosedVertex posed = posed_vertex_at(vertex);
+    vec3 normal = unit(normal_direction(posed.normal));
+    return Corner(vertex, posed.position, normal, facing_at(posed));
 }
 
 struct Crossing {
     vec3 position;
-    vec3 normal;
+    uint normal;
 };
 
-// Where the outline crosses the side at `corner`; the same from both triangles.
-Crossing crossing_at(uvec4 corners, uint corner)
+// Where the outline crosses the side between two corners; the same from both triangles.
+Crossing crossing_of(Corner i, Corner j)
 {
-    uint i = corners[corner];
-    uint j = corners[next_corner(corner)];
-    PosedVertex low = posed_vertex_at(min(i, j));
-    PosedVertex high = posed_vertex_at(max(i, j));
-    vec3 n_low = normal_direction(low.normal);
-    vec3 n_high = normal_direction(high.normal);
-    float s_low = dot(normalize(n_low), way_to_eye(low.position));
-    float s_high = dot(normalize(n_high), way_to_eye(high.position));
+    bool in_order = i.vertex < j.vertex;
+    Corner low = in_order ? i : j;
+    Corner high = in_order ? j : i;
+    float s_low = dot(low.normal, way_to_eye(low.position));
+    float s_high = dot(high.normal, way_to_eye(high.position));
     float along = clamp(s_low / (s_low - s_high), 0.0, 1.0);
     return Crossing(mix(low.position, high.position, along),
-                    normalize(mix(normalize(n_low), normalize(n_high), along)));
+                    pack_normal(unit(mix(low.normal, high.normal, along))));
 }
 
 // How far the surface whose normals these are may stand out beyond the flat triangle.
-float bulge_of(PosedVertex a, PosedVertex b, PosedVertex c)
+float bulge_of(Corner a, Corner b, Corner c)
 {
-    vec3 n_a = unpack_normal(a.normal);
-    vec3 n_b = unpack_normal(b.normal);
-    vec3 n_c = unpack_normal(c.normal);
-    float ab = length(a.position - b.position) * length(n_a - n_b);
-    float bc = length(b.position - c.position) * length(n_b - n_c);
-    float ca = length(c.position - a.position) * length(n_c - n_a);
+    float ab = size_of(a.position - b.position) * size_of(a.normal - b.normal);
+    float bc = size_of(b.position - c.position) * size_of(b.normal - c.normal);
+    float ca = size_of(c.position - a.position) * size_of(c.normal - a.normal);
     return 0.125 * max(ab, max(bc, ca));
 }
 
-// How fast the surface turns to the eye on the way to the eye. Where it turns away the outline lies behind
-// the surface that it belongs to; at a cusp one becomes the other.
-float turn_to_eye(PosedVertex a, PosedVertex b, PosedVertex c)
-{
-    vec3 u = b.position - a.position;
-    vec3 v = c.position - a.position;
-    vec3 way = way_to_eye(a.position);
-    vec3 s = vec3(dot(unpack_normal(a.normal), way), dot(unpack_normal(b.normal), way_to_eye(b.position)),
-                  dot(unpack_normal(c.normal), way_to_eye(c.position)));
-    float uu = dot(u, u);
-    float uv = dot(u, v);
-    float vv = dot(v, v);
-    float along_u = vv * dot(way, u) - uv * dot(way, v);
-    float along_v = uu * dot(way, v) - uv * dot(way, u);
-    return along_u * (s.y - s.x) + along_v * (s.z - s.x);
-}
-
-Segment through_triangle(uint triangle)
+Segment through_triangle(uint triangle, uint segment_count)
 {
     uvec4 corners = triangle_at(triangle);
-    PosedVertex a = posed_vertex_at(corners.x);
-    PosedVertex b = posed_vertex_at(corners.y);
-    PosedVertex c = posed_vertex_at(corners.z);
-    bvec3 sides = bvec3(facing_at(a) >= 0.0, facing_at(b) >= 0.0, facing_at(c) >= 0.0);
-    uint down = sides.x && !sides.y ? 0u : sides.y && !sides.z ? 1u : 2u; // from front to back
-    uint up = !sides.x && sides.y ? 0u : !sides.y && sides.z ? 1u : 2u;
-    bool reversed = is_reversed(triangle);
-    uint start = reversed ? up : down;
-    uint end = reversed ? down : up;
-    Crossing from = crossing_at(corners, start);
-    Crossing to = crossing_at(corners, end);
-    return Segment(from.position, pack_normal(from.normal), to.position, pack_normal(to.normal),
-                   triangle << 2 | 3u, segment_beyond(triangle, end),
-                   segment_beyond(triangle, start) != NO_SEGMENT ? 1u : 0u, bulge_of(a, b, c));
+    Corner a = corner_at(corners.x);
+    Corner b = corner_at(corners.y);
+    Corner c = corner_at(corners.z);
+    bvec3 fronts = bvec3(a.facing >= 0.0, b.facing >= 0.0, c.facing >= 0.0);
+    // One corner is on the one side, two are on the other: the outline crosses the sides that meet at the
+    // one.
+    uint lone = fronts.y == fronts.z ? 0u : fronts.x == fronts.z ? 1u : 2u;
+    Corner apart = lone == 0u ? a : lone == 1u ? b : c;
+    Corner after = lone == 0u ? b : lone == 1u ? c : a;
+    Corner before = lone == 0u ? c : lone == 1u ? a : b;
+    // It starts on the side where the corners, in the sense of the front, pass from front to back.
+    bool starts_after = (apart.facing >= 0.0) != is_reversed(triangle);
+    Crossing from = crossing_of(starts_after ? after : before, apart);
+    Crossing to = crossing_of(starts_after ? before : after, apart);
+    uint side_before = next_corner(next_corner(lone));
+    uint start = starts_after ? lone : side_before;
+    uint end = starts_after ? side_before : lone;
+    return Segment(from.position, from.normal, to.position, to.normal, triangle << 2 | 3u,
+                   segment_beyond(triangle, end, segment_count),
+                   segment_beyond(triangle, start, segment_count) != NO_SEGMENT ? 1u : 0u, bulge_of(a, b, c));
 }
 
 // The outline's edge that leaves the point where a front's side ends (or starts, going back), around all
 // fronts that follow there.
-uint outline_around(uint triangle, uint corner, bool forwards)
+uint outline_around(uint triangle, uint corner, bool forwards, uint segment_count)
 {
     for (uint i = 0u; i < most_triangles_at_a_point; ++i) {
         // With corners in the front's own sense, one step on; against it, one step back.
@@ -172,7 +170,7 @@ uint outline_around(uint triangle, uint corner, bool forwards)
             uint edge = loose_edge_of_side[3u * triangle + corner];
             uint item = 32u * ((constants.triangle_count + 31u) / 32u) + edge;
             uint segment = edge != NO_SIDE && is_marked(item) ? segment_of(item) : NO_SEGMENT;
-            return segment < sizes[LIST_SEGMENTS].count ? segment : NO_SEGMENT;
+            return segment < segment_count ? segment : NO_SEGMENT;
         }
         triangle = facing_side >> 2;
         corner = facing_side & 3u;
@@ -180,7 +178,7 @@ uint outline_around(uint triangle, uint corner, bool forwards)
     return NO_SEGMENT;
 }
 
-Segment along_edge(uint edge)
+Segment along_edge(uint edge, uint segment_count)
 {
     uvec2 sides = loose_edges[edge];
     uint side = is_front(sides.x >> 2) ? sides.x : sides.y;
@@ -191,7 +189,7 @@ Segment along_edge(uint edge)
     PosedVertex a = posed_vertex_at(corners[reversed ? next_corner(first) : first]);
     PosedVertex b = posed_vertex_at(corners[reversed ? first : next_corner(first)]);
     vec3 normal = unpack_normal(a.normal) + unpack_normal(b.normal);
-    uint packed = pack_normal(normalize(normal + 1e-6 * way_to_eye(a.position)));
+    uint packed = pack_normal(unit(normal + 1e-6 * way_to_eye(a.position)));
     // In a hollow the front hides its own outline.
     uint behind = is_front(sides.x >> 2) ? sides.y : sides.x;
     vec3 beyond =
@@ -199,23 +197,28 @@ Segment along_edge(uint edge)
     vec3 third = posed_vertex_at(corners[first == 0u ? 2u : first - 1u]).position;
     vec3 plane = cross(b.position - a.position, third - a.position);
     bool is_hollow = dot(plane, beyond - a.position) * dot(plane, way_to_eye(a.position)) > 0.0;
-    return Segment(a.position, packed, b.position, packed, side, outline_around(triangle, first, true),
-                   outline_around(triangle, first, false) != NO_SEGMENT ? 1u : 0u, is_hollow ? -1e-30 : 0.0);
+    uvec2 around;
+    for (uint back = 0u; back < 2u; ++back) {
+        around[back] = outline_around(triangle, first, back == 0u, segment_count);
+    }
+    return Segment(a.position, packed, b.position, packed, side, around.x, around.y != NO_SEGMENT ? 1u : 0u,
+                   is_hollow ? -1e-30 : 0.0);
 }
 
 void main()
 {
     uint slot = gl_GlobalInvocationID.x;
-    if (slot >= sizes[LIST_SEGMENTS].count) {
+    uint segment_count = sizes[LIST_SEGMENTS].count;
+    if (slot >= segment_count) {
         return;
     }
     uint triangle_words = (constants.triangle_count + 31u) / 32u;
     uint item = item_of(slot, triangle_words + (constants.loose_edge_count + 31u) / 32u);
     Segment segment;
     if (!has_loose_edges || item < 32u * triangle_words) {
-        segment = through_triangle(item);
+        segment = through_triangle(item, segment_count);
     } else {
-        segment = along_edge(item - 32u * triangle_words);
+        segment = along_edge(item - 32u * triangle_words, segment_count);
     }
     segments[slot] = segment;
     ranks[slot] = segment.next != NO_SEGMENT ? Rank(segment.next, 1u, slot, 0u) : Rank(slot, 0u, slot, 0u);

@@ -13,10 +13,8 @@ layout(scalar, binding = 0) readonly buffer Sizes
     ListSize sizes[];
 };
 
-layout(scalar, binding = 1) readonly buffer CutSamples
-{
-    LineSample samples[];
-};
+#define SAMPLES_BINDING 1
+#include "techniques/contour/chains/lists.glsl"
 
 #define GRID_BINDING 2
 #define GRID_ACCESS
@@ -33,10 +31,10 @@ void main()
     if (index >= sizes[LIST_SAMPLES].count) {
         return;
     }
-    bool is_drawn = (samples[index].state & PIECE_IS_THERE) != 0u ||
-                    (index > 0u && (samples[index - 1u].state & PIECE_IS_THERE) != 0u);
+    bool is_drawn = (sample_at(index).state & PIECE_IS_THERE) != 0u ||
+                    (index > 0u && (sample_at(index - 1u).state & PIECE_IS_THERE) != 0u);
     if (is_drawn) {
-        uint cell = cell_at(samples[index].page_px, ivec2(0), size_px);
+        uint cell = cell_index(cell_of(sample_at(index).page_px, size_px), size_px);
         atomicMin(grid[cell].x, index);
         atomicMax(grid[cell].y, index + 1u);
     }

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -14,10 +15,8 @@ layout(scalar, binding = 0) readonly buffer Sizes
     ListSize sizes[];
 };
 
-layout(scalar, binding = 1) readonly buffer CutSamples
-{
-    LineSample samples[];
-};
+#define SAMPLES_BINDING 1
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 2) readonly buffer LinePoints
 {
@@ -66,7 +65,7 @@ void list_tiles(ivec2 low, ivec2 high)
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SAMPLES].count || (samples[index].state & PIECE_IS_THERE) == 0u) {
+    if (index >= sizes[LIST_SAMPLES].count || (sample_at(index).state & PIECE_IS_THERE) == 0u) {
         return;
     }
     LinePoint a = line_points[2u * index];
@@ -83,7 +82,7 @@ void main()
             vec2 from_a = vec2(x, y) + 0.5 - a.page_px;
             float along = clamp(dot(from_a, way) * inverse, 0.0, 1.0);
             float half_width = mix(a.half_width_px, b.half_width_px, along);
-            float ink = coverage(half_width, length(from_a - along * way));
+            float ink = coverage(half_width, size_of(from_a - along * way));
             uint word = uint(65535.0 * ink + 0.5) << 16 | min(a.ink, 0xffffu);
             if (ink > 0.0) {
                 atomicMax(inked[uint(y) * constants.width + uint(x)], word);

@@ -5,25 +5,28 @@
 // Items that hold a segment, as bits; and how many lie before each word of them. The segment of an item needs
 // no table. Wanted before: MARKS_BINDING, of the words; that of their prefix sums comes next.
 
-layout(scalar, binding = MARKS_BINDING) readonly buffer Marks
-{
-    uint marks[];
-};
+layout(binding = MARKS_BINDING) uniform usamplerBuffer mark_texels;
+layout(binding = MARKS_BINDING + 1) uniform usamplerBuffer marks_before_texels;
 
-layout(scalar, binding = MARKS_BINDING + 1) readonly buffer MarksBefore
+uint marks(uint word)
 {
-    uint marks_before[];
-};
+    return texelFetch(mark_texels, int(word)).x;
+}
+
+uint marks_before(uint word)
+{
+    return texelFetch(marks_before_texels, int(word)).x;
+}
 
 bool is_marked(uint item)
 {
-    return (marks[item / 32u] >> (item & 31u) & 1u) != 0u;
+    return (marks(item / 32u) >> (item & 31u) & 1u) != 0u;
 }
 
 uint segment_of(uint item)
 {
     uint word = item / 32u;
-    return marks_before[word] + uint(bitCount(marks[word] & ((1u << (item & 31u)) - 1u)));
+    return marks_before(word) + uint(bitCount(marks(word) & ((1u << (item & 31u)) - 1u)));
 }
 
 // The item that holds a segment: `word_count` words are marked.
@@ -33,14 +36,14 @@ uint item_of(uint segment, uint word_count)
     uint high = word_count;
     while (high - low > 1u) {
         uint middle = (low + high) / 2u;
-        if (marks_before[middle] <= segment) {
+        if (marks_before(middle) <= segment) {
             low = middle;
         } else {
             high = middle;
         }
     }
-    uint word = marks[low];
-    for (uint skipped = segment - marks_before[low]; skipped > 0u; --skipped) {
+    uint word = marks(low);
+    for (uint skipped = segment - marks_before(low); skipped > 0u; --skipped) {
         word &= word - 1u;
     }
     return 32u * low + uint(findLSB(word));

@@ -33,10 +33,8 @@ layout(scalar, binding = 5) readonly buffer FeatureChains
     FeatureChain feature_chains[];
 };
 
-layout(scalar, binding = 6) readonly buffer PointsBefore
-{
-    uint points_before[]; // each slot
-};
+#define POINTS_BEFORE_BINDING 6
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 7) buffer Points
 {
@@ -74,16 +72,16 @@ vec3 edge_normal(uint side, vec3 place)
     uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
     vec3 way = towards_eye(frame, place);
     vec3 normal = triangle_normal(side >> 2);
-    normal /= max(length(normal), 1e-30);
+    normal /= max(size_of(normal), 1e-30);
     if (beyond != NO_SIDE) {
         vec3 other =
             triangle_normal(beyond >> 2) * (is_turned(side >> 2) != is_turned(beyond >> 2) ? -1.0 : 1.0);
-        other /= max(length(other), 1e-30);
+        other /= max(size_of(other), 1e-30);
         bool is_front = dot(normal, way) > 0.0;
         bool is_other_front = dot(other, way) > 0.0;
         normal = is_front == is_other_front ? normal + other : is_front ? normal : other;
     }
-    return length(normal) > 1e-6 ? normalize(normal) : vec3(0.0, 1.0, 0.0);
+    return size_of(normal) > 1e-6 ? unit(normal) : vec3(0.0, 1.0, 0.0);
 }
 
 void main()
@@ -95,13 +93,13 @@ void main()
     FeaturePoint point = feature_points[index];
     FeatureChain chain = feature_chains[point.chain];
     uint place = index - chain.first_point;
-    uint at = points_before[point.chain] + place;
+    uint at = points_before(point.chain) + place;
     if (at >= constants.point_capacity) {
         return;
     }
     PosedVertex vertex = posed_vertex_at(point.vertex);
     points[at] = ChainPoint(vertex.position, pack_normal(edge_normal(point.side, vertex.position)), 0.0,
-                            point.kind << 28 | point.side);
+                            point.kind << 28 | point.side, uvec2(0u));
     bool is_last = place + 1u == chain.point_count;
     vec3 onwards = posed_vertex_at(feature_points[is_last ? index : index + 1u].vertex).position;
     lengths[at] =

@@ -21,25 +21,15 @@ layout(scalar, binding = 1) readonly buffer Sizes
     ListSize sizes[];
 };
 
-layout(scalar, binding = 2) readonly buffer Segments
-{
-    Segment segments[];
-};
-
-layout(scalar, binding = 3) readonly buffer Ranks
-{
-    Rank ranks[];
-};
-
 layout(scalar, binding = 4) readonly buffer FirstOfEnd
 {
     uint first_of_end[];
 };
 
-layout(scalar, binding = 5) readonly buffer PointsBefore
-{
-    uint points_before[]; // each slot
-};
+#define SEGMENTS_BINDING 2
+#define RANKS_BINDING 3
+#define POINTS_BEFORE_BINDING 5
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 6) buffer Points
 {
@@ -62,30 +52,30 @@ void main()
     if (index >= sizes[LIST_SEGMENTS].count) {
         return;
     }
-    Rank rank = ranks[index];
-    bool is_open = segments[rank.at].next == NO_SEGMENT;
+    Rank rank = rank_at(index);
+    bool is_open = segment_at(rank.at).next == NO_SEGMENT;
     uint stands_for_chain;
     uint place;
     uint last;
     if (is_open) {
         stands_for_chain = first_of_end[rank.at];
-        last = ranks[stands_for_chain].steps;
+        last = rank_at(stands_for_chain).steps;
         place = last - rank.steps;
     } else {
         stands_for_chain = rank.highest;
-        last = ranks[segments[stands_for_chain].next].steps_to_highest;
+        last = rank_at(segment_at(stands_for_chain).next).steps_to_highest;
         place = rank.steps_to_highest == 0u ? 0u : last + 1u - rank.steps_to_highest;
     }
-    uint at = points_before[constants.feature_chain_count + stands_for_chain] + place;
+    uint at = points_before(constants.feature_chain_count + stands_for_chain) + place;
     if (at + 1u >= constants.point_capacity) {
         return;
     }
-    Segment segment = segments[index];
+    Segment segment = segment_at(index);
     uint source = LINE_SILHOUETTE << 28 | segment.side;
-    points[at] = ChainPoint(segment.from, segment.from_normal, segment.bulge_m, source);
+    points[at] = ChainPoint(segment.from, segment.from_normal, segment.bulge_m, source, uvec2(0u));
     lengths[at] = uint(LENGTH_UNIT_PX * piece_on_page(segment.from, segment.to).length_px + 0.5);
     if (place == last) {
-        points[at + 1u] = ChainPoint(segment.to, segment.to_normal, segment.bulge_m, source);
+        points[at + 1u] = ChainPoint(segment.to, segment.to_normal, segment.bulge_m, source, uvec2(0u));
         lengths[at + 1u] = 0u;
     }
 }

@@ -2,6 +2,8 @@
 #ifndef ESTAMPE_PAGE_PIECE
 #define ESTAMPE_PAGE_PIECE
 
+#include "shaders/unit.glsl"
+
 // A straight piece in space as it lies on the page, cut where it leaves the page or comes too near.
 // Wanted before: `frame`, a FrameGlobals.
 
@@ -50,7 +52,7 @@ PagePiece piece_on_page(vec3 from, vec3 to)
     vec4 end = mix(a, b, kept.y);
     vec2 start_px = page_position(start);
     vec2 end_px = page_position(end);
-    return PagePiece(start_px, end_px, start.w, end.w, kept, distance(start_px, end_px));
+    return PagePiece(start_px, end_px, start.w, end.w, kept, size_of(end_px - start_px));
 }
 
 // Share of the whole piece in space of what lies `along` the kept part on the page, both in [0, 1].
@@ -65,7 +67,7 @@ float pixel_size_m(vec3 anchor)
 {
     float w = (frame.clip_from_anchor * vec4(anchor, 1.0)).w;
     vec3 up = vec3(frame.clip_from_anchor[0].y, frame.clip_from_anchor[1].y, frame.clip_from_anchor[2].y);
-    return 2.0 * w / (float(frame.size_px.y) * max(length(up), 1e-20));
+    return 2.0 * w / (float(frame.size_px.y) * max(size_of(up), 1e-20));
 }
 
 #endif

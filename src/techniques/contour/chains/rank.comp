@@ -14,10 +14,8 @@ layout(scalar, binding = 0) readonly buffer Sizes
     ListSize sizes[];
 };
 
-layout(scalar, binding = 1) readonly buffer RanksBefore
-{
-    Rank ranks_before[];
-};
+#define RANKS_BINDING 1
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 2) writeonly buffer Ranks
 {
@@ -27,12 +25,13 @@ layout(scalar, binding = 2) writeonly buffer Ranks
 void main()
 {
     uint slot = gl_GlobalInvocationID.x;
-    if (slot >= sizes[LIST_SEGMENTS].count) {
+    uint count = sizes[LIST_SEGMENTS].count;
+    if (slot >= count) {
         return;
     }
-    Rank rank = ranks_before[slot];
-    for (int i = 0; i < 3; ++i) {
-        Rank there = ranks_before[rank.at];
+    Rank rank = rank_at(slot);
+    for (uint jump = 0u; jump < min(3u, count); ++jump) {
+        Rank there = rank_at(rank.at);
         if (there.highest > rank.highest) {
             rank.highest = there.highest;
             rank.steps_to_highest = rank.steps + there.steps_to_highest;

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -13,15 +14,9 @@ layout(scalar, binding = 0) readonly buffer Sizes
     ListSize sizes[];
 };
 
-layout(scalar, binding = 1) readonly buffer CutSamples
-{
-    LineSample samples[];
-};
-
-layout(scalar, binding = 2) readonly buffer StrokesBefore
-{
-    uint strokes_before[];
-};
+#define SAMPLES_BINDING 1
+#define STROKES_BEFORE_BINDING 2
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 3) buffer Strokes
 {
@@ -56,24 +51,25 @@ void main()
     if (index >= sizes[LIST_SAMPLES].count) {
         return;
     }
-    bool goes_on = (samples[index].state & PIECE_IS_THERE) != 0u;
-    bool was_on = index > 0u && (samples[index - 1u].state & PIECE_IS_THERE) != 0u;
+    bool goes_on = (sample_at(index).state & PIECE_IS_THERE) != 0u;
+    bool was_on = index > 0u && (sample_at(index - 1u).state & PIECE_IS_THERE) != 0u;
     Recall recall = Recall(-1.0, 0.0, NO_SEED);
     if (goes_on || was_on) {
         uvec2 size_px = uvec2(constants.width, constants.height);
-        vec4 clip = constants.clip_from_anchor_before * vec4(samples[index].anchor, 1.0);
+        vec4 clip = constants.clip_from_anchor_before * vec4(sample_at(index).anchor, 1.0);
         vec2 page = (0.5 * clip.xy / clip.w + 0.5) * vec2(size_px);
-        vec2 way = goes_on ? samples[index + 1u].page_px - samples[index].page_px
-                           : samples[index].page_px - samples[index - 1u].page_px;
-        way = length(way) > 0.0 ? normalize(way) : vec2(0.0);
-        uint stroke = strokes_before[goes_on ? index + 1u : index] - 1u;
-        float arc = unpackHalf2x16(samples[index].state).y * float(index - strokes[stroke].first);
+        vec2 way = goes_on ? sample_at(index + 1u).page_px - sample_at(index).page_px
+                           : sample_at(index).page_px - sample_at(index - 1u).page_px;
+        way *= inversesqrt(max(dot(way, way), 1e-20));
+        uint stroke = strokes_before(goes_on ? index + 1u : index) - 1u;
+        float arc = unpackHalf2x16(sample_at(index).state).y * float(index - strokes[stroke].first);
         float nearest = reach_px;
-        for (int i = 0; i < 9; ++i) {
-            uvec2 found = grid[cell_at(page, ivec2(i % 3 - 1, i / 3 - 1), size_px)];
+        Cells around = cells_around(page, size_px);
+        for (ivec2 cell = around.low; cell.y <= around.high.y; cell = next_cell(cell, around)) {
+            uvec2 found = grid[cell_index(cell, size_px)];
             for (int k = 0; k < 2; ++k) {
                 DrawnSample there = drawn[found.y == 0u ? 0u : k == 0 ? found.x : found.y - 1u];
-                float away = distance(there.page_px, page);
+                float away = size_of(there.page_px - page);
                 if (found.y != 0u && away < nearest && dot(unpackHalf2x16(there.direction), way) > same_way) {
                     nearest = away;
                     float along = dot(page - there.page_px, way);

@@ -7,6 +7,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
+#include "shaders/cells.glsl"
 #include "shaders/octahedral.glsl"
 #include "shaders/visibility.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
@@ -33,23 +34,11 @@ layout(scalar, binding = 4) readonly buffer Sizes
     ListSize sizes[];
 };
 
-#define SLOTS_BINDING 5
-#include "techniques/contour/chains/slots.glsl"
-
-layout(scalar, binding = 6) readonly buffer PointsBefore
-{
-    uint points_before[];
-};
-
-layout(scalar, binding = 7) readonly buffer LengthsBefore
-{
-    uint lengths_before[];
-};
-
-layout(scalar, binding = 8) readonly buffer Points
-{
-    ChainPoint points[];
-};
+#define SAMPLES_BEFORE_BINDING 5
+#define POINTS_BEFORE_BINDING 6
+#define LENGTHS_BEFORE_BINDING 7
+#define POINTS_BINDING 8
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 9) writeonly buffer Samples
 {
@@ -65,13 +54,13 @@ const float outside_px = 0.75;
 const float tolerance_px = 0.05;
 
 // The last point of a chain, but not the very last, that lies no farther than `length` along.
-uint point_at(uint first, uint end, uint length)
+uint piece_at(uint first, uint end, uint length)
 {
     uint low = first;
     uint high = end - 1u;
     while (high - low > 1u) {
         uint middle = (low + high) / 2u;
-        if (lengths_before[middle] <= length) {
+        if (lengths_before(middle) <= length) {
             low = middle;
         } else {
             high = middle;
@@ -96,9 +85,7 @@ Cover cover_of(uint triangle, vec3 point, float tolerance_m)
     vec3 b = posed_vertex_at(corners.y).position - origin;
     vec3 c = posed_vertex_at(corners.z).position - origin;
     vec3 plane = cross(b - a, c - a);
-    vec3 sides = is_parallel
-                     ? vec3(dot(cross(b - a, way), a), dot(cross(c - b, way), b), dot(cross(a - c, way), c))
-                     : vec3(dot(cross(a, b), way), dot(cross(b, c), way), dot(cross(c, a), way));
+    vec3 sides = vec3(dot(cross(a, b), way), dot(cross(b, c), way), dot(cross(c, a), way));
     bool is_over = all(greaterThanEqual(sides, vec3(0.0))) || all(lessThanEqual(sides, vec3(0.0)));
     float scale = dot(way, frame.view_forward);
     float crossing = dot(a, plane) / dot(way, plane) * scale;
@@ -116,21 +103,21 @@ bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
     float pixel_m = pixel_size_m(anchor);
     vec3 outside = anchor + normal * (bulge_m + outside_px * pixel_m);
     vec2 place = page_position(frame.clip_from_anchor * vec4(outside, 1.0));
-    ivec2 corner = ivec2(floor(place - 0.5));
     ivec2 last = ivec2(frame.size_px) - 1;
+    ivec2 corner = ivec2(floor(place - 0.5));
+    Cells around = Cells(clamp(corner, ivec2(0), last), clamp(corner + 1, ivec2(0), last));
     bool is_covered = false;
     bool is_free = false;
     int hiding = 0;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 pixel = clamp(corner + ivec2(i & 1, i >> 1), ivec2(0), last);
+    for (ivec2 pixel = around.low; pixel.y <= around.high.y; pixel = next_cell(pixel, around)) {
         uvec2 word = visibility[uint(pixel.y) * frame.size_px.x + uint(pixel.x)];
         bool may_hide = sees_triangle(word) && seen_triangle(word) != own;
         Cover cover = cover_of(may_hide ? seen_triangle(word) : own, outside, tolerance_px * pixel_m);
         is_covered = is_covered || (may_hide && cover.is_over && cover.hides);
         is_free = is_free || (may_hide && cover.is_over && !cover.hides);
-        hiding += may_hide && cover.hides ? 1 : 0;
+        hiding += may_hide && cover.hides ? 1 : -3; // most hide
     }
-    return !is_covered && (is_free || hiding < 3);
+    return !is_covered && (is_free || hiding < 0);
 }
 
 void main()
@@ -139,25 +126,24 @@ void main()
     if (index >= sizes[LIST_SAMPLES].count) {
         return;
     }
-    uint slot = slot_of_sample(index);
-    uint first = points_before[slot];
-    uint end = points_before[slot + 1u];
-    uint steps = samples_before[slot + 1u] - samples_before[slot] - 1u;
-    uint step = index - samples_before[slot];
-    uint whole = lengths_before[end - 1u] - lengths_before[first];
-    uint length = lengths_before[first] + uint(float(whole) * (float(step) / float(steps)));
-    uint at = point_at(first, end, length);
-    ChainPoint from = points[at];
-    ChainPoint to = points[at + 1u];
+    uint slot = slot_of_sample(index, sizes[LIST_SLOTS].count);
+    uint first = points_before(slot);
+    uint end = points_before(slot + 1u);
+    uint steps = samples_before(slot + 1u) - samples_before(slot) - 1u;
+    uint step = index - samples_before(slot);
+    uint whole = lengths_before(end - 1u) - lengths_before(first);
+    uint length = lengths_before(first) + uint(float(whole) * (float(step) / float(steps)));
+    uint at = piece_at(first, end, length);
+    ChainPoint from = point_at(at);
+    ChainPoint to = point_at(at + 1u);
     PagePiece piece = piece_on_page(from.anchor, to.anchor);
-    float along = float(length - lengths_before[at]) / max(LENGTH_UNIT_PX * piece.length_px, 1e-6);
+    float along = float(length - lengths_before(at)) / max(LENGTH_UNIT_PX * piece.length_px, 1e-6);
     float share = share_at(piece, clamp(along, 0.0, 1.0));
     vec3 anchor = mix(from.anchor, to.anchor, share);
     // Through triangles normals run on from piece to piece; edges have one each.
     bool is_smooth = (from.source & 3u) == 3u;
-    vec3 normal =
-        normalize(mix(unpack_normal(from.normal), unpack_normal(to.normal), is_smooth ? share : 0.0) +
-                  1e-6 * towards_eye(frame, anchor));
+    vec3 normal = unit(mix(unpack_normal(from.normal), unpack_normal(to.normal), is_smooth ? share : 0.0) +
+                       1e-6 * towards_eye(frame, anchor));
     vec2 page_px = page_position(frame.clip_from_anchor * vec4(anchor, 1.0));
     bool is_on_page = all(greaterThan(page_px, vec2(-0.5 * page_margin_px))) &&
                       all(lessThan(page_px, vec2(frame.size_px) + 0.5 * page_margin_px));

@@ -2,6 +2,8 @@
 #ifndef ESTAMPE_SAMPLE_GRID
 #define ESTAMPE_SAMPLE_GRID
 
+#include "shaders/cells.glsl"
+
 // The page in cells of a few pixels: each knows the first and the last of the samples in it. Of more than two
 // lines in one cell, two are found. Wanted before: GRID_BINDING, GRID_ACCESS.
 
@@ -15,12 +17,21 @@ uvec2 grid_size(uvec2 size_px)
     return (size_px + GRID_CELL_PX - 1u) / GRID_CELL_PX;
 }
 
-// The cell at a place of the page, or one of those around it.
-uint cell_at(vec2 page_px, ivec2 step, uvec2 size_px)
+ivec2 cell_of(vec2 page_px, uvec2 size_px)
 {
-    ivec2 cells = ivec2(grid_size(size_px));
-    ivec2 cell = clamp(ivec2(floor(page_px / float(GRID_CELL_PX))) + step, ivec2(0), cells - 1);
-    return uint(cell.y * cells.x + cell.x);
+    return clamp(ivec2(floor(page_px / float(GRID_CELL_PX))), ivec2(0), ivec2(grid_size(size_px)) - 1);
+}
+
+uint cell_index(ivec2 cell, uvec2 size_px)
+{
+    return uint(cell.y) * grid_size(size_px).x + uint(cell.x);
+}
+
+// The cell at a place of the page and those around it.
+Cells cells_around(vec2 page_px, uvec2 size_px)
+{
+    ivec2 cell = cell_of(page_px, size_px);
+    return Cells(max(cell - 1, ivec2(0)), min(cell + 1, ivec2(grid_size(size_px)) - 1));
 }
 
 #endif

@@ -31,15 +31,11 @@ layout(push_constant, scalar) uniform Constants
     ScanConstants constants;
 };
 
-// Bit 0: values are words whose bits count.
-layout(constant_id = 0) const uint variant = 0u;
-const bool counts_bits = (variant & 1u) != 0u;
-
 shared uint sums[THREADS];
 
 uint value_at(uint i)
 {
-    return counts_bits ? uint(bitCount(values[i])) : values[i];
+    return constants.counts_bits != 0u ? uint(bitCount(values[i])) : values[i];
 }
 
 void main()

@@ -12,7 +12,7 @@ Scanned add_scan(gpu::Graph& graph, const std::string& name, const ScanInputs& i
     pass.read(in.values);
     const gpu::BufferId before = pass.write(
         graph.buffer("contour/before " + name, list_of(uint64_t{in.value_capacity} + 1, sizeof(uint32_t))));
-    pass.variant(in.counts_bits ? 1U : 0U).push(in.constants).dispatch(1);
+    pass.push(in.constants).dispatch(1);
     return {sizes, before};
 }
 

@@ -12,7 +12,6 @@ struct ScanInputs {
     gpu::BufferId sizes; ///< ListSize of each list
     gpu::BufferId values;
     bool sizes_are_new = false; ///< nothing has been written there yet
-    bool counts_bits = false;   ///< of the values, not the values themselves
     uint32_t value_capacity = 0;
     shared::ScanConstants constants;
 };

@@ -14,18 +14,14 @@ layout(scalar, binding = 0) readonly buffer Sizes
     ListSize sizes[];
 };
 
-#define SLOTS_BINDING 1
-#include "techniques/contour/chains/slots.glsl"
-
 layout(scalar, binding = 2) readonly buffer FlagsOfSlot
 {
     uint flags_of_slot[];
 };
 
-layout(scalar, binding = 3) readonly buffer Samples
-{
-    LineSample samples[];
-};
+#define SAMPLES_BEFORE_BINDING 1
+#define SAMPLES_BINDING 3
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 4) writeonly buffer States
 {
@@ -44,15 +40,15 @@ const float corner_cosine = 0.5; // 60 degrees
 
 bool is_visible_at(ChainOfSamples chain, int place)
 {
-    return (samples[chain.first + place_in(chain, place)].state & SAMPLE_IS_VISIBLE) != 0u;
+    return (sample_at(chain.first + place_in(chain, place)).state & SAMPLE_IS_VISIBLE) != 0u;
 }
 
 bool is_corner(ChainOfSamples chain, int place)
 {
-    vec2 here = samples[chain.first + place_in(chain, place)].page_px;
-    vec2 arriving = here - samples[chain.first + place_in(chain, place - 2)].page_px;
-    vec2 leaving = samples[chain.first + place_in(chain, place + 2)].page_px - here;
-    float lengths = length(arriving) * length(leaving);
+    vec2 here = sample_at(chain.first + place_in(chain, place)).page_px;
+    vec2 arriving = here - sample_at(chain.first + place_in(chain, place - 2)).page_px;
+    vec2 leaving = sample_at(chain.first + place_in(chain, place + 2)).page_px - here;
+    float lengths = sqrt(dot(arriving, arriving) * dot(leaving, leaving));
     return lengths > 0.0 && dot(arriving, leaving) < corner_cosine * lengths;
 }
 
@@ -62,16 +58,16 @@ void main()
     if (index >= sizes[LIST_SAMPLES].count) {
         return;
     }
-    uint slot = slot_of_sample(index);
+    uint slot = slot_of_sample(index, sizes[LIST_SLOTS].count);
     ChainOfSamples chain =
-        ChainOfSamples(samples_before[slot], samples_before[slot + 1u] - samples_before[slot] - 1u,
+        ChainOfSamples(samples_before(slot), samples_before(slot + 1u) - samples_before(slot) - 1u,
                        (flags_of_slot[slot] & CHAIN_IS_CLOSED) != 0u);
     int place = int(index - chain.first);
     int votes = 0;
     for (int i = -votes_each_side; i <= votes_each_side; ++i) {
         votes += is_visible_at(chain, place + i) ? 1 : 0;
     }
-    uint before = samples[index].state;
+    uint before = sample_at(index).state;
     bool is_seen = votes > votes_each_side && (before & SAMPLE_IS_OFF_PAGE) == 0u;
     bool is_first = !chain.is_closed && place == 0;
     bool is_last = !chain.is_closed && uint(place) == chain.steps;

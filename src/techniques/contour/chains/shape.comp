@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread shapes one sample of a stroke: where the pen goes, and how wide it draws there. A place where
-// one stroke ends and the next starts has two shapes.
+// Two threads shape one sample of a stroke: where the pen goes, and how wide it draws there, as a piece
+// starts and as the piece before it ends. A place where one stroke ends and the next starts has two shapes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -13,7 +13,7 @@
 #include "shaders/octahedral.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 128) in; // of 64 samples
 
 layout(scalar, binding = 0) uniform Frame
 {
@@ -27,15 +27,9 @@ layout(scalar, binding = 1) readonly buffer Sizes
     ListSize sizes[];
 };
 
-layout(scalar, binding = 2) readonly buffer CutSamples
-{
-    LineSample samples[];
-};
-
-layout(scalar, binding = 3) readonly buffer StrokesBefore
-{
-    uint strokes_before[];
-};
+#define SAMPLES_BINDING 2
+#define STROKES_BEFORE_BINDING 3
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 4) readonly buffer Strokes
 {
@@ -110,12 +104,13 @@ float width_of(uint kind)
 // Kinds change from edge to edge, widths do not: the mean over a few samples of the stroke.
 float even_width(uint index, Stroke stroke)
 {
+    uint from = max(index, stroke.first + 3u) - 3u;
+    uint to = min(index + 3u, stroke.last);
     float sum = 0.0;
-    for (int i = -3; i <= 3; ++i) {
-        uint at = uint(clamp(int(index) + i, int(stroke.first), int(stroke.last)));
-        sum += width_of(kind_now(samples[at].source));
+    for (uint at = from; at <= to; ++at) {
+        sum += width_of(kind_now(sample_at(at).source));
     }
-    return sum / 7.0;
+    return sum / float(to - from + 1u);
 }
 
 float pressure_at(LineSample point, vec2 inwards_px)
@@ -125,7 +120,7 @@ float pressure_at(LineSample point, vec2 inwards_px)
                  0.5;
     ivec2 pixel = clamp(ivec2(point.page_px + inwards_px), ivec2(0), ivec2(frame.size_px) - 1);
     float shade = 1.0 - clamp(texelFetch(light_image, pixel, 0).a, 0.0, 1.0);
-    float away = distance(point.anchor, frame.eye_anchor);
+    float away = size_of(point.anchor - frame.eye_anchor);
     float thinning = mix(1.0, clamp(pow(2.2 * frame.scene_radius_m / max(away, 1e-6), 0.4), 0.45, 1.25),
                          constants.distance_thinning);
     return thinning * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
@@ -134,7 +129,7 @@ float pressure_at(LineSample point, vec2 inwards_px)
 // Whole width that a sample would have in the middle of a stroke, and the material that brings it, + 1.
 float full_width(uint index, Stroke stroke, out uint ink)
 {
-    LineSample point = samples[index];
+    LineSample point = sample_at(index);
     vec3 normal = unpack_normal(point.normal);
     float pixel_m = pixel_size_m(point.anchor);
     vec4 outside = frame.clip_from_anchor * vec4(point.anchor + normal * pixel_m, 1.0);
@@ -157,10 +152,10 @@ float full_width(uint index, Stroke stroke, out uint ink)
 // itself.
 float taper_at(uint index, Stroke stroke)
 {
-    float spacing = unpackHalf2x16(samples[index].state).y;
+    float spacing = unpackHalf2x16(sample_at(index).state).y;
     float whole = spacing * float(stroke.last - stroke.first);
     float reach = min(constants.taper_px, whole / 3.0);
-    bool is_ring = (samples[index].state & SAMPLE_IN_RING) != 0u;
+    bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
     float from_start =
         (stroke.ends & STROKE_STARTS_AT_LINE) != 0u ? whole : spacing * float(index - stroke.first);
     float to_end = (stroke.ends & STROKE_ENDS_AT_LINE) != 0u ? whole : spacing * float(stroke.last - index);
@@ -171,8 +166,8 @@ float taper_at(uint index, Stroke stroke)
 // Where the pen goes at a sample: past the ends, and to and fro.
 vec2 pen_at(uint index, Stroke stroke, vec2 way, float arc_px, uint seed)
 {
-    vec2 page = samples[index].page_px;
-    bool is_ring = (samples[index].state & SAMPLE_IN_RING) != 0u;
+    vec2 page = sample_at(index).page_px;
+    bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
     if (!is_ring && stroke.last - stroke.first > 4u) {
         float past = index == stroke.first ? -1.0 : index == stroke.last ? 1.0 : 0.0;
         page += past * constants.overshoot_px * way;
@@ -181,15 +176,15 @@ vec2 pen_at(uint index, Stroke stroke, vec2 way, float arc_px, uint seed)
     return page + 2.0 * constants.wobble_px * sway * vec2(-way.y, way.x);
 }
 
-LinePoint shape_of(uint index, Stroke stroke)
+LinePoint shape_of(uint index, Stroke stroke, bool remembers)
 {
     uint ink;
     float full = full_width(index, stroke, ink);
     bool is_dropped = (stroke.ends & STROKE_IS_DROPPED) != 0u;
     float half_width = is_dropped ? 0.0 : 0.5 * full * taper_at(index, stroke);
     uint seed =
-        stroke.seed != NO_SEED ? stroke.seed : hash(constants.seed, samples[stroke.first].source) >> 1;
-    float arc_px = unpackHalf2x16(samples[index].state).y * float(index - stroke.first);
+        stroke.seed != NO_SEED ? stroke.seed : hash(constants.seed, sample_at(stroke.first).source) >> 1;
+    float arc_px = unpackHalf2x16(sample_at(index).state).y * float(index - stroke.first);
     if (recalls_frame) {
         arc_px +=
             stroke.offset_count > 0u ? float(stroke.offset_sum) / (16.0 * float(stroke.offset_count)) : 0.0;
@@ -200,26 +195,25 @@ LinePoint shape_of(uint index, Stroke stroke)
     }
     uint previous = index == stroke.first ? index : index - 1u;
     uint next = index == stroke.last ? index : index + 1u;
-    vec2 way = samples[next].page_px - samples[previous].page_px;
-    way = length(way) > 0.0 ? normalize(way) : vec2(0.0);
-    if (is_remembered) {
-        drawn[index] = DrawnSample(samples[index].page_px, packHalf2x16(way), half_width, arc_px, seed);
+    vec2 way = sample_at(next).page_px - sample_at(previous).page_px;
+    way *= inversesqrt(max(dot(way, way), 1e-20));
+    if (is_remembered && remembers) {
+        drawn[index] = DrawnSample(sample_at(index).page_px, packHalf2x16(way), half_width, arc_px, seed);
     }
     return LinePoint(pen_at(index, stroke, way, arc_px, seed), half_width, ink);
 }
 
 void main()
 {
-    uint index = gl_GlobalInvocationID.x;
+    uint index = gl_GlobalInvocationID.x / 2u;
+    bool is_start = (gl_GlobalInvocationID.x & 1u) == 0u;
     if (index >= sizes[LIST_SAMPLES].count) {
         return;
     }
-    bool goes_on = (samples[index].state & PIECE_IS_THERE) != 0u;
-    bool was_on = index > 0u && (samples[index - 1u].state & PIECE_IS_THERE) != 0u;
-    if (was_on) {
-        line_points[2u * index + 1u] = shape_of(index, strokes[strokes_before[index] - 1u]);
-    }
-    if (goes_on) {
-        line_points[2u * index] = shape_of(index, strokes[strokes_before[index + 1u] - 1u]);
+    bool goes_on = (sample_at(index).state & PIECE_IS_THERE) != 0u;
+    bool was_on = index > 0u && (sample_at(index - 1u).state & PIECE_IS_THERE) != 0u;
+    if (is_start ? goes_on : was_on) {
+        Stroke stroke = strokes[strokes_before(is_start ? index + 1u : index) - 1u];
+        line_points[gl_GlobalInvocationID.x] = shape_of(index, stroke, is_start || !goes_on);
     }
 }

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -13,9 +14,6 @@ layout(scalar, binding = 0) readonly buffer Sizes
 {
     ListSize sizes[];
 };
-
-#define SLOTS_BINDING 1
-#include "techniques/contour/chains/slots.glsl"
 
 layout(scalar, binding = 2) readonly buffer FlagsOfSlot
 {
@@ -27,10 +25,9 @@ layout(scalar, binding = 3) readonly buffer RotationOfSlot
     uint rotation_of_slot[];
 };
 
-layout(scalar, binding = 4) readonly buffer Samples
-{
-    LineSample samples[];
-};
+#define SAMPLES_BEFORE_BINDING 1
+#define SAMPLES_BINDING 4
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 5) readonly buffer States
 {
@@ -58,7 +55,7 @@ bool leads_on(ChainOfSamples chain, uint place)
     }
     uint from = chain.first + place;
     bool both_seen = (states[from] & states[from + 1u] & SAMPLE_IS_VISIBLE) != 0u;
-    return both_seen && distance(samples[from].page_px, samples[from + 1u].page_px) <
+    return both_seen && size_of(sample_at(from).page_px - sample_at(from + 1u).page_px) <
                             most_stretch * max(spacing_of(states[from]), 1.0);
 }
 
@@ -68,9 +65,9 @@ void main()
     if (index >= sizes[LIST_SAMPLES].count) {
         return;
     }
-    uint slot = slot_of_sample(index);
+    uint slot = slot_of_sample(index, sizes[LIST_SLOTS].count);
     ChainOfSamples chain =
-        ChainOfSamples(samples_before[slot], samples_before[slot + 1u] - samples_before[slot] - 1u,
+        ChainOfSamples(samples_before(slot), samples_before(slot + 1u) - samples_before(slot) - 1u,
                        (flags_of_slot[slot] & CHAIN_IS_CLOSED) != 0u);
     uint cut_place = index - chain.first;
     uint rotation = rotation_of_slot[slot];
@@ -86,7 +83,7 @@ void main()
     uint previous = chain.is_closed ? (place + chain.steps - 1u) % chain.steps : place - 1u;
     bool was_on = cut_place > 0u && leads_on(chain, previous);
     bool starts_here = goes_on && (!was_on || (states[chain.first + place] & SAMPLE_IS_CORNER) != 0u);
-    LineSample cut = samples[chain.first + place];
+    LineSample cut = sample_at(chain.first + place);
     cut.state =
         states[chain.first + place] | (goes_on ? PIECE_IS_THERE : 0u) | (is_whole ? SAMPLE_IN_RING : 0u);
     cut_samples[index] = cut;

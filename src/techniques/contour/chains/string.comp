@@ -19,15 +19,9 @@ layout(scalar, binding = 1) readonly buffer FeatureChains
     FeatureChain feature_chains[];
 };
 
-layout(scalar, binding = 2) readonly buffer Segments
-{
-    Segment segments[];
-};
-
-layout(scalar, binding = 3) readonly buffer Ranks
-{
-    Rank ranks[];
-};
+#define SEGMENTS_BINDING 2
+#define RANKS_BINDING 3
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 4) writeonly buffer PointsOfSlot
 {
@@ -62,14 +56,14 @@ void main()
         flags = feature_chains[slot].is_closed != 0u ? CHAIN_IS_CLOSED : 0u;
     } else {
         uint segment = slot - constants.feature_chain_count;
-        Rank rank = ranks[segment];
-        if (segments[rank.at].next == NO_SEGMENT) {
-            if (segments[segment].has_previous == 0u) {
+        Rank rank = rank_at(segment);
+        if (segment_at(rank.at).next == NO_SEGMENT) {
+            if (segment_at(segment).has_previous == 0u) {
                 point_count = rank.steps + 2u;
                 first_of_end[rank.at] = segment;
             }
         } else if (rank.highest == segment) {
-            point_count = ranks[segments[segment].next].steps_to_highest + 2u;
+            point_count = rank_at(segment_at(segment).next).steps_to_highest + 2u;
             flags = CHAIN_IS_CLOSED;
         }
     }

@@ -13,15 +13,9 @@ layout(scalar, binding = 0) readonly buffer Sizes
     ListSize sizes[];
 };
 
-layout(scalar, binding = 1) readonly buffer CutSamples
-{
-    LineSample samples[];
-};
-
-layout(scalar, binding = 2) readonly buffer StrokesBefore
-{
-    uint strokes_before[]; // each sample
-};
+#define SAMPLES_BINDING 1
+#define STROKES_BEFORE_BINDING 2
+#include "techniques/contour/chains/lists.glsl"
 
 layout(scalar, binding = 3) writeonly buffer Strokes
 {
@@ -32,15 +26,15 @@ void main()
 {
     uint index = gl_GlobalInvocationID.x;
     uint count = sizes[LIST_SAMPLES].count;
-    if (index >= count || (samples[index].state & PIECE_IS_THERE) == 0u) {
+    if (index >= count || (sample_at(index).state & PIECE_IS_THERE) == 0u) {
         return;
     }
-    uint stroke = strokes_before[index + 1u] - 1u;
-    if (strokes_before[index] == stroke) {
+    uint stroke = strokes_before(index + 1u) - 1u;
+    if (strokes_before(index) == stroke) {
         strokes[stroke].first = index;
     }
-    bool ends = index + 1u >= count || (samples[index + 1u].state & PIECE_IS_THERE) == 0u ||
-                strokes_before[index + 2u] - 1u != stroke;
+    bool ends = index + 1u >= count || (sample_at(index + 1u).state & PIECE_IS_THERE) == 0u ||
+                strokes_before(index + 2u) - 1u != stroke;
     if (ends) {
         strokes[stroke].last = index + 1u;
     }

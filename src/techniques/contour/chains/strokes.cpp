@@ -28,7 +28,8 @@ shared::ScanConstants scan_of(uint32_t values_of, uint32_t total_to, uint32_t ca
             .count_of = values_of,
             .total_to = total_to,
             .capacity = capacity,
-            .slots_before = shared::no_list};
+            .slots_before = shared::no_list,
+            .counts_bits = 0};
 }
 
 /// What lines have inked.
@@ -62,7 +63,7 @@ Inked add_ink(gpu::Graph& graph, const ChainStrokes& strokes, gpu::BufferId line
         add_zeros(graph, "contour/inked", sizeof(uint32_t) * constants.width * constants.height + 16, false);
     const gpu::BufferId no_tiles = add_zeros(graph, "contour/ink tiles", 16 + 8 * tiles, true);
     auto ink = graph.compute("contour/ink pieces", shaders::ink_pieces_comp);
-    ink.read(strokes.sizes).read(strokes.samples).read(line_points);
+    ink.read(strokes.sizes).sample(strokes.samples).read(line_points);
     const gpu::BufferId inked = ink.modify(blank);
     const gpu::BufferId listed = ink.modify(no_tiles);
     ink.push(constants).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
@@ -101,12 +102,13 @@ ChainStrokes find_ends(gpu::Graph& graph, ChainStrokes strokes, glm::uvec2 size_
     strokes.grid = clear.write(strokes.grid);
     clear.push(cells).dispatch_items(cells);
     auto fill = graph.compute("contour/fill grid", shaders::fill_grid_comp);
-    fill.read(strokes.sizes).read(strokes.samples);
+    fill.read(strokes.sizes).sample(strokes.samples);
     strokes.grid = fill.modify(strokes.grid);
     fill.push(size_px).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
     const auto ask_strokes = [&](const char* name, const gpu::Shader& shader) {
         auto pass = graph.compute(name, shader);
-        pass.read(strokes.sizes).read(strokes.samples).read(strokes.grid).read(strokes.strokes_before);
+        pass.read(strokes.sizes).sample(strokes.samples).read(strokes.grid);
+        pass.sample(strokes.strokes_before, gpu::Format::r32ui);
         strokes.strokes = pass.modify(strokes.strokes);
         pass.push(size_px).dispatch_indirect(strokes.sizes, indirect_offset(shared::list_strokes));
     };
@@ -120,7 +122,8 @@ gpu::BufferId add_recall(gpu::Graph& graph, ChainStrokes& strokes, LineHistory& 
 {
     const uint64_t per_sample = indirect_offset(shared::list_samples);
     auto recall = graph.compute("contour/recall", shaders::recall_comp);
-    recall.read(strokes.sizes).read(strokes.samples).read(strokes.strokes_before);
+    recall.read(strokes.sizes).sample(strokes.samples);
+    recall.sample(strokes.strokes_before, gpu::Format::r32ui);
     strokes.strokes = recall.modify(strokes.strokes);
     recall.read(gpu::import_whole(graph, "grid before", history.before().grid));
     recall.read(gpu::import_whole(graph, "samples before", history.before().samples));
@@ -132,7 +135,8 @@ gpu::BufferId add_recall(gpu::Graph& graph, ChainStrokes& strokes, LineHistory& 
                                       .height = size_px.y})
         .dispatch_indirect(strokes.sizes, per_sample);
     auto elect = graph.compute("contour/elect", shaders::elect_comp);
-    elect.read(strokes.sizes).read(strokes.samples).read(strokes.strokes_before).read(recalls);
+    elect.read(strokes.sizes).sample(strokes.samples);
+    elect.sample(strokes.strokes_before, gpu::Format::r32ui).read(recalls);
     strokes.strokes = elect.modify(strokes.strokes);
     elect.dispatch_indirect(strokes.sizes, per_sample);
     return recalls;
@@ -163,9 +167,10 @@ gpu::BufferId add_shape(gpu::Graph& graph, const ContourInputs& in, const ChainI
     const gpu::BufferId recalls =
         recalls_frame ? add_recall(graph, strokes, *history, in.size_px) : strokes.strokes_before;
     auto shape = graph.compute("contour/shape", shaders::shape_comp);
-    shape.uniform(in.frame).read(strokes.sizes).read(strokes.samples).read(strokes.strokes_before);
+    shape.uniform(in.frame).read(strokes.sizes).sample(strokes.samples);
+    shape.sample(strokes.strokes_before, gpu::Format::r32ui);
     shape.read(strokes.strokes).sample(lines.line_triangles).sample(lines.neighbors);
-    shape.read(chains.facing).sample(in.light).sample(in.draws).sample(in.materials);
+    shape.sample(chains.facing, gpu::Format::r32ui).sample(in.light).sample(in.draws).sample(in.materials);
     const gpu::BufferId line_points = shape.write(
         graph.buffer("contour/line points", list_of(2ULL * samples_most, sizeof(shared::LinePoint))));
     shape.read(recalls); // of no use where there is no frame before
@@ -193,7 +198,8 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains&
                                       .constants = scan_of(shared::list_points, shared::no_list, 0)});
 
     auto divide = graph.compute("contour/divide", shaders::divide_comp);
-    divide.read(lengths.sizes).read(chains.points_before).read(chains.flags_of_slot).read(lengths.before);
+    divide.read(lengths.sizes).sample(chains.points_before, gpu::Format::r32ui);
+    divide.read(chains.flags_of_slot).sample(lengths.before, gpu::Format::r32ui);
     const gpu::BufferId samples_of_slot =
         divide.write(graph.buffer("contour/samples of slot", list_of(slots_most, sizeof(uint32_t))));
     const gpu::BufferId no_rotation =
@@ -209,22 +215,27 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains&
     const uint64_t per_sample = indirect_offset(shared::list_samples);
     auto sample = graph.compute("contour/sample", shaders::sample_comp);
     sample.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices).read(in.visibility);
-    sample.read(divided.sizes).read(divided.before).read(chains.points_before).read(lengths.before);
-    sample.read(chains.points);
+    sample.read(divided.sizes);
+    for (const gpu::BufferId before : {divided.before, chains.points_before, lengths.before}) {
+        sample.sample(before, gpu::Format::r32ui);
+    }
+    sample.sample(chains.points);
     const gpu::BufferId samples =
         sample.write(graph.buffer("contour/samples", list_of(samples_most, sizeof(shared::LineSample))));
     sample.push(constants).dispatch_indirect(divided.sizes, per_sample);
 
     auto settle = graph.compute("contour/settle", shaders::settle_comp);
-    settle.read(divided.sizes).read(divided.before).read(chains.flags_of_slot).read(samples);
+    settle.read(divided.sizes).sample(divided.before, gpu::Format::r32ui);
+    settle.read(chains.flags_of_slot).sample(samples);
     const gpu::BufferId states =
         settle.write(graph.buffer("contour/states", list_of(samples_most, sizeof(uint32_t))));
     const gpu::BufferId rotation = settle.modify(no_rotation);
     settle.dispatch_indirect(divided.sizes, per_sample);
 
     auto split = graph.compute("contour/split", shaders::split_comp);
-    split.read(divided.sizes).read(divided.before).read(chains.flags_of_slot).read(rotation);
-    split.read(samples).read(states);
+    split.read(divided.sizes).sample(divided.before, gpu::Format::r32ui);
+    split.read(chains.flags_of_slot).read(rotation);
+    split.sample(samples).read(states);
     const gpu::BufferId cut =
         split.write(graph.buffer("contour/cut samples", list_of(samples_most, sizeof(shared::LineSample))));
     const gpu::BufferId starts =
@@ -238,7 +249,7 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains&
                   .constants = scan_of(shared::list_samples, shared::list_strokes, samples_most)});
 
     auto bounds = graph.compute("contour/strokes", shaders::strokes_comp);
-    bounds.read(started.sizes).read(cut).read(started.before);
+    bounds.read(started.sizes).sample(cut).sample(started.before, gpu::Format::r32ui);
     const gpu::BufferId strokes =
         bounds.write(graph.buffer("contour/strokes", list_of(samples_most, sizeof(shared::Stroke))));
     bounds.dispatch_indirect(started.sizes, per_sample);
