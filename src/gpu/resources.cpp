@@ -79,6 +79,13 @@ uint64_t texel_bytes(Format format)
     return 16;
 }
 
+/// Mesa's software driver takes bits 8 to 15 of the size of texels for a number of mip levels, and compiles a
+/// shader anew where that is zero when it was not before: here it never is.
+uint64_t storage_size(uint64_t size_bytes)
+{
+    return (size_bytes & 0xff00U) == 0 ? size_bytes + 256 : size_bytes;
+}
+
 } // namespace
 
 Buffer::Buffer(Device& device, const std::string& name, uint64_t size_bytes, MemoryUse use)
@@ -92,7 +99,7 @@ Buffer::Buffer(Device& device, const std::string& name, uint64_t size_bytes, Mem
     }
     const VkBufferCreateInfo info{
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-        .size = size_bytes_,
+        .size = storage_size(size_bytes_),
         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
                  VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
                  VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT};
@@ -137,7 +144,7 @@ VkBufferView Buffer::texels(Format format) const
     if (view != VK_NULL_HANDLE) {
         return view;
     }
-    const uint64_t count = size_bytes_ / texel_bytes(format);
+    const uint64_t count = storage_size(size_bytes_) / texel_bytes(format);
     if (count > device_->limits().maxTexelBufferElements) {
         throw Error(fmt::format("the scene has a list of {} entries, {} reads at most {}", count,
                                 device_->info().name, device_->limits().maxTexelBufferElements),
