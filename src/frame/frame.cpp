@@ -32,19 +32,6 @@ raster::Batch batch(const pose::Range& range, bool masked = false)
         .first_triangle = range.first, .triangle_count = range.count, .masked = masked, .plain = range.plain};
 }
 
-/// What blocks a light that `groups` of casters shadow.
-std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups groups)
-{
-    std::vector<raster::Batch> batches;
-    for (const pose::CasterRun& run : layout.casters) {
-        if ((run.groups & groups) != 0) {
-            batches.push_back(batch(run.range, run.masked));
-            batches.back().groups = run.groups;
-        }
-    }
-    return batches;
-}
-
 /// What hides what is behind it.
 std::vector<raster::Batch> solid_batches(const pose::MeshData& layout, bool with_ground)
 {
@@ -142,21 +129,13 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                     gpu::import_whole(graph, "shadow", resources.shadow_map));
 
     // Local shadows: how far lamps and spots see. Maps are kept; what is out of date is drawn in one go.
-    auto local_maps = gpu::import_whole(graph, "local shadows", resources.local_shadows.maps);
-    if (!plan.local_views.empty()) {
-        const auto triangle_count = static_cast<uint32_t>(layout.triangles.size());
-        const auto bounds = raster::add_cluster_bounds(
-            graph, raster_inputs, triangle_count,
-            graph.buffer("cluster bounds", {.size_bytes = raster::cluster_bounds_bytes(triangle_count)}));
-        local_maps = raster::add_depth_views(
-            graph, "local shadows", raster_inputs, caster_batches(layout, all_groups),
-            {.list = plan.local_views,
-             .records = gpu::import_whole(graph, "local views", resources.local_shadows.views),
-             .bounds = bounds,
-             .path = plan.raster_path,
-             .tuning = plan.raster},
-            local_maps);
-    }
+    const auto local_maps = add_local_maps(graph,
+                                           {.raster = raster_inputs,
+                                            .layout = layout,
+                                            .views = plan.local_views,
+                                            .path = plan.raster_path,
+                                            .tuning = plan.raster},
+                                           resources.local_shadows);
 
     // Lightmap: what is known ahead of the light there.
     std::optional<gpu::ImageId> lightmap;

@@ -5,6 +5,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "frame/local_maps.hpp"
 #include "frame/strokes.hpp"
 #include "frame/style_tables.hpp"
 #include "frame/vectors.hpp"
@@ -22,13 +23,6 @@
 #include "techniques/surface/materials.hpp"
 
 namespace estampe::frame {
-
-/// Shadow maps of local lights.
-struct LocalShadowBuffers {
-    gpu::Buffer shadows; ///< LocalShadow, one for each light that has maps
-    gpu::Buffer maps;    ///< their texels, kept from frame to frame
-    gpu::Buffer views;   ///< the maps to draw anew, FramePlan::local_views
-};
 
 /// The buffers of the outside world that a frame reads and writes.
 struct FrameResources {
@@ -67,7 +61,7 @@ struct FramePlan {
     float lightmap_scale = 1.0F; ///< from the lightmaps' exposure to the frame's
     uint32_t local_light_count = 0;
     bool has_local_shadows = false;
-    std::vector<shared::RasterView> local_views; ///< maps of local lights to draw anew
+    LocalMapViews local_views;        ///< maps of local lights to draw anew
     bool follows_local_light = false; ///< some strokes run along the light, and there are local lights
     bool meters_page = false;
     float adapt_stops = -1.0F;       ///< most that the exposure by the page changes; negative: any

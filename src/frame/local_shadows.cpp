@@ -32,6 +32,20 @@ bool reaches(const shadow::LocalLight& light, const Bounds& place)
     return glm::length(gap) <= static_cast<double>(light.range_m);
 }
 
+void add_views(std::vector<shared::RasterView>& list, const shadow::LocalLight& light,
+               const shared::LocalShadow& shadow)
+{
+    for (const shadow::LocalView& view : shadow::local_views(light, shadow)) {
+        list.push_back({.clip_from_anchor = view.clip_from_anchor,
+                        .eye_anchor = light.position,
+                        .reach_m = light.range_m,
+                        .first_texel = view.first_texel,
+                        .size_px = shadow.size,
+                        .origin_px = glm::uvec2(0),
+                        .groups = light.casters});
+    }
+}
+
 } // namespace
 
 shadow::LocalLight local_light(const shared::LightRecord& record)
@@ -73,7 +87,8 @@ shadow::AtlasRequest atlas_request(const shared::LightRecord& record, const shad
 }
 
 LocalShadowPlan LocalShadows::plan(light::Lighting& lighting, std::span<const Bounds> moved,
-                                   const PageView& page, const shadow::ShadowStyle& style)
+                                   const PageView& page, const shadow::ShadowStyle& style,
+                                   const CasterKinds& casters)
 {
     LocalShadowPlan plan;
     const std::span records = std::span(lighting.records).subspan(lighting.directional_count);
@@ -90,6 +105,7 @@ LocalShadowPlan LocalShadows::plan(light::Lighting& lighting, std::span<const Bo
     const auto lots =
         atlas_.allot(requests, {.texels = budget_texels, .lights = static_cast<size_t>(style.local_lights)});
     kept_.resize(records.size());
+    const bool has_layers = casters.moving && casters.still && 2 * atlas_.end_texel() <= budget_texels;
     for (size_t i = 0; i < records.size(); ++i) {
         const shadow::Allotment& lot = lots[i];
         if (lot.size == 0) {
@@ -100,24 +116,23 @@ LocalShadowPlan LocalShadows::plan(light::Lighting& lighting, std::span<const Bo
         plan.shadows.push_back(
             shadow::local_shadow(lights[i], lot.size, lot.first_texel, radius_of(records[i], style)));
         records[i].shadow = static_cast<uint32_t>(plan.shadows.size());
-        const bool is_kept =
-            kept_[i].light == lights[i] && kept_[i].allotment == lot &&
-            std::ranges::none_of(moved, [&](const Bounds& place) { return reaches(lights[i], place); });
+        const bool stands = kept_[i].light == lights[i] && kept_[i].allotment == lot;
+        const bool is_kept = stands && std::ranges::none_of(moved, [&](const Bounds& place) {
+                                 return reaches(lights[i], place);
+                             });
         if (is_kept) {
             continue;
         }
-        kept_[i] = {lights[i], lot};
-        for (const shadow::LocalView& view : shadow::local_views(lights[i], plan.shadows.back())) {
-            plan.redrawn.push_back({.clip_from_anchor = view.clip_from_anchor,
-                                    .eye_anchor = lights[i].position,
-                                    .reach_m = lights[i].range_m,
-                                    .first_texel = view.first_texel,
-                                    .size_px = lot.size,
-                                    .origin_px = glm::uvec2(0),
-                                    .groups = lights[i].casters});
+        const bool in_layers = stands && has_layers;
+        if (in_layers && !kept_[i].has_layer) {
+            add_views(plan.views.still, lights[i], plan.shadows.back());
         }
+        add_views(in_layers ? plan.views.moving : plan.views.whole, lights[i], plan.shadows.back());
+        kept_[i] = {lights[i], lot, in_layers};
     }
-    raster::place_views(plan.redrawn);
+    raster::place_views(plan.views.whole);
+    raster::place_views(plan.views.still);
+    raster::place_views(plan.views.moving);
     plan.texel_count = atlas_.end_texel();
     return plan;
 }

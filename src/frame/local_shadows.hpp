@@ -36,29 +36,48 @@ struct PageView {
                                                  const shadow::LocalLight& light, const PageView& page,
                                                  const shadow::ShadowStyle& style);
 
+/// Whether there are casters that may move, and such that never do.
+struct CasterKinds {
+    bool moving = false;
+    bool still = false;
+};
+
+/// Maps that are out of date, each list placed by raster::place_views().
+struct LocalMapViews {
+    std::vector<shared::RasterView> whole;  ///< to be drawn from all casters
+    std::vector<shared::RasterView> still;  ///< whose layer of what stands still is to be drawn
+    std::vector<shared::RasterView> moving; ///< to be drawn from what moves, and merged with that layer
+
+    [[nodiscard]] bool empty() const { return whole.empty() && still.empty() && moving.empty(); }
+};
+
 /// The maps of one frame.
 struct LocalShadowPlan {
     std::vector<shared::LocalShadow> shadows; ///< what LightRecord::shadow numbers, from 1
-    std::vector<shared::RasterView> redrawn;  ///< maps that are out of date
-    uint64_t texel_count = 0;                 ///< that the buffer of all maps must hold
-    size_t without = 0;                       ///< lights that asked for a shadow and got none
+    LocalMapViews views;
+    uint64_t texel_count = 0; ///< that the buffer of all maps must hold
+    size_t without = 0;       ///< lights that asked for a shadow and got none
 };
 
 /// Plans the maps of a scene's local lights and remembers which of them are up to date.
 class LocalShadows {
 public:
     /// Fills in the records' `shadow`. `moved` are the places, before and after, of what moved since the last
-    /// call. Cost: linear in lights and in what moved.
+    /// call. A light within whose reach casters move while it stands keeps a layer of those that do not, in a
+    /// second buffer as large as the maps', where both fit `shadow.local_megatexels`; else its maps are drawn
+    /// whole. Cost: linear in lights and in what moved.
     [[nodiscard]] LocalShadowPlan plan(light::Lighting& lighting, std::span<const Bounds> moved,
-                                       const PageView& page, const shadow::ShadowStyle& style);
+                                       const PageView& page, const shadow::ShadowStyle& style,
+                                       const CasterKinds& casters = {});
 
-    /// All maps are out of date: another scene, or another buffer.
+    /// All maps and layers are out of date: another scene, or another buffer.
     void forget() { kept_.clear(); }
 
 private:
     struct Kept {
         shadow::LocalLight light;
         shadow::Allotment allotment;
+        bool has_layer = false; ///< of what stands still
     };
 
     shadow::Atlas atlas_;

@@ -26,21 +26,68 @@ TEST(LocalShadows, RedrawsOnlyTheLightsWithinWhoseReachSomethingMoved)
 {
     light::Lighting lighting{.records = {lamp({-5, 2, 0}, 4.0F), lamp({5, 2, 0}, 4.0F)}};
     LocalShadows shadows;
-    EXPECT_EQ(shadows.plan(lighting, {}, page, {}).redrawn.size(), 12U);
+    EXPECT_EQ(shadows.plan(lighting, {}, page, {}).views.whole.size(), 12U);
     EXPECT_EQ(lighting.records[0].shadow, 1U);
     EXPECT_EQ(lighting.records[1].shadow, 2U);
-    EXPECT_TRUE(shadows.plan(lighting, {}, page, {}).redrawn.empty());
+    EXPECT_TRUE(shadows.plan(lighting, {}, page, {}).views.whole.empty());
     const std::vector<Bounds> by_the_second{{.min = {6, 0, 0}, .max = {7, 1, 1}}};
     const auto plan = shadows.plan(lighting, by_the_second, page, {});
-    ASSERT_EQ(plan.redrawn.size(), 6U);
-    EXPECT_EQ(plan.redrawn[0].eye_anchor, glm::vec3(5, 2, 0));
+    ASSERT_EQ(plan.views.whole.size(), 6U);
+    EXPECT_EQ(plan.views.whole[0].eye_anchor, glm::vec3(5, 2, 0));
     lighting.records[0].position.x -= 0.1F;
-    EXPECT_EQ(shadows.plan(lighting, {}, page, {}).redrawn.size(), 6U);
+    EXPECT_EQ(shadows.plan(lighting, {}, page, {}).views.whole.size(), 6U);
     // A little more or less light, as a moving scene's exposure brings, redraws nothing.
     lighting.records[0].range_m *= 0.99F;
-    EXPECT_TRUE(shadows.plan(lighting, {}, page, {}).redrawn.empty());
+    EXPECT_TRUE(shadows.plan(lighting, {}, page, {}).views.whole.empty());
     shadows.forget();
-    EXPECT_EQ(shadows.plan(lighting, {}, page, {}).redrawn.size(), 12U);
+    EXPECT_EQ(shadows.plan(lighting, {}, page, {}).views.whole.size(), 12U);
+}
+
+TEST(LocalShadows, WhatStandsStillIsKeptInALayerOnceSomethingMoves)
+{
+    light::Lighting lighting{.records = {lamp({-5, 2, 0}, 4.0F), lamp({5, 2, 0}, 4.0F)}};
+    const CasterKinds both{.moving = true, .still = true};
+    const std::vector<Bounds> by_the_second{{.min = {6, 0, 0}, .max = {7, 1, 1}}};
+    LocalShadows shadows;
+    const auto plan = [&](std::span<const Bounds> moved, const CasterKinds& casters = {}) {
+        return shadows.plan(lighting, moved, page, {}, casters).views;
+    };
+    EXPECT_EQ(plan({}, both).whole.size(), 12U);
+    const LocalMapViews first = plan(by_the_second, both);
+    EXPECT_TRUE(first.whole.empty());
+    EXPECT_EQ(first.still.size(), 6U);
+    EXPECT_EQ(first.moving.size(), 6U);
+    EXPECT_EQ(first.moving[0].eye_anchor, glm::vec3(5, 2, 0));
+    const LocalMapViews second = plan(by_the_second, both);
+    EXPECT_TRUE(second.whole.empty());
+    EXPECT_TRUE(second.still.empty());
+    EXPECT_EQ(second.moving.size(), 6U);
+    // A light that moves is drawn whole, and has no layer any more.
+    lighting.records[1].position.x += 0.1F;
+    EXPECT_EQ(plan(by_the_second, both).whole.size(), 6U);
+    EXPECT_EQ(plan(by_the_second, both).still.size(), 6U);
+    shadows.forget();
+    EXPECT_EQ(plan({}, both).whole.size(), 12U);
+    // Where all casters move there is nothing to keep.
+    EXPECT_EQ(plan(by_the_second, {.moving = true}).whole.size(), 6U);
+}
+
+TEST(LocalShadows, ALayerThatDoesNotFitTheBudgetIsNotKept)
+{
+    light::Lighting lighting{.records = {lamp({5, 2, 0}, 4.0F)}};
+    const std::vector<Bounds> near_it{{.min = {6, 0, 0}, .max = {7, 1, 1}}};
+    LocalShadows shadows;
+    shadow::ShadowStyle style;
+    style.local_size = 256;
+    const float maps_megatexels = 6.0F * 256.0F * 256.0F / 1e6F;
+    for (const bool fits : {false, true}) {
+        style.local_megatexels = maps_megatexels * (fits ? 2.01F : 1.99F);
+        static_cast<void>(shadows.plan(lighting, {}, page, style, {.moving = true, .still = true}));
+        const auto plan = shadows.plan(lighting, near_it, page, style, {.moving = true, .still = true});
+        EXPECT_EQ(plan.texel_count, 6U * 256U * 256U);
+        EXPECT_EQ(plan.views.whole.size(), fits ? 0U : 6U);
+        EXPECT_EQ(plan.views.moving.size(), fits ? 6U : 0U);
+    }
 }
 
 TEST(LocalShadows, SomeLightsGoWithout)
@@ -72,7 +119,7 @@ TEST(LocalShadows, ALightsOwnRadiusCountsBeforeTheStyles)
     EXPECT_EQ(plan.shadows[1].radius_m, 0.0F);
     // Maps do not depend on it.
     lighting.records[1].radius_m = 0.5F;
-    EXPECT_TRUE(shadows.plan(lighting, {}, page, style).redrawn.empty());
+    EXPECT_TRUE(shadows.plan(lighting, {}, page, style).views.whole.empty());
 }
 
 TEST(LocalShadows, TakeTheConeOfASpot)

@@ -105,19 +105,29 @@ void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighti
                                     .pixel_angle = plan.pixel_angle,
                                     .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
                                     .longer_side_px = std::max(plan.size_px.x, plan.size_px.y)};
-    frame::LocalShadowPlan local = local_shadows.plan(lighting, moved, page_view, style);
+    const frame::CasterKinds casters = frame::caster_kinds(loaded->layout);
+    frame::LocalShadowPlan local = local_shadows.plan(lighting, moved, page_view, style, casters);
     moved.clear();
     gpu::Buffer& maps = local_shadow_buffers.maps;
     const uint64_t needed_bytes = std::max<uint64_t>(sizeof(uint32_t) * local.texel_count, 16);
     if (maps.empty() || maps.size_bytes() < needed_bytes) {
         maps = gpu::Buffer(device, "local shadow maps", needed_bytes, gpu::MemoryUse::device);
         local_shadows.forget();
-        local = local_shadows.plan(lighting, {}, page_view, style);
+        local = local_shadows.plan(lighting, {}, page_view, style, casters);
+        local_shadow_buffers.layers = {};
     }
     local_shadow_buffers.shadows =
         mapped_buffer(device, "local shadows", local.shadows.data(), local.shadows.size());
-    local_shadow_buffers.views =
-        mapped_buffer(device, "local views", local.redrawn.data(), local.redrawn.size());
+    const auto to_device = [&](const char* name, const std::vector<shared::RasterView>& views) {
+        return mapped_buffer(device, name, views.data(), views.size());
+    };
+    local_shadow_buffers.views = {.whole = to_device("local views", local.views.whole),
+                                  .still = to_device("local views/still", local.views.still),
+                                  .moving = to_device("local views/moving", local.views.moving)};
+    if (!local.views.still.empty() && local_shadow_buffers.layers.empty()) {
+        local_shadow_buffers.layers =
+            gpu::Buffer(device, "local shadow layers", maps.size_bytes(), gpu::MemoryUse::device);
+    }
     if (local.without > 0 && style.local_lights > 0) {
         notes.push_back(fmt::format("{} of the scene's lamps and spots throw no shadow: shadow.local_lights "
                                     "and shadow.local_megatexels allow {}",
@@ -125,7 +135,7 @@ void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighti
     }
     plan.has_local_shadows = !local.shadows.empty();
     plan.shadow_variant |= shadow::lamps_variant(local.shadows);
-    plan.local_views = std::move(local.redrawn);
+    plan.local_views = std::move(local.views);
 }
 
 void Renderer::Impl::provide_strokes(const frame::StrokePlan& strokes)
@@ -244,7 +254,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
         line_history.end_frame(plan.clip_from_anchor);
         plan.remembers_lines = false;
     }
-    plan.local_views.clear();
+    plan.local_views = {};
     sun_map.drawn(plan);
     if (plan.accumulation.sample_index + 1 == plan.accumulation.sample_count) {
         dot = gpu::to_dot(graph, gpu::compile(graph));

@@ -7,9 +7,7 @@
 #include "scene/pose.hpp"
 
 namespace estampe {
-namespace {
 
-/// Nodes that an animation moves, by themselves or with a parent.
 std::vector<bool> moving_nodes(const Scene& scene)
 {
     std::vector<bool> moving(scene.nodes.size(), false);
@@ -32,10 +30,12 @@ std::vector<bool> moving_nodes(const Scene& scene)
     return moving;
 }
 
-bool moves(const Scene& scene, const std::vector<bool>& moving, Index node, const Primitive& primitive)
+bool can_move(const Scene& scene, const std::vector<bool>& moving, Index node, const Primitive& primitive)
 {
     return moving[node] || scene.nodes[node].skin != no_index || !primitive.morph_targets.empty();
 }
+
+namespace {
 
 class Gatherer {
 public:
@@ -55,7 +55,7 @@ public:
             const std::vector<Primitive>& primitives = scene_.meshes[scene_.nodes[node].mesh].primitives;
             for (uint32_t primitive = 0; primitive < primitives.size(); ++primitive) {
                 if (primitives[primitive].topology == Topology::triangles &&
-                    !moves(scene_, moving_, node, primitives[primitive])) {
+                    !can_move(scene_, moving_, node, primitives[primitive])) {
                     add_primitive(node, primitive, primitives[primitive]);
                 }
             }
@@ -137,7 +137,7 @@ bool has_moving_parts(const Scene& scene)
             continue;
         }
         for (const Primitive& primitive : scene.meshes[scene.nodes[node].mesh].primitives) {
-            if (moves(scene, moving, node, primitive)) {
+            if (can_move(scene, moving, node, primitive)) {
                 return true;
             }
         }

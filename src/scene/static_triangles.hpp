@@ -38,6 +38,15 @@ struct StaticTriangles {
 /// instance by instance. Cost: linear in triangles drawn.
 [[nodiscard]] StaticTriangles static_triangles(const Scene& scene);
 
+/// Nodes that an animation moves, by themselves or with a parent, as one flag a node. Cost: linear in nodes
+/// and channels.
+[[nodiscard]] std::vector<bool> moving_nodes(const Scene& scene);
+
+/// Whether a primitive of a node can move, given moving_nodes(): with its node, by a skin or by morph
+/// targets.
+[[nodiscard]] bool can_move(const Scene& scene, const std::vector<bool>& moving, Index node,
+                            const Primitive& primitive);
+
 /// Whether anything that is drawn can move.
 [[nodiscard]] bool has_moving_parts(const Scene& scene);
 

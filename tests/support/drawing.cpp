@@ -74,6 +74,11 @@ raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph, gpu::BufferId pos
             .texture_classes = needs_.texture_classes};
 }
 
+raster::RasterInputs Drawing::raster_inputs(gpu::Graph& graph)
+{
+    return raster_inputs(graph, add_posed(graph));
+}
+
 std::vector<raster::Batch> Drawing::batches() const
 {
     const auto batch = [](const pose::Range& range, bool masked) {

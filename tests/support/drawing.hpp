@@ -91,6 +91,8 @@ public:
     /// A buffer of `texel_count` words that held `before` and into which the views were drawn.
     [[nodiscard]] std::vector<uint32_t> depth_views(const std::vector<shared::RasterView>& views,
                                                     size_t texel_count, uint32_t before);
+    /// The posed scene for passes of a test's own.
+    [[nodiscard]] raster::RasterInputs raster_inputs(gpu::Graph& graph);
     [[nodiscard]] SurfacePixels surface();
     [[nodiscard]] ScreenPixels screen();
     [[nodiscard]] std::vector<glm::vec4> light(const LightSetup& setup);

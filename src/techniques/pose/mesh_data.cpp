@@ -15,6 +15,7 @@
 #include <estampe/error.hpp>
 
 #include "scene/pose.hpp"
+#include "scene/static_triangles.hpp"
 
 namespace estampe::pose {
 namespace {
@@ -70,7 +71,8 @@ struct UploadedPrimitive {
 class Builder {
 public:
     Builder(const Scene& scene, MeshData& data)
-        : scene_(scene), data_(data), rest_pose_(pose_scene(scene, 0.0, no_index))
+        : scene_(scene), data_(data), rest_pose_(pose_scene(scene, 0.0, no_index)),
+          moving_nodes_(moving_nodes(scene))
     {
     }
 
@@ -106,23 +108,27 @@ private:
         return range;
     }
 
-    /// Appends by the groups that the triangles throw shadows for, the most of them first.
+    /// Appends by the groups that the triangles throw shadows for, the most of them first, and of each what
+    /// stands still first.
     Range append_solid(std::vector<glm::uvec4>& triangles, bool masked)
     {
-        const auto groups_of = [this](const glm::uvec4& triangle) {
-            return static_cast<Groups>(data_.draws[triangle.w & shared::triangle_draw_mask].groups >> 16U);
+        const auto kind_of = [this](const glm::uvec4& triangle) {
+            const uint32_t draw = triangle.w & shared::triangle_draw_mask;
+            return std::pair(static_cast<Groups>(data_.draws[draw].groups >> 16U), !draw_moves_[draw]);
         };
-        std::stable_sort(triangles.begin(), triangles.end(), [&](const glm::uvec4& a, const glm::uvec4& b) {
-            return groups_of(a) > groups_of(b);
-        });
+        std::stable_sort(triangles.begin(), triangles.end(),
+                         [&](const glm::uvec4& a, const glm::uvec4& b) { return kind_of(a) > kind_of(b); });
         const Range whole = append(triangles);
-        for (uint32_t first = 0; first < whole.count && groups_of(triangles[first]) != 0;) {
-            const Groups groups = groups_of(triangles[first]);
+        for (uint32_t first = 0; first < whole.count && kind_of(triangles[first]).first != 0;) {
+            const auto kind = kind_of(triangles[first]);
             const auto begin = triangles.begin() + first;
-            const auto end = std::find_if(begin, triangles.end(),
-                                          [&](const glm::uvec4& t) { return groups_of(t) != groups; });
+            const auto end =
+                std::find_if(begin, triangles.end(), [&](const glm::uvec4& t) { return kind_of(t) != kind; });
             const auto count = static_cast<uint32_t>(end - begin);
-            data_.casters.push_back({{whole.first + first, count, is_plain({begin, end})}, masked, groups});
+            data_.casters.push_back({.range = {whole.first + first, count, is_plain({begin, end})},
+                                     .masked = masked,
+                                     .groups = kind.first,
+                                     .moves = !kind.second});
             first += count;
         }
         return whole;
@@ -166,6 +172,7 @@ private:
                      .primitive = static_cast<uint32_t>(&original - mesh.primitives.data()),
                      .instance = instance,
                      .local_bounds = uploaded.bounds});
+                draw_moves_.push_back(can_move(scene_, moving_nodes_, node_index, original));
                 add_draw(primitive, draw, place_of(node_index, instance), joints);
             }
         }
@@ -328,6 +335,8 @@ private:
     const Scene& scene_;
     MeshData& data_;
     ScenePose rest_pose_;
+    std::vector<bool> moving_nodes_;
+    std::vector<bool> draw_moves_;
     std::map<const Primitive*, UploadedPrimitive> uploaded_;
     std::map<const Primitive*, Primitive> bodies_; ///< of lines and points
     std::vector<glm::uvec4> opaque_, masked_, blended_;

@@ -20,11 +20,12 @@ struct Range {
     bool plain = true; ///< none of them is two-sided or mirrored
 };
 
-/// Triangles that throw shadows for the same groups.
+/// Triangles that throw shadows for the same groups, and either may move or do not.
 struct CasterRun {
     Range range;
     bool masked = false;
     Groups groups = all_groups;
+    bool moves = false; ///< by an animation, a skin or morph targets; what does not stands still for ever
 };
 
 /// Where a draw comes from, for posing it later.

@@ -14,6 +14,7 @@
 #include "shaders/corner_views_vert.hpp"
 #include "shaders/cull_views_comp.hpp"
 #include "shaders/draw_views_masked_frag.hpp"
+#include "shaders/merge_views_comp.hpp"
 #include "shaders/small_views_comp.hpp"
 #include "shaders/small_views_masked_comp.hpp"
 #include "shaders/tile_views_comp.hpp"
@@ -239,6 +240,17 @@ gpu::BufferId add_depth_views(gpu::Graph& graph, const std::string& name, const 
     for (const Batch& batch : drawn) {
         target = compute_batch(graph, name + (batch.masked ? "/masked" : ""), in, batch, views, target);
     }
+    return target;
+}
+
+gpu::BufferId add_merged_views(gpu::Graph& graph, const std::string& name, const DepthViews& views,
+                               gpu::BufferId source, gpu::BufferId target)
+{
+    const uint32_t side = largest_side(views);
+    auto pass = graph.compute(name, shaders::merge_views_comp);
+    pass.read(views.records).read(source);
+    target = pass.modify(target);
+    pass.dispatch((side * side / 4 + 63) / 64, static_cast<uint32_t>(views.list.size()));
     return target;
 }
 

@@ -45,4 +45,12 @@ void place_views(std::vector<shared::RasterView>& views);
                                             const RasterInputs& in, const std::vector<Batch>& batches,
                                             const DepthViews& views, gpu::BufferId target);
 
+/// Merges into the views of `target` what `source` has at the same texels: the nearer of both stays, bit for
+/// bit as if all had been drawn into one. Both hold depth bits of at most 1.
+///
+/// Cost    one dispatch; three accesses a texel
+[[nodiscard]] gpu::BufferId add_merged_views(gpu::Graph& graph, const std::string& name,
+                                             const DepthViews& views, gpu::BufferId source,
+                                             gpu::BufferId target);
+
 } // namespace estampe::raster
