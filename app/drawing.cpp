@@ -73,12 +73,10 @@ RenderSettings settings_of(const DrawOptions& draw, Index animation)
 
 void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw)
 {
-    if (draw.lightmap.empty()) {
-        renderer.set_scene(scene);
-        return;
-    }
-    const Lightmap lightmap = load_lightmap(draw.lightmap);
-    renderer.set_scene(scene, &lightmap);
+    // What is asked for on the command line takes the place of what the file names.
+    const std::optional<Lightmap> lightmap =
+        draw.lightmap.empty() ? named_lightmap(draw.scene) : load_lightmap(draw.lightmap);
+    renderer.set_scene(scene, lightmap ? &*lightmap : nullptr);
 }
 
 } // namespace estampe::app

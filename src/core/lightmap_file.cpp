@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <estampe/lightmap.hpp>
+#include "core/lightmap_file.hpp"
 
 #include <cmath>
 
@@ -37,6 +37,10 @@ bool is_place(float x)
 
 void save_lightmap(const Lightmap& map, const std::filesystem::path& path)
 {
+    if (!map.pictures.empty()) {
+        throw Error("is made of pictures that its scene names; only baked lightmaps are saved",
+                    path.string());
+    }
     ExrFile file{.image = map.light};
     file.texts[geometry_key] = map.geometry;
     file.texts[settings_key] = map.settings;
@@ -50,10 +54,13 @@ void save_lightmap(const Lightmap& map, const std::filesystem::path& path)
     write_file_atomically(path, encode_exr(file));
 }
 
-Lightmap load_lightmap(const std::filesystem::path& path)
+bool is_baked(const ExrFile& file)
 {
-    constexpr uint64_t max_file_bytes = uint64_t{1} << 32;
-    ExrFile file = decode_exr(read_file(path, max_file_bytes), path.string());
+    return file.texts.contains(geometry_key);
+}
+
+Lightmap baked_lightmap(ExrFile file, const std::filesystem::path& path)
+{
     Lightmap map;
     map.geometry = taken(file.texts, geometry_key, path);
     map.settings = taken(file.texts, settings_key, path);
@@ -73,6 +80,12 @@ Lightmap load_lightmap(const std::filesystem::path& path)
         map.corners.emplace_back(corners[i], corners[i + 1]);
     }
     return map;
+}
+
+Lightmap load_lightmap(const std::filesystem::path& path)
+{
+    constexpr uint64_t max_file_bytes = uint64_t{1} << 32;
+    return baked_lightmap(decode_exr(read_file(path, max_file_bytes), path.string()), path);
 }
 
 } // namespace estampe

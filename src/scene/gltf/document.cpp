@@ -128,7 +128,7 @@ tinygltf::Model parse_model(const json& document, const std::string& file)
 
 bool knows_extension(const std::string& name)
 {
-    static constexpr std::array<std::string_view, 11> known = {
+    static constexpr std::array<std::string_view, 12> known = {
         "EXT_mesh_gpu_instancing",
         "EXT_meshopt_compression",
         "EXT_texture_webp",
@@ -139,6 +139,7 @@ bool knows_extension(const std::string& name)
         "KHR_materials_unlit",
         "KHR_mesh_quantization",
         "KHR_texture_transform",
+        "MOZ_lightmap",
         "VRMC_materials_mtoon",
     };
     return std::find(known.begin(), known.end(), name) != known.end();

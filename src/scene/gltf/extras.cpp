@@ -144,7 +144,7 @@ void read_link_extras(const Data& data, const tinygltf::Value& extras, const std
     if (!has_extras(extras)) {
         return;
     }
-    static constexpr std::string_view keys[] = {"casts", "groups", "receives"};
+    static constexpr std::string_view keys[] = {"casts", "groups", "lightmap", "receives"};
     const Reader reader(data, extras, pointer);
     reader.expect_only(keys);
     if (reader.has("groups")) {

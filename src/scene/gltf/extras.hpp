@@ -8,7 +8,7 @@
 //                     "groups": [1, 2]    lights objects of these    "casters": [1]    is blocked by those
 //                     "radius": 0.1       metres, of what glows
 //     node, material  "groups": [1]       lit by lights of these     "casts": [1], true or false
-//                     "receives": true or false
+//                     "receives": true or false               "lightmap": see estampe/lightmap.hpp
 //
 // Groups have numbers from 1 to 16; what names none belongs to all. A node hands what it says down to its
 // children, which may say otherwise.
