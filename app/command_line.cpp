@@ -106,7 +106,8 @@ void add_draw_options(CLI::App& command, Typed& typed)
         "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)");
     command
         .add_option("--lightmap", typed.lightmap,
-                    "Light worked out ahead, as estampe bake writes it for this\nscene")
+                    "Light worked out ahead, as estampe bake writes it for this\n"
+                    "scene, in place of what the file itself names")
         ->type_name("EXR");
     command.add_option("--device", typed.device, "auto, cpu, or an index that estampe devices lists")
         ->type_name("DEVICE")

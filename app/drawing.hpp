@@ -15,8 +15,8 @@ namespace estampe::app {
 /// Size, samples and moment of a picture.
 [[nodiscard]] RenderSettings settings_of(const DrawOptions& draw, Index animation);
 
-/// Gives the renderer the scene, with the lightmap that `draw` names. Throws Error when that is another
-/// scene's.
+/// Gives the renderer the scene, with the lightmap that `draw` names, else with those that the scene's file
+/// names. Throws Error when one cannot be read or is another scene's.
 void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw);
 
 } // namespace estampe::app

@@ -31,7 +31,7 @@ struct CameraChoice {
 struct DrawOptions {
     std::string scene;
     std::string output;
-    std::string lightmap; ///< what `estampe bake` wrote; empty: none
+    std::string lightmap; ///< what `estampe bake` wrote; empty: what the scene's file names
     uint32_t width = 1280;
     uint32_t height = 720;
     CameraChoice camera;

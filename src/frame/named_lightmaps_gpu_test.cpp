@@ -101,13 +101,13 @@ TEST_F(NamedLightmaps, TheNodesWordCountsBeforeTheMaterialsAndThatBeforeTheScene
 TEST_F(NamedLightmaps, PicturesLieAsTheUvsSay)
 {
     Scene scene = two_panels();
-    // Only the right half of the picture is worn.
+    // Only the upper right quarter of the picture is worn: rows run from the top, as in glTF.
     for (glm::vec2& uv : scene.meshes[0].primitives[0].uvs[1]) {
-        uv.x = 0.75F + 0.1F * uv.x;
+        uv = glm::vec2(0.75F, 0.15F) + 0.1F * uv;
     }
     LightImage light = even(0.9F);
-    for (size_t i = 0; i < 16; ++i) {
-        light.texels[i] = i % 4 < 2 ? glm::vec3(0.9F) : glm::vec3(0.25F);
+    for (const size_t texel : {2, 3, 6, 7}) {
+        light.texels[texel] = glm::vec3(0.25F);
     }
     const Lightmap map{.pictures = {light}, .of_scene = WornPicture{}};
     EXPECT_EQ(draw(scene, &map, bare(0.0F)), draw(scene, nullptr, bare(0.25F)));

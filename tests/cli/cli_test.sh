@@ -248,6 +248,27 @@ expect_error 1 'truncated.exr: is damaged' render scene.glb -o d.png "${small[@]
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >other.obj
 expect_error 1 'was made for another scene' render other.obj -o d.png "${small[@]}" --lightmap a.exr
 
+
+# Lightmaps that the file names itself
+cat >panel.gltf <<'JSON'
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"mesh": 0, "extras": {"estampe": {"lightmap": {"uri": "panel.png", "texCoord": 0}}}}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+               {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+ "buffers": [{"byteLength": 60, "uri": "panel.bin"}]}
+JSON
+printf '%b' '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0' >panel.bin
+head -c 24 /dev/zero >>panel.bin
+cp dark.png panel.png
+sed 's/, "extras": .*/}],/' panel.gltf >plain.gltf
+expect_success render panel.gltf -o worn.png "${small[@]}"
+expect_success render plain.gltf -o plain.png "${small[@]}"
+! cmp -s worn.png plain.png || wrong "a lightmap that the file names changes nothing"
+rm panel.png
+expect_error 1 'panel.gltf#/nodes/0/extras/estampe/lightmap/uri: names a lightmap that cannot be read' render panel.gltf -o d.png "${small[@]}"
+
 # A failure keeps the picture that was there
 expect_error 1 'truncated.glb' render truncated.glb -o a.png
 

@@ -208,6 +208,7 @@ private:
                 return entry->second;
             }
             baked_ = baked_lightmap(std::move(file), "");
+            numbers_.erase(entry); // it is no picture
             return std::nullopt;
         } catch (const Error& error) {
             data_.fail(pointer, fmt::format("names a lightmap that cannot be read: {}", error.what()),
@@ -231,7 +232,7 @@ std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file)
     std::string extension = scene_file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension != ".gltf" && extension != ".glb") {
+    if (extension != ".gltf" && extension != ".glb" && extension != ".vrm") {
         return std::nullopt;
     }
     const std::string file = scene_file.string();
