@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "bake_options.hpp"
+#include "command_examples.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
 #include "text.hpp"
@@ -12,38 +13,6 @@
 
 namespace estampe::app {
 namespace {
-
-constexpr const char* examples = R"(Examples:
-  estampe render helmet.gltf -o helmet.png
-  estampe render helmet.gltf -o helmet.png --size 1920x1080 --samples 16
-  estampe render fox.glb -o fox.png --animation Run --time 0.4
-  estampe render bunny.obj -o bunny.png --camera "eye=2,1,3 target=0,0.5,0 fov=35"
-  estampe render temple.glb -o temple.png --style pencil --set hatch.width_mm=0.5
-  estampe render temple.glb -o temple.svg --plotter
-  estampe info helmet.gltf --json
-  estampe tam -o pen.tam --preview pen.png
-  estampe bake room.glb -o room.exr
-
-Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
-
-constexpr const char* tam_examples = R"(Examples:
-  estampe tam -o pen.tam --preview pen.png
-  estampe tam tam-charcoal -o charcoal.tam --set tam.seed=7
-  estampe tam mine.toml -o mine.tam --brush stroke.png
-  estampe tam --from mine.tam -o painted/              (paint over the images there, then)
-  estampe tam --from painted/ -o mine.tam
-
-A folder holds tone1.png, tone2.png, ... from light to dark, black ink on white, square, with a side that is
-a power of two; coarser levels are then derived. Or tone1_level0.png, tone1_level1.png, ... for each.
-
-Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
-
-constexpr const char* bench_examples = R"(Examples:
-  estampe bench lights -o lights.svg
-  estampe bench lights --counts 34 --shadowed 4 --million --size 1920x1080 --json
-
-Each count is measured in turn with frames without local lights, so that the ratio of the two does not hang
-on how busy the machine is.)";
 
 /// The options as they are typed, before they are looked at.
 struct Typed {
@@ -73,6 +42,8 @@ struct Typed {
     bool million = false;
     bool moving = false;
     std::string lightmap;
+    std::string motion;
+    std::optional<double> since_s;
 };
 
 void add_set_option(CLI::App& command, Typed& typed, const char* help)
@@ -136,6 +107,12 @@ void add_render(CLI::App& app, Typed& typed)
     command.add_flag(
         "--plotter", typed.plotter,
         "SVG: for pens that draw; one line a stroke, none twice, in an\norder with little travel");
+    command
+        .add_option("--motion", typed.motion,
+                    "Also write how far what is seen moved, as R and G in pixels to\nthe right and down")
+        ->type_name("EXR");
+    command.add_option("--since", typed.since_s, "Moment that --motion looks back to [--time less 1/30]")
+        ->type_name("S");
     command.add_flag("--timings", typed.timings, "Print the time of every pass");
     command.add_flag("--json", typed.json, "Print the timings as JSON");
 }
@@ -245,13 +222,33 @@ void check_strokes(const Typed& typed)
         throw UsageError("goes with strokes alone", typed.hidden ? "--hidden" : "--plotter",
                          "the name of the output must end in .svg");
     }
-    if (is_strokes && (typed.samples > 1 || typed.repeat > 1 || typed.timings || typed.json)) {
+    if (is_strokes &&
+        (typed.samples > 1 || typed.repeat > 1 || typed.timings || typed.json || !typed.motion.empty())) {
         throw UsageError("goes with pictures alone",
-                         typed.samples > 1  ? "--samples"
-                         : typed.repeat > 1 ? "--repeat"
-                         : typed.timings    ? "--timings"
-                                            : "--json",
+                         typed.samples > 1       ? "--samples"
+                         : typed.repeat > 1      ? "--repeat"
+                         : typed.timings         ? "--timings"
+                         : !typed.motion.empty() ? "--motion"
+                                                 : "--json",
                          "leave it out, or write a .png");
+    }
+}
+
+/// Reads --motion and --since.
+void read_motion(const Typed& typed, RenderCommand& render)
+{
+    constexpr double step_s = 1.0 / 30.0;
+    if (typed.motion.empty() && typed.since_s) {
+        throw UsageError("goes with --motion alone", "--since");
+    }
+    if (!typed.motion.empty() && lower_extension(typed.motion) != ".exr") {
+        throw UsageError("motion is written as OpenEXR", "--motion " + typed.motion,
+                         "the name must end in .exr");
+    }
+    render.motion = typed.motion;
+    render.since_s = typed.since_s.value_or(typed.time_s - step_s);
+    if (!std::isfinite(render.since_s)) {
+        throw UsageError("is not a finite number", "--since");
     }
 }
 
@@ -338,12 +335,14 @@ Command to_command(const CLI::App& app, const Typed& typed, const BakeOptions& b
         constexpr uint32_t most_frames = 100000;
         check_count("--repeat", typed.repeat, most_frames);
         check_strokes(typed);
-        return RenderCommand{.draw = std::move(draw),
-                             .hidden = typed.hidden,
-                             .plotter = typed.plotter,
-                             .repeat = typed.repeat,
-                             .timings = typed.timings,
-                             .json = typed.json};
+        RenderCommand command{.draw = std::move(draw),
+                              .hidden = typed.hidden,
+                              .plotter = typed.plotter,
+                              .repeat = typed.repeat,
+                              .timings = typed.timings,
+                              .json = typed.json};
+        read_motion(typed, command);
+        return command;
     }
     return GraphCommand{std::move(draw)};
 }

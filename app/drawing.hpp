@@ -5,7 +5,8 @@
 
 namespace estampe::app {
 
-/// The camera that `draw` asks for. Throws Error listing the file's cameras when it has none of that name.
+/// The camera that `draw` asks for at its moment. Throws Error listing the file's cameras when it has none of
+/// that name.
 [[nodiscard]] Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animation);
 
 /// The animation that `draw` asks for. Throws Error listing the file's animations when it has none of that

@@ -46,6 +46,8 @@ struct RenderCommand {
     DrawOptions draw;
     bool hidden = false;  ///< .svg only: lines behind something too
     bool plotter = false; ///< .svg only: for pens that draw
+    std::string motion;   ///< .exr to write beside the picture; empty: none
+    double since_s = 0.0; ///< moment that the motion looks back to
     uint32_t repeat = 1;
     bool timings = false;
     bool json = false;

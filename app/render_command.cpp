@@ -60,6 +60,28 @@ std::string in_meters(double mm)
     return fmt::format("{:.2f} m", 1e-3 * mm);
 }
 
+/// What the command's pictures are to be like.
+RenderSettings render_settings(const RenderCommand& command, const Scene& scene, Index animation)
+{
+    RenderSettings settings = settings_of(command.draw, animation);
+    if (!command.motion.empty()) {
+        DrawOptions before = command.draw;
+        before.time_s = command.since_s;
+        settings.motion_since = Moment{choose_camera(before, scene, animation), command.since_s};
+    }
+    return settings;
+}
+
+void check_outputs(const RenderCommand& command)
+{
+    const DrawOptions& draw = command.draw;
+    check_extension(draw.output);
+    check_output(draw.output, {draw.scene, draw.lightmap});
+    if (!command.motion.empty()) {
+        check_output(command.motion, {draw.scene, draw.lightmap});
+    }
+}
+
 void write_strokes(Renderer& renderer, const Camera& camera, Index animation, const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
@@ -84,8 +106,7 @@ void write_strokes(Renderer& renderer, const Camera& camera, Index animation, co
 void run(const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
-    check_extension(draw.output);
-    check_output(draw.output, {draw.scene, draw.lightmap});
+    check_outputs(command);
 
     StepClock clock;
     const Scene scene = load_scene(draw.scene);
@@ -103,7 +124,7 @@ void run(const RenderCommand& command)
         return;
     }
 
-    const RenderSettings settings = settings_of(draw, animation);
+    const RenderSettings settings = render_settings(command, scene, animation);
     PassHistory passes;
     Image image = renderer.render(camera, draw.style, settings);
     clock.finish("first frame");
@@ -124,6 +145,9 @@ void run(const RenderCommand& command)
         clock.finish("later frames");
     }
     save_png(image, draw.output);
+    if (!command.motion.empty()) {
+        save_motion(renderer.motion(), command.motion);
+    }
     clock.finish("write");
 
     if (command.timings || command.json) {

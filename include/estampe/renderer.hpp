@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <estampe/image.hpp>
 #include <estampe/lightmap.hpp>
+#include <estampe/motion.hpp>
 #include <estampe/scene.hpp>
 #include <estampe/style.hpp>
 #include <estampe/vector_drawing.hpp>
@@ -57,6 +59,12 @@ enum class Continuity : uint8_t {
             ///< page, and do not jump in width or shape
 };
 
+/// A moment of the scene's animation, and where it is seen from.
+struct Moment {
+    Camera camera;
+    double time_s = 0.0;
+};
+
 struct RenderSettings {
     uint32_t width = 1280;
     uint32_t height = 720;
@@ -64,6 +72,7 @@ struct RenderSettings {
     double time_s = 0.0;  ///< moment of the scene's animation
     Index animation = 0;
     Continuity continuity = Continuity::still;
+    std::optional<Moment> motion_since; ///< also work out Renderer::motion(), from there to this picture
 };
 
 /// Whether lines behind something come along.
@@ -110,6 +119,10 @@ public:
     [[nodiscard]] VectorDrawing draw_strokes(const Camera& camera, const Style& style,
                                              const RenderSettings& settings,
                                              HiddenLines hidden = HiddenLines::left_out);
+
+    /// How far what the last picture shows had moved since its RenderSettings::motion_since; empty where that
+    /// named no moment, and after draw_strokes(). The picture is the same with it and without.
+    [[nodiscard]] const Motion& motion() const;
 
     /// What was decided for the last frame that is not plain to see, one line each: a lamp that the scene
     /// does not have. Empty for most scenes.

@@ -6,9 +6,12 @@
 #include <cstring>
 #include <stdexcept>
 
+#include <ImfChannelList.h>
 #include <ImfFloatVectorAttribute.h>
+#include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
+#include <ImfOutputFile.h>
 #include <ImfRgbaFile.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
@@ -145,6 +148,30 @@ std::vector<std::byte> encode_exr(const ExrFile& file)
         Imf::RgbaOutputFile output(stream, header, Imf::WRITE_RGB, 0);
         output.setFrameBuffer(texels.data(), 1, image.width);
         output.writePixels(height);
+    }
+    return std::move(stream.bytes);
+}
+
+std::vector<std::byte> encode_float_exr(uint32_t width, uint32_t height, std::span<const glm::vec4> texels)
+{
+    if (texels.empty() || texels.size() != static_cast<size_t>(width) * height) {
+        throw Error("an empty picture cannot be written");
+    }
+    Imf::Header header(static_cast<int>(width), static_cast<int>(height));
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::FrameBuffer channels;
+    std::vector<glm::vec4> rows(texels.begin(), texels.end()); // the library wants them writable
+    static constexpr const char* names[] = {"R", "G", "B", "A"};
+    for (int i = 0; i < 4; ++i) {
+        header.channels().insert(names[i], Imf::Channel(Imf::FLOAT));
+        channels.insert(names[i], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&rows[0][i]),
+                                             sizeof(glm::vec4), sizeof(glm::vec4) * width));
+    }
+    MemoryWriter stream;
+    {
+        Imf::OutputFile output(stream, header, 0);
+        output.setFrameBuffer(channels);
+        output.writePixels(static_cast<int>(height));
     }
     return std::move(stream.bytes);
 }

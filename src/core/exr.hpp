@@ -23,6 +23,10 @@ struct ExrFile {
 /// bytes. Values are held to what a half can carry. Throws Error when the image is empty.
 [[nodiscard]] std::vector<std::byte> encode_exr(const ExrFile& file);
 
+/// Encodes red, green, blue and alpha as floats, bit for bit. Throws Error when the picture is empty.
+[[nodiscard]] std::vector<std::byte> encode_float_exr(uint32_t width, uint32_t height,
+                                                      std::span<const glm::vec4> texels);
+
 /// Decodes the first part of an OpenEXR picture; grey becomes three channels, alpha is left out. Negative and
 /// non-finite values become zero. Throws Error with `name` as its place when the data is none, damaged or
 /// beyond the limits of image_codec.hpp.

@@ -98,6 +98,23 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
          .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
          .size_px = size_px});
 
+    // Motion: where it stood at another moment, for what looks back.
+    if (plan.motion && plan.accumulation.sample_index == 0) {
+        const auto vertices_before =
+            plan.motion->pose_moved ? gpu::import_whole(graph, "vertices before", meshes.posed_vertices[1])
+                                    : posed_vertices;
+        declare_motion(graph,
+                       {.frame = frame,
+                        .visibility = visibility,
+                        .triangles = triangles,
+                        .posed_vertices = posed_vertices,
+                        .posed_vertices_before = vertices_before,
+                        .clip_from_anchor = plan.motion->clip_from_anchor,
+                        .clip_from_anchor_before = plan.motion->clip_from_anchor_before,
+                        .size_px = size_px},
+                       resources.motion);
+    }
+
     // Screen: what is looked through.
     const bool has_screen = layout.blended.count > 0;
     const auto screen =

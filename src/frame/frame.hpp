@@ -6,6 +6,7 @@
 #include <estampe/renderer.hpp>
 
 #include "frame/local_maps.hpp"
+#include "frame/motion.hpp"
 #include "frame/strokes.hpp"
 #include "frame/style_tables.hpp"
 #include "frame/vectors.hpp"
@@ -44,6 +45,7 @@ struct FrameResources {
     contour::LineHistory& line_history;
     gpu::Image& sums;             ///< of a picture of several samples
     gpu::Buffer& pixels;          ///< the picture, four bytes a pixel, for reading back
+    gpu::Buffer& motion;          ///< read back where FramePlan::motion asks for it
     StrokeLists* lists = nullptr; ///< where strokes are wanted in place of a picture
 };
 
@@ -64,6 +66,7 @@ struct FramePlan {
     LocalMapViews local_views;        ///< maps of local lights to draw anew
     bool follows_local_light = false; ///< some strokes run along the light, and there are local lights
     bool meters_page = false;
+    std::optional<MotionPlan> motion;
     float adapt_stops = -1.0F;       ///< most that the exposure by the page changes; negative: any
     bool has_light_links = false;    ///< not every light lights and shadows everything
     Groups sun_casters = all_groups; ///< whose shadows the sun throws

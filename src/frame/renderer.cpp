@@ -240,6 +240,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     line_history,
                                     page.sums,
                                     page.pixels,
+                                    motion_pixels,
                                     lists};
     plan.pose_moved = loaded->pose_moved;
     gpu::Graph graph;
@@ -273,8 +274,12 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         sun_map.forget();
         local_shadows.forget();
     }
+    motion = {};
     const pose::MeshData& layout = loaded->layout;
     const ScenePose scene_pose = pose_scene(loaded->scene, settings.time_s, settings.animation);
+    if (settings.motion_since) {
+        pose_before(pose_scene(loaded->scene, settings.motion_since->time_s, settings.animation));
+    }
     update_pose(scene_pose);
     light::Lighting lighting = light::gather_lights(loaded->scene, scene_pose, layout.bounds, layout.anchor,
                                                     tables.light, outlook_from(camera, tables.light));
@@ -289,6 +294,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     }
     frame::FramePlan frame_plan = plan(lighting, tables, camera, settings);
     frame_plan.lightmap_scale = lightmap_scale;
+    if (settings.motion_since) {
+        frame_plan.motion = plan_motion(camera, settings);
+    }
     if (daylight) {
         frame_plan.daylight_rad = static_cast<float>(daylight->elevation_rad);
     }
@@ -325,6 +333,9 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
         plan.accumulation = {.sample_index = sample, .sample_count = settings.samples};
         impl.draw_sample(camera, tables, plan);
     }
+    if (settings.motion_since) {
+        impl.motion = frame::read_motion(impl.motion_pixels, settings);
+    }
     const auto bytes = impl.page.pixels.mapped();
     Image image{.width = settings.width, .height = settings.height};
     const auto* first = reinterpret_cast<const uint8_t*>(bytes.data());
@@ -339,6 +350,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     const frame::StyleTables& tables = style.tables();
     frame::check_has_paths(tables);
     frame::FramePlan plan = impl.prepare(camera, tables, settings);
+    plan.motion.reset();
     if (tables.wash.strength > 0.0F || plan.sky_drawn || tables.bleed.width_mm > 0.0F) {
         impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs");
     }
@@ -350,6 +362,11 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
                               .edges = impl.loaded->line_meshes.edges(),
                               .size_px = plan.size_px},
                              tables, hidden == HiddenLines::kept);
+}
+
+const Motion& Renderer::motion() const
+{
+    return impl_->motion;
 }
 
 const std::vector<std::string>& Renderer::notes() const

@@ -34,6 +34,10 @@ struct Renderer::Impl {
     }
 
     void update_pose(const ScenePose& scene_pose);
+    /// Poses the scene on the device as it was at another moment, so that the next update_pose() keeps that
+    /// beside it.
+    void pose_before(const ScenePose& scene_pose);
+    [[nodiscard]] frame::MotionPlan plan_motion(const Camera& camera, const RenderSettings& settings);
     [[nodiscard]] Outlook outlook_from(const Camera& camera, const light::LightStyle& style);
     void provide_local_shadows(frame::FramePlan& plan, light::Lighting& lighting, const Camera& camera,
                                const frame::StyleTables& tables);
@@ -70,6 +74,8 @@ struct Renderer::Impl {
     std::optional<frame::MapChoice> map_choice; ///< of what `map` holds
     contour::LineHistory line_history;
     frame::Page page;
+    gpu::Buffer motion_pixels;
+    Motion motion;
     std::string dot;
     std::vector<std::string> notes;
 };

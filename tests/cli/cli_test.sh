@@ -269,6 +269,27 @@ expect_success render plain.gltf -o plain.png "${small[@]}"
 rm panel.png
 expect_error 1 'panel.gltf#/nodes/0/extras/estampe/lightmap/uri: names a lightmap that cannot be read' render panel.gltf -o d.png "${small[@]}"
 
+# Motion
+sed 's/, "extras": .*/}], "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],\
+ "samplers": [{"input": 2, "output": 3}]}],/
+s/"type": "VEC2"}],/"type": "VEC2"},\
+ {"bufferView": 2, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},\
+ {"bufferView": 3, "componentType": 5126, "count": 2, "type": "VEC3"}],/
+s/"byteLength": 24}],/"byteLength": 24}, {"buffer": 0, "byteOffset": 60, "byteLength": 8},\
+ {"buffer": 0, "byteOffset": 68, "byteLength": 24}],/
+s/"byteLength": 60, "uri": "panel.bin"/"byteLength": 92, "uri": "moving.bin"/' panel.gltf >moving.gltf
+{ cat panel.bin; printf '%b' '\0\0\0\0\0\0\x80\x3f'; head -c 12 /dev/zero; printf '%b' '\0\0\x80\x3f'; head -c 8 /dev/zero; } >moving.bin
+expect_success render moving.gltf -o moved.png "${small[@]}" --time 0.5 --motion moved.exr
+expect_success render moving.gltf -o still.png "${small[@]}" --time 0.5
+cmp -s moved.png still.png || wrong "motion changes the picture"
+expect_success render moving.gltf -o still.png "${small[@]}" --time 0.5 --motion still.exr --since 0.5
+! cmp -s moved.exr still.exr || wrong "--since changes nothing"
+expect_error 2 '--motion m.png: motion is written as OpenEXR' render scene.glb -o d.png --motion m.png
+expect_error 2 '--since: goes with --motion alone' render scene.glb -o d.png --since 1
+expect_error 2 '--since: is not a finite number' render scene.glb -o d.png --motion m.exr --since nan
+expect_error 2 '--motion: goes with pictures alone' render scene.glb -o d.svg --motion m.exr
+expect_error 1 'no such folder' render scene.glb -o d.png --motion nowhere/m.exr
+
 # A failure keeps the picture that was there
 expect_error 1 'truncated.glb' render truncated.glb -o a.png
 

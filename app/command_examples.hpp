@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace estampe::app {
+
+// What --help of the commands ends in.
+
+inline constexpr const char* examples = R"(Examples:
+  estampe render helmet.gltf -o helmet.png
+  estampe render helmet.gltf -o helmet.png --size 1920x1080 --samples 16
+  estampe render fox.glb -o fox.png --animation Run --time 0.4
+  estampe render bunny.obj -o bunny.png --camera "eye=2,1,3 target=0,0.5,0 fov=35"
+  estampe render temple.glb -o temple.png --style pencil --set hatch.width_mm=0.5
+  estampe render temple.glb -o temple.svg --plotter
+  estampe render fox.glb -o fox.png --time 0.4 --motion fox.exr --since 0.36
+  estampe info helmet.gltf --json
+  estampe tam -o pen.tam --preview pen.png
+  estampe bake room.glb -o room.exr
+
+Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
+
+inline constexpr const char* tam_examples = R"(Examples:
+  estampe tam -o pen.tam --preview pen.png
+  estampe tam tam-charcoal -o charcoal.tam --set tam.seed=7
+  estampe tam mine.toml -o mine.tam --brush stroke.png
+  estampe tam --from mine.tam -o painted/              (paint over the images there, then)
+  estampe tam --from painted/ -o mine.tam
+
+A folder holds tone1.png, tone2.png, ... from light to dark, black ink on white, square, with a side that is
+a power of two; coarser levels are then derived. Or tone1_level0.png, tone1_level1.png, ... for each.
+
+Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
+
+inline constexpr const char* bench_examples = R"(Examples:
+  estampe bench lights -o lights.svg
+  estampe bench lights --counts 34 --shadowed 4 --million --size 1920x1080 --json
+
+Each count is measured in turn with frames without local lights, so that the ratio of the two does not hang
+on how busy the machine is.)";
+
+} // namespace estampe::app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Between which two views things moved, and where their motion is read back to.
+
+#include <estampe/renderer.hpp>
+
+#include "gpu/resources.hpp"
+#include "techniques/motion/motion.hpp"
+
+namespace estampe::frame {
+
+/// What a frame's motion looks back to.
+struct MotionPlan {
+    glm::mat4 clip_from_anchor{1.0F}; ///< without the shift of a sample
+    glm::mat4 clip_from_anchor_before{1.0F};
+    bool pose_moved = false; ///< vertices were others then: MeshBuffers::posed_vertices[1] has them
+};
+
+/// Makes room to read back the motion of a picture of this size.
+void provide_motion(gpu::Device& device, gpu::Buffer& pixels, const RenderSettings& settings);
+
+/// Declares the pass, and one that copies its image into `pixels`.
+void declare_motion(gpu::Graph& graph, const motion::MotionInputs& in, gpu::Buffer& pixels);
+
+/// What a frame that has been drawn left in `pixels`.
+[[nodiscard]] Motion read_motion(const gpu::Buffer& pixels, const RenderSettings& settings);
+
+} // namespace estampe::frame
