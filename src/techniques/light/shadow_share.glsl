@@ -45,28 +45,33 @@ float sun_share(vec3 point, vec3 normal, vec3 towards_sun, Edge edge)
     return edge_blend(points, first, second);
 }
 
-float local_lookup(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, float radius_m)
+// `part` is how much of the light's breadth counts.
+float local_lookup(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, Penumbra penumbra,
+                   float part)
 {
-    return has_soft_lamps ? local_soft_visibility(shadow, light_position, point, normal, radius_m)
+    return has_soft_lamps ? local_soft_visibility(shadow, light_position, point, normal,
+                                                  part * shadow.radius_m, part * penumbra.widest_m)
                           : local_visibility(shadow, light_position, point, normal);
 }
 
 // Of a lamp or a spot.
 float local_share(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, Edge edge)
 {
-    float penumbra_m = has_soft_lamps ? local_penumbra_m(shadow, light_position, point, normal) : 0.0;
-    if (!has_edges) {
-        return local_lookup(shadow, light_position, point, normal, penumbra_m);
+    Penumbra penumbra = Penumbra(0.0, 0.0);
+    if (has_soft_lamps) {
+        penumbra = local_penumbra(shadow, light_position, point, normal);
     }
-    EdgePoints points = edge_points(edge, edge_look, has_wave_edges, point, penumbra_m);
-    float radius_m = 0.5 * penumbra_m;
-    float first = local_lookup(shadow, light_position, points.first, normal, radius_m);
-    float second = local_lookup(shadow, light_position, points.second, normal, radius_m);
+    if (!has_edges) {
+        return local_lookup(shadow, light_position, point, normal, penumbra, 1.0);
+    }
+    EdgePoints points = edge_points(edge, edge_look, has_wave_edges, point, penumbra.mean_m);
+    float first = local_lookup(shadow, light_position, points.first, normal, penumbra, 0.5);
+    float second = local_lookup(shadow, light_position, points.second, normal, penumbra, 0.5);
     float share = edge_blend(points, first, second);
     if (has_wave_edges) {
         // A lamp's shadows run in all directions: it has a third axis.
-        vec3 point_3 = third_wave_point(edge, edge_look, point, penumbra_m);
-        float third = local_lookup(shadow, light_position, point_3, normal, radius_m);
+        vec3 point_3 = third_wave_point(edge, edge_look, point, penumbra.mean_m);
+        float third = local_lookup(shadow, light_position, point_3, normal, penumbra, 0.5);
         share = shadow.is_cube != 0u ? mix(share, third, 1.0 / 3.0) : share;
     }
     return share;

@@ -16,13 +16,13 @@ namespace estampe::shadow {
 namespace {
 
 constexpr glm::uvec2 size_px(200, 150);
-constexpr uint32_t map_size = 512;
 constexpr float reach_px = 4.0F;
 
 /// In world space.
 struct Lamp {
     glm::dvec3 position{0.0};
     double radius_m = 0.0;
+    uint32_t map_texels = 512;        ///< a side
     std::optional<glm::dvec3> target; ///< of a spot, 40 degrees to either side
 };
 
@@ -57,8 +57,8 @@ Lit lit(const Scene& scene, const Camera& camera, const Lamp& lamp, const Shadow
 {
     test::Drawing drawing(scene, camera, size_px);
     const shared::LightRecord record = record_of(lamp, drawing.layout.anchor);
-    const auto dark =
-        drawing.light({.records = {record}, .local_shadow_size = map_size, .shadow = style, .lines = lines});
+    const auto dark = drawing.light(
+        {.records = {record}, .local_shadow_size = lamp.map_texels, .shadow = style, .lines = lines});
     const auto open = drawing.light({.records = {record}});
     const auto surface = drawing.surface();
     Lit result;
@@ -111,8 +111,10 @@ TEST(LampPenumbra, AgreesWithRaysOverTheBall)
 {
     const Scene scene = room();
     const test::EmbreeScene rays(scene);
+    // Where penumbrae are a texel wide, as those of so small a lamp are in smaller maps, nothing can tell how
+    // much of it shines there.
     const Lamp lamps[] = {
-        {.position = {0.3, 3.3, 0.6}, .radius_m = 0.03},
+        {.position = {0.3, 3.3, 0.6}, .radius_m = 0.03, .map_texels = 2048},
         {.position = {0.3, 3.3, 0.6}, .radius_m = 0.12},
         {.position = {0.3, 3.3, 0.6}, .radius_m = 0.4},
         {.position = {1.6, 3.2, 1.8}, .radius_m = 0.15, .target = glm::dvec3(-0.5, 0.3, -0.6)}};
@@ -137,10 +139,10 @@ TEST(LampPenumbra, AgreesWithRaysOverTheBall)
         fmt::print("{} of {} m: mean error {:.4f}; in penumbrae {:.4f}, {} of {} px\n",
                    lamp.target ? "spot" : "lamp", lamp.radius_m, error / static_cast<double>(compared),
                    partly_error / static_cast<double>(std::max<size_t>(partly, 1)), partly, compared);
-        EXPECT_LT(error / static_cast<double>(compared), 0.04);
+        EXPECT_LT(error / static_cast<double>(compared), 0.004);
         EXPECT_GT(compared, 2000U);
         EXPECT_GT(partly, 70U);
-        EXPECT_LT(partly_error / static_cast<double>(partly), 0.13);
+        EXPECT_LT(partly_error / static_cast<double>(partly), 0.04);
     }
 }
 

@@ -121,10 +121,39 @@ float nearer_by(LampDisc disc, vec3 on_disc)
     return height / min(dot(disc.normal, on_disc), height);
 }
 
-// Half the breadth in metres, on the disc, of the penumbra that `point` may lie in: that of the blockers
-// which stand before some part of the light, on average (Fernando, "Percentage-Closer Soft Shadows", 2005).
-// Those nearer to its middle than twice its radius are overlooked. 0 where there are none.
-float local_penumbra_m(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
+// What a point of the disc sees of the map: how far along the way to it something stands, as a share of that
+// way, and whether that stands before the receiver's plane.
+struct Blocker {
+    float share;
+    bool blocks;
+};
+
+// `aside` is a place on the disc; the texel is the one next to `shift` texels beside it.
+Blocker blocker_at(LocalShadow shadow, LampDisc disc, vec2 aside, vec2 shift)
+{
+    vec3 on_disc = disc.from_light + disc.right * aside.x + disc.down * aside.y;
+    float factor = nearer_by(disc, on_disc);
+    MapPlace place = lifted_place(shadow, on_disc * factor, disc.normal);
+    vec2 texel = floor(place.texel + shift + 0.5);
+    bool inside = place.along_m > shadow.near_m && all(greaterThanEqual(texel, vec2(0.0))) &&
+                  all(lessThan(texel, vec2(shadow.size)));
+    float depth = local_depth_at(shadow, place.first_texel, ivec2(texel));
+    float blocker_m = shadow.near_m / max(depth, 1e-9);
+    float along_m = max(place.along_m, 1e-9);
+    return Blocker(clamp(blocker_m / along_m * factor, 1e-6, 0.99999),
+                   inside && depth > 0.0 && blocker_m < along_m * (1.0 - 0.5 * texel_width(shadow)));
+}
+
+// Half the breadth in metres, on the disc, of the penumbrae that a point lies in or next to; 0 where there
+// are none.
+struct Penumbra {
+    float mean_m;
+    float widest_m;
+};
+
+// Looks about for what stands before some part of the light (Fernando, "Percentage-Closer Soft Shadows",
+// 2005). What is nearer to its middle than twice its radius is overlooked.
+Penumbra local_penumbra(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
 {
     const uint most_taps = 40u;
     LampDisc disc = lamp_disc(point - light_position, normal);
@@ -134,39 +163,82 @@ float local_penumbra_m(LocalShadow shadow, vec3 light_position, vec3 point, vec3
     uint count = shadow.radius_m > 0.0 ? most_taps : 0u;
     float sum = 0.0;
     float found = 0.0;
+    float widest_m = 0.0;
     for (uint i = 0u; i < count; ++i) {
         // Dense about the middle, where far blockers show.
-        vec2 aside = reach_m * spiral(i, most_taps, 2.0);
-        vec3 on_disc = disc.from_light + disc.right * aside.x + disc.down * aside.y;
-        float factor = nearer_by(disc, on_disc);
-        MapPlace place = lifted_place(shadow, on_disc * factor, normal);
-        float texel = local_depth_at(shadow, place.first_texel, ivec2(floor(place.texel + 0.5)));
-        float blocker_m = shadow.near_m / max(texel, 1e-9);
-        float share =
-            clamp(blocker_m / max(place.along_m, 1e-9) * factor, 1e-6, 1.0); // of the way to the disc
-        float half_breadth_m = shadow.radius_m * (1.0 / share - 1.0);
-        bool blocks = texel > 0.0 && blocker_m < place.along_m * (1.0 - 0.5 * texel_width(shadow)) &&
-                      length(aside) <= half_breadth_m + texel_m;
-        sum += blocks ? half_breadth_m : 0.0;
-        found += blocks ? 1.0 : 0.0;
+        vec2 aside = reach_m * spiral(i, most_taps, 4.0);
+        Blocker blocker = blocker_at(shadow, disc, aside, vec2(0.0));
+        float half_breadth_m = shadow.radius_m * (1.0 / blocker.share - 1.0);
+        bool counts = blocker.blocks && length(aside) <= half_breadth_m + texel_m;
+        sum += counts ? half_breadth_m : 0.0;
+        found += counts ? 1.0 : 0.0;
+        // Between taps there may be some of what stands farther aside.
+        bool is_near = blocker.blocks && length(aside) <= 2.0 * half_breadth_m + texel_m;
+        widest_m = is_near ? max(widest_m, half_breadth_m) : widest_m;
     }
-    return found > 0.0 ? sum / found : 0.0;
+    return Penumbra(sum / max(found, 1.0), widest_m);
 }
 
-// Share of light where a penumbra is `radius_m` to either side, on the disc.
-float local_soft_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, float radius_m)
+// The bits of the rings of the light, all of one area, that lie within a radius; 1 is that of the light.
+uint rings_within(float radius)
 {
-    const uint most_taps = 32u;
-    LampDisc disc = lamp_disc(point - light_position, normal);
-    uint count = radius_m > 0.0 ? most_taps : 1u;
-    float sum = 0.0;
+    uint count = uint(32.0 * min(radius * radius, 1.0) + 0.5);
+    return count >= 32u ? ~0u : (1u << count) - 1u;
+}
+
+const uint lamp_directions = 24u;
+
+// The rings of the light that are hidden along one direction from its middle. Seen from the receiver through
+// a place on the disc, a blocker at a share s of the way hides the light at s / (1 - s) of that place's
+// distance from the middle, on the other side; what hangs together between two places hides all between the
+// two. After Guennebaud, Barthe and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006, and for
+// the bits Schwarz and Stamminger, "Bitmask Soft Shadows", 2007.
+uint hidden_rings(LocalShadow shadow, LampDisc disc, float radius_m, float widest_m, uint direction)
+{
+    const uint count = 6u;
+    float k = float(direction);
+    float angle = 6.2831853 / float(lamp_directions) * (k + 0.5);
+    vec2 way = vec2(cos(angle), sin(angle));
+    // Other places and other texels in each direction.
+    float first = fract(0.61803399 * k);
+    vec2 shift = fract(k * vec2(0.7548777, 0.5698403)) - 0.5;
+    float inner_m = 0.0;
+    float last = 0.0;
+    bool blocked = false;
+    uint rings = 0u;
     for (uint i = 0u; i < count; ++i) {
-        vec2 aside = radius_m * spiral(i, count, 0.5);
-        vec3 on_disc = disc.from_light + disc.right * aside.x + disc.down * aside.y;
-        MapPlace place = lifted_place(shadow, on_disc * nearer_by(disc, on_disc), normal);
-        sum += compare_at(shadow, place);
+        vec2 part = (vec2(float(i), float(i) + 0.5) + first) / float(count);
+        vec2 away_m = widest_m * part * sqrt(part);
+        Blocker blocker = blocker_at(shadow, disc, way * away_m.x, shift);
+        // What begins to hide may stand lower by what texels cannot tell.
+        float height = 1.0 - blocker.share;
+        float least_height = max(height - 3.0 * texel_width(shadow), 1e-6);
+        float inner = blocker.share * inner_m / (least_height * radius_m);
+        float outer = max(blocker.share * away_m.y / (height * radius_m), inner);
+        uint hidden = rings_within(blocked ? max(outer, last) : outer) &
+                      ~rings_within(blocked ? min(inner, last) : inner);
+        rings |= blocker.blocks ? hidden : 0u;
+        blocked = blocker.blocks;
+        last = outer;
+        inner_m = away_m.y;
     }
-    return sum / float(count);
+    return rings;
+}
+
+// Share that arrives of a light, of `radius_m`, where penumbrae are `widest_m` to either side on the disc.
+float local_soft_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, float radius_m,
+                            float widest_m)
+{
+    LampDisc disc = lamp_disc(point - light_position, normal);
+    // Somewhat more than was found, as taps may have missed the widest; and a texel at least.
+    float reach_m = max(1.1 * widest_m, texel_width(shadow) * length(disc.from_light));
+    uint directions = widest_m > 0.0 ? lamp_directions : 0u;
+    uint hidden = 0u;
+    for (uint k = 0u; k < directions; ++k) {
+        hidden += uint(bitCount(hidden_rings(shadow, disc, radius_m, reach_m, k)));
+    }
+    return directions > 0u ? 1.0 - float(hidden) / float(32u * lamp_directions)
+                           : compare_at(shadow, lifted_place(shadow, disc.from_light, normal));
 }
 
 #endif
