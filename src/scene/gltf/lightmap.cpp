@@ -121,7 +121,7 @@ private:
         }
         for (const std::string& key : value.Keys()) {
             if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-                data_.fail(pointer + "/" + key, "is not known",
+                data_.fail(fmt::format("{}/{}", pointer, key), "is not known",
                            fmt::format("allowed: {}", fmt::join(keys, ", ")));
             }
         }
@@ -159,7 +159,7 @@ private:
         if (!uri.IsString()) {
             data_.fail(pointer + "/uri", "should be text");
         }
-        const auto text = uri.Get<std::string>();
+        const auto& text = uri.Get<std::string>();
         return read(text, pointer + "/uri", [&] { return data_.resource(text); });
     }
 

@@ -133,15 +133,19 @@ Blocker blocker_at(LocalShadow shadow, LampDisc disc, vec2 aside, vec2 shift)
 {
     vec3 on_disc = disc.from_light + disc.right * aside.x + disc.down * aside.y;
     float factor = nearer_by(disc, on_disc);
-    MapPlace place = lifted_place(shadow, on_disc * factor, disc.normal);
+    vec3 receiver = on_disc * factor;
+    MapPlace place = map_place(shadow, receiver);
     vec2 texel = floor(place.texel + shift + 0.5);
     bool inside = place.along_m > shadow.near_m && all(greaterThanEqual(texel, vec2(0.0))) &&
                   all(lessThan(texel, vec2(shadow.size)));
     float depth = local_depth_at(shadow, place.first_texel, ivec2(texel));
     float blocker_m = shadow.near_m / max(depth, 1e-9);
-    float along_m = max(place.along_m, 1e-9);
-    return Blocker(clamp(blocker_m / along_m * factor, 1e-6, 0.99999),
-                   inside && depth > 0.0 && blocker_m < along_m * (1.0 - 0.5 * texel_width(shadow)));
+    // The receiver is lifted on the way to the light: lifted along its normal, it would have another texel,
+    // and its shadow another place.
+    float height_m = max(-dot(disc.normal, receiver), max(-dot(disc.normal, disc.from_light), 1e-9));
+    float lifted_m = place.along_m * (1.0 - lift_m(place, shadow, disc.normal) / height_m);
+    return Blocker(clamp(blocker_m / max(place.along_m, 1e-9) * factor, 1e-6, 0.99999),
+                   inside && depth > 0.0 && blocker_m < lifted_m * (1.0 - 0.5 * texel_width(shadow)));
 }
 
 // Half the breadth in metres, on the disc, of the penumbrae that a point lies in or next to; 0 where there
@@ -210,9 +214,9 @@ uint hidden_rings(LocalShadow shadow, LampDisc disc, float radius_m, float wides
         vec2 part = (vec2(float(i), float(i) + 0.5) + first) / float(count);
         vec2 away_m = widest_m * part * sqrt(part);
         Blocker blocker = blocker_at(shadow, disc, way * away_m.x, shift);
-        // What begins to hide may stand lower by what texels cannot tell.
+        // What begins to hide may stand lower by a texel.
         float height = 1.0 - blocker.share;
-        float least_height = max(height - 3.0 * texel_width(shadow), 1e-6);
+        float least_height = max(height - texel_width(shadow), 1e-6);
         float inner = blocker.share * inner_m / (least_height * radius_m);
         float outer = max(blocker.share * away_m.y / (height * radius_m), inner);
         uint hidden = rings_within(blocked ? max(outer, last) : outer) &
