@@ -106,6 +106,8 @@ struct Primitive {
     std::vector<glm::u16vec4> joints_0, joints_1; ///< up to eight influences
     std::vector<glm::vec4> weights_0, weights_1;  ///< sum to one over both sets
     std::vector<uint32_t> indices;                ///< 3 a triangle, 2 a line, 1 a point
+    std::vector<uint8_t> edge_marks; ///< empty, or one a triangle: bit k marks the edge from corner k to the
+                                     ///< next, as EXT_mesh_primitive_edge_visibility does
     std::vector<MorphTarget> morph_targets;
 };
 

@@ -13,14 +13,18 @@ namespace estampe {
 
 /// What a stroke stands for, in the order in which strokes lie upon each other.
 enum class StrokeKind : uint8_t {
-    hatch,    ///< carries tone
-    crease,   ///< along a sharp fold
-    boundary, ///< between materials
-    border,   ///< where a surface ends
-    outline,  ///< where a surface turns away
+    hatch,      ///< carries tone
+    suggestive, ///< where a surface would turn away if the eye moved
+    valley,     ///< along a rounded fold inwards
+    ridge,      ///< along a rounded fold outwards
+    crease,     ///< along a sharp fold
+    marked,     ///< along an edge that the file marks
+    boundary,   ///< between materials
+    border,     ///< where a surface ends
+    outline,    ///< where a surface turns away
 };
 
-/// "hatch", "crease", "boundary", "border" or "outline".
+/// The same word: "hatch", "crease" and so on.
 [[nodiscard]] const char* name_of(StrokeKind kind);
 
 struct VectorPoint {

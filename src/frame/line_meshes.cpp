@@ -3,6 +3,8 @@
 
 #include <map>
 
+#include "techniques/contour/chains/suggestive.hpp"
+
 namespace estampe::frame {
 namespace {
 
@@ -18,6 +20,49 @@ std::vector<uint32_t> bodies_of_draws(const pose::MeshData& layout)
     }
     bodies.resize(layout.draws.size(), contour::no_side);
     return bodies;
+}
+
+/// What bends is measured against all of its object, in the units of the rest pose.
+std::vector<float> sizes_of_objects(const pose::MeshData& layout)
+{
+    const std::vector<uint32_t> body_of_draw = bodies_of_draws(layout);
+    std::vector<Bounds> bounds(layout.draws.size()); // as many bodies at most
+    for (size_t v = 0; v < layout.draw_of_vertex.size(); ++v) {
+        const uint32_t body = body_of_draw[layout.draw_of_vertex[v]];
+        if (body != contour::no_side) {
+            bounds[body].extend(layout.stroke_coordinates[v]);
+        }
+    }
+    std::vector<float> sizes;
+    sizes.reserve(layout.draw_of_vertex.size());
+    for (const uint32_t draw : layout.draw_of_vertex) {
+        const bool has_lines =
+            body_of_draw[draw] != contour::no_side && (layout.draws[draw].flags & shared::draw_is_cut) == 0;
+        sizes.push_back(has_lines ? static_cast<float>(2.0 * bounds[body_of_draw[draw]].radius()) : 0.0F);
+    }
+    return sizes;
+}
+
+/// One a triangle: 1 if its corners run clockwise as seen from where its normals point.
+std::vector<uint8_t> clockwise_triangles(const pose::MeshData& layout)
+{
+    std::vector<uint8_t> clockwise;
+    clockwise.reserve(layout.triangles.size());
+    for (const glm::uvec4& triangle : layout.triangles) {
+        const shared::DrawRecord& draw = layout.draws[triangle.w & shared::triangle_draw_mask];
+        const auto rest = [&](int k) -> const shared::RestVertex& {
+            return layout.rest_vertices[draw.first_rest_vertex + triangle[k] - draw.first_posed_vertex];
+        };
+        const glm::vec3 a = rest(0).position;
+        const glm::vec3 face = glm::cross(rest(1).position - a, rest(2).position - a);
+        glm::vec3 normal(0.0F);
+        for (int k = 0; k < 3; ++k) {
+            normal += pose::unpack_normal(rest(k).normal);
+        }
+        const bool is_mirrored = (triangle.w & shared::triangle_mirrored) != 0;
+        clockwise.push_back((glm::dot(face, normal) < 0.0F) != is_mirrored ? 1 : 0);
+    }
+    return clockwise;
 }
 
 } // namespace
@@ -46,7 +91,8 @@ contour::EdgeMesh edge_mesh_of(const pose::MeshData& layout)
                                      .positions = layout.stroke_coordinates,
                                      .normals = normals,
                                      .bodies = bodies,
-                                     .materials = materials});
+                                     .materials = materials,
+                                     .edge_marks = layout.edge_marks});
 }
 
 contour::LineMesh* LineMeshes::provide(gpu::Device& device, const pose::MeshData& layout,
@@ -58,20 +104,42 @@ contour::LineMesh* LineMeshes::provide(gpu::Device& device, const pose::MeshData
     if (!edges_) {
         edges_ = edge_mesh_of(layout);
     }
-    const Choice choice{.features = {.crease_deg = style.crease_deg},
-                        .along_edges = style.silhouettes == contour::Silhouettes::edges};
+    const Choice choice{.features = {.crease_deg = style.crease_deg, .marked = style.marked_mm > 0.0F},
+                        .ridges = {style.ridge_mm > 0.0F, style.valley_mm > 0.0F, style.ridge_deg},
+                        .along_edges = style.silhouettes == contour::Silhouettes::edges,
+                        .suggestive = style.suggestive_mm > 0.0F};
     if (!lines_ || choice_ != choice) {
-        lines_ = contour::upload_line_mesh(
-            device, *edges_, contour::string_features(*edges_, layout.stroke_coordinates, choice.features),
-            choice.along_edges);
+        make_lines(device, layout, choice);
         choice_ = choice;
     }
     return &*lines_;
 }
 
+void LineMeshes::make_lines(gpu::Device& device, const pose::MeshData& layout, const Choice& choice)
+{
+    contour::FeatureChains features =
+        contour::string_features(*edges_, layout.stroke_coordinates, choice.features);
+    std::vector<shared::VertexBending> vertex_bendings;
+    if (choice.ridges.ridges || choice.ridges.valleys || choice.suggestive) {
+        const std::vector<float> sizes = sizes_of_objects(layout);
+        const std::vector<uint8_t> clockwise = clockwise_triangles(layout);
+        const contour::RestSurface surface{*edges_, layout.stroke_coordinates, sizes, clockwise};
+        if (!bendings_) {
+            bendings_ = contour::find_bending(surface);
+        }
+        contour::add_ridges(surface, *bendings_, choice.ridges, features);
+        if (choice.suggestive) {
+            vertex_bendings = contour::vertex_bendings(surface, *bendings_);
+        }
+    }
+    lines_ =
+        contour::upload_line_mesh(device, *edges_, std::move(features), vertex_bendings, choice.along_edges);
+}
+
 void LineMeshes::forget()
 {
     edges_.reset();
+    bendings_.reset();
     lines_.reset();
     choice_.reset();
 }

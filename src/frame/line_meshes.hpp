@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "techniques/contour/chains/line_mesh.hpp"
+#include "techniques/contour/chains/ridge_chains.hpp"
 #include "techniques/contour/contour.hpp"
 #include "techniques/pose/mesh_data.hpp"
 
@@ -26,12 +27,17 @@ public:
 private:
     struct Choice {
         contour::FeatureChoice features;
+        contour::RidgeChoice ridges;
         bool along_edges = false;
+        bool suggestive = false;
         bool operator==(const Choice&) const = default;
     };
 
+    void make_lines(gpu::Device& device, const pose::MeshData& layout, const Choice& choice);
+
     std::optional<contour::EdgeMesh> edges_;
-    std::optional<Choice> choice_; ///< of what `lines_` holds
+    std::optional<std::vector<contour::Bending>> bendings_; ///< only when some line wants them
+    std::optional<Choice> choice_;                          ///< of what `lines_` holds
     std::optional<contour::LineMesh> lines_;
 };
 

@@ -48,8 +48,9 @@ std::span<const T> items_of(const gpu::Buffer& buffer, uint64_t offset_bytes = 0
 
 StrokeKind kind_of_line(uint32_t kind)
 {
-    constexpr std::array<StrokeKind, 4> kinds{StrokeKind::outline, StrokeKind::border, StrokeKind::boundary,
-                                              StrokeKind::crease};
+    constexpr std::array<StrokeKind, shared::line_kind_count> kinds{
+        StrokeKind::outline, StrokeKind::border, StrokeKind::boundary, StrokeKind::crease,
+        StrokeKind::marked,  StrokeKind::ridge,  StrokeKind::valley,   StrokeKind::suggestive};
     return kinds.at(kind);
 }
 
@@ -133,9 +134,12 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
 {
     const contour::ContourStyle& contour = style.contour;
     const float hidden_px_per_mm = hidden_share * static_cast<float>(drawn.size_px.y) / style.paper.height_mm;
-    const std::array<float, 4> hidden_widths_px{
-        contour.outline_mm * hidden_px_per_mm, contour.outline_mm * hidden_px_per_mm,
-        contour.boundary_mm * hidden_px_per_mm, contour.crease_mm * hidden_px_per_mm};
+    contour::LineWidths hidden_widths_px{contour.outline_mm, contour.outline_mm,   contour.boundary_mm,
+                                         contour.crease_mm,  contour.marked_mm,    contour.ridge_mm,
+                                         contour.valley_mm,  contour.suggestive_mm};
+    for (float& width : hidden_widths_px) {
+        width *= hidden_px_per_mm;
+    }
     const std::vector<contour::LinePath> paths =
         contour::line_paths({.sizes = items_of<shared::ListSize>(lists.line_sizes),
                              .samples = items_of<shared::LineSample>(lists.line_samples),

@@ -21,7 +21,7 @@ namespace {
 
 using output::number;
 
-constexpr size_t kind_count = 5;
+constexpr size_t kind_count = 9;
 constexpr const char* hidden_dashes_mm = "1.2,0.9";
 
 std::string color_text(const glm::vec3& srgb)
@@ -194,7 +194,8 @@ std::string layers_by_pen(const VectorDrawing& drawing, float tolerance_mm)
 
 const char* name_of(StrokeKind kind)
 {
-    constexpr std::array<const char*, kind_count> names{"hatch", "crease", "boundary", "border", "outline"};
+    constexpr std::array<const char*, kind_count> names{"hatch",  "suggestive", "valley", "ridge",  "crease",
+                                                        "marked", "boundary",   "border", "outline"};
     return names.at(static_cast<size_t>(kind));
 }
 

@@ -68,6 +68,8 @@ struct ChainLists {
     contour::FeatureChains features;
     std::vector<uint32_t> marks;  ///< a bit an item
     std::vector<uint32_t> facing; ///< a bit a triangle
+    std::vector<glm::vec2>
+        view_bends; ///< radial curvature and strength a vertex; only of suggestive contours
     std::vector<shared::ListSize> sizes;
     std::vector<uint32_t> points_before; ///< each slot
     std::vector<uint32_t> flags_of_slot;

@@ -66,6 +66,7 @@ ChainLists Drawing::chains(const contour::ContourStyle& style)
             .visibility = stage.visibility,
             .neighbors = gpu::import_whole(graph, "line neighbors", mesh->neighbors),
             .line_triangles = gpu::import_whole(graph, "line triangles", mesh->triangles),
+            .suggestive_cut = {style.suggestive_growth, style.suggestive_deg},
             .size_px = size_px};
         const contour::Chains chains = contour::add_chains(graph, inputs, *mesh, along_edges);
         const auto grid =
@@ -77,6 +78,9 @@ ChainLists Drawing::chains(const contour::ContourStyle& style)
     using contour::ChainStrokes;
     read(lists.marks, [](const Chains& c, const ChainStrokes&) { return c.marks; });
     read(lists.facing, [](const Chains& c, const ChainStrokes&) { return c.facing; });
+    if (mesh->bending_count > 0) {
+        read(lists.view_bends, [](const Chains& c, const ChainStrokes&) { return *c.view_bends; });
+    }
     read(lists.sizes, [](const Chains&, const ChainStrokes& s) { return s.sizes; });
     read(lists.points_before, [](const Chains& c, const ChainStrokes&) { return c.points_before; });
     read(lists.flags_of_slot, [](const Chains& c, const ChainStrokes&) { return c.flags_of_slot; });

@@ -130,6 +130,7 @@ bool knows_extension(const std::string& name)
 {
     static constexpr std::array<std::string_view, 12> known = {
         "EXT_mesh_gpu_instancing",
+        "EXT_mesh_primitive_edge_visibility",
         "EXT_meshopt_compression",
         "EXT_texture_webp",
         "KHR_draco_mesh_compression",

@@ -4,6 +4,7 @@
 
 #include "scene/gltf/convert.hpp"
 #include "scene/gltf/draco.hpp"
+#include "scene/gltf/edge_marks.hpp"
 #include "scene/gltf/geometry.hpp"
 
 namespace estampe::gltf {
@@ -261,11 +262,13 @@ std::optional<Primitive> import_primitive(Data& data, const Scene& scene, const 
                                                           : Topology::triangles;
     primitive.material = source.material >= 0 ? static_cast<Index>(source.material)
                                               : static_cast<Index>(scene.materials.size() - 1);
-    primitive.indices = list_indices(mode, primitive.indices);
+    const std::vector<uint32_t> in_file = std::move(primitive.indices);
+    primitive.indices = list_indices(mode, in_file);
     if (primitive.indices.empty()) {
         data.warn(pointer, "has nothing to draw; it is left out");
         return std::nullopt;
     }
+    read_edge_marks(data, source, in_file, primitive, pointer);
     drop_unused_vertices(primitive);
     if (primitive.topology == Topology::triangles) {
         finish_triangles(data, scene, primitive, pointer);

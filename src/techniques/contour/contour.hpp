@@ -20,6 +20,13 @@ struct ContourStyle {
     float boundary_mm = 0.24F;
     float crease_mm = 0.26F;
     float crease_deg = 34.0F;
+    float marked_mm = 0.24F;
+    float ridge_mm = 0.0F;
+    float valley_mm = 0.0F;
+    float ridge_deg = 15.0F;
+    float suggestive_mm = 0.0F;
+    float suggestive_growth = 15.0F;
+    float suggestive_deg = 20.0F;
     float depth_step = 1.0F;
     float pressure = 0.8F;
     float distance_thinning = 0.7F;
@@ -49,6 +56,24 @@ inline const style::Table<ContourStyle>& contour_table()
             .number("crease_mm", &ContourStyle::crease_mm, {0.0F, 20.0F}, "mm", "Width along sharp folds")
             .number("crease_deg", &ContourStyle::crease_deg, {1.0F, 180.0F}, "deg",
                     "Fold from which it is sharp")
+            .number("marked_mm", &ContourStyle::marked_mm, {0.0F, 20.0F}, "mm",
+                    "Width along edges that a glTF file marks, where chains then draw no other folds and "
+                    "borders; 0 leaves the marks aside")
+            .number("ridge_mm", &ContourStyle::ridge_mm, {0.0F, 20.0F}, "mm",
+                    "Width along rounded folds outwards, drawn by chains; 0 draws none")
+            .number("valley_mm", &ContourStyle::valley_mm, {0.0F, 20.0F}, "mm",
+                    "Width along rounded folds inwards, drawn by chains; 0 draws none")
+            .number("ridge_deg", &ContourStyle::ridge_deg, {0.5F, 180.0F}, "deg",
+                    "How far a surface must turn over a hundredth of its object's size to be a rounded fold")
+            .number(
+                "suggestive_mm", &ContourStyle::suggestive_mm, {0.0F, 20.0F}, "mm",
+                "Width of suggestive contours, where a surface would turn away if the eye moved, drawn by "
+                "chains; 0 draws none")
+            .number("suggestive_growth", &ContourStyle::suggestive_growth, {0.0F, 10000.0F}, "",
+                    "How fast a surface there must begin to bend towards the eye, for objects of one size: "
+                    "less draws more")
+            .number("suggestive_deg", &ContourStyle::suggestive_deg, {1.0F, 89.0F}, "deg",
+                    "Least angle between the view and a surface that has suggestive contours")
             .number("depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
                     "How far a surface must fall away behind another to be lined: less draws more")
             .number("pressure", &ContourStyle::pressure, {0.0F, 1.0F}, "",

@@ -90,6 +90,7 @@ public:
         data_.masked = append_solid(masked_, true);
         data_.blended = append(blended_);
         add_ground(ground_material);
+        data_.edge_marks = edge_marks_of(data_, scene_);
     }
 
 private:

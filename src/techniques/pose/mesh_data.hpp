@@ -36,6 +36,9 @@ struct DrawSource {
     Bounds local_bounds;    ///< of the rest vertices, in object space
 };
 
+/// In MeshData::edge_marks: the triangle's primitive says of all its edges whether they are marked.
+inline constexpr uint8_t marks_edges = 8;
+
 /// Draws, vertices and triangles of a scene. Triangles come in the order opaque, masked, blended, ground.
 struct MeshData {
     std::vector<shared::RestVertex> rest_vertices;
@@ -44,6 +47,8 @@ struct MeshData {
     std::vector<glm::uvec4> triangles; ///< three posed vertices, and draw with flags
     std::vector<glm::vec3>
         stroke_coordinates; ///< one a posed vertex: place in the rest pose, in units of `stroke_unit_m`
+    std::vector<uint8_t> edge_marks; ///< one a triangle, as Primitive::edge_marks, and `marks_edges` where
+                                     ///< its primitive has any; empty where none has
     std::vector<uint32_t> draw_of_vertex;  ///< one a posed vertex
     std::vector<shared::DrawRecord> draws; ///< matrices not filled in; mirrored as the triangles are flagged
     std::vector<DrawSource> sources;       ///< one a draw; the ground has none and comes last
@@ -63,6 +68,9 @@ struct MeshData {
 
 /// Groups in the form of DrawRecord::groups.
 [[nodiscard]] uint32_t packed_groups(const LightLinks& links);
+
+/// What MeshData::edge_marks is to hold. Cost: linear in triangles where some primitive marks edges.
+[[nodiscard]] std::vector<uint8_t> edge_marks_of(const MeshData& meshes, const Scene& scene);
 
 /// Whether every draw stands to all lights alike.
 [[nodiscard]] bool has_plain_links(const MeshData& meshes);

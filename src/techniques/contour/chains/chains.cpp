@@ -6,7 +6,9 @@
 
 #include "gpu/imports.hpp"
 #include "shaders/emit_comp.hpp"
+#include "shaders/emit_suggestive_comp.hpp"
 #include "shaders/mark_edges_comp.hpp"
+#include "shaders/mark_suggestive_comp.hpp"
 #include "shaders/mark_triangles_comp.hpp"
 #include "shaders/order_features_comp.hpp"
 #include "shaders/order_segments_comp.hpp"
@@ -21,8 +23,9 @@ namespace {
 /// An outline of n triangles crosses about 0.7 n^0.8 of them (McGuire 2004); six times as many have room.
 uint32_t segment_capacity(const LineMesh& mesh, bool along_edges)
 {
-    const auto items = static_cast<double>(along_edges ? mesh.loose_edge_count
-                                                       : mesh.triangle_count + mesh.loose_edge_count);
+    const uint32_t suggestive = mesh.bending_count > 0 ? mesh.triangle_count : 0;
+    const auto items =
+        static_cast<double>((along_edges ? 0 : mesh.triangle_count) + mesh.loose_edge_count + suggestive);
     const double usual = 4096.0 + 6.0 * 0.7 * std::pow(items, 0.8);
     return std::max(1U, static_cast<uint32_t>(std::min(items, usual)));
 }
@@ -35,10 +38,12 @@ struct Marks {
 };
 
 Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_edges,
-                const shared::ChainConstants& constants, bool along_edges)
+                const std::optional<gpu::BufferId>& view_bends, const shared::ChainConstants& constants,
+                bool along_edges)
 {
     const uint32_t triangle_words = (constants.triangle_count + 31) / 32;
-    const uint32_t words = triangle_words + (constants.loose_edge_count + 31) / 32;
+    const uint32_t words =
+        triangle_words + (constants.loose_edge_count + 31) / 32 + (constants.suggestive_count + 31) / 32;
     auto triangles = graph.compute("contour/mark triangles", shaders::mark_triangles_comp);
     triangles.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices).sample(in.neighbors);
     const gpu::BufferId facing =
@@ -51,6 +56,12 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
         edges.read(loose_edges).sample(in.neighbors).sample(facing, gpu::Format::r32ui);
         marks = edges.modify(marks);
         edges.push(constants).dispatch((constants.loose_edge_count + 63) / 64);
+    }
+    if (view_bends) {
+        auto suggestive = graph.compute("contour/mark suggestive", shaders::mark_suggestive_comp);
+        suggestive.sample(in.line_triangles).sample(*view_bends, gpu::Format::rg32ui);
+        marks = suggestive.modify(marks);
+        suggestive.push(constants).dispatch((constants.suggestive_count + 63) / 64);
     }
     const gpu::BufferId sizes =
         graph.buffer("contour/sizes", list_of(shared::list_count, sizeof(shared::ListSize)));
@@ -75,6 +86,8 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
     const uint32_t segments_most = segment_capacity(mesh, along_edges);
     const shared::ChainConstants constants{.triangle_count = mesh.triangle_count,
                                            .loose_edge_count = mesh.loose_edge_count,
+                                           .suggestive_count =
+                                               mesh.bending_count > 0 ? mesh.triangle_count : 0,
                                            .feature_chain_count = mesh.feature_chain_count,
                                            .feature_point_count = mesh.feature_point_count,
                                            .segment_capacity = segments_most,
@@ -82,7 +95,13 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
                                            .sample_capacity = sample_capacity(in.size_px),
                                            .step_px = 3.0F};
     const auto loose_edges = gpu::import_whole(graph, "loose edges", mesh.loose_edges);
-    const Marks marks = add_marks(graph, in, loose_edges, constants, along_edges);
+    std::optional<gpu::BufferId> view_bends;
+    if (mesh.bending_count > 0) {
+        view_bends = add_view_bends(graph, in.frame, in.posed_vertices,
+                                    gpu::import_whole(graph, "bendings", mesh.bendings), mesh.bending_count,
+                                    in.suggestive_cut);
+    }
+    const Marks marks = add_marks(graph, in, loose_edges, view_bends, constants, along_edges);
 
     auto emit = graph.compute("contour/emit", shaders::emit_comp);
     emit.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices).sample(in.neighbors);
@@ -91,12 +110,25 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
         emit.sample(words, gpu::Format::r32ui);
     }
     emit.read(marks.sizes);
-    const gpu::BufferId segments =
+    gpu::BufferId segments =
         emit.write(graph.buffer("contour/segments", list_of(segments_most, sizeof(shared::Segment))));
     gpu::BufferId ranks =
         emit.write(graph.buffer("contour/ranks", list_of(segments_most, sizeof(shared::Rank))));
     emit.variant(mesh.loose_edge_count > 0 ? 1U : 0U).push(constants);
     emit.dispatch_indirect(marks.sizes, indirect_offset(shared::list_segments));
+    if (view_bends) {
+        auto suggestive = graph.compute("contour/emit suggestive", shaders::emit_suggestive_comp);
+        suggestive.sample(in.line_triangles).sample(in.posed_vertices).sample(in.neighbors);
+        suggestive.sample(*view_bends, gpu::Format::rg32ui);
+        for (const gpu::BufferId words : {marks.words, marks.before}) {
+            suggestive.sample(words, gpu::Format::r32ui);
+        }
+        suggestive.read(marks.sizes);
+        segments = suggestive.modify(segments);
+        ranks = suggestive.modify(ranks);
+        suggestive.push(constants);
+        suggestive.dispatch_indirect(marks.sizes, indirect_offset(shared::list_segments));
+    }
 
     for (uint64_t reach = 1; reach < segments_most; reach *= 4) {
         auto rank = graph.compute("contour/rank", shaders::rank_comp);
@@ -143,11 +175,13 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
         features.read(feature_chains).sample(scanned.before, gpu::Format::r32ui);
         points = features.modify(points);
         lengths = features.modify(lengths);
+        features.variant(mesh.features_leave_edges ? 1U : 0U);
         features.push(constants).dispatch_items(mesh.feature_point_count);
     }
     return {.constants = constants,
             .facing = marks.facing,
             .marks = marks.words,
+            .view_bends = view_bends,
             .sizes = scanned.sizes,
             .points_of_slot = points_of_slot,
             .flags_of_slot = flags_of_slot,

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_CHAINS_GLSL_H
 #define ESTAMPE_CHAINS_GLSL_H
-// Lines strung along the surface. An item is what may hold a piece of outline: a triangle, or after all
-// triangles a loose edge. A slot is a chain: first those of features, then one for each segment found, of
+// Lines strung along the surface. An item is what may hold a piece of a line that is found from view to view:
+// of the outline a triangle, or after all triangles a loose edge; after those, of a suggestive contour, a
+// triangle again. A slot is a chain: first those of features, then one for each segment found, of
 // which only the one that stands for its whole chain is not empty.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
 #endif
 
-// A point of a feature's line; its kind and side are those of the edge to the next point.
+// A point of a feature's line; its kind and side are those of the edge to the next point, or of the triangle
+// that leads there, with corner 3.
 struct FeaturePoint {
     uint vertex;
+    uint other_vertex; // the point lies a share of the way to this one
+    float share;
     uint chain;
     uint kind;
     uint side;
@@ -29,8 +33,8 @@ struct Segment {
     uint from_normal;
     vec3 to;
     uint to_normal;
-    uint side; // corner 3 for the whole triangle
-    uint next; // segment, or no_segment
+    uint source; // kind << 28 | side; corner 3 for the whole triangle
+    uint next;   // segment, or no_segment
     uint has_previous;
     float bulge_m; // how far the true surface may stand out; negative where it is hidden by itself
 };
@@ -121,6 +125,7 @@ struct ScanConstants {
 struct ChainConstants {
     uint triangle_count;
     uint loose_edge_count;
+    uint suggestive_count; // triangles that may have suggestive contours: all or none
     uint feature_chain_count;
     uint feature_point_count;
     uint segment_capacity;
@@ -129,11 +134,29 @@ struct ChainConstants {
     float step_px; // between samples, about
 };
 
+// How a surface bends at a vertex, as contour::Bending, in sizes of its object. The tangent leads to the
+// neighbour.
+struct VertexBending {
+    uint neighbor;
+    vec3 form;
+    vec4 change;
+};
+
+struct ViewBendConstants {
+    uint vertex_count;
+    float least_growth;
+    float least_sine; // of the angle between normal and view
+};
+
 struct ShapeConstants {
     float silhouette_px; // whole widths
     float border_px;
     float boundary_px;
     float crease_px;
+    float marked_px;
+    float ridge_px;
+    float valley_px;
+    float suggestive_px;
     float taper_px;
     float overshoot_px;
     float wobble_px;
@@ -151,6 +174,7 @@ struct InkConstants {
 #ifdef __cplusplus
 static_assert(sizeof(Segment) == 48);
 static_assert(sizeof(ChainPoint) == 32);
+static_assert(sizeof(VertexBending) == 32);
 static_assert(sizeof(LineSample) == 32);
 static_assert(sizeof(Stroke) == 24);
 static_assert(sizeof(DrawnSample) == 24);
@@ -160,6 +184,11 @@ inline constexpr uint line_silhouette = 0U;
 inline constexpr uint line_border = 1U;
 inline constexpr uint line_boundary = 2U;
 inline constexpr uint line_crease = 3U;
+inline constexpr uint line_marked = 4U;
+inline constexpr uint line_ridge = 5U;
+inline constexpr uint line_valley = 6U;
+inline constexpr uint line_suggestive = 7U;
+inline constexpr uint line_kind_count = 8U;
 inline constexpr uint list_segments = 0U;
 inline constexpr uint list_points = 1U;
 inline constexpr uint list_samples = 2U;
@@ -184,6 +213,10 @@ inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of th
 #define LINE_BORDER 1u
 #define LINE_BOUNDARY 2u
 #define LINE_CREASE 3u
+#define LINE_MARKED 4u
+#define LINE_RIDGE 5u
+#define LINE_VALLEY 6u
+#define LINE_SUGGESTIVE 7u
 #define LIST_SEGMENTS 0u
 #define LIST_POINTS 1u
 #define LIST_SAMPLES 2u

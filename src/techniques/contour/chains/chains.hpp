@@ -6,6 +6,7 @@
 #include "gpu/graph/graph.hpp"
 #include "techniques/contour/chains/line_history.hpp"
 #include "techniques/contour/chains/line_mesh.hpp"
+#include "techniques/contour/chains/suggestive.hpp"
 #include "techniques/contour/contour.hpp"
 
 namespace estampe::contour {
@@ -13,9 +14,10 @@ namespace estampe::contour {
 /// Outlines and features strung into whole lines.
 struct Chains {
     shared::ChainConstants constants;
-    gpu::BufferId facing; ///< a bit a triangle: faces the eye
-    gpu::BufferId marks;  ///< a bit an item: the outline runs through it
-    gpu::BufferId sizes;  ///< ListSize of each list
+    gpu::BufferId facing;                    ///< a bit a triangle: faces the eye
+    gpu::BufferId marks;                     ///< a bit an item: the outline runs through it
+    std::optional<gpu::BufferId> view_bends; ///< two floats a vertex, as view_bends.comp writes them
+    gpu::BufferId sizes;                     ///< ListSize of each list
     gpu::BufferId points_of_slot;
     gpu::BufferId flags_of_slot;
     gpu::BufferId points_before; ///< each slot
@@ -48,12 +50,14 @@ struct ChainInputs {
     gpu::BufferId visibility;
     gpu::BufferId neighbors; ///< of the line mesh, as its triangles
     gpu::BufferId line_triangles;
+    SuggestiveCut suggestive_cut; ///< of no use where the line mesh has no bendings
     glm::uvec2 size_px{0};
 };
 
-/// Finds the outline, one segment a triangle or edge, and strings it and the features together.
+/// Finds the outline, one segment a triangle or edge, and suggestive contours where the line mesh has
+/// bendings, and strings these and the features together.
 ///
-/// Cost    one thread a triangle; all else grows with the outline
+/// Cost    one thread a triangle, or two; all else grows with the lines
 /// Source  segments: Hertzmann and Zorin, "Illustrating Smooth Surfaces", 2000; ranking: Wyllie, "The
 /// Complexity of Parallel Computations", 1979
 [[nodiscard]] Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges);

@@ -161,6 +161,7 @@ private:
     /// `around` is all the sides of one edge.
     void add_edge(std::span<const Side> around)
     {
+        const EdgeMark mark = mark_of(around);
         distinct_.clear();
         for (const Side& side : around) {
             const bool is_twice = std::any_of(distinct_.begin(), distinct_.end(), [&](const Side& other) {
@@ -171,19 +172,37 @@ private:
             }
         }
         if (distinct_.size() == 1) {
-            mesh_.features.push_back({.side = distinct_[0].side, .kind = FeatureKind::border});
+            mesh_.features.push_back({.side = distinct_[0].side, .kind = FeatureKind::border, .mark = mark});
         } else if (distinct_.size() == 2) {
-            pair(distinct_[0], distinct_[1]);
+            pair(distinct_[0], distinct_[1], mark);
         } else {
             mesh_.features.push_back({.side = distinct_[0].side,
                                       .other_side = distinct_[1].side,
                                       .fold_deg = 180.0F,
                                       .kind = FeatureKind::crease,
+                                      .mark = mark,
                                       .is_split = true});
         }
     }
 
-    void pair(const Side& a, const Side& b)
+    /// Marked if one triangle says so, plain if all say no.
+    [[nodiscard]] EdgeMark mark_of(std::span<const Side> around) const
+    {
+        if (soup_.edge_marks.empty()) {
+            return EdgeMark::unsaid;
+        }
+        bool is_plain = true;
+        for (const Side& side : around) {
+            const uint32_t marks = soup_.edge_marks[side.side >> 2U];
+            if ((marks >> (side.side & 3U) & 1U) != 0) {
+                return EdgeMark::marked;
+            }
+            is_plain = is_plain && marks != 0;
+        }
+        return is_plain ? EdgeMark::plain : EdgeMark::unsaid;
+    }
+
+    void pair(const Side& a, const Side& b, EdgeMark mark)
     {
         mesh_.neighbors[a.side >> 2U][static_cast<int>(a.side & 3U)] = b.side;
         mesh_.neighbors[b.side >> 2U][static_cast<int>(b.side & 3U)] = a.side;
@@ -192,11 +211,12 @@ private:
         const float cosine = glm::dot(normal(a.side >> 2U), normal_b);
         const float fold_deg = glm::degrees(std::acos(std::clamp(cosine, -1.0F, 1.0F)));
         const bool is_boundary = soup_.materials[a.side >> 2U] != soup_.materials[b.side >> 2U];
-        if (is_boundary || fold_deg > least_fold_deg) {
+        if (is_boundary || fold_deg > least_fold_deg || mark == EdgeMark::marked) {
             mesh_.features.push_back({.side = a.side,
                                       .other_side = b.side,
                                       .fold_deg = fold_deg,
                                       .kind = is_boundary ? FeatureKind::boundary : FeatureKind::crease,
+                                      .mark = mark,
                                       .is_split = !is_smooth});
         }
         if (!is_smooth) {

@@ -27,9 +27,13 @@ struct TriangleSoup {
     std::span<const uint32_t> bodies; ///< one a triangle: only triangles of one body share edges; no_side for
                                       ///< triangles that have no lines
     std::span<const uint32_t> materials; ///< one a triangle
+    std::span<const uint8_t> edge_marks; ///< one a triangle, as pose::MeshData has them; or none at all
 };
 
 enum class FeatureKind : uint8_t { border, boundary, crease };
+
+/// What the file says of an edge: `plain` where it says of the triangles at the edge that it is not marked.
+enum class EdgeMark : uint8_t { unsaid, plain, marked };
 
 /// An edge that may have a line from wherever it is seen.
 struct FeatureEdge {
@@ -37,6 +41,7 @@ struct FeatureEdge {
     uint32_t other_side = no_side; ///< none for a border
     float fold_deg = 0.0F;         ///< how much the surface bends; 180 where more than two triangles meet
     FeatureKind kind = FeatureKind::crease;
+    EdgeMark mark = EdgeMark::unsaid;
     bool is_split = false; ///< shading breaks here: the two sides have normals of their own
 };
 
@@ -47,8 +52,9 @@ struct EdgeMesh {
     std::vector<glm::uvec4> triangles;
     /// The three sides that face a triangle's own, or no_side; then flags, see neighbor_flags.
     std::vector<glm::uvec4> neighbors;
-    std::vector<uint32_t> points;       ///< one a vertex: the first vertex at its place
-    std::vector<FeatureEdge> features;  ///< borders, boundaries, and all folds of more than `least_fold_deg`
+    std::vector<uint32_t> points; ///< one a vertex: the first vertex at its place
+    std::vector<FeatureEdge>
+        features; ///< borders, boundaries, what is marked, and all folds of more than `least_fold_deg`
     std::vector<glm::uvec2> hard_edges; ///< both sides of each edge that shading breaks at
 };
 

@@ -22,6 +22,7 @@ struct Soup {
     std::vector<glm::vec3> normals;
     std::vector<uint32_t> bodies;
     std::vector<uint32_t> materials;
+    std::vector<uint8_t> edge_marks; ///< as the soup's, where there are any
 
     void add(const Primitive& primitive, uint32_t body = 0, uint32_t material = 0)
     {
@@ -39,7 +40,7 @@ struct Soup {
 
     [[nodiscard]] EdgeMesh build() const
     {
-        return build_edge_mesh({triangles, positions, normals, bodies, materials});
+        return build_edge_mesh({triangles, positions, normals, bodies, materials, edge_marks});
     }
 };
 
@@ -248,6 +249,53 @@ TEST(FeatureChains, TheBorderOfASheetBreaksAtItsCorners)
     const FeatureChains chains = strung(soup);
     EXPECT_EQ(chains.chains.size(), 4U);
     EXPECT_EQ(chains.points.size(), 24U);
+}
+
+/// A box whose first side of its first triangle is marked, flat diagonals and folds alike.
+TEST(FeatureChains, WhereEdgesAreMarkedNoOthersHaveLines)
+{
+    Soup soup;
+    soup.add(shapes::box({1.0F, 1.0F, 1.0F}));
+    soup.edge_marks.assign(soup.triangles.size(), 8);
+    const EdgeMesh plain = soup.build();
+    const auto diagonal = [&](size_t t) {
+        const glm::uvec4& c = plain.triangles[t];
+        uint32_t longest = 0;
+        for (uint32_t k = 0; k < 3; ++k) {
+            const auto length = [&](uint32_t i) {
+                return glm::distance(soup.positions[c[static_cast<int>(i)]],
+                                     soup.positions[c[static_cast<int>((i + 1) % 3)]]);
+            };
+            longest = length(k) > length(longest) ? k : longest;
+        }
+        return longest;
+    };
+    EXPECT_TRUE(strung(soup).chains.empty());
+    EXPECT_EQ(strung(soup).loose_edges.size(), 12U);
+    soup.edge_marks[0] |= static_cast<uint8_t>(1U << diagonal(0));
+    soup.edge_marks[4] |= static_cast<uint8_t>(1U << (diagonal(4) + 1) % 3);
+    const FeatureChains chains = strung(soup);
+    ASSERT_EQ(chains.chains.size(), 2U);
+    for (const shared::FeaturePoint& point : chains.points) {
+        EXPECT_EQ(point.kind, shared::line_marked);
+    }
+    EXPECT_EQ(chains.loose_edges.size(), 11U);
+    EXPECT_EQ(strung(soup, {.marked = false}).chains.size(), 12U);
+    EXPECT_EQ(strung(soup, {.crease_deg = 1.0F, .marked = false}).chains.size(), 12U);
+}
+
+TEST(FeatureChains, OfAnEdgeBetweenWhatMarksAndWhatDoesNotNothingIsSaid)
+{
+    Soup soup;
+    soup.add(triangles_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 1}}, {0, 1, 2, 1, 0, 3}));
+    soup.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}};
+    soup.edge_marks = {8, 0};
+    const FeatureChoice no_borders{.borders = false};
+    EXPECT_EQ(strung(soup, no_borders).chains.size(), 1U); // the fold of 90 degrees
+    soup.edge_marks = {8, 8};
+    EXPECT_TRUE(strung(soup, no_borders).chains.empty());
+    soup.edge_marks = {8, 9};
+    EXPECT_EQ(strung(soup, no_borders).points.at(0).kind, shared::line_marked);
 }
 
 TEST(FeatureChains, SmoothShadingHidesGentleFolds)

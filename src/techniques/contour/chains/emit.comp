@@ -213,7 +213,11 @@ void main()
         return;
     }
     uint triangle_words = (constants.triangle_count + 31u) / 32u;
-    uint item = item_of(slot, triangle_words + (constants.loose_edge_count + 31u) / 32u);
+    uint own_words = triangle_words + (constants.loose_edge_count + 31u) / 32u;
+    uint item = item_of(slot, own_words + (constants.suggestive_count + 31u) / 32u);
+    if (item >= 32u * own_words) {
+        return;
+    }
     Segment segment;
     if (!has_loose_edges || item < 32u * triangle_words) {
         segment = through_triangle(item, segment_count);

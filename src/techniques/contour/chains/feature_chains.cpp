@@ -15,9 +15,16 @@ constexpr size_t most_edges_at_a_point = 64;
 
 bool is_chosen(const FeatureEdge& edge, const FeatureChoice& choice)
 {
-    const float least_deg =
-        edge.is_split ? choice.crease_deg : std::max(choice.crease_deg, smooth_crease_deg);
-    const bool is_crease = choice.creases && edge.fold_deg >= least_deg;
+    if (choice.marked && edge.mark == EdgeMark::marked) {
+        return true;
+    }
+    const bool is_left_out = choice.marked && edge.mark == EdgeMark::plain;
+    if (is_left_out && edge.kind != FeatureKind::boundary) {
+        return false;
+    }
+    const float least_deg = edge.is_split ? std::max(choice.crease_deg, least_fold_deg)
+                                          : std::max(choice.crease_deg, smooth_crease_deg);
+    const bool is_crease = choice.creases && !is_left_out && edge.fold_deg >= least_deg;
     switch (edge.kind) {
     case FeatureKind::border:
         return choice.borders;
@@ -29,11 +36,12 @@ bool is_chosen(const FeatureEdge& edge, const FeatureChoice& choice)
     return false;
 }
 
-uint32_t line_kind(FeatureKind kind)
+uint32_t line_kind(const FeatureEdge& edge, const FeatureChoice& choice)
 {
-    return kind == FeatureKind::border     ? shared::line_border
-           : kind == FeatureKind::boundary ? shared::line_boundary
-                                           : shared::line_crease;
+    return edge.kind == FeatureKind::border                 ? shared::line_border
+           : choice.marked && edge.mark == EdgeMark::marked ? shared::line_marked
+           : edge.kind == FeatureKind::boundary             ? shared::line_boundary
+                                                            : shared::line_crease;
 }
 
 class Stringer {
@@ -43,7 +51,8 @@ public:
     {
         for (const FeatureEdge& feature : mesh.features) {
             if (is_chosen(feature, choice)) {
-                edges_.push_back({feature, vertex(feature.side, 0), vertex(feature.side, 1)});
+                edges_.push_back({feature.side, line_kind(feature, choice), vertex(feature.side, 0),
+                                  vertex(feature.side, 1)});
             }
         }
     }
@@ -68,7 +77,8 @@ public:
 
 private:
     struct Edge {
-        FeatureEdge feature;
+        uint32_t side = no_side;
+        uint32_t kind = shared::line_crease;
         uint32_t from = 0; ///< vertices
         uint32_t to = 0;
     };
@@ -96,9 +106,9 @@ private:
     void join_ends()
     {
         partner_.assign(2 * edges_.size(), none);
-        std::map<std::pair<uint32_t, FeatureKind>, std::vector<uint32_t>> ends_at;
+        std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> ends_at; // by point and kind
         for (uint32_t end = 0; end < partner_.size(); ++end) {
-            ends_at[{mesh_.points[vertex_at(end)], edges_[end / 2].feature.kind}].push_back(end);
+            ends_at[{mesh_.points[vertex_at(end)], edges_[end / 2].kind}].push_back(end);
         }
 
         struct Joint {
@@ -135,16 +145,18 @@ private:
         uint32_t last = end;
         while (end != none && !is_strung_[end / 2]) {
             is_strung_[end / 2] = true;
-            const FeatureEdge& feature = edges_[end / 2].feature;
+            const Edge& edge = edges_[end / 2];
             result_.points.push_back({.vertex = vertex_at(end),
+                                      .other_vertex = vertex_at(end),
+                                      .share = 0.0F,
                                       .chain = chain,
-                                      .kind = line_kind(feature.kind),
-                                      .side = feature.side});
+                                      .kind = edge.kind,
+                                      .side = edge.side});
             last = end ^ 1U;
             end = partner_[last];
         }
         shared::FeaturePoint final_point = result_.points.back();
-        final_point.vertex = vertex_at(last);
+        final_point.vertex = final_point.other_vertex = vertex_at(last);
         result_.points.push_back(final_point);
         result_.chains.push_back({.first_point = first,
                                   .point_count = static_cast<uint32_t>(result_.points.size()) - first,
@@ -156,7 +168,7 @@ private:
         std::vector<uint32_t> lined;
         lined.reserve(edges_.size());
         for (const Edge& edge : edges_) {
-            lined.push_back(edge.feature.side);
+            lined.push_back(edge.side);
         }
         std::sort(lined.begin(), lined.end());
         for (const glm::uvec2& edge : mesh_.hard_edges) {

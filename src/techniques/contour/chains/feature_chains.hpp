@@ -16,6 +16,8 @@ struct FeatureChoice {
     bool borders = true;
     bool boundaries = true;
     bool creases = true;
+    bool marked =
+        true; ///< what the file marks; where it does, folds and borders that it leaves out have none
     bool operator==(const FeatureChoice&) const = default;
 };
 
@@ -25,6 +27,7 @@ struct FeatureChains {
         points; ///< chain after chain; the first again at the end of a closed one
     std::vector<shared::FeatureChain> chains;
     std::vector<glm::uvec2> loose_edges; ///< hard edges that have no line of their own
+    bool leave_edges = false;            ///< some points lie between vertices, some pieces within triangles
 };
 
 /// Strings the edges of one kind together where they meet and bend by no more than 60 degrees, the

@@ -47,7 +47,8 @@ std::vector<uint32_t> edges_of_sides(const EdgeMesh& mesh, const std::vector<glm
 
 } // namespace
 
-LineMesh upload_line_mesh(gpu::Device& device, const EdgeMesh& mesh, FeatureChains features, bool along_edges)
+LineMesh upload_line_mesh(gpu::Device& device, const EdgeMesh& mesh, FeatureChains features,
+                          const std::vector<shared::VertexBending>& bendings, bool along_edges)
 {
     if (along_edges) {
         features.loose_edges = all_loose_edges(mesh, features);
@@ -60,10 +61,15 @@ LineMesh upload_line_mesh(gpu::Device& device, const EdgeMesh& mesh, FeatureChai
         gpu::upload_buffer(device, "loose edges of sides", edges_of_sides(mesh, features.loose_edges));
     lines.feature_points = gpu::upload_buffer(device, "feature points", features.points);
     lines.feature_chains = gpu::upload_buffer(device, "feature chains", features.chains);
+    if (!bendings.empty()) {
+        lines.bendings = gpu::upload_buffer(device, "bendings", bendings);
+        lines.bending_count = static_cast<uint32_t>(bendings.size());
+    }
     lines.triangle_count = static_cast<uint32_t>(mesh.triangles.size());
     lines.loose_edge_count = static_cast<uint32_t>(features.loose_edges.size());
     lines.feature_point_count = static_cast<uint32_t>(features.points.size());
     lines.feature_chain_count = static_cast<uint32_t>(features.chains.size());
+    lines.features_leave_edges = features.leave_edges;
     return lines;
 }
 

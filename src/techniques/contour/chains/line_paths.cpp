@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    std::array<uint32_t, 4> counts_{};
+    std::array<uint32_t, shared::line_kind_count> counts_{};
 };
 
 class Reader {
@@ -51,7 +51,7 @@ public:
         }
     }
 
-    void add_hidden(uint32_t first, uint32_t last, const std::array<float, 4>& widths_px,
+    void add_hidden(uint32_t first, uint32_t last, const LineWidths& widths_px,
                     std::vector<LinePath>& paths) const
     {
         for (uint32_t start = first; start < last;) {
@@ -133,7 +133,7 @@ private:
 } // namespace
 
 std::vector<LinePath> line_paths(const LineLists& lists, const EdgeMesh& mesh,
-                                 const std::optional<std::array<float, 4>>& hidden_widths_px)
+                                 const std::optional<LineWidths>& hidden_widths_px)
 {
     const Reader reader(lists, mesh);
     std::vector<LinePath> paths;

@@ -40,9 +40,12 @@ struct LineLists {
     std::span<const uint32_t> facing;
 };
 
+/// One for each kind of line.
+using LineWidths = std::array<float, shared::line_kind_count>;
+
 /// Every stroke, in the order of the samples. With `hidden_widths_px`, one for each kind, what is on the page
 /// and hidden comes too, each chain's after its strokes. Cost: linear in samples.
 [[nodiscard]] std::vector<LinePath> line_paths(const LineLists& lists, const EdgeMesh& mesh,
-                                               const std::optional<std::array<float, 4>>& hidden_widths_px);
+                                               const std::optional<LineWidths>& hidden_widths_px);
 
 } // namespace estampe::contour

@@ -51,6 +51,10 @@ layout(push_constant, scalar) uniform Constants
     ChainConstants constants;
 };
 
+// Bit 0: some points lie between vertices, and some pieces within triangles.
+layout(constant_id = 0) const uint variant = 0u;
+const bool leave_edges = (variant & 1u) != 0u;
+
 // Of a triangle, in its own winding, of no particular length.
 vec3 triangle_normal(uint triangle)
 {
@@ -84,6 +88,23 @@ vec3 edge_normal(uint side, vec3 place)
     return size_of(normal) > 1e-6 ? unit(normal) : vec3(0.0, 1.0, 0.0);
 }
 
+vec3 place_of(FeaturePoint point)
+{
+    vec3 place = posed_vertex_at(point.vertex).position;
+    return leave_edges ? mix(place, posed_vertex_at(point.other_vertex).position, point.share) : place;
+}
+
+// Out of the surface at a point: that of an edge, or of the smooth surface within a triangle.
+vec3 normal_at(FeaturePoint point, vec3 place)
+{
+    if (leave_edges && (point.side & 3u) == 3u) {
+        vec3 a = unpack_normal(posed_vertex_at(point.vertex).normal);
+        vec3 b = unpack_normal(posed_vertex_at(point.other_vertex).normal);
+        return unit(mix(a, b, point.share) + 1e-6 * towards_eye(frame, place));
+    }
+    return edge_normal(point.side, place);
+}
+
 void main()
 {
     uint index = item_index();
@@ -97,11 +118,10 @@ void main()
     if (at >= constants.point_capacity) {
         return;
     }
-    PosedVertex vertex = posed_vertex_at(point.vertex);
-    points[at] = ChainPoint(vertex.position, pack_normal(edge_normal(point.side, vertex.position)), 0.0,
+    vec3 place_here = place_of(point);
+    points[at] = ChainPoint(place_here, pack_normal(normal_at(point, place_here)), 0.0,
                             point.kind << 28 | point.side, uvec2(0u));
     bool is_last = place + 1u == chain.point_count;
-    vec3 onwards = posed_vertex_at(feature_points[is_last ? index : index + 1u].vertex).position;
-    lengths[at] =
-        is_last ? 0u : uint(LENGTH_UNIT_PX * piece_on_page(vertex.position, onwards).length_px + 0.5);
+    vec3 onwards = place_of(feature_points[is_last ? index : index + 1u]);
+    lengths[at] = is_last ? 0u : uint(LENGTH_UNIT_PX * piece_on_page(place_here, onwards).length_px + 0.5);
 }

@@ -71,11 +71,11 @@ void main()
         return;
     }
     Segment segment = segment_at(index);
-    uint source = LINE_SILHOUETTE << 28 | segment.side;
-    points[at] = ChainPoint(segment.from, segment.from_normal, segment.bulge_m, source, uvec2(0u));
+    points[at] = ChainPoint(segment.from, segment.from_normal, segment.bulge_m, segment.source, uvec2(0u));
     lengths[at] = uint(LENGTH_UNIT_PX * piece_on_page(segment.from, segment.to).length_px + 0.5);
     if (place == last) {
-        points[at + 1u] = ChainPoint(segment.to, segment.to_normal, segment.bulge_m, source, uvec2(0u));
+        points[at + 1u] =
+            ChainPoint(segment.to, segment.to_normal, segment.bulge_m, segment.source, uvec2(0u));
         lengths[at + 1u] = 0u;
     }
 }

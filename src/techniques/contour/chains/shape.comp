@@ -95,10 +95,14 @@ uint kind_now(uint source)
 
 float width_of(uint kind)
 {
-    return kind == LINE_SILHOUETTE ? constants.silhouette_px
-           : kind == LINE_BORDER   ? constants.border_px
-           : kind == LINE_BOUNDARY ? constants.boundary_px
-                                   : constants.crease_px;
+    return kind == LINE_SILHOUETTE   ? constants.silhouette_px
+           : kind == LINE_BORDER     ? constants.border_px
+           : kind == LINE_BOUNDARY   ? constants.boundary_px
+           : kind == LINE_MARKED     ? constants.marked_px
+           : kind == LINE_RIDGE      ? constants.ridge_px
+           : kind == LINE_VALLEY     ? constants.valley_px
+           : kind == LINE_SUGGESTIVE ? constants.suggestive_px
+                                     : constants.crease_px;
 }
 
 // Kinds change from edge to edge, widths do not: the mean over a few samples of the stroke.

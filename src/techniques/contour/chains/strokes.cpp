@@ -149,6 +149,10 @@ shared::ShapeConstants shape_constants(const ContourStyle& style, const ContourI
             .border_px = style.outline_mm * pixels_per_mm,
             .boundary_px = style.boundary_mm * pixels_per_mm,
             .crease_px = style.crease_mm * pixels_per_mm,
+            .marked_px = style.marked_mm * pixels_per_mm,
+            .ridge_px = style.ridge_mm * pixels_per_mm,
+            .valley_px = style.valley_mm * pixels_per_mm,
+            .suggestive_px = style.suggestive_mm * pixels_per_mm,
             .taper_px = style.taper_mm * pixels_per_mm,
             .overshoot_px = style.overshoot_mm * pixels_per_mm,
             .wobble_px = style.wobble_mm * pixels_per_mm,
@@ -272,6 +276,7 @@ ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, Lin
                             .visibility = in.visibility,
                             .neighbors = gpu::import_whole(graph, "line neighbors", mesh.neighbors),
                             .line_triangles = gpu::import_whole(graph, "line triangles", mesh.triangles),
+                            .suggestive_cut = {style.suggestive_growth, style.suggestive_deg},
                             .size_px = in.size_px};
     const Chains chains = add_chains(graph, lines, mesh, style.silhouettes == Silhouettes::edges);
     const gpu::BufferId grid =

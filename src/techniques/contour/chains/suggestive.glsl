@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_SUGGESTIVE
+#define ESTAMPE_SUGGESTIVE
+
+// Where the radial curvature of a surface changes its sign. What two shaders must agree on is computed
+// without contraction. Wanted before: VIEW_BENDS_BINDING, of two words a vertex as view_bends.comp writes
+// them.
+
+layout(binding = VIEW_BENDS_BINDING) uniform usamplerBuffer view_bend_texels;
+
+// Radial curvature; and what must be positive where it is a line.
+vec2 view_bend_at(uint vertex)
+{
+    return uintBitsToFloat(texelFetch(view_bend_texels, int(vertex)).xy);
+}
+
+struct BendCrossing {
+    uint low; // vertices
+    uint high;
+    float share; // of the way from low to high
+    float strength;
+};
+
+// Where it is zero between two vertices of unlike sign; the same from both triangles.
+BendCrossing bend_crossing(uint i, uint j)
+{
+    uint low = min(i, j);
+    uint high = max(i, j);
+    vec2 a = view_bend_at(low);
+    vec2 b = view_bend_at(high);
+    precise float share = clamp(a.x / (a.x - b.x), 0.0, 1.0);
+    precise float strength = a.y + share * (b.y - a.y);
+    return BendCrossing(low, high, share, strength);
+}
+
+// Corners whose sides lead from hollow to full as seen from the eye and back, where signs differ.
+struct BendSides {
+    uint down; // from positive curvature to negative
+    uint up;
+    bool are_there;
+};
+
+BendSides bend_sides(uvec4 corners)
+{
+    bvec3 positive = bvec3(view_bend_at(corners.x).x >= 0.0, view_bend_at(corners.y).x >= 0.0,
+                           view_bend_at(corners.z).x >= 0.0);
+    bool has_area = corners.x != corners.y && corners.y != corners.z && corners.z != corners.x;
+    uint down = positive.x && !positive.y ? 0u : positive.y && !positive.z ? 1u : 2u;
+    uint up = !positive.x && positive.y ? 0u : !positive.y && positive.z ? 1u : 2u;
+    return BendSides(down, up, has_area && any(positive) && !all(positive));
+}
+
+#endif
