@@ -14,6 +14,7 @@
 #include <estampe/error.hpp>
 
 #include "scene/shapes.hpp"
+#include "scene/subdivision.hpp"
 #include "style/color.hpp"
 #include "support/folder.hpp"
 #include "support/gpu_device.hpp"
@@ -199,6 +200,47 @@ TEST(Vectors, StrokesStayOnThePageAndKnowWhatTheyBelongTo)
     }
     EXPECT_GT(of_ball, 1U);
     EXPECT_TRUE(has_hatching);
+}
+
+/// A lentil has a rounded rim, a ring is hollow inside, and a box has an edge that is marked.
+TEST(Vectors, EachKindOfLineIsAKindOfStroke)
+{
+    Primitive lentil = shapes::sphere(1.0F, 64, 32);
+    for (size_t i = 0; i < lentil.positions.size(); ++i) {
+        lentil.positions[i].y *= 0.35F;
+        lentil.normals[i] = glm::normalize(lentil.normals[i] / glm::vec3(1.0F, 0.35F, 1.0F));
+    }
+    Scene scene = test::scene_of(lentil);
+    test::add_object(scene, subdivided(shapes::torus(0.8F, 0.3F, 24, 12), 1), glm::vec3(0.5F),
+                     {2.1, 0.2, 0.0});
+    Primitive box = shapes::box({1.0F, 1.0F, 1.0F});
+    box.edge_marks.assign(box.indices.size() / 3, 0);
+    box.edge_marks[0] = 2; // upright, and both its sides are seen
+    test::add_object(scene, box, glm::vec3(0.5F), {-2.0, 0.0, 0.0});
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    const auto mm_of = [&](StrokeKind kind, const std::vector<std::string>& assignments) {
+        std::vector<std::string> all = assignments;
+        all.insert(all.end(), {"hatch.drawn=false", "picture.ground=none"});
+        float sum = 0.0F;
+        for (const VectorStroke& stroke :
+             renderer.draw_strokes({.eye = {0.6, 1.8, 8.0}}, bare(all), small).strokes) {
+            for (size_t i = 1; stroke.kind == kind && i < stroke.points.size(); ++i) {
+                sum += glm::distance(stroke.points[i - 1].page_mm, stroke.points[i].page_mm);
+            }
+        }
+        return sum;
+    };
+    EXPECT_GT(mm_of(StrokeKind::ridge, {"contour.ridge_mm=0.3", "contour.ridge_deg=4"}), 5.0F);
+    EXPECT_EQ(mm_of(StrokeKind::ridge, {"contour.valley_mm=0.3", "contour.ridge_deg=4"}), 0.0F);
+    EXPECT_EQ(mm_of(StrokeKind::valley, {"contour.ridge_mm=0.3", "contour.ridge_deg=4"}), 0.0F);
+    EXPECT_GT(mm_of(StrokeKind::suggestive, {"contour.suggestive_mm=0.3", "contour.suggestive_growth=1"}),
+              1.0F);
+    EXPECT_EQ(mm_of(StrokeKind::suggestive, {}), 0.0F);
+    EXPECT_GT(mm_of(StrokeKind::marked, {}), 2.0F);
+    EXPECT_EQ(mm_of(StrokeKind::crease, {}), 0.0F);
+    EXPECT_EQ(mm_of(StrokeKind::marked, {"contour.marked_mm=0"}), 0.0F);
+    EXPECT_GT(mm_of(StrokeKind::crease, {"contour.marked_mm=0"}), 2.0F);
 }
 
 TEST(Vectors, HiddenLinesComeWhereAskedFor)
