@@ -128,7 +128,7 @@ tinygltf::Model parse_model(const json& document, const std::string& file)
 
 bool knows_extension(const std::string& name)
 {
-    static constexpr std::array<std::string_view, 12> known = {
+    static constexpr std::array<std::string_view, 13> known = {
         "EXT_mesh_gpu_instancing",
         "EXT_mesh_primitive_edge_visibility",
         "EXT_meshopt_compression",
