@@ -201,6 +201,26 @@ TEST(LocalShadow, FacesOfACubeMeetWithoutASeam)
     EXPECT_EQ(differing, 0U);
 }
 
+TEST(LocalShadow, NoLightLeaksBetweenFacesOfACube)
+{
+    // The lamp hangs in a ball that is shut, within a larger one, which is dark all over.
+    Scene scene = test::scene_of(shapes::sphere(2.0F, 128, 64));
+    test::add_object(scene, shapes::sphere(0.25F, 64, 32), glm::vec3(1.0F), {0.05, -0.1, 0.02});
+    test::Drawing drawing(scene, {.eye = {0.3, 0.2, 0.1}, .target = {1.5, 0.9, 1.4}, .vertical_fov_rad = 2.2},
+                          page_px);
+    const auto record = record_of({.position = {0.05, -0.1, 0.02}}, drawing.layout.anchor);
+    const auto dark = drawing.light({.records = {record}, .local_shadow_size = map_size});
+    const auto lit = drawing.light({.records = {record}});
+    size_t leaking = 0;
+    size_t seen = 0;
+    for (size_t i = 0; i < dark.size(); ++i) {
+        seen += lit[i].x > 0.0F ? 1U : 0U;
+        leaking += dark[i].x > 0.001F * lit[i].x ? 1U : 0U;
+    }
+    EXPECT_EQ(leaking, 0U);
+    EXPECT_GT(seen, dark.size() / 2);
+}
+
 TEST(LocalShadow, WhatLiesBehindASpotThrowsNone)
 {
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
