@@ -48,6 +48,9 @@ struct VectorDrawing {
     float width_mm = 0.0F;
     float height_mm = 0.0F;
     float hatch_width_mm = 0.0F;      ///< of a stroke of the hatching that is pressed no harder than usual
+    float dash_mm = 1.2F;             ///< of hidden strokes
+    float dash_gap_mm = 0.9F;         ///< between the dashes
+    bool has_mitred_corners = false;  ///< of strokes of one width; else corners are round
     glm::vec3 paper_srgb{1.0F};       ///< components 0 to 1
     std::vector<glm::vec3> inks_srgb; ///< components 0 to 1; none twice
     std::vector<std::string> objects; ///< names, none empty; may repeat

@@ -229,6 +229,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
 
     // Contour: lines where surfaces end, meet or fold.
     const bool has_chains = resources.line_mesh != nullptr;
+    const bool lines_move = resources.line_history.clip_from_anchor_before() != plan.clip_from_anchor;
     const contour::ContourInputs contour_inputs{.frame = frame,
                                                 .visibility = visibility,
                                                 .triangles = triangles,
@@ -245,6 +246,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                                 .has_screen = has_screen && !has_chains,
                                                 .only_cut = has_chains,
                                                 .on_processor = plan.on_processor,
+                                                .is_moving = lines_move,
+                                                .brushes = resources.brushes,
                                                 .pixels_per_mm = plan.pixels_per_mm,
                                                 .pixel_angle = plan.pixel_angle,
                                                 .size_px = size_px};

@@ -13,6 +13,7 @@
 #include "frame/view.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/contour/chains/brushes.hpp"
 #include "techniques/contour/chains/line_history.hpp"
 #include "techniques/contour/chains/line_mesh.hpp"
 #include "techniques/light/light.hpp"
@@ -43,10 +44,11 @@ struct FrameResources {
     hatch::MapImages* map;           ///< where strokes come from a map
     contour::LineMesh* line_mesh;    ///< where lines are chains
     contour::LineHistory& line_history;
-    gpu::Image& sums;             ///< of a picture of several samples
-    gpu::Buffer& pixels;          ///< the picture, four bytes a pixel, for reading back
-    gpu::Buffer& motion;          ///< read back where FramePlan::motion asks for it
-    StrokeLists* lists = nullptr; ///< where strokes are wanted in place of a picture
+    contour::BrushImages* brushes; ///< where lines have others than the pen
+    gpu::Image& sums;              ///< of a picture of several samples
+    gpu::Buffer& pixels;           ///< the picture, four bytes a pixel, for reading back
+    gpu::Buffer& motion;           ///< read back where FramePlan::motion asks for it
+    StrokeLists* lists = nullptr;  ///< where strokes are wanted in place of a picture
 };
 
 /// What is decided on the processor before a frame is declared.

@@ -238,6 +238,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     map ? &*map : nullptr,
                                     loaded->line_meshes.provide(device, loaded->layout, style.contour),
                                     line_history,
+                                    line_brushes.provide(device, style.contour),
                                     page.sums,
                                     page.pixels,
                                     motion_pixels,
@@ -327,7 +328,8 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     // Later samples of a picture of several go their own way by a pixel at most.
     plan.remembers_lines = settings.continuity != Continuity::still;
     if (plan.remembers_lines) {
-        impl.line_history.begin_frame(impl.device, plan.size_px, settings.continuity == Continuity::follows);
+        impl.line_history.begin_frame(impl.device, plan.size_px, settings.continuity == Continuity::follows,
+                                      tables.contour.hidden != contour::Hidden::none);
     }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
         plan.accumulation = {.sample_index = sample, .sample_count = settings.samples};
@@ -353,6 +355,9 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     plan.motion.reset();
     if (tables.wash.strength > 0.0F || plan.sky_drawn || tables.bleed.width_mm > 0.0F) {
         impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs");
+    }
+    if (!frame::is_drawn_by_pen(tables.contour)) {
+        impl.notes.emplace_back("a drawing of strokes has lines of the pen in place of other brushes");
     }
     frame::StrokeLists lists(impl.device);
     impl.draw_sample(camera, tables, plan, &lists);

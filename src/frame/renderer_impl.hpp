@@ -9,6 +9,7 @@
 #include <estampe/renderer.hpp>
 
 #include "frame/frame.hpp"
+#include "frame/line_brushes.hpp"
 #include "frame/loaded_scene.hpp"
 #include "frame/local_shadows.hpp"
 #include "frame/page.hpp"
@@ -73,6 +74,7 @@ struct Renderer::Impl {
     std::optional<hatch::MapImages> map;
     std::optional<frame::MapChoice> map_choice; ///< of what `map` holds
     contour::LineHistory line_history;
+    frame::LineBrushes line_brushes;
     frame::Page page;
     gpu::Buffer motion_pixels;
     Motion motion;

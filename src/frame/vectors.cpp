@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -14,6 +15,7 @@
 #include "gpu/imports.hpp"
 #include "style/color.hpp"
 #include "techniques/contour/chains/chains.hpp"
+#include "techniques/contour/chains/join_paths.hpp"
 #include "techniques/contour/chains/line_paths.hpp"
 #include "techniques/hatch/trace.hpp"
 
@@ -64,6 +66,13 @@ public:
         drawing_.width_mm = mm_per_px_ * static_cast<float>(drawn.size_px.x);
         drawing_.hatch_width_mm = style.hatch.width_mm;
         drawing_.paper_srgb = style::srgb_from_linear(style.paper.color);
+        drawing_.has_mitred_corners = style.contour.joints == contour::Joints::mitre;
+        if (style.contour.hidden != contour::Hidden::none) {
+            // Round ends count as part of a dash in a picture, and come on top of it in paths.
+            const float ends_mm = std::min(style.contour.hidden_mm, 0.9F * style.contour.hidden_dash_mm);
+            drawing_.dash_mm = style.contour.hidden_dash_mm - ends_mm;
+            drawing_.dash_gap_mm = style.contour.hidden_gap_mm + ends_mm;
+        }
     }
 
     /// `Points` have a page_px and a width_px.
@@ -129,25 +138,42 @@ void add_hatching(Gathering& gathering, const StrokeLists& lists, const DrawnSce
     }
 }
 
+/// Of hidden lines, one for each kind.
+contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float pixels_per_mm)
+{
+    contour::LineWidths widths{contour.outline_mm, contour.outline_mm,   contour.boundary_mm,
+                               contour.crease_mm,  contour.marked_mm,    contour.ridge_mm,
+                               contour.valley_mm,  contour.suggestive_mm};
+    for (float& width : widths) {
+        const float own_mm = width > 0.0F ? contour.hidden_mm : 0.0F;
+        width = pixels_per_mm * (contour.hidden != contour::Hidden::none ? own_mm : hidden_share * width);
+    }
+    return widths;
+}
+
 void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn,
                const StyleTables& style, bool with_hidden_lines)
 {
     const contour::ContourStyle& contour = style.contour;
-    const float hidden_px_per_mm = hidden_share * static_cast<float>(drawn.size_px.y) / style.paper.height_mm;
-    contour::LineWidths hidden_widths_px{contour.outline_mm, contour.outline_mm,   contour.boundary_mm,
-                                         contour.crease_mm,  contour.marked_mm,    contour.ridge_mm,
-                                         contour.valley_mm,  contour.suggestive_mm};
-    for (float& width : hidden_widths_px) {
-        width *= hidden_px_per_mm;
+    const float pixels_per_mm = static_cast<float>(drawn.size_px.y) / style.paper.height_mm;
+    bool with_hidden = with_hidden_lines || contour.hidden != contour::Hidden::none;
+    std::vector<contour::LinePath> paths;
+    for (const gpu::Buffer& line_points : lists.line_points) {
+        std::vector<contour::LinePath> hand = contour::line_paths(
+            {.sizes = items_of<shared::ListSize>(lists.line_sizes),
+             .samples = items_of<shared::LineSample>(lists.line_samples),
+             .samples_before = items_of<uint32_t>(lists.line_samples_before),
+             .strokes_before = items_of<uint32_t>(lists.line_strokes_before),
+             .points = items_of<shared::LinePoint>(line_points),
+             .facing = items_of<uint32_t>(lists.line_facing)},
+            *drawn.edges,
+            with_hidden ? std::optional(hidden_widths_px(contour, pixels_per_mm)) : std::nullopt);
+        if (contour.joints == contour::Joints::mitre) {
+            hand = contour::join_paths(std::move(hand));
+        }
+        std::move(hand.begin(), hand.end(), std::back_inserter(paths));
+        with_hidden = false; // they are gone over once
     }
-    const std::vector<contour::LinePath> paths =
-        contour::line_paths({.sizes = items_of<shared::ListSize>(lists.line_sizes),
-                             .samples = items_of<shared::LineSample>(lists.line_samples),
-                             .samples_before = items_of<uint32_t>(lists.line_samples_before),
-                             .strokes_before = items_of<uint32_t>(lists.line_strokes_before),
-                             .points = items_of<shared::LinePoint>(lists.line_points),
-                             .facing = items_of<uint32_t>(lists.line_facing)},
-                            *drawn.edges, with_hidden_lines ? std::optional(hidden_widths_px) : std::nullopt);
     for (const contour::LinePath& path : paths) {
         const uint32_t draw = drawn.layout.triangles[path.triangle].w & shared::triangle_draw_mask;
         const glm::vec3 ink = path.ink > 0 && drawn.scene.materials.at(path.ink - 1).toon
@@ -194,7 +220,10 @@ void declare_stroke_lists(gpu::Graph& graph, const hatch::HatchInputs& hatch,
         read_back(graph, device, shaped.strokes.samples, lists.line_samples);
         read_back(graph, device, shaped.strokes.samples_before, lists.line_samples_before);
         read_back(graph, device, shaped.strokes.strokes_before, lists.line_strokes_before);
-        read_back(graph, device, shaped.line_points, lists.line_points);
+        lists.line_points.resize(shaped.hands.size());
+        for (size_t hand = 0; hand < shaped.hands.size(); ++hand) {
+            read_back(graph, device, shaped.hands[hand].line_points, lists.line_points[hand]);
+        }
         read_back(graph, device, shaped.facing, lists.line_facing);
     }
 }

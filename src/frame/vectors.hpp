@@ -3,6 +3,8 @@
 
 // A frame as strokes of the pen.
 
+#include <vector>
+
 #include <estampe/scene.hpp>
 #include <estampe/vector_drawing.hpp>
 
@@ -19,11 +21,11 @@ struct StrokeLists {
     explicit StrokeLists(gpu::Device& on_device) : device(on_device) {}
 
     gpu::Device& device;
-    gpu::Buffer line_sizes; ///< these six as in contour::LineLists
+    gpu::Buffer line_sizes; ///< these six as in contour::LineLists; points once for each hand
     gpu::Buffer line_samples;
     gpu::Buffer line_samples_before;
     gpu::Buffer line_strokes_before;
-    gpu::Buffer line_points;
+    std::vector<gpu::Buffer> line_points;
     gpu::Buffer line_facing;
     gpu::Buffer crossings; ///< as hatch::add_trace() writes them
 };

@@ -156,6 +156,35 @@ TEST(Vectors, LinesOfMeshEdgesToo)
                  0.99);
 }
 
+TEST(Vectors, LinesDrawnTwiceByALooseHandToo)
+{
+    expect_alike(both_ways(still_life(), camera,
+                           bare({"hatch.drawn=false", "contour.strokes=2", "contour.retrace_mm=0.8",
+                                 "contour.wobble_mm=0.2", "contour.jitter_ends_mm=1",
+                                 "contour.jitter_width=0.3", "contour.overshoot_mm=0.8"}),
+                           small),
+                 0.98, 0.08);
+    Renderer& renderer = test::shared_renderer();
+    const size_t once = renderer.draw_strokes(camera, bare(only_lines), small).strokes.size();
+    const size_t twice =
+        renderer.draw_strokes(camera, bare({"hatch.drawn=false", "contour.strokes=2"}), small).strokes.size();
+    EXPECT_GT(twice, once);
+    EXPECT_LE(twice, 2 * once);
+}
+
+TEST(Vectors, OtherBrushesGiveWayToThePenAndItIsSaid)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    const VectorDrawing pen = renderer.draw_strokes(camera, bare(only_lines), small);
+    EXPECT_TRUE(renderer.notes().empty());
+    const VectorDrawing other =
+        renderer.draw_strokes(camera, bare({"hatch.drawn=false", "contour.brush=charcoal"}), small);
+    ASSERT_EQ(renderer.notes().size(), 1U);
+    EXPECT_NE(renderer.notes().front().find("the pen"), std::string::npos);
+    EXPECT_EQ(other.strokes.size(), pen.strokes.size());
+}
+
 class HatchVectors : public testing::TestWithParam<const char*> {};
 
 TEST_P(HatchVectors, HatchingLiesWhereThePictureHasIt)
@@ -266,6 +295,25 @@ TEST(Vectors, HiddenLinesComeWhereAskedFor)
     EXPECT_DOUBLE_EQ(seen_mm, total_mm(HiddenLines::left_out, false));
     // Nine edges of a box are seen, three are hidden, each about as long.
     EXPECT_NEAR(total_mm(HiddenLines::kept, true), seen_mm / 3.0, 0.12 * seen_mm);
+}
+
+TEST(Vectors, HiddenLinesOfTheStyleComeWithItsDashes)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    const VectorDrawing drawing =
+        renderer.draw_strokes(camera,
+                              bare({"hatch.drawn=false", "contour.hidden=dashed", "contour.hidden_mm=0.3",
+                                    "contour.hidden_dash_mm=2", "contour.hidden_gap_mm=1"}),
+                              small);
+    EXPECT_FLOAT_EQ(drawing.dash_mm, 1.7F); // and round ends
+    EXPECT_FLOAT_EQ(drawing.dash_gap_mm, 1.3F);
+    size_t hidden = 0;
+    for (const VectorStroke& stroke : drawing.strokes) {
+        hidden += stroke.is_hidden ? 1U : 0U;
+        EXPECT_TRUE(!stroke.is_hidden || std::abs(stroke.points.front().width_mm - 0.3F) < 1e-4F);
+    }
+    EXPECT_GT(hidden, 3U);
 }
 
 TEST(Vectors, WhatHasNoPathsIsAnErrorThatNamesTheKey)

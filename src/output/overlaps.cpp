@@ -9,8 +9,6 @@
 namespace estampe::output {
 namespace {
 
-constexpr float dash_mm = 1.2F;
-constexpr float gap_mm = 0.9F;
 constexpr float parallel_cosine = 0.995F; // 6 degrees
 constexpr float least_overlap_mm = 1.0F;  // what crosses at a low angle stays
 constexpr float cell_mm = 1.0F;
@@ -197,7 +195,7 @@ void cut_dashes(VectorDrawing& drawing)
         float at_mm = 0.0F;
         for (size_t i = 0; i < fine.points.size(); ++i) {
             at_mm += i > 0 ? glm::distance(fine.points[i - 1].page_mm, fine.points[i].page_mm) : 0.0F;
-            is_kept[i] = std::fmod(at_mm, dash_mm + gap_mm) <= dash_mm;
+            is_kept[i] = std::fmod(at_mm, drawing.dash_mm + drawing.dash_gap_mm) <= drawing.dash_mm;
         }
         const std::vector<VectorStroke> dashes = kept_stretches(fine, is_kept);
         cut.insert(cut.end(), dashes.begin(), dashes.end());

@@ -22,7 +22,6 @@ namespace {
 using output::number;
 
 constexpr size_t kind_count = 9;
-constexpr const char* hidden_dashes_mm = "1.2,0.9";
 
 std::string color_text(const glm::vec3& srgb)
 {
@@ -116,7 +115,11 @@ std::string layer_start(const std::string& id, const std::string& label, const s
                        escaped(label), more);
 }
 
-constexpr const char* round_lines = " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
+std::string lines_of(const VectorDrawing& drawing)
+{
+    return fmt::format(" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"{}\"",
+                       drawing.has_mitred_corners ? "miter" : "round");
+}
 
 std::string path_of(const VectorDrawing& drawing, const VectorStroke& stroke, float tolerance_mm)
 {
@@ -146,10 +149,11 @@ std::string layers_by_kind(const VectorDrawing& drawing, float tolerance_mm)
         const std::string label = fmt::format("{}{}", is_seen ? "" : "hidden ", name_of(kind));
         if (before == nullptr || std::get<0>(*before) != is_seen || std::get<1>(*before) != kind) {
             text += is_open ? "</g>\n" : "";
-            text += layer_start(
-                ids.make(label), label,
-                round_lines +
-                    (is_seen ? std::string() : fmt::format(" stroke-dasharray=\"{}\"", hidden_dashes_mm)));
+            text += layer_start(ids.make(label), label,
+                                lines_of(drawing) + (is_seen ? std::string()
+                                                             : fmt::format(" stroke-dasharray=\"{},{}\"",
+                                                                           number(drawing.dash_mm),
+                                                                           number(drawing.dash_gap_mm))));
             is_open = true;
         }
         before = &key;
@@ -180,8 +184,9 @@ std::string layers_by_pen(const VectorDrawing& drawing, float tolerance_mm)
         const std::string ink = color_text(drawing.inks_srgb[i]);
         const std::string width = number(
             drawing.hatch_width_mm > 0.0F ? drawing.hatch_width_mm : output::mean_width_mm(*pens[i].front()));
-        text += layer_start(fmt::format("pen-{}", i + 1), fmt::format("{} pen {}", i + 1, ink),
-                            fmt::format("{} stroke=\"{}\" stroke-width=\"{}\"", round_lines, ink, width));
+        text +=
+            layer_start(fmt::format("pen-{}", i + 1), fmt::format("{} pen {}", i + 1, ink),
+                        fmt::format("{} stroke=\"{}\" stroke-width=\"{}\"", lines_of(drawing), ink, width));
         for (const VectorStroke* stroke : pens[i]) {
             text += fmt::format("<path d=\"{}\"/>\n", output::center_path(*stroke, tolerance_mm));
         }

@@ -103,6 +103,22 @@ public:
         return *text;
     }
 
+    /// A path, or where names may stand for one, one of those; what has neither a dot nor a slash is no path
+    /// then.
+    [[nodiscard]] Value file() const
+    {
+        Value value = text();
+        const auto& path = std::get<std::string>(value);
+        const auto& names = parameter_.choices;
+        if (!names.empty() && !path.empty() && path.find_first_of("./") == std::string::npos &&
+            std::find(names.begin(), names.end(), path) == names.end()) {
+            const std::string meant = nearest(path, names);
+            fail("is neither one of the names nor a file",
+                 meant.empty() ? "" : fmt::format("did you mean {}? ", in_quotes(meant)));
+        }
+        return value;
+    }
+
 private:
     [[noreturn]] void fail(const std::string& what, const std::string& suggestion = {}) const
     {
@@ -131,8 +147,9 @@ Value check(const Parameter& parameter, const std::string& name, const Raw& raw,
     case Kind::color:
         return checker.color();
     case Kind::text:
-    case Kind::file:
         return checker.text();
+    case Kind::file:
+        return checker.file();
     case Kind::choice:
         break;
     }
@@ -154,7 +171,9 @@ std::string allowed(const Parameter& parameter)
     case Kind::text:
         return "a text in quotes";
     case Kind::file:
-        return "the path of a file, in quotes";
+        return parameter.choices.empty()
+                   ? "the path of a file, in quotes"
+                   : fmt::format("{}, or the path of a file, in quotes", fmt::join(parameter.choices, ", "));
     case Kind::choice:
         break;
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "style/raw.hpp"
@@ -27,7 +28,8 @@ std::string range_column(const Parameter& parameter)
     case Kind::text:
         return "text";
     case Kind::file:
-        return "file";
+        return parameter.choices.empty() ? "file"
+                                         : fmt::format("{}, file", fmt::join(parameter.choices, ", "));
     default:
         return allowed(parameter);
     }

@@ -39,7 +39,8 @@ struct Parameter {
     Kind kind = Kind::number;
     Range range;                      ///< numbers
     IntegerRange integers;            ///< integers
-    std::vector<std::string> choices; ///< choices, in the order of the table
+    std::vector<std::string> choices; ///< choices, in the order of the table; of a file, names that may stand
+                                      ///< in its place
     std::string unit;                 ///< "mm", "px", "deg"; empty for none
     std::string help;                 ///< one line
     Value default_value;
@@ -151,6 +152,16 @@ public:
     Table& file(std::string key, std::string Style::*member, std::string help)
     {
         connect<std::string>(add(std::move(key), Kind::file, {}, std::move(help)), member);
+        return *this;
+    }
+
+    /// One of several names, or the path of a file as above. Empty is taken too.
+    Table& file_or_name(std::string key, std::string Style::*member, std::vector<std::string> names,
+                        std::string help)
+    {
+        Parameter& parameter = add(std::move(key), Kind::file, {}, std::move(help));
+        parameter.choices = std::move(names);
+        connect<std::string>(parameter, member);
         return *this;
     }
 

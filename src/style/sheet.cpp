@@ -86,7 +86,9 @@ public:
         const auto [section, parameter] = find(entry.section, entry.key, entry.key_where);
         Value value = check(*parameter, full_key(*section, *parameter), entry.raw, entry.value_where);
         if (parameter->kind == Kind::file && !chain_.empty()) {
-            value = beside(chain_.back(), std::get<std::string>(value));
+            const auto& text = std::get<std::string>(value);
+            const bool is_name = std::ranges::find(parameter->choices, text) != parameter->choices.end();
+            value = is_name ? text : beside(chain_.back(), text);
         }
         changes_.push_back({parameter, section->values, std::move(value)});
     }

@@ -118,6 +118,24 @@ TEST(StyleText, IsTakenAsItIsAndFilesAreFoundBesideTheTextThatNamesThem)
     EXPECT_NE(message_of([&] { sheet.set("word.words=\"a\\u0007\""); }), "");
 }
 
+TEST(StyleText, NamesMayStandInPlaceOfAFile)
+{
+    const auto table = Table<WordStyle>("word", "Words")
+                           .file_or_name("picture", &WordStyle::picture, {"pen", "pencil"}, "A picture");
+    WordStyle style;
+    Sheet sheet;
+    sheet.bind(table, style);
+    sheet.read_toml_text("[word]\npicture = \"pencil\"", "styles/mine.toml");
+    EXPECT_EQ(style.picture, "pencil");
+    sheet.read_toml_text("[word]\npicture = \"nib.png\"", "styles/mine.toml");
+    EXPECT_EQ(style.picture, "styles/nib.png");
+    sheet.set("word.picture=");
+    EXPECT_EQ(style.picture, "");
+    const std::string message = message_of([&] { sheet.set("word.picture=pencli"); });
+    EXPECT_NE(message.find("did you mean \"pencil\"?"), std::string::npos) << message;
+    EXPECT_NE(message.find("pen, pencil, or the path of a file"), std::string::npos) << message;
+}
+
 TEST(StyleWrite, AnyColorReadsBackEqual)
 {
     for (uint32_t i = 0; i <= 1000; ++i) {

@@ -106,8 +106,9 @@ public:
     [[nodiscard]] std::vector<float> lines(const contour::ContourStyle& style, float pixels_per_mm,
                                            contour::LineHistory* history = nullptr);
     /// Makes `history` ready for the next frame of a film, which goes on from the one before or is the first.
-    void begin_film_frame(contour::LineHistory& history, bool continues) const;
-    [[nodiscard]] ChainLists chains(const contour::ContourStyle& style);
+    void begin_film_frame(contour::LineHistory& history, bool continues, bool has_hidden = false) const;
+    [[nodiscard]] ChainLists chains(const contour::ContourStyle& style,
+                                    contour::LineClass wanted = contour::LineClass::seen);
 
     /// The point of anchor space seen at a place of the page.
     [[nodiscard]] glm::dvec3 point_at(glm::dvec2 position_px, double depth) const;

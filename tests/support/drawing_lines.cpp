@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <glm/gtc/packing.hpp>
 
+#include "frame/line_brushes.hpp"
 #include "frame/line_meshes.hpp"
 #include "gpu/imports.hpp"
 #include "support/drawing.hpp"
@@ -35,6 +36,9 @@ std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixe
     contour::ContourInputs inputs = contour_inputs(graph, stage);
     inputs.pixels_per_mm = pixels_per_mm;
     frame::LineMeshes meshes;
+    frame::LineBrushes brushes;
+    inputs.brushes = brushes.provide(shared_device(), style);
+    inputs.is_moving = true;
     contour::LineMesh* mesh = meshes.provide(shared_device(), layout, style);
     const gpu::ImageId ink = mesh != nullptr
                                  ? contour::add_chain_contours(graph, inputs, *mesh, history, style)
@@ -46,12 +50,12 @@ std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixe
     return result;
 }
 
-void Drawing::begin_film_frame(contour::LineHistory& history, bool continues) const
+void Drawing::begin_film_frame(contour::LineHistory& history, bool continues, bool has_hidden) const
 {
-    history.begin_frame(shared_device(), size_px, continues);
+    history.begin_frame(shared_device(), size_px, continues, has_hidden);
 }
 
-ChainLists Drawing::chains(const contour::ContourStyle& style)
+ChainLists Drawing::chains(const contour::ContourStyle& style, contour::LineClass wanted)
 {
     ChainLists lists;
     frame::LineMeshes meshes;
@@ -71,25 +75,32 @@ ChainLists Drawing::chains(const contour::ContourStyle& style)
         const contour::Chains chains = contour::add_chains(graph, inputs, *mesh, along_edges);
         const auto grid =
             graph.buffer("grid", contour::list_of(contour::grid_cell_count(size_px), sizeof(glm::uvec2)));
-        const contour::ChainStrokes strokes = contour::add_strokes(graph, inputs, chains, grid);
-        list = run_and_read_as<T>(graph, choose(chains, strokes));
+        const contour::ChainSamples samples = contour::add_samples(graph, inputs, chains);
+        const contour::ChainStrokes strokes = contour::add_strokes(graph, samples, grid, size_px, wanted);
+        list = run_and_read_as<T>(graph, choose(chains, samples, strokes));
     };
     using contour::Chains;
+    using contour::ChainSamples;
     using contour::ChainStrokes;
-    read(lists.marks, [](const Chains& c, const ChainStrokes&) { return c.marks; });
-    read(lists.facing, [](const Chains& c, const ChainStrokes&) { return c.facing; });
+    read(lists.marks, [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.marks; });
+    read(lists.facing, [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.facing; });
     if (mesh->bending_count > 0) {
-        read(lists.view_bends, [](const Chains& c, const ChainStrokes&) { return *c.view_bends; });
+        read(lists.view_bends,
+             [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return *c.view_bends; });
     }
-    read(lists.sizes, [](const Chains&, const ChainStrokes& s) { return s.sizes; });
-    read(lists.points_before, [](const Chains& c, const ChainStrokes&) { return c.points_before; });
-    read(lists.flags_of_slot, [](const Chains& c, const ChainStrokes&) { return c.flags_of_slot; });
-    read(lists.points, [](const Chains& c, const ChainStrokes&) { return c.points; });
-    read(lists.lengths, [](const Chains& c, const ChainStrokes&) { return c.lengths; });
-    read(lists.lengths_before, [](const Chains&, const ChainStrokes& s) { return s.lengths_before; });
-    read(lists.samples, [](const Chains&, const ChainStrokes& s) { return s.samples; });
-    read(lists.strokes_before, [](const Chains&, const ChainStrokes& s) { return s.strokes_before; });
-    read(lists.strokes, [](const Chains&, const ChainStrokes& s) { return s.strokes; });
+    read(lists.sizes, [](const Chains&, const ChainSamples&, const ChainStrokes& s) { return s.sizes; });
+    read(lists.points_before,
+         [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.points_before; });
+    read(lists.flags_of_slot,
+         [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.flags_of_slot; });
+    read(lists.points, [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.points; });
+    read(lists.lengths, [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.lengths; });
+    read(lists.lengths_before,
+         [](const Chains&, const ChainSamples& s, const ChainStrokes&) { return s.lengths_before; });
+    read(lists.samples, [](const Chains&, const ChainSamples&, const ChainStrokes& s) { return s.samples; });
+    read(lists.strokes_before,
+         [](const Chains&, const ChainSamples&, const ChainStrokes& s) { return s.strokes_before; });
+    read(lists.strokes, [](const Chains&, const ChainSamples&, const ChainStrokes& s) { return s.strokes; });
     lists.points.resize(lists.sizes[shared::list_points].count);
     lists.lengths.resize(lists.points.size());
     lists.samples.resize(lists.sizes[shared::list_samples].count);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
 #include "style/parameter.hpp"
@@ -10,6 +13,14 @@ namespace estampe::contour {
 enum class Lines : uint8_t { chains, page };
 
 enum class Silhouettes : uint8_t { smooth, edges };
+
+enum class BrushFit : uint8_t { repeat, stretch };
+
+enum class PressureFrom : uint8_t { light, turn, both };
+
+enum class Joints : uint8_t { round, mitre };
+
+enum class Hidden : uint8_t { none, dashed };
 
 struct ContourStyle {
     bool drawn = true;
@@ -28,13 +39,40 @@ struct ContourStyle {
     float suggestive_growth = 15.0F;
     float suggestive_deg = 20.0F;
     float depth_step = 1.0F;
+    std::string brush = "pen";
+    std::string outline_brush;
+    std::string boundary_brush;
+    std::string crease_brush;
+    BrushFit brush_fit = BrushFit::repeat;
+    float brush_mm = 0.0F;
+    float outline_m = 0.0F;
+    float boundary_m = 0.0F;
+    float crease_m = 0.0F;
+    Joints joints = Joints::round;
     float pressure = 0.8F;
+    PressureFrom pressure_from = PressureFrom::light;
     float distance_thinning = 0.7F;
     float taper_mm = 6.0F;
     float overshoot_mm = 0.0F;
     float wobble_mm = 0.0F;
+    int strokes = 1;
+    float retrace_mm = 0.5F;
+    float jitter_ends_mm = 0.0F;
+    float jitter_offset_mm = 0.0F;
+    float jitter_width = 0.0F;
+    Hidden hidden = Hidden::none;
+    float hidden_mm = 0.2F;
+    float hidden_dash_mm = 1.6F;
+    float hidden_gap_mm = 1.2F;
     int seed = 1;
 };
+
+/// Brushes that are known by name; any other is the path of a picture.
+inline const std::vector<std::string>& brush_names()
+{
+    static const std::vector<std::string> names{"pen", "pencil", "charcoal", "brush"};
+    return names;
+}
 
 inline const style::Table<ContourStyle>& contour_table()
 {
@@ -76,8 +114,35 @@ inline const style::Table<ContourStyle>& contour_table()
                     "Least angle between the view and a surface that has suggestive contours")
             .number("depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
                     "How far a surface must fall away behind another to be lined: less draws more")
+            .file_or_name("brush", &ContourStyle::brush, brush_names(),
+                          "What draws the strokes of chains: a tool, or the PNG of one stroke from left to "
+                          "right, in its alpha or in black on white")
+            .file_or_name("outline_brush", &ContourStyle::outline_brush, brush_names(),
+                          "Another brush around objects; empty for that of all")
+            .file_or_name("boundary_brush", &ContourStyle::boundary_brush, brush_names(),
+                          "Another brush between materials")
+            .file_or_name("crease_brush", &ContourStyle::crease_brush, brush_names(),
+                          "Another brush along sharp folds")
+            .choice("brush_fit", &ContourStyle::brush_fit,
+                    {{"repeat", BrushFit::repeat}, {"stretch", BrushFit::stretch}},
+                    "A brush comes again and again along a stroke, at one length and held to the surface as "
+                    "things move, or once, from end to end")
+            .number("brush_mm", &ContourStyle::brush_mm, {0.0F, 1000.0F}, "mm",
+                    "Length after which a brush repeats; 0 for what its picture makes it at the line's width")
+            .number(
+                "outline_m", &ContourStyle::outline_m, {0.0F, 1000.0F}, "m",
+                "Width around objects in the scene, of chains: nearer is wider; 0 for outline_mm of the page")
+            .number("boundary_m", &ContourStyle::boundary_m, {0.0F, 1000.0F}, "m",
+                    "The same between materials")
+            .number("crease_m", &ContourStyle::crease_m, {0.0F, 1000.0F}, "m", "The same along sharp folds")
+            .choice("joints", &ContourStyle::joints, {{"round", Joints::round}, {"mitre", Joints::mitre}},
+                    "Corners of strokes of chains, and where strokes end at one point")
             .number("pressure", &ContourStyle::pressure, {0.0F, 1.0F}, "",
-                    "How much a line swells in the shade and thins in the light")
+                    "How much the width of a line varies along it")
+            .choice(
+                "pressure_from", &ContourStyle::pressure_from,
+                {{"light", PressureFrom::light}, {"turn", PressureFrom::turn}, {"both", PressureFrom::both}},
+                "Where lines swell: in the shade, where strokes of chains bend, or in both")
             .number("distance_thinning", &ContourStyle::distance_thinning, {0.0F, 1.0F}, "",
                     "How much lines thin with distance")
             .number("taper_mm", &ContourStyle::taper_mm, {0.0F, 100.0F}, "mm",
@@ -86,9 +151,28 @@ inline const style::Table<ContourStyle>& contour_table()
                     "How far strokes of chains run beyond their ends")
             .number("wobble_mm", &ContourStyle::wobble_mm, {0.0F, 20.0F}, "mm",
                     "How far strokes of chains sway to either side")
+            .integer("strokes", &ContourStyle::strokes, {1, 3}, "",
+                     "How often the hand goes over a line of chains, each time a little otherwise")
+            .number("retrace_mm", &ContourStyle::retrace_mm, {0.0F, 20.0F}, "mm",
+                    "How far later strokes of a line stray from the first")
+            .number("jitter_ends_mm", &ContourStyle::jitter_ends_mm, {0.0F, 20.0F}, "mm",
+                    "How far strokes of chains end too early or too late")
+            .number("jitter_offset_mm", &ContourStyle::jitter_offset_mm, {0.0F, 20.0F}, "mm",
+                    "How far strokes of chains lie beside their line")
+            .number("jitter_width", &ContourStyle::jitter_width, {0.0F, 0.9F}, "",
+                    "How much strokes of chains differ in width, as a share")
+            .choice("hidden", &ContourStyle::hidden, {{"none", Hidden::none}, {"dashed", Hidden::dashed}},
+                    "Lines of chains behind something")
+            .number("hidden_mm", &ContourStyle::hidden_mm, {0.0F, 20.0F}, "mm", "Width of hidden lines")
+            .number("hidden_dash_mm", &ContourStyle::hidden_dash_mm, {0.1F, 100.0F}, "mm",
+                    "Length of their dashes")
+            .number("hidden_gap_mm", &ContourStyle::hidden_gap_mm, {0.1F, 100.0F}, "mm",
+                    "Length of the gaps between them")
             .integer("seed", &ContourStyle::seed, {0, 1000000}, "", "Another hand for another number");
     return table;
 }
+
+struct BrushImages;
 
 struct ContourInputs {
     gpu::BufferId frame; ///< FrameGlobals
@@ -105,8 +189,10 @@ struct ContourInputs {
     gpu::ImageId light;
     gpu::ImageId screen_draw; ///< of what is looked through; one texel for none
     bool has_screen = false;
-    bool only_cut = false;     ///< only what a texture's alpha cuts has lines
-    bool on_processor = false; ///< the device is no GPU
+    bool only_cut = false;          ///< only what a texture's alpha cuts has lines
+    bool on_processor = false;      ///< the device is no GPU
+    bool is_moving = false;         ///< seen otherwise than in the frame before
+    BrushImages* brushes = nullptr; ///< of chains; none for the pen alone
     float pixels_per_mm = 1.0F;
     float pixel_angle = 0.001F; ///< size of a pixel at distance one
     glm::uvec2 size_px{0};

@@ -93,33 +93,34 @@ Brush::Brush(const TamStyle& style, const Image* picture)
       width_px_(style.width_px)
 {
     if (picture != nullptr) {
-        take(*picture);
+        picture_rows_ = static_cast<size_t>(std::ceil(2.0F * width_px_)) + 1;
+        picture_ = stroke_of(*picture, picture_columns, picture_rows_);
     }
 }
 
-void Brush::take(const Image& picture)
+std::vector<float> stroke_of(const Image& picture, size_t columns, size_t rows, const std::string& where)
 {
     if (picture.empty()) {
-        throw Error("the picture of a brush is empty");
+        throw Error("the picture of a brush is empty", where);
     }
     const std::vector<float> ink = ink_of(picture);
-    picture_rows_ = static_cast<size_t>(std::ceil(2.0F * width_px_)) + 1;
-    picture_.resize(picture_rows_ * picture_columns);
+    std::vector<float> stroke(rows * columns);
     float most = 0.0F;
-    for (size_t row = 0; row < picture_rows_; ++row) {
-        const size_t y0 = row * picture.height / picture_rows_;
-        const size_t y1 = std::max(y0 + 1, (row + 1) * picture.height / picture_rows_);
-        for (size_t column = 0; column < picture_columns; ++column) {
-            const size_t x0 = column * picture.width / picture_columns;
-            const size_t x1 = std::max(x0 + 1, (column + 1) * picture.width / picture_columns);
-            picture_[row * picture_columns + column] = box_mean(ink, picture.width, x0, x1, y0, y1);
-            most = std::max(most, picture_[row * picture_columns + column]);
+    for (size_t row = 0; row < rows; ++row) {
+        const size_t y0 = row * picture.height / rows;
+        const size_t y1 = std::max(y0 + 1, (row + 1) * picture.height / rows);
+        for (size_t column = 0; column < columns; ++column) {
+            const size_t x0 = column * picture.width / columns;
+            const size_t x1 = std::max(x0 + 1, (column + 1) * picture.width / columns);
+            stroke[row * columns + column] = box_mean(ink, picture.width, x0, x1, y0, y1);
+            most = std::max(most, stroke[row * columns + column]);
         }
     }
     if (most < 0.1F) {
-        throw Error("the picture of a brush has no ink", {},
+        throw Error("the picture of a brush has no ink", where,
                     "paint the stroke from left to right, in its alpha or in black on white");
     }
+    return stroke;
 }
 
 uint32_t Brush::tooth_cell_px() const
@@ -161,7 +162,7 @@ float Brush::grained(const Touch& touch, float roughness) const
 float Brush::hairs(const Touch& touch, uint32_t seed) const
 {
     const float side = touch.across_px / touch.half_px;
-    const float hair = 0.5F + 0.5F * line_noise(seed + 23U, 2.3F * side + 40.0F);
+    const float hair = 0.5F + 0.5F * line_noise(seed + 23U, 2.3F * touch.hairs * side + 40.0F);
     const float along = 0.5F + 0.5F * line_noise(seed + 29U, 5.0F * touch.along + 2.0F * side + 60.0F);
     const float wide = smooth(1.2F, 2.4F, touch.half_px); // one hair or two do not part
     const float dry = grain_ * wide * smooth(0.3F, 0.9F, touch.along) * std::min(1.0F, 2.5F * std::abs(side));

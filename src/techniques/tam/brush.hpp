@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include <estampe/image.hpp>
@@ -17,11 +17,18 @@ struct Touch {
     float across_px = 0.0F; ///< from the middle of the stroke, signed
     float half_px = 1.0F;   ///< half the width here
     float tooth = 0.0F;     ///< height of the paper, 0 to 1
+    float hairs = 1.0F;     ///< how many times finer than usual those of a brush are
     bool on_middle = false; ///< the line in the middle of the stroke runs through this texel
 };
 
 /// Height of the paper at each texel of a level, 0 to 1; it wraps. `cell_px` is the size of its bumps.
 [[nodiscard]] std::vector<float> paper_tooth(uint32_t size_px, uint32_t cell_px, uint32_t seed);
+
+/// The ink of a picture of a stroke from left to right, 0 to 1, row by row from the top: its alpha, or where
+/// it is opaque throughout, its darkness. Throws Error with `where` as its place when the picture is empty or
+/// has no ink.
+[[nodiscard]] std::vector<float> stroke_of(const Image& picture, size_t columns, size_t rows,
+                                           const std::string& where = {});
 
 /// What leaves the ink: a pen, pencil, charcoal, burin or brush that is a formula, or the picture of one.
 /// The line in the middle of a stroke is always more than half ink, so that a stroke that is ink in one level
@@ -46,7 +53,6 @@ private:
     [[nodiscard]] float grained(const Touch& touch, float roughness) const;
     [[nodiscard]] float hairs(const Touch& touch, uint32_t seed) const;
     [[nodiscard]] float pictured(const Touch& touch) const;
-    void take(const Image& picture);
 
     Tool tool_;
     float opacity_;

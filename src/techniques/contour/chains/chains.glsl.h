@@ -105,6 +105,15 @@ struct LinePoint {
     uint ink; // material that brings its own, + 1
 };
 
+// Where on its brush a stroke is at a sample. Sides are those of LinePoint.
+struct LineTouch {
+    float phase_px; // along the stroke, held to the surface from frame to frame
+    float along_px; // from the end where the stroke starts
+    float whole_px;
+    uint way;  // along the line, two signed halves
+    uint uses; // which brush, and whether the stroke starts or ends here: see the bits below
+};
+
 // How many there are of something, and the arguments of a dispatch with a thread for each.
 struct ListSize {
     uint count;
@@ -163,12 +172,31 @@ struct ShapeConstants {
     float pressure;
     float distance_thinning;
     uint seed;
+    float wave_px;      // of the hand's sway
+    float settling;     // share of what a brush is off its even place that it loses in a frame
+    float silhouette_m; // in place of pixels, where it is not 0
+    float border_m;
+    float boundary_m;
+    float crease_m;
+    float turn_px; // radius of a bend that is pressed fully
+    uint hand;     // how often the line was drawn before
+    float retrace_px;
+    float jitter_ends_px;
+    float jitter_offset_px;
+    float jitter_width;
 };
 
 struct InkConstants {
     uint width;
     uint height;
     vec3 ink_color;
+};
+
+struct BrushConstants {
+    uint width;
+    uint height;
+    vec4 period_px;     // of each use, along the stroke; 0 from end to end
+    uvec4 layer_of_use; // in the image of brushes; no_brush for the pen
 };
 
 #ifdef __cplusplus
@@ -202,6 +230,14 @@ inline constexpr uint sample_is_off_page = 2U;
 inline constexpr uint sample_in_ring = 8U;  // of a closed line without a break
 inline constexpr uint piece_is_there = 16U; // a line goes on to the next sample
 inline constexpr uint stroke_is_dropped = 4U;
+inline constexpr uint brush_outline = 0U; // uses of brushes
+inline constexpr uint brush_boundary = 1U;
+inline constexpr uint brush_crease = 2U;
+inline constexpr uint brush_hidden = 3U;
+inline constexpr uint brush_count = 4U;
+inline constexpr uint brush_columns = 1024U;
+inline constexpr uint brush_rows = 32U;
+inline constexpr uint no_brush = 0xffffffffU;
 inline constexpr uint grid_cell_px = 4U;      // of the grid in which samples find each other
 inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of these a pixel
 } // namespace estampe::shared
@@ -237,6 +273,16 @@ inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of th
 #define STROKE_STARTS_AT_LINE 1u
 #define STROKE_ENDS_AT_LINE 2u
 #define STROKE_IS_DROPPED 4u
+#define BRUSH_OUTLINE 0u
+#define BRUSH_BOUNDARY 1u
+#define BRUSH_CREASE 2u
+#define BRUSH_HIDDEN 3u
+#define BRUSH_COLUMNS 1024u
+#define BRUSH_ROWS 32u
+#define NO_BRUSH 0xffffffffu
+#define TOUCH_USE 3u
+#define TOUCH_IS_START 4u
+#define TOUCH_IS_END 8u
 #define GRID_CELL_PX 4u
 #define PIECE_IS_THERE 16u // a line goes on to the next sample
 #endif

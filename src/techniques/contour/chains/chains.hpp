@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "gpu/graph/graph.hpp"
 #include "techniques/contour/chains/line_history.hpp"
@@ -25,10 +27,20 @@ struct Chains {
     gpu::BufferId lengths;       ///< of the piece to the next point
 };
 
-/// The same as strokes: even samples, and where each stroke starts and ends.
-struct ChainStrokes {
+/// The same in even steps, of which it is known whether they are seen.
+struct ChainSamples {
     gpu::BufferId sizes;
     gpu::BufferId lengths_before; ///< each point of the chains
+    gpu::BufferId samples_before; ///< each slot
+    gpu::BufferId flags_of_slot;
+    gpu::BufferId samples;  ///< LineSample
+    gpu::BufferId states;   ///< each sample
+    gpu::BufferId rotation; ///< each slot: where a closed chain is cut open
+};
+
+/// What of them is drawn together: where each stroke starts and ends.
+struct ChainStrokes {
+    gpu::BufferId sizes;
     gpu::BufferId samples;        ///< LineSample; closed chains cut open
     gpu::BufferId samples_before; ///< each slot
     gpu::BufferId strokes_before; ///< each sample
@@ -36,11 +48,17 @@ struct ChainStrokes {
     gpu::BufferId grid;           ///< where on the page samples are
 };
 
-/// Strokes with the way and the width of the pen.
+/// The way and the width of the pen, once along all strokes.
+struct HandDrawn {
+    gpu::BufferId line_points; ///< LinePoint, two a sample: as its piece starts, as the piece before it ends
+    gpu::BufferId touches;     ///< LineTouch, two a sample as well; of no use where there are no brushes
+};
+
 struct ShapedStrokes {
     ChainStrokes strokes;
-    gpu::BufferId facing;      ///< as in Chains
-    gpu::BufferId line_points; ///< LinePoint, two a sample: as its piece starts, as the piece before it ends
+    gpu::BufferId facing;                                     ///< as in Chains
+    std::vector<HandDrawn> hands;                             ///< one for each time that lines are gone over
+    std::optional<std::pair<ChainStrokes, HandDrawn>> hidden; ///< where they are wanted
 };
 
 /// What strings lines together reads of the frame.
@@ -62,12 +80,15 @@ struct ChainInputs {
 /// Complexity of Parallel Computations", 1979
 [[nodiscard]] Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges);
 
-/// Divides chains into even steps, asks what hides each, and makes strokes of what is seen. `grid` is where
-/// samples enter the cells they lie in.
+/// Divides chains into even steps and asks what hides each.
 ///
 /// Source  Cole and Finkelstein, "Fast High-Quality Line Visibility", 2009
-[[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainInputs& in, const Chains& chains,
-                                       gpu::BufferId grid);
+[[nodiscard]] ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains& chains);
+
+/// Makes strokes of what is seen, or of what is hidden and on the page. `grid` is where samples enter the
+/// cells they lie in. Strokes of what was asked for before no longer count in the sizes.
+[[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferId grid,
+                                       glm::uvec2 size_px, LineClass wanted = LineClass::seen);
 
 /// Strings lines together and shapes their strokes: all that comes before the ink. With a `history`, strokes
 /// go on from the frame it holds and are remembered for the next; it must outlive the graph's run.

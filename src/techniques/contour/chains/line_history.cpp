@@ -7,27 +7,40 @@
 
 namespace estampe::contour {
 
-void LineHistory::begin_frame(gpu::Device& device, glm::uvec2 size_px, bool continues)
+void LineHistory::begin_frame(gpu::Device& device, glm::uvec2 size_px, bool continues, bool has_hidden)
 {
-    if (size_px_ != size_px) {
-        for (Drawn& drawn : drawn_) {
-            drawn.grid = gpu::Buffer(device, "line grid", sizeof(glm::uvec2) * grid_cell_count(size_px),
-                                     gpu::MemoryUse::device);
-            drawn.samples =
-                gpu::Buffer(device, "drawn samples", sizeof(shared::DrawnSample) * sample_capacity(size_px),
-                            gpu::MemoryUse::device);
+    for (const LineClass lines : {LineClass::seen, LineClass::hidden}) {
+        Memory& memory = memories_.at(static_cast<size_t>(lines));
+        memory.is_kept = lines == LineClass::seen || has_hidden;
+        if (memory.is_kept && memory.size_px != size_px) {
+            for (Drawn& drawn : memory.drawn) {
+                drawn.grid = gpu::Buffer(device, "line grid", sizeof(glm::uvec2) * grid_cell_count(size_px),
+                                         gpu::MemoryUse::device);
+                drawn.samples = gpu::Buffer(device, "drawn samples",
+                                            sizeof(shared::DrawnSample) * sample_capacity(size_px),
+                                            gpu::MemoryUse::device);
+            }
+            memory.size_px = size_px;
+            memory.holds_frame = false;
         }
-        size_px_ = size_px;
-        holds_frame_ = false;
+        memory.holds_frame = memory.holds_frame && continues;
     }
-    holds_frame_ = holds_frame_ && continues;
 }
 
 void LineHistory::end_frame(const glm::mat4& clip_from_anchor)
 {
     clip_from_anchor_ = clip_from_anchor;
     now_ = 1 - now_;
-    holds_frame_ = true;
+    for (Memory& memory : memories_) {
+        memory.holds_frame = memory.is_kept;
+    }
+}
+
+void LineHistory::forget()
+{
+    for (Memory& memory : memories_) {
+        memory.holds_frame = false;
+    }
 }
 
 uint32_t grid_cell_count(glm::uvec2 size_px)

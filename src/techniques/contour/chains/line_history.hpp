@@ -9,6 +9,9 @@
 
 namespace estampe::contour {
 
+/// Lines that are drawn apart.
+enum class LineClass : uint8_t { seen, hidden };
+
 /// What the frame before drew, by which strokes keep their width, their hand and their place along the line
 /// when chains split or join.
 class LineHistory {
@@ -20,29 +23,49 @@ public:
     };
 
     /// Makes room for frames of `size_px`. Frames before count only if they had that size, and unless
-    /// `continues`, not at all. Throws Error when memory runs out.
-    void begin_frame(gpu::Device& device, glm::uvec2 size_px, bool continues);
+    /// `continues`, not at all. `has_hidden` lines are remembered too. Throws Error when memory runs out.
+    void begin_frame(gpu::Device& device, glm::uvec2 size_px, bool continues, bool has_hidden = false);
 
     /// To be called when what was begun has been drawn as seen by `clip_from_anchor`.
     void end_frame(const glm::mat4& clip_from_anchor);
 
     /// Forgets all frames: the scene is another.
-    void forget() { holds_frame_ = false; }
+    void forget();
 
-    [[nodiscard]] bool holds_frame() const { return holds_frame_; }
+    [[nodiscard]] bool holds_frame(LineClass lines = LineClass::seen) const
+    {
+        return memory_of(lines).holds_frame;
+    }
 
-    [[nodiscard]] Drawn& before() { return drawn_[1 - now_]; }
+    [[nodiscard]] Drawn& before(LineClass lines = LineClass::seen)
+    {
+        return memories_.at(static_cast<size_t>(lines)).drawn.at(1 - now_);
+    }
 
-    [[nodiscard]] Drawn& now() { return drawn_[now_]; }
+    [[nodiscard]] Drawn& now(LineClass lines = LineClass::seen)
+    {
+        return memories_.at(static_cast<size_t>(lines)).drawn.at(now_);
+    }
 
     [[nodiscard]] const glm::mat4& clip_from_anchor_before() const { return clip_from_anchor_; }
 
 private:
-    std::array<Drawn, 2> drawn_;
+    /// Of one class of lines.
+    struct Memory {
+        std::array<Drawn, 2> drawn;
+        glm::uvec2 size_px{0};
+        bool is_kept = false; ///< this frame leaves something
+        bool holds_frame = false;
+    };
+
+    [[nodiscard]] const Memory& memory_of(LineClass lines) const
+    {
+        return memories_.at(static_cast<size_t>(lines));
+    }
+
+    std::array<Memory, 2> memories_;
     size_t now_ = 0;
     glm::mat4 clip_from_anchor_{1.0F};
-    glm::uvec2 size_px_{0};
-    bool holds_frame_ = false;
 };
 
 /// Cells of the grid in which samples find each other.

@@ -65,92 +65,42 @@ layout(scalar, binding = 13) writeonly buffer DrawnSamples
     DrawnSample drawn[];
 };
 
+layout(scalar, binding = 14) writeonly buffer LineTouches
+{
+    LineTouch touches[];
+};
+
 layout(push_constant, scalar) uniform Constants
 {
     ShapeConstants constants;
 };
 
 // Bit 0: some material brings an outline of its own. Bit 1: there was a frame before this. Bit 2: there will
-// be one after it.
+// be one after it. Bit 3: brushes draw. Bit 4: the hand sways. Bit 5: it
+// strays, or draws a line again. Bit 6: some widths are those of the scene. Bit 7: strokes swell where they
+// bend. Bit 8: they do not where it is dark. Bit 9: these are hidden lines.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_own_outlines = (variant & 1u) != 0u;
 const bool recalls_frame = (variant & 2u) != 0u;
 const bool is_remembered = (variant & 4u) != 0u;
+const bool has_brushes = (variant & 8u) != 0u;
+const bool has_sway = (variant & 16u) != 0u;
+const bool has_jitter = (variant & 32u) != 0u;
+const bool has_widths_m = (variant & 64u) != 0u;
+const bool swells_in_turns = (variant & 128u) != 0u;
+const bool swells_in_shade = (variant & 256u) == 0u;
+const bool is_hidden = (variant & 512u) != 0u;
+
+#include "techniques/contour/chains/line_width.glsl"
 
 const float new_half_width_px = 0.15;
 const float least_change_px = 0.25;
 const float change_share = 0.08; // of the full width
+const float most_past = 0.12;    // share of itself that a stroke runs beyond its ends
 
-// A fold or a boundary behind which the surface turns away is an outline there.
-uint kind_now(uint source)
-{
-    uint kind = source >> 28;
-    uint side = source & 0x0fffffffu;
-    if (kind == LINE_SILHOUETTE || kind == LINE_BORDER || (side & 3u) == 3u) {
-        return kind;
-    }
-    uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
-    return beyond != NO_SIDE && is_front(side >> 2) != is_front(beyond >> 2) ? LINE_SILHOUETTE : kind;
-}
-
-float width_of(uint kind)
-{
-    return kind == LINE_SILHOUETTE   ? constants.silhouette_px
-           : kind == LINE_BORDER     ? constants.border_px
-           : kind == LINE_BOUNDARY   ? constants.boundary_px
-           : kind == LINE_MARKED     ? constants.marked_px
-           : kind == LINE_RIDGE      ? constants.ridge_px
-           : kind == LINE_VALLEY     ? constants.valley_px
-           : kind == LINE_SUGGESTIVE ? constants.suggestive_px
-                                     : constants.crease_px;
-}
-
-// Kinds change from edge to edge, widths do not: the mean over a few samples of the stroke.
-float even_width(uint index, Stroke stroke)
-{
-    uint from = max(index, stroke.first + 3u) - 3u;
-    uint to = min(index + 3u, stroke.last);
-    float sum = 0.0;
-    for (uint at = from; at <= to; ++at) {
-        sum += width_of(kind_now(sample_at(at).source));
-    }
-    return sum / float(to - from + 1u);
-}
-
-float pressure_at(LineSample point, vec2 inwards_px)
-{
-    float slow = value_noise(vec2(11.0, 7.0) * (point.anchor.xy + point.anchor.z) / frame.scene_radius_m,
-                             constants.seed) -
-                 0.5;
-    ivec2 pixel = clamp(ivec2(point.page_px + inwards_px), ivec2(0), ivec2(frame.size_px) - 1);
-    float shade = 1.0 - clamp(texelFetch(light_image, pixel, 0).a, 0.0, 1.0);
-    float away = size_of(point.anchor - frame.eye_anchor);
-    float thinning = mix(1.0, clamp(pow(2.2 * frame.scene_radius_m / max(away, 1e-6), 0.4), 0.45, 1.25),
-                         constants.distance_thinning);
-    return thinning * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
-}
-
-// Whole width that a sample would have in the middle of a stroke, and the material that brings it, + 1.
-float full_width(uint index, Stroke stroke, out uint ink)
-{
-    LineSample point = sample_at(index);
-    vec3 normal = unpack_normal(point.normal);
-    float pixel_m = pixel_size_m(point.anchor);
-    vec4 outside = frame.clip_from_anchor * vec4(point.anchor + normal * pixel_m, 1.0);
-    vec2 outwards_px = page_position(outside) - point.page_px;
-    float width = even_width(index, stroke) * pressure_at(point, -2.5 * outwards_px);
-    ink = 0u;
-    if (has_own_outlines) {
-        uint triangle = (point.source & 0x0fffffffu) >> 2;
-        uint material = draw_at(texelFetch(triangle_texels, int(triangle)).w & TRIANGLE_DRAW_MASK).material;
-        float own_m = outline_width_m_of(material);
-        if (own_m > 0.0) {
-            width = own_m / pixel_m;
-            ink = material + 1u;
-        }
-    }
-    return width;
-}
+#include "techniques/contour/chains/line_phase.glsl"
+#include "techniques/contour/chains/line_sway.glsl"
+#include "techniques/contour/chains/line_jitter.glsl"
 
 // Share of its width that a stroke has at a sample: it runs out where an end is free, over at most a third of
 // itself.
@@ -168,16 +118,38 @@ float taper_at(uint index, Stroke stroke)
 }
 
 // Where the pen goes at a sample: past the ends, and to and fro.
-vec2 pen_at(uint index, Stroke stroke, vec2 way, float arc_px, uint seed)
+vec2 pen_at(uint index, Stroke stroke, vec2 way, uint seed)
 {
     vec2 page = sample_at(index).page_px;
     bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
     if (!is_ring && stroke.last - stroke.first > 4u) {
-        float past = index == stroke.first ? -1.0 : index == stroke.last ? 1.0 : 0.0;
-        page += past * constants.overshoot_px * way;
+        vec2 past = vec2(constants.overshoot_px);
+        if (has_jitter) {
+            past += max(ends_px(seed), vec2(0.0));
+        }
+        float whole = unpackHalf2x16(sample_at(index).state).y * float(stroke.last - stroke.first);
+        past = min(past, vec2(most_past * whole));
+        page += (index == stroke.first ? -past.x : index == stroke.last ? past.y : 0.0) * way;
     }
-    float sway = value_noise(vec2(arc_px / 40.0, 0.5), seed) - 0.5;
-    return page + 2.0 * constants.wobble_px * sway * vec2(-way.y, way.x);
+    float aside = 0.0;
+    if (has_sway) {
+        aside +=
+            constants.wobble_px * sway_at(sample_at(index).anchor, constants.seed + 101u * constants.hand);
+    }
+    if (has_jitter) {
+        aside += offset_at(sample_at(index).anchor);
+    }
+    return page + aside * vec2(-way.y, way.x);
+}
+
+// Along the line at a sample; where a closed one ends it starts again.
+vec2 way_at(uint index, Stroke stroke)
+{
+    bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
+    uint previous = index > stroke.first ? index - 1u : is_ring ? stroke.last - 1u : index;
+    uint next = index < stroke.last ? index + 1u : is_ring ? stroke.first + 1u : index;
+    vec2 way = sample_at(next).page_px - sample_at(previous).page_px;
+    return way * inversesqrt(max(dot(way, way), 1e-20));
 }
 
 LinePoint shape_of(uint index, Stroke stroke, bool remembers)
@@ -197,14 +169,19 @@ LinePoint shape_of(uint index, Stroke stroke, bool remembers)
         float most_change = max(least_change_px, change_share * 0.5 * full);
         half_width = clamp(half_width, before - most_change, before + most_change);
     }
-    uint previous = index == stroke.first ? index : index - 1u;
-    uint next = index == stroke.last ? index : index + 1u;
-    vec2 way = sample_at(next).page_px - sample_at(previous).page_px;
-    way *= inversesqrt(max(dot(way, way), 1e-20));
+    vec2 way = way_at(index, stroke);
+    if (has_brushes) {
+        arc_px = unpackHalf2x16(sample_at(index).state).y * float(index - stroke.first) +
+                 (recalls_frame ? phase_offset(index, stroke, seed) : most_start_px * unit_float(hash(seed)));
+        touches[gl_GlobalInvocationID.x] = touch_of(index, stroke, arc_px, way);
+    }
     if (is_remembered && remembers) {
         drawn[index] = DrawnSample(sample_at(index).page_px, packHalf2x16(way), half_width, arc_px, seed);
     }
-    return LinePoint(pen_at(index, stroke, way, arc_px, seed), half_width, ink);
+    if (has_jitter) {
+        half_width *= stray_width(index, stroke, seed);
+    }
+    return LinePoint(pen_at(index, stroke, way, seed), half_width, ink);
 }
 
 void main()

@@ -46,6 +46,10 @@ layout(scalar, binding = 7) writeonly buffer Starts
 
 #include "techniques/contour/chains/sample_list.glsl"
 
+// Bit 0: the lines that are wanted are those that are not seen.
+layout(constant_id = 0) const uint variant = 0u;
+const bool wants_hidden = (variant & 1u) != 0u;
+
 const float most_stretch = 3.0; // a piece this much longer than a step leads off the page and back
 
 bool leads_on(ChainOfSamples chain, uint place)
@@ -54,8 +58,11 @@ bool leads_on(ChainOfSamples chain, uint place)
         return false;
     }
     uint from = chain.first + place;
-    bool both_seen = (states[from] & states[from + 1u] & SAMPLE_IS_VISIBLE) != 0u;
-    return both_seen && size_of(sample_at(from).page_px - sample_at(from + 1u).page_px) <
+    bool is_wanted = (states[from] & states[from + 1u] & SAMPLE_IS_VISIBLE) != 0u;
+    if (wants_hidden) {
+        is_wanted = !is_wanted && ((states[from] | states[from + 1u]) & SAMPLE_IS_OFF_PAGE) == 0u;
+    }
+    return is_wanted && size_of(sample_at(from).page_px - sample_at(from + 1u).page_px) <
                             most_stretch * max(spacing_of(states[from]), 1.0);
 }
 

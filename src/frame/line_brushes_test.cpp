@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "frame/line_brushes.hpp"
+
+#include <fstream>
+#include <numeric>
+
+#include <estampe/error.hpp>
+#include <estampe/image.hpp>
+#include <gtest/gtest.h>
+
+#include "support/folder.hpp"
+
+namespace estampe::frame {
+namespace {
+
+TEST(LineBrushes, ThePenNeedsNoPicture)
+{
+    EXPECT_FALSE(load_brushes({}));
+}
+
+TEST(LineBrushes, EachKindOfLineHasItsOwnOrThatOfAll)
+{
+    contour::ContourStyle style;
+    style.brush = "charcoal";
+    style.outline_brush = "pen";
+    style.crease_brush = "brush";
+    const auto set = load_brushes(style);
+    ASSERT_TRUE(set);
+    EXPECT_EQ(set->strips.size(), 2U);
+    EXPECT_FALSE(set->strip_of_use[shared::brush_outline]);
+    EXPECT_NE(set->strip_of_use[shared::brush_boundary], set->strip_of_use[shared::brush_crease]);
+}
+
+TEST(LineBrushes, ToolsAreNeitherBlankNorSolidAndMeetWhereTheyRepeat)
+{
+    contour::ContourStyle style;
+    for (const char* name : {"pencil", "charcoal", "brush"}) {
+        style.brush = name;
+        const auto set = load_brushes(style);
+        ASSERT_TRUE(set);
+        const std::vector<float>& ink = set->strips.front().ink;
+        const float mean = std::accumulate(ink.begin(), ink.end(), 0.0F) / static_cast<float>(ink.size());
+        EXPECT_GT(mean, 0.3F) << name;
+        EXPECT_LT(mean, 0.95F) << name;
+        const auto column = [&](uint32_t x, uint32_t y) {
+            return ink[size_t{y} * shared::brush_columns + x];
+        };
+        float seam = 0.0F;
+        float inside = 0.0F;
+        for (uint32_t y = 0; y < shared::brush_rows; ++y) {
+            seam += std::abs(column(shared::brush_columns - 1, y) - column(0, y));
+            for (uint32_t x = 0; x < 32; ++x) {
+                inside += std::abs(column(30 * x, y) - column(30 * x + 1, y)) / 32.0F;
+            }
+        }
+        EXPECT_LT(seam, 2.0F * inside + 0.1F) << name;
+    }
+}
+
+std::string message_of(const std::string& brush)
+{
+    contour::ContourStyle style;
+    style.brush = brush;
+    try {
+        static_cast<void>(load_brushes(style));
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(LineBrushes, WhatIsNoPictureOfAStrokeIsNamed)
+{
+    const test::Folder folder;
+    const std::string missing = (folder / "missing.png").string();
+    EXPECT_NE(message_of(missing).find(missing), std::string::npos);
+    const std::string blank = (folder / "blank.png").string();
+    save_png({.width = 8, .height = 4, .rgba = std::vector<uint8_t>(size_t{8} * 4 * 4, 0)}, blank);
+    EXPECT_NE(message_of(blank).find(blank), std::string::npos);
+    EXPECT_NE(message_of(blank).find("no ink"), std::string::npos);
+}
+
+} // namespace
+} // namespace estampe::frame

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// What a hand does to lines: widths, corners, strokes drawn again, and what lies behind.
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "scene/shapes.hpp"
+#include "support/drawing.hpp"
+#include "support/scenes.hpp"
+#include "techniques/contour/chains/chains_test_scene.hpp"
+
+namespace estampe::contour {
+namespace {
+
+constexpr glm::uvec2 page_px{400, 300};
+constexpr double fov_rad = 0.8;
+
+/// Lines of one width, in pixels.
+ContourStyle even_lines(float width_px)
+{
+    ContourStyle style;
+    style.outline_mm = style.boundary_mm = style.crease_mm = width_px;
+    style.pressure = 0.0F;
+    style.distance_thinning = 0.0F;
+    style.taper_mm = 0.0F;
+    return style;
+}
+
+float at(const std::vector<float>& ink, const glm::dvec2& place_px)
+{
+    const glm::ivec2 pixel(glm::floor(place_px));
+    return ink[static_cast<size_t>(pixel.y) * page_px.x + static_cast<size_t>(pixel.x)];
+}
+
+double sum_of(const std::vector<float>& ink)
+{
+    return std::accumulate(ink.begin(), ink.end(), 0.0);
+}
+
+/// Width of the outline of a unit sphere, right of its middle.
+double outline_px(double distance_m, const ContourStyle& style)
+{
+    test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 96, 48)),
+                          test::front_camera(distance_m, fov_rad), page_px);
+    const std::vector<float> ink = drawing.lines(style, 1.0F);
+    const auto row = ink.begin() + static_cast<std::ptrdiff_t>(page_px.y / 2 * page_px.x);
+    return std::accumulate(row + page_px.x / 2, row + page_px.x, 0.0);
+}
+
+TEST(LineHand, WidthsOfTheSceneHalveWhenTheDistanceDoubles)
+{
+    ContourStyle style = even_lines(1.0F);
+    style.outline_m = 0.12F;
+    style.distance_thinning = 0.7F; // has no say in them
+    std::vector<double> widths_px;
+    for (const double distance_m : {4.0, 8.0}) {
+        widths_px.push_back(outline_px(distance_m, style));
+        const double away_m = distance_m - 1.0 / distance_m; // of the circle that is the outline
+        const double pixel_m = 2.0 * away_m * std::tan(0.5 * fov_rad) / page_px.y;
+        EXPECT_NEAR(widths_px.back(), 0.12 / pixel_m, 0.3) << distance_m;
+    }
+    EXPECT_NEAR(widths_px[0] / widths_px[1], 2.1, 0.1);
+    style.outline_m = 0.0F;
+    style.distance_thinning = 0.0F;
+    EXPECT_NEAR(outline_px(4.0, style), outline_px(8.0, style), 0.2);
+}
+
+/// A flat triangle with corners of 90, 20 and 70 degrees, as seen from its front.
+struct Corner {
+    glm::dvec2 page_px;
+    glm::dvec2 out; ///< away from the middle of the corner
+    double half_angle_rad;
+};
+
+Primitive sharp_triangle()
+{
+    Primitive triangle;
+    triangle.positions = {{-1.3F, -0.5F, 0.0F}, {1.3F, -0.5F, 0.0F}, {-1.3F, 0.4463F, 0.0F}};
+    triangle.normals.assign(3, {0.0F, 0.0F, 1.0F});
+    triangle.indices = {0, 1, 2};
+    return triangle;
+}
+
+std::vector<Corner> corners_of(const Primitive& triangle, double distance_m)
+{
+    const double px_per_m = 0.5 * page_px.y / (distance_m * std::tan(0.5 * fov_rad));
+    std::vector<Corner> corners;
+    for (size_t i = 0; i < 3; ++i) {
+        const auto page = [&](size_t k) {
+            const glm::dvec2 place(triangle.positions[k % 3]);
+            return 0.5 * glm::dvec2(page_px) + px_per_m * glm::dvec2(place.x, -place.y);
+        };
+        const glm::dvec2 a = glm::normalize(page(i + 1) - page(i));
+        const glm::dvec2 b = glm::normalize(page(i + 2) - page(i));
+        corners.push_back({page(i), -glm::normalize(a + b), 0.5 * std::acos(glm::dot(a, b))});
+    }
+    return corners;
+}
+
+TEST(LineHand, CornersAreMitredUpToALimitAndElseRound)
+{
+    constexpr double half_px = 8.0;
+    ContourStyle style = even_lines(16.0F);
+    const Primitive triangle = sharp_triangle();
+    test::Drawing drawing(test::scene_of(triangle), test::front_camera(2.6, fov_rad), page_px);
+    const std::vector<float> round = drawing.lines(style, 1.0F);
+    style.joints = Joints::mitre;
+    const std::vector<float> mitred = drawing.lines(style, 1.0F);
+    for (const Corner& corner : corners_of(triangle, 2.6)) {
+        const auto beyond = [&](double distance_px) { return corner.page_px + distance_px * corner.out; };
+        const double tip_px = half_px / std::sin(corner.half_angle_rad);
+        const bool is_too_sharp = tip_px > 4.0 * half_px;
+        EXPECT_GT(at(round, beyond(half_px - 2.0)), 0.95F);
+        EXPECT_LT(at(round, beyond(half_px + 2.0)), 0.05F);
+        EXPECT_GT(at(mitred, beyond(half_px - 2.0)), 0.95F);
+        EXPECT_LT(at(mitred, beyond(tip_px + 2.0)), 0.05F);
+        if (is_too_sharp) {
+            EXPECT_LT(at(mitred, beyond(half_px + 2.0)), 0.05F) << corner.half_angle_rad;
+        } else {
+            EXPECT_GT(at(mitred, beyond(tip_px - 3.0)), 0.9F) << corner.half_angle_rad;
+        }
+    }
+    // Nothing is taken away, and there is no gap.
+    for (size_t i = 0; i < round.size(); ++i) {
+        EXPECT_GE(mitred[i], round[i]);
+    }
+}
+
+TEST(LineHand, StrokesDrawnAgainLieOverTheFirstAndDependOnTheSeed)
+{
+    ContourStyle style = even_lines(1.5F);
+    test::Drawing drawing(shapes_scene(), view_from_above(), page_px);
+    const std::vector<float> once = drawing.lines(style, 1.0F);
+    style.strokes = 2;
+    style.retrace_mm = 4.0F;
+    const std::vector<float> twice = drawing.lines(style, 1.0F);
+    for (size_t i = 0; i < once.size(); ++i) {
+        ASSERT_GE(twice[i], once[i]);
+    }
+    EXPECT_GT(sum_of(twice), 1.25 * sum_of(once));
+    EXPECT_LT(sum_of(twice), 2.0 * sum_of(once));
+    EXPECT_EQ(drawing.lines(style, 1.0F), twice);
+    style.seed = 2;
+    EXPECT_NE(drawing.lines(style, 1.0F), twice);
+}
+
+TEST(LineHand, JitterMovesEndsPlaceAndWidthAsFarAsItSays)
+{
+    ContourStyle style = even_lines(4.0F);
+    style.crease_mm = 0.0F;
+    test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 96, 48)), test::front_camera(3.0, fov_rad),
+                          page_px);
+    const std::vector<float> plain = drawing.lines(style, 1.0F);
+    style.jitter_width = 0.5F;
+    const double varied = sum_of(drawing.lines(style, 1.0F)) / sum_of(plain);
+    EXPECT_GT(varied, 0.6);
+    EXPECT_LT(varied, 1.4);
+    EXPECT_GT(std::abs(varied - 1.0), 1e-4);
+    style.jitter_width = 0.0F;
+    style.jitter_offset_mm = 3.0F;
+    const std::vector<float> moved = drawing.lines(style, 1.0F);
+    EXPECT_NE(moved, plain);
+    const glm::dvec2 middle = 0.5 * glm::dvec2(page_px);
+    const double radius_px = 0.5 * page_px.y * std::tan(std::asin(1.0 / 3.0)) / std::tan(0.5 * fov_rad);
+    for (uint32_t y = 0; y < page_px.y; ++y) {
+        for (uint32_t x = 0; x < page_px.x; ++x) {
+            const glm::dvec2 place(x + 0.5, y + 0.5);
+            if (std::abs(glm::distance(place, middle) - radius_px) > 3.0 * 1.42 + 2.0 + 1.5) {
+                ASSERT_EQ(at(moved, place), 0.0F) << x << ", " << y;
+            }
+        }
+    }
+}
+
+TEST(LineHand, PressureFromTurnsSwellsWhereALineBends)
+{
+    ContourStyle style = even_lines(2.0F);
+    style.pressure = 1.0F;
+    // In full light only turns swell; pixels are millimetres. By 5 over the radius, of which 0.75 counts.
+    for (const double distance_m : {30.0, 12.0, 2.6}) {
+        style.pressure_from = PressureFrom::light;
+        const double even_px = outline_px(distance_m, style);
+        style.pressure_from = PressureFrom::turn;
+        const double radius_px =
+            0.5 * page_px.y * std::tan(std::asin(1.0 / distance_m)) / std::tan(0.5 * fov_rad);
+        EXPECT_NEAR(outline_px(distance_m, style) - even_px, 2.0 * 0.75 * 5.0 / radius_px, 0.12)
+            << distance_m;
+    }
+}
+
+TEST(LineHand, HiddenLinesAreDashedAndNowhereElse)
+{
+    ContourStyle style = even_lines(3.0F);
+    style.hidden_mm = 4.0F;
+    style.hidden_dash_mm = 12.0F;
+    style.hidden_gap_mm = 8.0F;
+    test::Drawing drawing(test::scene_of(shapes::box({1.6F, 1.6F, 1.6F})),
+                          {.eye = {2.2, 2.7, 3.1}, .target = {0.0, 0.75, 0.0}}, page_px);
+    const std::vector<float> seen = drawing.lines(style, 1.0F);
+    style.hidden = Hidden::dashed;
+    const std::vector<float> all = drawing.lines(style, 1.0F);
+    const test::ChainLists hidden = drawing.chains(style, LineClass::hidden);
+    double ink = 0.0;
+    size_t count = 0;
+    size_t changes = 0;
+    bool was_ink = false;
+    for (const shared::Stroke& stroke : hidden.strokes) {
+        for (uint32_t i = stroke.first + 3; i + 3 <= stroke.last; ++i) {
+            const float here = at(all, hidden.samples[i].page_px);
+            if (at(seen, hidden.samples[i].page_px) > 0.0F) {
+                continue; // where a line in front crosses
+            }
+            ink += static_cast<double>(here);
+            ++count;
+            changes += (here > 0.5F) != was_ink ? 1U : 0U;
+            was_ink = here > 0.5F;
+        }
+    }
+    EXPECT_EQ(hidden.strokes.size(), 3U); // of the corner behind
+    EXPECT_GT(count, 60U);
+    EXPECT_NEAR(ink / static_cast<double>(count), 0.6, 0.12);
+    EXPECT_GT(changes, 12U);
+    for (size_t i = 0; i < all.size(); ++i) {
+        ASSERT_GE(all[i], seen[i]);
+    }
+}
+
+} // namespace
+} // namespace estampe::contour

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+
+#include "gpu/graph/execute.hpp"
+#include "gpu/imports.hpp"
+#include "shaders/blank_layer_comp.hpp"
+#include "shaders/ink_brush_comp.hpp"
+#include "shaders/ink_layer_comp.hpp"
+#include "shaders/ink_pieces_comp.hpp"
+#include "shaders/joints_comp.hpp"
+#include "techniques/contour/chains/brushes.hpp"
+#include "techniques/contour/chains/chains.hpp"
+#include "techniques/contour/chains/scan.hpp"
+
+namespace estampe::contour {
+namespace {
+
+/// What lines have inked.
+struct Inked {
+    gpu::BufferId pixels; ///< a word each
+    gpu::BufferId tiles;  ///< see ink_tiles.glsl
+};
+
+/// A buffer of zeros, behind the arguments of a dispatch of no workgroups if it `starts_with_groups`.
+gpu::BufferId add_zeros(gpu::Graph& graph, const char* name, uint64_t size_bytes, bool starts_with_groups)
+{
+    auto clear = graph.custom(name);
+    const gpu::BufferId zeros =
+        clear.touch_write(graph.buffer(name, {.size_bytes = size_bytes}), gpu::Access::transfer_write);
+    clear.execute([=](gpu::Recorder& recorder) {
+        const auto fill = [&](uint64_t from, uint64_t to, uint32_t word) {
+            vkCmdFillBuffer(recorder.commands(), recorder.buffer(zeros).handle(), from, to - from, word);
+        };
+        fill(0, 4, 0);
+        fill(4, 12, starts_with_groups ? 1 : 0);
+        fill(12, size_bytes, 0);
+    });
+    return zeros;
+}
+
+/// How long each brush is along the line before it repeats; nothing where it goes from end to end.
+glm::vec4 periods_px(const ContourInputs& in, const ContourStyle& style)
+{
+    const std::array<float, shared::brush_hidden> widths_mm{style.outline_mm, style.boundary_mm,
+                                                            style.crease_mm};
+    glm::vec4 periods_mm(0.0F);
+    for (size_t use = 0; use < widths_mm.size() && style.brush_fit == BrushFit::repeat; ++use) {
+        const float own_mm = in.brushes->widths_of_use.at(use) * widths_mm.at(use);
+        periods_mm[static_cast<int>(use)] = style.brush_mm > 0.0F ? style.brush_mm : std::max(own_mm, 0.1F);
+    }
+    periods_mm[shared::brush_hidden] = style.hidden_dash_mm + style.hidden_gap_mm;
+    return in.pixels_per_mm * periods_mm;
+}
+
+shared::BrushConstants brush_constants(const ContourInputs& in, const ContourStyle& style)
+{
+    shared::BrushConstants constants{.width = in.size_px.x,
+                                     .height = in.size_px.y,
+                                     .period_px = glm::vec4(0.0F),
+                                     .layer_of_use = glm::uvec4(shared::no_brush)};
+    if (in.brushes != nullptr) {
+        constants.period_px = periods_px(in, style);
+        for (size_t use = 0; use < shared::brush_count; ++use) {
+            constants.layer_of_use[static_cast<int>(use)] =
+                in.brushes->layer_of_use.at(use).value_or(shared::no_brush);
+        }
+    }
+    return constants;
+}
+
+/// Inks pieces of line into what is inked already.
+void add_pieces(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& strokes,
+                const HandDrawn& hand, const ContourStyle& style, Inked& inked)
+{
+    const bool has_brushes = in.brushes != nullptr;
+    auto ink = has_brushes ? graph.compute("contour/ink brush", shaders::ink_brush_comp)
+                           : graph.compute("contour/ink pieces", shaders::ink_pieces_comp);
+    ink.read(strokes.sizes).sample(strokes.samples).read(hand.line_points);
+    if (has_brushes) {
+        ink.read(hand.touches);
+        ink.sample(gpu::import_uploaded(graph, "brushes of lines", in.brushes->strips),
+                   gpu::Sampling::linear_repeat);
+    }
+    inked.pixels = ink.modify(inked.pixels);
+    inked.tiles = ink.modify(inked.tiles);
+    if (has_brushes) {
+        ink.push(brush_constants(in, style));
+    } else {
+        ink.push(shared::InkConstants{.width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink});
+    }
+    ink.dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
+}
+
+/// Fills the outer sides of corners.
+void add_joints(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& strokes,
+                const HandDrawn& hand, const ContourStyle& style, Inked& inked)
+{
+    auto joints = graph.compute("contour/joints", shaders::joints_comp);
+    joints.read(strokes.sizes).sample(strokes.samples);
+    joints.sample(strokes.strokes_before, gpu::Format::r32ui).read(strokes.strokes);
+    joints.read(hand.line_points).read(hand.touches).read(strokes.grid);
+    inked.pixels = joints.modify(inked.pixels);
+    inked.tiles = joints.modify(inked.tiles);
+    joints.variant(in.brushes != nullptr ? 1U : 0U).push(brush_constants(in, style));
+    joints.dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
+}
+
+Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& shaped,
+              const ContourStyle& style)
+{
+    const uint64_t tiles = uint64_t{(in.size_px.x + 7) / 8} * ((in.size_px.y + 7) / 8);
+    Inked inked{add_zeros(graph, "contour/inked", sizeof(uint32_t) * in.size_px.x * in.size_px.y + 16, false),
+                add_zeros(graph, "contour/ink tiles", 16 + 8 * tiles, true)};
+    ContourInputs seen = in;
+    seen.brushes = in.brushes != nullptr && in.brushes->draw_seen_lines() ? in.brushes : nullptr;
+    for (const HandDrawn& hand : shaped.hands) {
+        add_pieces(graph, seen, shaped.strokes, hand, style, inked);
+        if (style.joints == Joints::mitre) {
+            add_joints(graph, seen, shaped.strokes, hand, style, inked);
+        }
+    }
+    if (shaped.hidden) {
+        add_pieces(graph, in, shaped.hidden->first, shaped.hidden->second, style, inked);
+    }
+    return inked;
+}
+
+/// A processor fills an image quicker by itself than by threads; a GPU is the other way round.
+gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants, bool on_processor)
+{
+    const gpu::ImageId layer = graph.image(
+        "contour/ink", {.width = constants.width, .height = constants.height, .format = gpu::Format::rgba8});
+    if (!on_processor) {
+        auto pass = graph.compute("contour/blank layer", shaders::blank_layer_comp);
+        const gpu::ImageId blank = pass.write(layer);
+        pass.push(constants).dispatch_over(constants.width, constants.height);
+        return blank;
+    }
+    auto clear = graph.custom("contour/blank layer");
+    const gpu::ImageId blank = clear.touch_write(layer, gpu::Access::transfer_write);
+    clear.execute([blank, color = glm::sqrt(constants.ink_color)](gpu::Recorder& recorder) {
+        const VkClearColorValue paper{.float32 = {color.x, color.y, color.z, 0.0F}};
+        const VkImageSubresourceRange whole{
+            .aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .levelCount = 1, .layerCount = 1};
+        vkCmdClearColorImage(recorder.commands(), recorder.image(blank).handle(),
+                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &paper, 1, &whole);
+    });
+    return blank;
+}
+
+} // namespace
+
+gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
+                                LineHistory* history, const ContourStyle& style,
+                                std::optional<gpu::ImageId> under)
+{
+    const ShapedStrokes shaped = add_shaped_strokes(graph, in, mesh, history, style);
+    const shared::InkConstants constants{
+        .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};
+    const Inked inked = add_ink(graph, in, shaped, style);
+    const gpu::ImageId below = under ? *under : add_blank_layer(graph, constants, in.on_processor);
+    auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
+    layer.read(inked.pixels).sample(in.materials).read(inked.tiles).variant(in.own_outlines ? 1U : 0U);
+    const gpu::ImageId ink = layer.modify(below);
+    layer.push(constants).dispatch_indirect(inked.tiles);
+    return ink;
+}
+
+} // namespace estampe::contour

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/imports.hpp"
+#include "shaders/elect_comp.hpp"
+#include "shaders/recall_comp.hpp"
+#include "shaders/shape_comp.hpp"
+#include "techniques/contour/chains/brushes.hpp"
+#include "techniques/contour/chains/chains.hpp"
+#include "techniques/contour/chains/scan.hpp"
+
+namespace estampe::contour {
+namespace {
+
+constexpr float sway_wave_mm = 9.0F; // from one side to the other and back, about
+constexpr float turn_mm = 5.0F;      // radius of a bend that is pressed fully
+constexpr float settling = 0.02F;
+
+/// Lets strokes find what they were in the frame before.
+gpu::BufferId add_recall(gpu::Graph& graph, ChainStrokes& strokes, LineHistory& history, glm::uvec2 size_px,
+                         LineClass lines)
+{
+    const uint64_t per_sample = indirect_offset(shared::list_samples);
+    auto recall = graph.compute("contour/recall", shaders::recall_comp);
+    recall.read(strokes.sizes).sample(strokes.samples);
+    recall.sample(strokes.strokes_before, gpu::Format::r32ui);
+    strokes.strokes = recall.modify(strokes.strokes);
+    recall.read(gpu::import_whole(graph, "grid before", history.before(lines).grid));
+    recall.read(gpu::import_whole(graph, "samples before", history.before(lines).samples));
+    const gpu::BufferId recalls = recall.write(
+        graph.buffer("contour/recalls", list_of(sample_capacity(size_px), sizeof(shared::Recall))));
+    recall
+        .push(shared::RecallConstants{.clip_from_anchor_before = history.clip_from_anchor_before(),
+                                      .width = size_px.x,
+                                      .height = size_px.y})
+        .dispatch_indirect(strokes.sizes, per_sample);
+    auto elect = graph.compute("contour/elect", shaders::elect_comp);
+    elect.read(strokes.sizes).sample(strokes.samples);
+    elect.sample(strokes.strokes_before, gpu::Format::r32ui).read(recalls);
+    strokes.strokes = elect.modify(strokes.strokes);
+    elect.dispatch_indirect(strokes.sizes, per_sample);
+    return recalls;
+}
+
+/// What is shaped, and how.
+struct ShapeInputs {
+    const ContourInputs& page;
+    const ChainInputs& mesh;
+    gpu::BufferId facing;
+    const ChainStrokes& strokes;
+    gpu::BufferId recalls; ///< of no use where there is no frame before
+    LineHistory* history;
+    LineClass lines;
+    uint32_t hand; ///< how often the strokes were drawn before
+};
+
+/// What a style asks of the shader, see there.
+uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
+{
+    const bool is_hidden = in.lines == LineClass::hidden;
+    const bool recalls_frame = in.history != nullptr && in.history->holds_frame(in.lines);
+    const bool is_remembered = in.history != nullptr && in.hand == 0;
+    const uint32_t basic = (recalls_frame ? 2U : 0U) | (is_remembered ? 4U : 0U) |
+                           (in.page.brushes != nullptr ? 8U : 0U) | (style.wobble_mm > 0.0F ? 16U : 0U);
+    if (is_hidden) {
+        return basic | 512U;
+    }
+    const bool strays = in.hand > 0 || style.jitter_ends_mm > 0.0F || style.jitter_offset_mm > 0.0F ||
+                        style.jitter_width > 0.0F;
+    const bool has_widths_m = style.outline_m > 0.0F || style.boundary_m > 0.0F || style.crease_m > 0.0F;
+    return basic | (in.page.own_outlines ? 1U : 0U) | (strays ? 32U : 0U) | (has_widths_m ? 64U : 0U) |
+           (style.pressure_from != PressureFrom::light ? 128U : 0U) |
+           (style.pressure_from == PressureFrom::turn ? 256U : 0U);
+}
+
+shared::ShapeConstants shape_constants(const ShapeInputs& in, const ContourStyle& style)
+{
+    const float pixels_per_mm = style.drawn ? in.page.pixels_per_mm : 0.0F;
+    const float metres = style.drawn ? 1.0F : 0.0F;
+    shared::ShapeConstants constants{.silhouette_px = style.outline_mm * pixels_per_mm,
+                                     .border_px = style.outline_mm * pixels_per_mm,
+                                     .boundary_px = style.boundary_mm * pixels_per_mm,
+                                     .crease_px = style.crease_mm * pixels_per_mm,
+                                     .marked_px = style.marked_mm * pixels_per_mm,
+                                     .ridge_px = style.ridge_mm * pixels_per_mm,
+                                     .valley_px = style.valley_mm * pixels_per_mm,
+                                     .suggestive_px = style.suggestive_mm * pixels_per_mm,
+                                     .taper_px = style.taper_mm * pixels_per_mm,
+                                     .overshoot_px = style.overshoot_mm * pixels_per_mm,
+                                     .wobble_px = style.wobble_mm * pixels_per_mm,
+                                     .pressure = style.pressure,
+                                     .distance_thinning = style.distance_thinning,
+                                     .seed = static_cast<uint32_t>(style.seed),
+                                     .wave_px = sway_wave_mm * pixels_per_mm,
+                                     .settling = in.page.is_moving ? settling : 0.0F,
+                                     .silhouette_m = style.outline_m * metres,
+                                     .border_m = style.outline_m * metres,
+                                     .boundary_m = style.boundary_m * metres,
+                                     .crease_m = style.crease_m * metres,
+                                     .turn_px = turn_mm * pixels_per_mm,
+                                     .hand = in.hand,
+                                     .retrace_px = style.retrace_mm * pixels_per_mm,
+                                     .jitter_ends_px = style.jitter_ends_mm * pixels_per_mm,
+                                     .jitter_offset_px = style.jitter_offset_mm * pixels_per_mm,
+                                     .jitter_width = style.jitter_width};
+    if (in.lines == LineClass::hidden) {
+        for (float* width_px :
+             {&constants.silhouette_px, &constants.border_px, &constants.boundary_px, &constants.crease_px,
+              &constants.marked_px, &constants.ridge_px, &constants.valley_px, &constants.suggestive_px}) {
+            *width_px = *width_px > 0.0F ? style.hidden_mm * pixels_per_mm : 0.0F;
+        }
+        constants.taper_px = constants.overshoot_px = constants.pressure = 0.0F;
+    }
+    return constants;
+}
+
+/// Where the pen goes and how wide it draws. Only the first hand is remembered.
+HandDrawn add_shape(gpu::Graph& graph, const ShapeInputs& in, const ContourStyle& style)
+{
+    const ContourInputs& page = in.page;
+    const uint64_t points_most = 2ULL * sample_capacity(page.size_px);
+    auto shape = graph.compute("contour/shape", shaders::shape_comp);
+    shape.uniform(page.frame).read(in.strokes.sizes).sample(in.strokes.samples);
+    shape.sample(in.strokes.strokes_before, gpu::Format::r32ui);
+    shape.read(in.strokes.strokes).sample(in.mesh.line_triangles).sample(in.mesh.neighbors);
+    shape.sample(in.facing, gpu::Format::r32ui).sample(page.light).sample(page.draws).sample(page.materials);
+    const gpu::BufferId line_points =
+        shape.write(graph.buffer("contour/line points", list_of(points_most, sizeof(shared::LinePoint))));
+    shape.read(in.recalls);
+    const gpu::BufferId remembered =
+        shape.write(in.history != nullptr && in.hand == 0
+                        ? gpu::import_whole(graph, "samples now", in.history->now(in.lines).samples)
+                        : graph.buffer("contour/unremembered", list_of(1, sizeof(shared::DrawnSample))));
+    static_cast<void>(remembered);
+    const gpu::BufferId touches = shape.write(graph.buffer(
+        "contour/touches", list_of(page.brushes != nullptr ? points_most : 1, sizeof(shared::LineTouch))));
+    shape.variant(shape_variant(in, style))
+        .push(shape_constants(in, style))
+        .dispatch_indirect(in.strokes.sizes, indirect_offset(shared::list_samples));
+    return {line_points, touches};
+}
+
+/// Makes strokes of one class of lines, each drawn by as many hands as are wanted.
+std::pair<ChainStrokes, std::vector<HandDrawn>> add_class(gpu::Graph& graph, const ContourInputs& page,
+                                                          const ChainInputs& mesh, gpu::BufferId facing,
+                                                          const ChainSamples& samples, LineHistory* history,
+                                                          const ContourStyle& style, LineClass lines)
+{
+    const gpu::BufferId grid =
+        history != nullptr
+            ? gpu::import_whole(graph, "grid now", history->now(lines).grid)
+            : graph.buffer("contour/grid", list_of(grid_cell_count(page.size_px), sizeof(glm::uvec2)));
+    ChainStrokes strokes = add_strokes(graph, samples, grid, page.size_px, lines);
+    const bool recalls_frame = history != nullptr && history->holds_frame(lines);
+    const gpu::BufferId recalls =
+        recalls_frame ? add_recall(graph, strokes, *history, page.size_px, lines) : strokes.strokes_before;
+    const uint32_t hand_count = lines == LineClass::hidden ? 1 : static_cast<uint32_t>(style.strokes);
+    std::vector<HandDrawn> hands;
+    hands.reserve(hand_count);
+    for (uint32_t hand = 0; hand < hand_count; ++hand) {
+        hands.push_back(add_shape(graph,
+                                  {.page = page,
+                                   .mesh = mesh,
+                                   .facing = facing,
+                                   .strokes = strokes,
+                                   .recalls = recalls,
+                                   .history = history,
+                                   .lines = lines,
+                                   .hand = hand},
+                                  style));
+    }
+    return {strokes, std::move(hands)};
+}
+
+} // namespace
+
+ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
+                                 LineHistory* history, const ContourStyle& style)
+{
+    const ChainInputs lines{.frame = in.frame,
+                            .posed_vertices = in.posed_vertices,
+                            .visibility = in.visibility,
+                            .neighbors = gpu::import_whole(graph, "line neighbors", mesh.neighbors),
+                            .line_triangles = gpu::import_whole(graph, "line triangles", mesh.triangles),
+                            .suggestive_cut = {style.suggestive_growth, style.suggestive_deg},
+                            .size_px = in.size_px};
+    const Chains chains = add_chains(graph, lines, mesh, style.silhouettes == Silhouettes::edges);
+    ChainSamples samples = add_samples(graph, lines, chains);
+    // The pen alone needs no brushes.
+    ContourInputs page = in;
+    page.brushes = in.brushes != nullptr && in.brushes->draw_seen_lines() ? in.brushes : nullptr;
+    auto [seen, hands] =
+        add_class(graph, page, lines, chains.facing, samples, history, style, LineClass::seen);
+    ShapedStrokes shaped{.strokes = seen, .facing = chains.facing, .hands = std::move(hands), .hidden = {}};
+    if (style.hidden == Hidden::dashed) {
+        samples.sizes = seen.sizes;
+        auto [hidden, hidden_hands] =
+            add_class(graph, in, lines, chains.facing, samples, history, style, LineClass::hidden);
+        shaped.strokes.sizes = hidden.sizes;
+        shaped.hidden.emplace(hidden, hidden_hands.front());
+    }
+    return shaped;
+}
+
+} // namespace estampe::contour
