@@ -216,7 +216,7 @@ TEST(LineBrush, ARepeatedBrushHoldsToTheSurfaceInMotion)
     style.brush = "charcoal";
     const Steadiness film_of_lines = steadiness_of(film(style, 10, LineClass::seen));
     EXPECT_GT(film_of_lines.compared, 1500U);
-    EXPECT_LT(film_of_lines.slip_px, 0.5)
+    EXPECT_LT(film_of_lines.slip_px, 0.06)
         << film_of_lines.begun_anew << " of " << film_of_lines.compared << " begun anew";
     EXPECT_LT(static_cast<double>(film_of_lines.begun_anew),
               0.005 * static_cast<double>(film_of_lines.compared));
@@ -229,7 +229,7 @@ TEST(LineBrush, DashesOfHiddenLinesHoldToo)
     style.hidden = Hidden::dashed;
     const Steadiness film_of_dashes = steadiness_of(film(style, 6, LineClass::hidden));
     EXPECT_GT(film_of_dashes.compared, 300U);
-    EXPECT_LT(film_of_dashes.slip_px, 0.5)
+    EXPECT_LT(film_of_dashes.slip_px, 0.15)
         << film_of_dashes.begun_anew << " of " << film_of_dashes.compared << " begun anew";
     EXPECT_LT(static_cast<double>(film_of_dashes.begun_anew),
               0.01 * static_cast<double>(film_of_dashes.compared));
