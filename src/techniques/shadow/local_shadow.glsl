@@ -85,11 +85,16 @@ float compare_at(LocalShadow shadow, MapPlace place)
     return mix(mix(lit.x, lit.y, f.x), mix(lit.z, lit.w, f.x), f.y);
 }
 
-// The map's place of a point that is lifted off its plane.
+// The map's place of a point that is lifted off its plane: on the way to the light, which leaves it its texel
+// and its shadow their place; but by no more than a fifth of that way, and the rest along the normal.
 MapPlace lifted_place(LocalShadow shadow, vec3 from_light, vec3 normal)
 {
-    MapPlace place = map_place(shadow, from_light);
-    return map_place(shadow, from_light + normal * lift_m(place, shadow, normal));
+    float lift = lift_m(map_place(shadow, from_light), shadow, normal);
+    float height_m = max(-dot(normal, from_light), 1e-9);
+    float on_the_way_m = min(lift, 0.2 * height_m);
+    MapPlace place = map_place(shadow, from_light + normal * (lift - on_the_way_m));
+    place.along_m *= 1.0 - on_the_way_m / height_m;
+    return place;
 }
 
 // Share of a local light at `light_position` that arrives at a point of anchor space.
@@ -140,8 +145,7 @@ Blocker blocker_at(LocalShadow shadow, LampDisc disc, vec2 aside, vec2 shift)
                   all(lessThan(texel, vec2(shadow.size)));
     float depth = local_depth_at(shadow, place.first_texel, ivec2(texel));
     float blocker_m = shadow.near_m / max(depth, 1e-9);
-    // The receiver is lifted on the way to the light: lifted along its normal, it would have another texel,
-    // and its shadow another place.
+    // Lifted on the way to the light, as in lifted_place().
     float height_m = max(-dot(disc.normal, receiver), max(-dot(disc.normal, disc.from_light), 1e-9));
     float lifted_m = place.along_m * (1.0 - lift_m(place, shadow, disc.normal) / height_m);
     return Blocker(clamp(blocker_m / max(place.along_m, 1e-9) * factor, 1e-6, 0.99999),
