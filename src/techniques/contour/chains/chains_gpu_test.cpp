@@ -137,7 +137,8 @@ TEST(ContourChains, OutlinesOfModelsAreThoseOfASearch)
     const char* folder = std::getenv("ESTAMPE_MODELS");
     for (const char* name :
          {"suzanne.gltf", "fandisk.obj", "teapot.gltf", "spot.obj", "stanford-bunny.obj", "Fox.glb",
-          "FlightHelmet/FlightHelmet.gltf", "CesiumMan/CesiumMan.gltf", "sampleroom.gltf"}) {
+          "FlightHelmet/FlightHelmet.gltf", "CesiumMan/glTF-Binary/CesiumMan.glb", "sampleroom.gltf",
+          "CornellBox/CornellBox.glb", "MixedLightingExample/MixedLightingExample.gltf"}) {
         if (folder == nullptr || !std::filesystem::exists(std::filesystem::path(folder) / name)) {
             continue;
         }
