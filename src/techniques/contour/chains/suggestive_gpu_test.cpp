@@ -179,7 +179,8 @@ TEST(SuggestiveContours, AreThoseOfASearch)
 TEST(SuggestiveContours, OfModelsAreThoseOfASearch)
 {
     const char* folder = std::getenv("ESTAMPE_MODELS");
-    for (const char* name : {"suzanne.gltf", "spot.obj", "stanford-bunny.obj", "CesiumMan/glTF-Binary/CesiumMan.glb"}) {
+    for (const char* name :
+         {"suzanne.gltf", "spot.obj", "stanford-bunny.obj", "CesiumMan/glTF-Binary/CesiumMan.glb"}) {
         if (folder != nullptr && std::filesystem::exists(std::filesystem::path(folder) / name)) {
             const Scene scene = load_scene(std::filesystem::path(folder) / name);
             const Camera camera = framing_camera(scene, pose_scene(scene, 0.0, no_index), 4.0 / 3.0);
