@@ -106,7 +106,7 @@ TEST_F(NamedLightmaps, PicturesLieAsTheUvsSay)
         uv = glm::vec2(0.75F, 0.15F) + 0.1F * uv;
     }
     LightImage light = even(0.9F);
-    for (const size_t texel : {2, 3, 6, 7}) {
+    for (const size_t texel : {2U, 3U, 6U, 7U}) {
         light.texels[texel] = glm::vec3(0.25F);
     }
     const Lightmap map{.pictures = {light}, .of_scene = WornPicture{}};

@@ -60,7 +60,9 @@ glm::dvec3 ray_through(const Camera& camera, const glm::dvec2& page_px)
 
 glm::dvec2 centre_of(size_t pixel)
 {
-    return {static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5};
+    const size_t column = pixel % width;
+    const size_t row = pixel / width;
+    return {static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
 }
 
 RenderSettings settings(double time_s, const std::optional<Moment>& since, glm::uvec2 size_px = small_px)
@@ -325,8 +327,9 @@ TEST(Motion, HatchingHoldsStillUnderIt)
         const Image now = frame(step);
         const std::vector<glm::vec4>& motion = test::shared_renderer().motion().pixels;
         for (size_t i = 0; i < motion.size(); ++i) {
-            const glm::dvec2 here(static_cast<double>(i % large.x) + 0.5,
-                                  static_cast<double>(i / large.x) + 0.5);
+            const size_t column = i % large.x;
+            const size_t row = i / large.x;
+            const glm::dvec2 here(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
             const glm::dvec2 there = here - glm::dvec2(motion[i]);
             if (there.x > 1.0 && there.y > 1.0 && there.x < large.x - 1.0 && there.y < large.y - 1.0) {
                 const double tone = now.rgba[4 * i] / 255.0;

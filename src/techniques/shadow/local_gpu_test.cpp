@@ -96,8 +96,9 @@ Verdict compare(const Scene& scene, const Camera& camera, const Lamp& lamp,
         if (surface.draw[i] == 0 || lit[i].x <= 1e-3F) {
             continue;
         }
-        const glm::dvec2 at_px(static_cast<double>(i % page_px.x) + 0.5,
-                               static_cast<double>(i / page_px.x) + 0.5);
+        const size_t column = i % page_px.x;
+        const size_t row = i / page_px.x;
+        const glm::dvec2 at_px(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
         glm::dvec3 point =
             drawing.point_at(at_px, static_cast<double>(surface.depth[i])) + drawing.layout.anchor;
         const glm::dvec3 way = lamp.position - point;

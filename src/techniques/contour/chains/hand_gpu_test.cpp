@@ -44,7 +44,7 @@ double outline_px(double distance_m, const ContourStyle& style)
     test::Drawing drawing(test::scene_of(shapes::sphere(1.0F, 96, 48)),
                           test::front_camera(distance_m, fov_rad), page_px);
     const std::vector<float> ink = drawing.lines(style, 1.0F);
-    const auto row = ink.begin() + static_cast<std::ptrdiff_t>(page_px.y / 2 * page_px.x);
+    const auto row = ink.begin() + std::ptrdiff_t{page_px.y / 2} * page_px.x;
     return std::accumulate(row + page_px.x / 2, row + page_px.x, 0.0);
 }
 

@@ -66,8 +66,10 @@ Primitive sheet(uint32_t side, const std::function<float(float, float)>& height,
     const auto share = [&] { return static_cast<float>(random() % 1000) / 1000.0F - 0.5F; };
     for (uint32_t i = 0; i < side * side; ++i) {
         const float step = 2.0F / static_cast<float>(side - 1);
-        const float x = static_cast<float>(i % side) * step - 1.0F + noise * step * share();
-        const float y = static_cast<float>(i / side) * step - 1.0F + noise * step * share();
+        const uint32_t column = i % side;
+        const uint32_t row = i / side;
+        const float x = static_cast<float>(column) * step - 1.0F + noise * step * share();
+        const float y = static_cast<float>(row) * step - 1.0F + noise * step * share();
         primitive.positions.emplace_back(x, y, height(x, y));
         primitive.normals.emplace_back(0.0F, 0.0F, 1.0F);
     }

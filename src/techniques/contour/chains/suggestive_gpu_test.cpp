@@ -230,8 +230,9 @@ TEST_F(SuggestiveTorus, HasAllOfThem)
     size_t expected = 0;
     size_t missing = 0;
     for (int i = 0; i < steps * steps; ++i) {
+        const int row = i / steps;
         const double u = step * (i % steps);
-        const double v = step * (i / steps);
+        const double v = step * row;
         const double cosine = torus_.cosine(u, v);
         if ((torus_.radial(u, v) < 0.0) == (torus_.radial(u, v + step) < 0.0) || cosine < 0.05 ||
             std::sqrt(1.0 - cosine * cosine) < std::sin(glm::radians(18.0)) ||
