@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "core/file.hpp"
 #include "option_values.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"

@@ -6,6 +6,7 @@
 
 #include "bake_options.hpp"
 #include "command_examples.hpp"
+#include "core/file.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
 #include "text.hpp"

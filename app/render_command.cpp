@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "core/file.hpp"
 #include "drawing.hpp"
 #include "pass_history.hpp"
 #include "report.hpp"

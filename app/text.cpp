@@ -34,14 +34,6 @@ std::string in_quotes(std::string_view text)
     return '"' + one_line(text) + '"';
 }
 
-std::string lower_extension(const std::filesystem::path& path)
-{
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return extension;
-}
-
 void print_warnings(const std::vector<std::string>& warnings)
 {
     for (const std::string& warning : warnings) {

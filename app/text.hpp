@@ -14,9 +14,6 @@ namespace estampe::app {
 /// The same, in double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// The extension of a file's name in small letters, with its dot.
-[[nodiscard]] std::string lower_extension(const std::filesystem::path& path);
-
 /// Writes "estampe: warning: ..." to stderr for each.
 void print_warnings(const std::vector<std::string>& warnings);
 

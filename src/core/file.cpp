@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/file.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -46,6 +48,14 @@ std::filesystem::path make_temporary(const std::filesystem::path& path)
 }
 
 } // namespace
+
+std::string lower_extension(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return extension;
+}
 
 std::vector<std::byte> read_file(const std::filesystem::path& path, uint64_t max_bytes)
 {

@@ -12,6 +12,9 @@
 
 namespace estampe {
 
+/// The extension of a file's name in small letters, with its dot; empty when it has none.
+[[nodiscard]] std::string lower_extension(const std::filesystem::path& path);
+
 /// Reads a whole regular file. Throws Error naming it when it is missing, is a folder, pipe or device, cannot
 /// be read, or is longer than `max_bytes`.
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& path,

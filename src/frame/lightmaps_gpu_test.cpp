@@ -9,6 +9,7 @@
 #include <estampe/error.hpp>
 #include <estampe/renderer.hpp>
 
+#include "frame/lightmap_test_support.hpp"
 #include "scene/shapes.hpp"
 #include "scene/static_triangles.hpp"
 #include "support/gpu_device.hpp"
@@ -37,23 +38,6 @@ Lightmap map_of(const Scene& scene, LightImage light, float low = 0.0F, float hi
                                  std::clamp(glm::mix(high, low, 0.5F * place.y + 0.5F), 0.0F, 1.0F));
     }
     return map;
-}
-
-LightImage even(float level)
-{
-    return {.width = 4, .height = 4, .texels = std::vector<glm::vec3>(16, glm::vec3(level))};
-}
-
-/// Light alone, as grey: no strokes, lines, shadow or paper, and a tone that is the light.
-Style bare(float ambient)
-{
-    Style style;
-    for (const char* const assignment :
-         {"light.source=scene", "picture.ground=none", "light.falloff=1", "lightmap.balance=false"}) {
-        style.set(assignment);
-    }
-    style.set("light.ambient=" + std::to_string(ambient));
-    return style;
 }
 
 class WornLightmaps : public ::testing::Test {

@@ -32,6 +32,8 @@ bool reaches(const shadow::LocalLight& light, const Bounds& place)
     return glm::length(gap) <= static_cast<double>(light.range_m);
 }
 
+} // namespace
+
 void add_views(std::vector<shared::RasterView>& list, const shadow::LocalLight& light,
                const shared::LocalShadow& shadow)
 {
@@ -45,8 +47,6 @@ void add_views(std::vector<shared::RasterView>& list, const shadow::LocalLight& 
                         .groups = light.casters});
     }
 }
-
-} // namespace
 
 shadow::LocalLight local_light(const shared::LightRecord& record)
 {

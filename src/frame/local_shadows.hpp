@@ -36,6 +36,10 @@ struct PageView {
                                                  const shadow::LocalLight& light, const PageView& page,
                                                  const shadow::ShadowStyle& style);
 
+/// The views that draw the maps of a light, not placed yet.
+void add_views(std::vector<shared::RasterView>& list, const shadow::LocalLight& light,
+               const shared::LocalShadow& shadow);
+
 /// Whether there are casters that may move, and such that never do.
 struct CasterKinds {
     bool moving = false;

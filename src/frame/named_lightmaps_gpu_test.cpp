@@ -5,6 +5,7 @@
 #include <estampe/error.hpp>
 #include <estampe/renderer.hpp>
 
+#include "frame/lightmap_test_support.hpp"
 #include "frame/lightmaps.hpp"
 #include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
@@ -23,22 +24,6 @@ Scene two_panels()
     scene.nodes.push_back({.transform = {.translation = {1.0, 0.0, 0.0}}, .mesh = 0});
     scene.roots.push_back(1);
     return scene;
-}
-
-LightImage even(float level)
-{
-    return {.width = 4, .height = 4, .texels = std::vector<glm::vec3>(16, glm::vec3(level))};
-}
-
-Style bare(float ambient)
-{
-    Style style;
-    for (const char* const assignment :
-         {"light.source=scene", "picture.ground=none", "light.falloff=1", "lightmap.balance=false"}) {
-        style.set(assignment);
-    }
-    style.set("light.ambient=" + std::to_string(ambient));
-    return style;
 }
 
 class NamedLightmaps : public ::testing::Test {

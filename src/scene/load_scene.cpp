@@ -10,6 +10,7 @@
 #include <estampe/error.hpp>
 #include <estampe/scene.hpp>
 
+#include "core/file.hpp"
 #include "scene/assimp/assimp_import.hpp"
 #include "scene/gltf/gltf_import.hpp"
 
@@ -28,9 +29,7 @@ bool is_among(std::string_view extension, std::span<const std::string_view> exte
 
 Scene load_scene(const std::filesystem::path& path)
 {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char character) { return static_cast<char>(std::tolower(character)); });
+    const std::string extension = lower_extension(path);
     if (is_among(extension, gltf_extensions)) {
         return load_gltf(path);
     }

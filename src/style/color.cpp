@@ -6,13 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "core/srgb.hpp"
+
 namespace estampe::style {
 namespace {
-
-double decode(double encoded)
-{
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 double encode(double linear)
 {
@@ -25,7 +22,7 @@ std::string shortest_srgb(float linear)
     const double encoded = encode(linear);
     for (int digits = 1; digits < 17; ++digits) {
         std::string text = fmt::format("{:.{}g}", encoded, digits);
-        if (static_cast<float>(decode(std::stod(text))) == linear) {
+        if (static_cast<float>(estampe::linear_from_srgb(std::stod(text))) == linear) {
             return text;
         }
     }
@@ -36,8 +33,9 @@ std::string shortest_srgb(float linear)
 
 glm::vec3 linear_from_srgb(const glm::dvec3& srgb)
 {
-    return {static_cast<float>(decode(srgb.x)), static_cast<float>(decode(srgb.y)),
-            static_cast<float>(decode(srgb.z))};
+    return {static_cast<float>(estampe::linear_from_srgb(srgb.x)),
+            static_cast<float>(estampe::linear_from_srgb(srgb.y)),
+            static_cast<float>(estampe::linear_from_srgb(srgb.z))};
 }
 
 glm::dvec3 srgb_from_linear(const glm::vec3& linear)

@@ -83,16 +83,8 @@ gpu::BufferId Drawing::add_local_maps(gpu::Graph& graph, const Stage& stage, Lig
         shadows.push_back(shadow::local_shadow(local, setup.local_shadow_size, texel_count,
                                                frame::radius_of(setup.records[i], setup.shadow)));
         setup.records[i].shadow = static_cast<uint32_t>(shadows.size());
-        for (const shadow::LocalView& view : shadow::local_views(local, shadows.back())) {
-            views.push_back({.clip_from_anchor = view.clip_from_anchor,
-                             .eye_anchor = local.position,
-                             .reach_m = local.range_m,
-                             .first_texel = view.first_texel,
-                             .size_px = setup.local_shadow_size,
-                             .origin_px = glm::uvec2(0),
-                             .groups = local.casters});
-            texel_count += setup.local_shadow_size * setup.local_shadow_size;
-        }
+        frame::add_views(views, local, shadows.back());
+        texel_count = static_cast<uint32_t>(views.size()) * setup.local_shadow_size * setup.local_shadow_size;
     }
     raster::place_views(views);
     lamps_variant_ = shadow::lamps_variant(shadows);

@@ -13,6 +13,8 @@
 #include <fmt/format.h>
 #include <glm/glm.hpp>
 
+#include "core/srgb.hpp"
+
 namespace estampe::test {
 
 namespace {
@@ -47,11 +49,7 @@ uint32_t pixel_difference(const uint8_t* a, const uint8_t* b)
 /// Linear red, green and blue over white.
 std::vector<glm::dvec3> linear_pixels(const Image& image)
 {
-    std::array<double, 256> linear{};
-    for (size_t i = 0; i < linear.size(); ++i) {
-        const double v = static_cast<double>(i) / 255.0;
-        linear[i] = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    }
+    const std::array<double, 256> linear = linear_of_srgb_bytes<double>();
     std::vector<glm::dvec3> out(image.rgba.size() / 4);
     for (size_t i = 0; i < out.size(); ++i) {
         const uint8_t* p = &image.rgba[i * 4];

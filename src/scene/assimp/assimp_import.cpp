@@ -11,6 +11,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "scene/assimp/child.hpp"
 #include "scene/assimp/convert.hpp"
@@ -32,14 +33,6 @@ uint64_t size_of_file(const std::filesystem::path& path)
     if (failed || size == 0)
         throw Error(failed ? "cannot be read" : "is empty", path.string(), "check the file");
     return size;
-}
-
-std::string lower_extension(const std::filesystem::path& path)
-{
-    std::string extension = path.extension().string();
-    for (char& character : extension)
-        character = static_cast<char>(std::tolower(static_cast<unsigned char>(character)));
-    return extension;
 }
 
 /// The file as the scene names it, or a file of that name beside the scene: paths of other machines are

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 
 #include <fmt/ranges.h>
@@ -11,6 +10,7 @@
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "core/lightmap_file.hpp"
+#include "core/srgb.hpp"
 #include "scene/gltf/data.hpp"
 
 namespace estampe {
@@ -23,11 +23,7 @@ constexpr const char* extension_key = "MOZ_lightmap";
 
 LightImage linear(const Image& image)
 {
-    std::array<float, 256> table{};
-    for (size_t i = 0; i < table.size(); ++i) {
-        const float x = static_cast<float>(i) / 255.0F;
-        table[i] = x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
-    }
+    const std::array<float, 256> table = linear_of_srgb_bytes<float>();
     LightImage light{.width = image.width, .height = image.height};
     light.texels.reserve(image.rgba.size() / 4);
     for (size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
@@ -229,9 +225,7 @@ private:
 std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file)
 {
     constexpr uint64_t max_file_bytes = uint64_t{1} << 34;
-    std::string extension = scene_file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lower_extension(scene_file);
     if (extension != ".gltf" && extension != ".glb" && extension != ".vrm") {
         return std::nullopt;
     }

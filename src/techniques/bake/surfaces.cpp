@@ -5,18 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "core/srgb.hpp"
+
 namespace estampe::bake {
 namespace {
-
-std::array<float, 256> make_linear()
-{
-    std::array<float, 256> table{};
-    for (size_t i = 0; i < table.size(); ++i) {
-        const float x = static_cast<float>(i) / 255.0F;
-        table[i] = x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
-    }
-    return table;
-}
 
 /// Column or row of a texture, by its wrap mode.
 uint32_t wrapped(float x, uint32_t side, Wrap wrap)
@@ -89,7 +81,7 @@ glm::vec3 Surfaces::smooth_normal(uint32_t triangle, const glm::vec2& weights) c
 
 glm::vec4 Surfaces::texel(const TextureRef& reference, uint32_t triangle, const glm::vec2& weights) const
 {
-    static const std::array<float, 256> linear = make_linear();
+    static const std::array<float, 256> linear = linear_of_srgb_bytes<float>();
     if (reference.texture == no_index) {
         return glm::vec4(1.0F);
     }

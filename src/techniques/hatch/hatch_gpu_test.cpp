@@ -9,6 +9,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "core/srgb.hpp"
 #include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
@@ -45,8 +46,7 @@ double mean_ink(const Image& image)
 {
     double sum = 0.0;
     for (size_t i = 0; i < image.rgba.size(); i += 4) {
-        const double encoded = image.rgba[i] / 255.0;
-        sum += 1.0 - (encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+        sum += 1.0 - linear_from_srgb(image.rgba[i] / 255.0);
     }
     return sum / static_cast<double>(image.rgba.size() / 4);
 }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/srgb.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "techniques/surface/mips.hpp"
@@ -42,8 +43,7 @@ shared::TextureSlot slot(const Scene& scene, const TexturePlan& plan, const Text
 
 float linear(uint8_t encoded)
 {
-    const float x = static_cast<float>(encoded) / 255.0F;
-    return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+    return linear_from_srgb(static_cast<float>(encoded) / 255.0F);
 }
 
 /// Mean linear colour of a texture, over about four thousand texels; see-through ones do not count.

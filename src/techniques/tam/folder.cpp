@@ -27,14 +27,6 @@ constexpr uint64_t max_image_bytes = uint64_t{1} << 27;
 constexpr const char* naming =
     "name them tone1.png, tone2.png, ... or tone1_level0.png, tone1_level1.png, ...";
 
-std::string extension_of(const fs::path& path)
-{
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return extension;
-}
-
 /// The numbers in the stem of a name, left to right: {1, 0} of "tone1_level0".
 std::vector<size_t> numbers_in(const std::string& stem)
 {
@@ -69,7 +61,7 @@ Placed placed_files(const fs::path& folder, const std::string& extension)
     }
     for (const fs::directory_entry& entry : entries) {
         const fs::path& file = entry.path();
-        if (extension_of(file) != extension || file.stem().string().starts_with("threshold")) {
+        if (lower_extension(file) != extension || file.stem().string().starts_with("threshold")) {
             continue;
         }
         const std::vector<size_t> numbers = numbers_in(file.stem().string());
@@ -263,10 +255,10 @@ PaintedMap read_map(const fs::path& path)
     if (fs::is_directory(path)) {
         return read_folder(path);
     }
-    if (extension_of(path) == ".tam") {
+    if (lower_extension(path) == ".tam") {
         return {load_tam(path), {}};
     }
-    if (extension_of(path) == ".dds") {
+    if (lower_extension(path) == ".dds") {
         DdsImages images = decode_dds(read_file(path, max_file_bytes), path.string());
         return complete_map(std::move(images.level_of_layer), images.size_px, {}, path.string());
     }
@@ -284,7 +276,7 @@ void write_map(const TonalArtMap& map, const fs::path& path)
     check_map(map, {});
     if (is_folder_name(path)) {
         write_folder_at_once(map, path);
-    } else if (extension_of(path) == ".dds") {
+    } else if (lower_extension(path) == ".dds") {
         write_file_atomically(path, encode_dds(map));
     } else {
         save_tam(map, path);

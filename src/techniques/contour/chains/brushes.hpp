@@ -40,6 +40,12 @@ struct BrushImages {
     }
 };
 
+/// For what is seen: none where the pen alone draws that.
+[[nodiscard]] inline BrushImages* brushes_of_seen_lines(BrushImages* brushes)
+{
+    return brushes != nullptr && brushes->draw_seen_lines() ? brushes : nullptr;
+}
+
 /// Uploads all strips with their levels, each the mean of four texels of the one before. There is at least
 /// one strip. Throws Error when memory runs out.
 [[nodiscard]] BrushImages upload_brushes(gpu::Device& device, const BrushSet& brushes);

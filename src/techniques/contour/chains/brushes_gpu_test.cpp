@@ -26,17 +26,6 @@ using shared::Stroke;
 constexpr glm::uvec2 page_px{480, 360};
 constexpr double most_slip_px = 8.0; // what moved farther did not slip
 
-/// Lines of one width, in pixels.
-ContourStyle even_lines(float width_px)
-{
-    ContourStyle style;
-    style.outline_mm = style.boundary_mm = style.crease_mm = width_px;
-    style.pressure = 0.0F;
-    style.distance_thinning = 0.0F;
-    style.taper_mm = 0.0F;
-    return style;
-}
-
 /// A stroke that is inked from a quarter to a half of its length, on its left.
 Image marked_picture()
 {

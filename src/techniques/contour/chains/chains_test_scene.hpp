@@ -5,6 +5,7 @@
 
 #include "scene/shapes.hpp"
 #include "support/scenes.hpp"
+#include "techniques/contour/contour.hpp"
 
 namespace estampe::contour {
 
@@ -22,6 +23,17 @@ inline Scene shapes_scene()
 inline Camera view_from_above()
 {
     return {.eye = {3.1, 2.6, 6.3}, .target = {0.1, 0.0, 0.2}};
+}
+
+/// Lines of one width, in pixels.
+inline ContourStyle even_lines(float width_px)
+{
+    ContourStyle style;
+    style.outline_mm = style.boundary_mm = style.crease_mm = width_px;
+    style.pressure = 0.0F;
+    style.distance_thinning = 0.0F;
+    style.taper_mm = 0.0F;
+    return style;
 }
 
 } // namespace estampe::contour

@@ -16,17 +16,6 @@ namespace {
 constexpr glm::uvec2 page_px{400, 300};
 constexpr double fov_rad = 0.8;
 
-/// Lines of one width, in pixels.
-ContourStyle even_lines(float width_px)
-{
-    ContourStyle style;
-    style.outline_mm = style.boundary_mm = style.crease_mm = width_px;
-    style.pressure = 0.0F;
-    style.distance_thinning = 0.0F;
-    style.taper_mm = 0.0F;
-    return style;
-}
-
 float at(const std::vector<float>& ink, const glm::dvec2& place_px)
 {
     const glm::ivec2 pixel(glm::floor(place_px));

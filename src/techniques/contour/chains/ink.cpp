@@ -113,7 +113,7 @@ Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& s
     Inked inked{add_zeros(graph, "contour/inked", sizeof(uint32_t) * in.size_px.x * in.size_px.y + 16, false),
                 add_zeros(graph, "contour/ink tiles", 16 + 8 * tiles, true)};
     ContourInputs seen = in;
-    seen.brushes = in.brushes != nullptr && in.brushes->draw_seen_lines() ? in.brushes : nullptr;
+    seen.brushes = brushes_of_seen_lines(in.brushes);
     for (const HandDrawn& hand : shaped.hands) {
         add_pieces(graph, seen, shaped.strokes, hand, style, inked);
         if (style.joints == Joints::mitre) {

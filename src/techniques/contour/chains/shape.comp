@@ -76,9 +76,9 @@ layout(push_constant, scalar) uniform Constants
 };
 
 // Bit 0: some material brings an outline of its own. Bit 1: there was a frame before this. Bit 2: there will
-// be one after it. Bit 3: brushes draw. Bit 4: the hand sways. Bit 5: it
-// strays, or draws a line again. Bit 6: some widths are those of the scene. Bit 7: strokes swell where they
-// bend. Bit 8: they do not where it is dark. Bit 9: these are hidden lines.
+// be one after it. Bit 3: brushes draw. Bit 4: the hand sways. Bit 5: it strays, or draws a line again. Bit
+// 6: some widths are those of the scene. Bit 7: strokes swell where they bend. Bit 8: they do not where it is
+// dark. Bit 9: these are hidden lines.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_own_outlines = (variant & 1u) != 0u;
 const bool recalls_frame = (variant & 2u) != 0u;

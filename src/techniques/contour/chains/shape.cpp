@@ -186,7 +186,7 @@ ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, Lin
     ChainSamples samples = add_samples(graph, lines, chains);
     // The pen alone needs no brushes.
     ContourInputs page = in;
-    page.brushes = in.brushes != nullptr && in.brushes->draw_seen_lines() ? in.brushes : nullptr;
+    page.brushes = brushes_of_seen_lines(in.brushes);
     auto [seen, hands] =
         add_class(graph, page, lines, chains.facing, samples, history, style, LineClass::seen);
     ShapedStrokes shaped{.strokes = seen, .facing = chains.facing, .hands = std::move(hands), .hidden = {}};

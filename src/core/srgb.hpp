@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+
+namespace estampe {
+
+/// Linear value, 0 to 1, of a component that is encoded as sRGB (IEC 61966-2-1), 0 to 1.
+template <std::floating_point T>
+[[nodiscard]] T linear_from_srgb(T encoded)
+{
+    return encoded <= T(0.04045) ? encoded / T(12.92) : std::pow((encoded + T(0.055)) / T(1.055), T(2.4));
+}
+
+/// The same of each byte.
+template <std::floating_point T>
+[[nodiscard]] std::array<T, 256> linear_of_srgb_bytes()
+{
+    std::array<T, 256> table{};
+    for (size_t i = 0; i < table.size(); ++i) {
+        table[i] = linear_from_srgb(static_cast<T>(i) / T(255));
+    }
+    return table;
+}
+
+} // namespace estampe
