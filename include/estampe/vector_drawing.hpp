@@ -13,15 +13,17 @@ namespace estampe {
 
 /// What a stroke stands for, in the order in which strokes lie upon each other.
 enum class StrokeKind : uint8_t {
-    hatch,      ///< carries tone
-    suggestive, ///< where a surface would turn away if the eye moved
-    valley,     ///< along a rounded fold inwards
-    ridge,      ///< along a rounded fold outwards
-    crease,     ///< along a sharp fold
-    marked,     ///< along an edge that the file marks
-    boundary,   ///< between materials
-    border,     ///< where a surface ends
-    outline,    ///< where a surface turns away
+    hatch,        ///< carries tone
+    shadow,       ///< along the edge of a shadow
+    suggestive,   ///< where a surface would turn away if the eye moved
+    valley,       ///< along a rounded fold inwards
+    ridge,        ///< along a rounded fold outwards
+    crease,       ///< along a sharp fold
+    marked,       ///< along an edge that the file marks
+    intersection, ///< where objects run into each other
+    boundary,     ///< between materials
+    border,       ///< where a surface ends
+    outline,      ///< where a surface turns away
 };
 
 /// The same word: "hatch", "crease" and so on.

@@ -51,8 +51,9 @@ std::span<const T> items_of(const gpu::Buffer& buffer, uint64_t offset_bytes = 0
 StrokeKind kind_of_line(uint32_t kind)
 {
     constexpr std::array<StrokeKind, shared::line_kind_count> kinds{
-        StrokeKind::outline, StrokeKind::border, StrokeKind::boundary, StrokeKind::crease,
-        StrokeKind::marked,  StrokeKind::ridge,  StrokeKind::valley,   StrokeKind::suggestive};
+        StrokeKind::outline,      StrokeKind::border, StrokeKind::boundary, StrokeKind::crease,
+        StrokeKind::marked,       StrokeKind::ridge,  StrokeKind::valley,   StrokeKind::suggestive,
+        StrokeKind::intersection, StrokeKind::shadow};
     return kinds.at(kind);
 }
 
@@ -141,9 +142,10 @@ void add_hatching(Gathering& gathering, const StrokeLists& lists, const DrawnSce
 /// Of hidden lines, one for each kind.
 contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float pixels_per_mm)
 {
-    contour::LineWidths widths{contour.outline_mm, contour.outline_mm,   contour.boundary_mm,
-                               contour.crease_mm,  contour.marked_mm,    contour.ridge_mm,
-                               contour.valley_mm,  contour.suggestive_mm};
+    contour::LineWidths widths{contour.outline_mm, contour.outline_mm,    contour.boundary_mm,
+                               contour.crease_mm,  contour.marked_mm,     contour.ridge_mm,
+                               contour.valley_mm,  contour.suggestive_mm, contour.intersection_mm,
+                               contour.shadow_mm};
     for (float& width : widths) {
         const float own_mm = width > 0.0F ? contour.hidden_mm : 0.0F;
         width = pixels_per_mm * (contour.hidden != contour::Hidden::none ? own_mm : hidden_share * width);

@@ -21,7 +21,7 @@ namespace {
 
 using output::number;
 
-constexpr size_t kind_count = 9;
+constexpr size_t kind_count = 11;
 
 std::string color_text(const glm::vec3& srgb)
 {
@@ -199,8 +199,9 @@ std::string layers_by_pen(const VectorDrawing& drawing, float tolerance_mm)
 
 const char* name_of(StrokeKind kind)
 {
-    constexpr std::array<const char*, kind_count> names{"hatch",  "suggestive", "valley", "ridge",  "crease",
-                                                        "marked", "boundary",   "border", "outline"};
+    constexpr std::array<const char*, kind_count> names{"hatch",    "shadow", "suggestive", "valley",
+                                                        "ridge",    "crease", "marked",     "intersection",
+                                                        "boundary", "border", "outline"};
     return names.at(static_cast<size_t>(kind));
 }
 

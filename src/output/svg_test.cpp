@@ -93,6 +93,18 @@ TEST(Svg, LayersAreKindsAndGroupsAreObjects)
     EXPECT_STREQ(hidden.attribute("inkscape:label").value(), "caf\xc3\xa9 ? ");
 }
 
+TEST(Svg, EachKindHasANameOfItsOwn)
+{
+    std::set<std::string> names;
+    for (auto kind = StrokeKind::hatch; kind <= StrokeKind::outline;
+         kind = static_cast<StrokeKind>(static_cast<uint8_t>(kind) + 1)) {
+        EXPECT_TRUE(names.insert(name_of(kind)).second) << name_of(kind);
+    }
+    EXPECT_STREQ(name_of(StrokeKind::shadow), "shadow");
+    EXPECT_STREQ(name_of(StrokeKind::intersection), "intersection");
+    EXPECT_STREQ(name_of(StrokeKind::outline), "outline");
+}
+
 TEST(Svg, OneWidthIsALineAndManyAreAnArea)
 {
     const pugi::xml_document document = parsed(sheet());

@@ -38,6 +38,8 @@ struct ContourStyle {
     float suggestive_mm = 0.0F;
     float suggestive_growth = 15.0F;
     float suggestive_deg = 20.0F;
+    float intersection_mm = 0.0F;
+    float shadow_mm = 0.0F;
     float depth_step = 1.0F;
     std::string brush = "pen";
     std::string outline_brush;
@@ -112,6 +114,10 @@ inline const style::Table<ContourStyle>& contour_table()
                     "less draws more")
             .number("suggestive_deg", &ContourStyle::suggestive_deg, {1.0F, 89.0F}, "deg",
                     "Least angle between the view and a surface that has suggestive contours")
+            .number("intersection_mm", &ContourStyle::intersection_mm, {0.0F, 20.0F}, "mm",
+                    "Width where objects run into each other, drawn by chains; 0 draws none")
+            .number("shadow_mm", &ContourStyle::shadow_mm, {0.0F, 20.0F}, "mm",
+                    "Width along edges of the sun's shadows, drawn by chains; 0 draws none")
             .number("depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",
                     "How far a surface must fall away behind another to be lined: less draws more")
             .file_or_name("brush", &ContourStyle::brush, brush_names(),

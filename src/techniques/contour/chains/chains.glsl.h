@@ -166,6 +166,8 @@ struct ShapeConstants {
     float ridge_px;
     float valley_px;
     float suggestive_px;
+    float intersection_px;
+    float shadow_px;
     float taper_px;
     float overshoot_px;
     float wobble_px;
@@ -216,7 +218,9 @@ inline constexpr uint line_marked = 4U;
 inline constexpr uint line_ridge = 5U;
 inline constexpr uint line_valley = 6U;
 inline constexpr uint line_suggestive = 7U;
-inline constexpr uint line_kind_count = 8U;
+inline constexpr uint line_intersection = 8U;
+inline constexpr uint line_shadow = 9U;
+inline constexpr uint line_kind_count = 10U;
 inline constexpr uint list_segments = 0U;
 inline constexpr uint list_points = 1U;
 inline constexpr uint list_samples = 2U;
@@ -253,6 +257,8 @@ inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of th
 #define LINE_RIDGE 5u
 #define LINE_VALLEY 6u
 #define LINE_SUGGESTIVE 7u
+#define LINE_INTERSECTION 8u
+#define LINE_SHADOW 9u
 #define LIST_SEGMENTS 0u
 #define LIST_POINTS 1u
 #define LIST_SAMPLES 2u

@@ -18,14 +18,16 @@ uint kind_now(uint source)
 
 float width_of(uint kind)
 {
-    return kind == LINE_SILHOUETTE   ? constants.silhouette_px
-           : kind == LINE_BORDER     ? constants.border_px
-           : kind == LINE_BOUNDARY   ? constants.boundary_px
-           : kind == LINE_MARKED     ? constants.marked_px
-           : kind == LINE_RIDGE      ? constants.ridge_px
-           : kind == LINE_VALLEY     ? constants.valley_px
-           : kind == LINE_SUGGESTIVE ? constants.suggestive_px
-                                     : constants.crease_px;
+    return kind == LINE_SILHOUETTE     ? constants.silhouette_px
+           : kind == LINE_BORDER       ? constants.border_px
+           : kind == LINE_BOUNDARY     ? constants.boundary_px
+           : kind == LINE_MARKED       ? constants.marked_px
+           : kind == LINE_RIDGE        ? constants.ridge_px
+           : kind == LINE_VALLEY       ? constants.valley_px
+           : kind == LINE_SUGGESTIVE   ? constants.suggestive_px
+           : kind == LINE_INTERSECTION ? constants.intersection_px
+           : kind == LINE_SHADOW       ? constants.shadow_px
+                                       : constants.crease_px;
 }
 
 float width_m_of(uint kind)

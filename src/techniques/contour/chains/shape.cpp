@@ -83,6 +83,8 @@ shared::ShapeConstants shape_constants(const ShapeInputs& in, const ContourStyle
                                      .ridge_px = style.ridge_mm * pixels_per_mm,
                                      .valley_px = style.valley_mm * pixels_per_mm,
                                      .suggestive_px = style.suggestive_mm * pixels_per_mm,
+                                     .intersection_px = style.intersection_mm * pixels_per_mm,
+                                     .shadow_px = style.shadow_mm * pixels_per_mm,
                                      .taper_px = style.taper_mm * pixels_per_mm,
                                      .overshoot_px = style.overshoot_mm * pixels_per_mm,
                                      .wobble_px = style.wobble_mm * pixels_per_mm,
@@ -104,7 +106,8 @@ shared::ShapeConstants shape_constants(const ShapeInputs& in, const ContourStyle
     if (in.lines == LineClass::hidden) {
         for (float* width_px :
              {&constants.silhouette_px, &constants.border_px, &constants.boundary_px, &constants.crease_px,
-              &constants.marked_px, &constants.ridge_px, &constants.valley_px, &constants.suggestive_px}) {
+              &constants.marked_px, &constants.ridge_px, &constants.valley_px, &constants.suggestive_px,
+              &constants.intersection_px, &constants.shadow_px}) {
             *width_px = *width_px > 0.0F ? style.hidden_mm * pixels_per_mm : 0.0F;
         }
         constants.taper_px = constants.overshoot_px = constants.pressure = 0.0F;
