@@ -101,10 +101,15 @@ bool is_pen(const std::string& brush)
 
 BrushChoice brush_choice(const contour::ContourStyle& style)
 {
-    const auto or_all = [&](const std::string& own) { return own.empty() ? style.brush : own; };
-    BrushChoice choice{.brush_of_use = {or_all(style.outline_brush), or_all(style.boundary_brush),
-                                        or_all(style.crease_brush)},
-                       .fit = style.brush_fit};
+    BrushChoice choice{.fit = style.brush_fit};
+    for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
+        const std::string& own = style.*contour::line_kind_keys.at(kind).brush;
+        // Of the rest there are lines without a width: a material may bring it.
+        const bool is_found = kind < shared::line_marked || contour::has_lines(style, kind);
+        if (is_found) {
+            choice.brush_of_kind.at(kind) = own.empty() ? style.brush : own;
+        }
+    }
     if (style.hidden == contour::Hidden::dashed) {
         choice.dash_mm = style.hidden_dash_mm;
         choice.gap_mm = style.hidden_gap_mm;
@@ -116,7 +121,7 @@ BrushChoice brush_choice(const contour::ContourStyle& style)
 bool is_drawn_by_pen(const contour::ContourStyle& style)
 {
     const BrushChoice choice = brush_choice(style);
-    return std::ranges::all_of(choice.brush_of_use, is_pen);
+    return std::ranges::all_of(choice.brush_of_kind, is_pen);
 }
 
 std::optional<contour::BrushSet> load_brushes(const contour::ContourStyle& style)
@@ -124,8 +129,8 @@ std::optional<contour::BrushSet> load_brushes(const contour::ContourStyle& style
     const BrushChoice choice = brush_choice(style);
     contour::BrushSet set;
     std::map<std::string, uint32_t> known;
-    for (size_t use = 0; use < choice.brush_of_use.size(); ++use) {
-        const std::string& brush = choice.brush_of_use.at(use);
+    for (size_t kind = 0; kind < choice.brush_of_kind.size(); ++kind) {
+        const std::string& brush = choice.brush_of_kind.at(kind);
         if (is_pen(brush)) {
             continue;
         }
@@ -133,7 +138,7 @@ std::optional<contour::BrushSet> load_brushes(const contour::ContourStyle& style
         if (is_new) {
             set.strips.push_back(strip_of(brush, choice.fit));
         }
-        set.strip_of_use.at(use) = place->second;
+        set.strip_of_use.at(kind) = place->second;
     }
     if (choice.dash_mm > 0.0F) {
         set.strip_of_use.at(shared::brush_hidden) = static_cast<uint32_t>(set.strips.size());

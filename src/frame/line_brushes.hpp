@@ -14,8 +14,9 @@ namespace estampe::frame {
 
 /// What the brushes of a style depend on.
 struct BrushChoice {
-    std::array<std::string, shared::brush_hidden>
-        brush_of_use; ///< a name of contour::brush_names(), or a path
+    /// A name of contour::brush_names() or a path; empty, for the pen, where lines of that kind are not
+    /// looked for.
+    std::array<std::string, shared::line_kind_count> brush_of_kind;
     contour::BrushFit fit = contour::BrushFit::repeat;
     float dash_mm = 0.0F; ///< of hidden lines; 0 for none
     float gap_mm = 0.0F;

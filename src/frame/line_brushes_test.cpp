@@ -27,8 +27,36 @@ TEST(LineBrushes, EachKindOfLineHasItsOwnOrThatOfAll)
     const auto set = load_brushes(style);
     ASSERT_TRUE(set);
     EXPECT_EQ(set->strips.size(), 2U);
-    EXPECT_FALSE(set->strip_of_use[shared::brush_outline]);
-    EXPECT_NE(set->strip_of_use[shared::brush_boundary], set->strip_of_use[shared::brush_crease]);
+    EXPECT_FALSE(set->strip_of_use[shared::line_silhouette]);
+    EXPECT_FALSE(set->strip_of_use[shared::line_border]);
+    EXPECT_NE(set->strip_of_use[shared::line_boundary], set->strip_of_use[shared::line_crease]);
+}
+
+TEST(LineBrushes, NoKindBorrowsFromAnother)
+{
+    for (const contour::LineKindKeys& keys : contour::line_kind_keys) {
+        contour::ContourStyle style;
+        style.*keys.width_mm = 0.3F;
+        style.*keys.brush = "brush";
+        const auto set = load_brushes(style);
+        ASSERT_TRUE(set) << keys.name;
+        EXPECT_FALSE(is_drawn_by_pen(style)) << keys.name;
+        for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
+            const bool is_this = contour::line_kind_keys[kind].brush == keys.brush;
+            EXPECT_EQ(set->strip_of_use[kind].has_value(), is_this) << keys.name << ", " << kind;
+        }
+        EXPECT_FALSE(set->strip_of_use[shared::brush_hidden]);
+    }
+}
+
+TEST(LineBrushes, LinesThatAreNotLookedForNeedNone)
+{
+    contour::ContourStyle style;
+    style.ridge_brush = "brush";
+    EXPECT_FALSE(load_brushes(style));
+    EXPECT_TRUE(is_drawn_by_pen(style));
+    style.ridge_m = 0.01F;
+    EXPECT_TRUE(load_brushes(style));
 }
 
 TEST(LineBrushes, ToolsAreNeitherBlankNorSolidAndMeetWhereTheyRepeat)

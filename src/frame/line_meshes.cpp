@@ -104,10 +104,11 @@ contour::LineMesh* LineMeshes::provide(gpu::Device& device, const pose::MeshData
     if (!edges_) {
         edges_ = edge_mesh_of(layout);
     }
-    const Choice choice{.features = {.crease_deg = style.crease_deg, .marked = style.marked_mm > 0.0F},
-                        .ridges = {style.ridge_mm > 0.0F, style.valley_mm > 0.0F, style.ridge_deg},
+    const auto has = [&](uint32_t kind) { return contour::has_lines(style, kind); };
+    const Choice choice{.features = {.crease_deg = style.crease_deg, .marked = has(shared::line_marked)},
+                        .ridges = {has(shared::line_ridge), has(shared::line_valley), style.ridge_deg},
                         .along_edges = style.silhouettes == contour::Silhouettes::edges,
-                        .suggestive = style.suggestive_mm > 0.0F};
+                        .suggestive = has(shared::line_suggestive)};
     if (!lines_ || choice_ != choice) {
         make_lines(device, layout, choice);
         choice_ = choice;

@@ -142,13 +142,12 @@ void add_hatching(Gathering& gathering, const StrokeLists& lists, const DrawnSce
 /// Of hidden lines, one for each kind.
 contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float pixels_per_mm)
 {
-    contour::LineWidths widths{contour.outline_mm, contour.outline_mm,    contour.boundary_mm,
-                               contour.crease_mm,  contour.marked_mm,     contour.ridge_mm,
-                               contour.valley_mm,  contour.suggestive_mm, contour.intersection_mm,
-                               contour.shadow_mm};
-    for (float& width : widths) {
-        const float own_mm = width > 0.0F ? contour.hidden_mm : 0.0F;
-        width = pixels_per_mm * (contour.hidden != contour::Hidden::none ? own_mm : hidden_share * width);
+    contour::LineWidths widths{};
+    for (uint32_t kind = 0; kind < widths.size(); ++kind) {
+        const float width_mm = contour::width_on_page_mm(contour, kind);
+        const float own_mm = width_mm > 0.0F ? contour.hidden_mm : 0.0F;
+        widths.at(kind) =
+            pixels_per_mm * (contour.hidden != contour::Hidden::none ? own_mm : hidden_share * width_mm);
     }
     return widths;
 }

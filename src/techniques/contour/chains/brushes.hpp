@@ -23,14 +23,14 @@ struct BrushStrip {
 /// Which brush each kind of line has.
 struct BrushSet {
     std::vector<BrushStrip> strips;
-    /// By shared::brush_outline and so on, into `strips`; none for the pen.
-    std::array<std::optional<uint32_t>, shared::brush_count> strip_of_use;
+    /// By kind of line and shared::brush_hidden, into `strips`; none for the pen.
+    std::array<std::optional<uint32_t>, shared::brush_use_count> strip_of_use;
 };
 
 struct BrushImages {
     gpu::Image strips; ///< r8, a layer a strip
-    std::array<std::optional<uint32_t>, shared::brush_count> layer_of_use;
-    std::array<float, shared::brush_count> widths_of_use{};
+    std::array<std::optional<uint32_t>, shared::brush_use_count> layer_of_use;
+    std::array<float, shared::brush_use_count> widths_of_use{};
 
     /// Whether what is seen has others than the pen.
     [[nodiscard]] bool draw_seen_lines() const

@@ -45,6 +45,56 @@ float at(const std::vector<float>& ink, const glm::vec2& place_px)
     return ink[static_cast<size_t>(pixel.y) * page_px.x + static_cast<size_t>(pixel.x)];
 }
 
+/// Of places along a straight stroke those where ink or paper is not as marked_picture() has it.
+size_t places_off(const test::ChainLists& lists, const Stroke& stroke, const std::vector<float>& ink)
+{
+    const uint32_t steps = stroke.last - stroke.first;
+    const glm::vec2 way =
+        glm::normalize(lists.samples[stroke.last].page_px - lists.samples[stroke.first].page_px);
+    const glm::vec2 left(way.y, -way.x); // the page's y points down
+    size_t off = 0;
+    for (uint32_t i = steps / 8; i <= steps - steps / 8; ++i) {
+        const LineSample& sample = lists.samples[stroke.first + i];
+        const float along = static_cast<float>(i) / static_cast<float>(steps);
+        const bool is_inked = along > 0.27F && along < 0.48F;
+        const bool is_blank = along < 0.23F || along > 0.52F;
+        const float on_left = at(ink, sample.page_px + 3.0F * left);
+        off += (is_inked && on_left < 0.95F) || (is_blank && on_left > 0.05F) ? 1U : 0U;
+        off += (is_inked || is_blank) && at(ink, sample.page_px - 3.0F * left) > 0.05F ? 1U : 0U;
+    }
+    return off;
+}
+
+/// Strokes of some length, and those of them that are drawn with marked_picture().
+struct StrokeCount {
+    size_t all = 0;
+    size_t of_picture = 0;
+};
+
+StrokeCount count_pictured(test::Drawing& drawing, const ContourStyle& style)
+{
+    const std::vector<float> ink = drawing.lines(style, 1.0F);
+    const test::ChainLists lists = drawing.chains(style);
+    StrokeCount count;
+    for (const Stroke& stroke : lists.strokes) {
+        if (stroke.last - stroke.first >= 16) {
+            ++count.all;
+            count.of_picture += places_off(lists, stroke, ink) == 0 ? 1U : 0U;
+        }
+    }
+    return count;
+}
+
+Primitive large_box()
+{
+    return shapes::box({1.6F, 1.6F, 1.6F});
+}
+
+Camera view_of_box()
+{
+    return {.eye = {2.2, 2.7, 3.1}, .target = {0.0, 0.75, 0.0}};
+}
+
 TEST(LineBrush, APictureLiesWhereItShouldAlongAndAcrossAStretchedStroke)
 {
     const test::Folder folder;
@@ -52,36 +102,30 @@ TEST(LineBrush, APictureLiesWhereItShouldAlongAndAcrossAStretchedStroke)
     ContourStyle style = even_lines(12.0F);
     style.brush = (folder / "stroke.png").string();
     style.brush_fit = BrushFit::stretch;
-    test::Drawing drawing(test::scene_of(shapes::box({1.6F, 1.6F, 1.6F})),
-                          {.eye = {2.2, 2.7, 3.1}, .target = {0.0, 0.75, 0.0}}, page_px);
-    const std::vector<float> ink = drawing.lines(style, 1.0F);
-    const test::ChainLists lists = drawing.chains(style);
-    size_t strokes = 0;
-    for (const Stroke& stroke : lists.strokes) {
-        const uint32_t steps = stroke.last - stroke.first;
-        if (steps < 16) {
-            continue;
-        }
-        ++strokes;
-        for (uint32_t i = steps / 8; i <= steps - steps / 8; ++i) {
-            const LineSample& sample = lists.samples[stroke.first + i];
-            const glm::vec2 way =
-                glm::normalize(lists.samples[stroke.last].page_px - lists.samples[stroke.first].page_px);
-            const glm::vec2 left(way.y, -way.x); // the page's y points down
-            const float along = static_cast<float>(i) / static_cast<float>(steps);
-            const bool is_inked = along > 0.27F && along < 0.48F;
-            const bool is_blank = along < 0.23F || along > 0.52F;
-            if (is_inked) {
-                EXPECT_GT(at(ink, sample.page_px + 3.0F * left), 0.95F) << along;
-                EXPECT_LT(at(ink, sample.page_px - 3.0F * left), 0.05F) << along;
-            }
-            if (is_blank) {
-                EXPECT_LT(at(ink, sample.page_px + 3.0F * left), 0.05F) << along;
-                EXPECT_LT(at(ink, sample.page_px - 3.0F * left), 0.05F) << along;
-            }
-        }
-    }
-    EXPECT_EQ(strokes, 9U);
+    test::Drawing drawing(test::scene_of(large_box()), view_of_box(), page_px);
+    const StrokeCount strokes = count_pictured(drawing, style);
+    EXPECT_EQ(strokes.all, 9U);
+    EXPECT_EQ(strokes.of_picture, 9U);
+}
+
+TEST(LineBrush, AMarkedEdgeHasItsOwnAndNotThatOfCreases)
+{
+    const test::Folder folder;
+    save_png(marked_picture(), folder / "stroke.png");
+    Primitive marked_box = large_box();
+    marked_box.edge_marks.assign(marked_box.indices.size() / 3, 0);
+    marked_box.edge_marks[0] = 2; // the upright edge between two seen sides
+    test::Drawing marked(test::scene_of(marked_box), view_of_box(), page_px);
+    test::Drawing creased(test::scene_of(large_box()), view_of_box(), page_px);
+    ContourStyle style = even_lines(12.0F);
+    style.marked_mm = 12.0F;
+    style.brush_fit = BrushFit::stretch;
+    style.marked_brush = (folder / "stroke.png").string();
+    EXPECT_EQ(count_pictured(marked, style).of_picture, 1U);
+    EXPECT_EQ(count_pictured(creased, style).of_picture, 0U);
+    std::swap(style.marked_brush, style.crease_brush);
+    EXPECT_EQ(count_pictured(marked, style).of_picture, 0U);
+    EXPECT_EQ(count_pictured(creased, style).of_picture, 3U);
 }
 
 TEST(LineBrush, APenBesideOtherBrushesDrawsAsItDoesAlone)

@@ -5,6 +5,7 @@
 // of the outline a triangle, or after all triangles a loose edge; after those, of a suggestive contour, a
 // triangle again. A slot is a chain: first those of features, then one for each segment found, of
 // which only the one that stands for its whole chain is not empty.
+#include "techniques/contour/chains/line_kinds.glsl.h"
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -111,7 +112,7 @@ struct LineTouch {
     float along_px; // from the end where the stroke starts
     float whole_px;
     uint way;  // along the line, two signed halves
-    uint uses; // which brush, and whether the stroke starts or ends here: see the bits below
+    uint uses; // of which brush, and whether the stroke starts or ends here: see the bits below
 };
 
 // How many there are of something, and the arguments of a dispatch with a thread for each.
@@ -158,30 +159,18 @@ struct ViewBendConstants {
 };
 
 struct ShapeConstants {
-    float silhouette_px; // whole widths
-    float border_px;
-    float boundary_px;
-    float crease_px;
-    float marked_px;
-    float ridge_px;
-    float valley_px;
-    float suggestive_px;
-    float intersection_px;
-    float shadow_px;
+    float width_of_kind[10]; // whole ones, in pixels or metres
+    uint metre_kinds;        // a bit a kind
     float taper_px;
     float overshoot_px;
     float wobble_px;
     float pressure;
     float distance_thinning;
     uint seed;
-    float wave_px;      // of the hand's sway
-    float settling;     // share of what a brush is off its even place that it loses in a frame
-    float silhouette_m; // in place of pixels, where it is not 0
-    float border_m;
-    float boundary_m;
-    float crease_m;
-    float turn_px; // radius of a bend that is pressed fully
-    uint hand;     // how often the line was drawn before
+    float wave_px;  // of the hand's sway
+    float settling; // share of what a brush is off its even place that it loses in a frame
+    float turn_px;  // radius of a bend that is pressed fully
+    uint hand;      // how often the line was drawn before
     float retrace_px;
     float jitter_ends_px;
     float jitter_offset_px;
@@ -197,8 +186,8 @@ struct InkConstants {
 struct BrushConstants {
     uint width;
     uint height;
-    vec4 period_px;     // of each use, along the stroke; 0 from end to end
-    uvec4 layer_of_use; // in the image of brushes; no_brush for the pen
+    float period_px[11];   // of each use, along the stroke; 0 from end to end
+    uint layer_of_use[11]; // in the image of brushes; no_brush for the pen
 };
 
 #ifdef __cplusplus
@@ -208,19 +197,11 @@ static_assert(sizeof(VertexBending) == 32);
 static_assert(sizeof(LineSample) == 32);
 static_assert(sizeof(Stroke) == 24);
 static_assert(sizeof(DrawnSample) == 24);
+static_assert(sizeof(ShapeConstants) <= 128);
+static_assert(sizeof(ShapeConstants::width_of_kind) == sizeof(float) * line_kind_count);
+static_assert(sizeof(BrushConstants) <= 128);
 inline constexpr uint no_segment = 0xffffffffU;
 inline constexpr uint no_list = 0xffffffffU;
-inline constexpr uint line_silhouette = 0U;
-inline constexpr uint line_border = 1U;
-inline constexpr uint line_boundary = 2U;
-inline constexpr uint line_crease = 3U;
-inline constexpr uint line_marked = 4U;
-inline constexpr uint line_ridge = 5U;
-inline constexpr uint line_valley = 6U;
-inline constexpr uint line_suggestive = 7U;
-inline constexpr uint line_intersection = 8U;
-inline constexpr uint line_shadow = 9U;
-inline constexpr uint line_kind_count = 10U;
 inline constexpr uint list_segments = 0U;
 inline constexpr uint list_points = 1U;
 inline constexpr uint list_samples = 2U;
@@ -234,11 +215,9 @@ inline constexpr uint sample_is_off_page = 2U;
 inline constexpr uint sample_in_ring = 8U;  // of a closed line without a break
 inline constexpr uint piece_is_there = 16U; // a line goes on to the next sample
 inline constexpr uint stroke_is_dropped = 4U;
-inline constexpr uint brush_outline = 0U; // uses of brushes
-inline constexpr uint brush_boundary = 1U;
-inline constexpr uint brush_crease = 2U;
-inline constexpr uint brush_hidden = 3U;
-inline constexpr uint brush_count = 4U;
+inline constexpr uint brush_hidden = line_kind_count; // uses of brushes: each kind of line, and this
+inline constexpr uint brush_use_count = line_kind_count + 1U;
+static_assert(sizeof(BrushConstants::period_px) == sizeof(float) * brush_use_count);
 inline constexpr uint brush_columns = 1024U;
 inline constexpr uint brush_rows = 32U;
 inline constexpr uint no_brush = 0xffffffffU;
@@ -249,16 +228,6 @@ inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of th
 #define NO_SIDE 0xffffffffu
 #define NO_SEGMENT 0xffffffffu
 #define NO_LIST 0xffffffffu
-#define LINE_SILHOUETTE 0u
-#define LINE_BORDER 1u
-#define LINE_BOUNDARY 2u
-#define LINE_CREASE 3u
-#define LINE_MARKED 4u
-#define LINE_RIDGE 5u
-#define LINE_VALLEY 6u
-#define LINE_SUGGESTIVE 7u
-#define LINE_INTERSECTION 8u
-#define LINE_SHADOW 9u
 #define LIST_SEGMENTS 0u
 #define LIST_POINTS 1u
 #define LIST_SAMPLES 2u
@@ -279,16 +248,13 @@ inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of th
 #define STROKE_STARTS_AT_LINE 1u
 #define STROKE_ENDS_AT_LINE 2u
 #define STROKE_IS_DROPPED 4u
-#define BRUSH_OUTLINE 0u
-#define BRUSH_BOUNDARY 1u
-#define BRUSH_CREASE 2u
-#define BRUSH_HIDDEN 3u
+#define BRUSH_HIDDEN 10u // uses of brushes: each kind of line, and this
 #define BRUSH_COLUMNS 1024u
 #define BRUSH_ROWS 32u
 #define NO_BRUSH 0xffffffffu
-#define TOUCH_USE 3u
-#define TOUCH_IS_START 4u
-#define TOUCH_IS_END 8u
+#define TOUCH_USE 15u
+#define TOUCH_IS_START 16u
+#define TOUCH_IS_END 32u
 #define GRID_CELL_PX 4u
 #define PIECE_IS_THERE 16u // a line goes on to the next sample
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a hand does to lines: widths, corners, strokes drawn again, and what lies behind.
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -53,6 +54,74 @@ TEST(LineHand, WidthsOfTheSceneHalveWhenTheDistanceDoubles)
     style.outline_m = 0.0F;
     style.distance_thinning = 0.0F;
     EXPECT_NEAR(outline_px(4.0, style), outline_px(8.0, style), 0.2);
+}
+
+/// A sheet 2 m wide and high whose upright middle, at the anchor, is nearest to +z: a fold of two flat
+/// halves, or the crest of a wave.
+Primitive folded_sheet(bool is_round)
+{
+    constexpr float pi = std::numbers::pi_v<float>;
+    const uint32_t columns = is_round ? 64 : 2;
+    const uint32_t rows = is_round ? 32 : 1;
+    Primitive sheet;
+    const auto add = [&](uint32_t column, uint32_t row, bool is_left_half) {
+        const float x = 2.0F * static_cast<float>(column) / static_cast<float>(columns) - 1.0F;
+        const float y = 2.0F * static_cast<float>(row) / static_cast<float>(rows) - 1.0F;
+        const float z = is_round ? 0.25F * (std::cos(pi * x) - 1.0F) : -0.8F * std::abs(x);
+        const float flat_slope = is_left_half ? -0.8F : 0.8F;
+        sheet.positions.emplace_back(x, y, z);
+        sheet.normals.push_back(
+            glm::normalize(glm::vec3(is_round ? 0.25F * pi * std::sin(pi * x) : flat_slope, 0.0F, 1.0F)));
+    };
+    for (uint32_t row = 0; row < rows; ++row) {
+        for (uint32_t column = 0; column < columns; ++column) {
+            const auto first = static_cast<uint32_t>(sheet.positions.size());
+            const bool is_left_half = 2 * column < columns;
+            add(column, row, is_left_half);
+            add(column + 1, row, is_left_half);
+            add(column + 1, row + 1, is_left_half);
+            add(column, row + 1, is_left_half);
+            sheet.indices.insert(sheet.indices.end(),
+                                 {first, first + 1, first + 2, first, first + 2, first + 3});
+        }
+    }
+    return sheet;
+}
+
+/// Width of the line up the middle of a sheet.
+double middle_px(const Primitive& sheet, double distance_m, const ContourStyle& style)
+{
+    test::Drawing drawing(test::scene_of(sheet), test::front_camera(distance_m, fov_rad), page_px);
+    const std::vector<float> ink = drawing.lines(style, 1.0F);
+    const auto middle = ink.begin() + std::ptrdiff_t{page_px.y / 2} * page_px.x + page_px.x / 2;
+    return std::accumulate(middle - 25, middle + 25, 0.0);
+}
+
+TEST(LineHand, WidthsOfTheSceneAreThoseOfEachKind)
+{
+    ContourStyle style = even_lines(1.0F);
+    style.distance_thinning = 0.7F;
+    style.ridge_deg = 2.0F;
+    const Primitive fold = folded_sheet(false);
+    Primitive marked_fold = fold;
+    marked_fold.edge_marks = {2, 0, 0, 0};
+    const Primitive wave = folded_sheet(true);
+    const auto expect_width = [&](const Primitive& sheet, float ContourStyle::*width_m, const char* name) {
+        ContourStyle wide = style;
+        wide.*width_m = 0.12F;
+        for (const double distance_m : {4.0, 6.0}) {
+            const double pixel_m = 2.0 * distance_m * std::tan(0.5 * fov_rad) / page_px.y;
+            EXPECT_NEAR(middle_px(sheet, distance_m, wide), 0.12 / pixel_m, 0.3) << name << distance_m;
+        }
+    };
+    expect_width(fold, &ContourStyle::crease_m, "crease");
+    expect_width(marked_fold, &ContourStyle::marked_m, "marked");
+    expect_width(wave, &ContourStyle::ridge_m, "ridge");
+    // Those of other kinds do nothing.
+    style.crease_m = style.valley_m = style.suggestive_m = 0.12F;
+    style.marked_mm = 1.0F;
+    EXPECT_NEAR(middle_px(marked_fold, 4.0, style), 1.0, 0.3);
+    EXPECT_NEAR(middle_px(wave, 4.0, style), 0.0, 0.01);
 }
 
 /// A flat triangle with corners of 90, 20 and 70 degrees, as seen from its front.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 
 #include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
@@ -40,31 +39,26 @@ gpu::BufferId add_zeros(gpu::Graph& graph, const char* name, uint64_t size_bytes
 }
 
 /// How long each brush is along the line before it repeats; nothing where it goes from end to end.
-glm::vec4 periods_px(const ContourInputs& in, const ContourStyle& style)
+float period_mm(const BrushImages& brushes, uint32_t use, const ContourStyle& style)
 {
-    const std::array<float, shared::brush_hidden> widths_mm{style.outline_mm, style.boundary_mm,
-                                                            style.crease_mm};
-    glm::vec4 periods_mm(0.0F);
-    for (size_t use = 0; use < widths_mm.size() && style.brush_fit == BrushFit::repeat; ++use) {
-        const float own_mm = in.brushes->widths_of_use.at(use) * widths_mm.at(use);
-        periods_mm[static_cast<int>(use)] = style.brush_mm > 0.0F ? style.brush_mm : std::max(own_mm, 0.1F);
+    if (use == shared::brush_hidden) {
+        return style.hidden_dash_mm + style.hidden_gap_mm;
     }
-    periods_mm[shared::brush_hidden] = style.hidden_dash_mm + style.hidden_gap_mm;
-    return in.pixels_per_mm * periods_mm;
+    if (style.brush_fit == BrushFit::stretch) {
+        return 0.0F;
+    }
+    const float own_mm = brushes.widths_of_use.at(use) * width_on_page_mm(style, use);
+    return style.brush_mm > 0.0F ? style.brush_mm : std::max(own_mm, 0.1F);
 }
 
 shared::BrushConstants brush_constants(const ContourInputs& in, const ContourStyle& style)
 {
-    shared::BrushConstants constants{.width = in.size_px.x,
-                                     .height = in.size_px.y,
-                                     .period_px = glm::vec4(0.0F),
-                                     .layer_of_use = glm::uvec4(shared::no_brush)};
-    if (in.brushes != nullptr) {
-        constants.period_px = periods_px(in, style);
-        for (size_t use = 0; use < shared::brush_count; ++use) {
-            constants.layer_of_use[static_cast<int>(use)] =
-                in.brushes->layer_of_use.at(use).value_or(shared::no_brush);
-        }
+    shared::BrushConstants constants{.width = in.size_px.x, .height = in.size_px.y};
+    for (uint32_t use = 0; use < shared::brush_use_count; ++use) {
+        const bool has_brushes = in.brushes != nullptr;
+        constants.period_px[use] = has_brushes ? in.pixels_per_mm * period_mm(*in.brushes, use, style) : 0.0F;
+        constants.layer_of_use[use] =
+            has_brushes ? in.brushes->layer_of_use.at(use).value_or(shared::no_brush) : shared::no_brush;
     }
     return constants;
 }

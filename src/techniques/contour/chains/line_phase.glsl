@@ -51,19 +51,11 @@ float phase_offset(uint index, Stroke stroke, uint seed)
                          : 0.0);
 }
 
-// Which brush a kind of line has: what lies within a surface has that of creases.
-uint use_of(uint kind)
-{
-    return kind == LINE_SILHOUETTE || kind == LINE_BORDER ? BRUSH_OUTLINE
-           : kind == LINE_BOUNDARY                        ? BRUSH_BOUNDARY
-                                                          : BRUSH_CREASE;
-}
-
 LineTouch touch_of(uint index, Stroke stroke, float phase_px, vec2 way)
 {
     float spacing = unpackHalf2x16(sample_at(index).state).y;
     bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
-    uint uses = is_hidden ? BRUSH_HIDDEN : use_of(kind_now(sample_at(index).source));
+    uint uses = is_hidden ? BRUSH_HIDDEN : kind_now(sample_at(index).source);
     uses |= index == stroke.first && !is_ring ? TOUCH_IS_START : 0u;
     uses |= index == stroke.last && !is_ring ? TOUCH_IS_END : 0u;
     return LineTouch(phase_px, spacing * float(index - stroke.first),

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What of lines is seen, against rays; and how it lasts from frame to frame.
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -17,12 +19,23 @@ namespace {
 
 using shared::LineSample;
 
-/// Share of samples whose visibility rays agree with; how many are hidden and shown against them.
+/// How many samples there are, and how many are hidden and shown against what rays say.
 struct Agreement {
     size_t asked = 0;
     size_t falsely_hidden = 0;
     size_t falsely_shown = 0;
+
+    Agreement& operator+=(const Agreement& other)
+    {
+        asked += other.asked;
+        falsely_hidden += other.falsely_hidden;
+        falsely_shown += other.falsely_shown;
+        return *this;
+    }
 };
+
+/// One for each kind of line.
+using Agreements = std::array<Agreement, shared::line_kind_count>;
 
 /// How far the smooth surface may stand out beyond the triangle that an outline runs through.
 float bulge_m(const EdgeMesh& mesh, const std::vector<shared::PosedVertex>& posed, uint32_t side)
@@ -44,17 +57,18 @@ float bulge_m(const EdgeMesh& mesh, const std::vector<shared::PosedVertex>& pose
 
 /// Asks rays what samples are asked: a little outside of their own surface, so that what hides them is not
 /// it.
-Agreement compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec2 size_px)
+Agreements compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec2 size_px,
+                             const ContourStyle& style = {})
 {
     test::Drawing drawing(scene, camera, size_px);
-    const auto lists = drawing.chains({});
+    const auto lists = drawing.chains(style);
     const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
     const std::vector<shared::PosedVertex> posed = drawing.posed();
     const test::EmbreeScene rays(scene, 0.0, [&](const PosedPrimitive& primitive) {
         return scene.materials[primitive.primitive->material].alpha_mode != AlphaMode::blend;
     });
     const glm::dmat4 clip_from_anchor(drawing.globals.clip_from_anchor);
-    Agreement result;
+    Agreements results{};
     for (const LineSample& sample : lists.samples) {
         const bool is_on_page = sample.page_px.x > 2.0F && sample.page_px.y > 2.0F &&
                                 sample.page_px.x < static_cast<float>(size_px.x) - 2.0F &&
@@ -71,15 +85,22 @@ Agreement compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec2
         const glm::dvec3 way = outside - camera.eye;
         const bool is_free = !rays.is_blocked(camera.eye, glm::normalize(way), glm::length(way));
         const bool is_shown = (sample.state & shared::sample_is_visible) != 0;
+        Agreement& result = results.at(sample.source >> 28U);
         ++result.asked;
         result.falsely_hidden += is_free && !is_shown ? 1U : 0U;
         result.falsely_shown += !is_free && is_shown ? 1U : 0U;
     }
-    return result;
+    return results;
 }
 
-void expect_agreement(const Agreement& agreement, const std::string& name)
+/// Of kinds [first, end).
+void expect_agreement(const Agreements& of_kinds, const std::string& name, uint32_t first = 0,
+                      uint32_t end = shared::line_kind_count)
 {
+    Agreement agreement;
+    for (uint32_t kind = first; kind < end; ++kind) {
+        agreement += of_kinds.at(kind);
+    }
     EXPECT_GT(agreement.asked, 500U) << name;
     EXPECT_LE(static_cast<double>(agreement.falsely_hidden + agreement.falsely_shown),
               0.01 * static_cast<double>(agreement.asked))
@@ -90,6 +111,58 @@ void expect_agreement(const Agreement& agreement, const std::string& name)
 TEST(ContourChains, VisibilityAgreesWithRays)
 {
     expect_agreement(compare_with_rays(shapes_scene(), view_from_above(), {640, 480}), "shapes");
+}
+
+/// With all lines that lie within smooth surfaces.
+ContourStyle inner_lines()
+{
+    ContourStyle style;
+    style.ridge_mm = style.valley_mm = style.suggestive_mm = 0.3F;
+    style.ridge_deg = 4.0F;
+    style.suggestive_growth = 1.0F;
+    return style;
+}
+
+/// Each kind of those by itself, as outlines are many more.
+void expect_inner_agreement(const Scene& scene, const std::vector<Camera>& cameras, glm::uvec2 size_px,
+                            const std::string& name)
+{
+    Agreements agreements{};
+    for (const Camera& camera : cameras) {
+        const Agreements of_view = compare_with_rays(scene, camera, size_px, inner_lines());
+        for (size_t kind = 0; kind < agreements.size(); ++kind) {
+            agreements.at(kind) += of_view.at(kind);
+        }
+    }
+    expect_agreement(agreements, name + ", ridges", shared::line_ridge, shared::line_ridge + 1);
+    expect_agreement(agreements, name + ", valleys", shared::line_valley, shared::line_valley + 1);
+    expect_agreement(agreements, name + ", suggestive contours", shared::line_suggestive,
+                     shared::line_suggestive + 1);
+}
+
+/// Ripples around the middle of a square, seen over their crests.
+Primitive ripples()
+{
+    Primitive sheet = shapes::plane(4.0F, 4.0F, 96);
+    for (size_t i = 0; i < sheet.positions.size(); ++i) {
+        glm::vec3& p = sheet.positions[i];
+        const float phase = 6.0F * glm::length(p);
+        const glm::vec2 outwards = glm::vec2(p.x, p.z) / std::max(glm::length(p), 1e-6F);
+        const glm::vec2 slope = -6.0F * 0.14F * std::sin(phase) * outwards;
+        p.y = 0.14F * std::cos(phase);
+        sheet.normals[i] = glm::normalize(glm::vec3(-slope.x, 1.0F, -slope.y));
+    }
+    return sheet;
+}
+
+TEST(ContourChains, VisibilityOfInnerLinesAgreesWithRays)
+{
+    Scene scene = test::scene_of(ripples());
+    test::add_object(scene, shapes::torus(0.9F, 0.4F, 96, 48), glm::vec3(0.5F), {0.6, 0.9, 0.3});
+    const std::vector<Camera> cameras{{.eye = {2.2, 1.9, 5.2}, .target = {0.2, 0.2, 0.2}},
+                                      {.eye = {-4.1, 1.5, 2.6}, .target = {0.2, 0.2, 0.2}},
+                                      {.eye = {2.4, 1.2, -4.4}, .target = {0.2, 0.2, 0.2}}};
+    expect_inner_agreement(scene, cameras, {960, 720}, "ripples");
 }
 
 TEST(ContourChains, VisibilityOnModelsAgreesWithRays)
@@ -103,6 +176,9 @@ TEST(ContourChains, VisibilityOnModelsAgreesWithRays)
         const Scene scene = load_scene(std::filesystem::path(folder) / name);
         const Camera camera = framing_camera(scene, pose_scene(scene, 0.0, no_index), 16.0 / 9.0);
         expect_agreement(compare_with_rays(scene, camera, {1920, 1080}), name);
+        if (std::string(name) == "suzanne.gltf") {
+            expect_inner_agreement(scene, {camera}, {1920, 1080}, name);
+        }
     }
 }
 

@@ -16,29 +16,6 @@ uint kind_now(uint source)
     return beyond != NO_SIDE && is_front(side >> 2) != is_front(beyond >> 2) ? LINE_SILHOUETTE : kind;
 }
 
-float width_of(uint kind)
-{
-    return kind == LINE_SILHOUETTE     ? constants.silhouette_px
-           : kind == LINE_BORDER       ? constants.border_px
-           : kind == LINE_BOUNDARY     ? constants.boundary_px
-           : kind == LINE_MARKED       ? constants.marked_px
-           : kind == LINE_RIDGE        ? constants.ridge_px
-           : kind == LINE_VALLEY       ? constants.valley_px
-           : kind == LINE_SUGGESTIVE   ? constants.suggestive_px
-           : kind == LINE_INTERSECTION ? constants.intersection_px
-           : kind == LINE_SHADOW       ? constants.shadow_px
-                                       : constants.crease_px;
-}
-
-float width_m_of(uint kind)
-{
-    return kind == LINE_SILHOUETTE ? constants.silhouette_m
-           : kind == LINE_BORDER   ? constants.border_m
-           : kind == LINE_BOUNDARY ? constants.boundary_m
-           : kind == LINE_CREASE   ? constants.crease_m
-                                   : 0.0;
-}
-
 float thinning_at(vec3 anchor)
 {
     float away = size_of(anchor - frame.eye_anchor);
@@ -50,10 +27,10 @@ float width_at(uint index)
 {
     LineSample point = sample_at(index);
     uint kind = kind_now(point.source);
-    float width = width_of(kind);
-    if (has_widths_m && width_m_of(kind) > 0.0) {
+    float width = constants.width_of_kind[kind];
+    if (has_widths_m && (constants.metre_kinds >> kind & 1u) != 0u) {
         // Thinned with the rest by and by, of which distance has done its part here.
-        width = width_m_of(kind) / (pixel_size_m(point.anchor) * thinning_at(point.anchor));
+        width /= pixel_size_m(point.anchor) * thinning_at(point.anchor);
     }
     return width;
 }

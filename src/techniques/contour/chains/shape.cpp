@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "gpu/imports.hpp"
 #include "shaders/elect_comp.hpp"
 #include "shaders/recall_comp.hpp"
@@ -65,27 +67,34 @@ uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
     }
     const bool strays = in.hand > 0 || style.jitter_ends_mm > 0.0F || style.jitter_offset_mm > 0.0F ||
                         style.jitter_width > 0.0F;
-    const bool has_widths_m = style.outline_m > 0.0F || style.boundary_m > 0.0F || style.crease_m > 0.0F;
+    const bool has_widths_m = std::ranges::any_of(
+        line_kind_keys, [&](const LineKindKeys& keys) { return style.*keys.width_m > 0.0F; });
     return basic | (in.page.own_outlines ? 1U : 0U) | (strays ? 32U : 0U) | (has_widths_m ? 64U : 0U) |
            (style.pressure_from != PressureFrom::light ? 128U : 0U) |
            (style.pressure_from == PressureFrom::turn ? 256U : 0U);
 }
 
+void set_widths(const ShapeInputs& in, const ContourStyle& style, shared::ShapeConstants& constants)
+{
+    for (uint32_t kind = 0; kind < shared::line_kind_count && style.drawn; ++kind) {
+        const LineKindKeys& keys = line_kind_keys.at(kind);
+        const float width_m = style.*keys.width_m;
+        float& width = constants.width_of_kind[kind];
+        if (in.lines == LineClass::hidden) {
+            width = has_lines(style, kind) ? style.hidden_mm * in.page.pixels_per_mm : 0.0F;
+        } else if (width_m > 0.0F) {
+            width = width_m;
+            constants.metre_kinds |= 1U << kind;
+        } else {
+            width = style.*keys.width_mm * in.page.pixels_per_mm;
+        }
+    }
+}
+
 shared::ShapeConstants shape_constants(const ShapeInputs& in, const ContourStyle& style)
 {
     const float pixels_per_mm = style.drawn ? in.page.pixels_per_mm : 0.0F;
-    const float metres = style.drawn ? 1.0F : 0.0F;
-    shared::ShapeConstants constants{.silhouette_px = style.outline_mm * pixels_per_mm,
-                                     .border_px = style.outline_mm * pixels_per_mm,
-                                     .boundary_px = style.boundary_mm * pixels_per_mm,
-                                     .crease_px = style.crease_mm * pixels_per_mm,
-                                     .marked_px = style.marked_mm * pixels_per_mm,
-                                     .ridge_px = style.ridge_mm * pixels_per_mm,
-                                     .valley_px = style.valley_mm * pixels_per_mm,
-                                     .suggestive_px = style.suggestive_mm * pixels_per_mm,
-                                     .intersection_px = style.intersection_mm * pixels_per_mm,
-                                     .shadow_px = style.shadow_mm * pixels_per_mm,
-                                     .taper_px = style.taper_mm * pixels_per_mm,
+    shared::ShapeConstants constants{.taper_px = style.taper_mm * pixels_per_mm,
                                      .overshoot_px = style.overshoot_mm * pixels_per_mm,
                                      .wobble_px = style.wobble_mm * pixels_per_mm,
                                      .pressure = style.pressure,
@@ -93,23 +102,14 @@ shared::ShapeConstants shape_constants(const ShapeInputs& in, const ContourStyle
                                      .seed = static_cast<uint32_t>(style.seed),
                                      .wave_px = sway_wave_mm * pixels_per_mm,
                                      .settling = in.page.is_moving ? settling : 0.0F,
-                                     .silhouette_m = style.outline_m * metres,
-                                     .border_m = style.outline_m * metres,
-                                     .boundary_m = style.boundary_m * metres,
-                                     .crease_m = style.crease_m * metres,
                                      .turn_px = turn_mm * pixels_per_mm,
                                      .hand = in.hand,
                                      .retrace_px = style.retrace_mm * pixels_per_mm,
                                      .jitter_ends_px = style.jitter_ends_mm * pixels_per_mm,
                                      .jitter_offset_px = style.jitter_offset_mm * pixels_per_mm,
                                      .jitter_width = style.jitter_width};
+    set_widths(in, style, constants);
     if (in.lines == LineClass::hidden) {
-        for (float* width_px :
-             {&constants.silhouette_px, &constants.border_px, &constants.boundary_px, &constants.crease_px,
-              &constants.marked_px, &constants.ridge_px, &constants.valley_px, &constants.suggestive_px,
-              &constants.intersection_px, &constants.shadow_px}) {
-            *width_px = *width_px > 0.0F ? style.hidden_mm * pixels_per_mm : 0.0F;
-        }
         constants.taper_px = constants.overshoot_px = constants.pressure = 0.0F;
     }
     return constants;
