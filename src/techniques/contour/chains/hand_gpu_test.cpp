@@ -111,7 +111,8 @@ TEST(LineHand, WidthsOfTheSceneAreThoseOfEachKind)
         wide.*width_m = 0.12F;
         for (const double distance_m : {4.0, 6.0}) {
             const double pixel_m = 2.0 * distance_m * std::tan(0.5 * fov_rad) / page_px.y;
-            EXPECT_NEAR(middle_px(sheet, distance_m, wide), 0.12 / pixel_m, 0.3) << name << ", " << distance_m;
+            EXPECT_NEAR(middle_px(sheet, distance_m, wide), 0.12 / pixel_m, 0.3)
+                << name << ", " << distance_m;
         }
     };
     expect_width(fold, &ContourStyle::crease_m, "crease");
