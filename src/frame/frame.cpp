@@ -291,6 +291,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                       .screen = screen.color,
                                       .has_screen = has_screen,
                                       .background = sky.wash,
+                                      .has_background = plan.sky_drawn,
                                       .tone = tone,
                                       .size_px = size_px},
                                      style.wash);
@@ -302,6 +303,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                              .hatch = ink,
                                              .lines = lines,
                                              .sky_ink = sky.ink,
+                                             .has_sky = plan.sky_drawn,
                                              .light = light,
                                              .size_px = size_px},
                                             style.paper);

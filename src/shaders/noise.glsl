@@ -20,12 +20,4 @@ float value_noise(vec2 p, uint seed)
     return mix(bottom, top, f.y);
 }
 
-// Three octaves of value noise, in [0, 1].
-float fractal_noise(vec2 p, uint seed)
-{
-    return (4.0 * value_noise(p, seed) + 2.0 * value_noise(2.0 * p + 17.0, seed + 1u) +
-            value_noise(4.0 * p + 31.0, seed + 2u)) /
-           7.0;
-}
-
 #endif

@@ -6,12 +6,12 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "gpu/fills.hpp"
 #include "gpu/imports.hpp"
 #include "shaders/darkness_comp.hpp"
 #include "shaders/lines_comp.hpp"
 #include "shaders/map_comp.hpp"
 #include "shaders/overrun_comp.hpp"
-#include "shaders/tiles_reset_comp.hpp"
 #include "techniques/hatch/hatch.glsl.h"
 #include "techniques/hatch/line_pass.hpp"
 
@@ -31,11 +31,7 @@ gpu::BufferId add_empty_list(gpu::Graph& graph, glm::uvec2 size_px)
 {
     const glm::uvec2 tiles = (size_px + tile_px - 1U) / tile_px;
     const uint32_t count = tiles.x * tiles.y;
-    auto reset = graph.compute("hatch/clear", shaders::tiles_reset_comp);
-    const gpu::BufferId list = reset.write(
-        graph.buffer("hatch/tiles", {.size_bytes = sizeof(glm::uvec4) + sizeof(glm::uvec2) * count}));
-    reset.push(count).dispatch_items(count);
-    return list;
+    return gpu::add_empty_list(graph, "hatch/tiles", sizeof(glm::uvec4) + sizeof(glm::uvec2) * count);
 }
 
 gpu::ImageId ink_image(gpu::Graph& graph, glm::uvec2 size_px)

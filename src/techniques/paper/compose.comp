@@ -8,6 +8,7 @@
 #include "shaders/color.glsl"
 #include "shaders/frame.glsl.h"
 #include "shaders/noise.glsl"
+#include "shaders/rounds.glsl"
 #include "techniques/paper/paper.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -29,9 +30,10 @@ layout(push_constant, scalar) uniform Constants
     PaperConstants constants;
 };
 
-// Bit 0: coloured light colours the strokes.
+// Bit 0: coloured light colours the strokes. Bit 1: there is a sky.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_tint = (variant & 1u) != 0u;
+const bool has_sky = (variant & 2u) != 0u;
 
 // How much of a pure colour of light the darkest ink shows under it.
 const float sheen = 0.3;
@@ -43,15 +45,35 @@ vec3 lit_ink(vec3 ink, vec3 tint)
     return mix(ink * tint, tint, sheen * purity);
 }
 
-// Height of the paper, about 0.5 on average, in features of a few tenths of a millimetre with long faint
-// fibres.
-float paper_height(vec2 page_mm)
+// What the paper is like at a place.
+struct Paper {
+    float relief; // about 0 on average, in features of a few tenths of a millimetre with long faint fibres
+    float pooled; // where paint gathers, the same in features of a centimetre
+};
+
+// All noises but the finest come from one loop, which is compiled once on processors.
+Paper paper_at(vec2 page_mm, int loop_count)
 {
-    float tooth = fractal_noise(page_mm * 3.1, constants.seed);
-    float fibre =
-        value_noise(page_mm * vec2(0.9, 4.3) + 3.0 * value_noise(page_mm * 0.35, constants.seed + 9u),
-                    constants.seed + 5u);
-    return 0.72 * tooth + 0.28 * fibre;
+    vec2 tooth_at = page_mm * 3.1;
+    float bend = 0.0;
+    float fibre = 0.0;
+    float pooled = 0.0;
+    float tooth = 0.0;
+    for (int i = 0; i < loop_count; ++i) {
+        vec2 place = i == 0   ? page_mm * 0.35
+                     : i == 1 ? page_mm * vec2(0.9, 4.3) + 3.0 * bend
+                     : i == 2 ? page_mm * 0.08
+                     : i == 3 ? tooth_at
+                              : 2.0 * tooth_at + 17.0;
+        uint seed = i == 0 ? 9u : i == 1 ? 5u : i == 2 ? 21u : uint(i - 3);
+        float noise = value_noise(place, constants.seed + seed);
+        bend = i == 0 ? noise : bend;
+        fibre = i == 1 ? noise : fibre;
+        pooled = i == 2 ? noise : pooled;
+        tooth += i == 3 ? 4.0 * noise : i == 4 ? 2.0 * noise : 0.0;
+    }
+    tooth += value_noise(4.0 * tooth_at + 31.0, constants.seed + 2u);
+    return Paper(0.72 * (tooth / 7.0) + 0.28 * fibre - 0.5, pooled - 0.5);
 }
 
 void main()
@@ -61,19 +83,21 @@ void main()
         return;
     }
     vec2 page_mm = (vec2(pixel) + 0.5) / frame.pixels_per_mm;
-    float relief = paper_height(page_mm) - 0.5;
+    Paper paper = paper_at(page_mm, rounds(5, pixel.x));
+    float relief = paper.relief;
     vec4 wash = texelFetch(wash_image, pixel, 0);
-    float pooled = value_noise(page_mm * 0.08, constants.seed + 21u) - 0.5;
-    vec3 paint =
-        pow(max(wash.rgb, vec3(1e-3)), vec3(1.0 + constants.granulation * (0.3 * pooled - 0.7 * relief)));
+    vec3 paint = pow(max(wash.rgb, vec3(1e-3)),
+                     vec3(1.0 + constants.granulation * (0.3 * paper.pooled - 0.7 * relief)));
     vec3 color = constants.paper_color * (1.0 + 0.10 * constants.grain * relief) * paint;
 
     float dry = clamp(1.0 - constants.ink_break * max(relief - 0.1, 0.0) * 3.0, 0.0, 1.0);
-    float sky_ink = wash.a > 0.5 ? 0.0 : 1.0;
-    float hatch =
-        max(texelFetch(hatch_image, pixel, 0).x,
-            sky_ink * texelFetch(sky_ink_image, min(pixel, textureSize(sky_ink_image, 0) - 1), 0).x) *
-        dry;
+    float strokes = texelFetch(hatch_image, pixel, 0).x;
+    if (has_sky) {
+        float sky_ink = wash.a > 0.5 ? 0.0 : 1.0;
+        strokes = max(
+            strokes, sky_ink * texelFetch(sky_ink_image, min(pixel, textureSize(sky_ink_image, 0) - 1), 0).x);
+    }
+    float hatch = strokes * dry;
     vec4 line = texelFetch(line_image, pixel, 0);
     vec3 ink = constants.ink_color;
     if (has_tint) {

@@ -14,7 +14,7 @@ gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const Paper
     pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
     // Unread, the light's memory is free for others by now.
     const bool tinted = style.ink_tint > 0.0F;
-    pass.sample(tinted ? in.light : in.wash).variant(tinted ? 1U : 0U);
+    pass.sample(tinted ? in.light : in.wash).variant((tinted ? 1U : 0U) | (in.has_sky ? 2U : 0U));
     const gpu::ImageId picture = pass.write(graph.image(
         "picture", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     pass.push(shared::PaperConstants{.paper_color = style.color,

@@ -43,7 +43,8 @@ struct ComposeInputs {
     gpu::ImageId hatch;
     gpu::ImageId lines;
     gpu::ImageId sky_ink;
-    gpu::ImageId light; ///< read where the style tints the ink
+    bool has_sky = true; ///< else there is no such ink
+    gpu::ImageId light;  ///< read where the style tints the ink
     glm::uvec2 size_px{0};
 };
 

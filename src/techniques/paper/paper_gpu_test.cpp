@@ -28,6 +28,7 @@ struct Layers {
     test::Painter<float> sky_ink = [](glm::uvec2) { return 0.0F; };
     test::Painter<glm::vec4> light = [](glm::uvec2) { return glm::vec4(1.0F); };
     glm::uvec2 sky_size_px{1};
+    bool has_sky = true;
 };
 
 std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, glm::uvec2 size_px,
@@ -49,6 +50,7 @@ std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, gl
                                       .hatch = hatch.in(graph),
                                       .lines = lines.in(graph),
                                       .sky_ink = sky_ink.in(graph),
+                                      .has_sky = layers.has_sky,
                                       .light = light.in(graph),
                                       .size_px = size_px},
                                      style);
@@ -166,6 +168,8 @@ TEST(Compose, OneTexelOfSkyStandsForThePage)
     for (size_t i = 0; i < picture.size(); ++i) {
         expect_near(glm::vec3(picture[i]), i % 16 < 8 ? style.ink : style.color, half_step);
     }
+    layers.has_sky = false;
+    expect_near(glm::vec3(compose(layers, style, {16, 16})[0]), style.color, half_step);
 }
 
 TEST(Compose, LightTintsTheInkByItsColourAlone)

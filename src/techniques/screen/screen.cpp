@@ -3,19 +3,20 @@
 
 #include <algorithm>
 
-#include "shaders/no_screen_comp.hpp"
+#include "gpu/fills.hpp"
 #include "shaders/screen_comp.hpp"
 
 namespace estampe::screen {
 namespace {
 
-Screen write_screen(gpu::Graph& graph, gpu::Pass& pass, glm::uvec2 size_px)
+gpu::ImageDesc draw_image(glm::uvec2 size_px)
 {
-    const gpu::ImageId draw = pass.write(
-        graph.image("screen/draw", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r32ui}));
-    const gpu::ImageId color = pass.write(
-        graph.image("screen/color", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba8}));
-    return {draw, color};
+    return {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r32ui};
+}
+
+gpu::ImageDesc color_image(glm::uvec2 size_px)
+{
+    return {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba8};
 }
 
 } // namespace
@@ -31,18 +32,17 @@ Screen add_screen(gpu::Graph& graph, const ScreenInputs& in)
     for (size_t i = 0; i < most_layers; ++i) {
         pass.read(in.layers[std::min(i, in.layers.size() - 1)]);
     }
-    const Screen screen = write_screen(graph, pass, in.size_px);
+    const gpu::ImageId draw = pass.write(graph.image("screen/draw", draw_image(in.size_px)));
+    const gpu::ImageId color = pass.write(graph.image("screen/color", color_image(in.size_px)));
     pass.variant(in.texture_classes | static_cast<uint32_t>(in.layers.size() - 1) << 5U);
     pass.dispatch_over(in.size_px.x, in.size_px.y);
-    return screen;
+    return {draw, color};
 }
 
 Screen add_no_screen(gpu::Graph& graph)
 {
-    auto pass = graph.compute("screen/none", shaders::no_screen_comp);
-    const Screen screen = write_screen(graph, pass, glm::uvec2(1));
-    pass.dispatch(1);
-    return screen;
+    return {gpu::add_filled_image(graph, "screen/no draw", draw_image(glm::uvec2(1)), glm::vec4(0.0F)),
+            gpu::add_filled_image(graph, "screen/no color", color_image(glm::uvec2(1)), glm::vec4(0.0F))};
 }
 
 } // namespace estampe::screen

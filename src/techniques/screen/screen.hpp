@@ -57,7 +57,7 @@ struct Screen {
 /// Source  Porter and Duff, "Compositing Digital Images", SIGGRAPH 1984
 [[nodiscard]] Screen add_screen(gpu::Graph& graph, const ScreenInputs& in);
 
-/// For scenes without see-through surfaces. Cost: one thread.
+/// For scenes without see-through surfaces. Cost: next to nothing.
 [[nodiscard]] Screen add_no_screen(gpu::Graph& graph);
 
 } // namespace estampe::screen

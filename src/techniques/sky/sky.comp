@@ -24,10 +24,6 @@ layout(push_constant, scalar) uniform Constants
     SkyConstants constants;
 };
 
-// 1 where there is a sky, 0 for bare paper.
-layout(constant_id = 0) const uint variant = 1u;
-const bool is_drawn = variant != 0u;
-
 vec3 direction_at(vec2 position_px)
 {
     return -towards_eye(frame, anchor_at(frame, position_px, 0.5));
@@ -53,35 +49,31 @@ void main()
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }
-    vec3 wash = vec3(1.0);
-    float ink = 0.0;
-    if (is_drawn) {
-        vec2 position = vec2(pixel) + 0.5;
-        vec3 d = direction_at(position);
-        float height = clamp(d.y * 1.9, 0.0, 1.0);
-        wash = mix(constants.horizon_color, constants.zenith_color, smoothstep(0.0, 1.0, sqrt(height)));
-        vec2 here = vault(d);
-        vec2 right = vault(direction_at(position + vec2(1.0, 0.0))) - here;
-        vec2 down = vault(direction_at(position + vec2(0.0, 1.0))) - here;
-        right.x -= 6.2831853 * round(right.x / 6.2831853);
-        down.x -= 6.2831853 * round(down.x / 6.2831853);
-        vec2 gradient = vec2(right.y, down.y);
-        LineField field;
-        field.v = here.y;
-        field.v_per_px = length(gradient);
-        vec2 along = vec2(-gradient.y, gradient.x) / max(field.v_per_px, 1e-12);
-        field.u = along_strokes(here);
-        field.u_per_px = abs(right.x * along.x + down.x * along.y);
-        field.wander = vec2(field.u, here.y);
-        field.wraps = false;
-        float towards_light =
-            0.5 + 0.5 * dot(normalize(vec3(d.x, 0.0, d.z) + 1e-6),
-                            normalize(vec3(constants.towards_sun.x, 0.0, constants.towards_sun.z) + 1e-6));
-        float dark = constants.darkness * smoothstep(0.04, 0.55, height) * mix(1.0, 0.25, towards_light);
-        float pen = constants.stroke_width_px;
-        ink = line_ink(field, LineLook(pen, 0.9 * pen, 26.0 * pen, 40.0 * pen, 190.0 * pen, 0.35, 0.0), dark,
-                       77u);
-    }
+    vec2 position = vec2(pixel) + 0.5;
+    vec3 d = direction_at(position);
+    float height = clamp(d.y * 1.9, 0.0, 1.0);
+    vec3 wash = mix(constants.horizon_color, constants.zenith_color, smoothstep(0.0, 1.0, sqrt(height)));
+    vec2 here = vault(d);
+    vec2 right = vault(direction_at(position + vec2(1.0, 0.0))) - here;
+    vec2 down = vault(direction_at(position + vec2(0.0, 1.0))) - here;
+    right.x -= 6.2831853 * round(right.x / 6.2831853);
+    down.x -= 6.2831853 * round(down.x / 6.2831853);
+    vec2 gradient = vec2(right.y, down.y);
+    LineField field;
+    field.v = here.y;
+    field.v_per_px = length(gradient);
+    vec2 along = vec2(-gradient.y, gradient.x) / max(field.v_per_px, 1e-12);
+    field.u = along_strokes(here);
+    field.u_per_px = abs(right.x * along.x + down.x * along.y);
+    field.wander = vec2(field.u, here.y);
+    field.wraps = false;
+    float towards_light =
+        0.5 + 0.5 * dot(normalize(vec3(d.x, 0.0, d.z) + 1e-6),
+                        normalize(vec3(constants.towards_sun.x, 0.0, constants.towards_sun.z) + 1e-6));
+    float dark = constants.darkness * smoothstep(0.04, 0.55, height) * mix(1.0, 0.25, towards_light);
+    float pen = constants.stroke_width_px;
+    float ink =
+        line_ink(field, LineLook(pen, 0.9 * pen, 26.0 * pen, 40.0 * pen, 190.0 * pen, 0.35, 0.0), dark, 77u);
     imageStore(out_wash, pixel, vec4(wash, 1.0));
     imageStore(out_ink, pixel, vec4(ink));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gpu/fills.hpp"
 #include "shaders/sky_comp.hpp"
 #include "techniques/sky/sky.glsl.h"
 
@@ -33,13 +34,16 @@ SkyLook look_at(const SkyStyle& style, double sun_elevation_rad)
 Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
 {
     const glm::uvec2 size_px = in.drawn ? in.size_px : glm::uvec2(1);
+    const gpu::ImageDesc wash_image{.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba16f};
+    const gpu::ImageDesc ink_image{.width = size_px.x, .height = size_px.y, .format = gpu::Format::r16f};
+    if (!in.drawn) {
+        return {gpu::add_filled_image(graph, "sky/no wash", wash_image, glm::vec4(1.0F)),
+                gpu::add_filled_image(graph, "sky/no ink", ink_image, glm::vec4(0.0F))};
+    }
     auto pass = graph.compute("sky", shaders::sky_comp);
     pass.uniform(in.frame);
-    const gpu::ImageId wash = pass.write(
-        graph.image("sky/wash", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba16f}));
-    const gpu::ImageId ink = pass.write(
-        graph.image("sky/ink", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r16f}));
-    pass.variant(in.drawn ? 1U : 0U);
+    const gpu::ImageId wash = pass.write(graph.image("sky/wash", wash_image));
+    const gpu::ImageId ink = pass.write(graph.image("sky/ink", ink_image));
     const bool follows =
         style.follow == SkyFollow::sun || (style.follow == SkyFollow::automatic && in.daylight_rad);
     const double elevation_rad =

@@ -84,7 +84,7 @@ struct SkyLook {
 [[nodiscard]] SkyLook look_at(const SkyStyle& style, double sun_elevation_rad);
 
 /// Paints the background of the whole page; one blank texel for all of it where no sky is drawn. Cost: one
-/// full-screen dispatch.
+/// full-screen dispatch; next to nothing without a sky.
 [[nodiscard]] Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style);
 
 } // namespace estampe::sky

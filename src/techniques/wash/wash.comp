@@ -41,10 +41,12 @@ layout(push_constant, scalar) uniform Constants
     WashConstants constants;
 };
 
-// Bit 0: colours pale with distance. Bit 1: there are see-through surfaces.
+// Bit 0: colours pale with distance. Bit 1: there are see-through surfaces. Bit 2: there is a
+// background.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_air = (variant & 1u) != 0u;
 const bool has_screen = (variant & 2u) != 0u;
+const bool has_background = (variant & 4u) != 0u;
 
 void main()
 {
@@ -53,7 +55,10 @@ void main()
         return;
     }
     uint word = texelFetch(draw_image, pixel, 0).x;
-    vec3 through = texelFetch(background_image, min(pixel, textureSize(background_image, 0) - 1), 0).rgb;
+    vec3 through = vec3(1.0);
+    if (has_background) {
+        through = texelFetch(background_image, min(pixel, textureSize(background_image, 0) - 1), 0).rgb;
+    }
     if (sees_draw(word)) {
         uint material = draw_at(draw_of(word)).material;
         vec4 stored = texelFetch(color_image, pixel, 0);

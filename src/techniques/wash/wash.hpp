@@ -54,7 +54,8 @@ struct WashInputs {
     gpu::BufferId materials;
     gpu::ImageId screen; ///< colour and cover of what is looked through; one texel for none
     bool has_screen = false;
-    gpu::ImageId background; ///< the wash where nothing is
+    gpu::ImageId background;    ///< the wash where nothing is
+    bool has_background = true; ///< else it is bare paper
     shared::ToneConstants tone;
     glm::uvec2 size_px{0};
 };

@@ -33,6 +33,7 @@ struct Page {
     test::Painter<glm::vec4> background = [](glm::uvec2) { return glm::vec4(1.0F); };
     test::Painter<glm::vec4> screen = [](glm::uvec2) { return glm::vec4(0.0F); };
     glm::uvec2 background_size_px{1};
+    bool has_background = true;
     bool has_screen = false;
     shared::MaterialRecord material{.mean_color = red, .shade_color = glm::vec3(1.0F)};
 };
@@ -78,6 +79,7 @@ std::vector<glm::vec4> paint(const Page& page, const WashStyle& style,
                                 .screen = screen.in(graph),
                                 .has_screen = page.has_screen,
                                 .background = background.in(graph),
+                                .has_background = page.has_background,
                                 .tone = tone,
                                 .size_px = size_px},
                                style);
@@ -262,6 +264,8 @@ TEST(Wash, LetsTheSkyThroughWhereNothingIs)
     }
     page.background_size_px = {1, 1};
     expect_near(glm::vec3(paint(page, strong())[5]), {0.5F, 0.25F, 0.0F});
+    page.has_background = false;
+    expect_near(glm::vec3(paint(page, strong())[5]), glm::vec3(1.0F));
 }
 
 TEST(Wash, LaysAScreenOverItByItsCover)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "gpu/graph/execute.hpp"
+#include "gpu/fills.hpp"
 #include "gpu/imports.hpp"
 #include "shaders/blank_layer_comp.hpp"
 #include "shaders/ink_brush_comp.hpp"
@@ -20,23 +20,6 @@ struct Inked {
     gpu::BufferId pixels; ///< a word each
     gpu::BufferId tiles;  ///< see ink_tiles.glsl
 };
-
-/// A buffer of zeros, behind the arguments of a dispatch of no workgroups if it `starts_with_groups`.
-gpu::BufferId add_zeros(gpu::Graph& graph, const char* name, uint64_t size_bytes, bool starts_with_groups)
-{
-    auto clear = graph.custom(name);
-    const gpu::BufferId zeros =
-        clear.touch_write(graph.buffer(name, {.size_bytes = size_bytes}), gpu::Access::transfer_write);
-    clear.execute([=](gpu::Recorder& recorder) {
-        const auto fill = [&](uint64_t from, uint64_t to, uint32_t word) {
-            vkCmdFillBuffer(recorder.commands(), recorder.buffer(zeros).handle(), from, to - from, word);
-        };
-        fill(0, 4, 0);
-        fill(4, 12, starts_with_groups ? 1 : 0);
-        fill(12, size_bytes, 0);
-    });
-    return zeros;
-}
 
 /// How long each brush is along the line before it repeats; nothing where it goes from end to end.
 float period_mm(const BrushImages& brushes, uint32_t use, const ContourStyle& style)
@@ -104,8 +87,8 @@ Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& s
               const ContourStyle& style)
 {
     const uint64_t tiles = uint64_t{(in.size_px.x + 7) / 8} * ((in.size_px.y + 7) / 8);
-    Inked inked{add_zeros(graph, "contour/inked", sizeof(uint32_t) * in.size_px.x * in.size_px.y + 16, false),
-                add_zeros(graph, "contour/ink tiles", 16 + 8 * tiles, true)};
+    Inked inked{gpu::add_zeros(graph, "contour/inked", sizeof(uint32_t) * in.size_px.x * in.size_px.y + 16),
+                gpu::add_empty_list(graph, "contour/ink tiles", 16 + 8 * tiles)};
     ContourInputs seen = in;
     seen.brushes = brushes_of_seen_lines(in.brushes);
     for (const HandDrawn& hand : shaped.hands) {
@@ -123,24 +106,16 @@ Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& s
 /// A processor fills an image quicker by itself than by threads; a GPU is the other way round.
 gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants, bool on_processor)
 {
-    const gpu::ImageId layer = graph.image(
-        "contour/ink", {.width = constants.width, .height = constants.height, .format = gpu::Format::rgba8});
+    const gpu::ImageDesc layer{
+        .width = constants.width, .height = constants.height, .format = gpu::Format::rgba8};
     if (!on_processor) {
         auto pass = graph.compute("contour/blank layer", shaders::blank_layer_comp);
-        const gpu::ImageId blank = pass.write(layer);
+        const gpu::ImageId blank = pass.write(graph.image("contour/ink", layer));
         pass.push(constants).dispatch_over(constants.width, constants.height);
         return blank;
     }
-    auto clear = graph.custom("contour/blank layer");
-    const gpu::ImageId blank = clear.touch_write(layer, gpu::Access::transfer_write);
-    clear.execute([blank, color = glm::sqrt(constants.ink_color)](gpu::Recorder& recorder) {
-        const VkClearColorValue paper{.float32 = {color.x, color.y, color.z, 0.0F}};
-        const VkImageSubresourceRange whole{
-            .aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .levelCount = 1, .layerCount = 1};
-        vkCmdClearColorImage(recorder.commands(), recorder.image(blank).handle(),
-                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &paper, 1, &whole);
-    });
-    return blank;
+    return gpu::add_filled_image(graph, "contour/blank layer", layer,
+                                 glm::vec4(glm::sqrt(constants.ink_color), 0.0F));
 }
 
 } // namespace

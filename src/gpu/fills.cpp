@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/fills.hpp"
+
+#include "gpu/graph/execute.hpp"
+
+namespace estampe::gpu {
+namespace {
+
+/// `word` stands in the second and the third place, zeros in all others.
+BufferId add_words(Graph& graph, const std::string& name, uint64_t size_bytes, uint32_t word)
+{
+    auto pass = graph.custom(name);
+    const BufferId filled =
+        pass.touch_write(graph.buffer(name, {.size_bytes = size_bytes}), Access::transfer_write);
+    pass.execute([=](Recorder& recorder) {
+        const auto fill = [&](uint64_t from, uint64_t to, uint32_t value) {
+            vkCmdFillBuffer(recorder.commands(), recorder.buffer(filled).handle(), from, to - from, value);
+        };
+        fill(0, 4, 0);
+        fill(4, 12, word);
+        fill(12, size_bytes, 0);
+    });
+    return filled;
+}
+
+} // namespace
+
+ImageId add_filled_image(Graph& graph, const std::string& name, const ImageDesc& desc, const glm::vec4& color)
+{
+    auto pass = graph.custom(name);
+    const ImageId filled = pass.touch_write(graph.image(name, desc), Access::transfer_write);
+    pass.execute([filled, color](Recorder& recorder) {
+        const VkClearColorValue value{.float32 = {color.x, color.y, color.z, color.w}};
+        const VkImageSubresourceRange whole{
+            .aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .levelCount = 1, .layerCount = 1};
+        vkCmdClearColorImage(recorder.commands(), recorder.image(filled).handle(),
+                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &whole);
+    });
+    return filled;
+}
+
+BufferId add_zeros(Graph& graph, const std::string& name, uint64_t size_bytes)
+{
+    return add_words(graph, name, size_bytes, 0);
+}
+
+BufferId add_empty_list(Graph& graph, const std::string& name, uint64_t size_bytes)
+{
+    return add_words(graph, name, size_bytes, 1);
+}
+
+} // namespace estampe::gpu

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Passes that fill by a command of the device, for what is small or blank: there is no shader to compile.
+
+#include <cstdint>
+#include <string>
+
+#include <glm/vec4.hpp>
+
+#include "gpu/graph/graph.hpp"
+
+namespace estampe::gpu {
+
+/// A new image that is `color` everywhere; of whole numbers, all bits 0 are the only ones to ask for. Cost: a
+/// GPU fills a page quicker by threads.
+[[nodiscard]] ImageId add_filled_image(Graph& graph, const std::string& name, const ImageDesc& desc,
+                                       const glm::vec4& color);
+
+/// A new buffer of zeros, of at least 16 bytes.
+[[nodiscard]] BufferId add_zeros(Graph& graph, const std::string& name, uint64_t size_bytes);
+
+/// The same behind the arguments of a dispatch of no workgroups: 0, 1, 1.
+[[nodiscard]] BufferId add_empty_list(Graph& graph, const std::string& name, uint64_t size_bytes);
+
+} // namespace estampe::gpu
