@@ -37,6 +37,8 @@ Candidate judge(VkPhysicalDevice physical, uint32_t index)
         candidate.info.why_not = "lacks " + missing;
     } else if ((subgroups.supportedOperations & VK_SUBGROUP_FEATURE_VOTE_BIT) == 0) {
         candidate.info.why_not = "lacks votes of subgroups";
+    } else if ((subgroups.supportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) == 0) {
+        candidate.info.why_not = "lacks sums over subgroups";
     }
     candidate.info.usable = candidate.info.why_not.empty();
     return candidate;

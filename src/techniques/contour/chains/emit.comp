@@ -8,6 +8,7 @@
 
 #include "shaders/frame.glsl.h"
 #include "shaders/octahedral.glsl"
+#include "shaders/rounds.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -144,14 +145,23 @@ Segment through_triangle(uint triangle, uint segment_count)
     Corner before = lone == 0u ? c : lone == 1u ? a : b;
     // It starts on the side where the corners, in the sense of the front, pass from front to back.
     bool starts_after = (apart.facing >= 0.0) != is_reversed(triangle);
-    Crossing from = crossing_of(starts_after ? after : before, apart);
-    Crossing to = crossing_of(starts_after ? before : after, apart);
-    uint side_before = next_corner(next_corner(lone));
-    uint start = starts_after ? lone : side_before;
-    uint end = starts_after ? side_before : lone;
-    return Segment(from.position, from.normal, to.position, to.normal, triangle << 2 | 3u,
-                   segment_beyond(triangle, end, segment_count),
-                   segment_beyond(triangle, start, segment_count) != NO_SEGMENT ? 1u : 0u, bulge_of(a, b, c));
+    Crossing from = Crossing(vec3(0.0), 0u);
+    Crossing to = from;
+    uint next = NO_SEGMENT;
+    uint previous = NO_SEGMENT;
+    for (int i = 0; i < rounds(2, int(triangle)); ++i) {
+        bool is_start = i == 0;
+        bool takes_after = is_start == starts_after;
+        Crossing crossing = crossing_of(takes_after ? after : before, apart);
+        uint side = takes_after ? lone : next_corner(next_corner(lone));
+        uint beyond = segment_beyond(triangle, side, segment_count);
+        from = is_start ? crossing : from;
+        previous = is_start ? beyond : previous;
+        to = crossing;
+        next = beyond;
+    }
+    return Segment(from.position, from.normal, to.position, to.normal, triangle << 2 | 3u, next,
+                   previous != NO_SEGMENT ? 1u : 0u, bulge_of(a, b, c));
 }
 
 // The outline's edge that leaves the point where a front's side ends (or starts, going back), around all

@@ -74,17 +74,18 @@ bool is_turned(uint triangle)
 vec3 edge_normal(uint side, vec3 place)
 {
     uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
+    bool has_other = beyond != NO_SIDE;
+    uint other_triangle = (has_other ? beyond : side) >> 2;
     vec3 way = towards_eye(frame, place);
     vec3 normal = triangle_normal(side >> 2);
     normal /= max(size_of(normal), 1e-30);
-    if (beyond != NO_SIDE) {
-        vec3 other =
-            triangle_normal(beyond >> 2) * (is_turned(side >> 2) != is_turned(beyond >> 2) ? -1.0 : 1.0);
-        other /= max(size_of(other), 1e-30);
-        bool is_front = dot(normal, way) > 0.0;
-        bool is_other_front = dot(other, way) > 0.0;
-        normal = is_front == is_other_front ? normal + other : is_front ? normal : other;
-    }
+    vec3 other =
+        triangle_normal(other_triangle) * (is_turned(side >> 2) != is_turned(other_triangle) ? -1.0 : 1.0);
+    other /= max(size_of(other), 1e-30);
+    bool is_front = dot(normal, way) > 0.0;
+    bool is_other_front = dot(other, way) > 0.0;
+    vec3 ruling = is_front == is_other_front ? normal + other : is_front ? normal : other;
+    normal = has_other ? ruling : normal;
     return size_of(normal) > 1e-6 ? unit(normal) : vec3(0.0, 1.0, 0.0);
 }
 

@@ -10,8 +10,6 @@
 const float page_margin_px = 32.0;
 
 struct PagePiece {
-    vec2 from_px;
-    vec2 to_px;
     float from_w;
     float to_w;
     vec2 kept; // share of the piece where it starts and ends; nothing is left where they are equal
@@ -23,15 +21,13 @@ vec2 page_position(vec4 clip)
     return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.size_px);
 }
 
-// Keeps the part of [from, to] where a value that runs from `a` to `b` is not negative.
+// Keeps the part of [from, to] where a value that runs from `a` to `b` is not negative. Without branches,
+// which processors compile for longer.
 void keep_positive(float a, float b, inout vec2 kept)
 {
-    if (a < 0.0) {
-        kept.x = b > 0.0 ? max(kept.x, a / (a - b)) : 2.0;
-    }
-    if (b < 0.0) {
-        kept.y = a > 0.0 ? min(kept.y, a / (a - b)) : -1.0;
-    }
+    float share = a / (a - b);
+    kept.x = a < 0.0 ? (b > 0.0 ? max(kept.x, share) : 2.0) : kept.x;
+    kept.y = b < 0.0 ? (a > 0.0 ? min(kept.y, share) : -1.0) : kept.y;
 }
 
 PagePiece piece_on_page(vec3 from, vec3 to)
@@ -45,14 +41,12 @@ PagePiece piece_on_page(vec3 from, vec3 to)
     keep_positive(reach.x * a.w + a.x, reach.x * b.w + b.x, kept);
     keep_positive(reach.y * a.w - a.y, reach.y * b.w - b.y, kept);
     keep_positive(reach.y * a.w + a.y, reach.y * b.w + b.y, kept);
-    if (kept.x >= kept.y) {
-        return PagePiece(vec2(0.0), vec2(0.0), 1.0, 1.0, vec2(0.0), 0.0);
-    }
     vec4 start = mix(a, b, kept.x);
     vec4 end = mix(a, b, kept.y);
-    vec2 start_px = page_position(start);
-    vec2 end_px = page_position(end);
-    return PagePiece(start_px, end_px, start.w, end.w, kept, size_of(end_px - start_px));
+    float length_px = size_of(page_position(end) - page_position(start));
+    bool is_kept = kept.x < kept.y;
+    return PagePiece(is_kept ? start.w : 1.0, is_kept ? end.w : 1.0, is_kept ? kept : vec2(0.0),
+                     is_kept ? length_px : 0.0);
 }
 
 // Share of the whole piece in space of what lies `along` the kept part on the page, both in [0, 1].

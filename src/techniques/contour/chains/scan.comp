@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // One workgroup turns a list of numbers into the sums of all before each, with the total at the end: each
-// thread adds up a stretch, the sums of stretches are added up among threads, and each thread walks its
-// stretch once more.
+// thread adds up a stretch, the sums of stretches are added up among the threads of a subgroup and then among
+// subgroups, and each thread walks its stretch once more.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#extension GL_KHR_shader_subgroup_basic : require
 
 #include "techniques/contour/chains/chains.glsl.h"
 
@@ -40,7 +42,7 @@ uint value_at(uint i)
 
 void main()
 {
-    uint thread = gl_LocalInvocationIndex;
+    uint thread = gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID;
     uint count = constants.fixed_count;
     if (constants.count_of != NO_LIST) {
         count += sizes[constants.count_of].count;
@@ -52,15 +54,15 @@ void main()
     for (uint i = first; i < last; ++i) {
         sum += value_at(i);
     }
-    sums[thread] = sum;
-    barrier();
-    for (uint reach = 1u; reach < THREADS; reach *= 2u) {
-        uint lower = thread >= reach ? sums[thread - reach] : 0u;
-        barrier();
-        sums[thread] += lower;
-        barrier();
+    uint running = subgroupExclusiveAdd(sum);
+    uint subgroup_sum = subgroupAdd(sum);
+    if (subgroupElect()) {
+        sums[gl_SubgroupID] = subgroup_sum;
     }
-    uint running = sums[thread] - sum;
+    barrier();
+    for (uint i = 0u; i < gl_SubgroupID; ++i) {
+        running += sums[i];
+    }
     for (uint i = first; i < last; ++i) {
         before[i] = running;
         running += value_at(i);
