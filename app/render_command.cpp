@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <future>
 
 #include <fmt/format.h>
 
@@ -110,13 +111,15 @@ void run(const RenderCommand& command)
     check_outputs(command);
 
     StepClock clock;
+    // Opened while the file is read; what is wrong with the file is said first.
+    std::future<Renderer> opening = std::async(std::launch::async, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene(draw.scene);
     print_warnings(scene.warnings);
     warn_of_idle_time(draw, scene);
     const Index animation = choose_animation(draw, scene);
     const Camera camera = choose_camera(draw, scene, animation);
     clock.finish("load");
-    Renderer renderer(draw.device);
+    Renderer renderer = opening.get();
     clock.finish("device");
     set_scene(renderer, scene, draw);
     clock.finish("upload");
