@@ -191,6 +191,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                 .local_count = plan.local_light_count,
                 .has_emissive = plan.needs.emissive,
                 .keeps_strongest = plan.follows_local_light,
+                .keeps_sun = plan.lines_shadows,
                 .has_links = plan.has_light_links,
                 .size_px = size_px});
     const gpu::ImageId light =
@@ -242,6 +243,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                                 .normal = surface.normal,
                                                 .coordinate = surface.coordinate,
                                                 .light = light,
+                                                .sun = plan.lines_shadows ? std::optional(lit.sun)
+                                                                          : std::nullopt,
                                                 .screen_draw = screen.draw,
                                                 .has_screen = has_screen && !has_chains,
                                                 .only_cut = has_chains,

@@ -67,6 +67,7 @@ struct FramePlan {
     bool has_local_shadows = false;
     LocalMapViews local_views;        ///< maps of local lights to draw anew
     bool follows_local_light = false; ///< some strokes run along the light, and there are local lights
+    bool lines_shadows = false;       ///< edges of the sun's shadow are lines
     bool meters_page = false;
     std::optional<MotionPlan> motion;
     float adapt_stops = -1.0F;       ///< most that the exposure by the page changes; negative: any

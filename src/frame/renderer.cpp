@@ -208,6 +208,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
                      .most_bytes = std::min<uint64_t>(device.limits().maxStorageBufferRange,
                                                       4ULL * device.limits().maxTexelBufferElements)},
                     camera, style);
+    plan.lines_shadows = contour::has_lines(style.contour, shared::line_shadow) && plan.shadow_size > 0;
     return plan;
 }
 

@@ -205,6 +205,7 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, Light
                              .local_count = lighting.local_count,
                              .has_emissive = needs_.emissive,
                              .keeps_strongest = setup.keeps_strongest,
+                             .keeps_sun = setup.keeps_sun,
                              .counts_visits = setup.counts_visits,
                              .looks_at_all = setup.looks_at_all,
                              .has_links = setup.has_links,

@@ -55,6 +55,7 @@ struct LightSetup {
     bool counts_visits = false;
     bool looks_at_all = false;
     bool keeps_strongest = false;
+    bool keeps_sun = false;
     bool has_links = false;                    ///< groups of lights and draws count
     shadow::ShadowStyle shadow;                ///< millimetres are pixels
     std::optional<shadow::HatchedLines> lines; ///< what teeth follow
@@ -102,7 +103,7 @@ public:
     [[nodiscard]] std::vector<glm::vec3> strongest_light(LightSetup setup);
     /// Depths of a piece of the sun's clipmap, row by row.
     [[nodiscard]] std::vector<uint32_t> sun_piece(const shadow::Clipmap& clipmap, const shadow::Piece& piece);
-    /// Coverage of the lines, in even light of 1; those of chains go on from the frame that `history` holds.
+    /// Coverage of the lines, in `line_light`; those of chains go on from the frame that `history` holds.
     [[nodiscard]] std::vector<float> lines(const contour::ContourStyle& style, float pixels_per_mm,
                                            contour::LineHistory* history = nullptr);
     /// Makes `history` ready for the next frame of a film, which goes on from the one before or is the first.
@@ -121,6 +122,7 @@ public:
     RasterPath path = RasterPath::compute;
     raster::Tuning tuning;
     bool with_ground = false;
+    LightSetup line_light{.ambient = glm::vec3(1.0F)}; ///< that lines are drawn in
     pose::MeshData layout;
     pose::PoseData pose;
     shared::FrameGlobals globals;

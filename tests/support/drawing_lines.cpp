@@ -12,6 +12,7 @@ namespace estampe::test {
 
 contour::ContourInputs Drawing::contour_inputs(gpu::Graph& graph, const Stage& stage)
 {
+    const light::LitPixels lit = add_light(graph, stage, line_light);
     return {.frame = stage.frame,
             .visibility = stage.visibility,
             .triangles = stage.triangles,
@@ -22,7 +23,8 @@ contour::ContourInputs Drawing::contour_inputs(gpu::Graph& graph, const Stage& s
             .depth = stage.surface.depth,
             .normal = stage.surface.normal,
             .coordinate = stage.surface.coordinate,
-            .light = add_light(graph, stage, {.ambient = glm::vec3(1.0F)}).light,
+            .light = lit.light,
+            .sun = line_light.keeps_sun ? std::optional(lit.sun) : std::nullopt,
             .screen_draw = screen::add_no_screen(graph).draw,
             .pixel_angle = static_cast<float>(pixel_angle_),
             .size_px = size_px};
@@ -64,14 +66,8 @@ ChainLists Drawing::chains(const contour::ContourStyle& style, contour::LineClas
     const auto read = [&]<class T>(std::vector<T>& list, auto choose) {
         gpu::Graph graph;
         const Stage stage = add_surface(graph);
-        const contour::ChainInputs inputs{
-            .frame = stage.frame,
-            .posed_vertices = stage.posed,
-            .visibility = stage.visibility,
-            .neighbors = gpu::import_whole(graph, "line neighbors", mesh->neighbors),
-            .line_triangles = gpu::import_whole(graph, "line triangles", mesh->triangles),
-            .suggestive_cut = {style.suggestive_growth, style.suggestive_deg},
-            .size_px = size_px};
+        const contour::ChainInputs inputs =
+            contour::chain_inputs(graph, contour_inputs(graph, stage), *mesh, style);
         const contour::Chains chains = contour::add_chains(graph, inputs, *mesh, along_edges);
         const auto grid =
             graph.buffer("grid", contour::list_of(contour::grid_cell_count(size_px), sizeof(glm::uvec2)));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
 #include "techniques/contour/contour_style.hpp"
@@ -22,6 +24,7 @@ struct ContourInputs {
     gpu::ImageId normal;
     gpu::ImageId coordinate;
     gpu::ImageId light;
+    std::optional<gpu::ImageId> sun; ///< as light::LitPixels; only where edges of shadows are wanted
     gpu::ImageId screen_draw; ///< of what is looked through; one texel for none
     bool has_screen = false;
     bool only_cut = false;          ///< only what a texture's alpha cuts has lines

@@ -42,7 +42,7 @@ struct ContourStyle {
     float suggestive_mm = 0.0F;
     float suggestive_growth = 15.0F;
     float suggestive_deg = 20.0F;
-    float intersection_mm = 0.0F;
+    float intersection_mm = 0.24F;
     float shadow_mm = 0.0F;
     float depth_step = 1.0F;
     std::string brush = "pen";
@@ -112,7 +112,7 @@ inline constexpr std::array<LineKindKeys, shared::line_kind_count> line_kind_key
      &ContourStyle::valley_brush},
     {"suggestive", "where a surface would soon turn away", &ContourStyle::suggestive_mm,
      &ContourStyle::suggestive_m, &ContourStyle::suggestive_brush},
-    {"intersection", "where objects run into each other", &ContourStyle::intersection_mm,
+    {"intersection", "where surfaces run into each other", &ContourStyle::intersection_mm,
      &ContourStyle::intersection_m, &ContourStyle::intersection_brush},
     {"shadow", "along edges of shadows", &ContourStyle::shadow_mm, &ContourStyle::shadow_m,
      &ContourStyle::shadow_brush},
@@ -169,7 +169,7 @@ inline void add_width_keys(ContourTable& table)
         .number("suggestive_deg", &ContourStyle::suggestive_deg, {1.0F, 89.0F}, "deg",
                 "Least angle between the view and a surface that has suggestive contours")
         .number("intersection_mm", &ContourStyle::intersection_mm, {0.0F, 20.0F}, "mm",
-                "Width where objects run into each other, drawn by chains; 0 draws none")
+                "Width where surfaces run into each other, drawn by chains; 0 draws none")
         .number("shadow_mm", &ContourStyle::shadow_mm, {0.0F, 20.0F}, "mm",
                 "Width along edges of the sun's shadows, drawn by chains; 0 draws none")
         .number("depth_step", &ContourStyle::depth_step, {0.05F, 100.0F}, "",

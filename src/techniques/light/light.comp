@@ -71,6 +71,7 @@ layout(scalar, binding = 16) readonly buffer LocalShadows
 
 layout(binding = 17) uniform samplerBuffer local_maps;
 layout(binding = 18) uniform sampler2D lightmap_image; // irradiance / pi, and whether it is known
+layout(binding = 19, r32f) writeonly uniform image2D out_sun; // see LitPixels
 
 layout(push_constant) uniform Constants
 {
@@ -95,10 +96,12 @@ const bool has_soft_sun = (variant & 0x400u) != 0u;
 const bool has_sun_levels = (variant & 0x800u) != 0u;
 const bool has_sun_warp = (variant & 0x8000u) != 0u;
 const bool has_soft_lamps = (variant & 0x4000u) != 0u;
+const bool keeps_sun = (variant & 0x10000u) != 0u;
 const bool has_local_shadows = (variant & 0x1000u) != 0u;
 
 const float most_light = 65504.0; // that half floats hold
 const uint lights_per_round = 256u;
+const float least_sun_cosine = 0.05; // of what shadows can be seen on
 
 // The strongest light of the pixel in hand, for those who follow it.
 float strongest = 0.0;
@@ -266,6 +269,13 @@ void main()
     }
     light = min(light, vec3(most_light));
     imageStore(out_light, pixel, vec4(light, luminance(light)));
+    if (keeps_sun) {
+        LightRecord sun = light_at(0u);
+        bool is_lit = directional_count > 0u && takes_shadow && (word & DRAW_UNLIT) == 0u &&
+                      (!has_links || (sun.groups & groups) != 0u) &&
+                      dot(smooth_normal, sun.direction) > least_sun_cosine;
+        imageStore(out_sun, pixel, vec4(is_lit ? sun_visible : -1.0));
+    }
     if (keeps_strongest) {
         bool is_local = dot(towards_strongest, towards_strongest) > 0.0;
         uint packed = is_local ? max(pack_normal(normalize(towards_strongest)), 1u) : 0u;

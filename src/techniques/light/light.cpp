@@ -81,13 +81,17 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
         "light/strongest", {.width = kept_px.x, .height = kept_px.y, .format = gpu::Format::r32ui}));
     pass.read(in.local_shadows).sample(in.local_maps, gpu::Format::r32f);
     pass.sample(in.lightmap.value_or(in.depth));
+    const glm::uvec2 sun_px = in.keeps_sun ? in.size_px : glm::uvec2(1);
+    const gpu::ImageId sun = pass.write(
+        graph.image("light/sun", {.width = sun_px.x, .height = sun_px.y, .format = gpu::Format::r32f}));
     pass.variant((in.has_local_shadows ? 0x1000U : 0U) | (in.lightmap ? 0x2000U : 0U) |
                  (in.has_shadow ? 1U : 0U) | (in.local_count > 0 ? 2U : 0U) | (in.has_emissive ? 4U : 0U) |
                  (in.has_links ? 8U : 0U) | (lists.made ? 16U : 0U) | (in.counts_visits ? 32U : 0U) |
-                 (in.keeps_strongest ? 64U : 0U) | (in.looks_at_all ? 128U : 0U) | (in.shadow_variant << 8U));
+                 (in.keeps_strongest ? 64U : 0U) | (in.looks_at_all ? 128U : 0U) | (in.keeps_sun ? 0x10000U : 0U) |
+                 (in.shadow_variant << 8U));
     pass.push(lists.tiles);
     pass.dispatch_over(in.size_px.x, in.size_px.y);
-    return {.light = light, .strongest = strongest};
+    return {.light = light, .strongest = strongest, .sun = sun};
 }
 
 } // namespace estampe::light

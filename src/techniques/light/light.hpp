@@ -62,6 +62,7 @@ struct LightInputs {
     uint32_t local_count = 0; ///< point and spot lights, after the directional ones
     bool has_emissive = false;
     bool keeps_strongest = false; ///< the direction of the strongest light is wanted
+    bool keeps_sun = false;       ///< how much is seen of the first directional light is wanted
     bool counts_visits = false; ///< instead of light: local lights looked at, and those whose range holds it
     bool looks_at_all = false;  ///< every pixel at every light, for comparison
     bool has_links = false;     ///< lights and draws are to be matched by their groups
@@ -73,6 +74,8 @@ struct LitPixels {
                         ///< is unlit or nothing is seen
     gpu::ImageId strongest; ///< r32ui: octahedral direction towards the strongest light, where that is a
                             ///< local one, else 0; a single texel unless `keeps_strongest`
+    gpu::ImageId sun; ///< r32f: share of the first directional light that shadows leave; negative where it
+                      ///< lights nothing or only grazes; a single texel unless `keeps_sun`
 };
 
 /// Lights the surface.

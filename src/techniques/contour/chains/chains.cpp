@@ -15,17 +15,18 @@
 #include "shaders/rank_comp.hpp"
 #include "shaders/string_comp.hpp"
 #include "techniques/contour/chains/line_history.hpp"
+#include "techniques/contour/chains/page_cells.hpp"
 #include "techniques/contour/chains/scan.hpp"
 
 namespace estampe::contour {
 namespace {
 
 /// An outline of n triangles crosses about 0.7 n^0.8 of them (McGuire 2004); six times as many have room.
-uint32_t segment_capacity(const LineMesh& mesh, bool along_edges)
+uint32_t segment_capacity(const LineMesh& mesh, bool along_edges, uint32_t cells)
 {
     const uint32_t suggestive = mesh.bending_count > 0 ? mesh.triangle_count : 0;
-    const auto items =
-        static_cast<double>((along_edges ? 0 : mesh.triangle_count) + mesh.loose_edge_count + suggestive);
+    const auto items = static_cast<double>((along_edges ? 0 : mesh.triangle_count) + mesh.loose_edge_count +
+                                           suggestive + cells);
     const double usual = 4096.0 + 6.0 * 0.7 * std::pow(items, 0.8);
     return std::max(1U, static_cast<uint32_t>(std::min(items, usual)));
 }
@@ -35,15 +36,22 @@ struct Marks {
     gpu::BufferId words;
     gpu::BufferId before;
     gpu::BufferId sizes;
+    std::vector<PageLines> page_lines;
 };
+
+/// Words of marks before those of the page.
+uint32_t mesh_words(const shared::ChainConstants& constants)
+{
+    return (constants.triangle_count + 31) / 32 + (constants.loose_edge_count + 31) / 32 +
+           (constants.suggestive_count + 31) / 32;
+}
 
 Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_edges,
                 const std::optional<gpu::BufferId>& view_bends, const shared::ChainConstants& constants,
                 bool along_edges)
 {
     const uint32_t triangle_words = (constants.triangle_count + 31) / 32;
-    const uint32_t words =
-        triangle_words + (constants.loose_edge_count + 31) / 32 + (constants.suggestive_count + 31) / 32;
+    const uint32_t words = mesh_words(constants) + constants.page_words;
     auto triangles = graph.compute("contour/mark triangles", shaders::mark_triangles_comp);
     triangles.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices).sample(in.neighbors);
     const gpu::BufferId facing =
@@ -63,6 +71,11 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
         marks = suggestive.modify(marks);
         suggestive.push(constants).dispatch((constants.suggestive_count + 63) / 64);
     }
+    const std::vector<PageLines> page_lines = add_page_lines(graph, in);
+    for (uint32_t i = 0; i < page_lines.size(); ++i) {
+        marks = add_cell_marks(graph, page_lines[i], in.size_px, marks,
+                               mesh_words(constants) + i * page_words(in.size_px));
+    }
     const gpu::BufferId sizes =
         graph.buffer("contour/sizes", list_of(shared::list_count, sizeof(shared::ListSize)));
     const Scanned scanned = add_scan(graph, "marks",
@@ -76,18 +89,38 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
                                                     .capacity = constants.segment_capacity,
                                                     .slots_before = constants.feature_chain_count,
                                                     .counts_bits = 1}});
-    return {facing, marks, scanned.before, scanned.sizes};
+    return {facing, marks, scanned.before, scanned.sizes, page_lines};
 }
 
 } // namespace
 
+ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
+                         const ContourStyle& style)
+{
+    ChainInputs inputs{.frame = in.frame,
+                       .posed_vertices = in.posed_vertices,
+                       .visibility = in.visibility,
+                       .neighbors = gpu::import_whole(graph, "line neighbors", mesh.neighbors),
+                       .line_triangles = gpu::import_whole(graph, "line triangles", mesh.triangles),
+                       .suggestive_cut = {style.suggestive_growth, style.suggestive_deg},
+                       .meetings = has_lines(style, shared::line_intersection) && mesh.shell_count > 1,
+                       .sun = {},
+                       .size_px = in.size_px};
+    if (in.sun) {
+        inputs.sun = SunPixels{.share = *in.sun, .draw = in.draw, .depth = in.depth, .normal = in.normal};
+    }
+    return inputs;
+}
+
 Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges)
 {
-    const uint32_t segments_most = segment_capacity(mesh, along_edges);
+    const uint32_t words_of_page = ((in.meetings ? 1 : 0) + (in.sun ? 1 : 0)) * page_words(in.size_px);
+    const uint32_t segments_most = segment_capacity(mesh, along_edges, 32 * words_of_page);
     const shared::ChainConstants constants{.triangle_count = mesh.triangle_count,
                                            .loose_edge_count = mesh.loose_edge_count,
                                            .suggestive_count =
                                                mesh.bending_count > 0 ? mesh.triangle_count : 0,
+                                           .page_words = words_of_page,
                                            .feature_chain_count = mesh.feature_chain_count,
                                            .feature_point_count = mesh.feature_point_count,
                                            .segment_capacity = segments_most,
@@ -129,6 +162,20 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
         suggestive.push(constants);
         suggestive.dispatch_indirect(marks.sizes, indirect_offset(shared::list_segments));
     }
+
+    CellSegments cells{.marks = marks.words,
+                       .marks_before = marks.before,
+                       .sizes = marks.sizes,
+                       .segments = segments,
+                       .ranks = ranks,
+                       .first_word = mesh_words(constants),
+                       .word_count = mesh_words(constants) + words_of_page};
+    for (const PageLines& lines : marks.page_lines) {
+        add_cell_segments(graph, in, lines, cells);
+        cells.first_word += page_words(in.size_px);
+    }
+    segments = cells.segments;
+    ranks = cells.ranks;
 
     for (uint64_t reach = 1; reach < segments_most; reach *= 4) {
         auto rank = graph.compute("contour/rank", shaders::rank_comp);

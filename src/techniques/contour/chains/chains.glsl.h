@@ -3,7 +3,7 @@
 #define ESTAMPE_CHAINS_GLSL_H
 // Lines strung along the surface. An item is what may hold a piece of a line that is found from view to view:
 // of the outline a triangle, or after all triangles a loose edge; after those, of a suggestive contour, a
-// triangle again. A slot is a chain: first those of features, then one for each segment found, of
+// triangle again; then, of lines that are found on the page, a cell of that. A slot is a chain: first those of features, then one for each segment found, of
 // which only the one that stands for its whole chain is not empty.
 #include "techniques/contour/chains/line_kinds.glsl.h"
 #ifdef __cplusplus
@@ -136,12 +136,23 @@ struct ChainConstants {
     uint triangle_count;
     uint loose_edge_count;
     uint suggestive_count; // triangles that may have suggestive contours: all or none
+    uint page_words;       // of marks, 32 cells of the page each
     uint feature_chain_count;
     uint feature_point_count;
     uint segment_capacity;
     uint point_capacity;
     uint sample_capacity;
     float step_px; // between samples, about
+};
+
+// Of the page as a lattice, see page_cells.glsl.
+struct CellConstants {
+    uint columns; // points of the lattice
+    uint rows;
+    uint first_word; // of the marks of its cells
+    uint word_count; // of all marks
+    uint kind;
+    float point_px; // where in its pixel a point lies, both ways
 };
 
 // How a surface bends at a vertex, as contour::Bending, in sizes of its object. The tangent leads to the
@@ -221,6 +232,7 @@ static_assert(sizeof(BrushConstants::period_px) == sizeof(float) * brush_use_cou
 inline constexpr uint brush_columns = 1024U;
 inline constexpr uint brush_rows = 32U;
 inline constexpr uint no_brush = 0xffffffffU;
+inline constexpr uint cell_px = 2U; // from point to point of the page's lattice
 inline constexpr uint grid_cell_px = 4U;      // of the grid in which samples find each other
 inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of these a pixel
 } // namespace estampe::shared
@@ -236,6 +248,11 @@ inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of th
 #define LENGTH_UNIT_PX 1024.0
 #define NEIGHBOR_IS_TURNED 1u
 #define NEIGHBOR_SMOOTH_SHIFT 1u
+#define NEIGHBOR_SHELL_SHIFT 4u
+#define CELL_PX 2u // from point to point of the page's lattice
+#define CROSSING_IS_THERE 0x80000000u
+#define CROSSING_RISES 0x40000000u
+#define CROSSING_SEEN_BETWEEN 0x20000000u
 #define NO_ROTATION 0xffffffffu
 #define ROTATION_TO_CORNER 0x40000000u // better none than at a corner: lower is better
 #define CHAIN_IS_CLOSED 1u

@@ -61,6 +61,14 @@ struct ShapedStrokes {
     std::optional<std::pair<ChainStrokes, HandDrawn>> hidden; ///< where they are wanted
 };
 
+/// What edges of the sun's shadow are found by.
+struct SunPixels {
+    gpu::ImageId share; ///< of the sun that is seen; negative where none can be
+    gpu::ImageId draw;
+    gpu::ImageId depth;
+    gpu::ImageId normal;
+};
+
 /// What strings lines together reads of the frame.
 struct ChainInputs {
     gpu::BufferId frame;
@@ -69,11 +77,17 @@ struct ChainInputs {
     gpu::BufferId neighbors; ///< of the line mesh, as its triangles
     gpu::BufferId line_triangles;
     SuggestiveCut suggestive_cut; ///< of no use where the line mesh has no bendings
+    bool meetings = false;        ///< lines are wanted where shells run into each other
+    std::optional<SunPixels> sun; ///< edges of its shadow are wanted
     glm::uvec2 size_px{0};
 };
 
-/// Finds the outline, one segment a triangle or edge, and suggestive contours where the line mesh has
-/// bendings, and strings these and the features together.
+/// What of a frame's inputs lines are strung together from.
+[[nodiscard]] ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
+                                       const ContourStyle& style);
+
+/// Finds the outline, one segment a triangle or edge, suggestive contours where the line mesh has bendings,
+/// and what is found on the page, and strings these and the features together.
 ///
 /// Cost    one thread a triangle, or two; all else grows with the lines
 /// Source  segments: Hertzmann and Zorin, "Illustrating Smooth Surfaces", 2000; ranking: Wyllie, "The

@@ -74,7 +74,8 @@ void expect_edges_as_searched(const Scene& scene, const Camera& camera, const st
 {
     test::Drawing drawing(scene, camera, page_px);
     const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
-    const auto lists = drawing.chains({.silhouettes = Silhouettes::edges, .crease_deg = 180.0F});
+    const auto lists =
+        drawing.chains({.silhouettes = Silhouettes::edges, .crease_deg = 180.0F, .intersection_mm = 0.0F});
     const Facing facing(drawing, mesh);
     size_t wrong_triangles = 0;
     for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -216,7 +217,8 @@ TEST(ContourChains, EachChainGoesOnFromPieceToPieceAndNoneIsMissing)
     EXPECT_EQ(jumps, 0U);
     uint32_t feature_pieces = 0;
     for (const Chain& chain : chains) {
-        feature_pieces += chain.points[0].source >> 28U != shared::line_silhouette
+        const uint32_t kind = chain.points[0].source >> 28U;
+        feature_pieces += kind != shared::line_silhouette && kind != shared::line_intersection
                               ? static_cast<uint32_t>(chain.points.size() - 1)
                               : 0U;
     }

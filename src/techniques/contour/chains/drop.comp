@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread asks of one short stroke whether it runs beside a longer one, as the far side of a cusp does: it
-// is not drawn then. No stroke has a past yet.
+// is not drawn then. Nor is a stroke that was found on the page, of any length, if it runs beside one of the
+// mesh: where a box stands on the ground its edge is there already. No stroke has a past yet.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -35,9 +36,15 @@ layout(push_constant, scalar) uniform Constants
 
 const float beside_px = 4.0;
 const uint most_steps = 10u;
-const float most_share = 0.5; // of its samples may lie beside another
+const uint least_page_steps = 3u; // of what is found on the page; less is a speck
+const float most_share = 0.5;     // of its samples may lie beside another
 
-bool is_beside_longer(uint index, uint own, uint own_steps)
+bool is_of_page(uint index)
+{
+    return sample_at(index).source >> 28 >= LINE_INTERSECTION;
+}
+
+bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
 {
     vec2 here = sample_at(index).page_px;
     bool is_beside = false;
@@ -48,9 +55,10 @@ bool is_beside_longer(uint index, uint own, uint own_steps)
             uint other = found.y == 0u ? index : k == 0 ? found.x : found.y - 1u;
             uint stroke = strokes_before(other + 1u) - 1u;
             uint steps = strokes[stroke].last - strokes[stroke].first;
-            bool is_longer = stroke != own && (steps > own_steps || (steps == own_steps && stroke < own));
+            bool is_longer = steps > own_steps || (steps == own_steps && stroke < own);
+            bool counts = stroke != own && (is_longer || (is_own_of_page && !is_of_page(other)));
             is_beside = is_beside ||
-                        (found.y != 0u && is_longer && size_of(sample_at(other).page_px - here) < beside_px);
+                        (found.y != 0u && counts && size_of(sample_at(other).page_px - here) < beside_px);
         }
     }
     return is_beside;
@@ -64,11 +72,15 @@ void main()
     }
     uint first = strokes[own].first;
     uint steps = strokes[own].last - first;
+    bool of_page = is_of_page(first);
+    uint looks = min(steps, most_steps);
     uint beside = 0u;
-    for (uint i = 0u; i <= min(steps, most_steps); ++i) {
-        beside += is_beside_longer(first + i, own, steps) ? 1u : 0u;
+    for (uint i = 0u; i <= looks; ++i) {
+        uint at = first + (of_page ? steps * i / max(looks, 1u) : i);
+        beside += is_beside_longer(at, own, steps, of_page) ? 1u : 0u;
     }
-    bool is_dropped = steps <= most_steps && float(beside) > most_share * float(steps + 1u);
+    bool is_dropped = (steps <= most_steps || of_page) && float(beside) > most_share * float(looks + 1u);
+    is_dropped = is_dropped || (of_page && steps < least_page_steps);
     strokes[own].ends = is_dropped ? STROKE_IS_DROPPED : 0u;
     strokes[own].seed = NO_SEED;
     strokes[own].offset_sum = 0;

@@ -245,7 +245,7 @@ private:
         return length > 0.0F ? n / length : glm::vec3(0.0F);
     }
 
-    /// Flags triangles so that, those turned around, all that are joined have one sense.
+    /// Numbers shells, and flags triangles so that, those turned around, all of a shell have one sense.
     void turn_to_one_sense()
     {
         const auto count = static_cast<uint32_t>(mesh_.triangles.size());
@@ -256,6 +256,11 @@ private:
                 continue;
             }
             is_reached[first] = true;
+            if (!has_lines(first)) {
+                continue;
+            }
+            const uint32_t shell = ++mesh_.shell_count << neighbor_shell_shift;
+            mesh_.neighbors[first].w = shell;
             open.push_back(first);
             while (!open.empty()) {
                 const uint32_t t = open.back();
@@ -268,7 +273,7 @@ private:
                     const uint32_t other = facing >> 2U;
                     const bool is_against = point(t, k) == point(other, facing & 3U);
                     const bool is_turned = ((mesh_.neighbors[t].w & neighbor_is_turned) != 0) != is_against;
-                    mesh_.neighbors[other].w |= is_turned ? neighbor_is_turned : 0U;
+                    mesh_.neighbors[other].w = shell | (is_turned ? neighbor_is_turned : 0U);
                     is_reached[other] = true;
                     open.push_back(other);
                 }

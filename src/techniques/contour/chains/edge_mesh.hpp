@@ -56,12 +56,15 @@ struct EdgeMesh {
     std::vector<FeatureEdge>
         features; ///< borders, boundaries, what is marked, and all folds of more than `least_fold_deg`
     std::vector<glm::uvec2> hard_edges; ///< both sides of each edge that shading breaks at
+    uint32_t shell_count = 0;           ///< pieces of surface that share no edge with each other
 };
 
-/// Flags of EdgeMesh::neighbors: the triangle runs against the sense of its piece of the surface; and which
-/// of its sides are smooth, where shading goes on.
+/// Flags of EdgeMesh::neighbors: the triangle runs against the sense of its shell; which of its sides are
+/// smooth, where shading goes on; and from this bit on the number of its shell, from 1, or 0 where it has no
+/// lines.
 constexpr uint32_t neighbor_is_turned = 1;
 constexpr uint32_t neighbor_smooth_shift = 1;
+constexpr uint32_t neighbor_shell_shift = 4;
 
 constexpr float least_fold_deg = 10.0F;
 

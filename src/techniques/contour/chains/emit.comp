@@ -224,7 +224,7 @@ void main()
     }
     uint triangle_words = (constants.triangle_count + 31u) / 32u;
     uint own_words = triangle_words + (constants.loose_edge_count + 31u) / 32u;
-    uint item = item_of(slot, own_words + (constants.suggestive_count + 31u) / 32u);
+    uint item = item_of(slot, own_words + (constants.suggestive_count + 31u) / 32u + constants.page_words);
     if (item >= 32u * own_words) {
         return;
     }

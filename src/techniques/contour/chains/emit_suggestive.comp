@@ -75,8 +75,8 @@ void main()
     }
     uint triangle_words = (constants.triangle_count + 31u) / 32u;
     uint first_word = triangle_words + (constants.loose_edge_count + 31u) / 32u;
-    uint item = item_of(slot, first_word + triangle_words);
-    if (item < 32u * first_word) {
+    uint item = item_of(slot, first_word + triangle_words + constants.page_words);
+    if (item < 32u * first_word || item >= 32u * (first_word + triangle_words)) {
         return;
     }
     uint triangle = item - 32u * first_word;

@@ -70,6 +70,7 @@ LineMesh upload_line_mesh(gpu::Device& device, const EdgeMesh& mesh, FeatureChai
     lines.feature_point_count = static_cast<uint32_t>(features.points.size());
     lines.feature_chain_count = static_cast<uint32_t>(features.chains.size());
     lines.features_leave_edges = features.leave_edges;
+    lines.shell_count = mesh.shell_count;
     return lines;
 }
 

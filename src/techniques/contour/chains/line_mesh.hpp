@@ -21,6 +21,7 @@ struct LineMesh {
     uint32_t feature_point_count = 0;
     uint32_t feature_chain_count = 0;
     uint32_t bending_count = 0;        ///< vertices, or none
+    uint32_t shell_count = 0;          ///< EdgeMesh::shell_count
     bool features_leave_edges = false; ///< FeatureChains::leave_edges
 };
 

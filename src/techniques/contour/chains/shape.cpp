@@ -178,13 +178,7 @@ std::pair<ChainStrokes, std::vector<HandDrawn>> add_class(gpu::Graph& graph, con
 ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
                                  LineHistory* history, const ContourStyle& style)
 {
-    const ChainInputs lines{.frame = in.frame,
-                            .posed_vertices = in.posed_vertices,
-                            .visibility = in.visibility,
-                            .neighbors = gpu::import_whole(graph, "line neighbors", mesh.neighbors),
-                            .line_triangles = gpu::import_whole(graph, "line triangles", mesh.triangles),
-                            .suggestive_cut = {style.suggestive_growth, style.suggestive_deg},
-                            .size_px = in.size_px};
+    const ChainInputs lines = chain_inputs(graph, in, mesh, style);
     const Chains chains = add_chains(graph, lines, mesh, style.silhouettes == Silhouettes::edges);
     ChainSamples samples = add_samples(graph, lines, chains);
     // The pen alone needs no brushes.

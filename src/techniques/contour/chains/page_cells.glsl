@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_PAGE_CELLS
+#define ESTAMPE_PAGE_CELLS
+
+// The page as a lattice, a point every CELL_PX pixels. Between neighbouring points a line is crossed or not:
+// two words a point, of the side to the right and of the side down. Each point has the cell to the right of
+// it and below, those at the right and lower rim have none. Wanted before: `constants`, a CellConstants.
+
+// Where on its side a crossing lies, or a little beyond, and whether what the line divides rises there, to
+// the right or down.
+struct Crossing {
+    bool is_there;
+    bool rises;
+    bool is_seen_between; // it lies on what is seen half way, not where its side starts
+    float share;
+};
+
+uint pack_crossing(Crossing crossing)
+{
+    uint flags =
+        (crossing.rises ? CROSSING_RISES : 0u) | (crossing.is_seen_between ? CROSSING_SEEN_BETWEEN : 0u);
+    uint share = uint(clamp(16384.0 * (crossing.share + 1.0) + 0.5, 0.0, 65535.0));
+    return crossing.is_there ? CROSSING_IS_THERE | flags | share : 0u;
+}
+
+Crossing unpack_crossing(uint word)
+{
+    return Crossing((word & CROSSING_IS_THERE) != 0u, (word & CROSSING_RISES) != 0u,
+                    (word & CROSSING_SEEN_BETWEEN) != 0u, float(word & 0xffffu) / 16384.0 - 1.0);
+}
+
+ivec2 pixel_of_point(uvec2 point)
+{
+    return ivec2(CELL_PX * point);
+}
+
+uvec2 point_of_cell(uint cell)
+{
+    return uvec2(cell % constants.columns, cell / constants.columns);
+}
+
+#endif
