@@ -2,6 +2,8 @@
 #ifndef ESTAMPE_PAGE_LINES
 #define ESTAMPE_PAGE_LINES
 
+#include "shaders/rounds.glsl"
+
 // Cells through which one line runs. Wanted before: CROSSINGS_BINDING and page_cells.glsl.
 
 layout(binding = CROSSINGS_BINDING) uniform usamplerBuffer crossing_texels;
@@ -36,8 +38,8 @@ CellLine line_through(uvec2 cell)
 {
     uint rises = 0u;
     uint falls = 0u;
-    for (uint side = 0u; side < 4u; ++side) {
-        CellSide along = cell_side(cell, side);
+    for (int side = 0; side < rounds(4, int(constants.columns)); ++side) {
+        CellSide along = cell_side(cell, uint(side));
         Crossing crossing = crossing_at(along);
         uint bit = crossing.is_there ? 1u << side : 0u;
         bool is_rise = crossing.rises != along.is_backwards;

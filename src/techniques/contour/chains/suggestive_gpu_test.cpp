@@ -43,7 +43,7 @@ void expect_triangles_as_searched(const Scene& scene, const Camera& camera, cons
 {
     test::Drawing drawing(scene, camera, page_px);
     const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
-    const auto lists = drawing.chains({.suggestive_mm = 0.3F});
+    const auto lists = drawing.chains({.suggestive_mm = 0.3F, .intersection_mm = 0.0F});
     ASSERT_EQ(lists.view_bends.size(), drawing.layout.draw_of_vertex.size()) << name;
     const size_t triangle_words = (mesh.triangles.size() + 31) / 32;
     const size_t first_item = 32 * (lists.marks.size() - triangle_words);
@@ -252,9 +252,9 @@ TEST_F(SuggestiveTorus, HasAllOfThem)
 TEST(SuggestiveContours, AreNoneUnlessAskedFor)
 {
     test::Drawing drawing(shapes_scene(), view_from_above(), page_px);
-    const auto lists = drawing.chains({});
+    const auto lists = drawing.chains({.intersection_mm = 0.0F});
     EXPECT_TRUE(lists.view_bends.empty());
-    const auto with_lines = drawing.chains({.suggestive_mm = 0.3F});
+    const auto with_lines = drawing.chains({.suggestive_mm = 0.3F, .intersection_mm = 0.0F});
     const size_t words = (drawing.layout.triangles.size() + 31) / 32;
     EXPECT_EQ(lists.marks.size() + words, with_lines.marks.size());
     for (size_t i = 0; i < lists.marks.size(); ++i) {
