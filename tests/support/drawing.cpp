@@ -324,8 +324,8 @@ glm::dvec3 Drawing::point_at(glm::dvec2 position_px, double depth) const
 
 glm::dvec3 Drawing::point_seen(size_t pixel, float depth) const
 {
-    const glm::dvec2 center(static_cast<double>(pixel % size_px.x) + 0.5,
-                            static_cast<double>(pixel / size_px.x) + 0.5);
+    const size_t row = pixel / size_px.x;
+    const glm::dvec2 center(static_cast<double>(pixel % size_px.x) + 0.5, static_cast<double>(row) + 0.5);
     return point_at(center, static_cast<double>(std::max(depth, 1e-9F)));
 }
 

@@ -44,11 +44,12 @@ Scene tall_wall()
 
 double mean_ink(const Image& image)
 {
+    const size_t pixels = image.rgba.size() / 4;
     double sum = 0.0;
-    for (size_t i = 0; i < image.rgba.size(); i += 4) {
-        sum += 1.0 - linear_from_srgb(image.rgba[i] / 255.0);
+    for (size_t i = 0; i < pixels; ++i) {
+        sum += 1.0 - linear_from_srgb(image.rgba[4 * i] / 255.0);
     }
-    return sum / static_cast<double>(image.rgba.size() / 4);
+    return sum / static_cast<double>(pixels);
 }
 
 double ink_of(Style style, double darkness, double distance_m)
