@@ -80,8 +80,12 @@ Agreements compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec
         const double pixel_m = 2.0 * w * std::tan(0.5 * camera.vertical_fov_rad) / size_px.y;
         const double outside_m =
             0.75 * pixel_m + static_cast<double>(bulge_m(mesh, posed, sample.source & 0x0fffffffU));
-        const glm::dvec3 outside = glm::dvec3(sample.anchor) + drawing.layout.anchor +
-                                   outside_m * glm::dvec3(pose::unpack_normal(sample.normal));
+        // Where two surfaces run into each other, what is outside of one may be within the other.
+        const glm::dvec3 place = glm::dvec3(sample.anchor) + drawing.layout.anchor;
+        const bool is_of_page = sample.source >> 28U >= shared::line_intersection;
+        const glm::dvec3 outside = is_of_page
+                                       ? place + 1.5 * pixel_m * glm::normalize(camera.eye - place)
+                                       : place + outside_m * glm::dvec3(pose::unpack_normal(sample.normal));
         const glm::dvec3 way = outside - camera.eye;
         const bool is_free = !rays.is_blocked(camera.eye, glm::normalize(way), glm::length(way));
         const bool is_shown = (sample.state & shared::sample_is_visible) != 0;
