@@ -34,9 +34,14 @@ ivec2 pixel_of_point(uvec2 point)
     return ivec2(CELL_PX * point);
 }
 
+// Processors divide whole numbers one by one: the row is taken from a quotient of floats, which is off by one
+// at most.
 uvec2 point_of_cell(uint cell)
 {
-    return uvec2(cell % constants.columns, cell / constants.columns);
+    uint row = uint(float(cell) / float(constants.columns));
+    row -= row * constants.columns > cell ? 1u : 0u;
+    row += cell - row * constants.columns >= constants.columns ? 1u : 0u;
+    return uvec2(cell - row * constants.columns, row);
 }
 
 #endif

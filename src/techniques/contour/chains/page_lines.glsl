@@ -2,8 +2,6 @@
 #ifndef ESTAMPE_PAGE_LINES
 #define ESTAMPE_PAGE_LINES
 
-#include "shaders/rounds.glsl"
-
 // Cells through which one line runs. Wanted before: CROSSINGS_BINDING and page_cells.glsl.
 
 layout(binding = CROSSINGS_BINDING) uniform usamplerBuffer crossing_texels;
@@ -20,9 +18,14 @@ CellSide cell_side(uvec2 cell, uint side)
     return CellSide(cell + uvec2(side == 1u ? 1u : 0u, side == 2u ? 1u : 0u), (side & 1u) != 0u, side >= 2u);
 }
 
+uvec2 crossing_words(uvec2 point)
+{
+    return texelFetch(crossing_texels, int(point.y * constants.columns + point.x)).xy;
+}
+
 Crossing crossing_at(CellSide side)
 {
-    uvec2 words = texelFetch(crossing_texels, int(side.point.y * constants.columns + side.point.x)).xy;
+    uvec2 words = crossing_words(side.point);
     return unpack_crossing(side.is_down ? words.y : words.x);
 }
 
@@ -36,18 +39,16 @@ struct CellLine {
 // A cell through which one line runs has one side of either sort; all others are left out.
 CellLine line_through(uvec2 cell)
 {
-    uint rises = 0u;
-    uint falls = 0u;
-    for (int side = 0; side < rounds(4, int(constants.columns)); ++side) {
-        CellSide along = cell_side(cell, uint(side));
-        Crossing crossing = crossing_at(along);
-        uint bit = crossing.is_there ? 1u << side : 0u;
-        bool is_rise = crossing.rises != along.is_backwards;
-        rises |= is_rise ? bit : 0u;
-        falls |= is_rise ? 0u : bit;
-    }
-    bool is_one = bitCount(rises) == 1 && bitCount(falls) == 1;
-    return CellLine(is_one, uint(max(findLSB(rises), 0)), uint(max(findLSB(falls), 0)));
+    uvec2 here = crossing_words(cell);
+    uvec4 sides =
+        uvec4(here.x, crossing_words(cell + uvec2(1u, 0u)).y, crossing_words(cell + uvec2(0u, 1u)).x, here.y);
+    uvec4 is_there = min(sides & CROSSING_IS_THERE, uvec4(1u));
+    uvec4 is_rise =
+        min(sides & CROSSING_RISES, uvec4(1u)) ^ uvec4(0u, 0u, 1u, 1u); // two are gone along backwards
+    uvec4 rise = is_there & is_rise;
+    uvec4 fall = is_there & ~is_rise;
+    bool is_one = rise.x + rise.y + rise.z + rise.w == 1u && fall.x + fall.y + fall.z + fall.w == 1u;
+    return CellLine(is_one, rise.y + 2u * rise.z + 3u * rise.w, fall.y + 2u * fall.z + 3u * fall.w);
 }
 
 #endif
