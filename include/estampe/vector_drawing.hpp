@@ -20,7 +20,7 @@ enum class StrokeKind : uint8_t {
     ridge,        ///< along a rounded fold outwards
     crease,       ///< along a sharp fold
     marked,       ///< along an edge that the file marks
-    intersection, ///< where objects run into each other
+    intersection, ///< where surfaces run into each other
     boundary,     ///< between materials
     border,       ///< where a surface ends
     outline,      ///< where a surface turns away

@@ -4,8 +4,6 @@
 #include <fstream>
 #include <random>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
 
 #include <jpeglib.h>
@@ -18,36 +16,17 @@
 
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
+#include "support/folder.hpp"
 
 namespace estampe {
 namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// A new folder, removed with everything in it.
-class Folder {
-public:
-    Folder()
-    {
-        std::string name = (std::filesystem::temp_directory_path() / "estampe-XXXXXX").string();
-        path_ = mkdtemp(name.data());
-    }
-
-    ~Folder() { std::filesystem::remove_all(path_); }
-
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    [[nodiscard]] std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
-    [[nodiscard]] size_t size() const
-    {
-        return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
-    }
-
-private:
-    std::filesystem::path path_;
-};
+size_t file_count(const test::Folder& folder)
+{
+    return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(folder.path()), {}));
+}
 
 Image gradient(uint32_t width, uint32_t height)
 {
@@ -118,17 +97,17 @@ Bytes encode_png_as(uint32_t format, uint32_t width, uint32_t height, const void
 
 TEST(Image, png_round_trip)
 {
-    const Folder folder;
+    const test::Folder folder;
     const Image image = gradient(61, 37);
     save_png(image, folder / "a.png");
     EXPECT_EQ(load_image(folder / "a.png"), image);
-    EXPECT_EQ(folder.size(), 1U) << "no temporary file stays";
+    EXPECT_EQ(file_count(folder), 1U) << "no temporary file stays";
     EXPECT_EQ(encode_png(image), encode_png(image));
 }
 
 TEST(Image, saving_replaces_the_old_file)
 {
-    const Folder folder;
+    const test::Folder folder;
     save_png(gradient(3, 3), folder / "a.png");
     save_png(gradient(5, 2), folder / "a.png");
     EXPECT_EQ(load_image(folder / "a.png"), gradient(5, 2));
@@ -233,7 +212,7 @@ TEST(Image, absurd_sizes_are_errors)
 
 TEST(Image, loading_what_is_not_there)
 {
-    const Folder folder;
+    const test::Folder folder;
     EXPECT_THROW((void)load_image(folder / "none.png"), Error);
     EXPECT_THROW((void)load_image("/dev/zero"), Error);
     EXPECT_THROW((void)load_image(std::filesystem::temp_directory_path()), Error);
@@ -241,7 +220,7 @@ TEST(Image, loading_what_is_not_there)
 
 TEST(Image, saving_where_one_cannot)
 {
-    const Folder folder;
+    const test::Folder folder;
     const auto expect_unwritable = [](const Image& image, const std::filesystem::path& path) {
         try {
             save_png(image, path);
@@ -254,24 +233,24 @@ TEST(Image, saving_where_one_cannot)
     expect_unwritable(gradient(2, 2), std::filesystem::temp_directory_path());
     expect_unwritable({}, folder / "a.png");
     expect_unwritable({.width = 2, .height = 2, .rgba = {1, 2, 3}}, folder / "a.png");
-    EXPECT_EQ(folder.size(), 0U);
+    EXPECT_EQ(file_count(folder), 0U);
 }
 
 TEST(File, a_failed_write_leaves_nothing)
 {
-    const Folder folder;
+    const test::Folder folder;
     EXPECT_THROW(write_file_atomically(folder / "a.txt",
                                        [](const std::filesystem::path& temporary) {
                                            std::ofstream(temporary) << "half";
                                            throw Error("stop");
                                        }),
                  Error);
-    EXPECT_EQ(folder.size(), 0U);
+    EXPECT_EQ(file_count(folder), 0U);
 }
 
 TEST(File, read_limit)
 {
-    const Folder folder;
+    const test::Folder folder;
     write_file_atomically(folder / "a.bin", Bytes(10));
     EXPECT_EQ(read_file(folder / "a.bin").size(), 10U);
     EXPECT_THROW((void)read_file(folder / "a.bin", 9), Error);

@@ -208,7 +208,8 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
                      .most_bytes = std::min<uint64_t>(device.limits().maxStorageBufferRange,
                                                       4ULL * device.limits().maxTexelBufferElements)},
                     camera, style);
-    plan.lines_shadows = contour::has_lines(style.contour, shared::line_shadow) && plan.shadow_size > 0;
+    plan.lines_shadows = style.contour.drawn && style.contour.lines == contour::Lines::chains &&
+                         contour::has_lines(style.contour, shared::line_shadow) && plan.shadow_size > 0;
     return plan;
 }
 

@@ -6,31 +6,31 @@
 
 #include <gtest/gtest.h>
 
+#include "support/folder.hpp"
+
 namespace estampe::frame {
 namespace {
 
 /// Points the cache at a folder of its own for as long as it lives.
 class CacheFolder {
 public:
-    CacheFolder() : path_(std::filesystem::temp_directory_path() / "estampe-tonal-maps-test")
+    CacheFolder()
     {
-        std::filesystem::remove_all(path_);
         const char* before = std::getenv("XDG_CACHE_HOME");
         before_ = before != nullptr ? before : "";
-        setenv("XDG_CACHE_HOME", path_.c_str(), 1);
+        setenv("XDG_CACHE_HOME", folder_.path().c_str(), 1);
     }
 
     ~CacheFolder()
     {
         before_.empty() ? unsetenv("XDG_CACHE_HOME") : setenv("XDG_CACHE_HOME", before_.c_str(), 1);
-        std::filesystem::remove_all(path_);
     }
 
     CacheFolder(const CacheFolder&) = delete;
     CacheFolder& operator=(const CacheFolder&) = delete;
 
 private:
-    std::filesystem::path path_;
+    test::Folder folder_;
     std::string before_;
 };
 

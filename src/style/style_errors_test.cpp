@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "style/sheet.hpp"
 #include "style/style_test_support.hpp"
+#include "support/folder.hpp"
 
 namespace estampe::style::test {
 namespace {
@@ -30,16 +30,6 @@ std::string set_error(const std::string& assignment)
 /// A folder of its own for one test, removed afterwards.
 class StyleFiles : public testing::Test {
 protected:
-    StyleFiles()
-    {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::temp_directory_path() /
-                  fmt::format("estampe_style_{}_{}", info->name(), getpid());
-        std::filesystem::create_directories(folder_);
-    }
-
-    ~StyleFiles() override { std::filesystem::remove_all(folder_); }
-
     std::filesystem::path write(const std::string& name, const std::string& text)
     {
         std::filesystem::create_directories((folder_ / name).parent_path());
@@ -47,7 +37,7 @@ protected:
         return folder_ / name;
     }
 
-    std::filesystem::path folder_;
+    ::estampe::test::Folder folder_;
 };
 
 TEST(StyleErrors, ValuesOutOfRange)
@@ -215,7 +205,7 @@ TEST_F(StyleFiles, FilesThatCannotBeStyles)
               std::string::npos);
     EXPECT_NE(message_of([&] { sheet.read("no_preset_of_this_name"); }).find("no preset or style file"),
               std::string::npos);
-    EXPECT_NE(message_of([&] { sheet.read(folder_.string()); }).find("is not a regular file"),
+    EXPECT_NE(message_of([&] { sheet.read(folder_.path().string()); }).find("is not a regular file"),
               std::string::npos);
     const auto huge = write("huge.toml", "");
     std::filesystem::resize_file(huge, uintmax_t{1} << 40);

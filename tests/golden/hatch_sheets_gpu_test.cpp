@@ -15,6 +15,7 @@
 
 #include "golden/golden.hpp"
 #include "scene/shapes.hpp"
+#include "support/folder.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 #include "techniques/tam/maker.hpp"
@@ -87,7 +88,7 @@ TEST(HatchSheet, OneModelInEightStyles)
 }
 
 /// A map whose finest level alone was drawn; the others are filtered from it, as textures usually are.
-std::filesystem::path filtered_map()
+std::filesystem::path filtered_map(const test::Folder& folder)
 {
     tam::TonalArtMap map = tam::make_map({});
     for (auto& levels : map.level_of_tone) {
@@ -96,14 +97,15 @@ std::filesystem::path filtered_map()
         }
     }
     map.threshold_of_level.clear();
-    std::filesystem::path path = std::filesystem::temp_directory_path() / "estampe-filtered-map.tam";
+    std::filesystem::path path = folder / "filtered-map.tam";
     tam::save_tam(map, path);
     return path;
 }
 
 TEST(HatchSheet, OneBallOverSixOctavesOfDistance)
 {
-    const std::filesystem::path filtered = filtered_map();
+    const test::Folder folder;
+    const std::filesystem::path filtered = filtered_map(folder);
     test::shared_renderer().set_scene(test::scene_of(shapes::sphere(1.0F, 96, 48)));
     std::vector<Image> tiles;
     const std::vector<std::vector<std::string>> rows{

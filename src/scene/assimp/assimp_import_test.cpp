@@ -7,28 +7,17 @@
 #include <fstream>
 #include <string>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <estampe/error.hpp>
+
+#include "support/folder.hpp"
 
 namespace estampe {
 namespace {
 
 class AssimpImport : public testing::Test {
 protected:
-    AssimpImport() { std::filesystem::create_directories(folder_); }
-
-    ~AssimpImport() override
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-
-    AssimpImport(const AssimpImport&) = delete;
-    AssimpImport& operator=(const AssimpImport&) = delete;
-
     std::filesystem::path write(const std::string& name, const std::string& content) const
     {
         std::ofstream(folder_ / name, std::ios::binary) << content;
@@ -68,8 +57,7 @@ protected:
         }
     }
 
-    std::filesystem::path folder_ =
-        std::filesystem::temp_directory_path() / fmt::format("estampe_assimp_{}", getpid());
+    test::Folder folder_;
 };
 
 const std::string cube_corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
@@ -169,7 +157,7 @@ TEST_F(AssimpImport, MissingFileIsNamed)
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("absent.obj"), std::string::npos);
     }
-    EXPECT_THROW((void)load_with_assimp(folder_), Error);
+    EXPECT_THROW((void)load_with_assimp(folder_.path()), Error);
 }
 
 TEST_F(AssimpImport, BrokenObjFiles)

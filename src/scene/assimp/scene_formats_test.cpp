@@ -9,14 +9,13 @@
 #include <assimp/Exporter.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
-#include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <estampe/error.hpp>
 
 #include "scene/assimp/assimp_import.hpp"
 #include "scene/pose.hpp"
+#include "support/folder.hpp"
 
 namespace estampe {
 namespace {
@@ -79,23 +78,9 @@ const char* const arm_dae = R"(<?xml version="1.0"?>
 
 class SceneFormats : public testing::Test {
 protected:
-    SceneFormats()
-    {
-        std::filesystem::create_directories(folder_);
-        std::ofstream(folder_ / "arm.dae") << arm_dae;
-    }
+    SceneFormats() { std::ofstream(folder_ / "arm.dae") << arm_dae; }
 
-    ~SceneFormats() override
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-
-    SceneFormats(const SceneFormats&) = delete;
-    SceneFormats& operator=(const SceneFormats&) = delete;
-
-    std::filesystem::path folder_ =
-        std::filesystem::temp_directory_path() / fmt::format("estampe_formats_{}", getpid());
+    test::Folder folder_;
 };
 
 void expect_moving_arm(const Scene& scene, double unit_m = 1.0)

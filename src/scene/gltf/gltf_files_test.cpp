@@ -3,8 +3,6 @@
 
 #include <filesystem>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
@@ -13,6 +11,7 @@
 #include "core/file.hpp"
 #include "scene/gltf/test_file.hpp"
 #include "scene/gltf/uri.hpp"
+#include "support/folder.hpp"
 
 namespace estampe::gltf {
 namespace {
@@ -21,13 +20,9 @@ class GltfFiles : public testing::Test {
 protected:
     GltfFiles()
     {
-        std::string name = (std::filesystem::temp_directory_path() / "estampe-XXXXXX").string();
-        folder_ = mkdtemp(name.data());
         std::filesystem::create_directory(folder_ / "a b");
         buffer_["byteLength"] = file_.binary.size();
     }
-
-    ~GltfFiles() override { std::filesystem::remove_all(folder_); }
 
     /// Writes the .gltf with its buffer as `buffer_` says.
     std::filesystem::path write()
@@ -38,7 +33,7 @@ protected:
         return folder_ / "scene.gltf";
     }
 
-    std::filesystem::path folder_;
+    test::Folder folder_;
     TestFile file_ = triangle_file();
     json buffer_;
 };
@@ -106,7 +101,7 @@ TEST_F(GltfFiles, texture_beside_the_file)
 TEST_F(GltfFiles, other_files)
 {
     EXPECT_THROW((void)load_gltf(folder_ / "none.gltf"), Error);
-    EXPECT_THROW((void)load_gltf(folder_), Error);
+    EXPECT_THROW((void)load_gltf(folder_.path()), Error);
     try {
         (void)load_scene(folder_ / "film.mp4");
         FAIL();

@@ -25,7 +25,7 @@ struct ContourInputs {
     gpu::ImageId coordinate;
     gpu::ImageId light;
     std::optional<gpu::ImageId> sun; ///< as light::LitPixels; only where edges of shadows are wanted
-    gpu::ImageId screen_draw; ///< of what is looked through; one texel for none
+    gpu::ImageId screen_draw;        ///< of what is looked through; one texel for none
     bool has_screen = false;
     bool only_cut = false;          ///< only what a texture's alpha cuts has lines
     bool on_processor = false;      ///< the device is no GPU

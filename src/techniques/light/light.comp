@@ -70,7 +70,7 @@ layout(scalar, binding = 16) readonly buffer LocalShadows
 };
 
 layout(binding = 17) uniform samplerBuffer local_maps;
-layout(binding = 18) uniform sampler2D lightmap_image; // irradiance / pi, and whether it is known
+layout(binding = 18) uniform sampler2D lightmap_image;        // irradiance / pi, and whether it is known
 layout(binding = 19, r32f) writeonly uniform image2D out_sun; // see LitPixels
 
 layout(push_constant) uniform Constants

@@ -87,8 +87,8 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
     pass.variant((in.has_local_shadows ? 0x1000U : 0U) | (in.lightmap ? 0x2000U : 0U) |
                  (in.has_shadow ? 1U : 0U) | (in.local_count > 0 ? 2U : 0U) | (in.has_emissive ? 4U : 0U) |
                  (in.has_links ? 8U : 0U) | (lists.made ? 16U : 0U) | (in.counts_visits ? 32U : 0U) |
-                 (in.keeps_strongest ? 64U : 0U) | (in.looks_at_all ? 128U : 0U) | (in.keeps_sun ? 0x10000U : 0U) |
-                 (in.shadow_variant << 8U));
+                 (in.keeps_strongest ? 64U : 0U) | (in.looks_at_all ? 128U : 0U) |
+                 (in.keeps_sun ? 0x10000U : 0U) | (in.shadow_variant << 8U));
     pass.push(lists.tiles);
     pass.dispatch_over(in.size_px.x, in.size_px.y);
     return {.light = light, .strongest = strongest, .sun = sun};

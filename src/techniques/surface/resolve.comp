@@ -14,7 +14,6 @@
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
-#include "shaders/visibility.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -23,7 +22,8 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(binding = 1) uniform usamplerBuffer visibility_texels;
+#define VISIBILITY_BINDING 1
+#include "shaders/visibility_texels.glsl"
 
 #define MESH_TEXELS_BINDING 2
 #include "shaders/mesh_texels.glsl"
@@ -120,7 +120,7 @@ void main()
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }
-    uvec2 seen = texelFetch(visibility_texels, pixel.y * int(frame.size_px.x) + pixel.x).xy;
+    uvec2 seen = visibility_at(pixel);
     if (!sees_triangle(seen)) {
         imageStore(out_draw, pixel, uvec4(0u));
         imageStore(out_depth, pixel, vec4(0.0));

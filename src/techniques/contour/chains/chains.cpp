@@ -71,10 +71,9 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
         marks = suggestive.modify(marks);
         suggestive.push(constants).dispatch((constants.suggestive_count + 63) / 64);
     }
-    const std::vector<PageLines> page_lines = add_page_lines(graph, in);
-    for (uint32_t i = 0; i < page_lines.size(); ++i) {
-        marks = add_cell_marks(graph, page_lines[i], in.size_px, marks,
-                               mesh_words(constants) + i * page_words(in.size_px));
+    const std::vector<PageLines> page_lines = add_page_lines(graph, in, mesh_words(constants));
+    for (const PageLines& lines : page_lines) {
+        marks = add_cell_marks(graph, lines, in.size_px, marks);
     }
     const gpu::BufferId sizes =
         graph.buffer("contour/sizes", list_of(shared::list_count, sizeof(shared::ListSize)));
@@ -168,11 +167,9 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
                        .sizes = marks.sizes,
                        .segments = segments,
                        .ranks = ranks,
-                       .first_word = mesh_words(constants),
                        .word_count = mesh_words(constants) + words_of_page};
     for (const PageLines& lines : marks.page_lines) {
         add_cell_segments(graph, in, lines, cells);
-        cells.first_word += page_words(in.size_px);
     }
     segments = cells.segments;
     ranks = cells.ranks;

@@ -3,8 +3,9 @@
 #define ESTAMPE_CHAINS_GLSL_H
 // Lines strung along the surface. An item is what may hold a piece of a line that is found from view to view:
 // of the outline a triangle, or after all triangles a loose edge; after those, of a suggestive contour, a
-// triangle again; then, of lines that are found on the page, a cell of that. A slot is a chain: first those of features, then one for each segment found, of
-// which only the one that stands for its whole chain is not empty.
+// triangle again; then, of lines that are found on the page, a cell of that. A slot is a chain: first those
+// of features, then one for each segment found, of which only the one that stands for its whole chain is not
+// empty.
 #include "techniques/contour/chains/line_kinds.glsl.h"
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
@@ -232,7 +233,7 @@ static_assert(sizeof(BrushConstants::period_px) == sizeof(float) * brush_use_cou
 inline constexpr uint brush_columns = 1024U;
 inline constexpr uint brush_rows = 32U;
 inline constexpr uint no_brush = 0xffffffffU;
-inline constexpr uint cell_px = 2U; // from point to point of the page's lattice
+inline constexpr uint cell_px = 2U;           // from point to point of the page's lattice
 inline constexpr uint grid_cell_px = 4U;      // of the grid in which samples find each other
 inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of these a pixel
 } // namespace estampe::shared
@@ -274,6 +275,12 @@ inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of th
 #define TOUCH_IS_END 32u
 #define GRID_CELL_PX 4u
 #define PIECE_IS_THERE 16u // a line goes on to the next sample
+
+// By the source of a segment, a point or a sample: its line was found on the page, so it is seen.
+bool is_of_page(uint source)
+{
+    return source >> 28 >= LINE_FIRST_OF_PAGE;
+}
 #endif
 
 #endif

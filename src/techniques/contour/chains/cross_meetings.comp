@@ -8,7 +8,6 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
-#include "shaders/visibility.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -22,7 +21,9 @@ layout(scalar, binding = 0) uniform Frame
 #include "shaders/mesh_texels.glsl"
 #include "techniques/contour/chains/seen_plane.glsl"
 
-layout(binding = 3) uniform usamplerBuffer visibility_texels;
+#define VISIBILITY_BINDING 3
+#include "shaders/visibility_texels.glsl"
+
 layout(binding = 4) uniform usamplerBuffer neighbor_texels;
 
 #define MEETINGS_BINDING 5
@@ -44,11 +45,6 @@ layout(push_constant, scalar) uniform Constants
 const float slack = 0.5;        // of a pixel, for surfaces that bend between two
 const float least_angle = 0.09; // between planes that cross, rad
 
-uint triangle_seen(ivec2 pixel)
-{
-    return seen_triangle(texelFetch(visibility_texels, pixel.y * int(frame.size_px.x) + pixel.x).xy);
-}
-
 uint shell_of(uint triangle)
 {
     return texelFetch(neighbor_texels, int(triangle)).w >> NEIGHBOR_SHELL_SHIFT;
@@ -57,9 +53,9 @@ uint shell_of(uint triangle)
 // Of a side with a pixel between its ends, which takes the place of that end whose shell it sees.
 uint crossing_on(ivec2 pixel, ivec2 way)
 {
-    uint from = triangle_seen(pixel);
-    uint between = triangle_seen(pixel + way);
-    uint to = triangle_seen(pixel + 2 * way);
+    uint from = seen_triangle(visibility_at(pixel));
+    uint between = seen_triangle(visibility_at(pixel + way));
+    uint to = seen_triangle(visibility_at(pixel + 2 * way));
     bool rises = shell_of(from) < shell_of(to);
     bool is_beyond = shell_of(between) == shell_of(from);
     from = is_beyond ? between : from;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread asks of two sides of the page's lattice whether the sun's shadow ends in between: where as much
-// of it is seen about one end as is not about the other. The mean of 16 pixels about a point, which is the upper
-// left corner of its own, makes the edge run evenly where each pixel only says yes or no.
+// of it is seen about one end as is not about the other. The mean of 16 pixels about a point, which is the
+// upper left corner of its own, makes the edge run evenly where each pixel only says yes or no.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -39,11 +39,6 @@ const uint most_steps = 10u;
 const uint least_page_steps = 3u; // of what is found on the page; less is a speck
 const float most_share = 0.5;     // of its samples may lie beside another
 
-bool is_of_page(uint index)
-{
-    return sample_at(index).source >> 28 >= LINE_INTERSECTION;
-}
-
 bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
 {
     vec2 here = sample_at(index).page_px;
@@ -56,7 +51,8 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
             uint stroke = strokes_before(other + 1u) - 1u;
             uint steps = strokes[stroke].last - strokes[stroke].first;
             bool is_longer = steps > own_steps || (steps == own_steps && stroke < own);
-            bool counts = stroke != own && (is_longer || (is_own_of_page && !is_of_page(other)));
+            bool counts =
+                stroke != own && (is_longer || (is_own_of_page && !is_of_page(sample_at(other).source)));
             is_beside = is_beside ||
                         (found.y != 0u && counts && size_of(sample_at(other).page_px - here) < beside_px);
         }
@@ -72,7 +68,7 @@ void main()
     }
     uint first = strokes[own].first;
     uint steps = strokes[own].last - first;
-    bool of_page = is_of_page(first);
+    bool of_page = is_of_page(sample_at(first).source);
     uint looks = min(steps, most_steps);
     uint beside = 0u;
     for (uint i = 0u; i <= looks; ++i) {

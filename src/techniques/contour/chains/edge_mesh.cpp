@@ -34,7 +34,7 @@ public:
         take_triangles();
         list_sides();
         pair_sides();
-        turn_to_one_sense();
+        find_shells();
         mark_smooth();
         return std::move(mesh_);
     }
@@ -246,7 +246,7 @@ private:
     }
 
     /// Numbers shells, and flags triangles so that, those turned around, all of a shell have one sense.
-    void turn_to_one_sense()
+    void find_shells()
     {
         const auto count = static_cast<uint32_t>(mesh_.triangles.size());
         std::vector<bool> is_reached(count, false);

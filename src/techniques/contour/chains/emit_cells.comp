@@ -9,7 +9,6 @@
 #include "shaders/octahedral.glsl"
 #include "shaders/rounds.glsl"
 #include "shaders/unit.glsl"
-#include "shaders/visibility.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -23,7 +22,8 @@ layout(scalar, binding = 0) uniform Frame
 #include "shaders/mesh_texels.glsl"
 #include "techniques/contour/chains/seen_plane.glsl"
 
-layout(binding = 3) uniform usamplerBuffer visibility_texels;
+#define VISIBILITY_BINDING 3
+#include "shaders/visibility_texels.glsl"
 
 #define MARKS_BINDING 5
 #include "techniques/contour/chains/marked_items.glsl"
@@ -65,7 +65,7 @@ End end_at(CellSide side)
     ivec2 pixel = pixel_of_point(side.point);
     ivec2 way = side.is_down ? ivec2(0, 1) : ivec2(1, 0);
     ivec2 seen = pixel + (crossing.is_seen_between ? way : ivec2(0));
-    uint triangle = seen_triangle(texelFetch(visibility_texels, seen.y * int(frame.size_px.x) + seen.x).xy);
+    uint triangle = seen_triangle(visibility_at(seen));
     Ray ray = ray_at(vec2(pixel) + constants.point_px + float(CELL_PX) * crossing.share * vec2(way));
     SeenPlane plane = seen_plane(triangle);
     vec3 normal = unit(plane.normal);

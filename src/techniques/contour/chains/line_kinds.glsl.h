@@ -17,6 +17,7 @@ inline constexpr uint line_suggestive = 7U;
 inline constexpr uint line_intersection = 8U;
 inline constexpr uint line_shadow = 9U;
 inline constexpr uint line_kind_count = 10U;
+inline constexpr uint line_first_of_page = line_intersection; // this and those after it are found on the page
 } // namespace estampe::shared
 #else
 #define LINE_SILHOUETTE 0u
@@ -29,6 +30,7 @@ inline constexpr uint line_kind_count = 10U;
 #define LINE_SUGGESTIVE 7u
 #define LINE_INTERSECTION 8u
 #define LINE_SHADOW 9u
+#define LINE_FIRST_OF_PAGE LINE_INTERSECTION // this and those after it are found on the page
 #endif
 
 #endif

@@ -82,7 +82,7 @@ Agreements compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec
             0.75 * pixel_m + static_cast<double>(bulge_m(mesh, posed, sample.source & 0x0fffffffU));
         // Where two surfaces run into each other, what is outside of one may be within the other.
         const glm::dvec3 place = glm::dvec3(sample.anchor) + drawing.layout.anchor;
-        const bool is_of_page = sample.source >> 28U >= shared::line_intersection;
+        const bool is_of_page = sample.source >> 28U >= shared::line_first_of_page;
         const glm::dvec3 outside = is_of_page
                                        ? place + 1.5 * pixel_m * glm::normalize(camera.eye - place)
                                        : place + outside_m * glm::dvec3(pose::unpack_normal(sample.normal));
@@ -189,10 +189,7 @@ TEST(ContourChains, VisibilityOnModelsAgreesWithRays)
 /// Even lines of one width, as LineHistory carries them from frame to frame.
 ContourStyle tapered(float width_px)
 {
-    ContourStyle style;
-    style.outline_mm = style.boundary_mm = style.crease_mm = width_px;
-    style.pressure = 0.0F;
-    style.distance_thinning = 0.0F;
+    ContourStyle style = even_lines(width_px);
     style.taper_mm = 40.0F;
     return style;
 }

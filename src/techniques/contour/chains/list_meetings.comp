@@ -7,7 +7,6 @@
 
 #include "shaders/frame.glsl.h"
 #include "shaders/rounds.glsl"
-#include "shaders/visibility.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -17,7 +16,9 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(binding = 1) uniform usamplerBuffer visibility_texels;
+#define VISIBILITY_BINDING 1
+#include "shaders/visibility_texels.glsl"
+
 layout(binding = 2) uniform usamplerBuffer neighbor_texels;
 
 #define MEETINGS_BINDING 3
@@ -40,7 +41,7 @@ layout(push_constant, scalar) uniform Constants
 uint shell_at(uvec2 point)
 {
     ivec2 pixel = min(pixel_of_point(point), ivec2(frame.size_px) - 1);
-    uvec2 word = texelFetch(visibility_texels, pixel.y * int(frame.size_px.x) + pixel.x).xy;
+    uvec2 word = visibility_at(pixel);
     bool is_there = sees_triangle(word) && all(lessThan(point, uvec2(constants.columns, constants.rows)));
     uint flags = texelFetch(neighbor_texels, int(is_there ? seen_triangle(word) : 0u)).w;
     return is_there ? flags >> NEIGHBOR_SHELL_SHIFT : 0u;

@@ -24,7 +24,7 @@ uint32_t point_count(glm::uvec2 size_px)
     return lattice(size_px).x * lattice(size_px).y;
 }
 
-shared::CellConstants cell_constants(glm::uvec2 size_px, uint32_t kind, uint32_t first_word = 0,
+shared::CellConstants cell_constants(glm::uvec2 size_px, uint32_t kind, uint32_t first_word,
                                      uint32_t word_count = 0)
 {
     return {.columns = lattice(size_px).x,
@@ -35,9 +35,9 @@ shared::CellConstants cell_constants(glm::uvec2 size_px, uint32_t kind, uint32_t
             .point_px = kind == shared::line_shadow ? 0.0F : 0.5F};
 }
 
-PageLines add_meetings(gpu::Graph& graph, const ChainInputs& in)
+PageLines add_meetings(gpu::Graph& graph, const ChainInputs& in, uint32_t first_word)
 {
-    const shared::CellConstants constants = cell_constants(in.size_px, shared::line_intersection);
+    const shared::CellConstants constants = cell_constants(in.size_px, shared::line_intersection, first_word);
     const uint64_t points = point_count(in.size_px);
     const gpu::BufferId none =
         gpu::add_empty_list(graph, "contour/meetings", 16 + 2 * sizeof(uint32_t) * points);
@@ -54,18 +54,19 @@ PageLines add_meetings(gpu::Graph& graph, const ChainInputs& in)
     cross.read(meetings);
     crossings = cross.modify(crossings);
     cross.push(constants).dispatch_indirect(meetings);
-    return {.crossings = crossings, .kind = shared::line_intersection};
+    return {.crossings = crossings, .kind = shared::line_intersection, .first_word = first_word};
 }
 
-PageLines add_shadow_edges(gpu::Graph& graph, const ChainInputs& in, const SunPixels& sun)
+PageLines add_shadow_edges(gpu::Graph& graph, const ChainInputs& in, const SunPixels& sun,
+                           uint32_t first_word)
 {
-    const shared::CellConstants constants = cell_constants(in.size_px, shared::line_shadow);
+    const shared::CellConstants constants = cell_constants(in.size_px, shared::line_shadow, first_word);
     auto cross = graph.compute("contour/cross shadows", shaders::cross_shadows_comp);
     cross.uniform(in.frame).sample(sun.share).sample(sun.draw).sample(sun.depth).sample(sun.normal);
     const gpu::BufferId crossings = cross.write(
         graph.buffer("contour/shadow crossings", list_of(point_count(in.size_px), sizeof(glm::uvec2))));
     cross.push(constants).dispatch_over(constants.columns, constants.rows);
-    return {.crossings = crossings, .kind = shared::line_shadow};
+    return {.crossings = crossings, .kind = shared::line_shadow, .first_word = first_word};
 }
 
 } // namespace
@@ -75,25 +76,26 @@ uint32_t page_words(glm::uvec2 size_px)
     return (point_count(size_px) + 31) / 32;
 }
 
-std::vector<PageLines> add_page_lines(gpu::Graph& graph, const ChainInputs& in)
+std::vector<PageLines> add_page_lines(gpu::Graph& graph, const ChainInputs& in, uint32_t first_word)
 {
     std::vector<PageLines> lines;
     if (in.meetings) {
-        lines.push_back(add_meetings(graph, in));
+        lines.push_back(add_meetings(graph, in, first_word));
+        first_word += page_words(in.size_px);
     }
     if (in.sun) {
-        lines.push_back(add_shadow_edges(graph, in, *in.sun));
+        lines.push_back(add_shadow_edges(graph, in, *in.sun, first_word));
     }
     return lines;
 }
 
 gpu::BufferId add_cell_marks(gpu::Graph& graph, const PageLines& lines, glm::uvec2 size_px,
-                             gpu::BufferId marks, uint32_t first_word)
+                             gpu::BufferId marks)
 {
     auto mark = graph.compute("contour/mark cells", shaders::mark_cells_comp);
     mark.sample(lines.crossings, gpu::Format::rg32ui);
     const gpu::BufferId marked = mark.modify(marks);
-    mark.push(cell_constants(size_px, lines.kind, first_word));
+    mark.push(cell_constants(size_px, lines.kind, lines.first_word));
     mark.dispatch((point_count(size_px) + 63) / 64);
     return marked;
 }
@@ -107,7 +109,7 @@ void add_cell_segments(gpu::Graph& graph, const ChainInputs& in, const PageLines
     emit.read(list.sizes);
     list.segments = emit.modify(list.segments);
     list.ranks = emit.modify(list.ranks);
-    emit.push(cell_constants(in.size_px, lines.kind, list.first_word, list.word_count));
+    emit.push(cell_constants(in.size_px, lines.kind, lines.first_word, list.word_count));
     emit.dispatch_indirect(list.sizes, indirect_offset(shared::list_segments));
 }
 

@@ -17,33 +17,35 @@ struct ChainInputs;
 struct PageLines {
     gpu::BufferId crossings;
     uint32_t kind;
+    uint32_t first_word; ///< of the marks of its cells
 };
 
 /// Words of marks of one kind of line.
 [[nodiscard]] uint32_t page_words(glm::uvec2 size_px);
 
-/// Finds lines of the kinds that `in` asks for.
+/// Finds lines of the kinds that `in` asks for. Their marks come one kind after the other from `first_word`
+/// on.
 ///
 /// Cost    one thread for each four pixels and kind; of meetings, one more where shells adjoin on the page
 /// Source  cells: Lorensen and Cline, "Marching Cubes", 1987, in the plane
-[[nodiscard]] std::vector<PageLines> add_page_lines(gpu::Graph& graph, const ChainInputs& in);
+[[nodiscard]] std::vector<PageLines> add_page_lines(gpu::Graph& graph, const ChainInputs& in,
+                                                    uint32_t first_word);
 
-/// Marks the cells that `lines` run through; `first_word` of `marks` is the first of theirs.
+/// Marks the cells that `lines` run through.
 [[nodiscard]] gpu::BufferId add_cell_marks(gpu::Graph& graph, const PageLines& lines, glm::uvec2 size_px,
-                                           gpu::BufferId marks, uint32_t first_word);
+                                           gpu::BufferId marks);
 
-/// What makes segments of marked cells.
+/// What segments of marked cells are made from, and where to.
 struct CellSegments {
     gpu::BufferId marks;
     gpu::BufferId marks_before;
     gpu::BufferId sizes;
     gpu::BufferId segments;
     gpu::BufferId ranks;
-    uint32_t first_word;
-    uint32_t word_count;
+    uint32_t word_count; ///< of all marks
 };
 
-/// Enters the segments of `lines` among all others; returns those and their ranks, written.
+/// Enters the segments of `lines` and their ranks among all others.
 void add_cell_segments(gpu::Graph& graph, const ChainInputs& in, const PageLines& lines, CellSegments& list);
 
 } // namespace estampe::contour

@@ -148,11 +148,10 @@ void main()
     bool is_on_page = all(greaterThan(page_px, vec2(-0.5 * page_margin_px))) &&
                       all(lessThan(page_px, vec2(frame.size_px) + 0.5 * page_margin_px));
     uint own = (from.source & 0x0fffffffu) >> 2;
-    bool is_of_page = from.source >> 28 >= LINE_INTERSECTION; // found where it is seen
-    uint state =
-        is_on_page && (is_of_page || (from.bulge_m >= 0.0 && is_visible(anchor, normal, from.bulge_m, own)))
-            ? SAMPLE_IS_VISIBLE
-            : 0u;
+    uint state = is_on_page && (is_of_page(from.source) ||
+                                (from.bulge_m >= 0.0 && is_visible(anchor, normal, from.bulge_m, own)))
+                     ? SAMPLE_IS_VISIBLE
+                     : 0u;
     state |= is_on_page ? 0u : SAMPLE_IS_OFF_PAGE;
     float spacing_px = float(whole) / (LENGTH_UNIT_PX * float(steps));
     samples[index] = LineSample(anchor, pack_normal(normal), page_px, from.source,
