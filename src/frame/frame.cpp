@@ -230,7 +230,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
 
     // Contour: lines where surfaces end, meet or fold.
     const bool has_chains = resources.line_mesh != nullptr;
-    const bool lines_move = resources.line_history.clip_from_anchor_before() != plan.clip_from_anchor;
+    const bool lines_move =
+        plan.pose_moved || resources.line_history.clip_from_anchor_before() != plan.clip_from_anchor;
     const contour::ContourInputs contour_inputs{.frame = frame,
                                                 .visibility = visibility,
                                                 .triangles = triangles,

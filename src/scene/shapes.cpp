@@ -63,7 +63,7 @@ std::vector<ProfilePiece> profile_pieces(std::span<const glm::vec2> profile, flo
         way_m += length;
     }
     const auto join = [crease_rad](ProfilePiece& before, ProfilePiece& after) {
-        if (glm::dot(before.normal_to, after.normal_from) < std::cos(crease_rad))
+        if (glm::dot(before.normal_to, after.normal_from) < std::cos(std::min(crease_rad, 0.5F * turn_rad)))
             return;
         const glm::vec2 middle = glm::normalize(before.normal_to + after.normal_from);
         before.normal_to = middle;

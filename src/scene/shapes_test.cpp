@@ -142,6 +142,11 @@ TEST(Shapes, TorusIsSolid)
     EXPECT_EQ(mesh.indices.size(), 96U * 48U * 6U);
     expect_within_percent(area(mesh), 4.0 * pi * pi * 2.0 * 0.5);
     expect_within_percent(volume(mesh), 2.0 * pi * pi * 2.0 * 0.25);
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec3 p = mesh.positions[i];
+        const glm::vec3 middle = 2.0F * glm::normalize(glm::vec3(p.x, 0.0F, p.z));
+        EXPECT_NEAR(glm::distance(mesh.normals[i], glm::normalize(p - middle)), 0.0F, 1e-5F);
+    }
 }
 
 TEST(Shapes, CylinderAndConeAreSolid)

@@ -29,7 +29,7 @@ struct ContourInputs {
     bool has_screen = false;
     bool only_cut = false;          ///< only what a texture's alpha cuts has lines
     bool on_processor = false;      ///< the device is no GPU
-    bool is_moving = false;         ///< seen otherwise than in the frame before
+    bool is_moving = false;         ///< it, or the camera, since the frame before
     BrushImages* brushes = nullptr; ///< of chains; none for the pen alone
     float pixels_per_mm = 1.0F;
     float pixel_angle = 0.001F; ///< size of a pixel at distance one

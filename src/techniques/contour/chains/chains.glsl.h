@@ -73,8 +73,8 @@ struct Stroke {
     uint first; // samples
     uint last;
     uint ends;      // whether they meet other lines, and whether it is drawn at all: see the bits below
-    uint seed;      // of the stroke that it was in the frame before, or no_seed
-    int offset_sum; // of the arc length there less that here, in sixteenths of a pixel
+    uint recalled;  // the sample nearest its middle with a past, see stroke_past.glsl, or no_sample
+    int offset_sum; // of the place on its brush there less the arc length here, in sixteenths of a pixel
     uint offset_count;
 };
 
@@ -83,8 +83,9 @@ struct DrawnSample {
     vec2 page_px;
     uint direction; // two signed halves
     float half_width_px;
-    float arc_px; // along the stroke, from where it was first begun
+    float arc_px; // along the brush, held to the surface from frame to frame
     uint seed;
+    float whole_px; // length of the stroke, which a stretched brush has too
 };
 
 // What a sample was in the frame before.
@@ -98,6 +99,7 @@ struct RecallConstants {
     mat4 clip_from_anchor_before;
     uint width;
     uint height;
+    uint stretches; // brushes, from end to end of a stroke
 };
 
 // A sample as it is inked.
@@ -109,7 +111,7 @@ struct LinePoint {
 
 // Where on its brush a stroke is at a sample. Sides are those of LinePoint.
 struct LineTouch {
-    float phase_px; // along the stroke, held to the surface from frame to frame
+    float phase_px; // along the brush, held to the surface from frame to frame
     float along_px; // from the end where the stroke starts
     float whole_px;
     uint way;  // along the line, two signed halves
@@ -208,7 +210,7 @@ static_assert(sizeof(ChainPoint) == 32);
 static_assert(sizeof(VertexBending) == 32);
 static_assert(sizeof(LineSample) == 32);
 static_assert(sizeof(Stroke) == 24);
-static_assert(sizeof(DrawnSample) == 24);
+static_assert(sizeof(DrawnSample) == 28);
 static_assert(sizeof(ShapeConstants) <= 128);
 static_assert(sizeof(ShapeConstants::width_of_kind) == sizeof(float) * line_kind_count);
 static_assert(sizeof(BrushConstants) <= 128);

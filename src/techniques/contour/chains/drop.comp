@@ -35,29 +35,45 @@ layout(push_constant, scalar) uniform Constants
 };
 
 const float beside_px = 4.0;
+const float foot_px = 2.0;         // along a line, from the sample nearest to a place beside it
+const float least_inside_px = 0.5; // from its ends
 const uint most_steps = 10u;
 const uint least_page_steps = 3u; // of what is found on the page; less is a speck
 const float most_share = 0.5;     // of its samples may lie beside another
 
+// Whether a place lies to one side of a sample's stroke, not before its start or past its end.
+bool is_beside(vec2 here, uint other, Stroke stroke)
+{
+    uint previous = max(other, stroke.first + 1u) - 1u;
+    uint next = min(other + 1u, stroke.last);
+    vec2 way = sample_at(next).page_px - sample_at(previous).page_px;
+    vec2 away = here - sample_at(other).page_px;
+    float along = dot(away, way) * inversesqrt(max(dot(way, way), 1e-12));
+    bool is_ring = (sample_at(other).state & SAMPLE_IN_RING) != 0u;
+    bool is_outside = !is_ring && ((other == stroke.first && along < least_inside_px) ||
+                                   (other == stroke.last && along > -least_inside_px));
+    return size_of(away) < beside_px && abs(along) < foot_px && !is_outside;
+}
+
 bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
 {
     vec2 here = sample_at(index).page_px;
-    bool is_beside = false;
+    bool is_there = false;
     Cells around = cells_around(here, size_px);
     for (ivec2 cell = around.low; cell.y <= around.high.y; cell = next_cell(cell, around)) {
         uvec2 found = grid[cell_index(cell, size_px)];
         for (int k = 0; k < 2; ++k) {
             uint other = found.y == 0u ? index : k == 0 ? found.x : found.y - 1u;
             uint stroke = strokes_before(other + 1u) - 1u;
-            uint steps = strokes[stroke].last - strokes[stroke].first;
+            Stroke line = strokes[stroke];
+            uint steps = line.last - line.first;
             bool is_longer = steps > own_steps || (steps == own_steps && stroke < own);
             bool counts =
                 stroke != own && (is_longer || (is_own_of_page && !is_of_page(sample_at(other).source)));
-            is_beside = is_beside ||
-                        (found.y != 0u && counts && size_of(sample_at(other).page_px - here) < beside_px);
+            is_there = is_there || (found.y != 0u && counts && is_beside(here, other, line));
         }
     }
-    return is_beside;
+    return is_there;
 }
 
 void main()
@@ -78,7 +94,7 @@ void main()
     bool is_dropped = (steps <= most_steps || of_page) && float(beside) > most_share * float(looks + 1u);
     is_dropped = is_dropped || (of_page && steps < least_page_steps);
     strokes[own].ends = is_dropped ? STROKE_IS_DROPPED : 0u;
-    strokes[own].seed = NO_SEED;
+    strokes[own].recalled = NO_SAMPLE;
     strokes[own].offset_sum = 0;
     strokes[own].offset_count = 0u;
 }

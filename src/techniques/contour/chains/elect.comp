@@ -17,6 +17,8 @@ layout(scalar, binding = 0) readonly buffer Sizes
 #define SAMPLES_BINDING 1
 #define STROKES_BEFORE_BINDING 2
 #include "techniques/contour/chains/lists.glsl"
+#include "techniques/contour/chains/stroke_lengths.glsl"
+#include "techniques/contour/chains/stroke_past.glsl"
 
 layout(scalar, binding = 3) readonly buffer Recalls
 {
@@ -26,6 +28,11 @@ layout(scalar, binding = 3) readonly buffer Recalls
 layout(scalar, binding = 4) buffer Strokes
 {
     Stroke strokes[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    RecallConstants constants;
 };
 
 const float offset_unit = 16.0; // a pixel
@@ -39,7 +46,14 @@ void main()
     }
     uint stroke = strokes_before(index + 1u) - 1u;
     Recall recall = recalls[index];
-    if (recall.seed != NO_SEED && recall.seed == strokes[stroke].seed &&
+    if (constants.stretches != 0u && (sample_at(index).state & SAMPLE_IN_RING) != 0u) {
+        // A ring has no end: all of it turns by as much as where it is cut.
+        float whole = whole_length(index, strokes[stroke]);
+        float turn = recalls[strokes[stroke].first].offset_px;
+        recall.offset_px -= whole * round((recall.offset_px - turn) / max(whole, 1.0));
+    }
+    if (recall.seed != NO_SEED &&
+        recall.seed == recalls[sample_from_middle(strokes[stroke].recalled, strokes[stroke])].seed &&
         abs(recall.offset_px) < most_offset_px) {
         atomicAdd(strokes[stroke].offset_sum, int(offset_unit * recall.offset_px));
         atomicAdd(strokes[stroke].offset_count, 1u);

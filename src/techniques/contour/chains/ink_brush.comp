@@ -48,6 +48,8 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/contour/chains/list_tiles.glsl"
 
 const float most_taps = 4.0;
+const vec2 repeated_pace = vec2(0.5, 1.5); // of one brush along a piece, as a share of the even one
+const vec2 stretched_pace = vec2(0.0, 8.0);
 
 // Ink of a brush, filtered: `place` along and across in shares of the picture, `step` what a pixel covers of
 // it. Where a pixel is longer than wide, several lookups lie along it.
@@ -104,12 +106,12 @@ float inked_by(vec2 pixel, End a, End b)
         float length_px = b.touch.along_px - a.touch.along_px;
         float phase = b.touch.phase_px - a.touch.phase_px;
         // Where two brushes meet, either goes on at its own pace.
-        phase = abs(phase - length_px) < 0.5 * length_px ? phase : length_px;
+        vec2 same_brush = (repeats ? repeated_pace : stretched_pace) * length_px;
+        phase = phase > same_brush.x && phase < same_brush.y ? phase : length_px;
         float beyond = min(past_a, 0.0) - min(before_b, 0.0);
-        float place = repeats ? (a.touch.phase_px + share * phase + beyond) / period_px
-                              : (a.touch.along_px + share * length_px) / max(a.touch.whole_px, 1.0);
-        vec2 step =
-            vec2(1.0 / (repeats ? period_px : max(a.touch.whole_px, 1.0)), 0.5 / max(half_width, 0.5));
+        float picture_px = repeats ? period_px : max(a.touch.whole_px, 1.0);
+        float place = (a.touch.phase_px + share * phase + beyond) / picture_px;
+        vec2 step = vec2(phase / max(length_px, 1e-6) / picture_px, 0.5 / max(half_width, 0.5));
         ink *= brush_ink(layer, vec2(place, clamp(across, 0.0, 1.0)), step, repeats);
     }
     return ink;

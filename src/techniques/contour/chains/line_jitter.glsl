@@ -32,10 +32,10 @@ float offset_at(vec3 anchor)
 float stray_width(uint index, Stroke stroke, uint seed)
 {
     vec3 anchor = sample_at(index).anchor;
-    float spacing = unpackHalf2x16(sample_at(index).state).y;
-    float whole = spacing * float(stroke.last - stroke.first);
-    float soft = spacing + min(0.5 * constants.taper_px, 0.25 * whole);
-    vec2 to_ends = spacing * vec2(index - stroke.first, stroke.last - index);
+    float whole = whole_length(index, stroke);
+    float soft = spacing_px(index) + min(0.5 * constants.taper_px, 0.25 * whole);
+    float from_start = arc_from_start(index, stroke);
+    vec2 to_ends = vec2(from_start, whole - from_start);
     vec2 short_px = max(-ends_px(seed), vec2(0.0));
     bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
     short_px = is_ring ? vec2(0.0) : min(short_px, vec2(0.4 * whole));

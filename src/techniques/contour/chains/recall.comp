@@ -17,6 +17,8 @@ layout(scalar, binding = 0) readonly buffer Sizes
 #define SAMPLES_BINDING 1
 #define STROKES_BEFORE_BINDING 2
 #include "techniques/contour/chains/lists.glsl"
+#include "techniques/contour/chains/stroke_lengths.glsl"
+#include "techniques/contour/chains/stroke_past.glsl"
 
 layout(scalar, binding = 3) buffer Strokes
 {
@@ -62,7 +64,10 @@ void main()
                            : sample_at(index).page_px - sample_at(index - 1u).page_px;
         way *= inversesqrt(max(dot(way, way), 1e-20));
         uint stroke = strokes_before(goes_on ? index + 1u : index) - 1u;
-        float arc = unpackHalf2x16(sample_at(index).state).y * float(index - strokes[stroke].first);
+        // What was dropped fades by its own past; what is drawn goes on from what was.
+        bool is_dropped = (strokes[stroke].ends & STROKE_IS_DROPPED) != 0u;
+        float arc = arc_from_start(index, strokes[stroke]);
+        float whole = whole_length(index, strokes[stroke]);
         float nearest = reach_px;
         Cells around = cells_around(page, size_px);
         for (ivec2 cell = around.low; cell.y <= around.high.y; cell = next_cell(cell, around)) {
@@ -70,15 +75,18 @@ void main()
             for (int k = 0; k < 2; ++k) {
                 DrawnSample there = drawn[found.y == 0u ? 0u : k == 0 ? found.x : found.y - 1u];
                 float away = size_of(there.page_px - page);
-                if (found.y != 0u && away < nearest && dot(unpackHalf2x16(there.direction), way) > same_way) {
+                bool counts = is_dropped || there.half_width_px > 0.0;
+                if (found.y != 0u && counts && away < nearest &&
+                    dot(unpackHalf2x16(there.direction), way) > same_way) {
                     nearest = away;
                     float along = dot(page - there.page_px, way);
-                    recall = Recall(there.half_width_px, there.arc_px + along - arc, there.seed);
+                    float scale = constants.stretches != 0u ? whole / max(there.whole_px, 1.0) : 1.0;
+                    recall = Recall(there.half_width_px, scale * (there.arc_px + along) - arc, there.seed);
                 }
             }
         }
         if (recall.seed != NO_SEED) {
-            atomicMin(strokes[stroke].seed, recall.seed);
+            atomicMin(strokes[stroke].recalled, from_middle(index, strokes[stroke]));
         }
     }
     recalls[index] = recall;

@@ -78,7 +78,7 @@ layout(push_constant, scalar) uniform Constants
 // Bit 0: some material brings an outline of its own. Bit 1: there was a frame before this. Bit 2: there will
 // be one after it. Bit 3: brushes draw. Bit 4: the hand sways. Bit 5: it strays, or draws a line again. Bit
 // 6: some widths are those of the scene. Bit 7: strokes swell where they bend. Bit 8: they do not where it is
-// dark. Bit 9: these are hidden lines.
+// dark. Bit 9: these are hidden lines. Bit 10: brushes go from end to end of a stroke.
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_own_outlines = (variant & 1u) != 0u;
 const bool recalls_frame = (variant & 2u) != 0u;
@@ -90,7 +90,10 @@ const bool has_widths_m = (variant & 64u) != 0u;
 const bool swells_in_turns = (variant & 128u) != 0u;
 const bool swells_in_shade = (variant & 256u) == 0u;
 const bool is_hidden = (variant & 512u) != 0u;
+const bool stretches = (variant & 1024u) != 0u;
 
+#include "techniques/contour/chains/stroke_lengths.glsl"
+#include "techniques/contour/chains/stroke_past.glsl"
 #include "techniques/contour/chains/line_width.glsl"
 
 const float new_half_width_px = 0.15;
@@ -106,13 +109,12 @@ const float most_past = 0.12;    // share of itself that a stroke runs beyond it
 // itself.
 float taper_at(uint index, Stroke stroke)
 {
-    float spacing = unpackHalf2x16(sample_at(index).state).y;
-    float whole = spacing * float(stroke.last - stroke.first);
+    float whole = whole_length(index, stroke);
+    float from = arc_from_start(index, stroke);
     float reach = min(constants.taper_px, whole / 3.0);
     bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
-    float from_start =
-        (stroke.ends & STROKE_STARTS_AT_LINE) != 0u ? whole : spacing * float(index - stroke.first);
-    float to_end = (stroke.ends & STROKE_ENDS_AT_LINE) != 0u ? whole : spacing * float(stroke.last - index);
+    float from_start = (stroke.ends & STROKE_STARTS_AT_LINE) != 0u ? whole : from;
+    float to_end = (stroke.ends & STROKE_ENDS_AT_LINE) != 0u ? whole : whole - from;
     float from_end = min(from_start, to_end);
     return is_ring || reach <= 0.0 ? 1.0 : smoothstep(0.0, 1.0, (from_end + 0.25 * reach) / (1.25 * reach));
 }
@@ -127,8 +129,7 @@ vec2 pen_at(uint index, Stroke stroke, vec2 way, uint seed)
         if (has_jitter) {
             past += max(ends_px(seed), vec2(0.0));
         }
-        float whole = unpackHalf2x16(sample_at(index).state).y * float(stroke.last - stroke.first);
-        past = min(past, vec2(most_past * whole));
+        past = min(past, vec2(most_past * whole_length(index, stroke)));
         page += (index == stroke.first ? -past.x : index == stroke.last ? past.y : 0.0) * way;
     }
     float aside = 0.0;
@@ -158,12 +159,13 @@ LinePoint shape_of(uint index, Stroke stroke, bool remembers)
     float full = full_width(index, stroke, ink);
     bool is_dropped = (stroke.ends & STROKE_IS_DROPPED) != 0u;
     float half_width = is_dropped ? 0.0 : 0.5 * full * taper_at(index, stroke);
-    uint seed =
-        stroke.seed != NO_SEED ? stroke.seed : hash(constants.seed, sample_at(stroke.first).source) >> 1;
-    float arc_px = unpackHalf2x16(sample_at(index).state).y * float(index - stroke.first);
+    uint seed = hash(constants.seed, sample_at(stroke.first).source) >> 1;
+    float arc_px = arc_from_start(index, stroke);
     if (recalls_frame) {
-        arc_px +=
-            stroke.offset_count > 0u ? float(stroke.offset_sum) / (16.0 * float(stroke.offset_count)) : 0.0;
+        if (stroke.recalled != NO_SAMPLE) {
+            seed = recalls[sample_from_middle(stroke.recalled, stroke)].seed;
+        }
+        arc_px += offset_of(stroke);
         float before = recalls[index].half_width_px;
         before = before >= 0.0 ? before : new_half_width_px;
         float most_change = max(least_change_px, change_share * 0.5 * full);
@@ -171,12 +173,12 @@ LinePoint shape_of(uint index, Stroke stroke, bool remembers)
     }
     vec2 way = way_at(index, stroke);
     if (has_brushes) {
-        arc_px = unpackHalf2x16(sample_at(index).state).y * float(index - stroke.first) +
-                 (recalls_frame ? phase_offset(index, stroke, seed) : most_start_px * unit_float(hash(seed)));
+        arc_px = stretches ? stretched_phase(index, stroke, seed) : repeated_phase(index, stroke, seed);
         touches[gl_GlobalInvocationID.x] = touch_of(index, stroke, arc_px, way);
     }
     if (is_remembered && remembers) {
-        drawn[index] = DrawnSample(sample_at(index).page_px, packHalf2x16(way), half_width, arc_px, seed);
+        drawn[index] = DrawnSample(sample_at(index).page_px, packHalf2x16(way), half_width, arc_px, seed,
+                                   whole_length(index, stroke));
     }
     if (has_jitter) {
         half_width *= stray_width(index, stroke, seed);

@@ -16,10 +16,20 @@ constexpr float sway_wave_mm = 9.0F; // from one side to the other and back, abo
 constexpr float turn_mm = 5.0F;      // radius of a bend that is pressed fully
 constexpr float settling = 0.02F;
 
-/// Lets strokes find what they were in the frame before.
-gpu::BufferId add_recall(gpu::Graph& graph, ChainStrokes& strokes, LineHistory& history, glm::uvec2 size_px,
-                         LineClass lines)
+/// Whether brushes go from end to end of a stroke.
+bool stretches(const ContourStyle& style, LineClass lines)
 {
+    return style.brush_fit == BrushFit::stretch && lines == LineClass::seen;
+}
+
+/// Lets strokes find what they were in the frame before.
+gpu::BufferId add_recall(gpu::Graph& graph, ChainStrokes& strokes, LineHistory& history,
+                         const ContourInputs& page, const ContourStyle& style, LineClass lines)
+{
+    const shared::RecallConstants constants{.clip_from_anchor_before = history.clip_from_anchor_before(),
+                                            .width = page.size_px.x,
+                                            .height = page.size_px.y,
+                                            .stretches = stretches(style, lines) ? 1U : 0U};
     const uint64_t per_sample = indirect_offset(shared::list_samples);
     auto recall = graph.compute("contour/recall", shaders::recall_comp);
     recall.read(strokes.sizes).sample(strokes.samples);
@@ -28,17 +38,13 @@ gpu::BufferId add_recall(gpu::Graph& graph, ChainStrokes& strokes, LineHistory& 
     recall.read(gpu::import_whole(graph, "grid before", history.before(lines).grid));
     recall.read(gpu::import_whole(graph, "samples before", history.before(lines).samples));
     const gpu::BufferId recalls = recall.write(
-        graph.buffer("contour/recalls", list_of(sample_capacity(size_px), sizeof(shared::Recall))));
-    recall
-        .push(shared::RecallConstants{.clip_from_anchor_before = history.clip_from_anchor_before(),
-                                      .width = size_px.x,
-                                      .height = size_px.y})
-        .dispatch_indirect(strokes.sizes, per_sample);
+        graph.buffer("contour/recalls", list_of(sample_capacity(page.size_px), sizeof(shared::Recall))));
+    recall.push(constants).dispatch_indirect(strokes.sizes, per_sample);
     auto elect = graph.compute("contour/elect", shaders::elect_comp);
     elect.read(strokes.sizes).sample(strokes.samples);
     elect.sample(strokes.strokes_before, gpu::Format::r32ui).read(recalls);
     strokes.strokes = elect.modify(strokes.strokes);
-    elect.dispatch_indirect(strokes.sizes, per_sample);
+    elect.push(constants).dispatch_indirect(strokes.sizes, per_sample);
     return recalls;
 }
 
@@ -69,7 +75,8 @@ uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
                         style.jitter_width > 0.0F;
     const bool has_widths_m = std::ranges::any_of(
         line_kind_keys, [&](const LineKindKeys& keys) { return style.*keys.width_m > 0.0F; });
-    return basic | (in.page.own_outlines ? 1U : 0U) | (strays ? 32U : 0U) | (has_widths_m ? 64U : 0U) |
+    return basic | (stretches(style, in.lines) ? 1024U : 0U) | (in.page.own_outlines ? 1U : 0U) |
+           (strays ? 32U : 0U) | (has_widths_m ? 64U : 0U) |
            (style.pressure_from != PressureFrom::light ? 128U : 0U) |
            (style.pressure_from == PressureFrom::turn ? 256U : 0U);
 }
@@ -154,7 +161,7 @@ std::pair<ChainStrokes, std::vector<HandDrawn>> add_class(gpu::Graph& graph, con
     ChainStrokes strokes = add_strokes(graph, samples, grid, page.size_px, lines);
     const bool recalls_frame = history != nullptr && history->holds_frame(lines);
     const gpu::BufferId recalls =
-        recalls_frame ? add_recall(graph, strokes, *history, page.size_px, lines) : strokes.strokes_before;
+        recalls_frame ? add_recall(graph, strokes, *history, page, style, lines) : strokes.strokes_before;
     const uint32_t hand_count = lines == LineClass::hidden ? 1 : static_cast<uint32_t>(style.strokes);
     std::vector<HandDrawn> hands;
     hands.reserve(hand_count);

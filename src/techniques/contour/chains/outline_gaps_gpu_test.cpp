@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Outlines have no gaps: wherever a thing ends before the background there is a line.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "scene/shapes.hpp"
+#include "support/drawing.hpp"
+#include "techniques/contour/chains/chains_test_scene.hpp"
+
+namespace estampe::contour {
+namespace {
+
+constexpr glm::ivec2 page_px{480, 360};
+constexpr int reach_px = 3;
+
+size_t pixel_at(const glm::ivec2& place)
+{
+    return static_cast<size_t>(place.y) * page_px.x + static_cast<size_t>(place.x);
+}
+
+bool is_inked(const std::vector<float>& ink, const glm::ivec2& place)
+{
+    for (int y = place.y - reach_px; y <= place.y + reach_px; ++y) {
+        for (int x = place.x - reach_px; x <= place.x + reach_px; ++x) {
+            if (ink[pixel_at({x, y})] > 0.3F) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Share of the pixels where `thing` ends before nothing with no line about them.
+double share_of_gaps(const Primitive& thing)
+{
+    test::Drawing drawing(test::scene_of(thing), {.eye = {2.1, 2.4, 4.6}, .target = {0.0, 0.2, 0.0}},
+                          glm::uvec2(page_px));
+    const std::vector<float> depth = drawing.depth_alone();
+    ContourStyle style = even_lines(2.0F);
+    style.crease_deg = 180.0F;
+    const std::vector<float> ink = drawing.lines(style, 1.0F);
+    double edge = 0.0;
+    double gaps = 0.0;
+    for (int y = reach_px; y < page_px.y - reach_px; ++y) {
+        for (int x = reach_px; x < page_px.x - reach_px; ++x) {
+            const bool ends = depth[pixel_at({x + 1, y})] == 0.0F || depth[pixel_at({x - 1, y})] == 0.0F ||
+                              depth[pixel_at({x, y + 1})] == 0.0F || depth[pixel_at({x, y - 1})] == 0.0F;
+            if (depth[pixel_at({x, y})] > 0.0F && ends) {
+                edge += 1.0;
+                gaps += is_inked(ink, {x, y}) ? 0.0 : 1.0;
+            }
+        }
+    }
+    EXPECT_GT(edge, 300.0);
+    return gaps / edge;
+}
+
+/// A ring, smooth around its axis and in flat bands around its tube.
+Primitive banded_ring()
+{
+    std::vector<glm::vec2> profile;
+    for (int i = 0; i <= 20; ++i) {
+        const float angle = glm::radians(18.0F) * static_cast<float>(i % 20);
+        profile.emplace_back(1.4F + 0.35F * std::sin(angle), -0.35F * std::cos(angle));
+    }
+    return shapes::lathe(profile, 48, 0.0F);
+}
+
+TEST(Outlines, OfSmoothThingsHaveNoGaps)
+{
+    EXPECT_EQ(share_of_gaps(shapes::torus(1.4F, 0.35F, 48, 20)), 0.0);
+    EXPECT_EQ(share_of_gaps(shapes::sphere(1.0F, 24, 12)), 0.0);
+}
+
+TEST(Outlines, OfThingsWithCornersHaveNoGaps)
+{
+    EXPECT_EQ(share_of_gaps(shapes::box({1.6F, 1.0F, 1.2F})), 0.0);
+    EXPECT_LT(share_of_gaps(shapes::cone(1.0F, 1.6F, 24)), 0.01);
+    EXPECT_LT(share_of_gaps(shapes::cylinder(1.0F, 1.2F, 24)), 0.01);
+}
+
+TEST(Outlines, ThatPassFromSmoothPartsToHardEdgesHaveFewGaps)
+{
+    EXPECT_LT(share_of_gaps(banded_ring()), 0.04);
+}
+
+} // namespace
+} // namespace estampe::contour
