@@ -66,7 +66,6 @@ struct LightSetup {
 
 /// Lines strung as chains, as contour/chains/chains.glsl.h has them.
 struct ChainLists {
-    contour::FeatureChains features;
     std::vector<uint32_t> marks;  ///< a bit an item
     std::vector<uint32_t> facing; ///< a bit a triangle
     std::vector<glm::vec2>

@@ -17,6 +17,7 @@
 #include "scene/assimp/convert.hpp"
 #include "scene/assimp/mend.hpp"
 #include "scene/assimp/ply_header.hpp"
+#include "scene/assimp/turn_outside.hpp"
 
 namespace estampe {
 namespace {
@@ -138,6 +139,7 @@ Scene load_with_assimp(const std::filesystem::path& path)
     TransferScene transfer = unpack(bytes, path.string());
     Scene& scene = transfer.scene;
     mend_meshes(scene, path);
+    turn_outside(scene);
     check_structure(scene, path.string());
     load_pictures(scene, transfer.images, path.parent_path());
     give_lights_units(scene);

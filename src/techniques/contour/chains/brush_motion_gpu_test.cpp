@@ -246,7 +246,7 @@ TEST(LineBrush, AStretchedOneHoldsInMotion)
 {
     const Slides slides = slides_of(orbit(shapes_scene(), stretched_style(), 10));
     EXPECT_GT(slides.compared, 1500U);
-    EXPECT_LT(static_cast<double>(slides.jumped), 0.03 * static_cast<double>(slides.compared));
+    EXPECT_LT(static_cast<double>(slides.jumped), 0.01 * static_cast<double>(slides.compared));
 }
 
 TEST(LineBrush, AStretchedOneOfARingBeginsWhereItDid)

@@ -61,9 +61,10 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
     triangles.dispatch((constants.triangle_count + 63) / 64);
     if (constants.loose_edge_count > 0) {
         auto edges = graph.compute("contour/mark edges", shaders::mark_edges_comp);
+        edges.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices);
         edges.read(loose_edges).sample(in.neighbors).sample(facing, gpu::Format::r32ui);
         marks = edges.modify(marks);
-        edges.push(constants).dispatch((constants.loose_edge_count + 63) / 64);
+        edges.variant(along_edges ? 1U : 0U).push(constants).dispatch((constants.loose_edge_count + 63) / 64);
     }
     if (view_bends) {
         auto suggestive = graph.compute("contour/mark suggestive", shaders::mark_suggestive_comp);
@@ -146,7 +147,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
         emit.write(graph.buffer("contour/segments", list_of(segments_most, sizeof(shared::Segment))));
     gpu::BufferId ranks =
         emit.write(graph.buffer("contour/ranks", list_of(segments_most, sizeof(shared::Rank))));
-    emit.variant(mesh.loose_edge_count > 0 ? 1U : 0U).push(constants);
+    emit.variant((mesh.loose_edge_count > 0 ? 1U : 0U) | (along_edges ? 2U : 0U)).push(constants);
     emit.dispatch_indirect(marks.sizes, indirect_offset(shared::list_segments));
     if (view_bends) {
         auto suggestive = graph.compute("contour/emit suggestive", shaders::emit_suggestive_comp);

@@ -127,6 +127,54 @@ void expect_triangles_as_searched(const Scene& scene, const Camera& camera, cons
     EXPECT_EQ(wrong, 0U) << name;
 }
 
+/// A ring, smooth around its axis and in flat bands around its tube.
+Primitive banded_ring()
+{
+    std::vector<glm::vec2> profile;
+    for (int i = 0; i <= 20; ++i) {
+        const float angle = glm::radians(18.0F) * static_cast<float>(i % 20);
+        profile.emplace_back(1.4F + 0.35F * std::sin(angle), -0.35F * std::cos(angle));
+    }
+    return shapes::lathe(profile, 48, 0.0F);
+}
+
+/// Where shading breaks, the outline runs along those edges, and no others, whose four normals do not all
+/// face alike, but for those of which only the middle has one front.
+void expect_hard_edges_as_searched(const Primitive& thing)
+{
+    test::Drawing drawing(test::scene_of(thing), view_from_above(), page_px);
+    const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
+    const ContourStyle style{.crease_deg = 180.0F};
+    const auto lists = drawing.chains(style);
+    const Facing facing(drawing, mesh);
+    const uint32_t first_item = 32 * ((static_cast<uint32_t>(mesh.triangles.size()) + 31) / 32);
+    size_t wrong = 0;
+    size_t outlines = 0;
+    for (uint32_t i = 0; i < mesh.hard_edges.size(); ++i) {
+        const auto faces = [&](uint32_t side, uint32_t step) {
+            return facing.faces(mesh.triangles[side >> 2U][static_cast<int>(((side & 3U) + step) % 3U)]);
+        };
+        const glm::uvec2 edge = mesh.hard_edges[i];
+        const bool a = faces(edge.x, 0);
+        const bool b = faces(edge.x, 1);
+        const bool beyond_a = faces(edge.y, 1);
+        const bool beyond_b = faces(edge.y, 0);
+        const bool is_split = a != b && beyond_a != beyond_b && a != beyond_a;
+        const bool is_outline = !(a == b && a == beyond_a && a == beyond_b) && !is_split;
+        wrong += bit(lists.marks, first_item + i) != is_outline ? 1U : 0U;
+        outlines += is_outline ? 1U : 0U;
+    }
+    EXPECT_EQ(wrong, 0U);
+    EXPECT_GT(outlines, 0U);
+}
+
+TEST(ContourChains, OutlinesAlongHardEdgesAreThoseOfASearch)
+{
+    expect_hard_edges_as_searched(banded_ring());
+    expect_hard_edges_as_searched(shapes::cone(1.0F, 1.6F, 24));
+    expect_hard_edges_as_searched(shapes::box({1.0F, 1.4F, 0.8F}));
+}
+
 TEST(ContourChains, OutlinesAreThoseOfASearch)
 {
     expect_edges_as_searched(shapes_scene(), view_from_above(), "shapes");
@@ -236,6 +284,23 @@ TEST(ContourChains, OnAClosedManifoldEveryOutlineCloses)
             EXPECT_GE(chains.size(), 2U);
             for (const Chain& chain : chains) {
                 EXPECT_TRUE(chain.is_closed);
+            }
+        }
+    }
+}
+
+TEST(ContourChains, OutlinesCloseWhereTheyPassFromSmoothPartsToHardEdges)
+{
+    for (const Primitive& thing : {banded_ring(), shapes::cone(1.0F, 1.6F, 24),
+                                   shapes::cylinder(1.0F, 2.0F, 24), shapes::box({1.0F, 1.4F, 0.8F})}) {
+        for (const double height : {-0.7, 0.2, 1.1, 2.7}) {
+            test::Drawing drawing(test::scene_of(thing),
+                                  {.eye = {0.4, height, 4.0}, .target = {0.0, 0.0, 0.0}}, page_px);
+            const std::vector<Chain> chains = chains_of(drawing.chains({.crease_deg = 180.0F}));
+            EXPECT_GE(chains.size(), 1U);
+            EXPECT_LE(chains.size(), 4U);
+            for (const Chain& chain : chains) {
+                EXPECT_TRUE(chain.is_closed) << height;
             }
         }
     }

@@ -76,13 +76,13 @@ TEST(Outlines, OfSmoothThingsHaveNoGaps)
 TEST(Outlines, OfThingsWithCornersHaveNoGaps)
 {
     EXPECT_EQ(share_of_gaps(shapes::box({1.6F, 1.0F, 1.2F})), 0.0);
-    EXPECT_LT(share_of_gaps(shapes::cone(1.0F, 1.6F, 24)), 0.01);
-    EXPECT_LT(share_of_gaps(shapes::cylinder(1.0F, 1.2F, 24)), 0.01);
+    EXPECT_LT(share_of_gaps(shapes::cone(1.0F, 1.6F, 24)), 0.002);
+    EXPECT_LT(share_of_gaps(shapes::cylinder(1.0F, 1.2F, 24)), 0.002);
 }
 
 TEST(Outlines, ThatPassFromSmoothPartsToHardEdgesHaveFewGaps)
 {
-    EXPECT_LT(share_of_gaps(banded_ring()), 0.04);
+    EXPECT_LT(share_of_gaps(banded_ring()), 0.002);
 }
 
 } // namespace

