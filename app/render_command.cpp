@@ -10,6 +10,7 @@
 #include "core/file.hpp"
 #include "drawing.hpp"
 #include "pass_history.hpp"
+#include "quick_compile.hpp"
 #include "report.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
@@ -111,6 +112,7 @@ void run(const RenderCommand& command)
     check_outputs(command);
 
     StepClock clock;
+    compile_quickly_if_soon_drawn(command);
     // Opened while the file is read; what is wrong with the file is said first.
     std::future<Renderer> opening = std::async(std::launch::async, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene(draw.scene);

@@ -33,6 +33,7 @@ uint32_t segment_capacity(const LineMesh& mesh, bool along_edges, uint32_t cells
 
 struct Marks {
     gpu::BufferId facing;
+    gpu::BufferId edge_parts; ///< of no use where there are no loose edges
     gpu::BufferId words;
     gpu::BufferId before;
     gpu::BufferId sizes;
@@ -59,11 +60,16 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
     gpu::BufferId marks = triangles.write(graph.buffer("contour/marks", list_of(words, sizeof(uint32_t))));
     triangles.variant(along_edges ? 1U : 0U).push(constants);
     triangles.dispatch((constants.triangle_count + 63) / 64);
+    gpu::BufferId parts = facing;
     if (constants.loose_edge_count > 0) {
         auto edges = graph.compute("contour/mark edges", shaders::mark_edges_comp);
         edges.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices);
-        edges.read(loose_edges).sample(in.neighbors).sample(facing, gpu::Format::r32ui);
+        edges.sample(loose_edges, gpu::Format::rg32ui)
+            .sample(in.neighbors)
+            .sample(facing, gpu::Format::r32ui);
         marks = edges.modify(marks);
+        parts = edges.write(
+            graph.buffer("contour/edge parts", list_of(constants.loose_edge_count, sizeof(uint32_t))));
         edges.variant(along_edges ? 1U : 0U).push(constants).dispatch((constants.loose_edge_count + 63) / 64);
     }
     if (view_bends) {
@@ -89,7 +95,7 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
                                                     .capacity = constants.segment_capacity,
                                                     .slots_before = constants.feature_chain_count,
                                                     .counts_bits = 1}});
-    return {facing, marks, scanned.before, scanned.sizes, page_lines};
+    return {facing, parts, marks, scanned.before, scanned.sizes, page_lines};
 }
 
 } // namespace
@@ -138,8 +144,10 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
 
     auto emit = graph.compute("contour/emit", shaders::emit_comp);
     emit.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices).sample(in.neighbors);
-    emit.read(loose_edges).read(gpu::import_whole(graph, "loose edges of sides", mesh.loose_edge_of_side));
-    for (const gpu::BufferId words : {marks.facing, marks.words, marks.before}) {
+    emit.sample(loose_edges, gpu::Format::rg32ui);
+    emit.sample(gpu::import_whole(graph, "loose edges of sides", mesh.loose_edge_of_side),
+                gpu::Format::r32ui);
+    for (const gpu::BufferId words : {marks.edge_parts, marks.words, marks.before}) {
         emit.sample(words, gpu::Format::r32ui);
     }
     emit.read(marks.sizes);

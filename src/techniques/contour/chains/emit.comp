@@ -24,18 +24,9 @@ layout(scalar, binding = 0) uniform Frame
 
 layout(binding = 3) uniform usamplerBuffer neighbor_texels;
 
-layout(scalar, binding = 4) readonly buffer LooseEdges
-{
-    uvec2 loose_edges[];
-};
-
-layout(scalar, binding = 5) readonly buffer LooseEdgeOfSide
-{
-    uint loose_edge_of_side[]; // three a triangle
-};
-
-#define FACING_BINDING 6
-#include "techniques/contour/chains/facing.glsl"
+layout(binding = 4) uniform usamplerBuffer loose_edge_texels;         // both sides of each
+layout(binding = 5) uniform usamplerBuffer loose_edge_of_side_texels; // three a triangle
+layout(binding = 6) uniform usamplerBuffer part_texels;               // PART_ bits, one an edge
 
 #define MARKS_BINDING 7
 #include "techniques/contour/chains/marked_items.glsl"
@@ -67,7 +58,7 @@ const bool along_edges = (variant & 2u) != 0u;
 
 const uint most_triangles_at_a_point = 64u;
 
-#include "techniques/contour/chains/outline_edge.glsl"
+#include "techniques/contour/chains/triangle_sides.glsl"
 
 uint segment_or_none(uint item, uint segment_count)
 {
@@ -75,12 +66,25 @@ uint segment_or_none(uint item, uint segment_count)
     return segment < segment_count ? segment : NO_SEGMENT;
 }
 
-// The segment along the edge that a side is of.
-uint segment_along(uint triangle, uint corner, uint segment_count)
+// The edge that a side is of, if that is a loose one.
+uint loose_edge_at(uint triangle, uint corner)
 {
-    uint edge = loose_edge_of_side[3u * triangle + corner];
-    uint item = 32u * ((constants.triangle_count + 31u) / 32u) + edge;
-    return edge != NO_SIDE ? segment_or_none(item, segment_count) : NO_SEGMENT;
+    return texelFetch(loose_edge_of_side_texels, int(3u * triangle + corner)).x;
+}
+
+bool is_first_side(uint edge, uint triangle, uint corner)
+{
+    return texelFetch(loose_edge_texels, int(edge)).x == (triangle << 2 | corner);
+}
+
+uint part_at(uint edge)
+{
+    return texelFetch(part_texels, int(edge)).x;
+}
+
+uint segment_along(uint edge, uint segment_count)
+{
+    return segment_or_none(32u * ((constants.triangle_count + 31u) / 32u) + edge, segment_count);
 }
 
 // The segment beyond a side, which the outline reaches within a triangle: where the surface goes on smoothly
@@ -89,10 +93,15 @@ uint segment_beyond(uint triangle, uint corner, uint segment_count)
 {
     uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));
     bool is_smooth = (neighbors.w >> (NEIGHBOR_SMOOTH_SHIFT + corner) & 1u) != 0u;
-    if (has_loose_edges && !is_smooth) {
-        return is_inside_out(triangle) ? NO_SEGMENT : segment_along(triangle, corner, segment_count);
+    uint beyond = is_smooth ? segment_or_none(neighbors[corner] >> 2, segment_count) : NO_SEGMENT;
+    if (has_loose_edges) {
+        uint edge = is_smooth ? NO_SIDE : loose_edge_at(triangle, corner);
+        uint there = edge != NO_SIDE ? edge : 0u;
+        uint over = is_first_side(there, triangle, corner) ? PART_FIRST_IS_OVER : PART_SECOND_IS_OVER;
+        bool is_linked = edge != NO_SIDE && (part_at(there) & over) == 0u;
+        beyond = is_linked ? segment_along(there, segment_count) : beyond;
     }
-    return is_smooth ? segment_or_none(neighbors[corner] >> 2, segment_count) : NO_SEGMENT;
+    return beyond;
 }
 
 // A vertex as an outline passes it by.
@@ -115,21 +124,15 @@ struct Crossing {
     uint normal;
 };
 
-// Share of the side between two corners at which the outline crosses it.
-float share_of_crossing(Corner i, Corner j)
-{
-    float s_i = dot(i.normal, way_to_eye(i.position));
-    float s_j = dot(j.normal, way_to_eye(j.position));
-    return clamp(s_i / (s_i - s_j), 0.0, 1.0);
-}
-
 // Where the outline crosses the side between two corners; the same from both triangles.
 Crossing crossing_of(Corner i, Corner j)
 {
     bool in_order = i.vertex < j.vertex;
     Corner low = in_order ? i : j;
     Corner high = in_order ? j : i;
-    float along = share_of_crossing(low, high);
+    float s_low = dot(low.normal, way_to_eye(low.position));
+    float s_high = dot(high.normal, way_to_eye(high.position));
+    float along = clamp(s_low / (s_low - s_high), 0.0, 1.0);
     return Crossing(mix(low.position, high.position, along),
                     pack_normal(unit(mix(low.normal, high.normal, along))));
 }
@@ -185,50 +188,23 @@ uint outline_around(uint triangle, uint corner, bool forwards, uint segment_coun
         // With corners in the front's own sense, one step on; against it, one step back.
         bool step_on = is_reversed(triangle) != forwards;
         corner = step_on ? next_corner(corner) : next_corner(next_corner(corner));
-        uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));
-        uint facing_side = neighbors[corner];
+        uint facing_side = texelFetch(neighbor_texels, int(triangle))[corner];
+        uint edge = loose_edge_at(triangle, corner);
+        uint there = edge != NO_SIDE ? edge : 0u;
+        bool is_low = is_first_side(there, triangle, corner) == forwards;
+        uint part = part_at(there);
+        bool starts_here = edge != NO_SIDE && (part & PART_IS_THERE) != 0u &&
+                           (part >> (is_low ? PART_LOW_SHIFT : PART_HIGH_SHIFT) & 3u) == BOUND_IS_CORNER;
+        if (starts_here) {
+            return segment_along(edge, segment_count);
+        }
         if (facing_side == NO_SIDE) {
             return NO_SEGMENT;
-        }
-        bool is_smooth = !along_edges && (neighbors.w >> (NEIGHBOR_SMOOTH_SHIFT + corner) & 1u) != 0u;
-        uvec2 ends = ends_of(facing_side);
-        if (!is_smooth && !fronts_of(facing_side >> 2)[forwards ? ends.y : ends.x]) {
-            return segment_along(triangle, corner, segment_count);
         }
         triangle = facing_side >> 2;
         corner = facing_side & 3u;
     }
     return NO_SEGMENT;
-}
-
-// What bounds the part of an edge that is outline.
-const uint at_corner = 0u;
-const uint at_first_crossing = 1u; // where the outline comes from, or goes on, in the first side's triangle
-const uint at_second_crossing = 2u;
-
-struct OutlinePart {
-    bool is_first_front; // of both sides the first is the front
-    uint low;            // towards the first side's start
-    uint high;
-};
-
-OutlinePart part_of(uvec2 sides, Corner first_start, Corner first_end, Corner second_start, Corner second_end)
-{
-    EdgeFronts fronts = fronts_along(sides);
-    bool first_turns = fronts.first.x != fronts.first.y;
-    bool second_turns = fronts.second.x != fronts.second.y;
-    bool differs_at_start = fronts.first.x != fronts.second.x;
-    bool differs_at_end = fronts.first.y != fronts.second.y;
-    if (first_turns && second_turns) {
-        // Between both crossings that side is the front which turns last from front to back, or first to it.
-        bool is_first =
-            share_of_crossing(first_start, first_end) < share_of_crossing(second_end, second_start);
-        return OutlinePart(fronts.first.x != is_first, is_first ? at_first_crossing : at_second_crossing,
-                           is_first ? at_second_crossing : at_first_crossing);
-    }
-    uint crossing = first_turns ? at_first_crossing : at_second_crossing;
-    return OutlinePart(differs_at_start ? fronts.first.x : fronts.first.y,
-                       differs_at_start ? at_corner : crossing, differs_at_end ? at_corner : crossing);
 }
 
 // In a hollow the front hides its own outline.
@@ -242,50 +218,38 @@ bool is_hollow(uint front_side, uint back_side)
     return is_reversed(front_side >> 2) ? above < 0.0 : above > 0.0;
 }
 
-float bulge_of_triangle(uint triangle)
-{
-    uvec4 corners = triangle_at(triangle);
-    return bulge_of(corner_at(corners.x), corner_at(corners.y), corner_at(corners.z));
-}
-
 Segment along_edge(uint edge, uint segment_count)
 {
-    uvec2 sides = loose_edges[edge];
-    uvec2 first_ends = ends_of(sides.x);
-    uvec2 second_ends = ends_of(sides.y);
-    uvec4 first_corners = triangle_at(sides.x >> 2);
-    uvec4 second_corners = triangle_at(sides.y >> 2);
-    Corner first_start = corner_at(first_corners[first_ends.x]);
-    Corner first_end = corner_at(first_corners[first_ends.y]);
-    Corner second_start = corner_at(second_corners[second_ends.x]);
-    Corner second_end = corner_at(second_corners[second_ends.y]);
-    OutlinePart part = part_of(sides, first_start, first_end, second_start, second_end);
-    uint front = part.is_first_front ? sides.x : sides.y;
-    vec3 normal =
-        part.is_first_front ? first_start.normal + first_end.normal : second_start.normal + second_end.normal;
-    uint packed = pack_normal(unit(normal + 1e-6 * way_to_eye(first_start.position)));
-    Crossing first_crossing = crossing_of(first_start, first_end);
-    Crossing second_crossing = crossing_of(second_start, second_end);
-    vec3 place[2];
+    uvec2 sides = texelFetch(loose_edge_texels, int(edge)).xy;
+    uint part = part_at(edge);
+    bool first_is_front = (part & PART_FIRST_IS_FRONT) != 0u;
+    uint front = first_is_front ? sides.x : sides.y;
+    Crossing place[2];
     uint beyond[2];
-    for (uint end = 0u; end < 2u; ++end) {
-        bool is_low = (end == 0u) == part.is_first_front;
-        uint bound = is_low ? part.low : part.high;
-        vec3 corner = is_low ? first_start.position : first_end.position;
-        uint crossed = (bound == at_first_crossing ? sides.x : sides.y) >> 2;
-        place[end] = bound == at_corner           ? corner
-                     : bound == at_first_crossing ? first_crossing.position
-                                                  : second_crossing.position;
-        if (bound == at_corner) {
-            beyond[end] = outline_around(front >> 2, front & 3u, end == 1u, segment_count);
-        } else {
-            beyond[end] = is_inside_out(crossed) ? NO_SEGMENT : segment_or_none(crossed, segment_count);
-        }
+    float bulge_m = 0.0;
+    for (int end = 0; end < rounds(2, int(edge)); ++end) {
+        bool is_low = (end == 0) == first_is_front;
+        uint bound = part >> (is_low ? PART_LOW_SHIFT : PART_HIGH_SHIFT) & 3u;
+        bool is_corner = bound == BOUND_IS_CORNER;
+        bool is_first = is_corner ? first_is_front : bound == BOUND_IN_FIRST;
+        uint side = is_first ? sides.x : sides.y;
+        uvec4 corners = triangle_at(side >> 2);
+        uvec2 ends = ends_of(side);
+        Corner start = corner_at(corners[ends.x]);
+        Corner finish = corner_at(corners[ends.y]);
+        Crossing crossing = crossing_of(start, finish);
+        vec3 corner = end == 0 ? start.position : finish.position; // of the front
+        uint packed = pack_normal(unit(start.normal + finish.normal + 1e-6 * way_to_eye(corner)));
+        place[end] = Crossing(is_corner ? corner : crossing.position, is_corner ? packed : crossing.normal);
+        bool is_over = (part & (is_first ? PART_FIRST_IS_OVER : PART_SECOND_IS_OVER)) != 0u;
+        uint within = is_over ? NO_SEGMENT : segment_or_none(side >> 2, segment_count);
+        beyond[end] = is_corner ? outline_around(front >> 2, front & 3u, end == 1, segment_count) : within;
+        Corner third = corner_at(corners[3u - ends.x - ends.y]);
+        bulge_m = along_edges ? 0.0 : max(bulge_m, bulge_of(start, finish, third));
     }
-    float bulge_m = along_edges ? 0.0 : max(bulge_of_triangle(sides.x >> 2), bulge_of_triangle(sides.y >> 2));
-    bool hides = is_hollow(front, part.is_first_front ? sides.y : sides.x);
-    return Segment(place[0], packed, place[1], packed, front, beyond[1], beyond[0] != NO_SEGMENT ? 1u : 0u,
-                   hides ? -1e-30 : bulge_m);
+    bool hides = is_hollow(front, first_is_front ? sides.y : sides.x);
+    return Segment(place[0].position, place[0].normal, place[1].position, place[1].normal, front, beyond[1],
+                   beyond[0] != NO_SEGMENT ? 1u : 0u, hides ? -1e-30 : bulge_m);
 }
 
 void main()

@@ -7,6 +7,7 @@
 #extension GL_KHR_shader_subgroup_ballot : require
 
 #include "shaders/frame.glsl.h"
+#include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -20,10 +21,7 @@ layout(scalar, binding = 0) uniform Frame
 #include "shaders/mesh_texels.glsl"
 #include "techniques/contour/chains/silhouette.glsl"
 
-layout(scalar, binding = 3) readonly buffer LooseEdges
-{
-    uvec2 loose_edges[];
-};
+layout(binding = 3) uniform usamplerBuffer loose_edge_texels; // both sides of each
 
 layout(binding = 4) uniform usamplerBuffer neighbor_texels;
 
@@ -35,6 +33,11 @@ layout(scalar, binding = 6) buffer Marks
     uint marks[];
 };
 
+layout(scalar, binding = 7) writeonly buffer Parts
+{
+    uint parts[]; // PART_ bits, one an edge
+};
+
 layout(push_constant, scalar) uniform Constants
 {
     ChainConstants constants;
@@ -44,6 +47,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool along_edges = (variant & 1u) != 0u;
 
+#include "techniques/contour/chains/triangle_sides.glsl"
 #include "techniques/contour/chains/outline_edge.glsl"
 
 void main()
@@ -55,10 +59,13 @@ void main()
         uint outline = 0u;
         for (uint first = 0u; first < 32u; first += gl_SubgroupSize) {
             uint edge = 32u * word + first + gl_SubgroupInvocationID;
-            uvec2 sides = loose_edges[min(edge, constants.loose_edge_count - 1u)];
-            bool is_outline = has_outline(fronts_along(sides));
-            bool is_there = edge < constants.loose_edge_count && first + gl_SubgroupInvocationID < 32u;
-            outline |= subgroupBallot(is_outline && is_there).x << first;
+            uint last = constants.loose_edge_count - 1u;
+            uint part = outline_part(texelFetch(loose_edge_texels, int(min(edge, last))).xy);
+            bool is_there = edge <= last && first + gl_SubgroupInvocationID < 32u;
+            outline |= subgroupBallot((part & PART_IS_THERE) != 0u && is_there).x << first;
+            if (is_there) {
+                parts[edge] = part;
+            }
         }
         if (subgroupElect()) {
             marks[first_word + word] = outline;

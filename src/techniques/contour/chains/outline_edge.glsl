@@ -7,18 +7,6 @@
 // around all that faces the eye. Wanted before: `frame`, mesh_texels.glsl, silhouette.glsl, facing.glsl, and
 // whether outlines run `along_edges` of the mesh only.
 
-uint next_corner(uint corner)
-{
-    return corner == 2u ? 0u : corner + 1u;
-}
-
-// Whether a triangle's corners run clockwise as seen from its front.
-bool is_reversed(uint triangle)
-{
-    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
-    return is_turned != ((triangle_at(triangle).w & TRIANGLE_MIRRORED) != 0u);
-}
-
 // Whether a triangle's normals point to its back, as those of triangles that a file has turned over do.
 bool is_inside_out(uint triangle)
 {
@@ -47,36 +35,47 @@ bvec3 fronts_of(uint triangle)
     return is_inside_out(triangle) ? not(face) : face;
 }
 
-// The corners where a side starts and ends, with fronts on its left.
-uvec2 ends_of(uint side)
+// Share of the side between two vertices at which what faces the eye ends.
+float share_of_turn(PosedVertex from, PosedVertex to)
 {
-    uint first = side & 3u;
-    bool reversed = is_reversed(side >> 2);
-    return reversed ? uvec2(next_corner(first), first) : uvec2(first, next_corner(first));
+    float s_from = dot(unit(normal_direction(from.normal)), way_to_eye(from.position));
+    float s_to = dot(unit(normal_direction(to.normal)), way_to_eye(to.position));
+    return s_from / (s_from - s_to);
 }
 
-// What faces the eye at both ends of an edge: of its first side where that starts and where it ends, and of
-// the second at the same two places.
-struct EdgeFronts {
-    bvec2 first;
-    bvec2 second;
-};
-
-EdgeFronts fronts_along(uvec2 sides)
+// The part of an edge that is outline, as PART_ bits. Where two parts are, at both ends and not between, none
+// counts.
+uint outline_part(uvec2 sides)
 {
-    uvec2 x = ends_of(sides.x);
-    uvec2 y = ends_of(sides.y);
-    bvec3 x_fronts = fronts_of(sides.x >> 2);
-    bvec3 y_fronts = fronts_of(sides.y >> 2);
-    return EdgeFronts(bvec2(x_fronts[x.x], x_fronts[x.y]), bvec2(y_fronts[y.y], y_fronts[y.x]));
-}
-
-// Whether some part of an edge is outline. Where two parts are, at both ends and not between, none counts.
-bool has_outline(EdgeFronts fronts)
-{
-    bvec2 differs = bvec2(fronts.first.x != fronts.second.x, fronts.first.y != fronts.second.y);
-    bvec2 turns = bvec2(fronts.first.x != fronts.first.y, fronts.second.x != fronts.second.y);
-    return (any(differs) || any(turns)) && !(all(turns) && all(differs));
+    uvec2 ends = ends_of(sides.x);
+    uvec2 back_ends = ends_of(sides.y).yx; // at the same two places
+    uvec4 corners = triangle_at(sides.x >> 2);
+    uvec4 back_corners = triangle_at(sides.y >> 2);
+    bvec3 fronts = fronts_of(sides.x >> 2);
+    bvec3 back_fronts = fronts_of(sides.y >> 2);
+    bvec2 first = bvec2(fronts[ends.x], fronts[ends.y]);
+    bvec2 second = bvec2(back_fronts[back_ends.x], back_fronts[back_ends.y]);
+    bvec2 differs = bvec2(first.x != second.x, first.y != second.y);
+    bool first_turns = first.x != first.y;
+    bool second_turns = second.x != second.y;
+    bool both_turn = first_turns && second_turns;
+    bool is_there = (any(differs) || both_turn) && !(both_turn && differs.x);
+    uint crossing = first_turns ? BOUND_IN_FIRST : BOUND_IN_SECOND;
+    bool is_front = differs.x ? first.x : first.y;
+    uint low = differs.x ? BOUND_IS_CORNER : crossing;
+    uint high = differs.y ? BOUND_IS_CORNER : crossing;
+    // Between both crossings that side is the front which turns last from front to back, or first to it.
+    bool comes_first =
+        share_of_turn(posed_vertex_at(corners[ends.x]), posed_vertex_at(corners[ends.y])) <
+        share_of_turn(posed_vertex_at(back_corners[back_ends.x]), posed_vertex_at(back_corners[back_ends.y]));
+    is_front = both_turn ? first.x != comes_first : is_front;
+    low = both_turn ? (comes_first ? BOUND_IN_FIRST : BOUND_IN_SECOND) : low;
+    high = both_turn ? (comes_first ? BOUND_IN_SECOND : BOUND_IN_FIRST) : high;
+    uint over = (is_inside_out(sides.x >> 2) ? PART_FIRST_IS_OVER : 0u) |
+                (is_inside_out(sides.y >> 2) ? PART_SECOND_IS_OVER : 0u);
+    return is_there ? PART_IS_THERE | (is_front ? PART_FIRST_IS_FRONT : 0u) | low << PART_LOW_SHIFT |
+                          high << PART_HIGH_SHIFT | over
+                    : 0u;
 }
 
 #endif

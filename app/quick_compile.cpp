@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "quick_compile.hpp"
+
+#include <cstdlib>
+
+namespace estampe::app {
+
+void compile_quickly_if_soon_drawn(const RenderCommand& command)
+{
+    constexpr uint64_t most_pixels = uint64_t{1} << 22U;
+    const DrawOptions& draw = command.draw;
+    if (command.repeat == 1 && uint64_t{draw.width} * draw.height * draw.samples <= most_pixels) {
+        setenv("GALLIVM_PERF", "nopt", 0);
+    }
+}
+
+} // namespace estampe::app
