@@ -147,7 +147,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
     emit.sample(loose_edges, gpu::Format::rg32ui);
     emit.sample(gpu::import_whole(graph, "loose edges of sides", mesh.loose_edge_of_side),
                 gpu::Format::r32ui);
-    for (const gpu::BufferId words : {marks.edge_parts, marks.words, marks.before}) {
+    for (const gpu::BufferId words : {marks.edge_parts, marks.facing, marks.words, marks.before}) {
         emit.sample(words, gpu::Format::r32ui);
     }
     emit.read(marks.sizes);

@@ -251,14 +251,13 @@ inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of th
 #define LENGTH_UNIT_PX 1024.0
 #define NEIGHBOR_IS_TURNED 1u
 #define NEIGHBOR_SMOOTH_SHIFT 1u
-#define NEIGHBOR_SHELL_SHIFT 4u
+#define NEIGHBOR_IS_INSIDE_OUT 16u
+#define NEIGHBOR_SHELL_SHIFT 5u
 // Which part of an edge at which shading breaks is outline. Low is towards the start of its first side.
 #define PART_IS_THERE 1u
 #define PART_FIRST_IS_FRONT 2u // of both sides the first is the front
 #define PART_LOW_SHIFT 2u      // what bounds the part there, two bits: see below
 #define PART_HIGH_SHIFT 4u
-#define PART_FIRST_IS_OVER 64u // the first side's triangle has normals that point to its back
-#define PART_SECOND_IS_OVER 128u
 #define BOUND_IS_CORNER 0u // the edge's end
 #define BOUND_IN_FIRST 1u  // where the outline crosses into the first side's triangle
 #define BOUND_IN_SECOND 2u

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -138,6 +139,15 @@ Primitive banded_ring()
     return shapes::lathe(profile, 48, 0.0F);
 }
 
+/// Turned on a lathe, with corners from 5 to 90 degrees that are all hard.
+Primitive faceted_vase()
+{
+    const std::vector<glm::vec2> profile{{0.0F, 0.0F}, {0.7F, 0.0F}, {0.8F, 0.3F},  {0.85F, 0.6F},
+                                         {0.7F, 0.9F}, {0.4F, 1.2F}, {0.35F, 1.5F}, {0.6F, 1.55F},
+                                         {0.6F, 1.7F}, {0.3F, 1.9F}, {0.25F, 2.2F}, {0.0F, 2.25F}};
+    return shapes::lathe(profile, 20, 0.0F);
+}
+
 /// Where shading breaks, the outline runs along those edges, and no others, whose four normals do not all
 /// face alike, but for those of which only the middle has one front.
 void expect_hard_edges_as_searched(const Primitive& thing)
@@ -181,21 +191,27 @@ TEST(ContourChains, OutlinesAreThoseOfASearch)
     expect_triangles_as_searched(shapes_scene(), view_from_above(), "shapes");
 }
 
-TEST(ContourChains, OutlinesOfModelsAreThoseOfASearch)
+/// Real models, where there are any.
+void for_each_model(const std::function<void(const Scene&, const Camera&, const char*)>& look)
 {
     const char* folder = std::getenv("ESTAMPE_MODELS");
     for (const char* name :
          {"suzanne.gltf", "fandisk.obj", "teapot.gltf", "spot.obj", "stanford-bunny.obj", "Fox.glb",
           "FlightHelmet/FlightHelmet.gltf", "CesiumMan/glTF-Binary/CesiumMan.glb", "sampleroom.gltf",
           "CornellBox/CornellBox.glb", "MixedLightingExample/MixedLightingExample.gltf"}) {
-        if (folder == nullptr || !std::filesystem::exists(std::filesystem::path(folder) / name)) {
-            continue;
+        if (folder != nullptr && std::filesystem::exists(std::filesystem::path(folder) / name)) {
+            const Scene scene = load_scene(std::filesystem::path(folder) / name);
+            look(scene, framing_camera(scene, pose_scene(scene, 0.0, no_index), 4.0 / 3.0), name);
         }
-        const Scene scene = load_scene(std::filesystem::path(folder) / name);
-        const Camera camera = framing_camera(scene, pose_scene(scene, 0.0, no_index), 4.0 / 3.0);
+    }
+}
+
+TEST(ContourChains, OutlinesOfModelsAreThoseOfASearch)
+{
+    for_each_model([](const Scene& scene, const Camera& camera, const char* name) {
         expect_triangles_as_searched(scene, camera, name);
         expect_edges_as_searched(scene, camera, name);
-    }
+    });
 }
 
 /// A chain as the points of its slot.
@@ -247,30 +263,62 @@ TEST(ContourChains, ASphereHasOneClosedLoopOfTheRightRadiusAndLength)
     }
 }
 
-TEST(ContourChains, EachChainGoesOnFromPieceToPieceAndNoneIsMissing)
+double longest_edge_m(const EdgeMesh& mesh, const std::vector<shared::PosedVertex>& posed)
 {
-    test::Drawing drawing(shapes_scene(), view_from_above(), page_px);
-    const auto lists = drawing.chains({});
+    float longest = 0.0F;
+    for (const glm::uvec4& corners : mesh.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            longest = std::max(
+                longest, glm::distance(posed[corners[k]].position, posed[corners[(k + 1) % 3]].position));
+        }
+    }
+    return static_cast<double>(longest);
+}
+
+/// Each chain goes on from piece to piece, none of which is longer than a triangle, and none is missing.
+void expect_whole_chains(const Scene& scene, const Camera& camera, const ContourStyle& style)
+{
+    test::Drawing drawing(scene, camera, page_px);
+    const double longest_m = longest_edge_m(frame::edge_mesh_of(drawing.layout), drawing.posed());
+    const auto lists = drawing.chains(style);
     const std::vector<Chain> chains = chains_of(lists);
     size_t pieces = 0;
     size_t jumps = 0;
+    uint32_t feature_pieces = 0;
     for (const Chain& chain : chains) {
         pieces += chain.points.size() - 1;
         for (size_t i = 0; i + 1 < chain.points.size(); ++i) {
-            // No piece is longer than a triangle.
-            jumps += glm::distance(chain.points[i].anchor, chain.points[i + 1].anchor) > 1.8F ? 1U : 0U;
+            const auto piece_m =
+                static_cast<double>(glm::distance(chain.points[i].anchor, chain.points[i + 1].anchor));
+            jumps += piece_m > 1.001 * longest_m ? 1U : 0U;
         }
-        EXPECT_EQ(chain.is_closed, chain.points.front().anchor == chain.points.back().anchor);
-    }
-    EXPECT_EQ(jumps, 0U);
-    uint32_t feature_pieces = 0;
-    for (const Chain& chain : chains) {
+        EXPECT_TRUE(!chain.is_closed || chain.points.front().anchor == chain.points.back().anchor);
         const uint32_t kind = chain.points[0].source >> 28U;
         feature_pieces += kind != shared::line_silhouette && kind != shared::line_intersection
                               ? static_cast<uint32_t>(chain.points.size() - 1)
                               : 0U;
     }
+    EXPECT_EQ(jumps, 0U);
     EXPECT_EQ(pieces - feature_pieces, lists.sizes[shared::list_segments].count);
+}
+
+TEST(ContourChains, EachChainGoesOnFromPieceToPieceAndNoneIsMissing)
+{
+    expect_whole_chains(shapes_scene(), view_from_above(), {});
+    for (const float crease_deg : {10.0F, 17.0F, 40.0F, 180.0F}) {
+        expect_whole_chains(test::scene_of(faceted_vase()), view_from_above(), {.crease_deg = crease_deg});
+        expect_whole_chains(test::scene_of(faceted_vase()),
+                            {.eye = {0.4, -1.1, 4.0}, .target = {0.0, 1.0, 0.0}}, {.crease_deg = crease_deg});
+    }
+}
+
+TEST(ContourChains, ChainsOfModelsGoOnFromPieceToPiece)
+{
+    for_each_model([](const Scene& scene, const Camera& camera, const char* name) {
+        const testing::ScopedTrace trace(__FILE__, __LINE__, name);
+        expect_whole_chains(scene, camera, {});
+        expect_whole_chains(scene, camera, {.crease_deg = 180.0F});
+    });
 }
 
 TEST(ContourChains, OnAClosedManifoldEveryOutlineCloses)

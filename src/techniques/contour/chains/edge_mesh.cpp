@@ -36,6 +36,7 @@ public:
         pair_sides();
         find_shells();
         mark_smooth();
+        mark_inside_out();
         return std::move(mesh_);
     }
 
@@ -236,11 +237,17 @@ private:
                vertex(a.side, 1) == vertex(b.side, is_alike ? 1 : 0);
     }
 
-    [[nodiscard]] glm::vec3 normal(uint32_t t) const
+    /// As long as twice the triangle's area.
+    [[nodiscard]] glm::vec3 area_normal(uint32_t t) const
     {
         const glm::uvec4& corners = mesh_.triangles[t];
         const glm::vec3 a = soup_.positions[corners.x];
-        const glm::vec3 n = glm::cross(soup_.positions[corners.y] - a, soup_.positions[corners.z] - a);
+        return glm::cross(soup_.positions[corners.y] - a, soup_.positions[corners.z] - a);
+    }
+
+    [[nodiscard]] glm::vec3 normal(uint32_t t) const
+    {
+        const glm::vec3 n = area_normal(t);
         const float length = glm::length(n);
         return length > 0.0F ? n / length : glm::vec3(0.0F);
     }
@@ -292,6 +299,38 @@ private:
         for (const glm::uvec2& edge : mesh_.hard_edges) {
             for (const uint32_t side : {edge.x, edge.y}) {
                 mesh_.neighbors[side >> 2U].w &= ~(1U << (neighbor_smooth_shift + (side & 3U)));
+            }
+        }
+    }
+
+    void mark_inside_out()
+    {
+        std::vector<bool> is_reached(mesh_.triangles.size(), false);
+        std::vector<uint32_t> piece;
+        for (uint32_t first = 0; first < mesh_.triangles.size(); ++first) {
+            if (is_reached[first] || !has_lines(first)) {
+                continue;
+            }
+            is_reached[first] = true;
+            piece.assign(1, first);
+            float agreement = 0.0F;
+            for (size_t i = 0; i < piece.size(); ++i) {
+                const glm::uvec4& corners = mesh_.triangles[piece[i]];
+                const glm::uvec4& neighbors = mesh_.neighbors[piece[i]];
+                const glm::vec3 mean =
+                    soup_.normals[corners.x] + soup_.normals[corners.y] + soup_.normals[corners.z];
+                const float sense = (neighbors.w & neighbor_is_turned) != 0 ? -1.0F : 1.0F;
+                agreement += sense * glm::dot(area_normal(piece[i]), mean);
+                for (uint32_t k = 0; k < 3; ++k) {
+                    const uint32_t facing = neighbors[static_cast<int>(k)];
+                    if ((neighbors.w >> (neighbor_smooth_shift + k) & 1U) != 0 && !is_reached[facing >> 2U]) {
+                        is_reached[facing >> 2U] = true;
+                        piece.push_back(facing >> 2U);
+                    }
+                }
+            }
+            for (size_t i = 0; i < piece.size() && agreement < 0.0F; ++i) {
+                mesh_.neighbors[piece[i]].w |= neighbor_is_inside_out;
             }
         }
     }

@@ -60,15 +60,16 @@ struct EdgeMesh {
 };
 
 /// Flags of EdgeMesh::neighbors: the triangle runs against the sense of its shell; which of its sides are
-/// smooth, where shading goes on; and from this bit on the number of its shell, from 1, or 0 where it has no
-/// lines.
+/// smooth, where shading goes on; the normals of the smooth piece it is of point to the back, in the sense of
+/// the shell; and from this bit on the number of its shell, from 1, or 0 where it has no lines.
 constexpr uint32_t neighbor_is_turned = 1;
 constexpr uint32_t neighbor_smooth_shift = 1;
-constexpr uint32_t neighbor_shell_shift = 4;
+constexpr uint32_t neighbor_is_inside_out = 16;
+constexpr uint32_t neighbor_shell_shift = 5;
 
 constexpr float least_fold_deg = 10.0F;
 
-/// Cost: linear; about 0.3 s for a million triangles.
+/// Cost: linear; about 0.5 us a triangle.
 [[nodiscard]] EdgeMesh build_edge_mesh(const TriangleSoup& soup);
 
 } // namespace estampe::contour

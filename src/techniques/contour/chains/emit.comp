@@ -28,20 +28,23 @@ layout(binding = 4) uniform usamplerBuffer loose_edge_texels;         // both si
 layout(binding = 5) uniform usamplerBuffer loose_edge_of_side_texels; // three a triangle
 layout(binding = 6) uniform usamplerBuffer part_texels;               // PART_ bits, one an edge
 
-#define MARKS_BINDING 7
+#define FACING_BINDING 7
+#include "techniques/contour/chains/facing.glsl"
+
+#define MARKS_BINDING 8
 #include "techniques/contour/chains/marked_items.glsl"
 
-layout(scalar, binding = 9) readonly buffer Sizes
+layout(scalar, binding = 10) readonly buffer Sizes
 {
     ListSize sizes[];
 };
 
-layout(scalar, binding = 10) writeonly buffer Segments
+layout(scalar, binding = 11) writeonly buffer Segments
 {
     Segment segments[];
 };
 
-layout(scalar, binding = 11) writeonly buffer Ranks
+layout(scalar, binding = 12) writeonly buffer Ranks
 {
     Rank ranks[];
 };
@@ -72,11 +75,6 @@ uint loose_edge_at(uint triangle, uint corner)
     return texelFetch(loose_edge_of_side_texels, int(3u * triangle + corner)).x;
 }
 
-bool is_first_side(uint edge, uint triangle, uint corner)
-{
-    return texelFetch(loose_edge_texels, int(edge)).x == (triangle << 2 | corner);
-}
-
 uint part_at(uint edge)
 {
     return texelFetch(part_texels, int(edge)).x;
@@ -95,11 +93,9 @@ uint segment_beyond(uint triangle, uint corner, uint segment_count)
     bool is_smooth = (neighbors.w >> (NEIGHBOR_SMOOTH_SHIFT + corner) & 1u) != 0u;
     uint beyond = is_smooth ? segment_or_none(neighbors[corner] >> 2, segment_count) : NO_SEGMENT;
     if (has_loose_edges) {
-        uint edge = is_smooth ? NO_SIDE : loose_edge_at(triangle, corner);
-        uint there = edge != NO_SIDE ? edge : 0u;
-        uint over = is_first_side(there, triangle, corner) ? PART_FIRST_IS_OVER : PART_SECOND_IS_OVER;
-        bool is_linked = edge != NO_SIDE && (part_at(there) & over) == 0u;
-        beyond = is_linked ? segment_along(there, segment_count) : beyond;
+        uint edge = loose_edge_at(triangle, corner);
+        bool is_linked = edge != NO_SIDE && !is_inside_out(triangle);
+        beyond = is_linked ? segment_along(edge != NO_SIDE ? edge : 0u, segment_count) : beyond;
     }
     return beyond;
 }
@@ -188,18 +184,16 @@ uint outline_around(uint triangle, uint corner, bool forwards, uint segment_coun
         // With corners in the front's own sense, one step on; against it, one step back.
         bool step_on = is_reversed(triangle) != forwards;
         corner = step_on ? next_corner(corner) : next_corner(next_corner(corner));
-        uint facing_side = texelFetch(neighbor_texels, int(triangle))[corner];
-        uint edge = loose_edge_at(triangle, corner);
-        uint there = edge != NO_SIDE ? edge : 0u;
-        bool is_low = is_first_side(there, triangle, corner) == forwards;
-        uint part = part_at(there);
-        bool starts_here = edge != NO_SIDE && (part & PART_IS_THERE) != 0u &&
-                           (part >> (is_low ? PART_LOW_SHIFT : PART_HIGH_SHIFT) & 3u) == BOUND_IS_CORNER;
-        if (starts_here) {
-            return segment_along(edge, segment_count);
-        }
+        uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));
+        uint facing_side = neighbors[corner];
         if (facing_side == NO_SIDE) {
             return NO_SEGMENT;
+        }
+        bool is_smooth = !along_edges && (neighbors.w >> (NEIGHBOR_SMOOTH_SHIFT + corner) & 1u) != 0u;
+        uvec2 ends = ends_of(facing_side);
+        if (!is_smooth && !is_front_at(facing_side >> 2, forwards ? ends.y : ends.x)) {
+            uint edge = loose_edge_at(triangle, corner);
+            return edge != NO_SIDE ? segment_along(edge, segment_count) : NO_SEGMENT;
         }
         triangle = facing_side >> 2;
         corner = facing_side & 3u;
@@ -241,8 +235,7 @@ Segment along_edge(uint edge, uint segment_count)
         vec3 corner = end == 0 ? start.position : finish.position; // of the front
         uint packed = pack_normal(unit(start.normal + finish.normal + 1e-6 * way_to_eye(corner)));
         place[end] = Crossing(is_corner ? corner : crossing.position, is_corner ? packed : crossing.normal);
-        bool is_over = (part & (is_first ? PART_FIRST_IS_OVER : PART_SECOND_IS_OVER)) != 0u;
-        uint within = is_over ? NO_SEGMENT : segment_or_none(side >> 2, segment_count);
+        uint within = is_inside_out(side >> 2) ? NO_SEGMENT : segment_or_none(side >> 2, segment_count);
         beyond[end] = is_corner ? outline_around(front >> 2, front & 3u, end == 1, segment_count) : within;
         Corner third = corner_at(corners[3u - ends.x - ends.y]);
         bulge_m = along_edges ? 0.0 : max(bulge_m, bulge_of(start, finish, third));

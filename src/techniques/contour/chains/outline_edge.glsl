@@ -7,34 +7,6 @@
 // around all that faces the eye. Wanted before: `frame`, mesh_texels.glsl, silhouette.glsl, facing.glsl, and
 // whether outlines run `along_edges` of the mesh only.
 
-// Whether a triangle's normals point to its back, as those of triangles that a file has turned over do.
-bool is_inside_out(uint triangle)
-{
-    uvec4 corners = triangle_at(triangle);
-    PosedVertex a = posed_vertex_at(corners.x);
-    PosedVertex b = posed_vertex_at(corners.y);
-    PosedVertex c = posed_vertex_at(corners.z);
-    precise vec3 u = b.position - a.position;
-    precise vec3 v = c.position - a.position;
-    precise vec3 n = vec3(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
-    precise vec3 mean = normal_direction(a.normal) + normal_direction(b.normal) + normal_direction(c.normal);
-    float agrees = exact_dot(n, mean);
-    return is_reversed(triangle) ? agrees > 0.0 : agrees < 0.0;
-}
-
-// Whether the surface at each corner of a triangle faces the eye.
-bvec3 fronts_of(uint triangle)
-{
-    if (along_edges) {
-        return bvec3(is_front(triangle));
-    }
-    uvec4 corners = triangle_at(triangle);
-    bvec3 face =
-        bvec3(facing_at(posed_vertex_at(corners.x)) >= 0.0, facing_at(posed_vertex_at(corners.y)) >= 0.0,
-              facing_at(posed_vertex_at(corners.z)) >= 0.0);
-    return is_inside_out(triangle) ? not(face) : face;
-}
-
 // Share of the side between two vertices at which what faces the eye ends.
 float share_of_turn(PosedVertex from, PosedVertex to)
 {
@@ -51,10 +23,8 @@ uint outline_part(uvec2 sides)
     uvec2 back_ends = ends_of(sides.y).yx; // at the same two places
     uvec4 corners = triangle_at(sides.x >> 2);
     uvec4 back_corners = triangle_at(sides.y >> 2);
-    bvec3 fronts = fronts_of(sides.x >> 2);
-    bvec3 back_fronts = fronts_of(sides.y >> 2);
-    bvec2 first = bvec2(fronts[ends.x], fronts[ends.y]);
-    bvec2 second = bvec2(back_fronts[back_ends.x], back_fronts[back_ends.y]);
+    bvec2 first = bvec2(is_front_at(sides.x >> 2, ends.x), is_front_at(sides.x >> 2, ends.y));
+    bvec2 second = bvec2(is_front_at(sides.y >> 2, back_ends.x), is_front_at(sides.y >> 2, back_ends.y));
     bvec2 differs = bvec2(first.x != second.x, first.y != second.y);
     bool first_turns = first.x != first.y;
     bool second_turns = second.x != second.y;
@@ -71,10 +41,8 @@ uint outline_part(uvec2 sides)
     is_front = both_turn ? first.x != comes_first : is_front;
     low = both_turn ? (comes_first ? BOUND_IN_FIRST : BOUND_IN_SECOND) : low;
     high = both_turn ? (comes_first ? BOUND_IN_SECOND : BOUND_IN_FIRST) : high;
-    uint over = (is_inside_out(sides.x >> 2) ? PART_FIRST_IS_OVER : 0u) |
-                (is_inside_out(sides.y >> 2) ? PART_SECOND_IS_OVER : 0u);
     return is_there ? PART_IS_THERE | (is_front ? PART_FIRST_IS_FRONT : 0u) | low << PART_LOW_SHIFT |
-                          high << PART_HIGH_SHIFT | over
+                          high << PART_HIGH_SHIFT
                     : 0u;
 }
 

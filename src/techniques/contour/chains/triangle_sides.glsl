@@ -2,7 +2,9 @@
 #ifndef ESTAMPE_TRIANGLE_SIDES
 #define ESTAMPE_TRIANGLE_SIDES
 
-// Sides of triangles, in the sense of their shell. Wanted before: mesh_texels.glsl and `neighbor_texels`.
+// Sides and fronts of triangles, in the sense of their shell.
+// Wanted before: `frame`, mesh_texels.glsl, silhouette.glsl, facing.glsl, and whether outlines run
+// `along_edges` of the mesh only.
 
 uint next_corner(uint corner)
 {
@@ -22,6 +24,22 @@ uvec2 ends_of(uint side)
     uint first = side & 3u;
     bool reversed = is_reversed(side >> 2);
     return reversed ? uvec2(next_corner(first), first) : uvec2(first, next_corner(first));
+}
+
+// Whether the normals of the smooth piece that a triangle is of point to its back.
+bool is_inside_out(uint triangle)
+{
+    return (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_INSIDE_OUT) != 0u;
+}
+
+// Whether the surface of a triangle faces the eye at one of its corners.
+bool is_front_at(uint triangle, uint corner)
+{
+    if (along_edges) {
+        return is_front(triangle);
+    }
+    bool faces = facing_at(posed_vertex_at(triangle_at(triangle)[corner])) >= 0.0;
+    return faces != is_inside_out(triangle);
 }
 
 #endif
