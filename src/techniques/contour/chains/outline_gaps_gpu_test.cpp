@@ -67,6 +67,18 @@ Primitive banded_ring()
     return shapes::lathe(profile, 48, 0.0F);
 }
 
+/// A cog whose teeth are 8 to 12 pixels wide.
+Primitive cog()
+{
+    std::vector<glm::vec2> outline;
+    for (int i = 0; i < 96; ++i) {
+        const float angle = glm::radians(3.75F) * static_cast<float>(i);
+        const float radius = i % 4 < 2 ? 1.2F : 1.05F;
+        outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    return shapes::extrude(outline, 0.3F);
+}
+
 TEST(Outlines, OfSmoothThingsHaveNoGaps)
 {
     EXPECT_EQ(share_of_gaps(shapes::torus(1.4F, 0.35F, 48, 20)), 0.0);
@@ -76,6 +88,7 @@ TEST(Outlines, OfSmoothThingsHaveNoGaps)
 TEST(Outlines, OfThingsWithCornersHaveNoGaps)
 {
     EXPECT_EQ(share_of_gaps(shapes::box({1.6F, 1.0F, 1.2F})), 0.0);
+    EXPECT_EQ(share_of_gaps(cog()), 0.0);
     EXPECT_LT(share_of_gaps(shapes::cone(1.0F, 1.6F, 24)), 0.002);
     EXPECT_LT(share_of_gaps(shapes::cylinder(1.0F, 1.2F, 24)), 0.002);
 }
