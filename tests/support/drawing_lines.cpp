@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <functional>
+
 #include <glm/gtc/packing.hpp>
 
 #include "frame/line_brushes.hpp"
@@ -63,40 +65,39 @@ ChainLists Drawing::chains(const contour::ContourStyle& style, contour::LineClas
     frame::LineMeshes meshes;
     contour::LineMesh* mesh = meshes.provide(shared_device(), layout, style);
     const bool along_edges = style.silhouettes == contour::Silhouettes::edges;
-    const auto read = [&]<class T>(std::vector<T>& list, auto choose) {
-        gpu::Graph graph;
-        const Stage stage = add_surface(graph);
-        const contour::ChainInputs inputs =
-            contour::chain_inputs(graph, contour_inputs(graph, stage), *mesh, style);
-        const contour::Chains chains = contour::add_chains(graph, inputs, *mesh, along_edges);
-        const auto grid =
-            graph.buffer("grid", contour::list_of(contour::grid_cell_count(size_px), sizeof(glm::uvec2)));
-        const contour::ChainSamples samples = contour::add_samples(graph, inputs, chains);
-        const contour::ChainStrokes strokes = contour::add_strokes(graph, samples, grid, size_px, wanted);
-        list = run_and_read_as<T>(graph, choose(chains, samples, strokes));
+    gpu::Graph graph;
+    const Stage stage = add_surface(graph);
+    const contour::ChainInputs inputs =
+        contour::chain_inputs(graph, contour_inputs(graph, stage), *mesh, style);
+    const contour::Chains chains = contour::add_chains(graph, inputs, *mesh, along_edges);
+    const auto grid =
+        graph.buffer("grid", contour::list_of(contour::grid_cell_count(size_px), sizeof(glm::uvec2)));
+    const contour::ChainSamples samples = contour::add_samples(graph, inputs, chains);
+    const contour::ChainStrokes strokes = contour::add_strokes(graph, samples, grid, size_px, wanted);
+    std::vector<gpu::BufferId> buffers;
+    std::vector<std::function<void(const std::vector<std::byte>&)>> takers;
+    const auto read = [&]<class T>(std::vector<T>& list, gpu::BufferId buffer) {
+        buffers.push_back(buffer);
+        takers.emplace_back([&list](const std::vector<std::byte>& bytes) { list = items_of<T>(bytes); });
     };
-    using contour::Chains;
-    using contour::ChainSamples;
-    using contour::ChainStrokes;
-    read(lists.marks, [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.marks; });
-    read(lists.facing, [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.facing; });
+    read(lists.marks, chains.marks);
+    read(lists.facing, chains.facing);
     if (mesh->bending_count > 0) {
-        read(lists.view_bends,
-             [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return *c.view_bends; });
+        read(lists.view_bends, *chains.view_bends);
     }
-    read(lists.sizes, [](const Chains&, const ChainSamples&, const ChainStrokes& s) { return s.sizes; });
-    read(lists.points_before,
-         [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.points_before; });
-    read(lists.flags_of_slot,
-         [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.flags_of_slot; });
-    read(lists.points, [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.points; });
-    read(lists.lengths, [](const Chains& c, const ChainSamples&, const ChainStrokes&) { return c.lengths; });
-    read(lists.lengths_before,
-         [](const Chains&, const ChainSamples& s, const ChainStrokes&) { return s.lengths_before; });
-    read(lists.samples, [](const Chains&, const ChainSamples&, const ChainStrokes& s) { return s.samples; });
-    read(lists.strokes_before,
-         [](const Chains&, const ChainSamples&, const ChainStrokes& s) { return s.strokes_before; });
-    read(lists.strokes, [](const Chains&, const ChainSamples&, const ChainStrokes& s) { return s.strokes; });
+    read(lists.sizes, strokes.sizes);
+    read(lists.points_before, chains.points_before);
+    read(lists.flags_of_slot, chains.flags_of_slot);
+    read(lists.points, chains.points);
+    read(lists.lengths, chains.lengths);
+    read(lists.lengths_before, samples.lengths_before);
+    read(lists.samples, strokes.samples);
+    read(lists.strokes_before, strokes.strokes_before);
+    read(lists.strokes, strokes.strokes);
+    const std::vector<std::vector<std::byte>> bytes = run_and_read(graph, buffers);
+    for (size_t i = 0; i < bytes.size(); ++i) {
+        takers[i](bytes[i]);
+    }
     lists.points.resize(lists.sizes[shared::list_points].count);
     lists.lengths.resize(lists.points.size());
     lists.samples.resize(lists.sizes[shared::list_samples].count);

@@ -38,13 +38,6 @@ gpu::Executor& shared_executor()
     return executor ? *executor : executor.emplace(shared_device());
 }
 
-std::vector<std::byte> run_and_copy(gpu::Graph& graph, gpu::Buffer& target, gpu::BufferId copied)
-{
-    graph.custom("host").touch(copied, gpu::Access::host_read).keep();
-    shared_executor().run(graph);
-    return {target.mapped().begin(), target.mapped().end()};
-}
-
 } // namespace
 
 std::vector<std::string> take_validation_messages()
@@ -80,20 +73,37 @@ void destroy_shared()
     shared().device.reset();
 }
 
+std::vector<std::vector<std::byte>> run_and_read(gpu::Graph& graph, std::span<const gpu::BufferId> buffers)
+{
+    std::vector<gpu::Buffer> targets;
+    targets.reserve(buffers.size());
+    for (const gpu::BufferId buffer : buffers) {
+        const uint64_t size_bytes = graph.describe(buffer).size_bytes;
+        targets.emplace_back(shared_device(), "read-back", size_bytes, gpu::MemoryUse::readback);
+        auto copy = graph.custom("copy");
+        copy.touch(buffer, gpu::Access::transfer_read);
+        const auto copied =
+            copy.touch_write(graph.import_buffer("read-back", targets.back(), {.size_bytes = size_bytes}),
+                             gpu::Access::transfer_write);
+        copy.execute([buffer, copied, size_bytes](gpu::Recorder& recorder) {
+            const VkBufferCopy region{.size = size_bytes};
+            vkCmdCopyBuffer(recorder.commands(), recorder.buffer(buffer).handle(),
+                            recorder.buffer(copied).handle(), 1, &region);
+        });
+        graph.custom("host").touch(copied, gpu::Access::host_read).keep();
+    }
+    shared_executor().run(graph);
+    std::vector<std::vector<std::byte>> bytes;
+    bytes.reserve(targets.size());
+    for (gpu::Buffer& target : targets) {
+        bytes.emplace_back(target.mapped().begin(), target.mapped().end());
+    }
+    return bytes;
+}
+
 std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::BufferId buffer)
 {
-    const uint64_t size_bytes = graph.describe(buffer).size_bytes;
-    gpu::Buffer target(shared_device(), "read-back", size_bytes, gpu::MemoryUse::readback);
-    auto copy = graph.custom("copy");
-    copy.touch(buffer, gpu::Access::transfer_read);
-    const auto copied = copy.touch_write(graph.import_buffer("read-back", target, {.size_bytes = size_bytes}),
-                                         gpu::Access::transfer_write);
-    copy.execute([buffer, copied, size_bytes](gpu::Recorder& recorder) {
-        const VkBufferCopy region{.size = size_bytes};
-        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(buffer).handle(),
-                        recorder.buffer(copied).handle(), 1, &region);
-    });
-    return run_and_copy(graph, target, copied);
+    return run_and_read(graph, std::span(&buffer, 1)).front();
 }
 
 std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::ImageId image, uint32_t bytes_per_texel)
@@ -113,9 +123,9 @@ std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::ImageId image, uint3
                                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, recorder.buffer(copied).handle(), 1,
                                &region);
     });
-    std::vector<std::byte> bytes = run_and_copy(graph, target, copied);
-    bytes.resize(size_bytes);
-    return bytes;
+    graph.custom("host").touch(copied, gpu::Access::host_read).keep();
+    shared_executor().run(graph);
+    return {target.mapped().begin(), target.mapped().begin() + static_cast<ptrdiff_t>(size_bytes)};
 }
 
 } // namespace estampe::test

@@ -6,6 +6,7 @@
 // everything.
 
 #include <cstring>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,16 +32,25 @@ namespace estampe::test {
 /// on.
 void destroy_shared();
 
-/// Runs `graph` on the shared device, and hands back the bytes of `buffer`, which it must produce.
+template <class T>
+[[nodiscard]] std::vector<T> items_of(const std::vector<std::byte>& bytes)
+{
+    std::vector<T> items(bytes.size() / sizeof(T));
+    std::memcpy(items.data(), bytes.data(), items.size() * sizeof(T));
+    return items;
+}
+
+/// Runs `graph` on the shared device, and hands back the bytes of each of `buffers`, which it must produce.
+[[nodiscard]] std::vector<std::vector<std::byte>> run_and_read(gpu::Graph& graph,
+                                                               std::span<const gpu::BufferId> buffers);
+
+/// The same for one.
 [[nodiscard]] std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::BufferId buffer);
 
 template <class T>
 [[nodiscard]] std::vector<T> run_and_read_as(gpu::Graph& graph, gpu::BufferId buffer)
 {
-    const std::vector<std::byte> bytes = run_and_read(graph, buffer);
-    std::vector<T> items(bytes.size() / sizeof(T));
-    std::memcpy(items.data(), bytes.data(), items.size() * sizeof(T));
-    return items;
+    return items_of<T>(run_and_read(graph, buffer));
 }
 
 /// The same for an image of `bytes_per_texel`, tightly packed.
@@ -50,10 +60,7 @@ template <class T>
 template <class T>
 [[nodiscard]] std::vector<T> run_and_read_as(gpu::Graph& graph, gpu::ImageId image)
 {
-    const std::vector<std::byte> bytes = run_and_read(graph, image, sizeof(T));
-    std::vector<T> texels(bytes.size() / sizeof(T));
-    std::memcpy(texels.data(), bytes.data(), bytes.size());
-    return texels;
+    return items_of<T>(run_and_read(graph, image, sizeof(T)));
 }
 
 } // namespace estampe::test

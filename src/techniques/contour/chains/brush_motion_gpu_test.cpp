@@ -226,11 +226,9 @@ TEST(LineBrush, AStretchedOneSlidesToItsNewEndsWhereAStrokeIsSplitOrJoined)
     const Camera camera{.eye = {0.0, 4.0, 6.0}, .target = {0.0, 0.0, 0.0}};
     LineHistory history;
     std::vector<FilmFrame> frames;
-    for (const Scene* scene : std::array{&whole, static_cast<const Scene*>(&split), &whole}) {
-        std::vector<FilmFrame> shots;
-        if (!frames.empty()) {
-            shots.push_back(frames.back());
-        }
+    shoot(frames, whole, camera, stretched_style(), history);
+    for (const Scene* scene : std::array{static_cast<const Scene*>(&split), &whole}) {
+        std::vector<FilmFrame> shots{frames.back()};
         for (int i = 0; i < 40; ++i) {
             shoot(shots, *scene, camera, stretched_style(), history);
         }
