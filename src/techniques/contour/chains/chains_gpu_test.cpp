@@ -139,6 +139,15 @@ Primitive banded_ring()
     return shapes::lathe(profile, 48, 0.0F);
 }
 
+/// With the same normals.
+Primitive wound_backwards(Primitive thing)
+{
+    for (size_t i = 0; i + 2 < thing.indices.size(); i += 3) {
+        std::swap(thing.indices[i], thing.indices[i + 1]);
+    }
+    return thing;
+}
+
 /// Turned on a lathe, with corners from 5 to 90 degrees that are all hard.
 Primitive faceted_vase()
 {
@@ -339,8 +348,9 @@ TEST(ContourChains, OnAClosedManifoldEveryOutlineCloses)
 
 TEST(ContourChains, OutlinesCloseWhereTheyPassFromSmoothPartsToHardEdges)
 {
-    for (const Primitive& thing : {banded_ring(), shapes::cone(1.0F, 1.6F, 24),
-                                   shapes::cylinder(1.0F, 2.0F, 24), shapes::box({1.0F, 1.4F, 0.8F})}) {
+    for (const Primitive& thing :
+         {banded_ring(), wound_backwards(banded_ring()), shapes::cone(1.0F, 1.6F, 24),
+          shapes::cylinder(1.0F, 2.0F, 24), shapes::box({1.0F, 1.4F, 0.8F})}) {
         for (const double height : {-0.7, 0.2, 1.1, 2.7}) {
             test::Drawing drawing(test::scene_of(thing),
                                   {.eye = {0.4, height, 4.0}, .target = {0.0, 0.0, 0.0}}, page_px);

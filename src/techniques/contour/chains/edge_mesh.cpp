@@ -252,12 +252,22 @@ private:
         return length > 0.0F ? n / length : glm::vec3(0.0F);
     }
 
-    /// Numbers shells, and flags triangles so that, those turned around, all of a shell have one sense.
+    /// How much a triangle's normals agree with the sense of its corners, by area.
+    [[nodiscard]] float agreement(uint32_t t) const
+    {
+        const glm::uvec4& corners = mesh_.triangles[t];
+        const glm::vec3 mean = soup_.normals[corners.x] + soup_.normals[corners.y] + soup_.normals[corners.z];
+        const float sense = (mesh_.neighbors[t].w & neighbor_is_turned) != 0 ? -1.0F : 1.0F;
+        return sense * glm::dot(area_normal(t), mean);
+    }
+
+    /// Numbers shells, and flags triangles so that, those turned around, all of a shell have one sense: that
+    /// of its normals.
     void find_shells()
     {
         const auto count = static_cast<uint32_t>(mesh_.triangles.size());
         std::vector<bool> is_reached(count, false);
-        std::vector<uint32_t> open;
+        std::vector<uint32_t> members;
         for (uint32_t first = 0; first < count; ++first) {
             if (is_reached[first]) {
                 continue;
@@ -268,10 +278,11 @@ private:
             }
             const uint32_t shell = ++mesh_.shell_count << neighbor_shell_shift;
             mesh_.neighbors[first].w = shell;
-            open.push_back(first);
-            while (!open.empty()) {
-                const uint32_t t = open.back();
-                open.pop_back();
+            members.assign(1, first);
+            float agrees = 0.0F;
+            for (size_t i = 0; i < members.size(); ++i) {
+                const uint32_t t = members[i];
+                agrees += agreement(t);
                 for (uint32_t k = 0; k < 3; ++k) {
                     const uint32_t facing = mesh_.neighbors[t][static_cast<int>(k)];
                     if (facing == no_side || is_reached[facing >> 2U]) {
@@ -282,8 +293,11 @@ private:
                     const bool is_turned = ((mesh_.neighbors[t].w & neighbor_is_turned) != 0) != is_against;
                     mesh_.neighbors[other].w = shell | (is_turned ? neighbor_is_turned : 0U);
                     is_reached[other] = true;
-                    open.push_back(other);
+                    members.push_back(other);
                 }
+            }
+            for (size_t i = 0; i < members.size() && agrees < 0.0F; ++i) {
+                mesh_.neighbors[members[i]].w ^= neighbor_is_turned;
             }
         }
     }
@@ -313,14 +327,10 @@ private:
             }
             is_reached[first] = true;
             piece.assign(1, first);
-            float agreement = 0.0F;
+            float agrees = 0.0F;
             for (size_t i = 0; i < piece.size(); ++i) {
-                const glm::uvec4& corners = mesh_.triangles[piece[i]];
                 const glm::uvec4& neighbors = mesh_.neighbors[piece[i]];
-                const glm::vec3 mean =
-                    soup_.normals[corners.x] + soup_.normals[corners.y] + soup_.normals[corners.z];
-                const float sense = (neighbors.w & neighbor_is_turned) != 0 ? -1.0F : 1.0F;
-                agreement += sense * glm::dot(area_normal(piece[i]), mean);
+                agrees += agreement(piece[i]);
                 for (uint32_t k = 0; k < 3; ++k) {
                     const uint32_t facing = neighbors[static_cast<int>(k)];
                     if ((neighbors.w >> (neighbor_smooth_shift + k) & 1U) != 0 && !is_reached[facing >> 2U]) {
@@ -329,7 +339,7 @@ private:
                     }
                 }
             }
-            for (size_t i = 0; i < piece.size() && agreement < 0.0F; ++i) {
+            for (size_t i = 0; i < piece.size() && agrees < 0.0F; ++i) {
                 mesh_.neighbors[piece[i]].w |= neighbor_is_inside_out;
             }
         }

@@ -159,7 +159,7 @@ TEST(EdgeMesh, AnEdgeOfThreeTrianglesJoinsNoneAndIsAFeature)
               1);
 }
 
-TEST(EdgeMesh, TurnsAllPiecesToOneSense)
+TEST(EdgeMesh, TurnsAllPiecesToTheSenseOfTheirNormals)
 {
     Soup soup;
     Primitive plane = shapes::plane(4.0F, 4.0F, 6);
@@ -169,7 +169,7 @@ TEST(EdgeMesh, TurnsAllPiecesToOneSense)
     soup.add(plane);
     const EdgeMesh mesh = soup.build();
     for (size_t t = 0; t < mesh.triangles.size(); ++t) {
-        EXPECT_EQ(mesh.neighbors[t].w & neighbor_is_turned, (t % 2 == 0 ? 0U : 1U)) << t;
+        EXPECT_EQ(mesh.neighbors[t].w & neighbor_is_turned, (t % 2 == 0 ? 1U : 0U)) << t;
     }
 }
 

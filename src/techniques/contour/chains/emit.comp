@@ -209,7 +209,8 @@ bool is_hollow(uint front_side, uint back_side)
     vec3 plane = cross(posed_vertex_at(corners.y).position - a, posed_vertex_at(corners.z).position - a);
     uint opposite = next_corner(next_corner(back_side & 3u));
     float above = dot(plane, posed_vertex_at(triangle_at(back_side >> 2)[opposite]).position - a);
-    return is_reversed(front_side >> 2) ? above < 0.0 : above > 0.0;
+    bool is_turned = is_reversed(front_side >> 2) != is_inside_out(front_side >> 2);
+    return is_turned ? above < 0.0 : above > 0.0;
 }
 
 Segment along_edge(uint edge, uint segment_count)
