@@ -59,9 +59,10 @@ struct EdgeMesh {
     uint32_t shell_count = 0;           ///< pieces of surface that share no edge with each other
 };
 
-/// Flags of EdgeMesh::neighbors: the triangle runs against the sense of its shell, which is that of most normals; which of its sides are
-/// smooth, where shading goes on; the normals of the smooth piece it is of point to the back, in the sense of
-/// the shell; and from this bit on the number of its shell, from 1, or 0 where it has no lines.
+/// Flags of EdgeMesh::neighbors: the triangle runs against the sense of its shell, which is that of most
+/// normals; which of its sides are smooth, where shading goes on; the normals of the smooth piece it is of
+/// point to the back, in the sense of the shell; and from this bit on the number of its shell, from 1, or 0
+/// where it has no lines.
 constexpr uint32_t neighbor_is_turned = 1;
 constexpr uint32_t neighbor_smooth_shift = 1;
 constexpr uint32_t neighbor_is_inside_out = 16;
