@@ -119,11 +119,14 @@ void run(const RenderCommand& command)
     print_warnings(scene.warnings);
     warn_of_idle_time(draw, scene);
     const Index animation = choose_animation(draw, scene);
-    const Camera camera = choose_camera(draw, scene, animation);
+    // A view of all of a large scene takes as long to choose as its upload.
+    std::future<Camera> choosing =
+        std::async(std::launch::async, [&] { return choose_camera(draw, scene, animation); });
     clock.finish("load");
     Renderer renderer = opening.get();
     clock.finish("device");
     set_scene(renderer, scene, draw);
+    const Camera camera = choosing.get();
     clock.finish("upload");
     if (lower_extension(draw.output) == ".svg") {
         write_strokes(renderer, camera, animation, command);
