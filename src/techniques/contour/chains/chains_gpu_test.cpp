@@ -128,26 +128,6 @@ void expect_triangles_as_searched(const Scene& scene, const Camera& camera, cons
     EXPECT_EQ(wrong, 0U) << name;
 }
 
-/// A ring, smooth around its axis and in flat bands around its tube.
-Primitive banded_ring()
-{
-    std::vector<glm::vec2> profile;
-    for (int i = 0; i <= 20; ++i) {
-        const float angle = glm::radians(18.0F) * static_cast<float>(i % 20);
-        profile.emplace_back(1.4F + 0.35F * std::sin(angle), -0.35F * std::cos(angle));
-    }
-    return shapes::lathe(profile, 48, 0.0F);
-}
-
-/// With the same normals.
-Primitive wound_backwards(Primitive thing)
-{
-    for (size_t i = 0; i + 2 < thing.indices.size(); i += 3) {
-        std::swap(thing.indices[i], thing.indices[i + 1]);
-    }
-    return thing;
-}
-
 /// Turned on a lathe, with corners from 5 to 90 degrees that are all hard.
 Primitive faceted_vase()
 {

@@ -3,6 +3,10 @@
 
 // What tests of chains look at.
 
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "scene/shapes.hpp"
 #include "support/scenes.hpp"
 #include "techniques/contour/contour.hpp"
@@ -18,6 +22,26 @@ inline Scene shapes_scene()
     test::add_object(scene, shapes::cone(0.7F, 1.6F, 24), glm::vec3(0.5F), {-0.6, 0.6, -1.4});
     test::add_object(scene, shapes::plane(6.0F, 6.0F, 4), glm::vec3(0.5F), {0.0, -1.0, 0.0});
     return scene;
+}
+
+/// A ring, smooth around its axis and in flat bands around its tube.
+inline Primitive banded_ring()
+{
+    std::vector<glm::vec2> profile;
+    for (int i = 0; i <= 20; ++i) {
+        const float angle = glm::radians(18.0F) * static_cast<float>(i % 20);
+        profile.emplace_back(1.4F + 0.35F * std::sin(angle), -0.35F * std::cos(angle));
+    }
+    return shapes::lathe(profile, 48, 0.0F);
+}
+
+/// The same with its corners the other way round, and its normals as they were.
+inline Primitive wound_backwards(Primitive thing)
+{
+    for (size_t i = 0; i + 2 < thing.indices.size(); i += 3) {
+        std::swap(thing.indices[i], thing.indices[i + 1]);
+    }
+    return thing;
 }
 
 inline Camera view_from_above()

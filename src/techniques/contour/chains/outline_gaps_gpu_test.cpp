@@ -56,17 +56,6 @@ double share_of_gaps(const Primitive& thing)
     return gaps / edge;
 }
 
-/// A ring, smooth around its axis and in flat bands around its tube.
-Primitive banded_ring()
-{
-    std::vector<glm::vec2> profile;
-    for (int i = 0; i <= 20; ++i) {
-        const float angle = glm::radians(18.0F) * static_cast<float>(i % 20);
-        profile.emplace_back(1.4F + 0.35F * std::sin(angle), -0.35F * std::cos(angle));
-    }
-    return shapes::lathe(profile, 48, 0.0F);
-}
-
 /// A cog whose teeth are 8 to 12 pixels wide.
 Primitive cog()
 {
@@ -96,11 +85,7 @@ TEST(Outlines, OfThingsWithCornersHaveNoGaps)
 TEST(Outlines, ThatPassFromSmoothPartsToHardEdgesHaveFewGaps)
 {
     EXPECT_LT(share_of_gaps(banded_ring()), 0.002);
-    Primitive wound_backwards = banded_ring();
-    for (size_t i = 0; i + 2 < wound_backwards.indices.size(); i += 3) {
-        std::swap(wound_backwards.indices[i], wound_backwards.indices[i + 1]);
-    }
-    EXPECT_LT(share_of_gaps(wound_backwards), 0.002);
+    EXPECT_LT(share_of_gaps(wound_backwards(banded_ring())), 0.002);
 }
 
 } // namespace
