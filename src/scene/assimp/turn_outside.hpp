@@ -7,8 +7,8 @@ namespace estampe {
 
 /// Turns over what a file has inside out: pieces of meshes that are closed and wound one way all over, with
 /// their backs to the outside. A piece with other things inside, but for such as it is itself, is a room and
-/// stays. Adds a line to Scene::warnings for each mesh. Cost: about 0.15 s for a million triangles that are
-/// all right; linear.
+/// stays. Adds a line to Scene::warnings for each mesh. Cost: about 0.01 s for 70,000 triangles that are
+/// all right.
 void turn_outside(Scene& scene);
 
 } // namespace estampe

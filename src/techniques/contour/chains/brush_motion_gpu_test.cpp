@@ -220,18 +220,25 @@ Slides slides_of(const std::vector<FilmFrame>& frames)
 
 TEST(LineBrush, AStretchedOneSlidesToItsNewEndsWhereAStrokeIsSplitOrJoined)
 {
-    const Scene whole = test::scene_of(shapes::plane(4.0F, 3.0F, 1));
-    Scene split = whole;
-    test::add_object(split, shapes::box({0.3F, 2.0F, 0.3F}), glm::vec3(0.5F), {0.4, 0.5, 2.5});
+    // A post beside the plane, and before it. Both scenes have one size, and so one anchor.
+    const auto with_post_at = [](double x_m) {
+        Scene scene = test::scene_of(shapes::plane(4.0F, 3.0F, 1));
+        test::add_object(scene, shapes::box({0.3F, 2.0F, 0.3F}), glm::vec3(0.5F), {x_m, 0.5, 2.5});
+        return scene;
+    };
+    const Scene whole = with_post_at(-1.85);
+    const Scene split = with_post_at(0.4);
     const Camera camera{.eye = {0.0, 4.0, 6.0}, .target = {0.0, 0.0, 0.0}};
     LineHistory history;
     std::vector<FilmFrame> frames;
     shoot(frames, whole, camera, stretched_style(), history);
-    for (const Scene* scene : std::array{static_cast<const Scene*>(&split), &whole}) {
+    for (const Scene* scene : std::array{&split, &whole}) {
         std::vector<FilmFrame> shots{frames.back()};
         for (int i = 0; i < 40; ++i) {
             shoot(shots, *scene, camera, stretched_style(), history);
         }
+        // The edges before and behind are there on both sides of the change.
+        EXPECT_GT(matches(shots[0], shots[1]).size(), 60U);
         const Slides slides = slides_of(shots);
         EXPECT_GT(slides.compared, 2500U);
         EXPECT_LT(slides.jumped, 8U);

@@ -4,8 +4,7 @@
 
 // Edges at which shading breaks. Such an edge is outline where the surface on the one side faces the eye and
 // that on the other does not, each by its own normals. With the outline through triangles these parts close
-// around all that faces the eye. Wanted before: `frame`, mesh_texels.glsl, silhouette.glsl, facing.glsl, and
-// whether outlines run `along_edges` of the mesh only.
+// around all that faces the eye. Wanted before: triangle_sides.glsl, what that wants, and unit.glsl.
 
 // Share of the side between two vertices at which what faces the eye ends.
 float share_of_turn(PosedVertex from, PosedVertex to)
