@@ -102,13 +102,20 @@ private:
         return pieces_[found->second];
     }
 
+    /// A triangle with two corners in one place, as at the poles of many a ball, is a side without
+    /// neighbours.
+    [[nodiscard]] bool has_collapsed(size_t t) const
+    {
+        return place(t, 0) == place(t, 1) || place(t, 1) == place(t, 2) || place(t, 2) == place(t, 0);
+    }
+
     /// Whether each side of a triangle has one other beside it, that runs the other way.
     [[nodiscard]] bool is_closed(const Piece& piece) const
     {
         std::vector<std::pair<uint32_t, uint32_t>> ways;
         std::vector<std::pair<uint32_t, uint32_t>> back;
         for (const uint32_t t : piece.triangles) {
-            for (size_t k = 0; k < 3; ++k) {
+            for (size_t k = 0; k < 3 && !has_collapsed(t); ++k) {
                 ways.emplace_back(place(t, k), place(t, (k + 1) % 3));
                 back.emplace_back(ways.back().second, ways.back().first);
             }

@@ -82,6 +82,15 @@ TEST(TurnOutside, WhatIsRightOrOpenStays)
     EXPECT_TRUE(scene.warnings.empty());
 }
 
+TEST(TurnOutside, TrianglesThatHaveCollapsedToASideDoNotOpenAPiece)
+{
+    Primitive ball = inside_out(shapes::sphere(1.0F, 16, 8));
+    ball.indices.insert(ball.indices.end(), {ball.indices[30], ball.indices[30], ball.indices[31]});
+    Scene scene = scene_of_meshes({ball});
+    turn_outside(scene);
+    EXPECT_GT(volume_m3(first(scene)), 3.5);
+}
+
 TEST(TurnOutside, ARoomWithThingsInItStaysAndOneAllInsideOutDoesNot)
 {
     const Primitive room = inside_out(shapes::box({8.0F, 6.0F, 8.0F}));
