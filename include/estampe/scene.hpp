@@ -272,12 +272,22 @@ struct Camera {
 /// names there are.
 [[nodiscard]] Camera scene_camera(const Scene& scene, const ScenePose& pose, const std::string& name);
 
+/// Where the sun stands of a style: whoever frames a picture leaves room for the shadow that it throws.
+struct SunBearing {
+    double azimuth_deg = -34.0; ///< 0 is +z, 90 +x, for an eye at 35 degrees
+    double elevation_deg = 45.0;
+    bool turns = true;  ///< with the side that the framed view shows
+    bool rules = false; ///< in place of the scene's own light
+};
+
 /// Frames the scene as a person would: three-quarter view from slightly above, whole, with a margin, from the
 /// side with most to draw (the front, +z, unless another shows clearly more), with room for the shadow on the
-/// ground. A floor much wider than what stands on it is let run out of the page. A room is seen through its
-/// open side, or through the wall that faces the eye; a closed house from a corner inside. `aspect` is width
-/// / height. Cost: linear in vertices and triangles, about 0.1 s for half a million.
-[[nodiscard]] Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect);
+/// ground that the scene's strongest directional light throws, or else `sun`. A floor much wider than what
+/// stands on it is let run out of the page. A room is seen through its open side, or through the wall that
+/// faces the eye; a closed house from a corner inside. `aspect` is width / height. Cost: linear in vertices
+/// and triangles, about 0.1 s for half a million.
+[[nodiscard]] Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect,
+                                    const SunBearing& sun = {});
 
 /// Reads "eye=x,y,z target=x,y,z [fov=degrees] [up=x,y,z] [ortho=half_height]", in any order, separated by
 /// blanks. `fov` is vertical, 1 to 170; `ortho` makes a parallel projection, half its height in metres.

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include <estampe/scene.hpp>
+
 namespace estampe {
 
 namespace frame {
@@ -33,6 +35,9 @@ public:
 
     /// Every parameter with its value, as a TOML text that load() reads back to an equal style.
     [[nodiscard]] std::string to_toml() const;
+
+    /// Where its sun stands, for framing_camera(). Throws Error for a date that is none.
+    [[nodiscard]] SunBearing sun_bearing() const;
 
     /// The manual of all parameters: name, type, range, default, unit and one line of help each.
     [[nodiscard]] static std::string help();

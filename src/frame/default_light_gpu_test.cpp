@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
@@ -119,6 +120,34 @@ TEST(DefaultLight, ARoomIsLitWhetherItIsOpenOrClosed)
     const Tones in_the_sun = tones_of(draw(closed, framed(closed), sun));
     EXPECT_TRUE(test::shared_renderer().notes().empty());
     EXPECT_GT(in_the_sun.mean_ink, tones_of(draw(closed, framed(closed))).mean_ink + 0.1);
+}
+
+TEST(DefaultLight, DaylightThrowsNoEdgeOfTheOpeningThroughARoom)
+{
+    const Scene scene = thin_room(true);
+    const ScenePose pose = pose_scene(scene, 0.0);
+    const Bounds bounds = scene_bounds(scene, pose);
+    const light::Lighting lighting =
+        light::gather_lights(scene, pose, bounds, bounds.center(), {}, find_outlook(scene));
+    ASSERT_TRUE(lighting.indoors);
+    EXPECT_EQ(lighting.directional_count, 1U);
+    EXPECT_EQ(lighting.sun_casters, 0U);
+}
+
+TEST(DefaultLight, TheGroundStaysBlankHoweverLowTheSun)
+{
+    const Scene scene = test::scene_of(shapes::box({1.0F, 1.0F, 1.0F}));
+    for (const float elevation_deg : {60.0F, 20.0F, 8.0F}) {
+        Style style;
+        style.set("light.turn_sun=false");
+        style.set("light.sun_azimuth_deg=-150"); // from behind: the shadow comes towards the eye
+        style.set(fmt::format("light.sun_elevation_deg={}", elevation_deg));
+        const Image image = draw(scene, framed(scene), style);
+        Image upper = image;
+        upper.height = image.height / 6;
+        upper.rgba.resize(size_t{4} * upper.width * upper.height);
+        EXPECT_GT(tones_of(upper).blank, 0.99) << elevation_deg << " degrees";
+    }
 }
 
 TEST(DefaultLight, AClosedHouseIsSeenFromItsCorner)

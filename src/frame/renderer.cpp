@@ -303,12 +303,16 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     if (daylight) {
         frame_plan.daylight_rad = static_cast<float>(daylight->elevation_rad);
     }
+    const light::Paling paling =
+        light::ground_paling(layout.bounds, layout.anchor, lighting.towards_sun, tables.light.paling);
     const shared::LightGlobals light_values{.sky_ambient = lighting.ambient * 1.25F,
                                             .ground_ambient = lighting.ambient * 0.75F,
                                             .directional_count = lighting.directional_count,
                                             .local_count = static_cast<uint32_t>(lighting.records.size()) -
                                                            lighting.directional_count,
-                                            .falloff = tables.light.falloff};
+                                            .falloff = tables.light.falloff,
+                                            .paling = paling.share_per_m,
+                                            .paling_at_anchor = paling.share_at_anchor};
     light_globals = mapped_buffer(device, "lighting", &light_values, 1);
     edge_look = mapped_buffer(device, "edges", &frame_plan.edge_look, 1);
     const shared::SunShadow sun_values = frame::sun_globals(frame_plan, tables.shadow);

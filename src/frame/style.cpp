@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <estampe/style.hpp>
 
+#include <cmath>
+
 #include "frame/style_tables.hpp"
 #include "style/presets.hpp"
+#include "techniques/light/daylight.hpp"
 
 namespace estampe {
 
@@ -38,6 +41,22 @@ std::string Style::to_toml() const
 {
     frame::StyleTables copy = *tables_;
     return frame::sheet_of(copy).to_toml();
+}
+
+SunBearing Style::sun_bearing() const
+{
+    const light::LightStyle& light = tables_->light;
+    if (const auto daylight = light::daylight_of(tables_->sun)) {
+        const glm::dvec3& towards = daylight->towards_sun;
+        return {.azimuth_deg = glm::degrees(std::atan2(towards.x, towards.z)),
+                .elevation_deg = glm::degrees(std::asin(towards.y)),
+                .turns = false,
+                .rules = true};
+    }
+    return {.azimuth_deg = light.sun_azimuth_deg,
+            .elevation_deg = light.sun_elevation_deg,
+            .turns = light.turn_sun,
+            .rules = light.source == light::LightSource::sun};
 }
 
 std::string Style::help()

@@ -116,11 +116,21 @@ struct ViewPoints {
     std::vector<glm::dvec3> shadow; ///< of the subject's points, on the ground
 };
 
-/// Direction of the light that throws the shadow: the scene's strongest directional light, or the house's sun
-/// when the scene has no light at all.
-std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose, const Outlook& outlook)
+glm::dvec3 towards(const SunBearing& sun, const Outlook& outlook)
 {
-    std::optional<glm::dvec3> towards;
+    return sun.turns ? outlook.towards_sun(sun.azimuth_deg, sun.elevation_deg)
+                     : bearing(glm::radians(sun.azimuth_deg), glm::radians(sun.elevation_deg));
+}
+
+/// Direction of the light that throws the shadow: the scene's strongest directional light, or the sun when
+/// the scene has no light at all or the sun rules.
+std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose, const Outlook& outlook,
+                                       const SunBearing& sun)
+{
+    if (sun.rules) {
+        return towards(sun, outlook);
+    }
+    std::optional<glm::dvec3> found;
     float strongest = 0.0F;
     bool has_light = false;
     for (Index index = 0; index < scene.nodes.size(); ++index) {
@@ -133,11 +143,9 @@ std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose
         if (light.type != LightType::directional || brightness <= strongest || glm::length(back) == 0.0)
             continue;
         strongest = brightness;
-        towards = glm::normalize(back);
+        found = glm::normalize(back);
     }
-    if (!has_light && !outlook.shelter)
-        towards = outlook.towards_sun(house_sun_azimuth_deg, house_sun_elevation_deg);
-    return towards;
+    return !has_light && !outlook.shelter ? towards(sun, outlook) : found;
 }
 
 /// Whether a vertex belongs to the subject: not when it is of the wide floor around it.
@@ -149,11 +157,12 @@ bool is_subject(const Bounds& subject, double slack_m, const glm::dvec3& positio
 }
 
 ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes& axes,
-                       const Outlook& outlook, const Bounds& bounds, const glm::dvec3& origin)
+                       const Outlook& outlook, const SunBearing& sun, const Bounds& bounds,
+                       const glm::dvec3& origin)
 {
     constexpr double lowest_sun = 0.26; // 15 degrees: longer shadows run out of any page
     ViewPoints points;
-    const auto light = shadow_light(scene, pose, outlook);
+    const auto light = shadow_light(scene, pose, outlook, sun);
     const bool has_shadow = light && light->y > lowest_sun;
     const bool has_floor =
         outlook.subject.max.x - outlook.subject.min.x < 0.99 * (bounds.max.x - bounds.min.x);
@@ -197,8 +206,8 @@ Fit fit_part(const ViewPoints& points, const Window& window, double part)
 /// the middle.
 Fit fit_with_shadow(const ViewPoints& points, const Window& window)
 {
-    constexpr double least_size = 0.84; // of the size without shadow
-    constexpr double most_aside = 0.36; // the subject's middle off the page's, of half its width
+    constexpr double least_size = 0.74; // of the size without shadow
+    constexpr double most_aside = 0.42; // the subject's middle off the page's, of half its width
     const glm::dvec3 alone = fit_eye(points.subject, window);
     double nearest = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& point : points.subject)
@@ -285,7 +294,7 @@ Camera camera_inside(const Outlook& outlook, double aspect)
 
 } // namespace
 
-Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect)
+Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, const SunBearing& sun)
 {
     const Bounds bounds = scene_bounds(scene, pose);
     if (bounds.empty())
@@ -304,7 +313,7 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect)
                         .top = half_height - margin * shorter,
                         .bottom = half_height - (margin + shadow_room) * shorter};
 
-    ViewPoints points = view_points(scene, pose, axes, outlook, bounds, bounds.center());
+    ViewPoints points = view_points(scene, pose, axes, outlook, sun, bounds, bounds.center());
     // A model without extent still stands somewhere: give it a size that arithmetic can see.
     const double least = std::max(1e-6 * glm::length(bounds.center()), 1e-9);
     if (bounds.radius() < least)

@@ -166,6 +166,33 @@ TEST(FramedView, FollowsTheSceneOwnSun)
     EXPECT_NEAR(left_of_middle({0.05, 1.0, 0.0}), 0.0, 0.05) << "and below";
 }
 
+TEST(FramedView, HoldsTheShadowOfTheSunThatItIsTold)
+{
+    const Scene scene = test::scene_of(shapes::cylinder(0.4F, 1.2F));
+    const ScenePose pose = pose_scene(scene, 0.0);
+    for (const double azimuth_deg : {-60.0, -34.0, 20.0, 120.0}) {
+        SCOPED_TRACE(azimuth_deg);
+        const SunBearing low{.azimuth_deg = azimuth_deg, .elevation_deg = 35.0};
+        const Page page(framing_camera(scene, pose, aspect, low));
+        const glm::dvec3 sun = find_outlook(scene).towards_sun(low.azimuth_deg, low.elevation_deg);
+        visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
+            for (const glm::dvec3& p : posed.positions) {
+                EXPECT_TRUE(on_page(page.at(p - sun * (p.y / sun.y))));
+            }
+        });
+    }
+}
+
+TEST(FramedView, TheSunThatRulesTakesThePlaceOfTheScenes)
+{
+    Scene scene = test::scene_of(shapes::cylinder(0.25F, 1.7F));
+    const ScenePose pose = pose_scene(scene, 0.0);
+    const SunBearing sun{.azimuth_deg = 100.0, .elevation_deg = 30.0, .turns = false, .rules = true};
+    const glm::dvec3 alone = framing_camera(scene, pose, aspect, sun).eye;
+    test::add_sun(scene, {-0.8, 0.7, 0.55});
+    EXPECT_EQ(framing_camera(scene, pose_scene(scene, 0.0), aspect, sun).eye, alone);
+}
+
 TEST(FramedView, IgnoresAWideFloor)
 {
     const Primitive thing = shapes::box({1.0F, 1.2F, 0.8F});

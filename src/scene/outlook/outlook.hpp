@@ -13,7 +13,7 @@ namespace estampe {
 
 /// Where the sun of the house stands: low, and to the left of an eye that stands at 35 degrees.
 inline constexpr float house_sun_azimuth_deg = -34.0F;
-inline constexpr float house_sun_elevation_deg = 38.0F;
+inline constexpr float house_sun_elevation_deg = 45.0F;
 
 /// A place where the sun hardly reaches: a room, a hall, a cave.
 struct Shelter {

@@ -31,10 +31,10 @@ struct ContourStyle {
     Lines lines = Lines::chains;
     Silhouettes silhouettes = Silhouettes::smooth;
     glm::vec3 ink = style::srgb(0x141318);
-    float outline_mm = 0.42F; ///< on the page; see line_kind_keys for what a kind of line has
+    float outline_mm = 0.62F; ///< on the page; see line_kind_keys for what a kind of line has
     float boundary_mm = 0.24F;
-    float crease_mm = 0.26F;
-    float crease_deg = 34.0F;
+    float crease_mm = 0.2F;
+    float crease_deg = 60.0F;
     float marked_mm = 0.24F;
     float ridge_mm = 0.0F;
     float valley_mm = 0.0F;
@@ -67,7 +67,7 @@ struct ContourStyle {
     float intersection_m = 0.0F;
     float shadow_m = 0.0F;
     Joints joints = Joints::round;
-    float pressure = 0.8F;
+    float pressure = 0.65F;
     PressureFrom pressure_from = PressureFrom::light;
     float distance_thinning = 0.7F;
     float taper_mm = 6.0F;

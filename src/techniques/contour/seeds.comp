@@ -119,8 +119,7 @@ float pressure_at(ivec2 pixel, float depth)
     float slow = value_noise(11.0 * p.xy + 7.0 * p.z, 3u) - 0.5;
     float shade = 1.0 - clamp(texelFetch(light_image, pixel, 0).a, 0.0, 1.0);
     float away = distance(anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9)), frame.eye_anchor);
-    float thinning = mix(1.0, clamp(pow(2.2 * frame.scene_radius_m / max(away, 1e-6), 0.4), 0.45, 1.25),
-                         constants.distance_thinning);
+    float thinning = mix(1.0, thinned_at(frame, away), constants.distance_thinning);
     return thinning * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
 }
 

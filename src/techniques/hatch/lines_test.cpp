@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The nesting of the strokes, with the shader's own functions: a line that is drawn stays drawn as tone
 // deepens and as one comes nearer.
+#include <algorithm>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -95,6 +97,52 @@ TEST(LineIdentity, IsTheSameAtEveryZoom)
 {
     for (int i = -40; i <= 40; ++i) {
         EXPECT_EQ(lines::dyadic_identity(i, -3, 3U), lines::dyadic_identity(4 * i, -5, 3U));
+    }
+}
+
+/// Lengths in pixels of the breaks in a line, longest first.
+std::vector<int> breaks(const lines::LineLook& look, float dark)
+{
+    lines::LineField field{};
+    field.u_per_px = 1e-4F;
+    field.v_per_px = 1e-4F;
+    const lines::LineScale scale = lines::scale_of(field, look, dark);
+    std::vector<int> lengths;
+    int length = 0;
+    for (int px = 0; px < 400000; ++px) {
+        field.u = 1e-4F * static_cast<float>(px);
+        if (lines::stroke_profile(field, look, scale, 99U) < 0.5F) {
+            ++length;
+        } else if (length > 0) {
+            lengths.push_back(length);
+            length = 0;
+        }
+    }
+    std::sort(lengths.rbegin(), lengths.rend());
+    return lengths;
+}
+
+TEST(Breaks, AreWholeOrNoneAsThePaperFillsUp)
+{
+    const lines::LineLook look{.width_px = 1.5F, .gap_px = 6.0F, .taper_px = 8.0F, .cell_px = 90.0F};
+    size_t before = breaks(look, 0.5F).size();
+    EXPECT_GT(before, 1000U);
+    for (const float dark : {0.6F, 0.75F, 0.9F}) {
+        const std::vector<int> lengths = breaks(look, dark);
+        EXPECT_LT(lengths.size(), 0.95 * static_cast<double>(before)) << "there are fewer, darkness " << dark;
+        before = lengths.size();
+        const auto nicks = std::count_if(lengths.begin(), lengths.end(), [](int px) { return px < 7; });
+        EXPECT_LT(static_cast<double>(nicks), 0.3 * static_cast<double>(lengths.size()))
+            << "darkness " << dark;
+    }
+}
+
+TEST(Breaks, AreNoneWithoutGaps)
+{
+    const lines::LineLook look{.width_px = 1.5F, .gap_px = 0.0F, .taper_px = 3.0F, .cell_px = 90.0F};
+    for (const float dark : {0.3F, 0.6F, 0.9F}) {
+        EXPECT_TRUE(breaks(look, dark).empty());
+        EXPECT_EQ(lines::kept_share(look, 1.0F), 1.0F);
     }
 }
 

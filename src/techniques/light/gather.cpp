@@ -229,7 +229,9 @@ std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::d
     lamp.color = glm::vec3(std::max(size_2, 1e-12F));
     std::vector<shared::LightRecord> records{lamp};
     if (shelter.towards_light) {
-        records.push_back(parallel_light(*shelter.towards_light, daylight));
+        // Light of the whole sky: the rim of the opening throws no edge on the wall across.
+        shared::LightRecord& sky = records.emplace_back(parallel_light(*shelter.towards_light, daylight));
+        sky.groups &= all_groups;
     }
     std::vector<float> levels;
     for (const SurfacePoint& point : shelter.seen) {

@@ -249,6 +249,12 @@ void main()
         }
         float lambert = dot(smooth_normal, sun.direction) > 0.0 ? max(dot(normal, sun.direction), 0.0) : 0.0;
         float visible = i == 0u ? sun_visible : 1.0;
+        if (i == 0u && is_paper(word)) {
+            // Blank ground is paper: it has no shade of its own, and gives its shadow back with distance.
+            lambert = lambert > 0.0 ? 1.0 : 0.0;
+            visible =
+                mix(visible, 1.0, clamp(dot(lighting.paling, point) + lighting.paling_at_anchor, 0.0, 1.0));
+        }
         vec3 arriving = lambert > 0.0 ? sun.color * (pow(lambert, lighting.falloff) * visible) : vec3(0.0);
         weigh(arriving, vec3(0.0));
         light += arriving;

@@ -29,6 +29,9 @@ struct LightGlobals {
     uint directional_count; // these come first in the list; the first casts the shadow
     uint local_count;
     float falloff; // exponent of the cosine; 1 is Lambert's
+    vec3 paling; // of the sun's shadow on the blank ground: the share of light that comes back grows by this
+                 // a metre
+    float paling_at_anchor;
 };
 
 // The large tiles of the page that have a list of lights each, row by row.
@@ -39,7 +42,7 @@ struct ListTiles {
 
 #ifdef __cplusplus
 static_assert(sizeof(LightRecord) == 80);
-static_assert(sizeof(LightGlobals) == 36);
+static_assert(sizeof(LightGlobals) == 52);
 inline constexpr uint light_directional = 0;
 inline constexpr uint light_point = 1;
 inline constexpr uint light_spot = 2;

@@ -36,6 +36,17 @@ struct Lighting {
                                      const glm::dvec3& anchor, const LightStyle& style,
                                      const Outlook& outlook = {});
 
+/// How much of the sun's light comes back to the shadow on the blank ground, linear over the ground: none
+/// below the middle of the scene, `most` where the shadow of its bounds ends. So the shadow is darkest where
+/// its thing stands, as it is on paper.
+struct Paling {
+    glm::vec3 share_per_m{0.0F};
+    float share_at_anchor = 0.0F;
+};
+
+[[nodiscard]] Paling ground_paling(const Bounds& bounds, const glm::dvec3& anchor,
+                                   const glm::dvec3& towards_sun, float most);
+
 /// The style's tone curve as the shaders want it.
 [[nodiscard]] shared::ToneConstants tone_constants(const ToneStyle& style);
 

@@ -23,6 +23,7 @@ struct LightStyle {
     float ambient = 0.15F;
     float fill = 0.2F;
     float falloff = 0.62F;
+    float paling = 0.5F;
     bool shadows = true;
     int shadow_size = 0;
     std::string lights;
@@ -66,6 +67,9 @@ inline const style::Table<LightStyle>& light_table()
                     "for the style's sun alone")
             .number("falloff", &LightStyle::falloff, {0.05F, 4.0F}, "",
                     "Exponent of the cosine: 1 is Lambert's law, less keeps slanted light bright")
+            .number(
+                "paling", &LightStyle::paling, {0.0F, 1.0F}, "",
+                "Share of the sun's light that comes back to the far end of its shadow on the blank ground")
             .toggle("shadows", &LightStyle::shadows, "Whether lights throw shadows")
             .integer("shadow_size", &LightStyle::shadow_size, {0, 4096}, "texels",
                      "Side of the sun's shadow map; 0 takes about a texel for each pixel of the picture")

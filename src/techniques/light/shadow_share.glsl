@@ -40,8 +40,9 @@ float sun_share(vec3 point, vec3 normal, vec3 towards_sun, Edge edge)
     }
     EdgePoints points = edge_points(edge, edge_look, has_wave_edges, point, penumbra_m);
     float radius_m = 0.5 * penumbra_m;
-    float first = sun_lookup(points.first, normal, towards_sun, radius_m);
-    float second = sun_lookup(points.second, normal, towards_sun, radius_m);
+    float first = sun_lookup(raised(points.first, points, point, towards_sun), normal, towards_sun, radius_m);
+    float second =
+        sun_lookup(raised(points.second, points, point, towards_sun), normal, towards_sun, radius_m);
     return edge_blend(points, first, second);
 }
 
@@ -65,8 +66,11 @@ float local_share(LocalShadow shadow, vec3 light_position, vec3 point, vec3 norm
         return local_lookup(shadow, light_position, point, normal, penumbra, 1.0);
     }
     EdgePoints points = edge_points(edge, edge_look, has_wave_edges, point, penumbra.mean_m);
-    float first = local_lookup(shadow, light_position, points.first, normal, penumbra, 0.5);
-    float second = local_lookup(shadow, light_position, points.second, normal, penumbra, 0.5);
+    vec3 towards_light = normalize(light_position - point);
+    vec3 raised_first = raised(points.first, points, point, towards_light);
+    vec3 raised_second = raised(points.second, points, point, towards_light);
+    float first = local_lookup(shadow, light_position, raised_first, normal, penumbra, 0.5);
+    float second = local_lookup(shadow, light_position, raised_second, normal, penumbra, 0.5);
     float share = edge_blend(points, first, second);
     if (has_wave_edges) {
         // A lamp's shadows run in all directions: it has a third axis.

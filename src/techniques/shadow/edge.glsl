@@ -128,6 +128,13 @@ vec3 third_wave_point(Edge edge, EdgeLook look, vec3 point, float penumbra_m)
     return point + edge.third.step_m * (reach_px * edge_tooth(edge.third, look, penumbra_px));
 }
 
+// What moves a place into shadow is looked up a little nearer to the light than it lies: the plane that it
+// moves along runs into what is curved or folded, and would find the surface's own shadow there.
+vec3 raised(vec3 moved, EdgePoints points, vec3 point, vec3 towards_light)
+{
+    return points.lean < 0.0f ? moved : moved + towards_light * (0.7f * distance(moved, point));
+}
+
 // The share of light of an edge, from those of its two points.
 float edge_blend(EdgePoints points, float first, float second)
 {

@@ -65,6 +65,10 @@ void main()
         vec3 color = mix(mean_color_of(material), stored.rgb * stored.rgb, constants.detail);
         float largest = max(max(color.r, color.g), max(color.b, 1e-3));
         float saturation = 1.0 - min(color.r, min(color.g, color.b)) / largest;
+        // The darkest paint is a pale one: strokes tell how dark a thing is.
+        float brightness = luminance(color);
+        float lifted = length(vec2(brightness, constants.least));
+        color = min((color + 1e-4) * (lifted / (brightness + 1e-4)), vec3(1.0));
         color = mix(vec3(1.0), color, mix(constants.neutral, 1.0, smoothstep(0.0, 0.3, saturation)));
         vec4 light = texelFetch(light_image, pixel, 0);
         float dark = darkness(constants.tone, occluded(constants.tone, light.a, stored.a), 1.0);

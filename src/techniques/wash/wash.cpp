@@ -19,6 +19,7 @@ gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const WashStyle& 
                                     .shadow_from = style.shadow_from,
                                     .softness = style.softness,
                                     .detail = style.detail,
+                                    .least = style.least,
                                     .strength = style.strength,
                                     .neutral = style.neutral,
                                     .light_tint = style.light_tint,

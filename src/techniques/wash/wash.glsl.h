@@ -12,6 +12,7 @@ struct WashConstants {
     float shadow_from; // darkness at which shadow begins
     float softness;    // half the width of the step, in darkness
     float detail;      // 0: the material's mean colour, 1: its texture
+    float least;       // brightness that dark colours are lifted towards
     float strength;    // 0: bare paper, 1: full colour
     float neutral;     // share of that for greys
     float light_tint;  // how far coloured light colours what it falls on

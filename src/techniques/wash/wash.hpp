@@ -11,6 +11,7 @@ struct WashStyle {
     float strength = 0.8F;
     float neutral = 0.4F;
     float detail = 0.35F;
+    float least = 0.16F;
     glm::vec3 shadow_tint = style::srgb(0xbac7c3);
     float shadow_from = 0.40F;
     float softness = 0.03F;
@@ -30,6 +31,9 @@ inline const style::Table<WashStyle>& wash_table()
                     "Share of the strength that greys are painted with")
             .number("detail", &WashStyle::detail, {0.0F, 1.0F}, "",
                     "0 is one flat colour a material, 1 its whole texture")
+            .number("least", &WashStyle::least, {0.0F, 1.0F}, "",
+                    "Brightness, as a share of white, that dark colours are lifted towards: strokes tell how "
+                    "dark a thing is")
             .color("shadow_tint", &WashStyle::shadow_tint, "Laid over the colour in shadow")
             .number("shadow_from", &WashStyle::shadow_from, {0.0F, 1.0F}, "",
                     "Darkness at which shadow begins")

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/luminance.hpp"
 #include "frame/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
@@ -45,6 +46,7 @@ WashStyle strong()
     style.strength = 1.0F;
     style.neutral = 1.0F;
     style.detail = 0.0F;
+    style.least = 0.0F;
     return style;
 }
 
@@ -111,6 +113,22 @@ TEST(Wash, IsTheMaterialsColourInLightAndTintedInShadow)
     expect_everywhere(paint(page, style), red * style.shadow_tint * page.material.shade_color);
     const glm::vec3 tint = WashStyle{}.shadow_tint;
     EXPECT_LT(tint.x, tint.z) << "the shadow of the default style is cooler than its light";
+}
+
+TEST(Wash, LiftsDarkColoursAndKeepsTheirHue)
+{
+    Page page;
+    WashStyle style = strong();
+    style.least = 0.2F;
+    page.material.mean_color = glm::vec3(0.0F);
+    expect_everywhere(paint(page, style), glm::vec3(0.2F), 2e-3F);
+    page.material.mean_color = {0.03F, 0.02F, 0.01F};
+    const glm::vec3 brown(paint(page, style)[0]);
+    EXPECT_NEAR(luminance(brown), std::hypot(0.2F, luminance(page.material.mean_color)), 2e-3F);
+    EXPECT_NEAR(brown.r / brown.b, 3.0F, 0.05F);
+    page.material.mean_color = {0.9F, 0.8F, 0.7F};
+    EXPECT_LT(glm::distance(glm::vec3(paint(page, style)[0]), page.material.mean_color), 0.05F)
+        << "pale ones stay";
 }
 
 TEST(Wash, LiesInShadowWhereOcclusionKeepsLightOff)

@@ -19,8 +19,7 @@ uint kind_now(uint source)
 float thinning_at(vec3 anchor)
 {
     float away = size_of(anchor - frame.eye_anchor);
-    return mix(1.0, clamp(pow(2.2 * frame.scene_radius_m / max(away, 1e-6), 0.4), 0.45, 1.25),
-               constants.distance_thinning);
+    return mix(1.0, thinned_at(frame, away), constants.distance_thinning);
 }
 
 float width_at(uint index)
