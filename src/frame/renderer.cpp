@@ -216,11 +216,14 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
 void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style,
                                  frame::FramePlan& plan, frame::StrokeLists* lists)
 {
+    const auto unit_m = static_cast<float>(loaded->layout.stroke_unit_m);
+    const glm::vec3 eye_anchor(camera.eye - loaded->layout.anchor);
     const shared::FrameGlobals globals = frame::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
         {.size_px = plan.size_px,
          .jitter_px = frame::jitter(plan.accumulation.sample_index, plan.accumulation.sample_count),
-         .page_height_mm = style.paper.height_mm});
+         .page_height_mm = style.paper.height_mm,
+         .nearby_m = unit_m * frame::nearby(loaded->layout.stroke_coordinates, eye_anchor / unit_m)});
     plan.clip_from_anchor = globals.clip_from_anchor;
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
     sun_map.provide(device, plan);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -68,7 +69,22 @@ shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds, c
             .is_orthographic = is_parallel ? 1U : 0U,
             .size_px = settings.size_px,
             .near_m = is_parallel ? 0.0F : static_cast<float>(camera.near_m),
-            .scene_radius_m = static_cast<float>(std::max(bounds.radius(), 1e-9))};
+            .scene_radius_m = static_cast<float>(std::max(bounds.radius(), 1e-9)),
+            .nearby_m = settings.nearby_m};
+}
+
+float nearby(std::span<const glm::vec3> places, const glm::vec3& eye)
+{
+    std::vector<float> away;
+    for (size_t i = 0; i < places.size(); i += 1 + places.size() / 4096) {
+        away.push_back(glm::distance(places[i], eye));
+    }
+    if (away.empty()) {
+        return 0.0F;
+    }
+    const auto fifth = away.begin() + static_cast<std::ptrdiff_t>(away.size() / 5);
+    std::nth_element(away.begin(), fifth, away.end());
+    return *fifth;
 }
 
 float pixel_angle(const Camera& camera, uint32_t height_px)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include <estampe/scene.hpp>
 
 #include "shaders/frame.glsl.h"
@@ -12,12 +14,17 @@ struct ViewSettings {
     glm::uvec2 size_px{0};
     glm::dvec2 jitter_px{0.0}; ///< shift of the picture, within half a pixel
     double page_height_mm = 150.0;
+    float nearby_m = 1.0F; ///< see FrameGlobals
 };
 
 /// Camera matrices in reversed z: infinite far plane in perspective; in parallel projection a depth that
 /// holds `bounds`. Positions are taken relative to `anchor` in double precision before they become floats.
 [[nodiscard]] shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds,
                                                  const glm::dvec3& anchor, const ViewSettings& settings);
+
+/// How far from the eye the nearest fifth of some thousand of `places` is, in their unit; 0 if there are
+/// none. It changes smoothly as the eye moves.
+[[nodiscard]] float nearby(std::span<const glm::vec3> places, const glm::vec3& eye);
 
 /// Size of a pixel at distance one, or relative to the scene in parallel projection.
 [[nodiscard]] float pixel_angle(const Camera& camera, uint32_t height_px);

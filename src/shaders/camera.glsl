@@ -23,12 +23,10 @@ vec3 towards_eye(FrameGlobals frame, vec3 point_anchor)
     return frame.is_orthographic != 0u ? -frame.view_forward : normalize(frame.eye_anchor - point_anchor);
 }
 
-// How much thinner lines are that lie `away_m` from the eye, 0.45 to 1.25: 1 where the scene begins, or at an
-// eighth of its radius for an eye that is in it.
+// How much thinner lines are that lie `away_m` from the eye, 0.45 to 1.25: 1 in front.
 float thinned_at(FrameGlobals frame, float away_m)
 {
-    float nearest_m = max(length(frame.eye_anchor) - frame.scene_radius_m, 0.125 * frame.scene_radius_m);
-    return clamp(pow(nearest_m / max(away_m, 1e-6), 0.4), 0.45, 1.25);
+    return clamp(pow(frame.nearby_m / max(away_m, 1e-6), 0.4), 0.45, 1.25);
 }
 
 #endif

@@ -18,10 +18,11 @@ struct FrameGlobals {
     uvec2 size_px;
     float near_m;
     float scene_radius_m;
+    float nearby_m; // from the eye: nearer is what stands in front
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameGlobals) == 176);
+static_assert(sizeof(FrameGlobals) == 180);
 } // namespace estampe::shared
 #endif
 

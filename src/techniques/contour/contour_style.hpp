@@ -31,7 +31,7 @@ struct ContourStyle {
     Lines lines = Lines::chains;
     Silhouettes silhouettes = Silhouettes::smooth;
     glm::vec3 ink = style::srgb(0x141318);
-    float outline_mm = 0.62F; ///< on the page; see line_kind_keys for what a kind of line has
+    float outline_mm = 0.58F; ///< on the page; see line_kind_keys for what a kind of line has
     float boundary_mm = 0.24F;
     float crease_mm = 0.2F;
     float crease_deg = 60.0F;
