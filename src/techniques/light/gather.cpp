@@ -213,7 +213,7 @@ float falling_on(const std::vector<shared::LightRecord>& records, const SurfaceP
 std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::dvec3& anchor,
                                             const LightStyle& style)
 {
-    constexpr float daylight = 1.5F;
+    constexpr float daylight = 0.8F;
     // What the key surfaces get, ambient apart: under a lamp alone they keep a half tone, for depth.
     const float white = shelter.towards_light ? 0.8F : 0.5F;
     const glm::vec3 offset(shelter.origin - anchor);
