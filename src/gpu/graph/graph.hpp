@@ -58,15 +58,26 @@ struct BufferDesc {
     bool operator==(const BufferDesc&) const = default;
 };
 
-/// One version of an image of one graph. There is no "none": a forgotten input does not compile.
+/// One version of an image of one graph. There is no "none": it has no default, so that a forgotten input
+/// does not compile.
 struct ImageId {
+    constexpr ImageId(uint32_t resource_index, uint32_t version_number)
+        : resource(resource_index), version(version_number)
+    {
+    }
+
     uint32_t resource;
     uint32_t version;
     bool operator==(const ImageId&) const = default;
 };
 
-/// One version of a buffer of one graph.
+/// One version of a buffer of one graph. It has no default either.
 struct BufferId {
+    constexpr BufferId(uint32_t resource_index, uint32_t version_number)
+        : resource(resource_index), version(version_number)
+    {
+    }
+
     uint32_t resource;
     uint32_t version;
     bool operator==(const BufferId&) const = default;
