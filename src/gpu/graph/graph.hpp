@@ -193,6 +193,8 @@ struct ResourceRecord {
     Layout initial_layout = Layout::undefined; ///< imported images: the layout they come in
     bool exported = false;                     ///< its content is wanted after the frame
     uint32_t newest_version = 0;
+
+    [[nodiscard]] bool is_imported() const { return imported_image != nullptr || imported_buffer != nullptr; }
 };
 
 class Graph;
@@ -278,6 +280,9 @@ public:
     [[nodiscard]] ImageId image(std::string name, const ImageDesc& desc);
     [[nodiscard]] BufferId buffer(std::string name, const BufferDesc& desc);
 
+    /// Whoever imports the same image or buffer again gets the same handle, of the name it had first. Throws
+    /// std::logic_error when the two descriptions differ, or when a pass has written it: what was written is
+    /// known by the handle that the pass gave.
     [[nodiscard]] ImageId import_image(std::string name, Image& image, const ImageDesc& desc,
                                        Layout initial_layout);
     [[nodiscard]] BufferId import_buffer(std::string name, Buffer& buffer, const BufferDesc& desc);
@@ -307,6 +312,7 @@ private:
     [[nodiscard]] const ResourceRecord& checked(uint32_t resource, bool is_image,
                                                 const std::string& user) const;
     void mark_exported(uint32_t resource, uint32_t version, bool is_image);
+    uint32_t take_in(ResourceRecord imported); ///< returns its index
 
     std::vector<PassRecord> passes_;
     std::vector<ResourceRecord> resources_;
