@@ -328,10 +328,9 @@ TEST(HandleTest, WhatWasWrittenIsNotImportedAgain)
     Graph graph;
     const BufferId points = graph.import_buffer("points", fake_buffer(), small_buffer);
     (void)graph.compute("w", fake_shader).write(points);
-    EXPECT_EQ(
-        logic_error_of([&] { (void)graph.import_buffer("more points", fake_buffer(), small_buffer); }),
-        "'points' is imported again, as 'more points', after a pass has written it: use the handle that "
-        "the pass gave");
+    EXPECT_EQ(logic_error_of([&] { (void)graph.import_buffer("more points", fake_buffer(), small_buffer); }),
+              "'points' is imported again, as 'more points', after a pass has written it: use that pass's "
+              "handle");
 }
 
 TEST(HandleTest, WhatIsImportedAgainIsDescribedAlike)

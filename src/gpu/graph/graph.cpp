@@ -310,16 +310,13 @@ uint32_t Graph::take_in(ResourceRecord imported)
         resources_.push_back(std::move(imported));
         return index;
     }
-    if (known->image != imported.image || known->buffer != imported.buffer ||
-        known->initial_layout != imported.initial_layout) {
-        throw std::logic_error(fmt::format("'{}' is imported again, as '{}', but described otherwise",
-                                           known->name, imported.name));
-    }
-    // Neither its first version nor its newest need be the one that is meant.
-    if (known->newest_version > 0) {
-        throw std::logic_error(fmt::format("'{}' is imported again, as '{}', after a pass has written it: "
-                                           "use the handle that the pass gave",
-                                           known->name, imported.name));
+    const bool is_alike = known->image == imported.image && known->buffer == imported.buffer &&
+                          known->initial_layout == imported.initial_layout;
+    // Once it is written, neither its first version nor its newest need be the one that is meant.
+    if (!is_alike || known->newest_version > 0) {
+        throw std::logic_error(fmt::format("'{}' is imported again, as '{}', {}", known->name, imported.name,
+                                           is_alike ? "after a pass has written it: use that pass's handle"
+                                                    : "but described otherwise"));
     }
     return index;
 }
