@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <span>
+#include <string>
 
 #include "commands.hpp"
 #include "core/file.hpp"
@@ -19,7 +20,8 @@ void run(const GraphCommand& command)
     Renderer renderer(draw.device);
     set_scene(renderer, scene, draw);
     static_cast<void>(renderer.render(camera, draw.style, settings_of(draw, animation)));
-    write_file_atomically(draw.output, std::as_bytes(std::span(renderer.graph_dot())));
+    const std::string dot = renderer.graph_dot();
+    write_file_atomically(draw.output, std::as_bytes(std::span(dot)));
 }
 
 } // namespace estampe::app

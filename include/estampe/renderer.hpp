@@ -131,8 +131,8 @@ public:
     /// GPU time by pass of the last frame drawn, in the order of execution.
     [[nodiscard]] const std::vector<PassTiming>& timings() const;
 
-    /// The frame graph of the last frame drawn, as Graphviz text.
-    [[nodiscard]] const std::string& graph_dot() const;
+    /// The frame graph of the last frame drawn, as Graphviz text, which is made when it is asked for.
+    [[nodiscard]] std::string graph_dot() const;
 
 private:
     struct Impl;

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "frame/sun.hpp"
-#include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
+#include "gpu/read_back.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/light/exposure.hpp"
@@ -16,15 +16,6 @@
 
 namespace estampe::frame {
 namespace {
-
-auto copy_buffer(gpu::BufferId from, gpu::BufferId to)
-{
-    return [from, to](gpu::Recorder& recorder) {
-        const gpu::Buffer& target = recorder.buffer(to);
-        const VkBufferCopy region{.size = target.size_bytes()};
-        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(from).handle(), target.handle(), 1, &region);
-    };
-}
 
 raster::Batch batch(const pose::Range& range, bool masked = false)
 {
@@ -316,12 +307,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
         graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y}), size_px, plan.accumulation);
 
     // Read-back: the picture for the processor.
-    const auto read_back = gpu::import_whole(graph, "read-back", resources.pixels);
-    auto copy = graph.custom("read back");
-    copy.touch(developed.pixels, gpu::Access::transfer_read);
-    const auto copied = copy.touch_write(read_back, gpu::Access::transfer_write);
-    copy.execute(copy_buffer(developed.pixels, copied));
-    graph.custom("host").touch(copied, gpu::Access::host_read).keep();
+    gpu::add_read_back(graph, "read back", developed.pixels, resources.pixels);
 }
 
 } // namespace estampe::frame

@@ -3,8 +3,7 @@
 
 #include <cstring>
 
-#include "gpu/graph/execute.hpp"
-#include "gpu/imports.hpp"
+#include "gpu/read_back.hpp"
 
 namespace estampe::frame {
 
@@ -18,19 +17,7 @@ void provide_motion(gpu::Device& device, gpu::Buffer& pixels, const RenderSettin
 
 void declare_motion(gpu::Graph& graph, const motion::MotionInputs& in, gpu::Buffer& pixels)
 {
-    const gpu::ImageId motion = motion::add_motion(graph, in);
-    auto copy = graph.custom("motion/read back");
-    copy.touch(motion, gpu::Access::transfer_read);
-    const gpu::BufferId copied =
-        copy.touch_write(gpu::import_whole(graph, "motion pixels", pixels), gpu::Access::transfer_write);
-    copy.execute([motion, copied](gpu::Recorder& recorder) {
-        const gpu::Image& image = recorder.image(motion);
-        const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                       .imageExtent = {image.desc().width, image.desc().height, 1}};
-        vkCmdCopyImageToBuffer(recorder.commands(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               recorder.buffer(copied).handle(), 1, &region);
-    });
-    graph.custom("motion/host").touch(copied, gpu::Access::host_read).keep();
+    gpu::add_read_back(graph, "motion/read back", motion::add_motion(graph, in), pixels);
 }
 
 Motion read_motion(const gpu::Buffer& pixels, const RenderSettings& settings)

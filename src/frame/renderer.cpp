@@ -251,7 +251,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     plan.pose_moved = loaded->pose_moved;
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, style);
-    const std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
+    std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
     if (compiling) {
         compiling->start(graph);
     }
@@ -263,9 +263,8 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     }
     plan.local_views = {};
     sun_map.drawn(plan);
-    if (plan.accumulation.sample_index + 1 == plan.accumulation.sample_count) {
-        dot = gpu::to_dot(graph, gpu::compile(graph));
-    }
+    compiling.reset(); // it reads the graph
+    drawn = std::move(graph);
 }
 
 frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::StyleTables& tables,
@@ -393,9 +392,9 @@ const std::vector<PassTiming>& Renderer::timings() const
     return impl_->executor.timings();
 }
 
-const std::string& Renderer::graph_dot() const
+std::string Renderer::graph_dot() const
 {
-    return impl_->dot;
+    return gpu::to_dot(impl_->drawn, gpu::compile(impl_->drawn));
 }
 
 } // namespace estampe

@@ -78,7 +78,7 @@ struct Renderer::Impl {
     frame::Page page;
     gpu::Buffer motion_pixels;
     Motion motion;
-    std::string dot;
+    gpu::Graph drawn; ///< the last frame, to look at; its resources may be gone
     std::vector<std::string> notes;
 };
 

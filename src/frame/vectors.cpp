@@ -11,8 +11,7 @@
 #include <fmt/format.h>
 
 #include "frame/page_clip.hpp"
-#include "gpu/graph/execute.hpp"
-#include "gpu/imports.hpp"
+#include "gpu/read_back.hpp"
 #include "style/color.hpp"
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/contour/chains/join_paths.hpp"
@@ -27,18 +26,9 @@ constexpr float hidden_share = 0.6F; // of the width that a line would have if i
 /// Copies what `from` holds into `to`.
 void read_back(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from, gpu::Buffer& to)
 {
-    const uint64_t size_bytes = graph.describe(from).size_bytes;
-    to = gpu::Buffer(device, "read-back of strokes", size_bytes, gpu::MemoryUse::readback);
-    auto copy = graph.custom("read back strokes");
-    copy.touch(from, gpu::Access::transfer_read);
-    const gpu::BufferId copied =
-        copy.touch_write(gpu::import_whole(graph, "read-back of strokes", to), gpu::Access::transfer_write);
-    copy.execute([from, copied, size_bytes](gpu::Recorder& recorder) {
-        const VkBufferCopy region{.size = size_bytes};
-        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(from).handle(), recorder.buffer(copied).handle(),
-                        1, &region);
-    });
-    graph.custom("host").touch(copied, gpu::Access::host_read).keep();
+    to = gpu::Buffer(device, "read-back of strokes", graph.describe(from).size_bytes,
+                     gpu::MemoryUse::readback);
+    gpu::add_read_back(graph, "read back strokes", from, to);
 }
 
 template <class T>

@@ -115,33 +115,35 @@ gpu::BufferId Drawing::add_visibility(gpu::Graph& graph, gpu::BufferId posed)
 
 Drawing::Stage Drawing::add_surface(gpu::Graph& graph)
 {
-    Stage stage{.frame = gpu::import_whole(graph, "frame", frame_),
-                .triangles = gpu::import_whole(graph, "triangles", meshes_.triangles),
-                .draws = gpu::import_whole(graph, "draws", meshes_.draws),
-                .posed = add_posed(graph),
-                .rest_vertices = gpu::import_whole(graph, "rest vertices", meshes_.rest_vertices),
-                .materials = gpu::import_whole(graph, "materials", materials_.materials),
-                .visibility = {},
-                .surface = {}};
-    stage.visibility = add_visibility(graph, stage.posed);
-    stage.surface = surface::add_resolve(
+    const gpu::BufferId frame = gpu::import_whole(graph, "frame", frame_);
+    const raster::RasterInputs inputs = raster_inputs(graph, add_posed(graph));
+    const gpu::BufferId visibility =
+        raster::add_visibility(graph, "visibility", inputs, batches(), raster_view());
+    const surface::Surface seen = surface::add_resolve(
         graph,
-        {.frame = stage.frame,
-         .visibility = stage.visibility,
-         .triangles = stage.triangles,
-         .posed_vertices = stage.posed,
-         .draws = stage.draws,
-         .rest_vertices = stage.rest_vertices,
+        {.frame = frame,
+         .visibility = visibility,
+         .triangles = inputs.triangles,
+         .posed_vertices = inputs.posed_vertices,
+         .draws = inputs.draws,
+         .rest_vertices = inputs.rest_vertices,
          .stroke_coordinates = gpu::import_whole(graph, "stroke coordinates", meshes_.stroke_coordinates),
          .stroke_kinds = gpu::import_whole(graph, "stroke kinds", stroke_kinds_),
          .form_coordinates = gpu::import_whole(graph, "form coordinates", form_coordinates_),
-         .materials = stage.materials,
-         .textures = surface::import_textures(graph, materials_),
+         .materials = inputs.materials,
+         .textures = inputs.textures,
          .needs = needs_,
          .strokes_present = strokes_present_,
          .strokes_per_m = static_cast<float>(1.0 / layout.stroke_unit_m),
          .size_px = size_px});
-    return stage;
+    return {.frame = frame,
+            .triangles = inputs.triangles,
+            .draws = inputs.draws,
+            .posed = inputs.posed_vertices,
+            .rest_vertices = inputs.rest_vertices,
+            .materials = inputs.materials,
+            .visibility = visibility,
+            .surface = seen};
 }
 
 screen::Screen Drawing::add_screen(gpu::Graph& graph)

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "gpu/read_back.hpp"
+
 namespace estampe::test {
 namespace {
 
@@ -78,19 +80,9 @@ std::vector<std::vector<std::byte>> run_and_read(gpu::Graph& graph, std::span<co
     std::vector<gpu::Buffer> targets;
     targets.reserve(buffers.size());
     for (const gpu::BufferId buffer : buffers) {
-        const uint64_t size_bytes = graph.describe(buffer).size_bytes;
-        targets.emplace_back(shared_device(), "read-back", size_bytes, gpu::MemoryUse::readback);
-        auto copy = graph.custom("copy");
-        copy.touch(buffer, gpu::Access::transfer_read);
-        const auto copied =
-            copy.touch_write(graph.import_buffer("read-back", targets.back(), {.size_bytes = size_bytes}),
-                             gpu::Access::transfer_write);
-        copy.execute([buffer, copied, size_bytes](gpu::Recorder& recorder) {
-            const VkBufferCopy region{.size = size_bytes};
-            vkCmdCopyBuffer(recorder.commands(), recorder.buffer(buffer).handle(),
-                            recorder.buffer(copied).handle(), 1, &region);
-        });
-        graph.custom("host").touch(copied, gpu::Access::host_read).keep();
+        targets.emplace_back(shared_device(), "read-back", graph.describe(buffer).size_bytes,
+                             gpu::MemoryUse::readback);
+        gpu::add_read_back(graph, "read back", buffer, targets.back());
     }
     shared_executor().run(graph);
     std::vector<std::vector<std::byte>> bytes;
@@ -111,19 +103,7 @@ std::vector<std::byte> run_and_read(gpu::Graph& graph, gpu::ImageId image, uint3
     const gpu::ImageDesc desc = graph.describe(image);
     const uint64_t size_bytes = static_cast<uint64_t>(desc.width) * desc.height * bytes_per_texel;
     gpu::Buffer target(shared_device(), "read-back", size_bytes, gpu::MemoryUse::readback);
-    auto copy = graph.custom("copy");
-    copy.touch(image, gpu::Access::transfer_read);
-    const auto copied =
-        copy.touch_write(graph.import_buffer("read-back", target, {.size_bytes = target.size_bytes()}),
-                         gpu::Access::transfer_write);
-    copy.execute([image, copied, desc](gpu::Recorder& recorder) {
-        const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                       .imageExtent = {desc.width, desc.height, 1}};
-        vkCmdCopyImageToBuffer(recorder.commands(), recorder.image(image).handle(),
-                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, recorder.buffer(copied).handle(), 1,
-                               &region);
-    });
-    graph.custom("host").touch(copied, gpu::Access::host_read).keep();
+    gpu::add_read_back(graph, "read back", image, target);
     shared_executor().run(graph);
     return {target.mapped().begin(), target.mapped().begin() + static_cast<ptrdiff_t>(size_bytes)};
 }

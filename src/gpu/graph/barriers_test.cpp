@@ -226,7 +226,7 @@ TEST(BarrierTest, ImportedImagesStartFromTheirLayout)
 {
     Graph graph;
     const ImageId albedo = graph.import_image("albedo", fake_image(), small_image, Layout::shader_read);
-    const ImageId target = graph.import_image("target", fake_image(), small_image, Layout::shader_read);
+    const ImageId target = graph.import_image("target", fake_image(1), small_image, Layout::shader_read);
     graph.compute("r", fake_shader).sample(albedo).keep();
     auto pass = graph.compute("w", fake_shader);
     pass.sample(albedo);
@@ -243,6 +243,22 @@ TEST(BarrierTest, ImportedImagesStartFromTheirLayout)
                                                                     .after = transfer_write,
                                                                     .old_layout = Layout::shader_read,
                                                                     .new_layout = Layout::transfer_target}}));
+}
+
+TEST(BarrierTest, WhatIsImportedTwiceIsOneResource)
+{
+    Graph graph;
+    const BufferId points = graph.import_buffer("points", fake_buffer(), small_buffer);
+    const BufferId again = graph.import_buffer("points again", fake_buffer(), small_buffer);
+    EXPECT_EQ(again, points);
+    const ImageId tone = graph.import_image("tone", fake_image(), small_image, Layout::general);
+    EXPECT_EQ(graph.import_image("tone again", fake_image(), small_image, Layout::general), tone);
+
+    graph.compute("r", fake_shader).read(again).keep();
+    (void)graph.compute("w", fake_shader).write(points);
+    EXPECT_EQ(barriers_of(graph, compile(graph), "w"), (Barriers{{.resource = points.resource,
+                                                                  .before = compute_storage_read,
+                                                                  .after = compute_storage_write}}));
 }
 
 TEST(BarrierTest, TheHostWaitsForTheCopy)
@@ -305,6 +321,28 @@ TEST(HandleTest, AVersionFromTheFutureIsRefused)
     early.read(frame.buffer);
     EXPECT_EQ(logic_error_of([&] { (void)compile(frame.graph); }),
               "pass 'early' reads a version of 'points' that is written only by a later pass");
+}
+
+TEST(HandleTest, WhatWasWrittenIsNotImportedAgain)
+{
+    Graph graph;
+    const BufferId points = graph.import_buffer("points", fake_buffer(), small_buffer);
+    (void)graph.compute("w", fake_shader).write(points);
+    EXPECT_EQ(logic_error_of([&] { (void)graph.import_buffer("more points", fake_buffer(), small_buffer); }),
+              "'points' is imported again, as 'more points', after a pass has written it: use that pass's "
+              "handle");
+}
+
+TEST(HandleTest, WhatIsImportedAgainIsDescribedAlike)
+{
+    Graph graph;
+    (void)graph.import_buffer("points", fake_buffer(), small_buffer);
+    EXPECT_EQ(logic_error_of([&] { (void)graph.import_buffer("a", fake_buffer(), {.size_bytes = 4}); }),
+              "'points' is imported again, as 'a', but described otherwise");
+    (void)graph.import_image("tone", fake_image(), small_image, Layout::general);
+    EXPECT_EQ(logic_error_of(
+                  [&] { (void)graph.import_image("b", fake_image(), small_image, Layout::shader_read); }),
+              "'tone' is imported again, as 'b', but described otherwise");
 }
 
 TEST(HandleTest, WhatWasNeverWrittenCannotBeRead)

@@ -21,11 +21,6 @@ struct PassUse {
     Layout layout = Layout::undefined; ///< images only
 };
 
-bool is_imported(const ResourceRecord& resource)
-{
-    return resource.imported_image != nullptr || resource.imported_buffer != nullptr;
-}
-
 std::vector<PassUse> merge_uses(const Graph& graph, const PassRecord& pass)
 {
     std::vector<PassUse> merged;
@@ -65,7 +60,7 @@ void check_use(const PassRecord& pass, const Use& use, const ResourceRecord& res
             fmt::format("pass '{}' {} a version of '{}' that is written only by a later pass", pass.name,
                         verb, resource.name));
     const bool clears = use.access == Access::depth_attachment;
-    if (history.version == 0 && is_read(use.access) && !clears && !is_imported(resource))
+    if (history.version == 0 && is_read(use.access) && !clears && !resource.is_imported())
         throw std::logic_error(
             fmt::format("pass '{}' reads '{}', which no pass has written", pass.name, resource.name));
     if (is_write(use.access) && history.host_reader != nullptr)
@@ -91,7 +86,7 @@ void check(const Graph& graph)
         }
     }
     for (const ResourceRecord& resource : graph.resources()) {
-        if (resource.exported && !is_imported(resource) && resource.newest_version == 0)
+        if (resource.exported && !resource.is_imported() && resource.newest_version == 0)
             throw std::logic_error(fmt::format("'{}' is exported, but no pass writes it", resource.name));
     }
 }
@@ -111,7 +106,7 @@ std::vector<uint32_t> find_kept(const Graph& graph)
                 const ResourceRecord& resource = graph.resources()[use.resource];
                 if (!is_write(use.access))
                     return use.access == Access::host_read;
-                return resource.exported || is_imported(resource) || wanted[use.resource][use.version + 1];
+                return resource.exported || resource.is_imported() || wanted[use.resource][use.version + 1];
             });
         if (!keep)
             continue;
@@ -176,7 +171,7 @@ void assign_slots(const Graph& graph, const Schedule& schedule, CompiledGraph& c
     for (size_t step = 0; step < schedule.uses.size(); ++step) {
         for (const PassUse& use : schedule.uses[step]) {
             const ResourceRecord& resource = graph.resources()[use.resource];
-            if (is_imported(resource))
+            if (resource.is_imported())
                 continue;
             uint32_t& slot = compiled.slot_of_resource[use.resource];
             if (slot == none) {

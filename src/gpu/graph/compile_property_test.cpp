@@ -167,13 +167,13 @@ private:
         const bool is_imported = below(4) == 0;
         if (below(2) == 0) {
             const BufferDesc desc{.size_bytes = 64 + 64 * uint64_t{below(2)}};
-            buffers_.push_back(is_imported ? graph.import_buffer(name, fake_buffer(), desc)
+            buffers_.push_back(is_imported ? graph.import_buffer(name, fake_buffer(i), desc)
                                            : graph.buffer(name, desc));
             return;
         }
         const ImageDesc desc{.width = 8 + below(2), .height = 8};
         const Layout layouts[] = {Layout::undefined, Layout::general, Layout::shader_read};
-        images_.push_back(is_imported ? graph.import_image(name, fake_image(), desc, layouts[below(3)])
+        images_.push_back(is_imported ? graph.import_image(name, fake_image(i), desc, layouts[below(3)])
                                       : graph.image(name, desc));
     }
 

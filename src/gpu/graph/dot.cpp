@@ -35,8 +35,7 @@ std::string resource_node(const Graph& graph, const CompiledGraph& compiled, uin
         label += fmt::format("\\n{} bytes", resource.buffer.size_bytes);
     if (compiled.slot_of_resource[index] != UINT32_MAX)
         label += fmt::format(", slot {}", compiled.slot_of_resource[index]);
-    const bool is_lasting =
-        resource.exported || resource.imported_image != nullptr || resource.imported_buffer != nullptr;
+    const bool is_lasting = resource.exported || resource.is_imported();
     return fmt::format("    r{}_{} [shape=ellipse, label=\"{}\"{}];\n", index, version, label,
                        is_lasting ? ", penwidth=2" : "");
 }

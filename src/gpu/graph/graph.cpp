@@ -286,18 +286,39 @@ BufferId Graph::buffer(std::string name, const BufferDesc& desc)
 
 ImageId Graph::import_image(std::string name, Image& image, const ImageDesc& desc, Layout initial_layout)
 {
-    resources_.push_back({.name = std::move(name),
-                          .is_image = true,
-                          .image = desc,
-                          .imported_image = &image,
-                          .initial_layout = initial_layout});
-    return {static_cast<uint32_t>(resources_.size() - 1), 0};
+    return {take_in({.name = std::move(name),
+                     .is_image = true,
+                     .image = desc,
+                     .imported_image = &image,
+                     .initial_layout = initial_layout}),
+            0};
 }
 
 BufferId Graph::import_buffer(std::string name, Buffer& buffer, const BufferDesc& desc)
 {
-    resources_.push_back({.name = std::move(name), .buffer = desc, .imported_buffer = &buffer});
-    return {static_cast<uint32_t>(resources_.size() - 1), 0};
+    return {take_in({.name = std::move(name), .buffer = desc, .imported_buffer = &buffer}), 0};
+}
+
+uint32_t Graph::take_in(ResourceRecord imported)
+{
+    const auto known = std::ranges::find_if(resources_, [&](const ResourceRecord& resource) {
+        return resource.is_imported() && resource.imported_image == imported.imported_image &&
+               resource.imported_buffer == imported.imported_buffer;
+    });
+    const auto index = static_cast<uint32_t>(known - resources_.begin());
+    if (known == resources_.end()) {
+        resources_.push_back(std::move(imported));
+        return index;
+    }
+    const bool is_alike = known->image == imported.image && known->buffer == imported.buffer &&
+                          known->initial_layout == imported.initial_layout;
+    // Once it is written, neither its first version nor its newest need be the one that is meant.
+    if (!is_alike || known->newest_version > 0) {
+        throw std::logic_error(fmt::format("'{}' is imported again, as '{}', {}", known->name, imported.name,
+                                           is_alike ? "after a pass has written it: use that pass's handle"
+                                                    : "but described otherwise"));
+    }
+    return index;
 }
 
 void Graph::export_image(ImageId image)

@@ -58,15 +58,26 @@ struct BufferDesc {
     bool operator==(const BufferDesc&) const = default;
 };
 
-/// One version of an image of one graph. There is no "none": a forgotten input does not compile.
+/// One version of an image of one graph. There is no "none": it has no default, so that a forgotten input
+/// does not compile.
 struct ImageId {
+    constexpr ImageId(uint32_t resource_index, uint32_t version_number)
+        : resource(resource_index), version(version_number)
+    {
+    }
+
     uint32_t resource;
     uint32_t version;
     bool operator==(const ImageId&) const = default;
 };
 
-/// One version of a buffer of one graph.
+/// One version of a buffer of one graph. It has no default either.
 struct BufferId {
+    constexpr BufferId(uint32_t resource_index, uint32_t version_number)
+        : resource(resource_index), version(version_number)
+    {
+    }
+
     uint32_t resource;
     uint32_t version;
     bool operator==(const BufferId&) const = default;
@@ -182,6 +193,8 @@ struct ResourceRecord {
     Layout initial_layout = Layout::undefined; ///< imported images: the layout they come in
     bool exported = false;                     ///< its content is wanted after the frame
     uint32_t newest_version = 0;
+
+    [[nodiscard]] bool is_imported() const { return imported_image != nullptr || imported_buffer != nullptr; }
 };
 
 class Graph;
@@ -267,6 +280,9 @@ public:
     [[nodiscard]] ImageId image(std::string name, const ImageDesc& desc);
     [[nodiscard]] BufferId buffer(std::string name, const BufferDesc& desc);
 
+    /// Whoever imports the same image or buffer again gets the same handle, of the name it had first. Throws
+    /// std::logic_error when the two descriptions differ, or when a pass has written it: what was written is
+    /// known by the handle that the pass gave.
     [[nodiscard]] ImageId import_image(std::string name, Image& image, const ImageDesc& desc,
                                        Layout initial_layout);
     [[nodiscard]] BufferId import_buffer(std::string name, Buffer& buffer, const BufferDesc& desc);
@@ -296,6 +312,7 @@ private:
     [[nodiscard]] const ResourceRecord& checked(uint32_t resource, bool is_image,
                                                 const std::string& user) const;
     void mark_exported(uint32_t resource, uint32_t version, bool is_image);
+    uint32_t take_in(ResourceRecord imported); ///< returns its index
 
     std::vector<PassRecord> passes_;
     std::vector<ResourceRecord> resources_;

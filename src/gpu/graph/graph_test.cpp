@@ -92,6 +92,21 @@ static_assert(!Pushable<Bytes129>, "128 bytes are all that every device has");
 static_assert(!Pushable<std::string>);
 static_assert(!std::is_default_constructible_v<Pass>);
 
+struct Inputs {
+    ImageId light;
+    BufferId frame;
+};
+
+template <class... Handles>
+concept MakesInputs = requires(Handles... handles)
+{
+    Inputs{handles...};
+};
+
+static_assert(MakesInputs<ImageId, BufferId>);
+static_assert(!MakesInputs<ImageId>, "a forgotten input does not compile");
+static_assert(!MakesInputs<>);
+
 TEST(GraphTest, DispatchOverRoundsUpToWholeGroups)
 {
     Graph graph;

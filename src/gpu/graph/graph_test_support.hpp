@@ -4,6 +4,7 @@
 // What the tests of the frame graph share: resources to import that are never looked at, readable failures,
 // and the text of the error that something throws.
 
+#include <array>
 #include <cstddef>
 #include <ostream>
 #include <stdexcept>
@@ -14,17 +15,19 @@
 
 namespace estampe::gpu {
 
-/// Building and compiling only pass these references on, so any address will do.
-inline Image& fake_image()
+inline constexpr size_t fake_count = 16;
+
+/// Building and compiling only pass these references on, so any address will do: one for each number.
+inline Image& fake_image(size_t number = 0)
 {
-    alignas(std::max_align_t) static std::byte storage[16];
-    return *reinterpret_cast<Image*>(storage);
+    static std::array<std::max_align_t, fake_count> storage;
+    return reinterpret_cast<Image&>(storage.at(number));
 }
 
-inline Buffer& fake_buffer()
+inline Buffer& fake_buffer(size_t number = 0)
 {
-    alignas(std::max_align_t) static std::byte storage[16];
-    return *reinterpret_cast<Buffer*>(storage);
+    static std::array<std::max_align_t, fake_count> storage;
+    return reinterpret_cast<Buffer&>(storage.at(number));
 }
 
 inline constexpr Shader fake_shader{"fake.comp", {}};

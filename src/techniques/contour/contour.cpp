@@ -5,9 +5,9 @@
 #include <bit>
 #include <cmath>
 
+#include "gpu/fills.hpp"
 #include "shaders/edges_comp.hpp"
 #include "shaders/flood_comp.hpp"
-#include "shaders/reset_comp.hpp"
 #include "shaders/seeds_comp.hpp"
 #include "shaders/stroke_comp.hpp"
 #include "techniques/contour/contour.glsl.h"
@@ -27,9 +27,7 @@ struct Seeds {
 Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style)
 {
     const uint32_t capacity = in.size_px.x * in.size_px.y;
-    auto clear = graph.compute("contour/clear", shaders::reset_comp);
-    const gpu::BufferId none = clear.write(graph.buffer("contour/count", {.size_bytes = sizeof(uint32_t)}));
-    clear.dispatch(1);
+    const gpu::BufferId none = gpu::add_zeros(graph, "contour/count", 16);
 
     auto detect = graph.compute("contour/edges", shaders::edges_comp);
     detect.uniform(in.frame).sample(in.draws).sample(in.draw).sample(in.depth).sample(in.normal);

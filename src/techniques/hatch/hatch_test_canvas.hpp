@@ -52,6 +52,25 @@ private:
     gpu::Buffer tiles_;
 };
 
+/// Inputs of lines and maps, which read nothing else of what hatching takes in. A pixel is a millimetre.
+inline hatch::HatchInputs stroke_inputs(gpu::Graph& graph, glm::uvec2 size_px, Layer& draw, Layer& normal,
+                                        Layer& coordinate, Layer& footprint)
+{
+    const gpu::ImageId unread = graph.image("unread", {.width = 1, .height = 1});
+    return {.frame = graph.buffer("unread", {.size_bytes = 16}),
+            .draw = draw.in(graph),
+            .depth = unread,
+            .normal = normal.in(graph),
+            .color = unread,
+            .coordinate = coordinate.in(graph),
+            .footprint = footprint.in(graph),
+            .light = unread,
+            .screen = unread,
+            .tone = {},
+            .pixels_per_mm = 1.0F,
+            .size_px = size_px};
+}
+
 /// Lines over a surface that is the same for all darknesses, or a darkness that is the same for all surfaces.
 class Canvas {
 public:
@@ -93,13 +112,7 @@ public:
     std::vector<float> ink(const hatch::HatchStyle& style, hatch::MapImages* map)
     {
         gpu::Graph graph;
-        hatch::HatchInputs in{};
-        in.draw = draw_.in(graph);
-        in.normal = normal_.in(graph);
-        in.coordinate = coordinate_.in(graph);
-        in.footprint = footprint_.in(graph);
-        in.pixels_per_mm = 1.0F;
-        in.size_px = size_px_;
+        hatch::HatchInputs in = stroke_inputs(graph, size_px_, draw_, normal_, coordinate_, footprint_);
         const gpu::ImageId darkness = darkness_.in(graph);
         if (map == nullptr) {
             PaperToInk paper(size_px_);

@@ -37,15 +37,9 @@ std::vector<float> strokes_under_lamps()
     });
     test::PaperToInk paper(size_px);
     gpu::Graph graph;
-    HatchInputs in{};
-    in.draw = draw.in(graph);
-    in.normal = normal.in(graph);
-    in.coordinate = coordinate.in(graph);
-    in.footprint = footprint.in(graph);
+    HatchInputs in = test::stroke_inputs(graph, size_px, draw, normal, coordinate, footprint);
     in.strongest_light = strongest.in(graph);
     in.towards_light = {1.0F, 0.0F, 0.0F};
-    in.pixels_per_mm = 1.0F;
-    in.size_px = size_px;
     const HatchStyle style{.width_mm = 1.6F, .overrun_mm = 0.0F, .black_above = 2.0F};
     return test::run_and_read_coverage(graph,
                                        add_lines(graph, in, paper.in(graph, darkness.in(graph)), style));

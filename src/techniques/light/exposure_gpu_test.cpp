@@ -27,22 +27,31 @@ float light_at(const Page& page, glm::uvec2 pixel)
     return page.middle * std::exp2(along * page.stops);
 }
 
+/// As in ExposureInputs.
+struct Metering {
+    bool adapts = true;
+    float compensation_stops = 0.0F;
+    float most_change_stops = -1.0F;
+};
+
 /// Draws pages one after another with one memory.
 class Eye {
 public:
     /// How many stops brighter the page came out.
-    float look_at(const Page& page, const ExposureInputs& how = {})
+    float look_at(const Page& page, const Metering& how = {})
     {
         auto light =
             test::Layer::color(size_px, [&](glm::uvec2 pixel) { return glm::vec4(light_at(page, pixel)); });
         auto draw =
             test::Layer::words(size_px, [](glm::uvec2 pixel) { return pixel.y < size_px.y / 2 ? 0U : 1U; });
         gpu::Graph graph;
-        ExposureInputs in = how;
-        in.light = light.in(graph);
-        in.draw = draw.in(graph);
-        in.state = gpu::import_whole(graph, "state", state_);
-        in.size_px = size_px;
+        const ExposureInputs in{.light = light.in(graph),
+                                .draw = draw.in(graph),
+                                .state = gpu::import_whole(graph, "state", state_),
+                                .adapts = how.adapts,
+                                .compensation_stops = how.compensation_stops,
+                                .most_change_stops = how.most_change_stops,
+                                .size_px = size_px};
         const auto exposed = test::run_and_read_colors(graph, add_exposure(graph, in).light);
         const glm::uvec2 lit(size_px.x / 2, size_px.y - 1);
         const glm::uvec2 empty(size_px.x / 2, 0);
@@ -69,7 +78,7 @@ TEST(Exposure, AdaptsAtItsSpeed)
 {
     Eye eye;
     const float at_first = eye.look_at({.middle = 1.0F});
-    const ExposureInputs slow{.most_change_stops = 0.5F};
+    const Metering slow{.most_change_stops = 0.5F};
     EXPECT_NEAR(eye.look_at({.middle = 8.0F}, slow), at_first - 0.5F, 5e-3F);
     EXPECT_NEAR(eye.look_at({.middle = 8.0F}, slow), at_first - 1.0F, 5e-3F);
     EXPECT_NEAR(eye.look_at({.middle = 8.0F}, {.most_change_stops = 9.0F}), at_first - 3.0F, 5e-3F);

@@ -7,6 +7,7 @@
 
 #include <estampe/error.hpp>
 
+#include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/mesh.glsl.h"
 #include "techniques/raster/raster.hpp"
@@ -67,14 +68,8 @@ RasterPath measure_paths(gpu::Device& device, gpu::Executor& executor)
     gpu::Buffer triangles = gpu::upload_buffer(device, "measured triangles", mesh.triangles);
     const auto draw_ms = [&](RasterPath path) {
         gpu::Graph graph;
-        const RasterInputs in{
-            .triangles = graph.import_buffer("triangles", triangles, {.size_bytes = triangles.size_bytes()}),
-            .posed_vertices =
-                graph.import_buffer("vertices", vertices, {.size_bytes = vertices.size_bytes()}),
-            .draws = {},
-            .rest_vertices = {},
-            .materials = {},
-            .textures = {}};
+        const RasterInputs in = unmasked_inputs(graph, gpu::import_whole(graph, "triangles", triangles),
+                                                gpu::import_whole(graph, "vertices", vertices));
         const Batch batch{.triangle_count = static_cast<uint32_t>(mesh.triangles.size()), .plain = true};
         graph.export_buffer(
             add_visibility(graph, "measured", in, {batch}, {.size_px = page_px, .path = path}));

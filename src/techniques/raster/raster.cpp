@@ -40,6 +40,17 @@ gpu::BufferId draw(gpu::Graph& graph, const std::string& name, const RasterInput
 
 } // namespace
 
+RasterInputs unmasked_inputs(gpu::Graph& graph, gpu::BufferId triangles, gpu::BufferId posed_vertices)
+{
+    const gpu::ImageId no_texture = graph.image("no texture", {.width = 1, .height = 1});
+    return {.triangles = triangles,
+            .posed_vertices = posed_vertices,
+            .draws = triangles,
+            .rest_vertices = posed_vertices,
+            .materials = triangles,
+            .textures = {no_texture, no_texture, no_texture, no_texture, no_texture}};
+}
+
 gpu::BufferId add_visibility(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
                              const std::vector<Batch>& batches, const View& view)
 {

@@ -27,6 +27,10 @@ struct RasterInputs {
     uint32_t texture_classes = 0; ///< a bit for each of them that holds anything
 };
 
+/// Inputs for batches that are not masked: something stands in for what masks look up.
+[[nodiscard]] RasterInputs unmasked_inputs(gpu::Graph& graph, gpu::BufferId triangles,
+                                           gpu::BufferId posed_vertices);
+
 /// Triangles to draw: consecutive in the triangle list.
 struct Batch {
     uint32_t first_triangle = 0;

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/mesh.glsl.h"
 #include "support/gpu_device.hpp"
@@ -53,14 +54,8 @@ inline std::vector<uint64_t> draw(const std::vector<ClipTriangle>& soup, glm::uv
     gpu::Buffer vertex_buffer = gpu::upload_buffer(test::shared_device(), "vertices", vertices);
     gpu::Buffer triangle_buffer = gpu::upload_buffer(test::shared_device(), "triangles", triangles);
     gpu::Graph graph;
-    const RasterInputs in{.triangles = graph.import_buffer("triangles", triangle_buffer,
-                                                           {.size_bytes = triangle_buffer.size_bytes()}),
-                          .posed_vertices = graph.import_buffer("vertices", vertex_buffer,
-                                                                {.size_bytes = vertex_buffer.size_bytes()}),
-                          .draws = {},
-                          .rest_vertices = {},
-                          .materials = {},
-                          .textures = {}};
+    const RasterInputs in = unmasked_inputs(graph, gpu::import_whole(graph, "triangles", triangle_buffer),
+                                            gpu::import_whole(graph, "vertices", vertex_buffer));
     auto page = test::run_and_read_as<uint64_t>(graph, add_visibility(graph, "visibility", in, {batch},
                                                                       {.clip_from_anchor = plain_perspective,
                                                                        .size_px = size_px,
