@@ -4,7 +4,11 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint no_seed = 0xffffffffU;
 
 // Where the surface breaks between a pixel and its neighbours to the right and below.
 struct EdgePixel {
@@ -42,10 +46,7 @@ struct StrokeConstants {
 };
 
 #ifdef __cplusplus
-inline constexpr uint no_seed = 0xffffffffU;
 } // namespace estampe::shared
-#else
-#define NO_SEED 0xffffffffu
 #endif
 
 #endif

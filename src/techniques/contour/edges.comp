@@ -100,7 +100,7 @@ float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
 
 bool is_cut(uint word)
 {
-    return sees_draw(word) && (draw_links_at(draw_of(word)).flags & DRAW_RECORD_IS_CUT) != 0u;
+    return sees_draw(word) && (draw_links_at(draw_of(word)).flags & draw_is_cut) != 0u;
 }
 
 float line_width(Seen a, Seen b, ivec2 before, ivec2 after)
@@ -141,5 +141,5 @@ void main()
             edges[slot] = EdgePixel(place, packHalf2x16(vec2(width_right, width_down)));
         }
     }
-    imageStore(out_nearest, pixel, uvec4(is_edge ? place : NO_SEED));
+    imageStore(out_nearest, pixel, uvec4(is_edge ? place : no_seed));
 }

@@ -3,8 +3,19 @@
 #define ESTAMPE_HATCH_GLSL_H
 #include "shaders/tone.glsl.h"
 #ifdef __cplusplus
+#include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint no_source = 0xffffffffU; // of strokes that run over
+
+// The ramp says, for darknesses from 0 to 1, what to ask of a map so that its mean ink is that darkness: a
+// threshold, or a tone counted from 0 for paper. A row for each step from a level to the next coarser one;
+// first those of the finest level over itself at twice the size, then those of the levels.
+SHARED_CONSTANT uint ramp_length = 256U;
+SHARED_CONSTANT uint ramp_steps = 8U;
 
 struct DarknessConstants {
     ToneConstants tone;
@@ -38,10 +49,6 @@ struct OverrunConstants {
     int step_px;
 };
 
-#ifndef __cplusplus
-#define NO_SOURCE 0xffffffffu
-#endif
-
 struct MapConstants {
     uvec2 size_px;
     uint map_size_texels;
@@ -52,17 +59,6 @@ struct MapConstants {
     float black_above;
     float overrun_px;
 };
-
-// The ramp says, for darknesses from 0 to 1, what to ask of a map so that its mean ink is that darkness: a
-// threshold, or a tone counted from 0 for paper. A row for each step from a level to the next coarser one;
-// first those of the finest level over itself at twice the size, then those of the levels.
-#ifdef __cplusplus
-inline constexpr uint ramp_length = 256;
-inline constexpr uint ramp_steps = 8;
-#else
-#define RAMP_LENGTH 256u
-#define RAMP_STEPS 8u
-#endif
 
 #ifdef __cplusplus
 } // namespace estampe::shared

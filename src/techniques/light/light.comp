@@ -225,7 +225,7 @@ void main()
     if (has_links && sees_draw(word)) {
         DrawLinks draw = draw_links_at(draw_of(word));
         groups = draw.groups & 0xffffu;
-        takes_shadow = (draw.flags & DRAW_RECORD_UNSHADOWED) == 0u;
+        takes_shadow = (draw.flags & draw_unshadowed) == 0u;
     }
 
     vec3 light = mix(lighting.ground_ambient, lighting.sky_ambient, 0.5 + 0.5 * normal.y);

@@ -98,7 +98,7 @@ void main()
         }
     }
     mat4 place = draw.anchor_from_object;
-    if (has_skins && draw.first_skin_vertex != NO_SKIN) {
+    if (has_skins && draw.first_skin_vertex != no_skin) {
         place = skin_matrix(draw, local);
     }
     vec4 posed = place * vec4(position, 1.0);

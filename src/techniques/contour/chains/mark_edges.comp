@@ -35,7 +35,7 @@ layout(scalar, binding = 6) buffer Marks
 
 layout(scalar, binding = 7) writeonly buffer Parts
 {
-    uint parts[]; // PART_ bits, one an edge
+    uint parts[]; // part_ bits, one an edge
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -62,7 +62,7 @@ void main()
             uint last = constants.loose_edge_count - 1u;
             uint part = outline_part(texelFetch(loose_edge_texels, int(min(edge, last))).xy);
             bool is_there = edge <= last && first + gl_SubgroupInvocationID < 32u;
-            outline |= subgroupBallot((part & PART_IS_THERE) != 0u && is_there).x << first;
+            outline |= subgroupBallot((part & part_is_there) != 0u && is_there).x << first;
             if (is_there) {
                 parts[edge] = part;
             }

@@ -49,7 +49,7 @@ bvec2 look_at(uint triangle)
     PosedVertex a = posed_vertex_at(corners.x);
     PosedVertex b = posed_vertex_at(corners.y);
     PosedVertex c = posed_vertex_at(corners.z);
-    bool is_mirrored = (corners.w & TRIANGLE_MIRRORED) != 0u;
+    bool is_mirrored = (corners.w & triangle_mirrored) != 0u;
     bool is_front = (facing_of(a.position, b.position, c.position) > 0.0) != is_mirrored;
     bool side_a = facing_at(a) >= 0.0;
     bool side_b = facing_at(b) >= 0.0;

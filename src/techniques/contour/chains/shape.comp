@@ -112,9 +112,9 @@ float taper_at(uint index, Stroke stroke)
     float whole = whole_length(index, stroke);
     float from = arc_from_start(index, stroke);
     float reach = min(constants.taper_px, whole / 3.0);
-    bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
-    float from_start = (stroke.ends & STROKE_STARTS_AT_LINE) != 0u ? whole : from;
-    float to_end = (stroke.ends & STROKE_ENDS_AT_LINE) != 0u ? whole : whole - from;
+    bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
+    float from_start = (stroke.ends & stroke_starts_at_line) != 0u ? whole : from;
+    float to_end = (stroke.ends & stroke_ends_at_line) != 0u ? whole : whole - from;
     float from_end = min(from_start, to_end);
     return is_ring || reach <= 0.0 ? 1.0 : smoothstep(0.0, 1.0, (from_end + 0.25 * reach) / (1.25 * reach));
 }
@@ -123,7 +123,7 @@ float taper_at(uint index, Stroke stroke)
 vec2 pen_at(uint index, Stroke stroke, vec2 way, uint seed)
 {
     vec2 page = sample_at(index).page_px;
-    bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
+    bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
     if (!is_ring && stroke.last - stroke.first > 4u) {
         vec2 past = vec2(constants.overshoot_px);
         if (has_jitter) {
@@ -146,7 +146,7 @@ vec2 pen_at(uint index, Stroke stroke, vec2 way, uint seed)
 // Along the line at a sample; where a closed one ends it starts again.
 vec2 way_at(uint index, Stroke stroke)
 {
-    bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
+    bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
     uint previous = index > stroke.first ? index - 1u : is_ring ? stroke.last - 1u : index;
     uint next = index < stroke.last ? index + 1u : is_ring ? stroke.first + 1u : index;
     vec2 way = sample_at(next).page_px - sample_at(previous).page_px;
@@ -157,12 +157,12 @@ LinePoint shape_of(uint index, Stroke stroke, bool remembers)
 {
     uint ink;
     float full = full_width(index, stroke, ink);
-    bool is_dropped = (stroke.ends & STROKE_IS_DROPPED) != 0u;
+    bool is_dropped = (stroke.ends & stroke_is_dropped) != 0u;
     float half_width = is_dropped ? 0.0 : 0.5 * full * taper_at(index, stroke);
     uint seed = hash(constants.seed, sample_at(stroke.first).source) >> 1;
     float arc_px = arc_from_start(index, stroke);
     if (recalls_frame) {
-        if (stroke.recalled != NO_SAMPLE) {
+        if (stroke.recalled != no_sample) {
             seed = recalls[sample_from_middle(stroke.recalled, stroke)].seed;
         }
         arc_px += offset_of(stroke);
@@ -190,11 +190,11 @@ void main()
 {
     uint index = gl_GlobalInvocationID.x / 2u;
     bool is_start = (gl_GlobalInvocationID.x & 1u) == 0u;
-    if (index >= sizes[LIST_SAMPLES].count) {
+    if (index >= sizes[list_samples].count) {
         return;
     }
-    bool goes_on = (sample_at(index).state & PIECE_IS_THERE) != 0u;
-    bool was_on = index > 0u && (sample_at(index - 1u).state & PIECE_IS_THERE) != 0u;
+    bool goes_on = (sample_at(index).state & piece_is_there) != 0u;
+    bool was_on = index > 0u && (sample_at(index - 1u).state & piece_is_there) != 0u;
     if (is_start ? goes_on : was_on) {
         Stroke stroke = strokes[strokes_before(is_start ? index + 1u : index) - 1u];
         line_points[gl_GlobalInvocationID.x] = shape_of(index, stroke, is_start || !goes_on);
