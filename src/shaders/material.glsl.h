@@ -11,6 +11,7 @@ namespace estampe::shared {
 #endif
 
 SHARED_CONSTANT uint no_texture = 0xffffffffU;
+SHARED_CONSTANT uint texture_class_mask = 31U; // of variants: a bit for each size class that holds anything
 SHARED_CONSTANT uint material_unlit = 1U;
 SHARED_CONSTANT uint material_paper = 2U; // takes shadow, but neither wash nor outline
 SHARED_CONSTANT uint material_emissive = 4U;

@@ -42,10 +42,9 @@ layout(push_constant, scalar) uniform Constants
     EdgeConstants constants;
 };
 
-// Bit 0: there are see-through surfaces. Bit 1: only what a texture's alpha cuts has lines.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_screen = (variant & 1u) != 0u;
-const bool only_cut = (variant & 2u) != 0u;
+const bool has_screen = (variant & edges_has_screen) != 0u;
+const bool only_cut = (variant & edges_only_cut) != 0u;
 
 ivec2 on_page(ivec2 pixel)
 {

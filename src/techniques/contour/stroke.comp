@@ -28,9 +28,8 @@ layout(push_constant, scalar) uniform Constants
     StrokeConstants constants;
 };
 
-// Bit 0: some material brings an outline of its own.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_own_outlines = (variant & 1u) != 0u;
+const bool has_own_outlines = (variant & stroke_has_own_outlines) != 0u;
 
 const float half_piece_px = 0.75;
 

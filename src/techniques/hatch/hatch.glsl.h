@@ -17,6 +17,27 @@ SHARED_CONSTANT uint no_source = 0xffffffffU; // of strokes that run over
 SHARED_CONSTANT uint ramp_length = 256U;
 SHARED_CONSTANT uint ramp_steps = 8U;
 
+// Variant bits of darkness.comp.
+SHARED_CONSTANT uint darkness_has_fade = 1U << 0U;   // with distance
+SHARED_CONSTANT uint darkness_has_screen = 1U << 1U; // there are see-through surfaces
+
+// Of overrun.comp.
+SHARED_CONSTANT uint overrun_is_first = 1U << 0U; // of its steps: pixels are their own sources
+
+// Of lines.comp and trace.comp.
+SHARED_CONSTANT uint lines_has_growth = 1U << 0U;      // newborn strokes grow in length
+SHARED_CONSTANT uint lines_has_overrun = 1U << 1U;     // strokes run over silhouettes
+SHARED_CONSTANT uint lines_has_all_tiles = 1U << 2U;   // a workgroup for every tile, blank or not
+SHARED_CONSTANT uint lines_has_local_light = 1U << 3U; // the one that rules leads strokes along the light
+SHARED_CONSTANT uint lines_kinds_shift = 8U; // a bit for each kind that is there, see stroke_kind.glsl.h
+
+// Of map.comp.
+SHARED_CONSTANT uint map_tone_mask = 3U;
+SHARED_CONSTANT uint map_in_order = 0U;  // stroke by stroke, by the thresholds
+SHARED_CONSTANT uint map_in_blends = 1U; // between two tones
+SHARED_CONSTANT uint map_in_steps = 2U;  // one tone or the next
+SHARED_CONSTANT uint map_has_overrun = 1U << 2U;
+
 struct DarknessConstants {
     ToneConstants tone;
     float fade; // darkness left at infinity, 1 for no fade

@@ -32,12 +32,10 @@ layout(push_constant, scalar) uniform Constants
     MapConstants constants;
 };
 
-// Bits 0-1: 0 stroke by stroke, in the order of the thresholds; 1 between two tones; 2 tone by tone, in hard
-// steps. Bit 2: strokes run over silhouettes.
 layout(constant_id = 0) const uint variant = 0u;
-const bool in_order = (variant & 3u) == 0u;
-const bool in_steps = (variant & 3u) == 2u;
-const bool has_overrun = (variant & 4u) != 0u;
+const bool in_order = (variant & map_tone_mask) == map_in_order;
+const bool in_steps = (variant & map_tone_mask) == map_in_steps;
+const bool has_overrun = (variant & map_has_overrun) != 0u;
 
 #define OVERRUN_PX constants.overrun_px
 #include "techniques/hatch/overrun_source.glsl"

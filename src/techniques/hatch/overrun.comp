@@ -21,9 +21,8 @@ layout(push_constant, scalar) uniform Constants
     OverrunConstants constants;
 };
 
-// 1 in the first step, which takes pixels as their own sources.
 layout(constant_id = 0) const uint variant = 0u;
-const bool is_first = variant != 0u;
+const bool is_first = (variant & overrun_is_first) != 0u;
 
 uint source_at(ivec2 pixel)
 {

@@ -12,6 +12,7 @@
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/visibility.glsl"
+#include "techniques/screen/screen_variant.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -69,10 +70,9 @@ layout(scalar, binding = 15) readonly buffer Layer3
 layout(binding = 16, r32ui) writeonly uniform uimage2D out_draw; // 0 for none
 layout(binding = 17, rgba8) writeonly uniform image2D out_color; // square root of linear colour; cover
 
-// Bits: 0-4 the size classes that hold textures, 5-6 how many layers there are besides the first.
 layout(constant_id = 0) const uint variant = 31u;
-#define TEXTURE_CLASSES (variant & 31u)
-const int LAYERS = int((variant >> 5) & 3u) + 1;
+#define TEXTURE_CLASSES (variant & texture_class_mask)
+const int LAYERS = int((variant >> screen_layers_shift) & 3u) + 1;
 
 #include "shaders/texture.glsl"
 

@@ -14,6 +14,7 @@
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
+#include "techniques/surface/resolve_variant.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -71,18 +72,16 @@ layout(push_constant) uniform Constants
 
 constants; // stroke coordinates a metre
 
-// What the scene needs of this shader: the size classes that hold textures in bits 0-4, and the following.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_textures = (variant & 31u) != 0u;
-const bool has_normal_maps = (variant & 32u) != 0u;
-const bool has_vertex_colors = (variant & 64u) != 0u;
-const bool has_uv_strokes = (variant & 128u) != 0u;
-const bool has_second_uvs = (variant & 256u) != 0u;
-const bool stands_still =
-    (variant & 512u) != 0u; // the pose is the rest pose: strokes follow the posed position itself
-const bool has_form_strokes = (variant & 1024u) != 0u;
-const bool has_page_strokes = (variant & 2048u) != 0u;
-const bool has_occlusion = (variant & 4096u) != 0u;
+const bool has_textures = (variant & texture_class_mask) != 0u;
+const bool has_normal_maps = (variant & resolve_has_normal_maps) != 0u;
+const bool has_vertex_colors = (variant & resolve_has_vertex_colors) != 0u;
+const bool has_uv_strokes = (variant & resolve_has_uv_strokes) != 0u;
+const bool has_second_uvs = (variant & resolve_has_second_uvs) != 0u;
+const bool stands_still = (variant & resolve_stands_still) != 0u;
+const bool has_form_strokes = (variant & resolve_has_form_strokes) != 0u;
+const bool has_page_strokes = (variant & resolve_has_page_strokes) != 0u;
+const bool has_occlusion = (variant & resolve_has_occlusion) != 0u;
 #define TEXTURE_CLASSES variant
 
 #include "shaders/texture.glsl"

@@ -10,6 +10,7 @@
 #include "shaders/octahedral.glsl"
 #include "shaders/rounds.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -54,10 +55,9 @@ layout(push_constant, scalar) uniform Constants
     ChainConstants constants;
 };
 
-// Bit 0: there are loose edges. Bit 1: outlines run along those alone.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_loose_edges = (variant & 1u) != 0u;
-const bool along_edges = (variant & 2u) != 0u;
+const bool has_loose_edges = (variant & emit_has_loose_edges) != 0u;
+const bool along_edges = (variant & emit_along_edges) != 0u;
 
 const uint most_triangles_at_a_point = 64u;
 

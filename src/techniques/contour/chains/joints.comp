@@ -6,6 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -51,9 +52,8 @@ layout(push_constant, scalar) uniform Constants
     BrushConstants constants;
 };
 
-// Bit 0: there are brushes, whose corners stay as they are.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_brushes = (variant & 1u) != 0u;
+const bool has_brushes = (variant & joints_has_brushes) != 0u;
 
 #include "techniques/contour/chains/line_coverage.glsl"
 #include "techniques/contour/chains/list_tiles.glsl"

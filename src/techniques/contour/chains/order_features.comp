@@ -8,6 +8,7 @@
 #include "shaders/items.glsl"
 #include "shaders/octahedral.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -51,9 +52,8 @@ layout(push_constant, scalar) uniform Constants
     ChainConstants constants;
 };
 
-// Bit 0: some points lie between vertices, and some pieces within triangles.
 layout(constant_id = 0) const uint variant = 0u;
-const bool leave_edges = (variant & 1u) != 0u;
+const bool leave_edges = (variant & order_features_leave_edges) != 0u;
 
 // Of a triangle, in its own winding, of no particular length.
 vec3 triangle_normal(uint triangle)

@@ -12,6 +12,7 @@
 #include "shaders/noise.glsl"
 #include "shaders/octahedral.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 128) in; // of 64 samples
 
@@ -75,22 +76,18 @@ layout(push_constant, scalar) uniform Constants
     ShapeConstants constants;
 };
 
-// Bit 0: some material brings an outline of its own. Bit 1: there was a frame before this. Bit 2: there will
-// be one after it. Bit 3: brushes draw. Bit 4: the hand sways. Bit 5: it strays, or draws a line again. Bit
-// 6: some widths are those of the scene. Bit 7: strokes swell where they bend. Bit 8: they do not where it is
-// dark. Bit 9: these are hidden lines. Bit 10: brushes go from end to end of a stroke.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_own_outlines = (variant & 1u) != 0u;
-const bool recalls_frame = (variant & 2u) != 0u;
-const bool is_remembered = (variant & 4u) != 0u;
-const bool has_brushes = (variant & 8u) != 0u;
-const bool has_sway = (variant & 16u) != 0u;
-const bool has_jitter = (variant & 32u) != 0u;
-const bool has_widths_m = (variant & 64u) != 0u;
-const bool swells_in_turns = (variant & 128u) != 0u;
-const bool swells_in_shade = (variant & 256u) == 0u;
-const bool is_hidden = (variant & 512u) != 0u;
-const bool stretches = (variant & 1024u) != 0u;
+const bool has_own_outlines = (variant & shape_has_own_outlines) != 0u;
+const bool recalls_frame = (variant & shape_recalls_frame) != 0u;
+const bool is_remembered = (variant & shape_is_remembered) != 0u;
+const bool has_brushes = (variant & shape_has_brushes) != 0u;
+const bool has_sway = (variant & shape_has_sway) != 0u;
+const bool has_jitter = (variant & shape_has_jitter) != 0u;
+const bool has_widths_m = (variant & shape_has_widths_m) != 0u;
+const bool swells_in_turns = (variant & shape_swells_in_turns) != 0u;
+const bool swells_in_shade = (variant & shape_is_even_in_shade) == 0u;
+const bool is_hidden = (variant & shape_is_hidden) != 0u;
+const bool stretches = (variant & shape_stretches) != 0u;
 
 #include "techniques/contour/chains/stroke_lengths.glsl"
 #include "techniques/contour/chains/stroke_past.glsl"

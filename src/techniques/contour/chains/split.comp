@@ -7,6 +7,7 @@
 
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -46,9 +47,8 @@ layout(scalar, binding = 7) writeonly buffer Starts
 
 #include "techniques/contour/chains/sample_list.glsl"
 
-// Bit 0: the lines that are wanted are those that are not seen.
 layout(constant_id = 0) const uint variant = 0u;
-const bool wants_hidden = (variant & 1u) != 0u;
+const bool wants_hidden = (variant & split_wants_hidden) != 0u;
 
 const float most_stretch = 3.0; // a piece this much longer than a step leads off the page and back
 
