@@ -26,7 +26,7 @@ Outlook outlook_of(const Scene& scene, const ScenePose& pose)
 
 bake::LampKind kind_of_lamp(const shared::LightRecord& record)
 {
-    switch (record.type & 255U) {
+    switch (record.type & shared::light_type_mask) {
     case shared::light_directional:
         return bake::LampKind::directional;
     case shared::light_spot:

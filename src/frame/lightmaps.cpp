@@ -105,7 +105,7 @@ lightmap::MapData worn_pictures(const Lightmap& map, const Scene& scene, const p
 
 uint32_t kind_of(const shared::LightRecord& light)
 {
-    const uint32_t type = light.type & 255U;
+    const uint32_t type = light.type & shared::light_type_mask;
     return type == shared::light_directional ? baked_directional
            : type >= shared::light_spot      ? baked_spot
                                              : baked_point;

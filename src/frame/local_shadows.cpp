@@ -11,12 +11,11 @@
 namespace estampe::frame {
 namespace {
 
-constexpr uint32_t type_mask = 255;
 constexpr float range_steps = 4.0F; // to a doubling
 
 bool is_spot(const shared::LightRecord& record)
 {
-    return (record.type & type_mask) >= shared::light_spot;
+    return (record.type & shared::light_type_mask) >= shared::light_spot;
 }
 
 glm::vec3 any_side(const glm::vec3& beam)

@@ -84,7 +84,7 @@ void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, cons
              .floor_m = scene.floor_m,
              .nearest_m = nearest_m(scene.casters, camera.eye)},
             frame_globals(camera, scene.casters, scene.anchor, {.size_px = plan.size_px}), plan.shadow_size);
-        plan.shadow_variant |= plan.sun.warp.y > 0.0F ? shadow::warp_variant : 0U;
+        plan.shadow_variant |= plan.sun.warp.y > 0.0F ? shared::light_has_sun_warp : 0U;
         return;
     }
     const double near_m = camera.orthographic_half_height_m ? 1.0 : nearest_m(scene.casters, camera.eye);
@@ -103,7 +103,7 @@ void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, cons
         plan.clipmap = shadow::fit_clipmap(plan.sun, size, pixel_m, scene.casters.radius());
     }
     plan.shadow_size = plan.clipmap->size;
-    plan.shadow_variant |= shadow::levels_variant;
+    plan.shadow_variant |= shared::light_has_sun_levels;
     plan.sun_windows = shadow::windows_about(*plan.clipmap, camera.eye - scene.anchor);
 }
 

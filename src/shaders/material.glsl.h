@@ -6,7 +6,16 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint no_texture = 0xffffffffU;
+SHARED_CONSTANT uint texture_class_mask = 31U; // of variants: a bit for each size class that holds anything
+SHARED_CONSTANT uint material_unlit = 1U;
+SHARED_CONSTANT uint material_paper = 2U; // takes shadow, but neither wash nor outline
+SHARED_CONSTANT uint material_emissive = 4U;
+SHARED_CONSTANT float least_cover = 0.02F; // of a blended surface that is seen at all
 
 // Where a texture lives and how its coordinates are made: uv' = column_u * u + column_v * v + offset.
 struct TextureSlot {
@@ -37,18 +46,7 @@ struct MaterialRecord {
 #ifdef __cplusplus
 static_assert(sizeof(TextureSlot) == 32);
 static_assert(sizeof(MaterialRecord) == 176);
-inline constexpr uint no_texture = 0xffffffffU;
-inline constexpr uint material_unlit = 1U;
-inline constexpr uint material_paper = 2U; // takes shadow, but neither wash nor outline
-inline constexpr uint material_emissive = 4U;
-inline constexpr float least_cover = 0.02F; // of a blended surface that is seen at all
 } // namespace estampe::shared
-#else
-#define NO_TEXTURE 0xffffffffu
-#define MATERIAL_UNLIT 1u
-#define MATERIAL_PAPER 2u
-#define MATERIAL_EMISSIVE 4u
-#define LEAST_COVER 0.02
 #endif
 
 #endif

@@ -5,7 +5,24 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint no_skin = 0xffffffffU;
+
+// Flags of DrawRecord.
+SHARED_CONSTANT uint draw_has_uv = 1U;
+SHARED_CONSTANT uint draw_follows_uv = 2U; // its UVs can carry strokes
+SHARED_CONSTANT uint draw_mirrored = 4U;   // its place turns it inside out
+SHARED_CONSTANT uint draw_unshadowed = 8U; // receives no shadow
+SHARED_CONSTANT uint draw_is_cut =
+    16U; // by its material's alpha, or wholly clear: it does not end where its edges are
+
+// A triangle's fourth number: the draw, and two flags that the rasteriser needs at once.
+SHARED_CONSTANT uint triangle_mirrored = 1U << 31U;
+SHARED_CONSTANT uint triangle_two_sided = 1U << 30U;
+SHARED_CONSTANT uint triangle_draw_mask = (1U << 28U) - 1U;
 
 // A vertex as the file has it, three texels of 16 bytes, see shaders/rest_texels.glsl. Normal octahedral in
 // two signed 16-bit parts; colour in four unsigned 8-bit parts.
@@ -56,28 +73,7 @@ struct PosedVertex {
 static_assert(sizeof(RestVertex) == 48);
 static_assert(sizeof(DrawRecord) == 112);
 static_assert(sizeof(PosedVertex) == 16);
-inline constexpr uint no_skin = 0xffffffffU;
-inline constexpr uint draw_has_uv = 1U;
-inline constexpr uint draw_follows_uv = 2U; // its UVs can carry strokes
-inline constexpr uint draw_mirrored = 4U;   // its place turns it inside out
-inline constexpr uint draw_unshadowed = 8U; // receives no shadow
-inline constexpr uint draw_is_cut =
-    16U; // by its material's alpha, or wholly clear: it does not end where its edges are
-
-// A triangle's fourth number: the draw, and two flags that the rasteriser needs at once.
-inline constexpr uint triangle_mirrored = 1U << 31U;
-inline constexpr uint triangle_two_sided = 1U << 30U;
-inline constexpr uint triangle_draw_mask = (1U << 28U) - 1U;
 } // namespace estampe::shared
-#else
-#define NO_SKIN 0xffffffffu
-#define DRAW_RECORD_HAS_UV 1u
-#define DRAW_RECORD_FOLLOWS_UV 2u
-#define DRAW_RECORD_UNSHADOWED 8u
-#define DRAW_RECORD_IS_CUT 16u
-#define TRIANGLE_MIRRORED (1u << 31)
-#define TRIANGLE_TWO_SIDED (1u << 30)
-#define TRIANGLE_DRAW_MASK ((1u << 28) - 1u)
 #endif
 
 #endif

@@ -2,12 +2,15 @@
 #pragma once
 
 // Lets the headers named *.glsl.h, which describe data that C++ and GLSL share, compile as C++: GLSL's type
-// names become GLM's, and the scalar block layout that the shaders use is C++'s own.
+// names become GLM's, and the scalar block layout that the shaders use is C++'s own. shaders/shared.glsl is
+// the counterpart for GLSL.
 
 #include <cstddef>
 #include <cstdint>
 
 #include <glm/glm.hpp>
+
+#define SHARED_CONSTANT inline constexpr
 
 namespace estampe::shared {
 

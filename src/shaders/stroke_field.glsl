@@ -63,9 +63,9 @@ vec3 solid_axis(StrokeAxes axes, uint kind, uint family)
     if (axes.has_directions) {
         vec3 wind = across_wind(axes, layer);
         vec3 height = layer == 0u ? vec3(0.0, 1.0, 0.0) : normalize(wind + vec3(0.0, 0.8, 0.0));
-        axis = kind == STROKES_LIGHT    ? along_light(axes, family)
-               : kind == STROKES_HEIGHT ? (is_level ? wind : height)
-               : kind == STROKES_WIND ? (is_level ? normalize(vec3(-0.3 * wind.z, 1.0, 0.3 * wind.x)) : wind)
+        axis = kind == strokes_light    ? along_light(axes, family)
+               : kind == strokes_height ? (is_level ? wind : height)
+               : kind == strokes_wind ? (is_level ? normalize(vec3(-0.3 * wind.z, 1.0, 0.3 * wind.x)) : wind)
                                       : axis;
     }
     return axis;
@@ -77,12 +77,12 @@ vec3 flat_axis(StrokeAxes axes, uint kind, uint layer)
 {
     vec2 turned = layer == 0u ? axes.flat_axis_0 : layer == 1u ? axes.flat_axis_1 : axes.flat_axis_2;
     vec2 form = layer == 0u ? vec2(1.0, 0.0) : layer == 1u ? vec2(0.0, 1.0) : vec2(1.0, 1.0);
-    return vec3(kind == STROKES_FORM ? form : turned, 0.0);
+    return vec3(kind == strokes_form ? form : turned, 0.0);
 }
 
 bool is_flat(uint kind)
 {
-    return kind == STROKES_UV || kind == STROKES_FORM || kind == STROKES_PAGE;
+    return kind == strokes_uv || kind == strokes_form || kind == strokes_page;
 }
 
 LineField field_along(vec3 axis, vec3 side, vec3 other, vec3 p, Footprint f)

@@ -15,8 +15,8 @@ float occluded(ToneConstants tone, float light, float open)
 float toned(ToneConstants tone, float value)
 {
     float shoulder = 0.6f + 0.4f * (1.0f - exp(-max(value - 0.6f, 0.0f) / 0.4f));
-    float bent = tone.curve == TONE_FILMIC && value > 0.6f ? shoulder : clamp(value, 0.0f, 1.0f);
-    return tone.curve == TONE_LINEAR ? bent : pow(bent, tone.gamma);
+    float bent = tone.curve == tone_filmic && value > 0.6f ? shoulder : clamp(value, 0.0f, 1.0f);
+    return tone.curve == tone_linear ? bent : pow(bent, tone.gamma);
 }
 
 // Darkness to be drawn, 0 (paper) to 1 (ink), of a surface that is lit with `light` and has brightness

@@ -4,7 +4,13 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint tone_gamma = 0U;
+SHARED_CONSTANT uint tone_linear = 1U;
+SHARED_CONSTANT uint tone_filmic = 2U;
 
 // How light becomes darkness on the page.
 struct ToneConstants {
@@ -19,13 +25,7 @@ struct ToneConstants {
 };
 
 #ifdef __cplusplus
-inline constexpr uint tone_gamma = 0;
-inline constexpr uint tone_linear = 1;
-inline constexpr uint tone_filmic = 2;
 } // namespace estampe::shared
-#else
-#define TONE_LINEAR 1u
-#define TONE_FILMIC 2u
 #endif
 
 #endif

@@ -22,14 +22,14 @@ frame::FramePlan Drawing::sun_plan(const glm::dvec3& towards_sun, const LightSet
     plan.shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines);
     if (setup.is_warped) {
         plan.sun = warped_sun(towards_sun, setup.shadow_size);
-        plan.shadow_variant |= shadow::warp_variant;
+        plan.shadow_variant |= shared::light_has_sun_warp;
     }
     if (setup.clipmap) {
         plan.clipmap = setup.clipmap;
         plan.shadow_size = setup.clipmap->size;
         plan.sun_windows = shadow::windows_about(*plan.clipmap, glm::dvec3(globals.eye_anchor));
         plan.sun_pieces = shadow::uncovered(*plan.clipmap, {}, plan.sun_windows);
-        plan.shadow_variant |= shadow::levels_variant;
+        plan.shadow_variant |= shared::light_has_sun_levels;
     }
     return plan;
 }

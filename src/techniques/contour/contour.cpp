@@ -31,7 +31,9 @@ Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& 
 
     auto detect = graph.compute("contour/edges", shaders::edges_comp);
     detect.uniform(in.frame).sample(in.draws).sample(in.draw).sample(in.depth).sample(in.normal);
-    detect.sample(in.screen_draw).variant((in.has_screen ? 1U : 0U) | (in.only_cut ? 2U : 0U));
+    detect.sample(in.screen_draw)
+        .variant((in.has_screen ? shared::edges_has_screen : 0U) |
+                 (in.only_cut ? shared::edges_only_cut : 0U));
     const gpu::BufferId count = detect.modify(none);
     const gpu::BufferId edges =
         detect.write(graph.buffer("contour/edges", {.size_bytes = capacity * sizeof(shared::EdgePixel)}));
@@ -50,7 +52,10 @@ Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& 
     auto place = graph.compute("contour/seeds", shaders::seeds_comp);
     place.uniform(in.frame).read(in.visibility).sample(in.triangles).sample(in.posed_vertices);
     place.sample(in.depth).sample(in.coordinate).sample(in.light).read(count).read(edges);
-    place.sample(in.draw).sample(in.draws).sample(in.materials).variant(in.own_outlines ? 1U : 0U);
+    place.sample(in.draw)
+        .sample(in.draws)
+        .sample(in.materials)
+        .variant(in.own_outlines ? shared::seeds_has_own_outlines : 0U);
     const gpu::ImageId seed = place.write(graph.image(
         "contour/seed", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     place
@@ -86,7 +91,7 @@ gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const Cont
     }
     auto pass = graph.compute("contour/stroke", shaders::stroke_comp);
     pass.sample(seeds.nearest).sample(seeds.seed).sample(in.draw).sample(in.draws).sample(in.materials);
-    pass.variant(in.own_outlines ? 1U : 0U);
+    pass.variant(in.own_outlines ? shared::stroke_has_own_outlines : 0U);
     const gpu::ImageId ink = pass.write(graph.image(
         "contour/ink", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba8}));
     pass.push(shared::StrokeConstants{

@@ -4,7 +4,17 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint no_seed = 0xffffffffU;
+
+// Variant bits of edges.comp, seeds.comp and stroke.comp.
+SHARED_CONSTANT uint edges_has_screen = 1U << 0U;       // there are see-through surfaces
+SHARED_CONSTANT uint edges_only_cut = 1U << 1U;         // only what a texture's alpha cuts has lines
+SHARED_CONSTANT uint seeds_has_own_outlines = 1U << 0U; // that some material brings
+SHARED_CONSTANT uint stroke_has_own_outlines = 1U << 0U;
 
 // Where the surface breaks between a pixel and its neighbours to the right and below.
 struct EdgePixel {
@@ -42,10 +52,7 @@ struct StrokeConstants {
 };
 
 #ifdef __cplusplus
-inline constexpr uint no_seed = 0xffffffffU;
 } // namespace estampe::shared
-#else
-#define NO_SEED 0xffffffffu
 #endif
 
 #endif

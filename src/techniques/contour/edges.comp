@@ -42,10 +42,9 @@ layout(push_constant, scalar) uniform Constants
     EdgeConstants constants;
 };
 
-// Bit 0: there are see-through surfaces. Bit 1: only what a texture's alpha cuts has lines.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_screen = (variant & 1u) != 0u;
-const bool only_cut = (variant & 2u) != 0u;
+const bool has_screen = (variant & edges_has_screen) != 0u;
+const bool only_cut = (variant & edges_only_cut) != 0u;
 
 ivec2 on_page(ivec2 pixel)
 {
@@ -100,7 +99,7 @@ float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
 
 bool is_cut(uint word)
 {
-    return sees_draw(word) && (draw_links_at(draw_of(word)).flags & DRAW_RECORD_IS_CUT) != 0u;
+    return sees_draw(word) && (draw_links_at(draw_of(word)).flags & draw_is_cut) != 0u;
 }
 
 float line_width(Seen a, Seen b, ivec2 before, ivec2 after)
@@ -141,5 +140,5 @@ void main()
             edges[slot] = EdgePixel(place, packHalf2x16(vec2(width_right, width_down)));
         }
     }
-    imageStore(out_nearest, pixel, uvec4(is_edge ? place : NO_SEED));
+    imageStore(out_nearest, pixel, uvec4(is_edge ? place : no_seed));
 }

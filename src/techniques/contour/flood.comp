@@ -24,7 +24,7 @@ void main()
     if (any(greaterThanEqual(pixel, size))) {
         return;
     }
-    uint best = NO_SEED;
+    uint best = no_seed;
     int best_distance = 0x7fffffff;
     for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {
@@ -35,7 +35,7 @@ void main()
             uint seed = texelFetch(nearest_image, at, 0).x;
             ivec2 away = ivec2(seed & 0xffffu, seed >> 16) - pixel;
             int distance = away.x * away.x + away.y * away.y;
-            if (seed != NO_SEED && distance < best_distance) {
+            if (seed != no_seed && distance < best_distance) {
                 best = seed;
                 best_distance = distance;
             }

@@ -58,9 +58,8 @@ layout(push_constant, scalar) uniform Constants
     SeedConstants constants;
 };
 
-// Bit 0: some material brings an outline of its own.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_own_outlines = (variant & 1u) != 0u;
+const bool has_own_outlines = (variant & seeds_has_own_outlines) != 0u;
 
 vec2 page_position(vec4 clip)
 {

@@ -28,9 +28,8 @@ layout(push_constant, scalar) uniform Constants
     StrokeConstants constants;
 };
 
-// Bit 0: some material brings an outline of its own.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_own_outlines = (variant & 1u) != 0u;
+const bool has_own_outlines = (variant & stroke_has_own_outlines) != 0u;
 
 const float half_piece_px = 0.75;
 
@@ -55,15 +54,15 @@ void main()
     }
     vec2 position = vec2(pixel) + 0.5;
     float ink = 0.0;
-    uint inked_by = NO_SEED;
+    uint inked_by = no_seed;
     uint own = texelFetch(nearest_image, pixel, 0).x;
     float own_distance = distance(vec2(pixel), vec2(own & 0xffffu, own >> 16));
-    if (own != NO_SEED && own_distance <= constants.reach_px + 2.5) {
+    if (own != no_seed && own_distance <= constants.reach_px + 2.5) {
         // The nearest seed by pixels need not be the nearest by its exact place: ask the neighbours too.
         for (int i = 0; i < 5; ++i) {
             ivec2 neighbour = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
             uint seed = texelFetch(nearest_image, clamp(pixel + neighbour, ivec2(0), size - 1), 0).x;
-            if (seed != NO_SEED) {
+            if (seed != no_seed) {
                 float piece = piece_coverage(position, ivec2(seed & 0xffffu, seed >> 16));
                 inked_by = piece > ink ? seed : inked_by;
                 ink = max(ink, piece);
@@ -72,7 +71,7 @@ void main()
     }
     vec3 color = constants.ink_color;
     // The seed's pixel or its neighbour to the right or below shows the surface that the line goes around.
-    for (int i = 0; has_own_outlines && inked_by != NO_SEED && i < 3; ++i) {
+    for (int i = 0; has_own_outlines && inked_by != no_seed && i < 3; ++i) {
         ivec2 at = ivec2(inked_by & 0xffffu, inked_by >> 16) + ivec2(i & 1, i >> 1);
         uint word = texelFetch(draw_image, min(at, size - 1), 0).x;
         uint material = sees_draw(word) ? draw_at(draw_of(word)).material : 0u;

@@ -1,42 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Tensors by face: Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT
-// 2004.
 #include "techniques/form/curvature.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <future>
 #include <numbers>
 
+#include "scene/second_form.hpp"
 #include "techniques/form/bundle.hpp"
 
 namespace estampe::form {
 namespace {
 
-/// Second fundamental form of a triangle in its own plane, x along its first edge: xx, xy, yy, by least
-/// squares.
+/// Second fundamental form of a triangle in its own plane, x along its first edge: xx, xy, yy.
 glm::dvec3 bending(const Mesh& mesh, uint32_t triangle)
 {
     const auto& c = mesh.triangles[triangle];
     const glm::dvec3 normal = glm::normalize(mesh.triangle_normal(triangle));
     const glm::dvec3 x = glm::normalize(mesh.points[c[1]] - mesh.points[c[0]]);
     const glm::dvec3 y = glm::cross(normal, x);
-    glm::dmat3 squares(0.0);
-    glm::dvec3 right(0.0);
+    std::array<SideChange, 3> sides;
     for (size_t k = 0; k < 3; ++k) {
         const glm::dvec3 edge = mesh.points[c[(k + 1) % 3]] - mesh.points[c[k]];
         const glm::dvec3 change = mesh.normals[c[(k + 1) % 3]] - mesh.normals[c[k]];
-        const glm::dvec2 e(glm::dot(edge, x), glm::dot(edge, y));
-        const glm::dvec3 row_x(e.x, e.y, 0.0);
-        const glm::dvec3 row_y(0.0, e.x, e.y);
-        squares += glm::outerProduct(row_x, row_x) + glm::outerProduct(row_y, row_y);
-        right += row_x * glm::dot(change, x) + row_y * glm::dot(change, y);
+        sides.at(k) = {{glm::dot(edge, x), glm::dot(edge, y)}, {glm::dot(change, x), glm::dot(change, y)}};
     }
-    const double size = squares[0][0] + squares[2][2];
-    if (!(std::abs(glm::determinant(squares)) > 1e-12 * size * size * size)) {
-        return glm::dvec3(0.0);
-    }
-    return glm::inverse(squares) * right;
+    return second_form(sides, 1e-12);
 }
 
 } // namespace

@@ -38,10 +38,9 @@ layout(push_constant, scalar) uniform Constants
     DarknessConstants constants;
 };
 
-// Bit 0: darkness fades with distance. Bit 1: there are see-through surfaces.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_fade = (variant & 1u) != 0u;
-const bool has_screen = (variant & 2u) != 0u;
+const bool has_fade = (variant & darkness_has_fade) != 0u;
+const bool has_screen = (variant & darkness_has_screen) != 0u;
 
 float darkness_at(ivec2 pixel)
 {

@@ -55,7 +55,7 @@ gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId 
         pass.sample(darkness).sample(in.draw).sample(source);
         source = pass.write(graph.image(
             "hatch/source", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32ui}));
-        pass.variant(is_first ? 1U : 0U);
+        pass.variant(is_first ? shared::overrun_is_first : 0U);
         pass.push(shared::OverrunConstants{.size_px = in.size_px, .step_px = step_px})
             .dispatch_over(in.size_px.x, in.size_px.y);
     }
@@ -86,8 +86,10 @@ shared::LineConstants line_constants(const HatchInputs& in, const HatchStyle& st
 
 uint32_t line_variant(const HatchInputs& in, const HatchStyle& style)
 {
-    return (style.growth > 0.0F ? 1U : 0U) | (style.overrun_mm > 0.0F ? 2U : 0U) |
-           (in.strongest_light ? 8U : 0U) | in.strokes_present << 8U;
+    return (style.growth > 0.0F ? shared::lines_has_growth : 0U) |
+           (style.overrun_mm > 0.0F ? shared::lines_has_overrun : 0U) |
+           (in.strongest_light ? shared::lines_has_local_light : 0U) |
+           in.strokes_present << shared::lines_kinds_shift;
 }
 
 MapInputs import_map(gpu::Graph& graph, MapImages& map)
@@ -110,7 +112,8 @@ Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle
         "hatch/darkness", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
     const gpu::ImageId blank = pass.write(ink_image(graph, in.size_px));
     const gpu::BufferId tiles = pass.modify(none);
-    pass.variant((style.fade < 1.0F ? 1U : 0U) | (in.has_screen ? 2U : 0U));
+    pass.variant((style.fade < 1.0F ? shared::darkness_has_fade : 0U) |
+                 (in.has_screen ? shared::darkness_has_screen : 0U));
     pass.push(shared::DarknessConstants{
                   .tone = in.tone, .fade = style.fade, .fade_distance_m = style.fade_distance_m})
         .dispatch_over(in.size_px.x, in.size_px.y);
@@ -128,7 +131,8 @@ gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness&
     pass.sample(source).sample(in.strongest_light.value_or(in.draw));
     pass.sample(darkness.tiles, gpu::Format::rg32ui);
     const gpu::ImageId ink = pass.modify(darkness.blank);
-    pass.variant(line_variant(in, style) | (all_tiles ? 4U : 0U)).push(line_constants(in, style));
+    pass.variant(line_variant(in, style) | (all_tiles ? shared::lines_has_all_tiles : 0U))
+        .push(line_constants(in, style));
     if (all_tiles) {
         pass.dispatch_over(in.size_px.x, in.size_px.y);
     } else {
@@ -146,7 +150,7 @@ gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId dark
     pass.sample(in.map->tones, gpu::Sampling::linear_repeat);
     pass.sample(in.map->thresholds, gpu::Sampling::linear_repeat).read(in.map->ramp).sample(source);
     const gpu::ImageId ink = pass.write(ink_image(graph, in.size_px));
-    pass.variant(static_cast<uint32_t>(style.map_tone) | (overrun_px > 0.0F ? 4U : 0U));
+    pass.variant(static_cast<uint32_t>(style.map_tone) | (overrun_px > 0.0F ? shared::map_has_overrun : 0U));
     pass.push(shared::MapConstants{.size_px = in.size_px,
                                    .map_size_texels = in.map->size_px,
                                    .tone_count = in.map->tone_count,

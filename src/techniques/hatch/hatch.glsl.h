@@ -3,8 +3,40 @@
 #define ESTAMPE_HATCH_GLSL_H
 #include "shaders/tone.glsl.h"
 #ifdef __cplusplus
+#include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint no_source = 0xffffffffU; // of strokes that run over
+
+// The ramp says, for darknesses from 0 to 1, what to ask of a map so that its mean ink is that darkness: a
+// threshold, or a tone counted from 0 for paper. A row for each step from a level to the next coarser one;
+// first those of the finest level over itself at twice the size, then those of the levels.
+SHARED_CONSTANT uint ramp_length = 256U;
+SHARED_CONSTANT uint ramp_steps = 8U;
+
+// Variant bits of darkness.comp.
+SHARED_CONSTANT uint darkness_has_fade = 1U << 0U;   // with distance
+SHARED_CONSTANT uint darkness_has_screen = 1U << 1U; // there are see-through surfaces
+
+// Of overrun.comp.
+SHARED_CONSTANT uint overrun_is_first = 1U << 0U; // of its steps: pixels are their own sources
+
+// Of lines.comp and trace.comp.
+SHARED_CONSTANT uint lines_has_growth = 1U << 0U;      // newborn strokes grow in length
+SHARED_CONSTANT uint lines_has_overrun = 1U << 1U;     // strokes run over silhouettes
+SHARED_CONSTANT uint lines_has_all_tiles = 1U << 2U;   // a workgroup for every tile, blank or not
+SHARED_CONSTANT uint lines_has_local_light = 1U << 3U; // the one that rules leads strokes along the light
+SHARED_CONSTANT uint lines_kinds_shift = 8U; // a bit for each kind that is there, see stroke_kind.glsl.h
+
+// Of map.comp.
+SHARED_CONSTANT uint map_tone_mask = 3U;
+SHARED_CONSTANT uint map_in_order = 0U;  // stroke by stroke, by the thresholds
+SHARED_CONSTANT uint map_in_blends = 1U; // between two tones
+SHARED_CONSTANT uint map_in_steps = 2U;  // one tone or the next
+SHARED_CONSTANT uint map_has_overrun = 1U << 2U;
 
 struct DarknessConstants {
     ToneConstants tone;
@@ -38,10 +70,6 @@ struct OverrunConstants {
     int step_px;
 };
 
-#ifndef __cplusplus
-#define NO_SOURCE 0xffffffffu
-#endif
-
 struct MapConstants {
     uvec2 size_px;
     uint map_size_texels;
@@ -52,17 +80,6 @@ struct MapConstants {
     float black_above;
     float overrun_px;
 };
-
-// The ramp says, for darknesses from 0 to 1, what to ask of a map so that its mean ink is that darkness: a
-// threshold, or a tone counted from 0 for paper. A row for each step from a level to the next coarser one;
-// first those of the finest level over itself at twice the size, then those of the levels.
-#ifdef __cplusplus
-inline constexpr uint ramp_length = 256;
-inline constexpr uint ramp_steps = 8;
-#else
-#define RAMP_LENGTH 256u
-#define RAMP_STEPS 8u
-#endif
 
 #ifdef __cplusplus
 } // namespace estampe::shared

@@ -5,14 +5,24 @@
 #include <string>
 
 #include "gpu/graph/graph.hpp"
+#include "shaders/stroke_kind.glsl.h"
 #include "shaders/tone.glsl.h"
 #include "style/parameter.hpp"
 #include "techniques/hatch/map_data.hpp"
 
 namespace estampe::hatch {
 
-/// What strokes follow, as shaders/stroke_kind.glsl.h numbers it.
-enum class Coordinates : uint8_t { solid, uv, form, height, wind, light, page, automatic };
+/// What strokes follow.
+enum class Coordinates : uint8_t {
+    solid = shared::strokes_solid,
+    uv = shared::strokes_uv,
+    form = shared::strokes_form,
+    height = shared::strokes_height,
+    wind = shared::strokes_wind,
+    light = shared::strokes_light,
+    page = shared::strokes_page,
+    automatic = shared::strokes_automatic
+};
 
 enum class Strokes : uint8_t { lines, map };
 

@@ -4,21 +4,18 @@
 
 // The families of strokes that cross at a pixel. Wanted before: `constants`, LineConstants as push constants.
 
-// Bit 0: newborn strokes grow in length. Bit 1: strokes run over silhouettes. Bit 2: there is a workgroup for
-// every tile, blank or not. Bit 3: strokes along the light follow the local one that rules. From bit 8: a bit
-// for each kind of stroke that is there, see shaders/stroke_kind.glsl.h.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_growth = (variant & 1u) != 0u;
-const bool has_overrun = (variant & 2u) != 0u;
-const bool has_all_tiles = (variant & 4u) != 0u;
-const bool has_local_light = (variant & 8u) != 0u;
-const uint kinds = variant >> 8;
-const uint directed_kinds = 1u << STROKES_HEIGHT | 1u << STROKES_WIND | 1u << STROKES_LIGHT;
-const uint flat_kinds = 1u << STROKES_UV | 1u << STROKES_FORM | 1u << STROKES_PAGE;
-const bool has_form = (kinds & (1u << STROKES_FORM)) != 0u;
+const bool has_growth = (variant & lines_has_growth) != 0u;
+const bool has_overrun = (variant & lines_has_overrun) != 0u;
+const bool has_all_tiles = (variant & lines_has_all_tiles) != 0u;
+const bool has_local_light = (variant & lines_has_local_light) != 0u;
+const uint kinds = variant >> lines_kinds_shift;
+const uint directed_kinds = 1u << strokes_height | 1u << strokes_wind | 1u << strokes_light;
+const uint flat_kinds = 1u << strokes_uv | 1u << strokes_form | 1u << strokes_page;
+const bool has_form = (kinds & (1u << strokes_form)) != 0u;
 const bool has_flat = (kinds & flat_kinds) != 0u;
 const bool has_directions = (kinds & directed_kinds) != 0u;
-const bool has_slices = (kinds & (directed_kinds | 1u << STROKES_SOLID)) != 0u;
+const bool has_slices = (kinds & (directed_kinds | 1u << strokes_solid)) != 0u;
 
 // Where the light of the pixel in hand comes from.
 vec3 towards_light = vec3(0.0, 1.0, 0.0);
@@ -106,7 +103,7 @@ uint family_seed(uint family)
 LineField family_field(vec3 p, Footprint f, uint kind, uint family)
 {
     bool flat_here = lies_flat(kind);
-    bool form_here = has_form && kind == STROKES_FORM;
+    bool form_here = has_form && kind == strokes_form;
     vec3 axis =
         flat_here ? flat_axis(stroke_axes(), kind, family >> 1) : solid_axis(stroke_axes(), kind, family);
     vec3 side = flat_here ? vec3(axis.y, -axis.x, 0.0)

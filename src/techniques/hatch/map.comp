@@ -32,12 +32,10 @@ layout(push_constant, scalar) uniform Constants
     MapConstants constants;
 };
 
-// Bits 0-1: 0 stroke by stroke, in the order of the thresholds; 1 between two tones; 2 tone by tone, in hard
-// steps. Bit 2: strokes run over silhouettes.
 layout(constant_id = 0) const uint variant = 0u;
-const bool in_order = (variant & 3u) == 0u;
-const bool in_steps = (variant & 3u) == 2u;
-const bool has_overrun = (variant & 4u) != 0u;
+const bool in_order = (variant & map_tone_mask) == map_in_order;
+const bool in_steps = (variant & map_tone_mask) == map_in_steps;
+const bool has_overrun = (variant & map_has_overrun) != 0u;
 
 #define OVERRUN_PX constants.overrun_px
 #include "techniques/hatch/overrun_source.glsl"
@@ -52,7 +50,7 @@ struct Place {
 Place place_on(uint kind, vec3 p, Footprint f)
 {
     vec3 facing = abs(cross(f.dx, f.dy));
-    bool is_flat = kind == STROKES_UV || kind == STROKES_FORM || kind == STROKES_PAGE;
+    bool is_flat = kind == strokes_uv || kind == strokes_form || kind == strokes_page;
     bool along_z = is_flat || (facing.z >= facing.x && facing.z >= facing.y);
     bool along_y = !along_z && facing.y >= facing.x;
     Place place;
@@ -91,18 +89,18 @@ Levels levels_at(Place place)
 
 float ramp_in(uint row, float x)
 {
-    float at = clamp(x, 0.0, 1.0) * float(RAMP_LENGTH - 1u);
-    uint first = min(uint(at), RAMP_LENGTH - 2u);
-    uint index = row * RAMP_LENGTH + first;
+    float at = clamp(x, 0.0, 1.0) * float(ramp_length - 1u);
+    uint first = min(uint(at), ramp_length - 2u);
+    uint index = row * ramp_length + first;
     return mix(ramp[index], ramp[index + 1u], at - float(first));
 }
 
 // What to ask the map for, see hatch.glsl.h.
 float asked_of(Levels levels, float dark)
 {
-    uint first = (levels.repeats ? 0u : uint(levels.level) + 1u) * RAMP_STEPS;
-    float at = levels.towards_coarse * float(RAMP_STEPS - 1u);
-    uint step = min(uint(at), RAMP_STEPS - 2u);
+    uint first = (levels.repeats ? 0u : uint(levels.level) + 1u) * ramp_steps;
+    float at = levels.towards_coarse * float(ramp_steps - 1u);
+    uint step = min(uint(at), ramp_steps - 2u);
     return mix(ramp_in(first + step, dark), ramp_in(first + step + 1u, dark), at - float(step));
 }
 

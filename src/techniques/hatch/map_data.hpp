@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "gpu/resources.hpp"
+#include "techniques/hatch/hatch.glsl.h"
 
 namespace estampe::hatch {
 
 /// How a map's tones come together.
 enum class MapTone : uint8_t {
-    order, ///< stroke by stroke, by the thresholds
-    blend, ///< between two tones, with contrast about the middle
-    step   ///< one tone or the next
+    order = shared::map_in_order,  ///< stroke by stroke, by the thresholds
+    blend = shared::map_in_blends, ///< between two tones, with contrast about the middle
+    step = shared::map_in_steps    ///< one tone or the next
 };
 
 /// A tonal art map as the shading takes it: squares of 8-bit texels, row by row from the top, from the finest

@@ -21,16 +21,15 @@ layout(push_constant, scalar) uniform Constants
     OverrunConstants constants;
 };
 
-// 1 in the first step, which takes pixels as their own sources.
 layout(constant_id = 0) const uint variant = 0u;
-const bool is_first = variant != 0u;
+const bool is_first = (variant & overrun_is_first) != 0u;
 
 uint source_at(ivec2 pixel)
 {
     if (is_first) {
         uint word = texelFetch(draw_image, pixel, 0).x;
         bool is_source = !is_paper(word) && texelFetch(darkness_image, pixel, 0).x > 0.0;
-        return is_source ? uint(pixel.x) | uint(pixel.y) << 16 : NO_SOURCE;
+        return is_source ? uint(pixel.x) | uint(pixel.y) << 16 : no_source;
     }
     return texelFetch(before_image, pixel, 0).x;
 }
@@ -42,13 +41,13 @@ void main()
     if (any(greaterThanEqual(pixel, size))) {
         return;
     }
-    uint nearest = NO_SOURCE;
+    uint nearest = no_source;
     float least = 1e9;
     for (int i = 0; i < 9; ++i) {
         ivec2 at = pixel + constants.step_px * (ivec2(i % 3, i / 3) - 1);
         uint source = source_at(clamp(at, ivec2(0), size - 1));
         float away = distance(vec2(pixel), vec2(source & 0xffffu, source >> 16));
-        bool is_nearer = source != NO_SOURCE && away < least;
+        bool is_nearer = source != no_source && away < least;
         nearest = is_nearer ? source : nearest;
         least = is_nearer ? away : least;
     }

@@ -14,6 +14,6 @@ ivec2 source_of(ivec2 pixel, out float share)
     uint source = texelFetch(source_image, pixel, 0).x;
     ivec2 at = ivec2(source & 0xffffu, source >> 16);
     float away = distance(vec2(pixel), vec2(at));
-    share = source == NO_SOURCE ? 0.0 : 1.0 - smoothstep(0.3, 1.0, away / OVERRUN_PX);
-    return source == NO_SOURCE ? pixel : at;
+    share = source == no_source ? 0.0 : 1.0 - smoothstep(0.3, 1.0, away / OVERRUN_PX);
+    return source == no_source ? pixel : at;
 }

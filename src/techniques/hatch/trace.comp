@@ -93,7 +93,7 @@ struct Turn {
 // Whether the surface goes on from pixel to pixel: whether the coordinate changes as both foretell.
 bool goes_on(Spot a, Spot b, bool is_down, out Turn turn)
 {
-    bool wraps = has_form && strokes_of(a.word) == STROKES_FORM;
+    bool wraps = has_form && strokes_of(a.word) == strokes_form;
     turn.sign = wraps && dot(a.f.dx, b.f.dx) + dot(a.f.dy, b.f.dy) < 0.0 ? -1.0 : 1.0;
     vec3 step_a = is_down ? a.f.dy : a.f.dx;
     vec3 step_b = turn.sign * (is_down ? b.f.dy : b.f.dx);

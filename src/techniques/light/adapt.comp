@@ -26,7 +26,7 @@ const float key_to = 0.9;
 void main()
 {
     uint total = 0u;
-    for (uint i = 0u; i < EXPOSURE_BINS; ++i) {
+    for (uint i = 0u; i < exposure_bins; ++i) {
         total += state.bins[i];
     }
     float first = key_from * float(total);
@@ -34,10 +34,10 @@ void main()
     float passed = 0.0;
     float sum = 0.0;
     float weight = 0.0;
-    for (uint i = 0u; i < EXPOSURE_BINS; ++i) {
+    for (uint i = 0u; i < exposure_bins; ++i) {
         float count = float(state.bins[i]);
         float part = max(min(passed + count, last) - max(passed, first), 0.0);
-        sum += part * ((float(i) + 0.5) / EXPOSURE_BINS_PER_STOP + EXPOSURE_DARKEST_STOPS);
+        sum += part * ((float(i) + 0.5) / exposure_bins_per_stop + exposure_darkest_stops);
         weight += part;
         passed += count;
         state.bins[i] = 0u;

@@ -4,14 +4,19 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
 
-// What is remembered of a page's brightness from frame to frame. A bin is an eighth of a stop; the first one
-// begins 16 stops below one.
+SHARED_CONSTANT uint exposure_bins = 256U;
+SHARED_CONSTANT float exposure_bins_per_stop = 8.0F;
+SHARED_CONSTANT float exposure_darkest_stops = -16.0F; // where the first bin begins
+
+// What is remembered of a page's brightness from frame to frame.
 struct ExposureState {
     float stops;   // that the page is brightened by
     uint is_known; // 0 before the first frame
-    uint bins[256];
+    uint bins[exposure_bins];
 };
 
 struct AdaptConstants {
@@ -22,10 +27,6 @@ struct AdaptConstants {
 #ifdef __cplusplus
 static_assert(sizeof(ExposureState) == 1032);
 } // namespace estampe::shared
-#else
-#define EXPOSURE_BINS 256u
-#define EXPOSURE_BINS_PER_STOP 8.0
-#define EXPOSURE_DARKEST_STOPS (-16.0)
 #endif
 
 #endif

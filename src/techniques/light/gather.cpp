@@ -79,7 +79,7 @@ float weakened(const shared::LightRecord& record, float distance_2)
 /// The share of a local light that leaves along `beam`, a unit vector.
 float in_cone(const shared::LightRecord& record, const glm::vec3& beam)
 {
-    const uint32_t type = record.type & 255U;
+    const uint32_t type = record.type & shared::light_type_mask;
     if (type == shared::light_point) {
         return 1.0F;
     }

@@ -7,6 +7,7 @@
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
 #include "shaders/draw_word.glsl"
+#include "shaders/light_variant.glsl.h"
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
@@ -78,26 +79,25 @@ layout(push_constant) uniform Constants
     ListTiles list_tiles;
 };
 
-// What the scene needs of this shader.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_shadow = (variant & 1u) != 0u;
-const bool has_local_lights = (variant & 2u) != 0u;
-const bool has_emissive = (variant & 4u) != 0u;
-const bool has_links = (variant & 8u) != 0u;
-const bool has_lists = (variant & 16u) != 0u;
-const bool counts_visits = (variant & 32u) != 0u; // for tests: lights looked at, and those within range
-const bool keeps_strongest = (variant & 64u) != 0u;
-const bool looks_at_all = (variant & 128u) != 0u; // for tests
-const bool has_lightmap = (variant & 0x2000u) != 0u;
-const bool has_stroke_edges = (variant & 0x100u) != 0u;
-const bool has_wave_edges = (variant & 0x200u) != 0u;
+const bool has_shadow = (variant & light_has_shadow) != 0u;
+const bool has_local_lights = (variant & light_has_local_lights) != 0u;
+const bool has_emissive = (variant & light_has_emissive) != 0u;
+const bool has_links = (variant & light_has_links) != 0u;
+const bool has_lists = (variant & light_has_lists) != 0u;
+const bool counts_visits = (variant & light_counts_visits) != 0u;
+const bool keeps_strongest = (variant & light_keeps_strongest) != 0u;
+const bool looks_at_all = (variant & light_looks_at_all) != 0u;
+const bool has_lightmap = (variant & light_has_lightmap) != 0u;
+const bool has_stroke_edges = (variant & light_has_stroke_edges) != 0u;
+const bool has_wave_edges = (variant & light_has_wave_edges) != 0u;
 const bool has_edges = has_stroke_edges || has_wave_edges;
-const bool has_soft_sun = (variant & 0x400u) != 0u;
-const bool has_sun_levels = (variant & 0x800u) != 0u;
-const bool has_sun_warp = (variant & 0x8000u) != 0u;
-const bool has_soft_lamps = (variant & 0x4000u) != 0u;
-const bool keeps_sun = (variant & 0x10000u) != 0u;
-const bool has_local_shadows = (variant & 0x1000u) != 0u;
+const bool has_soft_sun = (variant & light_has_soft_sun) != 0u;
+const bool has_sun_levels = (variant & light_has_sun_levels) != 0u;
+const bool has_sun_warp = (variant & light_has_sun_warp) != 0u;
+const bool has_soft_lamps = (variant & light_has_soft_lamps) != 0u;
+const bool keeps_sun = (variant & light_keeps_sun) != 0u;
+const bool has_local_shadows = (variant & light_has_local_shadows) != 0u;
 
 const float most_light = 65504.0; // that half floats hold
 const uint lights_per_round = 256u;
@@ -225,7 +225,7 @@ void main()
     if (has_links && sees_draw(word)) {
         DrawLinks draw = draw_links_at(draw_of(word));
         groups = draw.groups & 0xffffu;
-        takes_shadow = (draw.flags & DRAW_RECORD_UNSHADOWED) == 0u;
+        takes_shadow = (draw.flags & draw_unshadowed) == 0u;
     }
 
     vec3 light = mix(lighting.ground_ambient, lighting.sky_ambient, 0.5 + 0.5 * normal.y);

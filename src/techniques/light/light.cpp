@@ -5,6 +5,7 @@
 
 #include "shaders/light_comp.hpp"
 #include "shaders/light_tiles_comp.hpp"
+#include "shaders/light_variant.glsl.h"
 
 namespace estampe::light {
 namespace {
@@ -42,6 +43,19 @@ Lists add_lists(gpu::Graph& graph, const LightInputs& in)
     lists.made = true;
     pass.push(lists.tiles).dispatch(lists.tiles.columns * tiles_across(in.size_px.y));
     return lists;
+}
+
+uint32_t light_variant(const LightInputs& in, const Lists& lists)
+{
+    return in.shadow_variant | (in.has_shadow ? shared::light_has_shadow : 0U) |
+           (in.local_count > 0 ? shared::light_has_local_lights : 0U) |
+           (in.has_emissive ? shared::light_has_emissive : 0U) |
+           (in.has_links ? shared::light_has_links : 0U) | (lists.made ? shared::light_has_lists : 0U) |
+           (in.counts_visits ? shared::light_counts_visits : 0U) |
+           (in.keeps_strongest ? shared::light_keeps_strongest : 0U) |
+           (in.looks_at_all ? shared::light_looks_at_all : 0U) |
+           (in.has_local_shadows ? shared::light_has_local_shadows : 0U) |
+           (in.lightmap ? shared::light_has_lightmap : 0U) | (in.keeps_sun ? shared::light_keeps_sun : 0U);
 }
 
 } // namespace
@@ -84,11 +98,7 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
     const glm::uvec2 sun_px = in.keeps_sun ? in.size_px : glm::uvec2(1);
     const gpu::ImageId sun = pass.write(
         graph.image("light/sun", {.width = sun_px.x, .height = sun_px.y, .format = gpu::Format::r32f}));
-    pass.variant((in.has_local_shadows ? 0x1000U : 0U) | (in.lightmap ? 0x2000U : 0U) |
-                 (in.has_shadow ? 1U : 0U) | (in.local_count > 0 ? 2U : 0U) | (in.has_emissive ? 4U : 0U) |
-                 (in.has_links ? 8U : 0U) | (lists.made ? 16U : 0U) | (in.counts_visits ? 32U : 0U) |
-                 (in.keeps_strongest ? 64U : 0U) | (in.looks_at_all ? 128U : 0U) |
-                 (in.keeps_sun ? 0x10000U : 0U) | (in.shadow_variant << 8U));
+    pass.variant(light_variant(in, lists));
     pass.push(lists.tiles);
     pass.dispatch_over(in.size_px.x, in.size_px.y);
     return {.light = light, .strongest = strongest, .sun = sun};

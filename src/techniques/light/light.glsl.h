@@ -4,7 +4,17 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+// Types of lights, and above their mask a flag.
+SHARED_CONSTANT uint light_directional = 0U;
+SHARED_CONSTANT uint light_point = 1U;
+SHARED_CONSTANT uint light_spot = 2U;
+SHARED_CONSTANT uint light_pyramid = 3U;
+SHARED_CONSTANT uint light_type_mask = 255U;
+SHARED_CONSTANT uint light_unit_volume = 1U << 8U; // of local lights: weakens by 1 - (d / range)^2
 
 // A light in anchor space, exposure multiplied in. Directional: `direction` points to it, `position` is
 // unused.
@@ -43,17 +53,7 @@ struct ListTiles {
 #ifdef __cplusplus
 static_assert(sizeof(LightRecord) == 80);
 static_assert(sizeof(LightGlobals) == 52);
-inline constexpr uint light_directional = 0;
-inline constexpr uint light_point = 1;
-inline constexpr uint light_spot = 2;
-inline constexpr uint light_pyramid = 3;
-inline constexpr uint light_unit_volume = 1U << 8U; // flag of local lights: weakens by 1 - (d / range)^2
 } // namespace estampe::shared
-#else
-#define LIGHT_SPOT 2u
-#define LIGHT_PYRAMID 3u
-#define LIGHT_TYPE_MASK 255u
-#define LIGHT_UNIT_VOLUME (1u << 8)
 #endif
 
 #endif

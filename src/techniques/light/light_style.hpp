@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/outlook/outlook.hpp"
+#include "shaders/tone.glsl.h"
 #include "style/parameter.hpp"
 
 namespace estampe::light {
@@ -82,7 +83,11 @@ inline const style::Table<LightStyle>& light_table()
     return table;
 }
 
-enum class ToneCurve : uint8_t { gamma, linear, filmic };
+enum class ToneCurve : uint8_t {
+    gamma = shared::tone_gamma,
+    linear = shared::tone_linear,
+    filmic = shared::tone_filmic
+};
 
 struct ToneStyle {
     ToneCurve curve = ToneCurve::gamma;

@@ -56,7 +56,7 @@ std::vector<shared::LightRecord> random_lights(size_t count, float range_m, floa
 
 double cone_share(const shared::LightRecord& light, const glm::dvec3& beam)
 {
-    const uint32_t type = light.type & 255U;
+    const uint32_t type = light.type & shared::light_type_mask;
     if (type == shared::light_point) {
         return 1.0;
     }

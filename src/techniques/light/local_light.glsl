@@ -9,14 +9,14 @@
 // The share of a local light that leaves along `beam`, a unit vector.
 float in_cone(LightRecord light, vec3 beam)
 {
-    uint type = light.type & LIGHT_TYPE_MASK;
+    uint type = light.type & light_type_mask;
     float cosine = dot(beam, light.direction);
-    if (type == LIGHT_PYRAMID) {
+    if (type == light_pyramid) {
         float aside = max(abs(dot(beam, light.side)), abs(dot(beam, cross(light.side, light.direction))));
         cosine *= inversesqrt(max(cosine * cosine + aside * aside, 1e-12));
     }
     float cone = clamp(cosine * light.cone_scale + light.cone_offset, 0.0, 1.0);
-    return type >= LIGHT_SPOT ? cone * cone : 1.0;
+    return type >= light_spot ? cone * cone : 1.0;
 }
 
 // KHR_lights_punctual's inverse square, windowed to reach zero at the range, or the unit volume's fall-off.
@@ -24,20 +24,20 @@ float weakened(LightRecord light, float distance_2)
 {
     float ratio = distance_2 / (light.range_m * light.range_m);
     float window = clamp(1.0 - ratio * ratio, 0.0, 1.0);
-    return (light.type & LIGHT_UNIT_VOLUME) != 0u ? clamp(1.0 - ratio, 0.0, 1.0) : window / distance_2;
+    return (light.type & light_unit_volume) != 0u ? clamp(1.0 - ratio, 0.0, 1.0) : window / distance_2;
 }
 
 // A sphere beyond which the light does not reach: about the light, or tighter about a narrow spot's cone.
 vec4 reach_of(LightRecord light)
 {
-    uint type = light.type & LIGHT_TYPE_MASK;
+    uint type = light.type & light_type_mask;
     float r = light.range_m;
     float cosine = -light.cone_offset / max(light.cone_scale, 1e-6);
-    if (type == LIGHT_PYRAMID) {
+    if (type == light_pyramid) {
         // The corners of the pyramid lie farther out than its sides.
         cosine = cosine > 0.0 ? inversesqrt(max(2.0 / (cosine * cosine) - 1.0, 1.0)) : 0.0;
     }
-    if (type < LIGHT_SPOT || cosine <= 0.0) {
+    if (type < light_spot || cosine <= 0.0) {
         return vec4(light.position, r);
     }
     bool is_narrow = cosine > 0.70710678;

@@ -17,12 +17,12 @@ layout(scalar, binding = 2) buffer State
     ExposureState state;
 };
 
-shared uint counts[EXPOSURE_BINS];
+shared uint counts[exposure_bins];
 
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    for (uint i = gl_LocalInvocationIndex; i < EXPOSURE_BINS; i += 64u) {
+    for (uint i = gl_LocalInvocationIndex; i < exposure_bins; i += 64u) {
         counts[i] = 0u;
     }
     barrier();
@@ -30,11 +30,11 @@ void main()
     uint word = on_page ? texelFetch(draw_image, pixel, 0).x : 0u;
     float light = on_page ? texelFetch(light_image, pixel, 0).w : 0.0;
     if (sees_draw(word) && (word & DRAW_UNLIT) == 0u && light > 0.0) {
-        float bin = EXPOSURE_BINS_PER_STOP * (log2(light) - EXPOSURE_DARKEST_STOPS);
-        atomicAdd(counts[uint(clamp(bin, 0.0, float(EXPOSURE_BINS) - 1.0))], 1u);
+        float bin = exposure_bins_per_stop * (log2(light) - exposure_darkest_stops);
+        atomicAdd(counts[uint(clamp(bin, 0.0, float(exposure_bins) - 1.0))], 1u);
     }
     barrier();
-    for (uint i = gl_LocalInvocationIndex; i < EXPOSURE_BINS; i += 64u) {
+    for (uint i = gl_LocalInvocationIndex; i < exposure_bins; i += 64u) {
         if (counts[i] > 0u) {
             atomicAdd(state.bins[i], counts[i]);
         }

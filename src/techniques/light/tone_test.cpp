@@ -12,14 +12,12 @@ namespace estampe {
 namespace tone {
 
 using namespace test::glsl; // NOLINT(google-build-using-namespace)
+using shared::tone_filmic;
+using shared::tone_linear;
 using shared::ToneConstants;
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
-#define TONE_LINEAR shared::tone_linear
-#define TONE_FILMIC shared::tone_filmic
 #include "shaders/tone.glsl"
-#undef TONE_LINEAR
-#undef TONE_FILMIC
 #pragma GCC diagnostic pop
 
 } // namespace tone

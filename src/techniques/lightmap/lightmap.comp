@@ -51,8 +51,8 @@ vec4 light_at(ivec2 pixel)
         return vec4(0.0);
     }
     uvec4 corners = triangle_at(seen_triangle(seen));
-    LightmapSlot slot = slots[corners.w & TRIANGLE_DRAW_MASK];
-    if (slot.layer == NO_LIGHTMAP) {
+    LightmapSlot slot = slots[corners.w & triangle_draw_mask];
+    if (slot.layer == no_lightmap) {
         return vec4(0.0);
     }
     vec3 a = posed_vertex_at(corners.x).position;
@@ -62,7 +62,7 @@ vec4 light_at(ivec2 pixel)
         barycentric_at(frame.clip_from_anchor * vec4(a, 1.0), frame.clip_from_anchor * vec4(b, 1.0),
                        frame.clip_from_anchor * vec4(c, 1.0), vec2(pixel) + 0.5, frame.size_px);
     vec3 eye = towards_eye(frame, mat3(a, b, c) * at.weight);
-    float facing = dot(cross(b - a, c - a), eye) * ((corners.w & TRIANGLE_MIRRORED) != 0u ? -1.0 : 1.0);
+    float facing = dot(cross(b - a, c - a), eye) * ((corners.w & triangle_mirrored) != 0u ? -1.0 : 1.0);
     if (facing < 0.0) {
         return vec4(0.0);
     }

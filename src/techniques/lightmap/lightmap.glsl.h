@@ -5,7 +5,11 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint no_lightmap = 0xffffffffU;
 
 // Which of the lightmaps a draw wears.
 struct LightmapSlot {
@@ -15,10 +19,7 @@ struct LightmapSlot {
 
 #ifdef __cplusplus
 static_assert(sizeof(LightmapSlot) == 8);
-inline constexpr uint no_lightmap = 0xffffffffU;
 } // namespace estampe::shared
-#else
-#define NO_LIGHTMAP 0xffffffffu
 #endif
 
 #endif

@@ -30,10 +30,9 @@ layout(push_constant, scalar) uniform Constants
     PaperConstants constants;
 };
 
-// Bit 0: coloured light colours the strokes. Bit 1: there is a sky.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_tint = (variant & 1u) != 0u;
-const bool has_sky = (variant & 2u) != 0u;
+const bool has_tint = (variant & compose_has_tint) != 0u;
+const bool has_sky = (variant & compose_has_sky) != 0u;
 
 // How much of a pure colour of light the darkest ink shows under it.
 const float sheen = 0.3;

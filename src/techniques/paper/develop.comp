@@ -24,10 +24,9 @@ layout(push_constant, scalar) uniform Constants
     DevelopConstants constants;
 };
 
-// Bit 0: the picture has several samples. Bit 1: this is the last.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_samples = (variant & 1u) != 0u;
-const bool is_last = (variant & 2u) != 0u;
+const bool has_samples = (variant & develop_has_samples) != 0u;
+const bool is_last = (variant & develop_is_last) != 0u;
 
 void main()
 {

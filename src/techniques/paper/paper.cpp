@@ -14,7 +14,8 @@ gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const Paper
     pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
     // Unread, the light's memory is free for others by now.
     const bool tinted = style.ink_tint > 0.0F;
-    pass.sample(tinted ? in.light : in.wash).variant((tinted ? 1U : 0U) | (in.has_sky ? 2U : 0U));
+    pass.sample(tinted ? in.light : in.wash)
+        .variant((tinted ? shared::compose_has_tint : 0U) | (in.has_sky ? shared::compose_has_sky : 0U));
     const gpu::ImageId picture = pass.write(graph.image(
         "picture", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     pass.push(shared::PaperConstants{.paper_color = style.color,
@@ -42,7 +43,8 @@ Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums
     const gpu::ImageId added = pass.modify(sums);
     const gpu::BufferId written = pass.write(pixels);
     const bool is_last = accumulation.sample_index + 1 == accumulation.sample_count;
-    pass.variant((accumulation.sample_count > 1 ? 1U : 0U) | (is_last ? 2U : 0U));
+    pass.variant((accumulation.sample_count > 1 ? shared::develop_has_samples : 0U) |
+                 (is_last ? shared::develop_is_last : 0U));
     pass.push(shared::DevelopConstants{
                   .width = size_px.x, .height = size_px.y, .sample_index = accumulation.sample_index})
         .dispatch_over(size_px.x, size_px.y);

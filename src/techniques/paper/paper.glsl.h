@@ -4,7 +4,15 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+// Variant bits of compose.comp and develop.comp.
+SHARED_CONSTANT uint compose_has_tint = 1U << 0U; // coloured light colours the strokes
+SHARED_CONSTANT uint compose_has_sky = 1U << 1U;
+SHARED_CONSTANT uint develop_has_samples = 1U << 0U; // several of them
+SHARED_CONSTANT uint develop_is_last = 1U << 1U;     // of them
 
 struct PaperConstants {
     vec3 paper_color;

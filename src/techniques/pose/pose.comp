@@ -7,6 +7,7 @@
 #include "shaders/items.glsl"
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
+#include "techniques/pose/pose_variant.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -51,10 +52,9 @@ layout(push_constant, scalar) uniform Constants
     uint vertex_count;
 };
 
-// Bit 0: some vertices have a skin. Bit 1: some have morph targets.
 layout(constant_id = 0) const uint variant = 3u;
-const bool has_skins = (variant & 1u) != 0u;
-const bool has_morphs = (variant & 2u) != 0u;
+const bool has_skins = (variant & pose_has_skins) != 0u;
+const bool has_morphs = (variant & pose_has_morphs) != 0u;
 
 mat4 skin_matrix(DrawPose draw, uint local)
 {
@@ -98,7 +98,7 @@ void main()
         }
     }
     mat4 place = draw.anchor_from_object;
-    if (has_skins && draw.first_skin_vertex != NO_SKIN) {
+    if (has_skins && draw.first_skin_vertex != no_skin) {
         place = skin_matrix(draw, local);
     }
     vec4 posed = place * vec4(position, 1.0);

@@ -4,6 +4,7 @@
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/pose_comp.hpp"
+#include "techniques/pose/pose_variant.glsl.h"
 
 namespace estampe::pose {
 
@@ -49,7 +50,8 @@ gpu::BufferId add_pose(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& d
         .read(gpu::import_whole(graph, "morph weights", meshes.morph_weights));
     const gpu::BufferId posed =
         pass.write(gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]));
-    pass.variant((data.joint_count > 0 ? 1U : 0U) | (data.morph_weight_count > 0 ? 2U : 0U));
+    pass.variant((data.joint_count > 0 ? shared::pose_has_skins : 0U) |
+                 (data.morph_weight_count > 0 ? shared::pose_has_morphs : 0U));
     pass.push(meshes.vertex_count).dispatch_items(meshes.vertex_count);
     return posed;
 }

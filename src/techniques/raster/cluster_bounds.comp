@@ -6,7 +6,7 @@
 
 #include "techniques/raster/raster.glsl.h"
 
-layout(local_size_x = CLUSTER_TRIANGLES) in;
+layout(local_size_x = cluster_triangles) in;
 
 #define MESH_TEXELS_BINDING 0
 #include "shaders/mesh_texels.glsl"
@@ -21,14 +21,14 @@ layout(push_constant) uniform Constants
     uint triangle_count;
 };
 
-shared vec3 low[CLUSTER_TRIANGLES];
-shared vec3 high[CLUSTER_TRIANGLES];
+shared vec3 low[cluster_triangles];
+shared vec3 high[cluster_triangles];
 
 void main()
 {
     uint cluster = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint lane = gl_LocalInvocationID.x;
-    uint triangle = cluster * CLUSTER_TRIANGLES + lane;
+    uint triangle = cluster * cluster_triangles + lane;
     low[lane] = vec3(1e30);
     high[lane] = vec3(-1e30);
     if (triangle < triangle_count) {
@@ -39,14 +39,14 @@ void main()
         low[lane] = min(min(a, b), c);
         high[lane] = max(max(a, b), c);
     }
-    for (uint half_count = CLUSTER_TRIANGLES / 2u; half_count > 0u; half_count /= 2u) {
+    for (uint half_count = cluster_triangles / 2u; half_count > 0u; half_count /= 2u) {
         barrier();
         if (lane < half_count) {
             low[lane] = min(low[lane], low[lane + half_count]);
             high[lane] = max(high[lane], high[lane + half_count]);
         }
     }
-    if (lane == 0u && cluster * CLUSTER_TRIANGLES < triangle_count) {
+    if (lane == 0u && cluster * cluster_triangles < triangle_count) {
         bounds[cluster] = ClusterBounds(low[0], high[0]);
     }
 }

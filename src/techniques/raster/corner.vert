@@ -21,5 +21,5 @@ void main()
     uint vertex = corner == 0u ? corners.x : corner == 1u ? corners.y : corners.z;
     gl_Position = constants.clip_from_anchor * vec4(posed_vertex_at(vertex).position, 1.0);
     triangle_drawn = triangle;
-    triangle_flags = (variant & DRAW_TESTS_SIDES) != 0u ? corners.w : 0u;
+    triangle_flags = (variant & draw_tests_sides) != 0u ? corners.w : 0u;
 }

@@ -15,7 +15,7 @@ out float gl_ClipDistance[4];
 void main()
 {
     ClusterInView item = list[gl_InstanceIndex];
-    uint triangle = item.cluster * CLUSTER_TRIANGLES + uint(gl_VertexIndex) / 3u;
+    uint triangle = item.cluster * cluster_triangles + uint(gl_VertexIndex) / 3u;
     triangle_drawn = triangle;
     view_drawn = item.view;
     if (triangle < constants.first_triangle ||

@@ -40,13 +40,13 @@ layout(push_constant, scalar) uniform Constants
 
 void main()
 {
-    uint first_cluster = constants.first_triangle / CLUSTER_TRIANGLES;
+    uint first_cluster = constants.first_triangle / cluster_triangles;
     uint last_triangle = constants.first_triangle + constants.triangle_count - 1u;
     uint cluster = first_cluster + item_index();
     if (item_index() == 0u) {
-        vertex_count = 3u * CLUSTER_TRIANGLES;
+        vertex_count = 3u * cluster_triangles;
     }
-    if (cluster > last_triangle / CLUSTER_TRIANGLES) {
+    if (cluster > last_triangle / cluster_triangles) {
         return;
     }
     ClusterBounds box = bounds[cluster];

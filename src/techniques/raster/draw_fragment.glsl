@@ -32,8 +32,8 @@ void main()
     }
 #endif
     bool counts_either_way =
-        (variant & DRAW_TESTS_SIDES) == 0u || (triangle_flags & TRIANGLE_TWO_SIDED) != 0u;
-    bool front = gl_FrontFacing != ((triangle_flags & TRIANGLE_MIRRORED) != 0u);
+        (variant & draw_tests_sides) == 0u || (triangle_flags & triangle_two_sided) != 0u;
+    bool front = gl_FrontFacing != ((triangle_flags & triangle_mirrored) != 0u);
     if (!counts_either_way && !front) {
         discard;
     }

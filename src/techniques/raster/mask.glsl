@@ -31,7 +31,7 @@ layout(constant_id = 0) const uint variant = 31u;
 bool passes_mask(uint triangle, ivec2 pixel)
 {
     uvec4 corners = triangle_at(triangle);
-    DrawPart draw = draw_at(corners.w & TRIANGLE_DRAW_MASK);
+    DrawPart draw = draw_at(corners.w & triangle_draw_mask);
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
     vec4 vertex_alpha =
         vec4(unpackUnorm4x8(rest_vertices[rest.x].color).a, unpackUnorm4x8(rest_vertices[rest.y].color).a,
@@ -42,7 +42,7 @@ bool passes_mask(uint triangle, ivec2 pixel)
                                    vec2(pixel) + 0.5, PICTURE_PX);
     float alpha = base_color_of(draw.material).a * dot(b.weight, vertex_alpha.xyz);
     TextureSlot slot = base_texture_of(draw.material);
-    if (slot.location != NO_TEXTURE) {
+    if (slot.location != no_texture) {
         bool second = ((slot.location >> 24) & 1u) != 0u;
         vec2 u0 = second ? rest_vertices[rest.x].uv_1 : rest_vertices[rest.x].uv_0;
         vec2 u1 = second ? rest_vertices[rest.y].uv_1 : rest_vertices[rest.y].uv_0;

@@ -9,6 +9,8 @@
 
 #include "techniques/raster/raster.glsl.h"
 
+const int tile_px = int(raster_tile_px); // for places, which are signed
+
 #define MESH_TEXELS_BINDING 0
 #include "shaders/mesh_texels.glsl"
 
@@ -182,11 +184,11 @@ bool to_page(vec4 a, vec4 b, vec4 c, uint flags, out PageTriangle t)
     ivec2 u = t.p[1] - t.p[0];
     ivec2 v = t.p[2] - t.p[0];
     int64_t area = int64_t(u.x) * int64_t(v.y) - int64_t(u.y) * int64_t(v.x);
-    bool front = (area < 0) != ((flags & TRIANGLE_MIRRORED) != 0u); // y points down the page
+    bool front = (area < 0) != ((flags & triangle_mirrored) != 0u); // y points down the page
 #ifdef RASTER_VIEWS
     bool culled = false;
 #else
-    bool culled = constants.cull_back_faces != 0u && !front && (flags & TRIANGLE_TWO_SIDED) == 0u;
+    bool culled = constants.cull_back_faces != 0u && !front && (flags & triangle_two_sided) == 0u;
 #endif
     if (area == 0 || culled) {
         return false;

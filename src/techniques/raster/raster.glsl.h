@@ -4,7 +4,13 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint cluster_triangles = 64U;
+SHARED_CONSTANT uint raster_tile_px = 64U;
+SHARED_CONSTANT uint draw_tests_sides = 1U << 5U; // variant bit, above those of the texture classes
 
 // Which triangles to draw into which picture.
 struct RasterConstants {
@@ -97,14 +103,7 @@ static_assert(sizeof(RasterConstants) == 96);
 static_assert(sizeof(RasterView) == 100);
 static_assert(sizeof(ClusterBounds) == 24);
 static_assert(sizeof(ViewsConstants) == 40);
-inline constexpr uint cluster_triangles = 64;
-inline constexpr uint raster_tile_px = 64;
-inline constexpr uint draw_tests_sides = 1U << 5U; // variant bit, above those of the texture classes
 } // namespace estampe::shared
-#else
-#define RASTER_TILE_PX 64
-#define CLUSTER_TRIANGLES 64u
-#define DRAW_TESTS_SIDES (1u << 5)
 #endif
 
 #endif

@@ -35,12 +35,12 @@ void main()
             continue;
         }
         pixel_bounds(t, low, high);
-        ivec2 first = low / RASTER_TILE_PX;
-        ivec2 across = high / RASTER_TILE_PX - first + 1;
+        ivec2 first = low / tile_px;
+        ivec2 across = high / tile_px - first + 1;
         for (int k = int(gl_LocalInvocationID.x); k < across.x * across.y; k += 64) {
             ivec2 tile = first + ivec2(k % across.x, k / across.x);
-            ivec2 tile_low = max(low, tile * RASTER_TILE_PX);
-            ivec2 tile_high = min(high, tile * RASTER_TILE_PX + RASTER_TILE_PX - 1);
+            ivec2 tile_low = max(low, tile * tile_px);
+            ivec2 tile_high = min(high, tile * tile_px + tile_px - 1);
             if (!touches(t, tile_low, tile_high)) {
                 continue;
             }

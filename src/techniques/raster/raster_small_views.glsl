@@ -6,14 +6,14 @@
 #include "techniques/raster/raster_small_part.glsl"
 #include "techniques/raster/view_cull.glsl"
 
-layout(local_size_x = CLUSTER_TRIANGLES) in;
+layout(local_size_x = cluster_triangles) in;
 
 layout(scalar, binding = 7) readonly buffer Bounds
 {
     ClusterBounds bounds[];
 };
 
-shared uint showing[CLUSTER_TRIANGLES / 32u]; // a bit for each view of this round
+shared uint showing[cluster_triangles / 32u]; // a bit for each view of this round
 
 void draw_into(uint view_index, uint triangle, uint flags, vec3 a, vec3 b, vec3 c)
 {
@@ -29,18 +29,18 @@ void main()
 {
     uint lane = gl_LocalInvocationID.x;
     uint last_triangle = constants.first_triangle + constants.triangle_count - 1u;
-    uint cluster = constants.first_triangle / CLUSTER_TRIANGLES + gl_WorkGroupID.y * gl_NumWorkGroups.x +
+    uint cluster = constants.first_triangle / cluster_triangles + gl_WorkGroupID.y * gl_NumWorkGroups.x +
                    gl_WorkGroupID.x;
-    bool cluster_exists = cluster <= last_triangle / CLUSTER_TRIANGLES;
-    uint triangle = cluster * CLUSTER_TRIANGLES + lane;
+    bool cluster_exists = cluster <= last_triangle / cluster_triangles;
+    uint triangle = cluster * cluster_triangles + lane;
     bool drawn = triangle >= constants.first_triangle && triangle <= last_triangle;
     uvec4 corners = drawn ? triangle_at(triangle) : uvec4(0u);
     vec3 a = posed_vertex_at(corners.x).position;
     vec3 b = posed_vertex_at(corners.y).position;
     vec3 c = posed_vertex_at(corners.z).position;
     uint end = constants.first_view + constants.view_count;
-    for (uint first = constants.first_view; first < end; first += CLUSTER_TRIANGLES) {
-        if (lane < CLUSTER_TRIANGLES / 32u) {
+    for (uint first = constants.first_view; first < end; first += cluster_triangles) {
+        if (lane < cluster_triangles / 32u) {
             showing[lane] = 0u;
         }
         barrier();
@@ -49,7 +49,7 @@ void main()
             atomicOr(showing[lane >> 5], 1u << (lane & 31u));
         }
         barrier();
-        for (uint word = 0u; word < CLUSTER_TRIANGLES / 32u; ++word) {
+        for (uint word = 0u; word < cluster_triangles / 32u; ++word) {
             uint bits = drawn ? showing[word] : 0u;
             while (bits != 0u) {
                 uint bit = uint(findLSB(bits));

@@ -3,7 +3,7 @@
 
 #include "techniques/raster/raster.glsl"
 
-layout(local_size_x = RASTER_TILE_PX) in;
+layout(local_size_x = raster_tile_px) in;
 
 void main()
 {
@@ -12,7 +12,7 @@ void main()
         TriangleTile tile = tiles[i];
         uint part = tile.part_and_tile >> 31;
         select_view(view_of_tile(tile.part_and_tile));
-        ivec2 corner = place_of_tile(tile.part_and_tile) * RASTER_TILE_PX;
+        ivec2 corner = place_of_tile(tile.part_and_tile) * tile_px;
         PageTriangle t;
         ivec2 low, high;
         if (!page_part(load_clipped(tile.triangle), part, triangle_at(tile.triangle).w, t)) {
@@ -20,7 +20,7 @@ void main()
         }
         pixel_bounds(t, low, high);
         low = max(low, corner);
-        high = min(high, corner + RASTER_TILE_PX - 1);
+        high = min(high, corner + tile_px - 1);
         int x = corner.x + int(gl_LocalInvocationID.x);
         if (x >= low.x && x <= high.x && high.y >= low.y) {
             fill_column(t, ivec2(x, low.y), high.y - low.y + 1, tile.triangle);

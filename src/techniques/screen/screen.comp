@@ -12,6 +12,7 @@
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/visibility.glsl"
+#include "techniques/screen/screen_variant.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -69,10 +70,9 @@ layout(scalar, binding = 15) readonly buffer Layer3
 layout(binding = 16, r32ui) writeonly uniform uimage2D out_draw; // 0 for none
 layout(binding = 17, rgba8) writeonly uniform image2D out_color; // square root of linear colour; cover
 
-// Bits: 0-4 the size classes that hold textures, 5-6 how many layers there are besides the first.
 layout(constant_id = 0) const uint variant = 31u;
-#define TEXTURE_CLASSES (variant & 31u)
-const int LAYERS = int((variant >> 5) & 3u) + 1;
+#define TEXTURE_CLASSES (variant & texture_class_mask)
+const int LAYERS = int((variant >> screen_layers_shift) & 3u) + 1;
 
 #include "shaders/texture.glsl"
 
@@ -93,7 +93,7 @@ uvec2 seen_in(int layer, uint index)
 Layer layer_at(uvec2 seen, ivec2 pixel)
 {
     uvec4 corners = triangle_at(seen_triangle(seen));
-    uint draw_index = corners.w & TRIANGLE_DRAW_MASK;
+    uint draw_index = corners.w & triangle_draw_mask;
     DrawPart draw = draw_at(draw_index);
     Barycentric at = barycentric_at(frame.clip_from_anchor * vec4(posed_vertex_at(corners.x).position, 1.0),
                                     frame.clip_from_anchor * vec4(posed_vertex_at(corners.y).position, 1.0),
@@ -105,7 +105,7 @@ Layer layer_at(uvec2 seen, ivec2 pixel)
                vertex_color(rest_vertices[rest.z].color));
     vec4 color = base_color_of(draw.material) * (vertex_colors * at.weight);
     TextureSlot slot = base_texture_of(draw.material);
-    if (TEXTURE_CLASSES != 0u && slot.location != NO_TEXTURE) {
+    if (TEXTURE_CLASSES != 0u && slot.location != no_texture) {
         bool second = ((slot.location >> 24) & 1u) != 0u;
         mat3x2 uv =
             second
@@ -115,7 +115,7 @@ Layer layer_at(uvec2 seen, ivec2 pixel)
         color *= vec4(linear_from_srgb(texel.rgb), texel.a);
     }
     color = clamp(color, 0.0, 1.0);
-    return Layer(color.a >= LEAST_COVER ? draw_index + 1u : 0u, seen.y, color);
+    return Layer(color.a >= least_cover ? draw_index + 1u : 0u, seen.y, color);
 }
 
 // Whether the order of two layers at the same depth, which their numbers decided, is to be decided by what

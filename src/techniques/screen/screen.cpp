@@ -5,6 +5,7 @@
 
 #include "gpu/fills.hpp"
 #include "shaders/screen_comp.hpp"
+#include "techniques/screen/screen_variant.glsl.h"
 
 namespace estampe::screen {
 namespace {
@@ -34,7 +35,8 @@ Screen add_screen(gpu::Graph& graph, const ScreenInputs& in)
     }
     const gpu::ImageId draw = pass.write(graph.image("screen/draw", draw_image(in.size_px)));
     const gpu::ImageId color = pass.write(graph.image("screen/color", color_image(in.size_px)));
-    pass.variant(in.texture_classes | static_cast<uint32_t>(in.layers.size() - 1) << 5U);
+    pass.variant(in.texture_classes | static_cast<uint32_t>(in.layers.size() - 1)
+                                          << shared::screen_layers_shift);
     pass.dispatch_over(in.size_px.x, in.size_px.y);
     return {draw, color};
 }

@@ -80,7 +80,7 @@ Teeth stroke_teeth(EdgeLook look, uint kind, vec3 coordinate, Footprint f, vec3 
     uint family = !is_flat(kind) && is_level ? 1u : 0u;
     vec3 axis = is_flat(kind) ? flat_axis(axes, kind, 0u) : solid_axis(axes, kind, family);
     return teeth_across(dot(axis, coordinate), vec2(dot(axis, f.dx), dot(axis, f.dy)), rates,
-                        kind == STROKES_FORM, hash(look.seed * 64u + family));
+                        kind == strokes_form, hash(look.seed * 64u + family));
 }
 
 // Teeth of a wide penumbra are wide themselves.

@@ -48,13 +48,16 @@ uint32_t shadow_variant(const ShadowStyle& style, const std::optional<HatchedLin
 {
     const bool has_teeth = style.edge != Edge::plain && style.edge_reach_mm > 0.0F;
     const bool by_strokes = has_teeth && follows_strokes(style, lines);
-    return (by_strokes ? 1U : 0U) | (has_teeth && !by_strokes ? 2U : 0U) |
-           (style.sun_radius_deg > 0.0F ? 4U : 0U);
+    return (by_strokes ? shared::light_has_stroke_edges : 0U) |
+           (has_teeth && !by_strokes ? shared::light_has_wave_edges : 0U) |
+           (style.sun_radius_deg > 0.0F ? shared::light_has_soft_sun : 0U);
 }
 
 uint32_t lamps_variant(std::span<const shared::LocalShadow> lamps)
 {
-    return std::ranges::any_of(lamps, [](const auto& lamp) { return lamp.radius_m > 0.0F; }) ? 64U : 0U;
+    return std::ranges::any_of(lamps, [](const auto& lamp) { return lamp.radius_m > 0.0F; })
+               ? shared::light_has_soft_lamps
+               : 0U;
 }
 
 } // namespace estampe::shadow

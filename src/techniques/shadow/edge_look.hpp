@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "shaders/light_variant.glsl.h"
 #include "techniques/shadow/edge.glsl.h"
 #include "techniques/shadow/local.glsl.h"
 #include "techniques/shadow/shadow_style.hpp"
@@ -25,16 +26,11 @@ struct HatchedLines {
 [[nodiscard]] shared::EdgeLook edge_look(const ShadowStyle& style, const std::optional<HatchedLines>& lines,
                                          float pixels_per_mm);
 
-/// What the light's shader has to do for it: bit 0 teeth along strokes, bit 1 in waves, bit 2 a sun with
-/// breadth.
+/// What the light's shader has to do for it, as bits of shaders/light_variant.glsl.h. Whoever fits the sun's
+/// map adds those of clipmaps and of perspective.
 [[nodiscard]] uint32_t shadow_variant(const ShadowStyle& style, const std::optional<HatchedLines>& lines);
 
-/// What it has to do besides for those lamps and spots: bit 6 breadth.
+/// What it has to do besides for those lamps and spots.
 [[nodiscard]] uint32_t lamps_variant(std::span<const shared::LocalShadow> lamps);
-
-/// The bit to add where the sun's map is a clipmap.
-inline constexpr uint32_t levels_variant = 8U;
-/// The bit to add where it is in perspective.
-inline constexpr uint32_t warp_variant = 128U;
 
 } // namespace estampe::shadow

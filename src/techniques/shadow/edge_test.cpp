@@ -111,12 +111,14 @@ TEST(EdgeLook, StrokesWithoutLinesAreWaves)
 {
     const ShadowStyle strokes{.edge = Edge::strokes};
     EXPECT_EQ(shadow_variant({}, HatchedLines{}), 0U);
-    EXPECT_EQ(shadow_variant(strokes, HatchedLines{}), 1U);
-    EXPECT_EQ(shadow_variant(strokes, std::nullopt), 2U);
-    EXPECT_EQ(shadow_variant({.edge = Edge::waves, .sun_radius_deg = 1.0F}, HatchedLines{}), 6U);
+    EXPECT_EQ(shadow_variant(strokes, HatchedLines{}), shared::light_has_stroke_edges);
+    EXPECT_EQ(shadow_variant(strokes, std::nullopt), shared::light_has_wave_edges);
+    EXPECT_EQ(shadow_variant({.edge = Edge::waves, .sun_radius_deg = 1.0F}, HatchedLines{}),
+              shared::light_has_wave_edges | shared::light_has_soft_sun);
     EXPECT_EQ(shadow_variant({.edge = Edge::waves, .edge_reach_mm = 0.0F}, HatchedLines{}), 0U);
     EXPECT_EQ(lamps_variant(std::vector(2, shared::LocalShadow{})), 0U);
-    EXPECT_EQ(lamps_variant(std::vector{shared::LocalShadow{}, shared::LocalShadow{.radius_m = 0.1F}}), 64U);
+    EXPECT_EQ(lamps_variant(std::vector{shared::LocalShadow{}, shared::LocalShadow{.radius_m = 0.1F}}),
+              shared::light_has_soft_lamps);
     EXPECT_FLOAT_EQ(edge_look(strokes, HatchedLines{.width_mm = 0.4F}, 10.0F).width_px, 4.0F);
     EXPECT_FLOAT_EQ(edge_look(strokes, std::nullopt, 10.0F).amplitude_px, 10.0F);
 }

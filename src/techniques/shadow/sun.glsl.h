@@ -4,13 +4,11 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
 
-#ifdef __cplusplus
-inline constexpr uint sun_levels = 8;
-#else
-#define SUN_LEVELS 8
-#endif
+SHARED_CONSTANT uint sun_levels = 8U;
 
 // The sun's shadow map, as who looks it up needs to know it.
 struct SunShadow {
@@ -25,7 +23,7 @@ struct SunShadow {
     uint level_count;  // of a clipmap; 0 for a single map
     float pixel_m;     // what a pixel spans at a distance of one; in parallel projection at any
     float fade;        // 1: shadow pales towards the edge of the last level
-    vec2 window_low[8];
+    vec2 window_low[sun_levels];
     vec2 warp; // of a map in perspective: clip y is warp.x - warp.y / w
 };
 

@@ -52,7 +52,7 @@ uint sun_level(vec3 point, float margin_m)
     int wanted = clamp(int(floor(log2(wanted_m / sun_shadow.texel_m))), 0, last);
     vec2 at = vec2(dot(sun_shadow.right, point), dot(sun_shadow.down, point));
     int level = last + 1;
-    for (int i = SUN_LEVELS - 1; i >= 0; --i) {
+    for (int i = int(sun_levels) - 1; i >= 0; --i) {
         float texels_per_m = exp2(-float(i)) / sun_shadow.texel_m;
         vec2 inside = at * texels_per_m - vec2(sun_shadow.window_low[i]);
         float margin = margin_m * texels_per_m + 3.0;

@@ -14,6 +14,7 @@
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
+#include "techniques/surface/resolve_variant.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -71,18 +72,16 @@ layout(push_constant) uniform Constants
 
 constants; // stroke coordinates a metre
 
-// What the scene needs of this shader: the size classes that hold textures in bits 0-4, and the following.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_textures = (variant & 31u) != 0u;
-const bool has_normal_maps = (variant & 32u) != 0u;
-const bool has_vertex_colors = (variant & 64u) != 0u;
-const bool has_uv_strokes = (variant & 128u) != 0u;
-const bool has_second_uvs = (variant & 256u) != 0u;
-const bool stands_still =
-    (variant & 512u) != 0u; // the pose is the rest pose: strokes follow the posed position itself
-const bool has_form_strokes = (variant & 1024u) != 0u;
-const bool has_page_strokes = (variant & 2048u) != 0u;
-const bool has_occlusion = (variant & 4096u) != 0u;
+const bool has_textures = (variant & texture_class_mask) != 0u;
+const bool has_normal_maps = (variant & resolve_has_normal_maps) != 0u;
+const bool has_vertex_colors = (variant & resolve_has_vertex_colors) != 0u;
+const bool has_uv_strokes = (variant & resolve_has_uv_strokes) != 0u;
+const bool has_second_uvs = (variant & resolve_has_second_uvs) != 0u;
+const bool stands_still = (variant & resolve_stands_still) != 0u;
+const bool has_form_strokes = (variant & resolve_has_form_strokes) != 0u;
+const bool has_page_strokes = (variant & resolve_has_page_strokes) != 0u;
+const bool has_occlusion = (variant & resolve_has_occlusion) != 0u;
 #define TEXTURE_CLASSES variant
 
 #include "shaders/texture.glsl"
@@ -128,7 +127,7 @@ void main()
         return;
     }
     uvec4 corners = triangle_at(seen_triangle(seen));
-    uint draw_index = corners.w & TRIANGLE_DRAW_MASK;
+    uint draw_index = corners.w & triangle_draw_mask;
     PosedVertex a = posed_vertex_at(corners.x);
     PosedVertex b = posed_vertex_at(corners.y);
     PosedVertex c = posed_vertex_at(corners.z);
@@ -140,7 +139,7 @@ void main()
     vec3 smooth_normal = unit(normals * at.weight + 1e-12);
     vec3 eye = towards_eye(frame, positions * at.weight);
     vec3 flat_normal = cross(b.position - a.position, c.position - a.position);
-    float facing = dot(flat_normal, eye) * ((corners.w & TRIANGLE_MIRRORED) != 0u ? -1.0 : 1.0);
+    float facing = dot(flat_normal, eye) * ((corners.w & triangle_mirrored) != 0u ? -1.0 : 1.0);
     smooth_normal = facing < 0.0 ? -smooth_normal : smooth_normal;
 
     DrawPart draw = draw_at(draw_index);
@@ -155,14 +154,14 @@ void main()
     vec3 shading_normal = smooth_normal;
     if (has_textures) {
         TextureSlot slot = base_texture_of(draw.material);
-        if (slot.location != NO_TEXTURE) {
+        if (slot.location != no_texture) {
             vec4 texel = sample_texture(slot, uv_at(rest, (slot.location >> 24) & 1u, at));
             color *= linear_from_srgb(texel.rgb);
         }
     }
     if (has_normal_maps) {
         TextureSlot slot = normal_texture_of(draw.material);
-        if (slot.location != NO_TEXTURE) {
+        if (slot.location != no_texture) {
             UvFootprint f = uv_at(rest, (slot.location >> 24) & 1u, at);
             vec3 mapped = 2.0 * sample_texture(slot, f).xyz - 1.0;
             mapped.xy *= slot.strength;
@@ -172,7 +171,7 @@ void main()
     float open = 1.0; // share of the light that occlusion lets by
     if (has_occlusion) {
         TextureSlot slot = occlusion_texture_of(draw.material);
-        if (slot.location != NO_TEXTURE) {
+        if (slot.location != no_texture) {
             float texel = sample_texture(slot, uv_at(rest, (slot.location >> 24) & 1u, at)).r;
             open = 1.0 + slot.strength * (texel - 1.0);
         }
@@ -186,27 +185,27 @@ void main()
     vec3 coordinate = coordinates * at.weight;
     Footprint footprint = Footprint(coordinates * at.dx, coordinates * at.dy);
     uint strokes = stroke_kinds[draw_index];
-    if (has_uv_strokes && strokes == STROKES_UV) {
+    if (has_uv_strokes && strokes == strokes_uv) {
         UvFootprint f = uv_at(rest, 0u, at);
         coordinate = vec3(f.uv, 0.0);
         footprint = Footprint(vec3(f.dx, 0.0), vec3(f.dy, 0.0));
     }
-    if (has_form_strokes && strokes == STROKES_FORM) {
+    if (has_form_strokes && strokes == strokes_form) {
         uint first = 3u * seen_triangle(seen);
         mat3x2 form =
             mat3x2(form_coordinates[first], form_coordinates[first + 1u], form_coordinates[first + 2u]);
         coordinate = vec3(form * at.weight, 0.0);
         footprint = Footprint(vec3(form * at.dx, 0.0), vec3(form * at.dy, 0.0));
     }
-    if (has_page_strokes && strokes == STROKES_PAGE) {
+    if (has_page_strokes && strokes == strokes_page) {
         float mm_per_px = 1.0 / frame.pixels_per_mm;
         coordinate = vec3((vec2(pixel) + 0.5) * mm_per_px, 0.0);
         footprint = Footprint(vec3(mm_per_px, 0.0, 0.0), vec3(0.0, mm_per_px, 0.0));
     }
     uint flags = flags_of(draw.material);
-    uint word = (draw_index + 1u) | ((flags & MATERIAL_PAPER) != 0u ? DRAW_PAPER : 0u) |
-                ((flags & MATERIAL_UNLIT) != 0u ? DRAW_UNLIT : 0u) |
-                ((flags & MATERIAL_EMISSIVE) != 0u ? DRAW_EMISSIVE : 0u) | (strokes << DRAW_STROKES_SHIFT);
+    uint word = (draw_index + 1u) | ((flags & material_paper) != 0u ? DRAW_PAPER : 0u) |
+                ((flags & material_unlit) != 0u ? DRAW_UNLIT : 0u) |
+                ((flags & material_emissive) != 0u ? DRAW_EMISSIVE : 0u) | (strokes << DRAW_STROKES_SHIFT);
     imageStore(out_draw, pixel, uvec4(word));
     imageStore(out_depth, pixel, vec4(seen_depth(seen)));
     imageStore(out_normal, pixel, uvec4(pack_normal(shading_normal), pack_normal(smooth_normal), 0u, 0u));

@@ -3,6 +3,7 @@
 
 #include "shaders/resolve_comp.hpp"
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/surface/resolve_variant.glsl.h"
 
 namespace estampe::surface {
 
@@ -27,10 +28,14 @@ Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in)
     const gpu::ImageId footprint = pass.write(image("surface/footprint", gpu::Format::rgba32ui));
     const SceneNeeds& needs = in.needs;
     const auto has_strokes = [&](uint32_t kind) { return (in.strokes_present >> kind & 1U) != 0; };
-    pass.variant(needs.texture_classes | (needs.normal_maps ? 32U : 0U) | (needs.vertex_colors ? 64U : 0U) |
-                 (has_strokes(shared::strokes_uv) ? 128U : 0U) | (needs.second_uvs ? 256U : 0U) |
-                 (needs.moves ? 0U : 512U) | (has_strokes(shared::strokes_form) ? 1024U : 0U) |
-                 (has_strokes(shared::strokes_page) ? 2048U : 0U) | (needs.occlusion ? 4096U : 0U));
+    pass.variant(needs.texture_classes | (needs.normal_maps ? shared::resolve_has_normal_maps : 0U) |
+                 (needs.vertex_colors ? shared::resolve_has_vertex_colors : 0U) |
+                 (has_strokes(shared::strokes_uv) ? shared::resolve_has_uv_strokes : 0U) |
+                 (needs.second_uvs ? shared::resolve_has_second_uvs : 0U) |
+                 (needs.moves ? 0U : shared::resolve_stands_still) |
+                 (has_strokes(shared::strokes_form) ? shared::resolve_has_form_strokes : 0U) |
+                 (has_strokes(shared::strokes_page) ? shared::resolve_has_page_strokes : 0U) |
+                 (needs.occlusion ? shared::resolve_has_occlusion : 0U));
     pass.push(in.strokes_per_m).dispatch_over(in.size_px.x, in.size_px.y);
     return {draw, depth, normal, color, coordinate, footprint};
 }

@@ -41,12 +41,10 @@ layout(push_constant, scalar) uniform Constants
     WashConstants constants;
 };
 
-// Bit 0: colours pale with distance. Bit 1: there are see-through surfaces. Bit 2: there is a
-// background.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_air = (variant & 1u) != 0u;
-const bool has_screen = (variant & 2u) != 0u;
-const bool has_background = (variant & 4u) != 0u;
+const bool has_air = (variant & wash_has_air) != 0u;
+const bool has_screen = (variant & wash_has_screen) != 0u;
+const bool has_background = (variant & wash_has_background) != 0u;
 
 void main()
 {

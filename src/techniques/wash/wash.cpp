@@ -13,7 +13,9 @@ gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const WashStyle& 
     pass.sample(in.draws).sample(in.materials).sample(in.background).sample(in.screen);
     const gpu::ImageId wash = pass.write(
         graph.image("wash", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
-    pass.variant((style.air > 0.0F ? 1U : 0U) | (in.has_screen ? 2U : 0U) | (in.has_background ? 4U : 0U));
+    pass.variant((style.air > 0.0F ? shared::wash_has_air : 0U) |
+                 (in.has_screen ? shared::wash_has_screen : 0U) |
+                 (in.has_background ? shared::wash_has_background : 0U));
     pass.push(shared::WashConstants{.tone = in.tone,
                                     .shadow_tint = style.shadow_tint,
                                     .shadow_from = style.shadow_from,

@@ -3,8 +3,16 @@
 #define ESTAMPE_WASH_GLSL_H
 #include "shaders/tone.glsl.h"
 #ifdef __cplusplus
+#include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+// Variant bits of wash.comp.
+SHARED_CONSTANT uint wash_has_air = 1U << 0U;    // colours pale with distance
+SHARED_CONSTANT uint wash_has_screen = 1U << 1U; // there are see-through surfaces
+SHARED_CONSTANT uint wash_has_background = 1U << 2U;
 
 struct WashConstants {
     ToneConstants tone;

@@ -9,6 +9,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "scene/second_form.hpp"
+
 namespace estampe::contour {
 namespace {
 
@@ -185,27 +187,21 @@ private:
                has_frame(vertex(t, 2));
     }
 
-    /// The form of a triangle by least squares, from what its sides' ends differ by.
+    /// The form of a triangle, from what its sides' ends differ by.
     [[nodiscard]] glm::vec3 form_of_face(size_t t) const
     {
         if (!is_usable(t)) {
             return glm::vec3(0.0F);
         }
         const Frame& frame = faces_[t].frame;
-        glm::dmat3 squares(0.0);
-        glm::dvec3 right(0.0);
+        std::array<SideChange, 3> sides;
         for (uint32_t k = 0; k < 3; ++k) {
             const glm::vec3 edge = place(t, k + 1) - place(t, k);
             const glm::vec3 change = bendings_[vertex(t, k + 1)].normal - bendings_[vertex(t, k)].normal;
-            const glm::dvec3 along_x(glm::dot(edge, frame.x), glm::dot(edge, frame.y), 0.0);
-            const glm::dvec3 along_y(0.0, along_x.x, along_x.y);
-            squares += glm::outerProduct(along_x, along_x) + glm::outerProduct(along_y, along_y);
-            right += along_x * static_cast<double>(glm::dot(change, frame.x)) +
-                     along_y * static_cast<double>(glm::dot(change, frame.y));
+            sides.at(k) = {{glm::dot(edge, frame.x), glm::dot(edge, frame.y)},
+                           {glm::dot(change, frame.x), glm::dot(change, frame.y)}};
         }
-        const double size = squares[0][0] + squares[2][2];
-        const bool is_sound = std::abs(glm::determinant(squares)) > 1e-9 * size * size * size;
-        return is_sound ? glm::vec3(glm::inverse(squares) * right) : glm::vec3(0.0F);
+        return glm::vec3(second_form(sides, 1e-9));
     }
 
     /// The mean of what the triangles about a vertex say, by area and in the vertex's frame.

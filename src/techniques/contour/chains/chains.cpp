@@ -17,6 +17,7 @@
 #include "techniques/contour/chains/line_history.hpp"
 #include "techniques/contour/chains/page_cells.hpp"
 #include "techniques/contour/chains/scan.hpp"
+#include "techniques/contour/chains/variants.glsl.h"
 
 namespace estampe::contour {
 namespace {
@@ -58,7 +59,7 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
     const gpu::BufferId facing =
         triangles.write(graph.buffer("contour/facing", list_of(triangle_words, sizeof(uint32_t))));
     gpu::BufferId marks = triangles.write(graph.buffer("contour/marks", list_of(words, sizeof(uint32_t))));
-    triangles.variant(along_edges ? 1U : 0U).push(constants);
+    triangles.variant(along_edges ? shared::mark_along_edges : 0U).push(constants);
     triangles.dispatch((constants.triangle_count + 63) / 64);
     gpu::BufferId parts = facing;
     if (constants.loose_edge_count > 0) {
@@ -70,7 +71,9 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
         marks = edges.modify(marks);
         parts = edges.write(
             graph.buffer("contour/edge parts", list_of(constants.loose_edge_count, sizeof(uint32_t))));
-        edges.variant(along_edges ? 1U : 0U).push(constants).dispatch((constants.loose_edge_count + 63) / 64);
+        edges.variant(along_edges ? shared::mark_along_edges : 0U)
+            .push(constants)
+            .dispatch((constants.loose_edge_count + 63) / 64);
     }
     if (view_bends) {
         auto suggestive = graph.compute("contour/mark suggestive", shaders::mark_suggestive_comp);
@@ -155,7 +158,9 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
         emit.write(graph.buffer("contour/segments", list_of(segments_most, sizeof(shared::Segment))));
     gpu::BufferId ranks =
         emit.write(graph.buffer("contour/ranks", list_of(segments_most, sizeof(shared::Rank))));
-    emit.variant((mesh.loose_edge_count > 0 ? 1U : 0U) | (along_edges ? 2U : 0U)).push(constants);
+    emit.variant((mesh.loose_edge_count > 0 ? shared::emit_has_loose_edges : 0U) |
+                 (along_edges ? shared::emit_along_edges : 0U))
+        .push(constants);
     emit.dispatch_indirect(marks.sizes, indirect_offset(shared::list_segments));
     if (view_bends) {
         auto suggestive = graph.compute("contour/emit suggestive", shaders::emit_suggestive_comp);
@@ -228,7 +233,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
         features.read(feature_chains).sample(scanned.before, gpu::Format::r32ui);
         points = features.modify(points);
         lengths = features.modify(lengths);
-        features.variant(mesh.features_leave_edges ? 1U : 0U);
+        features.variant(mesh.features_leave_edges ? shared::order_features_leave_edges : 0U);
         features.push(constants).dispatch_items(mesh.feature_point_count);
     }
     return {.constants = constants,

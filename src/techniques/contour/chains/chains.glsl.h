@@ -7,10 +7,47 @@
 // of features, then one for each segment found, of which only the one that stands for its whole chain is not
 // empty.
 #include "techniques/contour/chains/line_kinds.glsl.h"
+#include "techniques/contour/chains/neighbors.glsl.h"
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint cell_px = 2U;              // from point to point of the page's lattice
+SHARED_CONSTANT uint grid_cell_px = 4U;         // of the grid in which samples find each other
+SHARED_CONSTANT float length_unit_px = 1024.0F; // lengths are whole numbers of these a pixel
+
+// Lists, as ListSize counts them.
+SHARED_CONSTANT uint list_segments = 0U;
+SHARED_CONSTANT uint list_points = 1U;
+SHARED_CONSTANT uint list_samples = 2U;
+SHARED_CONSTANT uint list_strokes = 3U;
+SHARED_CONSTANT uint list_slots = 4U;
+SHARED_CONSTANT uint list_count = 5U;
+SHARED_CONSTANT uint no_list = 0xffffffffU;
+
+// Flags of a slot.
+SHARED_CONSTANT uint chain_is_closed = 1U;
+
+// Which part of an edge at which shading breaks is outline. Low is towards the start of its first side.
+SHARED_CONSTANT uint part_is_there = 1U;
+SHARED_CONSTANT uint part_first_is_front = 2U; // of both sides the first is the front
+SHARED_CONSTANT uint part_low_shift = 2U;      // what bounds the part there, two bits: see below
+SHARED_CONSTANT uint part_high_shift = 4U;
+SHARED_CONSTANT uint bound_is_corner = 0U; // the edge's end
+SHARED_CONSTANT uint bound_in_first = 1U;  // where the outline crosses into the first side's triangle
+SHARED_CONSTANT uint bound_in_second = 2U;
+
+// Where a line crosses a side of the page's cells, see page_cells.glsl.
+SHARED_CONSTANT uint crossing_is_there = 0x80000000U;
+SHARED_CONSTANT uint crossing_rises = 0x40000000U;
+SHARED_CONSTANT uint crossing_seen_between = 0x20000000U;
+
+// Where along a closed chain its first stroke begins.
+SHARED_CONSTANT uint no_rotation = 0xffffffffU;
+SHARED_CONSTANT uint rotation_to_corner = 0x40000000U; // better none than at a corner: lower is better
 
 // A point of a feature's line; its kind and side are those of the edge to the next point, or of the triangle
 // that leads there, with corner 3.
@@ -28,6 +65,8 @@ struct FeatureChain {
     uint point_count;
     uint is_closed;
 };
+
+SHARED_CONSTANT uint no_segment = 0xffffffffU;
 
 // A piece of outline within one item; the next goes on where it ends.
 struct Segment {
@@ -59,20 +98,34 @@ struct ChainPoint {
     uvec2 unused;
 };
 
+SHARED_CONSTANT uint no_sample = 0xffffffffU;
+
+// States of a sample.
+SHARED_CONSTANT uint sample_is_visible = 1U;
+SHARED_CONSTANT uint sample_is_off_page = 2U;
+SHARED_CONSTANT uint sample_is_corner = 4U;
+SHARED_CONSTANT uint sample_in_ring = 8U;  // of a closed line without a break
+SHARED_CONSTANT uint piece_is_there = 16U; // a line goes on to the next sample
+
 // One step along a chain, all steps of a chain alike.
 struct LineSample {
     vec3 anchor;
     uint normal;
     vec2 page_px;
     uint source;
-    uint state; // see the bits below; the distance to the next sample in pixels, as a half, above
+    uint state; // see the bits above; the distance to the next sample in pixels, as a half, above them
 };
+
+// Ends of a stroke.
+SHARED_CONSTANT uint stroke_starts_at_line = 1U;
+SHARED_CONSTANT uint stroke_ends_at_line = 2U;
+SHARED_CONSTANT uint stroke_is_dropped = 4U;
 
 // Consecutive samples that are drawn in one go.
 struct Stroke {
     uint first; // samples
     uint last;
-    uint ends;      // whether they meet other lines, and whether it is drawn at all: see the bits below
+    uint ends;      // whether they meet other lines, and whether it is drawn at all: see the bits above
     uint recalled;  // the sample nearest its middle with a past, see stroke_past.glsl, or no_sample
     int offset_sum; // of the place on its brush there less the arc length here, in sixteenths of a pixel
     uint offset_count;
@@ -88,11 +141,13 @@ struct DrawnSample {
     float whole_px; // length of the stroke, which a stretched brush has too
 };
 
+SHARED_CONSTANT uint no_stroke_seed = 0xffffffffU;
+
 // What a sample was in the frame before.
 struct Recall {
     float half_width_px; // negative: it was not there
     float offset_px;
-    uint seed;
+    uint seed; // or no_stroke_seed
 };
 
 struct RecallConstants {
@@ -109,13 +164,18 @@ struct LinePoint {
     uint ink; // material that brings its own, + 1
 };
 
+// Uses of a touch.
+SHARED_CONSTANT uint touch_use = 15U;
+SHARED_CONSTANT uint touch_is_start = 16U;
+SHARED_CONSTANT uint touch_is_end = 32U;
+
 // Where on its brush a stroke is at a sample. Sides are those of LinePoint.
 struct LineTouch {
     float phase_px; // along the brush, held to the surface from frame to frame
     float along_px; // from the end where the stroke starts
     float whole_px;
     uint way;  // along the line, two signed halves
-    uint uses; // of which brush, and whether the stroke starts or ends here: see the bits below
+    uint uses; // of which brush, and whether the stroke starts or ends here: see the bits above
 };
 
 // How many there are of something, and the arguments of a dispatch with a thread for each.
@@ -173,8 +233,8 @@ struct ViewBendConstants {
 };
 
 struct ShapeConstants {
-    float width_of_kind[10]; // whole ones, in pixels or metres
-    uint metre_kinds;        // a bit a kind
+    float width_of_kind[line_kind_count]; // whole ones, in pixels or metres
+    uint metre_kinds;                     // a bit a kind
     float taper_px;
     float overshoot_px;
     float wobble_px;
@@ -197,11 +257,17 @@ struct InkConstants {
     vec3 ink_color;
 };
 
+SHARED_CONSTANT uint brush_hidden = line_kind_count; // uses of brushes: each kind of line, and this
+SHARED_CONSTANT uint brush_use_count = line_kind_count + 1U;
+SHARED_CONSTANT uint brush_columns = 1024U;
+SHARED_CONSTANT uint brush_rows = 32U;
+SHARED_CONSTANT uint no_brush = 0xffffffffU;
+
 struct BrushConstants {
     uint width;
     uint height;
-    float period_px[11];   // of each use, along the stroke; 0 from end to end
-    uint layer_of_use[11]; // in the image of brushes; no_brush for the pen
+    float period_px[brush_use_count];   // of each use, along the stroke; 0 from end to end
+    uint layer_of_use[brush_use_count]; // in the image of brushes; no_brush for the pen
 };
 
 #ifdef __cplusplus
@@ -212,85 +278,14 @@ static_assert(sizeof(LineSample) == 32);
 static_assert(sizeof(Stroke) == 24);
 static_assert(sizeof(DrawnSample) == 28);
 static_assert(sizeof(ShapeConstants) <= 128);
-static_assert(sizeof(ShapeConstants::width_of_kind) == sizeof(float) * line_kind_count);
 static_assert(sizeof(BrushConstants) <= 128);
-inline constexpr uint no_segment = 0xffffffffU;
-inline constexpr uint no_list = 0xffffffffU;
-inline constexpr uint list_segments = 0U;
-inline constexpr uint list_points = 1U;
-inline constexpr uint list_samples = 2U;
-inline constexpr uint list_strokes = 3U;
-inline constexpr uint list_slots = 4U;
-inline constexpr uint list_count = 5U;
-inline constexpr uint no_seed = 0xffffffffU;
-inline constexpr uint chain_is_closed = 1U;
-inline constexpr uint sample_is_visible = 1U;
-inline constexpr uint sample_is_off_page = 2U;
-inline constexpr uint sample_in_ring = 8U;  // of a closed line without a break
-inline constexpr uint piece_is_there = 16U; // a line goes on to the next sample
-inline constexpr uint stroke_is_dropped = 4U;
-inline constexpr uint brush_hidden = line_kind_count; // uses of brushes: each kind of line, and this
-inline constexpr uint brush_use_count = line_kind_count + 1U;
-static_assert(sizeof(BrushConstants::period_px) == sizeof(float) * brush_use_count);
-inline constexpr uint brush_columns = 1024U;
-inline constexpr uint brush_rows = 32U;
-inline constexpr uint no_brush = 0xffffffffU;
-inline constexpr uint cell_px = 2U;           // from point to point of the page's lattice
-inline constexpr uint grid_cell_px = 4U;      // of the grid in which samples find each other
-inline constexpr uint length_unit_px = 1024U; // lengths are whole numbers of these a pixel
 } // namespace estampe::shared
 #else
-#define NO_SIDE 0xffffffffu
-#define NO_SEGMENT 0xffffffffu
-#define NO_LIST 0xffffffffu
-#define LIST_SEGMENTS 0u
-#define LIST_POINTS 1u
-#define LIST_SAMPLES 2u
-#define LIST_STROKES 3u
-#define LIST_SLOTS 4u
-#define LENGTH_UNIT_PX 1024.0
-#define NEIGHBOR_IS_TURNED 1u
-#define NEIGHBOR_SMOOTH_SHIFT 1u
-#define NEIGHBOR_IS_INSIDE_OUT 16u
-#define NEIGHBOR_SHELL_SHIFT 5u
-// Which part of an edge at which shading breaks is outline. Low is towards the start of its first side.
-#define PART_IS_THERE 1u
-#define PART_FIRST_IS_FRONT 2u // of both sides the first is the front
-#define PART_LOW_SHIFT 2u      // what bounds the part there, two bits: see below
-#define PART_HIGH_SHIFT 4u
-#define BOUND_IS_CORNER 0u // the edge's end
-#define BOUND_IN_FIRST 1u  // where the outline crosses into the first side's triangle
-#define BOUND_IN_SECOND 2u
-#define CELL_PX 2u // from point to point of the page's lattice
-#define CROSSING_IS_THERE 0x80000000u
-#define CROSSING_RISES 0x40000000u
-#define CROSSING_SEEN_BETWEEN 0x20000000u
-#define NO_ROTATION 0xffffffffu
-#define ROTATION_TO_CORNER 0x40000000u // better none than at a corner: lower is better
-#define CHAIN_IS_CLOSED 1u
-#define SAMPLE_IS_VISIBLE 1u
-#define SAMPLE_IS_OFF_PAGE 2u
-#define SAMPLE_IS_CORNER 4u
-#define SAMPLE_IN_RING 8u // of a closed line without a break
-#define NO_SAMPLE 0xffffffffu
-#define NO_SEED 0xffffffffu
-#define STROKE_STARTS_AT_LINE 1u
-#define STROKE_ENDS_AT_LINE 2u
-#define STROKE_IS_DROPPED 4u
-#define BRUSH_HIDDEN 10u // uses of brushes: each kind of line, and this
-#define BRUSH_COLUMNS 1024u
-#define BRUSH_ROWS 32u
-#define NO_BRUSH 0xffffffffu
-#define TOUCH_USE 15u
-#define TOUCH_IS_START 16u
-#define TOUCH_IS_END 32u
-#define GRID_CELL_PX 4u
-#define PIECE_IS_THERE 16u // a line goes on to the next sample
 
 // By the source of a segment, a point or a sample: its line was found on the page, so it is seen.
 bool is_of_page(uint source)
 {
-    return source >> 28 >= LINE_FIRST_OF_PAGE;
+    return source >> 28 >= line_first_of_page;
 }
 #endif
 

@@ -22,6 +22,6 @@ void main()
 {
     uint index = item_index();
     if (index < cell_count) {
-        grid[index] = uvec2(NO_SAMPLE, 0u);
+        grid[index] = uvec2(no_sample, 0u);
     }
 }

@@ -47,7 +47,7 @@ const float least_angle = 0.09; // between planes that cross, rad
 
 uint shell_of(uint triangle)
 {
-    return texelFetch(neighbor_texels, int(triangle)).w >> NEIGHBOR_SHELL_SHIFT;
+    return texelFetch(neighbor_texels, int(triangle)).w >> neighbor_shell_shift;
 }
 
 // Of a side with a pixel between its ends, which takes the place of that end whose shell it sees.

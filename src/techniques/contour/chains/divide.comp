@@ -42,18 +42,18 @@ const float shortest_px = 1.5;
 void main()
 {
     uint slot = gl_GlobalInvocationID.x;
-    if (slot >= sizes[LIST_SLOTS].count) {
+    if (slot >= sizes[list_slots].count) {
         return;
     }
     uint first = points_before(slot);
     uint end = points_before(slot + 1u);
     uint count = 0u;
-    if (end > first && end <= sizes[LIST_POINTS].count) {
-        float length_px = float(lengths_before(end - 1u) - lengths_before(first)) / LENGTH_UNIT_PX;
-        bool is_closed = (flags_of_slot[slot] & CHAIN_IS_CLOSED) != 0u;
+    if (end > first && end <= sizes[list_points].count) {
+        float length_px = float(lengths_before(end - 1u) - lengths_before(first)) / length_unit_px;
+        bool is_closed = (flags_of_slot[slot] & chain_is_closed) != 0u;
         uint steps = max(uint(ceil(length_px / constants.step_px)), is_closed ? 3u : 1u);
         count = length_px >= shortest_px ? steps + 1u : 0u;
     }
     samples_of_slot[slot] = count;
-    rotation_of_slot[slot] = NO_ROTATION;
+    rotation_of_slot[slot] = no_rotation;
 }

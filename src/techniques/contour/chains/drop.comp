@@ -49,7 +49,7 @@ bool is_beside(vec2 here, uint other, Stroke stroke)
     vec2 way = sample_at(next).page_px - sample_at(previous).page_px;
     vec2 away = here - sample_at(other).page_px;
     float along = dot(away, way) * inversesqrt(max(dot(way, way), 1e-12));
-    bool is_ring = (sample_at(other).state & SAMPLE_IN_RING) != 0u;
+    bool is_ring = (sample_at(other).state & sample_in_ring) != 0u;
     bool is_outside = !is_ring && ((other == stroke.first && along < least_inside_px) ||
                                    (other == stroke.last && along > -least_inside_px));
     return size_of(away) < beside_px && abs(along) < foot_px && !is_outside;
@@ -79,7 +79,7 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
 void main()
 {
     uint own = gl_GlobalInvocationID.x;
-    if (own >= sizes[LIST_STROKES].count) {
+    if (own >= sizes[list_strokes].count) {
         return;
     }
     uint first = strokes[own].first;
@@ -93,8 +93,8 @@ void main()
     }
     bool is_dropped = (steps <= most_steps || of_page) && float(beside) > most_share * float(looks + 1u);
     is_dropped = is_dropped || (of_page && steps < least_page_steps);
-    strokes[own].ends = is_dropped ? STROKE_IS_DROPPED : 0u;
-    strokes[own].recalled = NO_SAMPLE;
+    strokes[own].ends = is_dropped ? stroke_is_dropped : 0u;
+    strokes[own].recalled = no_sample;
     strokes[own].offset_sum = 0;
     strokes[own].offset_count = 0u;
 }

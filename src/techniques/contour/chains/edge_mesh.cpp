@@ -261,45 +261,53 @@ private:
         return sense * glm::dot(area_normal(t), mean);
     }
 
+    /// Takes triangles that have lines piece by piece. A piece goes on over side k of triangle t to one that
+    /// was not reached before, if `crosses(t, k)`; `ends(piece, agrees)` is told how its normals agree with
+    /// its sense.
+    template <class Crosses, class Ends>
+    void flood(const Crosses& crosses, const Ends& ends)
+    {
+        std::vector<bool> is_reached(mesh_.triangles.size(), false);
+        std::vector<uint32_t> piece;
+        for (uint32_t first = 0; first < mesh_.triangles.size(); ++first) {
+            if (is_reached[first] || !has_lines(first)) {
+                continue;
+            }
+            is_reached[first] = true;
+            piece.assign(1, first);
+            float agrees = 0.0F;
+            for (size_t i = 0; i < piece.size(); ++i) {
+                const uint32_t t = piece[i];
+                agrees += agreement(t);
+                for (uint32_t k = 0; k < 3; ++k) {
+                    const uint32_t facing = mesh_.neighbors[t][static_cast<int>(k)];
+                    if (facing != no_side && !is_reached[facing >> 2U] && crosses(t, k)) {
+                        is_reached[facing >> 2U] = true;
+                        piece.push_back(facing >> 2U);
+                    }
+                }
+            }
+            ends(piece, agrees);
+        }
+    }
+
     /// Numbers shells, and flags triangles so that, those turned around, all of a shell have one sense: that
     /// of its normals.
     void find_shells()
     {
-        const auto count = static_cast<uint32_t>(mesh_.triangles.size());
-        std::vector<bool> is_reached(count, false);
-        std::vector<uint32_t> members;
-        for (uint32_t first = 0; first < count; ++first) {
-            if (is_reached[first]) {
-                continue;
+        const auto turn_alike = [this](uint32_t t, uint32_t k) {
+            const uint32_t facing = mesh_.neighbors[t][static_cast<int>(k)];
+            const bool is_against = point(t, k) == point(facing >> 2U, facing & 3U);
+            mesh_.neighbors[facing >> 2U].w = mesh_.neighbors[t].w ^ (is_against ? neighbor_is_turned : 0U);
+            return true;
+        };
+        flood(turn_alike, [this](const std::vector<uint32_t>& shell, float agrees) {
+            const uint32_t number = ++mesh_.shell_count << neighbor_shell_shift;
+            for (const uint32_t t : shell) {
+                uint32_t& flags = mesh_.neighbors[t].w;
+                flags = (flags | number) ^ (agrees < 0.0F ? neighbor_is_turned : 0U);
             }
-            is_reached[first] = true;
-            if (!has_lines(first)) {
-                continue;
-            }
-            const uint32_t shell = ++mesh_.shell_count << neighbor_shell_shift;
-            mesh_.neighbors[first].w = shell;
-            members.assign(1, first);
-            float agrees = 0.0F;
-            for (size_t i = 0; i < members.size(); ++i) {
-                const uint32_t t = members[i];
-                agrees += agreement(t);
-                for (uint32_t k = 0; k < 3; ++k) {
-                    const uint32_t facing = mesh_.neighbors[t][static_cast<int>(k)];
-                    if (facing == no_side || is_reached[facing >> 2U]) {
-                        continue;
-                    }
-                    const uint32_t other = facing >> 2U;
-                    const bool is_against = point(t, k) == point(other, facing & 3U);
-                    const bool is_turned = ((mesh_.neighbors[t].w & neighbor_is_turned) != 0) != is_against;
-                    mesh_.neighbors[other].w = shell | (is_turned ? neighbor_is_turned : 0U);
-                    is_reached[other] = true;
-                    members.push_back(other);
-                }
-            }
-            for (size_t i = 0; i < members.size() && agrees < 0.0F; ++i) {
-                mesh_.neighbors[members[i]].w ^= neighbor_is_turned;
-            }
-        }
+        });
     }
 
     void mark_smooth()
@@ -319,30 +327,14 @@ private:
 
     void mark_inside_out()
     {
-        std::vector<bool> is_reached(mesh_.triangles.size(), false);
-        std::vector<uint32_t> piece;
-        for (uint32_t first = 0; first < mesh_.triangles.size(); ++first) {
-            if (is_reached[first] || !has_lines(first)) {
-                continue;
+        const auto is_smooth = [this](uint32_t t, uint32_t k) {
+            return (mesh_.neighbors[t].w >> (neighbor_smooth_shift + k) & 1U) != 0;
+        };
+        flood(is_smooth, [this](const std::vector<uint32_t>& piece, float agrees) {
+            for (const uint32_t t : piece) {
+                mesh_.neighbors[t].w |= agrees < 0.0F ? neighbor_is_inside_out : 0U;
             }
-            is_reached[first] = true;
-            piece.assign(1, first);
-            float agrees = 0.0F;
-            for (size_t i = 0; i < piece.size(); ++i) {
-                const glm::uvec4& neighbors = mesh_.neighbors[piece[i]];
-                agrees += agreement(piece[i]);
-                for (uint32_t k = 0; k < 3; ++k) {
-                    const uint32_t facing = neighbors[static_cast<int>(k)];
-                    if ((neighbors.w >> (neighbor_smooth_shift + k) & 1U) != 0 && !is_reached[facing >> 2U]) {
-                        is_reached[facing >> 2U] = true;
-                        piece.push_back(facing >> 2U);
-                    }
-                }
-            }
-            for (size_t i = 0; i < piece.size() && agrees < 0.0F; ++i) {
-                mesh_.neighbors[piece[i]].w |= neighbor_is_inside_out;
-            }
-        }
+        });
     }
 
     const TriangleSoup& soup_;

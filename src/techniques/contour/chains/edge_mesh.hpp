@@ -9,9 +9,15 @@
 
 #include <glm/glm.hpp>
 
+#include "techniques/contour/chains/neighbors.glsl.h"
+
 namespace estampe::contour {
 
-constexpr uint32_t no_side = ~0U;
+using shared::neighbor_is_inside_out;
+using shared::neighbor_is_turned;
+using shared::neighbor_shell_shift;
+using shared::neighbor_smooth_shift;
+using shared::no_side;
 
 /// The edge from corner `corner` of `triangle` to the next.
 constexpr uint32_t side_of(uint32_t triangle, uint32_t corner)
@@ -50,7 +56,7 @@ struct FeatureEdge {
 struct EdgeMesh {
     /// Corners, of vertices that stand for all at their place with their normal, and what is handed through.
     std::vector<glm::uvec4> triangles;
-    /// The three sides that face a triangle's own, or no_side; then flags, see neighbor_flags.
+    /// What each triangle has beyond its sides, see neighbors.glsl.h.
     std::vector<glm::uvec4> neighbors;
     std::vector<uint32_t> points; ///< one a vertex: the first vertex at its place
     std::vector<FeatureEdge>
@@ -58,15 +64,6 @@ struct EdgeMesh {
     std::vector<glm::uvec2> hard_edges; ///< both sides of each edge that shading breaks at
     uint32_t shell_count = 0;           ///< pieces of surface that share no edge with each other
 };
-
-/// Flags of EdgeMesh::neighbors: the triangle runs against the sense of its shell, which is that of most
-/// normals; which of its sides are smooth, where shading goes on; the normals of the smooth piece it is of
-/// point to the back, in the sense of the shell; and from this bit on the number of its shell, from 1, or 0
-/// where it has no lines.
-constexpr uint32_t neighbor_is_turned = 1;
-constexpr uint32_t neighbor_smooth_shift = 1;
-constexpr uint32_t neighbor_is_inside_out = 16;
-constexpr uint32_t neighbor_shell_shift = 5;
 
 constexpr float least_fold_deg = 10.0F;
 

@@ -41,18 +41,18 @@ const float most_offset_px = 4096.0;
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SAMPLES].count || (sample_at(index).state & PIECE_IS_THERE) == 0u) {
+    if (index >= sizes[list_samples].count || (sample_at(index).state & piece_is_there) == 0u) {
         return;
     }
     uint stroke = strokes_before(index + 1u) - 1u;
     Recall recall = recalls[index];
-    if (constants.stretches != 0u && (sample_at(index).state & SAMPLE_IN_RING) != 0u) {
+    if (constants.stretches != 0u && (sample_at(index).state & sample_in_ring) != 0u) {
         // A ring has no end: all of it turns by as much as where it is cut.
         float whole = whole_length(index, strokes[stroke]);
         float turn = recalls[strokes[stroke].first].offset_px;
         recall.offset_px -= whole * round((recall.offset_px - turn) / max(whole, 1.0));
     }
-    if (recall.seed != NO_SEED &&
+    if (recall.seed != no_stroke_seed &&
         recall.seed == recalls[sample_from_middle(strokes[stroke].recalled, strokes[stroke])].seed &&
         abs(recall.offset_px) < most_offset_px) {
         atomicAdd(strokes[stroke].offset_sum, int(offset_unit * recall.offset_px));

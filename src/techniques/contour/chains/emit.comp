@@ -10,6 +10,7 @@
 #include "shaders/octahedral.glsl"
 #include "shaders/rounds.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -26,7 +27,7 @@ layout(binding = 3) uniform usamplerBuffer neighbor_texels;
 
 layout(binding = 4) uniform usamplerBuffer loose_edge_texels;         // both sides of each
 layout(binding = 5) uniform usamplerBuffer loose_edge_of_side_texels; // three a triangle
-layout(binding = 6) uniform usamplerBuffer part_texels;               // PART_ bits, one an edge
+layout(binding = 6) uniform usamplerBuffer part_texels;               // part_ bits, one an edge
 
 #define FACING_BINDING 7
 #include "techniques/contour/chains/facing.glsl"
@@ -54,10 +55,9 @@ layout(push_constant, scalar) uniform Constants
     ChainConstants constants;
 };
 
-// Bit 0: there are loose edges. Bit 1: outlines run along those alone.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_loose_edges = (variant & 1u) != 0u;
-const bool along_edges = (variant & 2u) != 0u;
+const bool has_loose_edges = (variant & emit_has_loose_edges) != 0u;
+const bool along_edges = (variant & emit_along_edges) != 0u;
 
 const uint most_triangles_at_a_point = 64u;
 
@@ -65,8 +65,8 @@ const uint most_triangles_at_a_point = 64u;
 
 uint segment_or_none(uint item, uint segment_count)
 {
-    uint segment = is_marked(item) ? segment_of(item) : NO_SEGMENT;
-    return segment < segment_count ? segment : NO_SEGMENT;
+    uint segment = is_marked(item) ? segment_of(item) : no_segment;
+    return segment < segment_count ? segment : no_segment;
 }
 
 // The edge that a side is of, if that is a loose one.
@@ -90,12 +90,12 @@ uint segment_along(uint edge, uint segment_count)
 uint segment_beyond(uint triangle, uint corner, uint segment_count)
 {
     uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));
-    bool is_smooth = (neighbors.w >> (NEIGHBOR_SMOOTH_SHIFT + corner) & 1u) != 0u;
-    uint beyond = is_smooth ? segment_or_none(neighbors[corner] >> 2, segment_count) : NO_SEGMENT;
+    bool is_smooth = (neighbors.w >> (neighbor_smooth_shift + corner) & 1u) != 0u;
+    uint beyond = is_smooth ? segment_or_none(neighbors[corner] >> 2, segment_count) : no_segment;
     if (has_loose_edges) {
         uint edge = loose_edge_at(triangle, corner);
-        bool is_linked = edge != NO_SIDE && !is_inside_out(triangle);
-        beyond = is_linked ? segment_along(edge != NO_SIDE ? edge : 0u, segment_count) : beyond;
+        bool is_linked = edge != no_side && !is_inside_out(triangle);
+        beyond = is_linked ? segment_along(edge != no_side ? edge : 0u, segment_count) : beyond;
     }
     return beyond;
 }
@@ -159,8 +159,8 @@ Segment through_triangle(uint triangle, uint segment_count)
     bool starts_after = (apart.facing >= 0.0) != is_reversed(triangle);
     Crossing from = Crossing(vec3(0.0), 0u);
     Crossing to = from;
-    uint next = NO_SEGMENT;
-    uint previous = NO_SEGMENT;
+    uint next = no_segment;
+    uint previous = no_segment;
     for (int i = 0; i < rounds(2, int(triangle)); ++i) {
         bool is_start = i == 0;
         bool takes_after = is_start == starts_after;
@@ -173,7 +173,7 @@ Segment through_triangle(uint triangle, uint segment_count)
         next = beyond;
     }
     return Segment(from.position, from.normal, to.position, to.normal, triangle << 2 | 3u, next,
-                   previous != NO_SEGMENT ? 1u : 0u, bulge_of(a, b, c));
+                   previous != no_segment ? 1u : 0u, bulge_of(a, b, c));
 }
 
 // The outline's edge that leaves the point where a front's side ends (or starts, going back), around all
@@ -186,19 +186,19 @@ uint outline_around(uint triangle, uint corner, bool forwards, uint segment_coun
         corner = step_on ? next_corner(corner) : next_corner(next_corner(corner));
         uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));
         uint facing_side = neighbors[corner];
-        if (facing_side == NO_SIDE) {
-            return NO_SEGMENT;
+        if (facing_side == no_side) {
+            return no_segment;
         }
-        bool is_smooth = !along_edges && (neighbors.w >> (NEIGHBOR_SMOOTH_SHIFT + corner) & 1u) != 0u;
+        bool is_smooth = !along_edges && (neighbors.w >> (neighbor_smooth_shift + corner) & 1u) != 0u;
         uvec2 ends = ends_of(facing_side);
         if (!is_smooth && !is_front_at(facing_side >> 2, forwards ? ends.y : ends.x)) {
             uint edge = loose_edge_at(triangle, corner);
-            return edge != NO_SIDE ? segment_along(edge, segment_count) : NO_SEGMENT;
+            return edge != no_side ? segment_along(edge, segment_count) : no_segment;
         }
         triangle = facing_side >> 2;
         corner = facing_side & 3u;
     }
-    return NO_SEGMENT;
+    return no_segment;
 }
 
 // In a hollow the front hides its own outline.
@@ -217,16 +217,16 @@ Segment along_edge(uint edge, uint segment_count)
 {
     uvec2 sides = texelFetch(loose_edge_texels, int(edge)).xy;
     uint part = part_at(edge);
-    bool first_is_front = (part & PART_FIRST_IS_FRONT) != 0u;
+    bool first_is_front = (part & part_first_is_front) != 0u;
     uint front = first_is_front ? sides.x : sides.y;
     Crossing place[2];
     uint beyond[2];
     float bulge_m = 0.0;
     for (int end = 0; end < rounds(2, int(edge)); ++end) {
         bool is_low = (end == 0) == first_is_front;
-        uint bound = part >> (is_low ? PART_LOW_SHIFT : PART_HIGH_SHIFT) & 3u;
-        bool is_corner = bound == BOUND_IS_CORNER;
-        bool is_first = is_corner ? first_is_front : bound == BOUND_IN_FIRST;
+        uint bound = part >> (is_low ? part_low_shift : part_high_shift) & 3u;
+        bool is_corner = bound == bound_is_corner;
+        bool is_first = is_corner ? first_is_front : bound == bound_in_first;
         uint side = is_first ? sides.x : sides.y;
         uvec4 corners = triangle_at(side >> 2);
         uvec2 ends = ends_of(side);
@@ -236,20 +236,20 @@ Segment along_edge(uint edge, uint segment_count)
         vec3 corner = end == 0 ? start.position : finish.position; // of the front
         uint packed = pack_normal(unit(start.normal + finish.normal + 1e-6 * way_to_eye(corner)));
         place[end] = Crossing(is_corner ? corner : crossing.position, is_corner ? packed : crossing.normal);
-        uint within = is_inside_out(side >> 2) ? NO_SEGMENT : segment_or_none(side >> 2, segment_count);
+        uint within = is_inside_out(side >> 2) ? no_segment : segment_or_none(side >> 2, segment_count);
         beyond[end] = is_corner ? outline_around(front >> 2, front & 3u, end == 1, segment_count) : within;
         Corner third = corner_at(corners[3u - ends.x - ends.y]);
         bulge_m = along_edges ? 0.0 : max(bulge_m, bulge_of(start, finish, third));
     }
     bool hides = is_hollow(front, first_is_front ? sides.y : sides.x);
     return Segment(place[0].position, place[0].normal, place[1].position, place[1].normal, front, beyond[1],
-                   beyond[0] != NO_SEGMENT ? 1u : 0u, hides ? -1e-30 : bulge_m);
+                   beyond[0] != no_segment ? 1u : 0u, hides ? -1e-30 : bulge_m);
 }
 
 void main()
 {
     uint slot = gl_GlobalInvocationID.x;
-    uint segment_count = sizes[LIST_SEGMENTS].count;
+    uint segment_count = sizes[list_segments].count;
     if (slot >= segment_count) {
         return;
     }
@@ -266,5 +266,5 @@ void main()
         segment = along_edge(item - 32u * triangle_words, segment_count);
     }
     segments[slot] = segment;
-    ranks[slot] = segment.next != NO_SEGMENT ? Rank(segment.next, 1u, slot, 0u) : Rank(slot, 0u, slot, 0u);
+    ranks[slot] = segment.next != no_segment ? Rank(segment.next, 1u, slot, 0u) : Rank(slot, 0u, slot, 0u);
 }

@@ -66,7 +66,7 @@ End end_at(CellSide side)
     ivec2 way = side.is_down ? ivec2(0, 1) : ivec2(1, 0);
     ivec2 seen = pixel + (crossing.is_seen_between ? way : ivec2(0));
     uint triangle = seen_triangle(visibility_at(seen));
-    Ray ray = ray_at(vec2(pixel) + constants.point_px + float(CELL_PX) * crossing.share * vec2(way));
+    Ray ray = ray_at(vec2(pixel) + constants.point_px + float(cell_px) * crossing.share * vec2(way));
     SeenPlane plane = seen_plane(triangle);
     vec3 normal = unit(plane.normal);
     return End(seen_point(plane, ray), pack_normal(dot(normal, ray.way) > 0.0 ? -normal : normal), triangle);
@@ -84,14 +84,14 @@ uint segment_beyond(uvec2 cell, uint side, uint segment_count)
     bool is_cell = all(greaterThanEqual(beyond, ivec2(0)));
     uint item =
         32u * constants.first_word + (is_cell ? uint(beyond.y) * constants.columns + uint(beyond.x) : 0u);
-    uint segment = is_cell && is_marked(item) ? segment_of(item) : NO_SEGMENT;
-    return segment < segment_count ? segment : NO_SEGMENT;
+    uint segment = is_cell && is_marked(item) ? segment_of(item) : no_segment;
+    return segment < segment_count ? segment : no_segment;
 }
 
 void main()
 {
     uint slot = gl_GlobalInvocationID.x;
-    uint segment_count = sizes[LIST_SEGMENTS].count;
+    uint segment_count = sizes[list_segments].count;
     if (slot >= segment_count) {
         return;
     }
@@ -105,7 +105,7 @@ void main()
     End from;
     End to = End(vec3(0.0), 0u, 0u);
     uint previous;
-    uint next = NO_SEGMENT;
+    uint next = no_segment;
     for (int end = 0; end < rounds(2, int(segment_count)); ++end) {
         uint side = end == 0 ? line.from : line.to;
         from = to;
@@ -115,6 +115,6 @@ void main()
     }
     segments[slot] =
         Segment(from.position, from.normal, to.position, to.normal,
-                constants.kind << 28 | from.triangle << 2 | 3u, next, previous != NO_SEGMENT ? 1u : 0u, 0.0);
-    ranks[slot] = next != NO_SEGMENT ? Rank(next, 1u, slot, 0u) : Rank(slot, 0u, slot, 0u);
+                constants.kind << 28 | from.triangle << 2 | 3u, next, previous != no_segment ? 1u : 0u, 0.0);
+    ranks[slot] = next != no_segment ? Rank(next, 1u, slot, 0u) : Rank(slot, 0u, slot, 0u);
 }

@@ -60,16 +60,16 @@ End end_at(BendCrossing crossing)
 uint segment_beyond(uint triangle, uint corner, float strength, uint first_item, uint segment_count)
 {
     uvec4 neighbors = texelFetch(neighbor_texels, int(triangle));
-    bool is_smooth = (neighbors.w >> (NEIGHBOR_SMOOTH_SHIFT + corner) & 1u) != 0u;
+    bool is_smooth = (neighbors.w >> (neighbor_smooth_shift + corner) & 1u) != 0u;
     uint item = first_item + (is_smooth ? neighbors[corner] >> 2 : triangle);
-    uint segment = is_smooth && strength > 0.0 && is_marked(item) ? segment_of(item) : NO_SEGMENT;
-    return segment < segment_count ? segment : NO_SEGMENT;
+    uint segment = is_smooth && strength > 0.0 && is_marked(item) ? segment_of(item) : no_segment;
+    return segment < segment_count ? segment : no_segment;
 }
 
 void main()
 {
     uint slot = gl_GlobalInvocationID.x;
-    uint segment_count = sizes[LIST_SEGMENTS].count;
+    uint segment_count = sizes[list_segments].count;
     if (slot >= segment_count) {
         return;
     }
@@ -82,8 +82,8 @@ void main()
     uint triangle = item - 32u * first_word;
     uvec4 corners = triangle_at(triangle);
     BendSides sides = bend_sides(corners);
-    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
-    bool is_reversed = is_turned != ((corners.w & TRIANGLE_MIRRORED) != 0u);
+    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_turned) != 0u;
+    bool is_reversed = is_turned != ((corners.w & triangle_mirrored) != 0u);
     uint start = is_reversed ? sides.up : sides.down;
     uint end = is_reversed ? sides.down : sides.up;
     BendCrossing first = bend_crossing(corners[start], corners[(start + 1u) % 3u]);
@@ -101,6 +101,6 @@ void main()
     segments[slot] =
         Segment(mix(from.position, to.position, kept_from), pack_normal(normal_from),
                 mix(from.position, to.position, kept_to), pack_normal(normal_to),
-                LINE_SUGGESTIVE << 28 | triangle << 2 | 3u, next, previous != NO_SEGMENT ? 1u : 0u, 0.0);
-    ranks[slot] = next != NO_SEGMENT ? Rank(next, 1u, slot, 0u) : Rank(slot, 0u, slot, 0u);
+                line_suggestive << 28 | triangle << 2 | 3u, next, previous != no_segment ? 1u : 0u, 0.0);
+    ranks[slot] = next != no_segment ? Rank(next, 1u, slot, 0u) : Rank(slot, 0u, slot, 0u);
 }

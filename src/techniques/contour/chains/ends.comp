@@ -38,7 +38,7 @@ const uint far_along = 8u; // samples; nearer ones are the stroke itself
 
 bool is_dropped(uint other)
 {
-    return (strokes[strokes_before(other + 1u) - 1u].ends & STROKE_IS_DROPPED) != 0u;
+    return (strokes[strokes_before(other + 1u) - 1u].ends & stroke_is_dropped) != 0u;
 }
 
 bool meets_line(Stroke stroke, uint end)
@@ -65,11 +65,11 @@ void main()
 {
     uint index = gl_GlobalInvocationID.x / 2u;
     bool is_start = (gl_GlobalInvocationID.x & 1u) == 0u;
-    if (index >= sizes[LIST_STROKES].count) {
+    if (index >= sizes[list_strokes].count) {
         return;
     }
     Stroke stroke = strokes[index];
     if (meets_line(stroke, is_start ? stroke.first : stroke.last)) {
-        atomicOr(strokes[index].ends, is_start ? STROKE_STARTS_AT_LINE : STROKE_ENDS_AT_LINE);
+        atomicOr(strokes[index].ends, is_start ? stroke_starts_at_line : stroke_ends_at_line);
     }
 }

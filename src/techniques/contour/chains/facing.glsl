@@ -11,7 +11,7 @@ layout(binding = FACING_BINDING) uniform usamplerBuffer facing_texels;
 
 bool is_front(uint triangle)
 {
-    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
+    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_turned) != 0u;
     uint word = texelFetch(facing_texels, int(triangle / 32u)).x;
     return (word >> (triangle & 31u) & 1u) != (is_turned ? 1u : 0u);
 }

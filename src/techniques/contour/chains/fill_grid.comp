@@ -28,11 +28,11 @@ layout(push_constant, scalar) uniform Constants
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SAMPLES].count) {
+    if (index >= sizes[list_samples].count) {
         return;
     }
-    bool is_drawn = (sample_at(index).state & PIECE_IS_THERE) != 0u ||
-                    (index > 0u && (sample_at(index - 1u).state & PIECE_IS_THERE) != 0u);
+    bool is_drawn = (sample_at(index).state & piece_is_there) != 0u ||
+                    (index > 0u && (sample_at(index - 1u).state & piece_is_there) != 0u);
     if (is_drawn) {
         uint cell = cell_index(cell_of(sample_at(index).page_px, size_px), size_px);
         atomicMin(grid[cell].x, index);

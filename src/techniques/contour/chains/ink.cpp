@@ -11,6 +11,7 @@
 #include "techniques/contour/chains/brushes.hpp"
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/contour/chains/scan.hpp"
+#include "techniques/contour/chains/variants.glsl.h"
 
 namespace estampe::contour {
 namespace {
@@ -79,7 +80,7 @@ void add_joints(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& 
     joints.read(hand.line_points).read(hand.touches).read(strokes.grid);
     inked.pixels = joints.modify(inked.pixels);
     inked.tiles = joints.modify(inked.tiles);
-    joints.variant(in.brushes != nullptr ? 1U : 0U).push(brush_constants(in, style));
+    joints.variant(in.brushes != nullptr ? shared::joints_has_brushes : 0U).push(brush_constants(in, style));
     joints.dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
 }
 
@@ -130,7 +131,10 @@ gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, Line
     const Inked inked = add_ink(graph, in, shaped, style);
     const gpu::ImageId below = under ? *under : add_blank_layer(graph, constants, in.on_processor);
     auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
-    layer.read(inked.pixels).sample(in.materials).read(inked.tiles).variant(in.own_outlines ? 1U : 0U);
+    layer.read(inked.pixels)
+        .sample(in.materials)
+        .read(inked.tiles)
+        .variant(in.own_outlines ? shared::ink_layer_has_own_outlines : 0U);
     const gpu::ImageId ink = layer.modify(below);
     layer.push(constants).dispatch_indirect(inked.tiles);
     return ink;

@@ -55,10 +55,10 @@ const vec2 stretched_pace = vec2(0.0, 8.0);
 // it. Where a pixel is longer than wide, several lookups lie along it.
 float brush_ink(uint layer, vec2 place, vec2 step, bool repeats)
 {
-    vec2 texels = max(step * vec2(BRUSH_COLUMNS, BRUSH_ROWS), vec2(1e-6));
+    vec2 texels = max(step * vec2(brush_columns, brush_rows), vec2(1e-6));
     float longer = max(texels.x, texels.y);
     float lod = max(log2(max(min(texels.x, texels.y), longer / most_taps)), 0.0);
-    vec2 margin = 0.5 * exp2(min(vec2(lod), vec2(10.0, 5.0))) / vec2(BRUSH_COLUMNS, BRUSH_ROWS);
+    vec2 margin = 0.5 * exp2(min(vec2(lod), vec2(10.0, 5.0))) / vec2(brush_columns, brush_rows);
     vec2 stride = texels.x > texels.y ? vec2(step.x, 0.0) : vec2(0.0, step.y);
     float sum = 0.0;
     for (float i = 0.5; i < most_taps; i += 1.0) {
@@ -87,19 +87,19 @@ float inked_by(vec2 pixel, End a, End b)
     vec2 way = b.point.page_px - a.point.page_px;
     float past_a = dot(from_a, a.way);
     float before_b = dot(b.point.page_px - pixel, b.way);
-    uint use = a.touch.uses & TOUCH_USE;
+    uint use = a.touch.uses & touch_use;
     float period_px = constants.period_px[use];
     uint layer = constants.layer_of_use[use];
     bool repeats = period_px > 0.0;
     // Round ends; a picture that is stretched has ends of its own.
-    bool has_cap = repeats || layer == NO_BRUSH;
-    bool is_inside = (past_a >= 0.0 || (has_cap && (a.touch.uses & TOUCH_IS_START) != 0u)) &&
-                     (before_b > 0.0 || (has_cap && (b.touch.uses & TOUCH_IS_END) != 0u));
+    bool has_cap = repeats || layer == no_brush;
+    bool is_inside = (past_a >= 0.0 || (has_cap && (a.touch.uses & touch_is_start) != 0u)) &&
+                     (before_b > 0.0 || (has_cap && (b.touch.uses & touch_is_end) != 0u));
     float along = clamp(dot(from_a, way) / max(dot(way, way), 1e-12), 0.0, 1.0);
     float half_width = mix(a.point.half_width_px, b.point.half_width_px, along);
     vec2 off = from_a - along * way;
     float ink = is_inside ? coverage(half_width, length(off)) : 0.0;
-    if (ink > 0.0 && layer != NO_BRUSH) {
+    if (ink > 0.0 && layer != no_brush) {
         float share = clamp(past_a / max(past_a + before_b, 1e-6), 0.0, 1.0);
         float across = 0.5 + 0.5 * (way.x * off.y - way.y * off.x >= 0.0 ? 1.0 : -1.0) * length(off) /
                                  max(half_width, 0.5);
@@ -120,7 +120,7 @@ float inked_by(vec2 pixel, End a, End b)
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SAMPLES].count || (sample_at(index).state & PIECE_IS_THERE) == 0u) {
+    if (index >= sizes[list_samples].count || (sample_at(index).state & piece_is_there) == 0u) {
         return;
     }
     End a = end_at(2u * index);

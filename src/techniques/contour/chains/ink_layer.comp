@@ -6,6 +6,7 @@
 
 #include "shaders/material.glsl.h"
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -28,9 +29,8 @@ layout(push_constant, scalar) uniform Constants
     InkConstants constants;
 };
 
-// Bit 0: some material brings an outline of its own.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_own_outlines = (variant & 1u) != 0u;
+const bool has_own_outlines = (variant & ink_layer_has_own_outlines) != 0u;
 
 void main()
 {

@@ -43,7 +43,7 @@ layout(push_constant, scalar) uniform Constants
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SAMPLES].count || (sample_at(index).state & PIECE_IS_THERE) == 0u) {
+    if (index >= sizes[list_samples].count || (sample_at(index).state & piece_is_there) == 0u) {
         return;
     }
     LinePoint a = line_points[2u * index];

@@ -6,6 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -51,9 +52,8 @@ layout(push_constant, scalar) uniform Constants
     BrushConstants constants;
 };
 
-// Bit 0: there are brushes, whose corners stay as they are.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_brushes = (variant & 1u) != 0u;
+const bool has_brushes = (variant & joints_has_brushes) != 0u;
 
 #include "techniques/contour/chains/line_coverage.glsl"
 #include "techniques/contour/chains/list_tiles.glsl"
@@ -71,7 +71,7 @@ struct End {
 
 bool is_drawn_by_pen(uint i)
 {
-    return !has_brushes || constants.layer_of_use[touches[i].uses & TOUCH_USE] == NO_BRUSH;
+    return !has_brushes || constants.layer_of_use[touches[i].uses & touch_use] == no_brush;
 }
 
 End end_of_piece(uint at, uint before)
@@ -174,11 +174,11 @@ void fill_corner(End a, End b)
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SAMPLES].count) {
+    if (index >= sizes[list_samples].count) {
         return;
     }
-    bool goes_on = (sample_at(index).state & PIECE_IS_THERE) != 0u;
-    bool was_on = index > 0u && (sample_at(index - 1u).state & PIECE_IS_THERE) != 0u;
+    bool goes_on = (sample_at(index).state & piece_is_there) != 0u;
+    bool was_on = index > 0u && (sample_at(index - 1u).state & piece_is_there) != 0u;
     if (goes_on && was_on) {
         fill_corner(end_of_piece(2u * index + 1u, 2u * index - 2u),
                     end_of_piece(2u * index, 2u * index + 3u));

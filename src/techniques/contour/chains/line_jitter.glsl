@@ -37,7 +37,7 @@ float stray_width(uint index, Stroke stroke, uint seed)
     float from_start = arc_from_start(index, stroke);
     vec2 to_ends = vec2(from_start, whole - from_start);
     vec2 short_px = max(-ends_px(seed), vec2(0.0));
-    bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
+    bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
     short_px = is_ring ? vec2(0.0) : min(short_px, vec2(0.4 * whole));
     vec2 left = mix(vec2(1.0), smoothstep(vec2(0.0), vec2(soft), to_ends - short_px),
                     greaterThan(short_px, vec2(0.0)));

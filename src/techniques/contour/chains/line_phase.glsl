@@ -77,7 +77,7 @@ float stretched_phase(uint index, Stroke stroke, uint seed)
     if (!recalls_frame) {
         return arc;
     }
-    if ((sample_at(index).state & SAMPLE_IN_RING) != 0u) {
+    if ((sample_at(index).state & sample_in_ring) != 0u) {
         return whole * fract((arc + offset_of(stroke)) / max(whole, 1.0));
     }
     float offset = recalled_offset(index, stroke, seed, 0.0);
@@ -88,10 +88,10 @@ float stretched_phase(uint index, Stroke stroke, uint seed)
 
 LineTouch touch_of(uint index, Stroke stroke, float phase_px, vec2 way)
 {
-    bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
-    uint uses = is_hidden ? BRUSH_HIDDEN : kind_now(sample_at(index).source);
-    uses |= index == stroke.first && !is_ring ? TOUCH_IS_START : 0u;
-    uses |= index == stroke.last && !is_ring ? TOUCH_IS_END : 0u;
+    bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
+    uint uses = is_hidden ? brush_hidden : kind_now(sample_at(index).source);
+    uses |= index == stroke.first && !is_ring ? touch_is_start : 0u;
+    uses |= index == stroke.last && !is_ring ? touch_is_end : 0u;
     return LineTouch(phase_px, arc_from_start(index, stroke), whole_length(index, stroke), packHalf2x16(way),
                      uses);
 }

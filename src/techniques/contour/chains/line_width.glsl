@@ -9,11 +9,11 @@ uint kind_now(uint source)
 {
     uint kind = source >> 28;
     uint side = source & 0x0fffffffu;
-    if (kind == LINE_SILHOUETTE || kind == LINE_BORDER || (side & 3u) == 3u) {
+    if (kind == line_silhouette || kind == line_border || (side & 3u) == 3u) {
         return kind;
     }
     uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
-    return beyond != NO_SIDE && is_front(side >> 2) != is_front(beyond >> 2) ? LINE_SILHOUETTE : kind;
+    return beyond != no_side && is_front(side >> 2) != is_front(beyond >> 2) ? line_silhouette : kind;
 }
 
 float thinning_at(vec3 anchor)
@@ -87,7 +87,7 @@ float full_width(uint index, Stroke stroke, out uint ink)
     ink = 0u;
     if (has_own_outlines) {
         uint triangle = (point.source & 0x0fffffffu) >> 2;
-        uint material = draw_at(texelFetch(triangle_texels, int(triangle)).w & TRIANGLE_DRAW_MASK).material;
+        uint material = draw_at(texelFetch(triangle_texels, int(triangle)).w & triangle_draw_mask).material;
         float own_m = outline_width_m_of(material);
         if (own_m > 0.0) {
             width = own_m / pixel_m;

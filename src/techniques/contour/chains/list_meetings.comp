@@ -44,7 +44,7 @@ uint shell_at(uvec2 point)
     uvec2 word = visibility_at(pixel);
     bool is_there = sees_triangle(word) && all(lessThan(point, uvec2(constants.columns, constants.rows)));
     uint flags = texelFetch(neighbor_texels, int(is_there ? seen_triangle(word) : 0u)).w;
-    return is_there ? flags >> NEIGHBOR_SHELL_SHIFT : 0u;
+    return is_there ? flags >> neighbor_shell_shift : 0u;
 }
 
 void list_side(uint side)

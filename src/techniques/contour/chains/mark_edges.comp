@@ -9,6 +9,7 @@
 #include "shaders/frame.glsl.h"
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -35,7 +36,7 @@ layout(scalar, binding = 6) buffer Marks
 
 layout(scalar, binding = 7) writeonly buffer Parts
 {
-    uint parts[]; // PART_ bits, one an edge
+    uint parts[]; // part_ bits, one an edge
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -43,9 +44,8 @@ layout(push_constant, scalar) uniform Constants
     ChainConstants constants;
 };
 
-// Bit 0: outlines run along the edges of the mesh, not through its triangles.
 layout(constant_id = 0) const uint variant = 0u;
-const bool along_edges = (variant & 1u) != 0u;
+const bool along_edges = (variant & mark_along_edges) != 0u;
 
 #include "techniques/contour/chains/triangle_sides.glsl"
 #include "techniques/contour/chains/outline_edge.glsl"
@@ -62,7 +62,7 @@ void main()
             uint last = constants.loose_edge_count - 1u;
             uint part = outline_part(texelFetch(loose_edge_texels, int(min(edge, last))).xy);
             bool is_there = edge <= last && first + gl_SubgroupInvocationID < 32u;
-            outline |= subgroupBallot((part & PART_IS_THERE) != 0u && is_there).x << first;
+            outline |= subgroupBallot((part & part_is_there) != 0u && is_there).x << first;
             if (is_there) {
                 parts[edge] = part;
             }

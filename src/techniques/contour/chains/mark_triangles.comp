@@ -9,6 +9,7 @@
 
 #include "shaders/frame.glsl.h"
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -38,9 +39,8 @@ layout(push_constant, scalar) uniform Constants
     ChainConstants constants;
 };
 
-// Bit 0: outlines run along the edges of the mesh, not through its triangles.
 layout(constant_id = 0) const uint variant = 0u;
-const bool along_edges = (variant & 1u) != 0u;
+const bool along_edges = (variant & mark_along_edges) != 0u;
 
 // Whether a triangle faces the eye, and whether the smooth outline runs through it.
 bvec2 look_at(uint triangle)
@@ -49,7 +49,7 @@ bvec2 look_at(uint triangle)
     PosedVertex a = posed_vertex_at(corners.x);
     PosedVertex b = posed_vertex_at(corners.y);
     PosedVertex c = posed_vertex_at(corners.z);
-    bool is_mirrored = (corners.w & TRIANGLE_MIRRORED) != 0u;
+    bool is_mirrored = (corners.w & triangle_mirrored) != 0u;
     bool is_front = (facing_of(a.position, b.position, c.position) > 0.0) != is_mirrored;
     bool side_a = facing_at(a) >= 0.0;
     bool side_b = facing_at(b) >= 0.0;

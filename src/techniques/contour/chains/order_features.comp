@@ -8,6 +8,7 @@
 #include "shaders/items.glsl"
 #include "shaders/octahedral.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -51,9 +52,8 @@ layout(push_constant, scalar) uniform Constants
     ChainConstants constants;
 };
 
-// Bit 0: some points lie between vertices, and some pieces within triangles.
 layout(constant_id = 0) const uint variant = 0u;
-const bool leave_edges = (variant & 1u) != 0u;
+const bool leave_edges = (variant & order_features_leave_edges) != 0u;
 
 // Of a triangle, in its own winding, of no particular length.
 vec3 triangle_normal(uint triangle)
@@ -61,12 +61,12 @@ vec3 triangle_normal(uint triangle)
     uvec4 corners = triangle_at(triangle);
     vec3 a = posed_vertex_at(corners.x).position;
     vec3 n = cross(posed_vertex_at(corners.y).position - a, posed_vertex_at(corners.z).position - a);
-    return (corners.w & TRIANGLE_MIRRORED) != 0u ? -n : n;
+    return (corners.w & triangle_mirrored) != 0u ? -n : n;
 }
 
 bool is_turned(uint triangle)
 {
-    return (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
+    return (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_turned) != 0u;
 }
 
 // Out of the surface at an edge: of what of its two sides faces the eye, or of both where nothing does. So a
@@ -74,7 +74,7 @@ bool is_turned(uint triangle)
 vec3 edge_normal(uint side, vec3 place)
 {
     uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
-    bool has_other = beyond != NO_SIDE;
+    bool has_other = beyond != no_side;
     uint other_triangle = (has_other ? beyond : side) >> 2;
     vec3 way = towards_eye(frame, place);
     vec3 normal = triangle_normal(side >> 2);
@@ -124,5 +124,5 @@ void main()
                             point.kind << 28 | point.side, uvec2(0u));
     bool is_last = place + 1u == chain.point_count;
     vec3 onwards = place_of(feature_points[is_last ? index : index + 1u]);
-    lengths[at] = is_last ? 0u : uint(LENGTH_UNIT_PX * piece_on_page(place_here, onwards).length_px + 0.5);
+    lengths[at] = is_last ? 0u : uint(length_unit_px * piece_on_page(place_here, onwards).length_px + 0.5);
 }

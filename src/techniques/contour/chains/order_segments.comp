@@ -49,11 +49,11 @@ layout(push_constant, scalar) uniform Constants
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SEGMENTS].count) {
+    if (index >= sizes[list_segments].count) {
         return;
     }
     Rank rank = rank_at(index);
-    bool is_open = segment_at(rank.at).next == NO_SEGMENT;
+    bool is_open = segment_at(rank.at).next == no_segment;
     uint stands_for_chain;
     uint place;
     uint last;
@@ -72,7 +72,7 @@ void main()
     }
     Segment segment = segment_at(index);
     points[at] = ChainPoint(segment.from, segment.from_normal, segment.bulge_m, segment.source, uvec2(0u));
-    lengths[at] = uint(LENGTH_UNIT_PX * piece_on_page(segment.from, segment.to).length_px + 0.5);
+    lengths[at] = uint(length_unit_px * piece_on_page(segment.from, segment.to).length_px + 0.5);
     if (place == last) {
         points[at + 1u] =
             ChainPoint(segment.to, segment.to_normal, segment.bulge_m, segment.source, uvec2(0u));

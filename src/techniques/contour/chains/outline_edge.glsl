@@ -14,7 +14,7 @@ float share_of_turn(PosedVertex from, PosedVertex to)
     return s_from / (s_from - s_to);
 }
 
-// The part of an edge that is outline, as PART_ bits. Where two parts are, at both ends and not between, none
+// The part of an edge that is outline, as part_ bits. Where two parts are, at both ends and not between, none
 // counts.
 uint outline_part(uvec2 sides)
 {
@@ -29,19 +29,19 @@ uint outline_part(uvec2 sides)
     bool second_turns = second.x != second.y;
     bool both_turn = first_turns && second_turns;
     bool is_there = (any(differs) || both_turn) && !(both_turn && differs.x);
-    uint crossing = first_turns ? BOUND_IN_FIRST : BOUND_IN_SECOND;
+    uint crossing = first_turns ? bound_in_first : bound_in_second;
     bool is_front = differs.x ? first.x : first.y;
-    uint low = differs.x ? BOUND_IS_CORNER : crossing;
-    uint high = differs.y ? BOUND_IS_CORNER : crossing;
+    uint low = differs.x ? bound_is_corner : crossing;
+    uint high = differs.y ? bound_is_corner : crossing;
     // Between both crossings that side is the front which turns last from front to back, or first to it.
     bool comes_first =
         share_of_turn(posed_vertex_at(corners[ends.x]), posed_vertex_at(corners[ends.y])) <
         share_of_turn(posed_vertex_at(back_corners[back_ends.x]), posed_vertex_at(back_corners[back_ends.y]));
     is_front = both_turn ? first.x != comes_first : is_front;
-    low = both_turn ? (comes_first ? BOUND_IN_FIRST : BOUND_IN_SECOND) : low;
-    high = both_turn ? (comes_first ? BOUND_IN_SECOND : BOUND_IN_FIRST) : high;
-    return is_there ? PART_IS_THERE | (is_front ? PART_FIRST_IS_FRONT : 0u) | low << PART_LOW_SHIFT |
-                          high << PART_HIGH_SHIFT
+    low = both_turn ? (comes_first ? bound_in_first : bound_in_second) : low;
+    high = both_turn ? (comes_first ? bound_in_second : bound_in_first) : high;
+    return is_there ? part_is_there | (is_front ? part_first_is_front : 0u) | low << part_low_shift |
+                          high << part_high_shift
                     : 0u;
 }
 

@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_PAGE_CELLS
 #define ESTAMPE_PAGE_CELLS
 
-// The page as a lattice, a point every CELL_PX pixels. Between neighbouring points a line is crossed or not:
+// The page as a lattice, a point every cell_px pixels. Between neighbouring points a line is crossed or not:
 // two words a point, of the side to the right and of the side down. Each point has the cell to the right of
 // it and below, those at the right and lower rim have none. Wanted before: `constants`, a CellConstants.
 
@@ -18,20 +18,20 @@ struct Crossing {
 uint pack_crossing(Crossing crossing)
 {
     uint flags =
-        (crossing.rises ? CROSSING_RISES : 0u) | (crossing.is_seen_between ? CROSSING_SEEN_BETWEEN : 0u);
+        (crossing.rises ? crossing_rises : 0u) | (crossing.is_seen_between ? crossing_seen_between : 0u);
     uint share = uint(clamp(16384.0 * (crossing.share + 1.0) + 0.5, 0.0, 65535.0));
-    return crossing.is_there ? CROSSING_IS_THERE | flags | share : 0u;
+    return crossing.is_there ? crossing_is_there | flags | share : 0u;
 }
 
 Crossing unpack_crossing(uint word)
 {
-    return Crossing((word & CROSSING_IS_THERE) != 0u, (word & CROSSING_RISES) != 0u,
-                    (word & CROSSING_SEEN_BETWEEN) != 0u, float(word & 0xffffu) / 16384.0 - 1.0);
+    return Crossing((word & crossing_is_there) != 0u, (word & crossing_rises) != 0u,
+                    (word & crossing_seen_between) != 0u, float(word & 0xffffu) / 16384.0 - 1.0);
 }
 
 ivec2 pixel_of_point(uvec2 point)
 {
-    return ivec2(CELL_PX * point);
+    return ivec2(cell_px * point);
 }
 
 // Processors divide whole numbers one by one: the row is taken from a quotient of floats, which is off by one

@@ -25,7 +25,7 @@ layout(scalar, binding = 2) writeonly buffer Ranks
 void main()
 {
     uint slot = gl_GlobalInvocationID.x;
-    uint count = sizes[LIST_SEGMENTS].count;
+    uint count = sizes[list_segments].count;
     if (slot >= count) {
         return;
     }

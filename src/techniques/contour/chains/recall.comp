@@ -50,12 +50,12 @@ const float same_way = 0.7;
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SAMPLES].count) {
+    if (index >= sizes[list_samples].count) {
         return;
     }
-    bool goes_on = (sample_at(index).state & PIECE_IS_THERE) != 0u;
-    bool was_on = index > 0u && (sample_at(index - 1u).state & PIECE_IS_THERE) != 0u;
-    Recall recall = Recall(-1.0, 0.0, NO_SEED);
+    bool goes_on = (sample_at(index).state & piece_is_there) != 0u;
+    bool was_on = index > 0u && (sample_at(index - 1u).state & piece_is_there) != 0u;
+    Recall recall = Recall(-1.0, 0.0, no_stroke_seed);
     if (goes_on || was_on) {
         uvec2 size_px = uvec2(constants.width, constants.height);
         vec4 clip = constants.clip_from_anchor_before * vec4(sample_at(index).anchor, 1.0);
@@ -65,7 +65,7 @@ void main()
         way *= inversesqrt(max(dot(way, way), 1e-20));
         uint stroke = strokes_before(goes_on ? index + 1u : index) - 1u;
         // What was dropped fades by its own past; what is drawn goes on from what was.
-        bool is_dropped = (strokes[stroke].ends & STROKE_IS_DROPPED) != 0u;
+        bool is_dropped = (strokes[stroke].ends & stroke_is_dropped) != 0u;
         float arc = arc_from_start(index, strokes[stroke]);
         float whole = whole_length(index, strokes[stroke]);
         float nearest = reach_px;
@@ -85,7 +85,7 @@ void main()
                 }
             }
         }
-        if (recall.seed != NO_SEED) {
+        if (recall.seed != no_stroke_seed) {
             atomicMin(strokes[stroke].recalled, from_middle(index, strokes[stroke]));
         }
     }

@@ -123,10 +123,10 @@ bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SAMPLES].count) {
+    if (index >= sizes[list_samples].count) {
         return;
     }
-    uint slot = slot_of_sample(index, sizes[LIST_SLOTS].count);
+    uint slot = slot_of_sample(index, sizes[list_slots].count);
     uint first = points_before(slot);
     uint end = points_before(slot + 1u);
     uint steps = samples_before(slot + 1u) - samples_before(slot) - 1u;
@@ -137,7 +137,7 @@ void main()
     ChainPoint from = point_at(at);
     ChainPoint to = point_at(at + 1u);
     PagePiece piece = piece_on_page(from.anchor, to.anchor);
-    float along = float(length - lengths_before(at)) / max(LENGTH_UNIT_PX * piece.length_px, 1e-6);
+    float along = float(length - lengths_before(at)) / max(length_unit_px * piece.length_px, 1e-6);
     float share = share_at(piece, clamp(along, 0.0, 1.0));
     vec3 anchor = mix(from.anchor, to.anchor, share);
     // Through triangles normals run on from piece to piece; edges have one each.
@@ -150,10 +150,10 @@ void main()
     uint own = (from.source & 0x0fffffffu) >> 2;
     uint state = is_on_page && (is_of_page(from.source) ||
                                 (from.bulge_m >= 0.0 && is_visible(anchor, normal, from.bulge_m, own)))
-                     ? SAMPLE_IS_VISIBLE
+                     ? sample_is_visible
                      : 0u;
-    state |= is_on_page ? 0u : SAMPLE_IS_OFF_PAGE;
-    float spacing_px = float(whole) / (LENGTH_UNIT_PX * float(steps));
+    state |= is_on_page ? 0u : sample_is_off_page;
+    float spacing_px = float(whole) / (length_unit_px * float(steps));
     samples[index] = LineSample(anchor, pack_normal(normal), page_px, from.source,
                                 state | packHalf2x16(vec2(0.0, spacing_px)));
 }

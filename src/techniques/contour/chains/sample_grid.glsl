@@ -14,12 +14,12 @@ layout(scalar, binding = GRID_BINDING) GRID_ACCESS buffer Grid
 
 uvec2 grid_size(uvec2 size_px)
 {
-    return (size_px + GRID_CELL_PX - 1u) / GRID_CELL_PX;
+    return (size_px + grid_cell_px - 1u) / grid_cell_px;
 }
 
 ivec2 cell_of(vec2 page_px, uvec2 size_px)
 {
-    return clamp(ivec2(floor(page_px / float(GRID_CELL_PX))), ivec2(0), ivec2(grid_size(size_px)) - 1);
+    return clamp(ivec2(floor(page_px / float(grid_cell_px))), ivec2(0), ivec2(grid_size(size_px)) - 1);
 }
 
 uint cell_index(ivec2 cell, uvec2 size_px)

@@ -44,7 +44,7 @@ void main()
 {
     uint thread = gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID;
     uint count = constants.fixed_count;
-    if (constants.count_of != NO_LIST) {
+    if (constants.count_of != no_list) {
         count += sizes[constants.count_of].count;
     }
     uint share = (count + THREADS - 1u) / THREADS;
@@ -70,12 +70,12 @@ void main()
     if (thread == THREADS - 1u) {
         before[count] = running;
         uint kept = min(running, constants.capacity);
-        if (constants.total_to != NO_LIST) {
+        if (constants.total_to != no_list) {
             sizes[constants.total_to] = ListSize(kept, (kept + 63u) / 64u, 1u, 1u);
         }
-        if (constants.slots_before != NO_LIST) {
+        if (constants.slots_before != no_list) {
             uint slots = constants.slots_before + kept;
-            sizes[LIST_SLOTS] = ListSize(slots, (slots + 63u) / 64u, 1u, 1u);
+            sizes[list_slots] = ListSize(slots, (slots + 63u) / 64u, 1u, 1u);
         }
     }
 }

@@ -40,7 +40,7 @@ const float corner_cosine = 0.5; // 60 degrees
 
 bool is_visible_at(ChainOfSamples chain, int place)
 {
-    return (sample_at(chain.first + place_in(chain, place)).state & SAMPLE_IS_VISIBLE) != 0u;
+    return (sample_at(chain.first + place_in(chain, place)).state & sample_is_visible) != 0u;
 }
 
 bool is_corner(ChainOfSamples chain, int place)
@@ -55,26 +55,26 @@ bool is_corner(ChainOfSamples chain, int place)
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SAMPLES].count) {
+    if (index >= sizes[list_samples].count) {
         return;
     }
-    uint slot = slot_of_sample(index, sizes[LIST_SLOTS].count);
+    uint slot = slot_of_sample(index, sizes[list_slots].count);
     ChainOfSamples chain =
         ChainOfSamples(samples_before(slot), samples_before(slot + 1u) - samples_before(slot) - 1u,
-                       (flags_of_slot[slot] & CHAIN_IS_CLOSED) != 0u);
+                       (flags_of_slot[slot] & chain_is_closed) != 0u);
     int place = int(index - chain.first);
     int votes = 0;
     for (int i = -votes_each_side; i <= votes_each_side; ++i) {
         votes += is_visible_at(chain, place + i) ? 1 : 0;
     }
     uint before = sample_at(index).state;
-    bool is_seen = votes > votes_each_side && (before & SAMPLE_IS_OFF_PAGE) == 0u;
+    bool is_seen = votes > votes_each_side && (before & sample_is_off_page) == 0u;
     bool is_first = !chain.is_closed && place == 0;
     bool is_last = !chain.is_closed && uint(place) == chain.steps;
     bool turns = !is_first && !is_last && is_corner(chain, place);
     states[index] =
-        (before & ~SAMPLE_IS_VISIBLE) | (is_seen ? SAMPLE_IS_VISIBLE : 0u) | (turns ? SAMPLE_IS_CORNER : 0u);
+        (before & ~sample_is_visible) | (is_seen ? sample_is_visible : 0u) | (turns ? sample_is_corner : 0u);
     if (chain.is_closed && uint(place) < chain.steps && (!is_seen || turns)) {
-        atomicMin(rotation_of_slot[slot], uint(place) | (is_seen ? ROTATION_TO_CORNER : 0u));
+        atomicMin(rotation_of_slot[slot], uint(place) | (is_seen ? rotation_to_corner : 0u));
     }
 }

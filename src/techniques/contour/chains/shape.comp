@@ -13,6 +13,7 @@
 #include "shaders/noise.glsl"
 #include "shaders/octahedral.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 128) in; // of 64 samples
 
@@ -76,22 +77,18 @@ layout(push_constant, scalar) uniform Constants
     ShapeConstants constants;
 };
 
-// Bit 0: some material brings an outline of its own. Bit 1: there was a frame before this. Bit 2: there will
-// be one after it. Bit 3: brushes draw. Bit 4: the hand sways. Bit 5: it strays, or draws a line again. Bit
-// 6: some widths are those of the scene. Bit 7: strokes swell where they bend. Bit 8: they do not where it is
-// dark. Bit 9: these are hidden lines. Bit 10: brushes go from end to end of a stroke.
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_own_outlines = (variant & 1u) != 0u;
-const bool recalls_frame = (variant & 2u) != 0u;
-const bool is_remembered = (variant & 4u) != 0u;
-const bool has_brushes = (variant & 8u) != 0u;
-const bool has_sway = (variant & 16u) != 0u;
-const bool has_jitter = (variant & 32u) != 0u;
-const bool has_widths_m = (variant & 64u) != 0u;
-const bool swells_in_turns = (variant & 128u) != 0u;
-const bool swells_in_shade = (variant & 256u) == 0u;
-const bool is_hidden = (variant & 512u) != 0u;
-const bool stretches = (variant & 1024u) != 0u;
+const bool has_own_outlines = (variant & shape_has_own_outlines) != 0u;
+const bool recalls_frame = (variant & shape_recalls_frame) != 0u;
+const bool is_remembered = (variant & shape_is_remembered) != 0u;
+const bool has_brushes = (variant & shape_has_brushes) != 0u;
+const bool has_sway = (variant & shape_has_sway) != 0u;
+const bool has_jitter = (variant & shape_has_jitter) != 0u;
+const bool has_widths_m = (variant & shape_has_widths_m) != 0u;
+const bool swells_in_turns = (variant & shape_swells_in_turns) != 0u;
+const bool swells_in_shade = (variant & shape_is_even_in_shade) == 0u;
+const bool is_hidden = (variant & shape_is_hidden) != 0u;
+const bool stretches = (variant & shape_stretches) != 0u;
 
 #include "techniques/contour/chains/stroke_lengths.glsl"
 #include "techniques/contour/chains/stroke_past.glsl"
@@ -113,9 +110,9 @@ float taper_at(uint index, Stroke stroke)
     float whole = whole_length(index, stroke);
     float from = arc_from_start(index, stroke);
     float reach = min(constants.taper_px, whole / 3.0);
-    bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
-    float from_start = (stroke.ends & STROKE_STARTS_AT_LINE) != 0u ? whole : from;
-    float to_end = (stroke.ends & STROKE_ENDS_AT_LINE) != 0u ? whole : whole - from;
+    bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
+    float from_start = (stroke.ends & stroke_starts_at_line) != 0u ? whole : from;
+    float to_end = (stroke.ends & stroke_ends_at_line) != 0u ? whole : whole - from;
     float from_end = min(from_start, to_end);
     return is_ring || reach <= 0.0 ? 1.0 : smoothstep(0.0, 1.0, (from_end + 0.25 * reach) / (1.25 * reach));
 }
@@ -124,7 +121,7 @@ float taper_at(uint index, Stroke stroke)
 vec2 pen_at(uint index, Stroke stroke, vec2 way, uint seed)
 {
     vec2 page = sample_at(index).page_px;
-    bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
+    bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
     if (!is_ring && stroke.last - stroke.first > 4u) {
         vec2 past = vec2(constants.overshoot_px);
         if (has_jitter) {
@@ -147,7 +144,7 @@ vec2 pen_at(uint index, Stroke stroke, vec2 way, uint seed)
 // Along the line at a sample; where a closed one ends it starts again.
 vec2 way_at(uint index, Stroke stroke)
 {
-    bool is_ring = (sample_at(index).state & SAMPLE_IN_RING) != 0u;
+    bool is_ring = (sample_at(index).state & sample_in_ring) != 0u;
     uint previous = index > stroke.first ? index - 1u : is_ring ? stroke.last - 1u : index;
     uint next = index < stroke.last ? index + 1u : is_ring ? stroke.first + 1u : index;
     vec2 way = sample_at(next).page_px - sample_at(previous).page_px;
@@ -158,12 +155,12 @@ LinePoint shape_of(uint index, Stroke stroke, bool remembers)
 {
     uint ink;
     float full = full_width(index, stroke, ink);
-    bool is_dropped = (stroke.ends & STROKE_IS_DROPPED) != 0u;
+    bool is_dropped = (stroke.ends & stroke_is_dropped) != 0u;
     float half_width = is_dropped ? 0.0 : 0.5 * full * taper_at(index, stroke);
     uint seed = hash(constants.seed, sample_at(stroke.first).source) >> 1;
     float arc_px = arc_from_start(index, stroke);
     if (recalls_frame) {
-        if (stroke.recalled != NO_SAMPLE) {
+        if (stroke.recalled != no_sample) {
             seed = recalls[sample_from_middle(stroke.recalled, stroke)].seed;
         }
         arc_px += offset_of(stroke);
@@ -191,11 +188,11 @@ void main()
 {
     uint index = gl_GlobalInvocationID.x / 2u;
     bool is_start = (gl_GlobalInvocationID.x & 1u) == 0u;
-    if (index >= sizes[LIST_SAMPLES].count) {
+    if (index >= sizes[list_samples].count) {
         return;
     }
-    bool goes_on = (sample_at(index).state & PIECE_IS_THERE) != 0u;
-    bool was_on = index > 0u && (sample_at(index - 1u).state & PIECE_IS_THERE) != 0u;
+    bool goes_on = (sample_at(index).state & piece_is_there) != 0u;
+    bool was_on = index > 0u && (sample_at(index - 1u).state & piece_is_there) != 0u;
     if (is_start ? goes_on : was_on) {
         Stroke stroke = strokes[strokes_before(is_start ? index + 1u : index) - 1u];
         line_points[gl_GlobalInvocationID.x] = shape_of(index, stroke, is_start || !goes_on);

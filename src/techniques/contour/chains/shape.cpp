@@ -8,6 +8,7 @@
 #include "techniques/contour/chains/brushes.hpp"
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/contour/chains/scan.hpp"
+#include "techniques/contour/chains/variants.glsl.h"
 
 namespace estampe::contour {
 namespace {
@@ -60,25 +61,28 @@ struct ShapeInputs {
     uint32_t hand; ///< how often the strokes were drawn before
 };
 
-/// What a style asks of the shader, see there.
+/// What a style asks of the shader.
 uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
 {
     const bool is_hidden = in.lines == LineClass::hidden;
     const bool recalls_frame = in.history != nullptr && in.history->holds_frame(in.lines);
     const bool is_remembered = in.history != nullptr && in.hand == 0;
-    const uint32_t basic = (recalls_frame ? 2U : 0U) | (is_remembered ? 4U : 0U) |
-                           (in.page.brushes != nullptr ? 8U : 0U) | (style.wobble_mm > 0.0F ? 16U : 0U);
+    const uint32_t basic = (recalls_frame ? shared::shape_recalls_frame : 0U) |
+                           (is_remembered ? shared::shape_is_remembered : 0U) |
+                           (in.page.brushes != nullptr ? shared::shape_has_brushes : 0U) |
+                           (style.wobble_mm > 0.0F ? shared::shape_has_sway : 0U);
     if (is_hidden) {
-        return basic | 512U;
+        return basic | shared::shape_is_hidden;
     }
     const bool strays = in.hand > 0 || style.jitter_ends_mm > 0.0F || style.jitter_offset_mm > 0.0F ||
                         style.jitter_width > 0.0F;
     const bool has_widths_m = std::ranges::any_of(
         line_kind_keys, [&](const LineKindKeys& keys) { return style.*keys.width_m > 0.0F; });
-    return basic | (stretches(style, in.lines) ? 1024U : 0U) | (in.page.own_outlines ? 1U : 0U) |
-           (strays ? 32U : 0U) | (has_widths_m ? 64U : 0U) |
-           (style.pressure_from != PressureFrom::light ? 128U : 0U) |
-           (style.pressure_from == PressureFrom::turn ? 256U : 0U);
+    return basic | (stretches(style, in.lines) ? shared::shape_stretches : 0U) |
+           (in.page.own_outlines ? shared::shape_has_own_outlines : 0U) |
+           (strays ? shared::shape_has_jitter : 0U) | (has_widths_m ? shared::shape_has_widths_m : 0U) |
+           (style.pressure_from != PressureFrom::light ? shared::shape_swells_in_turns : 0U) |
+           (style.pressure_from == PressureFrom::turn ? shared::shape_is_even_in_shade : 0U);
 }
 
 void set_widths(const ShapeInputs& in, const ContourStyle& style, shared::ShapeConstants& constants)

@@ -7,6 +7,7 @@
 
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
 
 layout(local_size_x = 64) in;
 
@@ -46,9 +47,8 @@ layout(scalar, binding = 7) writeonly buffer Starts
 
 #include "techniques/contour/chains/sample_list.glsl"
 
-// Bit 0: the lines that are wanted are those that are not seen.
 layout(constant_id = 0) const uint variant = 0u;
-const bool wants_hidden = (variant & 1u) != 0u;
+const bool wants_hidden = (variant & split_wants_hidden) != 0u;
 
 const float most_stretch = 3.0; // a piece this much longer than a step leads off the page and back
 
@@ -58,9 +58,9 @@ bool leads_on(ChainOfSamples chain, uint place)
         return false;
     }
     uint from = chain.first + place;
-    bool is_wanted = (states[from] & states[from + 1u] & SAMPLE_IS_VISIBLE) != 0u;
+    bool is_wanted = (states[from] & states[from + 1u] & sample_is_visible) != 0u;
     if (wants_hidden) {
-        is_wanted = !is_wanted && ((states[from] | states[from + 1u]) & SAMPLE_IS_OFF_PAGE) == 0u;
+        is_wanted = !is_wanted && ((states[from] | states[from + 1u]) & sample_is_off_page) == 0u;
     }
     return is_wanted && size_of(sample_at(from).page_px - sample_at(from + 1u).page_px) <
                             most_stretch * max(spacing_of(states[from]), 1.0);
@@ -69,17 +69,17 @@ bool leads_on(ChainOfSamples chain, uint place)
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= sizes[LIST_SAMPLES].count) {
+    if (index >= sizes[list_samples].count) {
         return;
     }
-    uint slot = slot_of_sample(index, sizes[LIST_SLOTS].count);
+    uint slot = slot_of_sample(index, sizes[list_slots].count);
     ChainOfSamples chain =
         ChainOfSamples(samples_before(slot), samples_before(slot + 1u) - samples_before(slot) - 1u,
-                       (flags_of_slot[slot] & CHAIN_IS_CLOSED) != 0u);
+                       (flags_of_slot[slot] & chain_is_closed) != 0u);
     uint cut_place = index - chain.first;
     uint rotation = rotation_of_slot[slot];
-    bool is_whole = chain.is_closed && rotation == NO_ROTATION;
-    uint shift = chain.is_closed && !is_whole ? rotation & ~ROTATION_TO_CORNER : 0u;
+    bool is_whole = chain.is_closed && rotation == no_rotation;
+    uint shift = chain.is_closed && !is_whole ? rotation & ~rotation_to_corner : 0u;
     uint place = chain.is_closed && cut_place < chain.steps ? (cut_place + shift) % chain.steps : cut_place;
     if (chain.is_closed && cut_place == chain.steps) {
         place = shift;
@@ -89,10 +89,10 @@ void main()
     bool goes_on = !is_last && leads_on(chain, place);
     uint previous = chain.is_closed ? (place + chain.steps - 1u) % chain.steps : place - 1u;
     bool was_on = cut_place > 0u && leads_on(chain, previous);
-    bool starts_here = goes_on && (!was_on || (states[chain.first + place] & SAMPLE_IS_CORNER) != 0u);
+    bool starts_here = goes_on && (!was_on || (states[chain.first + place] & sample_is_corner) != 0u);
     LineSample cut = sample_at(chain.first + place);
     cut.state =
-        states[chain.first + place] | (goes_on ? PIECE_IS_THERE : 0u) | (is_whole ? SAMPLE_IN_RING : 0u);
+        states[chain.first + place] | (goes_on ? piece_is_there : 0u) | (is_whole ? sample_in_ring : 0u);
     cut_samples[index] = cut;
     starts[index] = starts_here ? 1u : 0u;
 }

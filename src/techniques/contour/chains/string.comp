@@ -46,25 +46,25 @@ layout(push_constant, scalar) uniform Constants
 void main()
 {
     uint slot = gl_GlobalInvocationID.x;
-    if (slot >= sizes[LIST_SLOTS].count) {
+    if (slot >= sizes[list_slots].count) {
         return;
     }
     uint point_count = 0u;
     uint flags = 0u;
     if (slot < constants.feature_chain_count) {
         point_count = feature_chains[slot].point_count;
-        flags = feature_chains[slot].is_closed != 0u ? CHAIN_IS_CLOSED : 0u;
+        flags = feature_chains[slot].is_closed != 0u ? chain_is_closed : 0u;
     } else {
         uint segment = slot - constants.feature_chain_count;
         Rank rank = rank_at(segment);
-        if (segment_at(rank.at).next == NO_SEGMENT) {
+        if (segment_at(rank.at).next == no_segment) {
             if (segment_at(segment).has_previous == 0u) {
                 point_count = rank.steps + 2u;
                 first_of_end[rank.at] = segment;
             }
         } else if (rank.highest == segment) {
             point_count = rank_at(segment_at(segment).next).steps_to_highest + 2u;
-            flags = CHAIN_IS_CLOSED;
+            flags = chain_is_closed;
         }
     }
     points_of_slot[slot] = point_count;

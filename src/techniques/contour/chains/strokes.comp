@@ -25,15 +25,15 @@ layout(scalar, binding = 3) writeonly buffer Strokes
 void main()
 {
     uint index = gl_GlobalInvocationID.x;
-    uint count = sizes[LIST_SAMPLES].count;
-    if (index >= count || (sample_at(index).state & PIECE_IS_THERE) == 0u) {
+    uint count = sizes[list_samples].count;
+    if (index >= count || (sample_at(index).state & piece_is_there) == 0u) {
         return;
     }
     uint stroke = strokes_before(index + 1u) - 1u;
     if (strokes_before(index) == stroke) {
         strokes[stroke].first = index;
     }
-    bool ends = index + 1u >= count || (sample_at(index + 1u).state & PIECE_IS_THERE) == 0u ||
+    bool ends = index + 1u >= count || (sample_at(index + 1u).state & piece_is_there) == 0u ||
                 strokes_before(index + 2u) - 1u != stroke;
     if (ends) {
         strokes[stroke].last = index + 1u;

@@ -10,6 +10,7 @@
 #include "shaders/strokes_comp.hpp"
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/contour/chains/scan.hpp"
+#include "techniques/contour/chains/variants.glsl.h"
 
 namespace estampe::contour {
 namespace {
@@ -113,7 +114,9 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferI
     auto split = graph.compute("contour/split", shaders::split_comp);
     split.read(in.sizes).sample(in.samples_before, gpu::Format::r32ui);
     split.read(in.flags_of_slot).read(in.rotation);
-    split.sample(in.samples).read(in.states).variant(wanted == LineClass::hidden ? 1U : 0U);
+    split.sample(in.samples)
+        .read(in.states)
+        .variant(wanted == LineClass::hidden ? shared::split_wants_hidden : 0U);
     const gpu::BufferId cut =
         split.write(graph.buffer("contour/cut samples", list_of(samples_most, sizeof(shared::LineSample))));
     const gpu::BufferId starts =

@@ -14,8 +14,8 @@ uint next_corner(uint corner)
 // Whether a triangle's corners run clockwise as seen from its front.
 bool is_reversed(uint triangle)
 {
-    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_TURNED) != 0u;
-    return is_turned != ((triangle_at(triangle).w & TRIANGLE_MIRRORED) != 0u);
+    bool is_turned = (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_turned) != 0u;
+    return is_turned != ((triangle_at(triangle).w & triangle_mirrored) != 0u);
 }
 
 // The corners where a side starts and ends, with fronts on its left.
@@ -29,7 +29,7 @@ uvec2 ends_of(uint side)
 // Whether the normals of the smooth piece that a triangle is of point to its back.
 bool is_inside_out(uint triangle)
 {
-    return (texelFetch(neighbor_texels, int(triangle)).w & NEIGHBOR_IS_INSIDE_OUT) != 0u;
+    return (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_inside_out) != 0u;
 }
 
 // Whether the surface of a triangle faces the eye at one of its corners.

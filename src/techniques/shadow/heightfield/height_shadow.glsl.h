@@ -4,7 +4,11 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint height_no_step = 0xffffffffU;
 
 // Lines that run away from the sun, a texel at a time along one side of the field: step t is a row or column
 // of it, counted from the sun's side. At step t every line has moved across by slope * t, so that all of them
@@ -54,10 +58,7 @@ struct MarchConstants {
 #ifdef __cplusplus
 static_assert(sizeof(ResolveConstants) == 44);
 static_assert(sizeof(PyramidConstants) == 48);
-inline constexpr uint height_no_step = 0xffffffffU;
 } // namespace estampe::shared
-#else
-const uint height_no_step = 0xffffffffu;
 #endif
 
 #endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_LIGHT_VARIANT_GLSL_H
+#define ESTAMPE_LIGHT_VARIANT_GLSL_H
+// What is asked of light.comp: by light itself, and by shadow, whose lookups it includes.
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
+#endif
+
+SHARED_CONSTANT uint light_has_shadow = 1U << 0U; // of the sun
+SHARED_CONSTANT uint light_has_local_lights = 1U << 1U;
+SHARED_CONSTANT uint light_has_emissive = 1U << 2U;
+SHARED_CONSTANT uint light_has_links = 1U << 3U;
+SHARED_CONSTANT uint light_has_lists = 1U << 4U;
+SHARED_CONSTANT uint light_counts_visits = 1U << 5U; // for tests: lights looked at, and those within range
+SHARED_CONSTANT uint light_keeps_strongest = 1U << 6U;
+SHARED_CONSTANT uint light_looks_at_all = 1U << 7U; // for tests
+SHARED_CONSTANT uint light_has_local_shadows = 1U << 8U;
+SHARED_CONSTANT uint light_has_lightmap = 1U << 9U;
+SHARED_CONSTANT uint light_keeps_sun = 1U << 10U;
+
+// Those of shadow: teeth along strokes or in waves, a sun with breadth, whose map is a clipmap or in
+// perspective, and lamps with breadth.
+SHARED_CONSTANT uint light_has_stroke_edges = 1U << 11U;
+SHARED_CONSTANT uint light_has_wave_edges = 1U << 12U;
+SHARED_CONSTANT uint light_has_soft_sun = 1U << 13U;
+SHARED_CONSTANT uint light_has_sun_levels = 1U << 14U;
+SHARED_CONSTANT uint light_has_sun_warp = 1U << 15U;
+SHARED_CONSTANT uint light_has_soft_lamps = 1U << 16U;
+
+#ifdef __cplusplus
+} // namespace estampe::shared
+#endif
+
+#endif
