@@ -15,10 +15,11 @@ namespace {
 
 constexpr uint32_t side_px = 180;
 
-/// Even lines of the same width everywhere.
+/// Even lines of the same width everywhere, found on the page.
 ContourStyle even_lines(float width_px)
 {
     ContourStyle style;
+    style.lines = Lines::page;
     style.outline_mm = style.boundary_mm = style.crease_mm = width_px;
     style.pressure = 0.0F;
     style.distance_thinning = 0.0F;
