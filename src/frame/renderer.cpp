@@ -102,7 +102,7 @@ void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighti
     shadow::ShadowStyle style = tables.shadow;
     style.local_lights = tables.light.shadows ? style.local_lights : 0;
     const frame::PageView page_view{.eye_anchor = glm::vec3(camera.eye - loaded->layout.anchor),
-                                    .pixel_angle = plan.pixel_angle,
+                                    .pixel = plan.pixel,
                                     .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
                                     .longer_side_px = std::max(plan.size_px.x, plan.size_px.y)};
     const frame::CasterKinds casters = frame::caster_kinds(loaded->layout);
@@ -176,7 +176,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
     frame::FramePlan plan;
     plan.size_px = {settings.width, settings.height};
     plan.pixels_per_mm = static_cast<float>(settings.height) / style.paper.height_mm;
-    plan.pixel_angle = frame::pixel_angle(camera, settings.height);
+    plan.pixel = frame::pixel_size(camera, settings.height);
     plan.raster_path = raster_path;
     plan.on_processor = device.info().software;
     if (plan.on_processor) {

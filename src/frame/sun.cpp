@@ -68,10 +68,6 @@ void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, cons
     plan.shadow_size = scene.throws_shadow ? whole_size(style, plan.size_px) : 0U;
     plan.sun =
         shadow::sun_view(scene.casters, scene.anchor, scene.towards_sun, std::max(plan.shadow_size, 4U));
-    plan.pixel_m = plan.pixel_angle;
-    if (camera.orthographic_half_height_m) {
-        plan.pixel_m = static_cast<float>(2.0 * *camera.orthographic_half_height_m / plan.size_px.y);
-    }
     const shadow::SunMapKind kind = style.shadow.sun_map;
     if (!scene.throws_shadow || scene.casters.empty() || kind == shadow::SunMapKind::whole) {
         return;
@@ -87,8 +83,7 @@ void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, cons
         plan.shadow_variant |= plan.sun.warp.y > 0.0F ? shadow::warp_variant : 0U;
         return;
     }
-    const double near_m = camera.orthographic_half_height_m ? 1.0 : nearest_m(scene.casters, camera.eye);
-    const double pixel_m = static_cast<double>(plan.pixel_m) * near_m;
+    const double pixel_m = plan.pixel.at(nearest_m(scene.casters, camera.eye));
     if (kind == shadow::SunMapKind::automatic &&
         static_cast<double>(plan.sun.texel_m) < coarse_texel_px * pixel_m) {
         return;
@@ -109,7 +104,7 @@ void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, cons
 
 shared::SunShadow sun_globals(const FramePlan& plan, const shadow::ShadowStyle& style)
 {
-    return plan.clipmap ? shadow::sun_shadow(*plan.clipmap, plan.sun_windows, plan.pixel_m,
+    return plan.clipmap ? shadow::sun_shadow(*plan.clipmap, plan.sun_windows, plan.pixel.at_one_m,
                                              style.sun_map == shadow::SunMapKind::faded, style)
                         : shadow::sun_shadow(plan.sun, plan.shadow_size, style);
 }

@@ -71,11 +71,12 @@ shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds, c
             .scene_radius_m = static_cast<float>(std::max(bounds.radius(), 1e-9))};
 }
 
-float pixel_angle(const Camera& camera, uint32_t height_px)
+PixelSize pixel_size(const Camera& camera, uint32_t height_px)
 {
-    const double height =
-        camera.orthographic_half_height_m.has_value() ? 0.02 : 2.0 * std::tan(0.5 * camera.vertical_fov_rad);
-    return static_cast<float>(height / height_px);
+    const bool is_parallel = camera.orthographic_half_height_m.has_value();
+    const double half_height_m =
+        is_parallel ? *camera.orthographic_half_height_m : std::tan(0.5 * camera.vertical_fov_rad);
+    return {.at_one_m = static_cast<float>(2.0 * half_height_m / height_px), .is_parallel = is_parallel};
 }
 
 glm::dvec2 jitter(uint32_t index, uint32_t count)

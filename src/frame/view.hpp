@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
+
 #include <estampe/scene.hpp>
 
 #include "shaders/frame.glsl.h"
@@ -19,8 +21,20 @@ struct ViewSettings {
 [[nodiscard]] shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds,
                                                  const glm::dvec3& anchor, const ViewSettings& settings);
 
-/// Size of a pixel at distance one, or relative to the scene in parallel projection.
-[[nodiscard]] float pixel_angle(const Camera& camera, uint32_t height_px);
+/// What a pixel of the page spans.
+struct PixelSize {
+    float at_one_m = 0.001F; ///< at a distance of one; in parallel projection at any
+    bool is_parallel = false;
+
+    /// At a distance from the eye.
+    template <std::floating_point Number>
+    [[nodiscard]] Number at(Number distance_m) const
+    {
+        return static_cast<Number>(at_one_m) * (is_parallel ? Number(1) : distance_m);
+    }
+};
+
+[[nodiscard]] PixelSize pixel_size(const Camera& camera, uint32_t height_px);
 
 /// The `index`th of `count` shifts that cover a pixel evenly (Halton 2, 3), none for a single one.
 [[nodiscard]] glm::dvec2 jitter(uint32_t index, uint32_t count);

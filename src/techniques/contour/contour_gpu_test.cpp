@@ -166,5 +166,50 @@ TEST(Contour, APlaneSeenAtAGrazingAngleHasNoLinesInside)
     }
 }
 
+TEST(Contour, AnOutlineInMetresKeepsItsWidthInParallelProjection)
+{
+    constexpr double half_height_m = 1.5;
+    constexpr double pixel_m = 2.0 * half_height_m / side_px;
+    Scene scene = test::scene_of(shapes::sphere(1.0F, 256, 128));
+    scene.materials.front().toon = ToonShade{.outline_width_m = 0.05F};
+    for (const double distance_m : {4.0, 40.0}) {
+        Camera camera = test::front_camera(distance_m, 0.6);
+        camera.orthographic_half_height_m = half_height_m;
+        test::Drawing drawing(scene, camera, glm::uvec2(side_px));
+        const double around_px = 2.0 * std::numbers::pi / pixel_m;
+        EXPECT_NEAR(Ink(drawing, even_lines(4.0F)).total() / around_px, 0.05 / pixel_m, 0.4)
+            << "from " << distance_m << " m";
+    }
+}
+
+TEST(Contour, InParallelProjectionAStepIsAsDeepInAnyScene)
+{
+    // Two sheets of one object, one before the other, and far away a third that makes the scene larger.
+    constexpr double half_height_m = 1.5;
+    constexpr auto break_m = static_cast<float>(12.0 * 2.0 * half_height_m / side_px); // at a depth_step of 1
+    const auto inside = [&](float gap_m, float aside_m) {
+        Primitive sheets = shapes::quad(4.0F, 4.0F);
+        for (const glm::vec2 place : {glm::vec2(0.0F, gap_m), glm::vec2(aside_m, 0.0F)}) {
+            const Primitive sheet = shapes::quad(1.0F, 1.0F);
+            const auto first = static_cast<uint32_t>(sheets.positions.size());
+            for (size_t i = 0; i < sheet.positions.size(); ++i) {
+                sheets.positions.push_back(sheet.positions[i] + glm::vec3(place.x, 0.0F, place.y));
+                sheets.normals.push_back(sheet.normals[i]);
+            }
+            for (const uint32_t index : sheet.indices) {
+                sheets.indices.push_back(first + index);
+            }
+        }
+        Camera camera = test::front_camera(5.0, 0.6);
+        camera.orthographic_half_height_m = half_height_m;
+        test::Drawing drawing(test::scene_of(sheets), camera, glm::uvec2(side_px));
+        return Ink(drawing, even_lines(2.0F)).inside(5);
+    };
+    for (const float aside_m : {10.0F, 200.0F}) {
+        EXPECT_GT(inside(1.2F * break_m, aside_m), 200.0) << aside_m << " m wide";
+        EXPECT_EQ(inside(0.8F * break_m, aside_m), 0.0) << aside_m << " m wide";
+    }
+}
+
 } // namespace
 } // namespace estampe::contour

@@ -5,8 +5,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/camera.glsl"
 #include "shaders/draw_word.glsl"
-#include "shaders/frame.glsl.h"
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/noise.glsl"
