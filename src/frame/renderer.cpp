@@ -75,26 +75,6 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     sun_map.forget();
 }
 
-/// How the house's light is set up for an eye; nothing worth knowing where the scene brings its own.
-Outlook Renderer::Impl::outlook_from(const Camera& camera, const light::LightStyle& style)
-{
-    const bool has_lights = std::any_of(loaded->scene.nodes.begin(), loaded->scene.nodes.end(),
-                                        [](const Node& node) { return node.light != no_index; });
-    if (style.source == light::LightSource::scene ||
-        (style.source == light::LightSource::automatic && has_lights)) {
-        return {};
-    }
-    if (!loaded->outlook) {
-        loaded->cloud = surface_cloud(loaded->scene, pose_scene(loaded->scene, 0.0, no_index));
-        loaded->outlook = find_outlook(*loaded->cloud);
-    }
-    Outlook outlook = *loaded->outlook;
-    if (!outlook.shelter) {
-        outlook.shelter = shelter_around(*loaded->cloud, camera.eye);
-    }
-    return outlook;
-}
-
 /// Plans the maps of local lights and says who goes without.
 void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighting& lighting,
                                            const Camera& camera, const frame::StyleTables& tables)
@@ -175,7 +155,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
     const bool is_outdoors = is_composed && lighting.directional_count > 0 && !scene.lights.empty();
     frame::FramePlan plan;
     plan.size_px = {settings.width, settings.height};
-    plan.pixels_per_mm = static_cast<float>(settings.height) / style.paper.height_mm;
+    plan.pixels_per_mm = frame::pixels_per_mm(settings.height, style.paper.height_mm);
     plan.pixel = frame::pixel_size(camera, settings.height);
     plan.raster_path = raster_path;
     plan.on_processor = device.info().software;
@@ -284,8 +264,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         pose_before(pose_scene(loaded->scene, settings.motion_since->time_s, settings.animation));
     }
     update_pose(scene_pose);
-    light::Lighting lighting = light::gather_lights(loaded->scene, scene_pose, layout.bounds, layout.anchor,
-                                                    tables.light, outlook_from(camera, tables.light));
+    light::Lighting lighting =
+        light::gather_lights(loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,
+                             loaded->house_light.outlook(loaded->scene, tables.light, camera.eye));
     const std::optional<light::Daylight> daylight = light::daylight_of(tables.sun);
     if (daylight) {
         light::set_daylight(lighting, *daylight, tables.light);
@@ -303,8 +284,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     if (daylight) {
         frame_plan.daylight_rad = static_cast<float>(daylight->elevation_rad);
     }
-    const shared::LightGlobals light_values{.sky_ambient = lighting.ambient * 1.25F,
-                                            .ground_ambient = lighting.ambient * 0.75F,
+    const light::SkyAndGround ambient = light::sky_and_ground(lighting.ambient);
+    const shared::LightGlobals light_values{.sky_ambient = ambient.sky,
+                                            .ground_ambient = ambient.ground,
                                             .directional_count = lighting.directional_count,
                                             .local_count = static_cast<uint32_t>(lighting.records.size()) -
                                                            lighting.directional_count,

@@ -63,12 +63,17 @@ shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds, c
     return {.clip_from_anchor = glm::mat4(clip_from_anchor),
             .anchor_from_clip = glm::mat4(glm::inverse(clip_from_anchor)),
             .eye_anchor = glm::vec3(camera.eye - anchor),
-            .pixels_per_mm = static_cast<float>(settings.size_px.y / settings.page_height_mm),
+            .pixels_per_mm = pixels_per_mm(settings.size_px.y, settings.page_height_mm),
             .view_forward = glm::vec3(glm::normalize(camera.target - camera.eye)),
             .is_orthographic = is_parallel ? 1U : 0U,
             .size_px = settings.size_px,
             .near_m = is_parallel ? 0.0F : static_cast<float>(camera.near_m),
             .scene_radius_m = static_cast<float>(std::max(bounds.radius(), 1e-9))};
+}
+
+float pixels_per_mm(uint32_t height_px, double page_height_mm)
+{
+    return static_cast<float>(height_px / page_height_mm);
 }
 
 PixelSize pixel_size(const Camera& camera, uint32_t height_px)

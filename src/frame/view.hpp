@@ -21,7 +21,10 @@ struct ViewSettings {
 [[nodiscard]] shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds,
                                                  const glm::dvec3& anchor, const ViewSettings& settings);
 
-/// What a pixel of the page spans.
+/// Of a page that is `height_px` pixels high.
+[[nodiscard]] float pixels_per_mm(uint32_t height_px, double page_height_mm);
+
+/// What a pixel of the page spans in the scene.
 struct PixelSize {
     float at_one_m = 0.001F; ///< at a distance of one; in parallel projection at any
     bool is_parallel = false;

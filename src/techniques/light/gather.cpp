@@ -306,4 +306,9 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
     return lighting;
 }
 
+SkyAndGround sky_and_ground(const glm::vec3& ambient, float share)
+{
+    return {.sky = ambient * (1.25F * share), .ground = ambient * (0.75F * share)};
+}
+
 } // namespace estampe::light

@@ -36,6 +36,15 @@ struct Lighting {
                                      const glm::dvec3& anchor, const LightStyle& style,
                                      const Outlook& outlook = {});
 
+/// Light from everywhere, as surfaces get it that face up and down.
+struct SkyAndGround {
+    glm::vec3 sky{0.0F};
+    glm::vec3 ground{0.0F};
+};
+
+/// A share of ambient light, a quarter brighter from above and darker from below.
+[[nodiscard]] SkyAndGround sky_and_ground(const glm::vec3& ambient, float share = 1.0F);
+
 /// The style's tone curve as the shaders want it.
 [[nodiscard]] shared::ToneConstants tone_constants(const ToneStyle& style);
 
