@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -27,6 +28,12 @@ public:
         static_assert(std::is_trivially_copyable_v<T>);
         add(static_cast<uint64_t>(values.size()));
         add_bytes(values.data(), values.size() * sizeof(T));
+    }
+
+    void add_text(std::string_view text)
+    {
+        add(static_cast<uint64_t>(text.size()));
+        add_bytes(text.data(), text.size());
     }
 
     [[nodiscard]] uint64_t value() const { return state_; }

@@ -3,25 +3,21 @@
 
 #include <optional>
 
+#include "frame/house_light.hpp"
 #include "frame/lightmaps.hpp"
-#include "scene/outlook/outlook.hpp"
 #include "techniques/light/daylight.hpp"
 
 namespace estampe::frame {
 namespace {
 
-/// Where the house's light is set up: as for an eye at the first camera, where there is one.
-Outlook outlook_of(const Scene& scene, const ScenePose& pose)
+std::optional<glm::dvec3> eye_of_first_camera(const Scene& scene, const ScenePose& pose)
 {
-    const SurfaceCloud cloud = surface_cloud(scene, pose);
-    Outlook outlook = find_outlook(cloud);
-    for (Index node = 0; node < scene.nodes.size() && !outlook.shelter; ++node) {
+    for (Index node = 0; node < scene.nodes.size(); ++node) {
         if (scene.nodes[node].camera != no_index) {
-            outlook.shelter = shelter_around(cloud, glm::dvec3(pose.world_from_node[node][3]));
-            break;
+            return glm::dvec3(pose.world_from_node[node][3]);
         }
     }
-    return outlook;
+    return std::nullopt;
 }
 
 bake::LampKind kind_of_lamp(const shared::LightRecord& record)
@@ -57,23 +53,25 @@ bake::Lamp lamp_of(const shared::LightRecord& record)
 } // namespace
 
 void set_light(bake::BakeSettings& settings, const Scene& scene, const StyleTables& style,
-               const BakedLight& light)
+               const BakedLight& wanted)
 {
     const ScenePose pose = pose_scene(scene, 0.0, no_index);
     const Bounds bounds = scene_bounds(scene, pose);
+    const Outlook outlook = HouseLight().outlook(scene, style.light, eye_of_first_camera(scene, pose));
     light::Lighting lighting =
-        light::gather_lights(scene, pose, bounds, bounds.center(), style.light, outlook_of(scene, pose));
+        light::gather_lights(scene, pose, bounds, bounds.center(), style.light, outlook);
     if (const std::optional<light::Daylight> daylight = light::daylight_of(style.sun)) {
         light::set_daylight(lighting, *daylight, style.light);
     }
     settings.lamps.clear();
     for (const shared::LightRecord& record : lighting.records) {
         settings.lamps.push_back(lamp_of(record));
-        settings.lamps.back().baked = (kind_of(record) & light.direct) != 0;
+        settings.lamps.back().baked = (kind_of(record) & wanted.direct) != 0;
     }
     settings.exposure = lighting.exposure;
-    settings.sky = lighting.ambient * (1.25F * light.sky);
-    settings.ground = lighting.ambient * (0.75F * light.sky);
+    const light::SkyAndGround ambient = light::sky_and_ground(lighting.ambient, wanted.sky);
+    settings.sky = ambient.sky;
+    settings.ground = ambient.ground;
 }
 
 } // namespace estampe::frame

@@ -17,6 +17,6 @@ struct BakedLight {
 /// Gives `settings` the light that a picture of `scene` in this style has: its lamps, or the sun or lamp that
 /// it would get, and its ambient light as a sky.
 void set_light(bake::BakeSettings& settings, const Scene& scene, const StyleTables& style,
-               const BakedLight& light);
+               const BakedLight& wanted);
 
 } // namespace estampe::frame

@@ -244,7 +244,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                                 .is_moving = lines_move,
                                                 .brushes = resources.brushes,
                                                 .pixels_per_mm = plan.pixels_per_mm,
-                                                .pixel_angle = plan.pixel_angle,
+                                                .pixel_m_at_one = plan.pixel.at_one_m,
                                                 .size_px = size_px};
     if (resources.lists != nullptr) {
         declare_stroke_lists(graph, hatch_inputs, contour_inputs, resources.line_mesh, style,

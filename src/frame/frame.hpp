@@ -56,7 +56,7 @@ struct FramePlan {
     glm::uvec2 size_px{0};
     glm::mat4 clip_from_anchor{1.0F};
     float pixels_per_mm = 1.0F;
-    float pixel_angle = 0.001F;
+    PixelSize pixel;
     RasterPath raster_path = RasterPath::compute;
     raster::Tuning raster;
     bool on_processor = false; ///< the device is no GPU
@@ -83,7 +83,6 @@ struct FramePlan {
     bool remembers_lines = false; ///< the frame goes on from one before, or another may from this
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
     shadow::SunView sun;
-    float pixel_m = 0.001F;                 ///< at a distance of one; in parallel projection at any
     std::optional<shadow::Clipmap> clipmap; ///< in place of a single map of the sun's view
     shadow::Windows sun_windows;
     std::vector<shadow::Piece> sun_pieces; ///< of the clipmap, not drawn yet

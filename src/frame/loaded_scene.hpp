@@ -6,10 +6,10 @@
 
 #include <estampe/scene.hpp>
 
+#include "frame/house_light.hpp"
 #include "frame/light_links.hpp"
 #include "frame/lightmaps.hpp"
 #include "frame/line_meshes.hpp"
-#include "scene/outlook/outlook.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
 
@@ -29,10 +29,9 @@ struct LoadedScene {
     std::vector<uint32_t> stroke_kinds; ///< what the strokes of each draw follow, on the device
     std::optional<pose::PoseData> pose; ///< what the device holds now
     LineMeshes line_meshes;
-    std::optional<SurfaceCloud> cloud; ///< for what follows, made when it is first needed
-    std::optional<Outlook> outlook;    ///< where the house's light stands
-    bool has_plain_links = true;       ///< every object stands to all lights alike
-    bool pose_moved = true;            ///< the device has yet to pose its vertices by it
+    HouseLight house_light;
+    bool has_plain_links = true; ///< every object stands to all lights alike
+    bool pose_moved = true;      ///< the device has yet to pose its vertices by it
 };
 
 /// Uploads `scene`, with a lightmap unless that is null. Throws Error when it does not fit the device, or

@@ -80,7 +80,7 @@ shadow::AtlasRequest atlas_request(const shared::LightRecord& record, const shad
     const float side_m = 2.0F * throw_m * (light.is_cube() ? 1.0F : std::tan(light.half_angle_rad));
     const float reach_share = std::min(light.range_m / distance_m, 1.0F);
     return {.map_count = light.map_count(),
-            .wanted_size = side_m / (page.pixel_angle * std::max(distance_m, throw_m)),
+            .wanted_size = side_m / page.pixel.at(std::max(distance_m, throw_m)),
             .largest_size = largest,
             .importance = reach_share * reach_share * luminance(record.color)};
 }

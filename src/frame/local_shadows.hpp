@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "frame/view.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/light/light.hpp"
 #include "techniques/raster/raster.glsl.h"
@@ -25,7 +26,7 @@ namespace estampe::frame {
 /// Where the page is taken from, for judging how many texels a light is worth.
 struct PageView {
     glm::vec3 eye_anchor{0.0F};
-    float pixel_angle = 0.001F; ///< radians that a pixel spans; of parallel views at a distance of 1
+    PixelSize pixel;
     float scene_radius_m = 1.0F;
     uint32_t longer_side_px = 1;
 };

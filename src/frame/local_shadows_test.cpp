@@ -20,7 +20,7 @@ shared::LightRecord lamp(const glm::vec3& position, float range_m)
 }
 
 const PageView page{
-    .eye_anchor = {0, 0, 8}, .pixel_angle = 0.002F, .scene_radius_m = 5.0F, .longer_side_px = 512};
+    .eye_anchor = {0, 0, 8}, .pixel = {.at_one_m = 0.002F}, .scene_radius_m = 5.0F, .longer_side_px = 512};
 
 TEST(LocalShadows, RedrawsOnlyTheLightsWithinWhoseReachSomethingMoved)
 {
@@ -120,6 +120,22 @@ TEST(LocalShadows, ALightsOwnRadiusCountsBeforeTheStyles)
     // Maps do not depend on it.
     lighting.records[1].radius_m = 0.5F;
     EXPECT_TRUE(shadows.plan(lighting, {}, page, style).views.whole.empty());
+}
+
+TEST(LocalShadows, AskForTexelsByTheDistanceOnlyInPerspective)
+{
+    const shared::LightRecord record = lamp({0, 0, 0}, 4.0F);
+    const auto wanted = [&](float distance_m, bool is_parallel) {
+        const PageView view{.eye_anchor = {0, 0, distance_m},
+                            .pixel = {.at_one_m = 0.02F, .is_parallel = is_parallel},
+                            .scene_radius_m = 5.0F};
+        return atlas_request(record, local_light(record), view, {}).wanted_size;
+    };
+    // What it throws 2 m far is 4 m wide.
+    EXPECT_FLOAT_EQ(wanted(8.0F, false), 4.0F / (0.02F * 8.0F));
+    EXPECT_FLOAT_EQ(wanted(80.0F, false), 4.0F / (0.02F * 80.0F));
+    EXPECT_FLOAT_EQ(wanted(8.0F, true), 4.0F / 0.02F);
+    EXPECT_FLOAT_EQ(wanted(80.0F, true), 4.0F / 0.02F);
 }
 
 TEST(LocalShadows, TakeTheConeOfASpot)

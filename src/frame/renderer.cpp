@@ -75,26 +75,6 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     sun_map.forget();
 }
 
-/// How the house's light is set up for an eye; nothing worth knowing where the scene brings its own.
-Outlook Renderer::Impl::outlook_from(const Camera& camera, const light::LightStyle& style)
-{
-    const bool has_lights = std::any_of(loaded->scene.nodes.begin(), loaded->scene.nodes.end(),
-                                        [](const Node& node) { return node.light != no_index; });
-    if (style.source == light::LightSource::scene ||
-        (style.source == light::LightSource::automatic && has_lights)) {
-        return {};
-    }
-    if (!loaded->outlook) {
-        loaded->cloud = surface_cloud(loaded->scene, pose_scene(loaded->scene, 0.0, no_index));
-        loaded->outlook = find_outlook(*loaded->cloud);
-    }
-    Outlook outlook = *loaded->outlook;
-    if (!outlook.shelter) {
-        outlook.shelter = shelter_around(*loaded->cloud, camera.eye);
-    }
-    return outlook;
-}
-
 /// Plans the maps of local lights and says who goes without.
 void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighting& lighting,
                                            const Camera& camera, const frame::StyleTables& tables)
@@ -102,7 +82,7 @@ void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighti
     shadow::ShadowStyle style = tables.shadow;
     style.local_lights = tables.light.shadows ? style.local_lights : 0;
     const frame::PageView page_view{.eye_anchor = glm::vec3(camera.eye - loaded->layout.anchor),
-                                    .pixel_angle = plan.pixel_angle,
+                                    .pixel = plan.pixel,
                                     .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
                                     .longer_side_px = std::max(plan.size_px.x, plan.size_px.y)};
     const frame::CasterKinds casters = frame::caster_kinds(loaded->layout);
@@ -175,8 +155,8 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
     const bool is_outdoors = is_composed && lighting.directional_count > 0 && !scene.lights.empty();
     frame::FramePlan plan;
     plan.size_px = {settings.width, settings.height};
-    plan.pixels_per_mm = static_cast<float>(settings.height) / style.paper.height_mm;
-    plan.pixel_angle = frame::pixel_angle(camera, settings.height);
+    plan.pixels_per_mm = frame::pixels_per_mm(settings.height, style.paper.height_mm);
+    plan.pixel = frame::pixel_size(camera, settings.height);
     plan.raster_path = raster_path;
     plan.on_processor = device.info().software;
     if (plan.on_processor) {
@@ -286,8 +266,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         pose_before(pose_scene(loaded->scene, settings.motion_since->time_s, settings.animation));
     }
     update_pose(scene_pose);
-    light::Lighting lighting = light::gather_lights(loaded->scene, scene_pose, layout.bounds, layout.anchor,
-                                                    tables.light, outlook_from(camera, tables.light));
+    light::Lighting lighting =
+        light::gather_lights(loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,
+                             loaded->house_light.outlook(loaded->scene, tables.light, camera.eye));
     const std::optional<light::Daylight> daylight = light::daylight_of(tables.sun);
     if (daylight) {
         light::set_daylight(lighting, *daylight, tables.light);
@@ -307,8 +288,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     }
     const light::Paling paling =
         light::ground_paling(layout.bounds, layout.anchor, lighting.towards_sun, tables.light.paling);
-    const shared::LightGlobals light_values{.sky_ambient = lighting.ambient * 1.25F,
-                                            .ground_ambient = lighting.ambient * 0.75F,
+    const light::SkyAndGround ambient = light::sky_and_ground(lighting.ambient);
+    const shared::LightGlobals light_values{.sky_ambient = ambient.sky,
+                                            .ground_ambient = ambient.ground,
                                             .directional_count = lighting.directional_count,
                                             .local_count = static_cast<uint32_t>(lighting.records.size()) -
                                                            lighting.directional_count,

@@ -39,7 +39,6 @@ struct Renderer::Impl {
     /// beside it.
     void pose_before(const ScenePose& scene_pose);
     [[nodiscard]] frame::MotionPlan plan_motion(const Camera& camera, const RenderSettings& settings);
-    [[nodiscard]] Outlook outlook_from(const Camera& camera, const light::LightStyle& style);
     void provide_local_shadows(frame::FramePlan& plan, light::Lighting& lighting, const Camera& camera,
                                const frame::StyleTables& tables);
     void provide_map(const frame::StyleTables& style);

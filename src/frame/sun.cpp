@@ -5,8 +5,6 @@
 #include <bit>
 #include <cmath>
 
-#include <glm/trigonometric.hpp>
-
 #include "techniques/shadow/warp.hpp"
 
 namespace estampe::frame {
@@ -48,17 +46,12 @@ std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style
     if (!style.drawn || style.strokes != hatch::Strokes::lines) {
         return std::nullopt;
     }
-    // In full shadow the first of several layers draws its largest share, and pays for gaps and tapers.
-    const float darkness = style.layers > 1 ? 0.46F : 0.7F;
-    const float kept =
-        std::max(1.0F - 0.75F * (style.gap_mm + style.taper_mm) / std::max(style.length_mm, 1e-3F), 0.1F);
-    const float slant = glm::radians(style.slant_deg);
-    const float wind = glm::radians(style.wind_deg);
-    return shadow::HatchedLines{.width_mm = style.width_mm,
-                                .darkness = std::min(darkness / kept, 1.0F),
-                                .seed = static_cast<uint32_t>(style.seed),
-                                .flat_axis = {-glm::sin(slant), glm::cos(slant)},
-                                .wind = {glm::sin(wind), glm::cos(wind)},
+    const hatch::FirstLayer layer = hatch::first_layer(style);
+    return shadow::HatchedLines{.width_mm = layer.width_mm,
+                                .darkness = layer.darkness,
+                                .seed = layer.seed,
+                                .flat_axis = layer.flat_axis,
+                                .wind = layer.wind,
                                 .towards_light = towards_light,
                                 .has_directions = has_directions};
 }
@@ -68,10 +61,6 @@ void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, cons
     plan.shadow_size = scene.throws_shadow ? whole_size(style, plan.size_px) : 0U;
     plan.sun =
         shadow::sun_view(scene.casters, scene.anchor, scene.towards_sun, std::max(plan.shadow_size, 4U));
-    plan.pixel_m = plan.pixel_angle;
-    if (camera.orthographic_half_height_m) {
-        plan.pixel_m = static_cast<float>(2.0 * *camera.orthographic_half_height_m / plan.size_px.y);
-    }
     const shadow::SunMapKind kind = style.shadow.sun_map;
     if (!scene.throws_shadow || scene.casters.empty() || kind == shadow::SunMapKind::whole) {
         return;
@@ -87,8 +76,7 @@ void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, cons
         plan.shadow_variant |= plan.sun.warp.y > 0.0F ? shared::light_has_sun_warp : 0U;
         return;
     }
-    const double near_m = camera.orthographic_half_height_m ? 1.0 : nearest_m(scene.casters, camera.eye);
-    const double pixel_m = static_cast<double>(plan.pixel_m) * near_m;
+    const double pixel_m = plan.pixel.at(nearest_m(scene.casters, camera.eye));
     if (kind == shadow::SunMapKind::automatic &&
         static_cast<double>(plan.sun.texel_m) < coarse_texel_px * pixel_m) {
         return;
@@ -109,7 +97,7 @@ void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, cons
 
 shared::SunShadow sun_globals(const FramePlan& plan, const shadow::ShadowStyle& style)
 {
-    return plan.clipmap ? shadow::sun_shadow(*plan.clipmap, plan.sun_windows, plan.pixel_m,
+    return plan.clipmap ? shadow::sun_shadow(*plan.clipmap, plan.sun_windows, plan.pixel.at_one_m,
                                              style.sun_map == shadow::SunMapKind::faded, style)
                         : shadow::sun_shadow(plan.sun, plan.shadow_size, style);
 }

@@ -2,28 +2,18 @@
 #include "frame/tonal_maps.hpp"
 
 #include <cstdlib>
-#include <string_view>
 #include <system_error>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
+#include "core/hash.hpp"
 #include "style/sheet.hpp"
 #include "techniques/tam/maker.hpp"
 #include "techniques/tam/tam_file.hpp"
 
 namespace estampe::frame {
 namespace {
-
-/// FNV-1a, 64 bits: Fowler, Noll and Vo, 1991.
-uint64_t hash_of(std::string_view text)
-{
-    uint64_t hash = 0xcbf29ce484222325U;
-    for (const char character : text) {
-        hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3U;
-    }
-    return hash;
-}
 
 tam::TonalArtMap drawn_or_kept(const tam::TamStyle& style)
 {
@@ -71,8 +61,9 @@ std::filesystem::path kept_map(const tam::TamStyle& style)
     tam::TamStyle values = style;
     style::Sheet sheet;
     sheet.bind(tam::tam_table(), values);
-    const uint64_t hash = hash_of(sheet.to_toml());
-    return folder / "estampe" / fmt::format("map-{}-{:016x}.tam", tam::drawing_version, hash);
+    Hash hash;
+    hash.add_text(sheet.to_toml());
+    return folder / "estampe" / fmt::format("map-{}-{:016x}.tam", tam::drawing_version, hash.value());
 }
 
 hatch::MapData load_map(const MapChoice& choice)

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "frame/page_clip.hpp"
+#include "frame/view.hpp"
 #include "gpu/read_back.hpp"
 #include "style/color.hpp"
 #include "techniques/contour/chains/chains.hpp"
@@ -146,7 +147,7 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
                const StyleTables& style, bool with_hidden_lines)
 {
     const contour::ContourStyle& contour = style.contour;
-    const float pixels_per_mm = static_cast<float>(drawn.size_px.y) / style.paper.height_mm;
+    const float px_per_mm = pixels_per_mm(drawn.size_px.y, style.paper.height_mm);
     bool with_hidden = with_hidden_lines || contour.hidden != contour::Hidden::none;
     std::vector<contour::LinePath> paths;
     for (const gpu::Buffer& line_points : lists.line_points) {
@@ -157,8 +158,7 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
              .strokes_before = items_of<uint32_t>(lists.line_strokes_before),
              .points = items_of<shared::LinePoint>(line_points),
              .facing = items_of<uint32_t>(lists.line_facing)},
-            *drawn.edges,
-            with_hidden ? std::optional(hidden_widths_px(contour, pixels_per_mm)) : std::nullopt);
+            *drawn.edges, with_hidden ? std::optional(hidden_widths_px(contour, px_per_mm)) : std::nullopt);
         if (contour.joints == contour::Joints::mitre) {
             hand = contour::join_paths(std::move(hand));
         }

@@ -64,7 +64,7 @@ shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds, c
     return {.clip_from_anchor = glm::mat4(clip_from_anchor),
             .anchor_from_clip = glm::mat4(glm::inverse(clip_from_anchor)),
             .eye_anchor = glm::vec3(camera.eye - anchor),
-            .pixels_per_mm = static_cast<float>(settings.size_px.y / settings.page_height_mm),
+            .pixels_per_mm = pixels_per_mm(settings.size_px.y, settings.page_height_mm),
             .view_forward = glm::vec3(glm::normalize(camera.target - camera.eye)),
             .is_orthographic = is_parallel ? 1U : 0U,
             .size_px = settings.size_px,
@@ -87,11 +87,17 @@ float nearby(std::span<const glm::vec3> places, const glm::vec3& eye)
     return *fifth;
 }
 
-float pixel_angle(const Camera& camera, uint32_t height_px)
+float pixels_per_mm(uint32_t height_px, double page_height_mm)
 {
-    const double height =
-        camera.orthographic_half_height_m.has_value() ? 0.02 : 2.0 * std::tan(0.5 * camera.vertical_fov_rad);
-    return static_cast<float>(height / height_px);
+    return static_cast<float>(height_px / page_height_mm);
+}
+
+PixelSize pixel_size(const Camera& camera, uint32_t height_px)
+{
+    const bool is_parallel = camera.orthographic_half_height_m.has_value();
+    const double half_height_m =
+        is_parallel ? *camera.orthographic_half_height_m : std::tan(0.5 * camera.vertical_fov_rad);
+    return {.at_one_m = static_cast<float>(2.0 * half_height_m / height_px), .is_parallel = is_parallel};
 }
 
 glm::dvec2 jitter(uint32_t index, uint32_t count)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <span>
 
 #include <estampe/scene.hpp>
@@ -26,8 +27,23 @@ struct ViewSettings {
 /// none. It changes smoothly as the eye moves.
 [[nodiscard]] float nearby(std::span<const glm::vec3> places, const glm::vec3& eye);
 
-/// Size of a pixel at distance one, or relative to the scene in parallel projection.
-[[nodiscard]] float pixel_angle(const Camera& camera, uint32_t height_px);
+/// Of a page that is `height_px` pixels high.
+[[nodiscard]] float pixels_per_mm(uint32_t height_px, double page_height_mm);
+
+/// What a pixel of the page spans in the scene.
+struct PixelSize {
+    float at_one_m = 0.001F; ///< at a distance of one; in parallel projection at any
+    bool is_parallel = false;
+
+    /// At a distance from the eye.
+    template <std::floating_point Number>
+    [[nodiscard]] Number at(Number distance_m) const
+    {
+        return static_cast<Number>(at_one_m) * (is_parallel ? Number(1) : distance_m);
+    }
+};
+
+[[nodiscard]] PixelSize pixel_size(const Camera& camera, uint32_t height_px);
 
 /// The `index`th of `count` shifts that cover a pixel evenly (Halton 2, 3), none for a single one.
 [[nodiscard]] glm::dvec2 jitter(uint32_t index, uint32_t count);

@@ -3,6 +3,7 @@
 #define ESTAMPE_CAMERA
 
 #include "shaders/frame.glsl.h"
+#include "shaders/unit.glsl"
 
 // Position in normalised device coordinates of a point of the page in pixels; y grows downwards in both.
 vec2 ndc_at(vec2 position_px, uvec2 size_px)
@@ -27,6 +28,14 @@ vec3 towards_eye(FrameGlobals frame, vec3 point_anchor)
 float thinned_at(FrameGlobals frame, float away_m)
 {
     return clamp(pow(frame.nearby_m / max(away_m, 1e-6), 0.4), 0.45, 1.25);
+}
+
+// What a pixel spans, in metres, of a plane through the point that faces as the page does.
+float pixel_size_m(FrameGlobals frame, vec3 point_anchor)
+{
+    float w = (frame.clip_from_anchor * vec4(point_anchor, 1.0)).w;
+    vec3 up = vec3(frame.clip_from_anchor[0].y, frame.clip_from_anchor[1].y, frame.clip_from_anchor[2].y);
+    return 2.0 * w / (float(frame.size_px.y) * max(size_of(up), 1e-20));
 }
 
 #endif

@@ -45,8 +45,7 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
     : size_px(size), layout(pose::build_meshes(scene, static_cast<Index>(scene.materials.size()))),
       pose(pose::pose_meshes(layout, scene, pose_scene(scene, time_s))),
       globals(frame::frame_globals(camera, layout.bounds, layout.anchor, {.size_px = size})),
-      pixel_angle_(static_cast<double>(frame::pixel_angle(camera, size.y))),
-      meshes_(pose::upload_meshes(shared_device(), layout)),
+      pixel_(frame::pixel_size(camera, size.y)), meshes_(pose::upload_meshes(shared_device(), layout)),
       materials_(surface::upload_materials(shared_device(), scene)), needs_(surface::scene_needs(scene)),
       frame_(gpu::upload_buffer(shared_device(), "frame", std::vector{globals}))
 {

@@ -150,7 +150,7 @@ private:
     std::vector<raster::Batch> caster_batches(const LightSetup& setup) const;
     raster::View raster_view() const;
 
-    double pixel_angle_ = 0.0;
+    frame::PixelSize pixel_;
     pose::MeshBuffers meshes_;
     surface::MaterialBuffers materials_;
     surface::SceneNeeds needs_;

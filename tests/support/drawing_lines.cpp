@@ -21,6 +21,7 @@ contour::ContourInputs Drawing::contour_inputs(gpu::Graph& graph, const Stage& s
             .posed_vertices = stage.posed,
             .draws = stage.draws,
             .materials = stage.materials,
+            .own_outlines = needs_.own_outlines,
             .draw = stage.surface.draw,
             .depth = stage.surface.depth,
             .normal = stage.surface.normal,
@@ -28,7 +29,7 @@ contour::ContourInputs Drawing::contour_inputs(gpu::Graph& graph, const Stage& s
             .light = lit.light,
             .sun = line_light.keeps_sun ? std::optional(lit.sun) : std::nullopt,
             .screen_draw = screen::add_no_screen(graph).draw,
-            .pixel_angle = static_cast<float>(pixel_angle_),
+            .pixel_m_at_one = pixel_.at_one_m,
             .size_px = size_px};
 }
 

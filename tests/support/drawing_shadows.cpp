@@ -18,7 +18,7 @@ frame::FramePlan Drawing::sun_plan(const glm::dvec3& towards_sun, const LightSet
     plan.raster = tuning;
     plan.shadow_size = setup.shadow_size;
     plan.sun = sun(towards_sun, std::max(setup.shadow_size, 4U));
-    plan.pixel_m = static_cast<float>(pixel_angle_);
+    plan.pixel = pixel_;
     plan.shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines);
     if (setup.is_warped) {
         plan.sun = warped_sun(towards_sun, setup.shadow_size);

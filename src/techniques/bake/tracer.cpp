@@ -9,6 +9,7 @@
 #include <estampe/error.hpp>
 
 #include "core/luminance.hpp"
+#include "scene/lamp_light.hpp"
 
 namespace estampe::bake {
 namespace {
@@ -89,27 +90,18 @@ struct Beam {
 };
 
 /// The share that leaves along a unit vector.
-float in_cone(const Lamp& lamp, const glm::vec3& along)
+float share_along(const Lamp& lamp, const glm::vec3& along)
 {
     if (lamp.kind != LampKind::spot && lamp.kind != LampKind::pyramid) {
         return 1.0F;
     }
-    float cosine = glm::dot(along, lamp.direction);
-    if (lamp.kind == LampKind::pyramid) {
-        // The angle to the nearest of the sides counts.
-        const float aside = std::max(std::abs(glm::dot(along, lamp.side)),
-                                     std::abs(glm::dot(along, glm::cross(lamp.side, lamp.direction))));
-        cosine /= std::sqrt(std::max(cosine * cosine + aside * aside, 1e-12F));
-    }
-    const float cone = std::clamp(cosine * lamp.cone_scale + lamp.cone_offset, 0.0F, 1.0F);
-    return cone * cone;
-}
-
-float weakened(const Lamp& lamp, float distance_2)
-{
-    const float ratio = lamp.range_m > 0.0F ? distance_2 / (lamp.range_m * lamp.range_m) : 0.0F;
-    return lamp.unit_volume ? std::max(1.0F - ratio, 0.0F)
-                            : std::clamp(1.0F - ratio * ratio, 0.0F, 1.0F) / distance_2;
+    return estampe::share_along(
+        {.shape = lamp.kind == LampKind::pyramid ? SpotShape::pyramid : SpotShape::cone,
+         .direction = lamp.direction,
+         .side = lamp.side,
+         .cone_scale = lamp.cone_scale,
+         .cone_offset = lamp.cone_offset},
+        along);
 }
 
 Beam beam_of(const Lamp& lamp, const glm::vec3& place, const glm::vec3& normal)
@@ -122,8 +114,9 @@ Beam beam_of(const Lamp& lamp, const glm::vec3& place, const glm::vec3& normal)
     const float distance_2 = std::max(glm::dot(way, way), 1e-6F);
     const float distance_m = std::sqrt(distance_2);
     const glm::vec3 direction = way / distance_m;
-    const float strength =
-        std::max(glm::dot(normal, direction), 0.0F) * weakened(lamp, distance_2) * in_cone(lamp, -direction);
+    const LightFalloff falloff = lamp.unit_volume ? LightFalloff::unit_volume : LightFalloff::inverse_square;
+    const float strength = std::max(glm::dot(normal, direction), 0.0F) *
+                           weakened(falloff, lamp.range_m, distance_2) * share_along(lamp, -direction);
     return {lamp.color * strength, direction, distance_m, lamp.casters};
 }
 

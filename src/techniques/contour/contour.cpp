@@ -45,7 +45,7 @@ Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& 
                                     .boundary_px = style.boundary_mm * on,
                                     .crease_px = style.crease_mm * on,
                                     .crease_cosine = std::cos(glm::radians(style.crease_deg)),
-                                    .depth_step = 12.0F * style.depth_step * in.pixel_angle,
+                                    .depth_step = 12.0F * style.depth_step * in.pixel_m_at_one,
                                     .capacity = capacity})
         .dispatch_over(in.size_px.x, in.size_px.y);
 
@@ -61,7 +61,7 @@ Seeds add_seeds(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& 
     place
         .push(shared::SeedConstants{.pressure = style.pressure,
                                     .distance_thinning = style.distance_thinning,
-                                    .pixel_angle = in.pixel_angle,
+                                    .pixel_m_at_one = in.pixel_m_at_one,
                                     .capacity = capacity})
         .dispatch(std::min(capacity / 64 + 1, listing_groups));
     return {seed, nearest};

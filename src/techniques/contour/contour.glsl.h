@@ -27,14 +27,15 @@ struct EdgeConstants {
     float boundary_px;
     float crease_px;
     float crease_cosine;
-    float depth_step; // share of the distance by which a surface must fall away within one pixel
+    float depth_step; // by which a surface must fall away within one pixel: share of the distance, or metres
+                      // in parallel projection
     uint capacity;
 };
 
 struct SeedConstants {
     float pressure; // 0: even, 1: from hair-thin in the light to double in the shade
     float distance_thinning;
-    float pixel_angle; // size of a pixel at distance one
+    float pixel_m_at_one; // what a pixel spans at a distance of one, in perspective
     uint capacity;
 };
 

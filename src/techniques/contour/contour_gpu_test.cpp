@@ -15,10 +15,11 @@ namespace {
 
 constexpr uint32_t side_px = 180;
 
-/// Even lines of the same width everywhere.
+/// Even lines of the same width everywhere, found on the page.
 ContourStyle even_lines(float width_px)
 {
     ContourStyle style;
+    style.lines = Lines::page;
     style.outline_mm = style.boundary_mm = style.crease_mm = width_px;
     style.pressure = 0.0F;
     style.distance_thinning = 0.0F;
@@ -162,6 +163,51 @@ TEST(Contour, APlaneSeenAtAGrazingAngleHasNoLinesInside)
         const Ink ink(drawing, even_lines(3.0F));
         EXPECT_EQ(ink.inside(4), 0.0) << "from a height of " << height_m << " m";
         EXPECT_GT(ink.total(), 300.0) << "the horizon is lined";
+    }
+}
+
+TEST(Contour, AnOutlineInMetresKeepsItsWidthInParallelProjection)
+{
+    constexpr double half_height_m = 1.5;
+    constexpr double pixel_m = 2.0 * half_height_m / side_px;
+    Scene scene = test::scene_of(shapes::sphere(1.0F, 256, 128));
+    scene.materials.front().toon = ToonShade{.outline_width_m = 0.05F};
+    for (const double distance_m : {4.0, 40.0}) {
+        Camera camera = test::front_camera(distance_m, 0.6);
+        camera.orthographic_half_height_m = half_height_m;
+        test::Drawing drawing(scene, camera, glm::uvec2(side_px));
+        const double around_px = 2.0 * std::numbers::pi / pixel_m;
+        EXPECT_NEAR(Ink(drawing, even_lines(4.0F)).total() / around_px, 0.05 / pixel_m, 0.4)
+            << "from " << distance_m << " m";
+    }
+}
+
+TEST(Contour, InParallelProjectionAStepIsAsDeepInAnyScene)
+{
+    // Two sheets of one object, one before the other, and far away a third that makes the scene larger.
+    constexpr double half_height_m = 1.5;
+    constexpr auto break_m = static_cast<float>(12.0 * 2.0 * half_height_m / side_px); // at a depth_step of 1
+    const auto inside = [&](float gap_m, float aside_m) {
+        Primitive sheets = shapes::quad(4.0F, 4.0F);
+        for (const glm::vec2 place : {glm::vec2(0.0F, gap_m), glm::vec2(aside_m, 0.0F)}) {
+            const Primitive sheet = shapes::quad(1.0F, 1.0F);
+            const auto first = static_cast<uint32_t>(sheets.positions.size());
+            for (size_t i = 0; i < sheet.positions.size(); ++i) {
+                sheets.positions.push_back(sheet.positions[i] + glm::vec3(place.x, 0.0F, place.y));
+                sheets.normals.push_back(sheet.normals[i]);
+            }
+            for (const uint32_t index : sheet.indices) {
+                sheets.indices.push_back(first + index);
+            }
+        }
+        Camera camera = test::front_camera(5.0, 0.6);
+        camera.orthographic_half_height_m = half_height_m;
+        test::Drawing drawing(test::scene_of(sheets), camera, glm::uvec2(side_px));
+        return Ink(drawing, even_lines(2.0F)).inside(5);
+    };
+    for (const float aside_m : {10.0F, 200.0F}) {
+        EXPECT_GT(inside(1.2F * break_m, aside_m), 200.0) << aside_m << " m wide";
+        EXPECT_EQ(inside(0.8F * break_m, aside_m), 0.0) << aside_m << " m wide";
     }
 }
 

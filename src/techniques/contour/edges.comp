@@ -8,6 +8,7 @@
 #include "shaders/frame.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
+#include "shaders/unit.glsl"
 #include "techniques/contour/contour.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -72,6 +73,14 @@ Seen seen_at(ivec2 pixel)
     return Seen(texelFetch(draw_image, on_page(pixel), 0).x, depth_at(pixel), normal_at(pixel));
 }
 
+// The least step in reversed depth that is a break. In perspective depth falls by its own share where the
+// distance grows by that share; in parallel projection it falls as much over every metre.
+float least_step(float depth)
+{
+    vec3 fall = vec3(frame.clip_from_anchor[0].z, frame.clip_from_anchor[1].z, frame.clip_from_anchor[2].z);
+    return constants.depth_step * (frame.is_orthographic != 0u ? size_of(fall) : depth);
+}
+
 // Whole width in pixels of the line between two neighbours that both show something; 0 for none. Reversed
 // depth is linear over the page on a plane, so a break is a step that neither side's own slope foretells.
 float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
@@ -88,7 +97,7 @@ float line_within_scene(Seen a, Seen b, ivec2 before, ivec2 after)
     if (!same_draw && draw_a.object != draw_b.object) {
         return constants.outline_px;
     }
-    if (surprise > constants.depth_step * max(a.depth, b.depth)) {
+    if (surprise > least_step(max(a.depth, b.depth))) {
         return 0.9 * constants.outline_px;
     }
     if (!same_draw && draw_a.material != draw_b.material) {

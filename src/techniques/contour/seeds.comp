@@ -122,6 +122,14 @@ float pressure_at(ivec2 pixel, float depth)
     return thinning * mix(1.0, 0.62 + 0.75 * shade + 0.7 * slow, constants.pressure);
 }
 
+// What a pixel spans at a point, by its distance from the eye in perspective: an outline that keeps its
+// distance is as wide all over the page.
+float pixel_there_m(vec3 point)
+{
+    return frame.is_orthographic != 0u ? pixel_size_m(frame, point)
+                                       : distance(point, frame.eye_anchor) * constants.pixel_m_at_one;
+}
+
 // Where the line between a pixel and its neighbour runs: offset from the pixel's centre, and direction.
 void place_line(ivec2 pixel, ivec2 way, inout float width, out vec2 offset, out vec2 direction)
 {
@@ -138,7 +146,7 @@ void place_line(ivec2 pixel, ivec2 way, inout float width, out vec2 offset, out 
     if (has_own_outlines && sees_draw(word)) {
         float own_m = outline_width_m_of(draw_at(draw_of(word)).material);
         vec3 point = anchor_at(frame, vec2(front) + 0.5, max(max(depth_here, depth_there), 1e-9));
-        width = own_m > 0.0 ? own_m / (distance(point, frame.eye_anchor) * constants.pixel_angle) : width;
+        width = own_m > 0.0 ? own_m / pixel_there_m(point) : width;
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/hatch/hatch.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -62,11 +63,27 @@ gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId 
     return source;
 }
 
+FirstLayer first_layer(const HatchStyle& style)
+{
+    // What shadow leaves for a single layer to draw.
+    constexpr float single_share = 0.7F;
+    // As kept_share() of shaders/lines.glsl, which a test holds it to.
+    const float ends_mm = style.gap_mm > 0.0F ? 0.75F * (style.gap_mm + style.taper_mm) : 0.0F;
+    const float kept = std::max(1.0F - ends_mm / std::max(style.length_mm, 1e-3F), 0.1F);
+    const float share = style.layers > 1 ? shared::first_layer_share : single_share;
+    const float wind = glm::radians(style.wind_deg);
+    return {.width_mm = style.width_mm,
+            .darkness = std::min(share / kept, 1.0F),
+            .seed = static_cast<uint32_t>(style.seed),
+            .flat_axis = turned(style.slant_deg),
+            .wind = {glm::sin(wind), glm::cos(wind)}};
+}
+
 shared::LineConstants line_constants(const HatchInputs& in, const HatchStyle& style)
 {
-    const float wind = glm::radians(style.wind_deg);
+    const FirstLayer layer = first_layer(style);
     return {.size_px = in.size_px,
-            .width_px = style.width_mm * in.pixels_per_mm,
+            .width_px = layer.width_mm * in.pixels_per_mm,
             .wobble_px = style.wobble_mm * in.pixels_per_mm,
             .gap_px = style.gap_mm * in.pixels_per_mm,
             .taper_px = style.taper_mm * in.pixels_per_mm,
@@ -75,11 +92,11 @@ shared::LineConstants line_constants(const HatchInputs& in, const HatchStyle& st
             .growth = style.growth,
             .black_above = style.drawn ? style.black_above : 2.0F,
             .layers = style.drawn ? static_cast<uint32_t>(style.layers) : 0U,
-            .seed = static_cast<uint32_t>(style.seed),
-            .flat_axis_0 = turned(style.slant_deg),
+            .seed = layer.seed,
+            .flat_axis_0 = layer.flat_axis,
             .flat_axis_1 = turned(style.slant_deg + 62.0F),
             .flat_axis_2 = turned(style.slant_deg - 41.0F),
-            .wind = {glm::sin(wind), glm::cos(wind)},
+            .wind = layer.wind,
             .towards_light = in.towards_light,
             .overrun_px = style.overrun_mm * in.pixels_per_mm};
 }

@@ -64,6 +64,15 @@ struct LineConstants {
     float overrun_px; // how far strokes run over silhouettes
 };
 
+// The most that a layer draws of the darkness that is left to do, where another follows.
+#ifdef __cplusplus
+inline constexpr float first_layer_share = 0.46F;
+inline constexpr float next_layer_share = 0.50F;
+#else
+#define FIRST_LAYER_SHARE 0.46
+#define NEXT_LAYER_SHARE 0.50
+#endif
+
 // Which pixel's strokes run over into another.
 struct OverrunConstants {
     uvec2 size_px;

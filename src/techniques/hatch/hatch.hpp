@@ -112,6 +112,17 @@ inline const style::Table<HatchStyle>& hatch_table()
     return table;
 }
 
+/// The first layer of lines in full shadow, for what goes along with its strokes.
+struct FirstLayer {
+    float width_mm = 0.3F;
+    float darkness = 0.5F; ///< of the lines where they run
+    uint32_t seed = 1;
+    glm::vec2 flat_axis{0.0F, 1.0F}; ///< across the strokes, over UVs and on the page
+    glm::vec2 wind{0.0F, 1.0F};      ///< horizontal direction x, z
+};
+
+[[nodiscard]] FirstLayer first_layer(const HatchStyle& style);
+
 /// A tonal art map as handles of one graph.
 struct MapInputs {
     gpu::ImageId tones;

@@ -57,7 +57,8 @@ struct Families {
 // What a layer draws of the darkness that is left to do; the last one draws all of it.
 float layer_share(uint layer, float remaining)
 {
-    return layer + 1u >= constants.layers ? remaining : min(remaining, layer == 0u ? 0.46 : 0.50);
+    float most = layer == 0u ? FIRST_LAYER_SHARE : NEXT_LAYER_SHARE;
+    return layer + 1u >= constants.layers ? remaining : min(remaining, most);
 }
 
 // How much of a layer's strokes its slices carry; the level family has the rest.

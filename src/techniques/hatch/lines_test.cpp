@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "support/glsl.hpp"
+#include "techniques/hatch/hatch.glsl.h"
+#include "techniques/hatch/hatch.hpp"
 
 namespace estampe {
 namespace lines {
@@ -164,6 +166,18 @@ TEST(GrownStrokes, AreAsLongAsAskedOnAverage)
         }
         EXPECT_NEAR(sum, static_cast<double>(share), 0.02);
     }
+}
+
+TEST(FirstLayer, PaysForGapsAndTapersAsTheShadersLinesDo)
+{
+    hatch::HatchStyle style;
+    style.length_mm = 7.0F;
+    lines::LineLook look{};
+    look.gap_px = style.gap_mm;
+    look.taper_px = style.taper_mm;
+    look.cell_px = style.length_mm;
+    EXPECT_FLOAT_EQ(hatch::first_layer(style).darkness * lines::kept_share(look, 1.0F),
+                    shared::first_layer_share);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/luminance.hpp"
+#include "scene/lamp_light.hpp"
 #include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
 #include "techniques/light/light.hpp"
@@ -67,30 +68,27 @@ shared::LightRecord make_record(const Light& light, const glm::dmat4& world_from
     return record;
 }
 
-/// The share of a local light that a distance lets through, without the window of inverse squares.
+/// The share of a local light that a distance lets through, inverse squares without their window.
 float weakened(const shared::LightRecord& record, float distance_2)
 {
-    if (is_unit_volume(record)) {
-        return std::max(0.0F, 1.0F - distance_2 / (record.range_m * record.range_m));
-    }
-    return 1.0F / distance_2;
+    return is_unit_volume(record) ? estampe::weakened(LightFalloff::unit_volume, record.range_m, distance_2)
+                                  : estampe::weakened(LightFalloff::inverse_square, 0.0F, distance_2);
 }
 
-/// The share of a local light that leaves along `beam`, a unit vector.
-float in_cone(const shared::LightRecord& record, const glm::vec3& beam)
+/// The share of a local light that leaves along a unit vector.
+float share_along(const shared::LightRecord& record, const glm::vec3& along)
 {
     const uint32_t type = record.type & shared::light_type_mask;
     if (type == shared::light_point) {
         return 1.0F;
     }
-    float cosine = glm::dot(beam, record.direction);
-    if (type == shared::light_pyramid) {
-        const float aside = std::max(std::abs(glm::dot(beam, record.side)),
-                                     std::abs(glm::dot(beam, glm::cross(record.side, record.direction))));
-        cosine /= std::sqrt(std::max(cosine * cosine + aside * aside, 1e-12F));
-    }
-    const float cone = std::clamp(cosine * record.cone_scale + record.cone_offset, 0.0F, 1.0F);
-    return cone * cone;
+    return estampe::share_along(
+        {.shape = type == shared::light_pyramid ? SpotShape::pyramid : SpotShape::cone,
+         .direction = record.direction,
+         .side = record.side,
+         .cone_scale = record.cone_scale,
+         .cone_offset = record.cone_offset},
+        along);
 }
 
 /// What arrives at a point that faces every light.
@@ -104,7 +102,7 @@ float arriving(const std::vector<shared::LightRecord>& records, const glm::vec3&
         }
         const glm::vec3 to_light = record.position - point;
         const float distance_2 = std::max(glm::dot(to_light, to_light), 1e-6F);
-        sum += luminance(record.color) * in_cone(record, -to_light / std::sqrt(distance_2)) *
+        sum += luminance(record.color) * share_along(record, -to_light / std::sqrt(distance_2)) *
                weakened(record, distance_2);
     }
     return sum;
@@ -308,6 +306,11 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
     lighting.ambient = glm::vec3(style.ambient * std::exp2(stops));
     lighting.ambient += ambient * lighting.exposure;
     return lighting;
+}
+
+SkyAndGround sky_and_ground(const glm::vec3& ambient, float share)
+{
+    return {.sky = ambient * (1.25F * share), .ground = ambient * (0.75F * share)};
 }
 
 } // namespace estampe::light

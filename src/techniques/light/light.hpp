@@ -47,6 +47,15 @@ struct Paling {
 [[nodiscard]] Paling ground_paling(const Bounds& bounds, const glm::dvec3& anchor,
                                    const glm::dvec3& towards_sun, float most);
 
+/// Light from everywhere, as surfaces get it that face up and down.
+struct SkyAndGround {
+    glm::vec3 sky{0.0F};
+    glm::vec3 ground{0.0F};
+};
+
+/// A share of ambient light, a quarter brighter from above and darker from below.
+[[nodiscard]] SkyAndGround sky_and_ground(const glm::vec3& ambient, float share = 1.0F);
+
 /// The style's tone curve as the shaders want it.
 [[nodiscard]] shared::ToneConstants tone_constants(const ToneStyle& style);
 

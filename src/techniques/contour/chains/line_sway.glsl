@@ -3,7 +3,7 @@
 #define ESTAMPE_LINE_SWAY
 
 // How a hand strays. What it does at a place of the scene it does there in every frame: lines that meet stray
-// together, and closed ones close. Wanted before: `constants` with wave_px, pixel_size_m(), hash.glsl.
+// together, and closed ones close. Wanted before: `frame`, `constants` with wave_px, camera.glsl, hash.glsl.
 
 float lattice_value(ivec3 cell, uint seed)
 {
@@ -29,7 +29,7 @@ float value_noise(vec3 p, uint seed)
 // the two nearest.
 float stray_at(vec3 anchor, float wave_px, uint seed)
 {
-    float octave = log2(max(wave_px * pixel_size_m(anchor), 1e-20));
+    float octave = log2(max(wave_px * pixel_size_m(frame, anchor), 1e-20));
     float low = floor(octave);
     float fine = value_noise(anchor * exp2(-low), seed);
     float coarse = value_noise(anchor * exp2(-low - 1.0), seed + 1u);

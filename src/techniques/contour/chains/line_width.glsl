@@ -29,7 +29,7 @@ float width_at(uint index)
     float width = constants.width_of_kind[kind];
     if (has_widths_m && (constants.metre_kinds >> kind & 1u) != 0u) {
         // Thinned with the rest by and by, of which distance has done its part here.
-        width /= pixel_size_m(point.anchor) * thinning_at(point.anchor);
+        width /= pixel_size_m(frame, point.anchor) * thinning_at(point.anchor);
     }
     return width;
 }
@@ -80,7 +80,7 @@ float full_width(uint index, Stroke stroke, out uint ink)
 {
     LineSample point = sample_at(index);
     vec3 normal = unpack_normal(point.normal);
-    float pixel_m = pixel_size_m(point.anchor);
+    float pixel_m = pixel_size_m(frame, point.anchor);
     vec4 outside = frame.clip_from_anchor * vec4(point.anchor + normal * pixel_m, 1.0);
     vec2 outwards_px = page_position(outside) - point.page_px;
     float width = even_width(index, stroke) * pressure_at(index, stroke, -2.5 * outwards_px);

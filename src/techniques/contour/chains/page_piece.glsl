@@ -56,12 +56,4 @@ float share_at(PagePiece piece, float along)
     return mix(piece.kept.x, piece.kept.y, weight / max(weight + (1.0 - along) * piece.to_w, 1e-20));
 }
 
-// Size of a pixel at the distance of a point.
-float pixel_size_m(vec3 anchor)
-{
-    float w = (frame.clip_from_anchor * vec4(anchor, 1.0)).w;
-    vec3 up = vec3(frame.clip_from_anchor[0].y, frame.clip_from_anchor[1].y, frame.clip_from_anchor[2].y);
-    return 2.0 * w / (float(frame.size_px.y) * max(size_of(up), 1e-20));
-}
-
 #endif

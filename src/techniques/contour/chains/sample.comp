@@ -100,7 +100,7 @@ Cover cover_of(uint triangle, vec3 point, float tolerance_m)
 // than a pixel, most of them.
 bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
 {
-    float pixel_m = pixel_size_m(anchor);
+    float pixel_m = pixel_size_m(frame, anchor);
     vec3 outside = anchor + normal * (bulge_m + outside_px * pixel_m);
     vec2 place = page_position(frame.clip_from_anchor * vec4(outside, 1.0));
     ivec2 last = ivec2(frame.size_px) - 1;

@@ -7,7 +7,6 @@
 
 #include "shaders/camera.glsl"
 #include "shaders/draw_word.glsl"
-#include "shaders/frame.glsl.h"
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/noise.glsl"
