@@ -1,7 +1,17 @@
 # One folder, one target: estampe_module(scene DEPENDS core LINK PNG::PNG) makes the library estampe_scene from the
-# sources beside the calling CMakeLists.txt. Tests live beside the code: *_test.cpp needs no device, *_gpu_test.cpp does.
+# sources beside the calling CMakeLists.txt, but for those after EXCEPT. Tests live beside the code: *_test.cpp needs no
+# device, *_gpu_test.cpp does.
 
+# What the public headers ask of whoever includes them.
+add_library(estampe_usage INTERFACE)
+target_compile_features(estampe_usage INTERFACE cxx_std_20)
+target_compile_definitions(estampe_usage INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_XYZW_ONLY)
+target_include_directories(estampe_usage INTERFACE ${PROJECT_SOURCE_DIR}/include)
+target_link_libraries(estampe_usage INTERFACE glm::glm)
+
+# What Estampe's own sources are compiled with, and nobody else's.
 add_library(estampe_flags INTERFACE)
+target_link_libraries(estampe_flags INTERFACE estampe_usage)
 target_compile_options(estampe_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
   -Wno-missing-field-initializers) # designated initialisers leave the rest at their defaults on purpose
 if(ESTAMPE_WERROR)
@@ -11,15 +21,17 @@ if(ESTAMPE_SANITIZE)
   target_compile_options(estampe_flags INTERFACE -fsanitize=${ESTAMPE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(estampe_flags INTERFACE -fsanitize=${ESTAMPE_SANITIZE})
 endif()
-target_include_directories(estampe_flags INTERFACE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
-target_compile_definitions(estampe_flags INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_XYZW_ONLY)
+target_include_directories(estampe_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 
 function(estampe_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 module "" "" "DEPENDS;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 module "" "" "DEPENDS;LINK;EXCEPT")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  foreach(source ${module_EXCEPT})
+    list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+  endforeach()
   add_library(estampe_${name} STATIC ${sources})
-  target_link_libraries(estampe_${name} PUBLIC estampe_flags ${module_LINK})
+  target_link_libraries(estampe_${name} PRIVATE estampe_flags PUBLIC estampe_usage ${module_LINK})
   foreach(dependency ${module_DEPENDS})
     target_link_libraries(estampe_${name} PUBLIC estampe_${dependency})
   endforeach()

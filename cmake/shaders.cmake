@@ -1,5 +1,6 @@
 # estampe_shaders(hatch hatch.comp ...) compiles each shader with glslc and gives the target estampe_hatch a header
-# "shaders/hatch_comp.hpp" with `estampe::shaders::hatch_comp`; folders are left out. GLSL may include from src/ ("shaders/noise.glsl").
+# "shaders/hatch_comp.hpp" with `estampe::shaders::hatch_comp`; folders are left out, so that no two shaders may have one
+# file name, in whatever folders. GLSL may include from src/ ("shaders/noise.glsl").
 
 find_program(GLSLC glslc REQUIRED)
 
@@ -8,6 +9,11 @@ function(estampe_shaders name)
     get_filename_component(file ${shader} NAME)
     string(REPLACE "." "_" symbol ${file})
     set(source ${CMAKE_CURRENT_SOURCE_DIR}/${shader})
+    get_property(namesake GLOBAL PROPERTY estampe_shader_${symbol})
+    if(namesake)
+      message(FATAL_ERROR "Two shaders are named ${file}, and would be one symbol: ${namesake} and ${source}")
+    endif()
+    set_property(GLOBAL PROPERTY estampe_shader_${symbol} ${source})
     set(words ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.words)
     set(header ${CMAKE_CURRENT_BINARY_DIR}/shaders/${symbol}.hpp)
     add_custom_command(
@@ -20,5 +26,5 @@ function(estampe_shaders name)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/shader.hpp.in ${header} @ONLY)
     target_sources(estampe_${name} PRIVATE ${words})
   endforeach()
-  target_include_directories(estampe_${name} PUBLIC ${CMAKE_CURRENT_BINARY_DIR})
+  target_include_directories(estampe_${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()
