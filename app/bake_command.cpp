@@ -2,7 +2,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <unistd.h>
@@ -14,6 +13,7 @@
 #include "frame/baking.hpp"
 #include "frame/light_links.hpp"
 #include "scene/static_triangles.hpp"
+#include "signals.hpp"
 #include "text.hpp"
 
 namespace estampe::app {
@@ -22,11 +22,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 std::atomic<bool> is_stopped = false;
-
-void stop(int)
-{
-    is_stopped = true;
-}
 
 double seconds_since(Clock::time_point start)
 {
@@ -56,15 +51,15 @@ public:
         const std::string left =
             share > 0.0 ? fmt::format(", {} left", in_words(seconds_since(start_) * (1.0 - share) / share))
                         : "";
-        fmt::print(stderr, "{}estampe: bake: {:.0f} %{}{}", is_terminal_ ? "\r\x1b[K" : "", 100.0 * done,
-                   left, is_terminal_ ? "" : "\n");
+        say(fmt::format("{}estampe: bake: {:.0f} %{}{}", is_terminal_ ? "\r\x1b[K" : "", 100.0 * done, left,
+                        is_terminal_ ? "" : "\n"));
         std::fflush(stderr);
     }
 
     void clear() const
     {
         if (is_terminal_) {
-            fmt::print(stderr, "\r\x1b[K");
+            say("\r\x1b[K");
         }
     }
 
@@ -119,8 +114,7 @@ void run(const BakeCommand& command)
     }
     print_notes({fmt::format("{} texels of {} x {}, each {:.1f} mm wide", bake.texel_count(), settings.size,
                              settings.size, 1000.0 / bake.texels_per_m())});
-    std::signal(SIGINT, stop);
-    std::signal(SIGTERM, stop);
+    tell_of_signals(is_stopped);
     if (!work_through(bake, partial)) {
         throw Error(fmt::format("stopped at {:.0f} %", 100.0 * bake.done()), command.output,
                     "the same command goes on from there");

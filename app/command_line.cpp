@@ -175,6 +175,18 @@ void add_bench(CLI::App& app, Typed& typed)
     lights.add_flag("--json", typed.json, "Print JSON");
 }
 
+/// An empty word is the trace of a variable that was not set, and no number, name or file.
+void refuse_empty_values(CLI::App& app)
+{
+    const auto check = [](const std::string& word) { return std::string(word.empty() ? "is empty" : ""); };
+    for (CLI::App* command : app.get_subcommands({})) {
+        for (CLI::Option* option : command->get_options()) {
+            option->check(check);
+        }
+        refuse_empty_values(*command);
+    }
+}
+
 void add_commands(CLI::App& app, Typed& typed, BakeOptions& bake)
 {
     add_bench(app, typed);
@@ -360,6 +372,7 @@ std::optional<Command> read_command_line(int argc, char** argv)
     app.get_formatter()->column_width(34);
     app.footer(examples);
     add_commands(app, typed, bake);
+    refuse_empty_values(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {

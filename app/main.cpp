@@ -5,11 +5,15 @@
 #include <optional>
 #include <variant>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
 #include "commands.hpp"
 #include "options.hpp"
+#include "signals.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
 
@@ -17,15 +21,28 @@ namespace {
 
 int fail(const char* message, int status)
 {
-    fmt::print(stderr, "estampe: error: {}\n", estampe::app::one_line(message));
+    estampe::app::say(
+        fmt::format("estampe: error: {}\n", estampe::app::shortened(estampe::app::one_line(message))));
     return status;
+}
+
+/// A closed standard stream stays one that cannot be used, and no file of ours gets its number.
+void hold_standard_streams()
+{
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) < 0) {
+            static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+        }
+    }
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
+    hold_standard_streams();
     try {
+        estampe::app::watch_signals();
         if (const std::optional<estampe::app::Command> command =
                 estampe::app::read_command_line(argc, argv)) {
             std::visit([](const auto& chosen) { estampe::app::run(chosen); }, *command);

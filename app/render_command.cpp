@@ -8,6 +8,8 @@
 
 #include "commands.hpp"
 #include "core/file.hpp"
+#include "core/image_codec.hpp"
+#include "core/pending.hpp"
 #include "drawing.hpp"
 #include "pass_history.hpp"
 #include "quick_compile.hpp"
@@ -104,6 +106,16 @@ void write_strokes(Renderer& renderer, const Camera& camera, Index animation, co
     save_svg(drawing, draw.output, {.is_for_plotter = command.plotter});
 }
 
+/// Both files, or none.
+void write_pictures(const Image& image, const Renderer& renderer, const RenderCommand& command)
+{
+    Pending picture = Pending::file(command.draw.output, encode_png(image));
+    if (!command.motion.empty()) {
+        save_motion(renderer.motion(), command.motion);
+    }
+    picture.publish();
+}
+
 } // namespace
 
 void run(const RenderCommand& command)
@@ -153,10 +165,7 @@ void run(const RenderCommand& command)
     if (!later_frames_ms.empty()) {
         clock.finish("later frames");
     }
-    save_png(image, draw.output);
-    if (!command.motion.empty()) {
-        save_motion(renderer.motion(), command.motion);
-    }
+    write_pictures(image, renderer, command);
     clock.finish("write");
 
     if (command.timings || command.json) {

@@ -6,6 +6,8 @@
 #include <estampe/image.hpp>
 
 #include "commands.hpp"
+#include "core/image_codec.hpp"
+#include "core/pending.hpp"
 #include "frame/style_tables.hpp"
 #include "techniques/tam/folder.hpp"
 #include "techniques/tam/maker.hpp"
@@ -49,10 +51,14 @@ void run(const TamCommand& command)
     }
     const tam::TonalArtMap map = command.from.empty() ? draw_map(command) : convert_map(command.from);
     const paper::PaperStyle& page = command.style.tables().paper;
-    tam::write_map(map, command.output);
-    if (!command.preview.empty()) {
-        save_png(tam::preview_sheet(map, page.color, page.ink), command.preview);
+    if (command.preview.empty()) {
+        tam::write_map(map, command.output);
+        return;
     }
+    Pending preview =
+        Pending::file(command.preview, encode_png(tam::preview_sheet(map, page.color, page.ink)));
+    tam::write_map(map, command.output);
+    preview.publish(); // both files, or none
 }
 
 } // namespace estampe::app

@@ -29,22 +29,34 @@ std::string one_line(std::string_view text)
     return line;
 }
 
+std::string shortened(const std::string& text)
+{
+    constexpr size_t longest = 2000;
+    constexpr size_t part = longest / 2;
+    return text.size() <= longest ? text : text.substr(0, part) + " ... " + text.substr(text.size() - part);
+}
+
 std::string in_quotes(std::string_view text)
 {
     return '"' + one_line(text) + '"';
 }
 
+void say(const std::string& text)
+{
+    static_cast<void>(std::fputs(text.c_str(), stderr));
+}
+
 void print_warnings(const std::vector<std::string>& warnings)
 {
     for (const std::string& warning : warnings) {
-        fmt::print(stderr, "estampe: warning: {}\n", one_line(warning));
+        say(fmt::format("estampe: warning: {}\n", shortened(one_line(warning))));
     }
 }
 
 void print_notes(const std::vector<std::string>& notes)
 {
     for (const std::string& note : notes) {
-        fmt::print(stderr, "estampe: note: {}\n", one_line(note));
+        say(fmt::format("estampe: note: {}\n", shortened(one_line(note))));
     }
 }
 

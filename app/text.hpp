@@ -11,8 +11,14 @@ namespace estampe::app {
 /// `text` on one line: control characters, which could command a terminal, become "\x1b".
 [[nodiscard]] std::string one_line(std::string_view text);
 
-/// The same, in double quotes.
+/// `text`, or where it is too long to be read its beginning and its end.
+[[nodiscard]] std::string shortened(const std::string& text);
+
+/// One line, in double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// Writes to stderr. Where that is full or closed nothing is said, and nothing fails for it.
+void say(const std::string& text);
 
 /// Writes "estampe: warning: ..." to stderr for each.
 void print_warnings(const std::vector<std::string>& warnings);

@@ -17,6 +17,8 @@
 
 #include <estampe/error.hpp>
 
+#include "core/pending.hpp"
+
 namespace estampe {
 namespace {
 
@@ -29,22 +31,6 @@ using FileHandle = std::unique_ptr<std::FILE, FileCloser>;
 std::string reason(int error)
 {
     return std::generic_category().message(error);
-}
-
-/// Makes an empty file with a name of its own beside `path`.
-std::filesystem::path make_temporary(const std::filesystem::path& path)
-{
-    std::string name = path.string() + ".part-XXXXXX";
-    const int descriptor = mkstemp(name.data());
-    if (descriptor < 0) {
-        throw Error(fmt::format("cannot write: {}", reason(errno)), path.string(),
-                    "choose a folder that exists and may be written");
-    }
-    const mode_t mask = umask(0);
-    umask(mask);
-    fchmod(descriptor, 0666 & ~mask);
-    close(descriptor);
-    return name;
 }
 
 } // namespace
@@ -63,11 +49,11 @@ std::vector<std::byte> read_file(const std::filesystem::path& path, uint64_t max
     if (descriptor < 0) {
         throw Error(fmt::format("cannot open: {}", reason(errno)), path.string());
     }
-    const FileHandle file(fdopen(descriptor, "rb"));
 
     struct stat status {};
 
-    if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+    const FileHandle file(fdopen(descriptor, "rb"));
+    if (!file || fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
         throw Error("is not a regular file", path.string());
     }
     const auto size = static_cast<uint64_t>(status.st_size);
@@ -82,36 +68,9 @@ std::vector<std::byte> read_file(const std::filesystem::path& path, uint64_t max
     return bytes;
 }
 
-void write_file_atomically(const std::filesystem::path& path,
-                           const std::function<void(const std::filesystem::path& temporary)>& write)
-{
-    std::error_code failure;
-    if (std::filesystem::is_directory(path, failure)) {
-        throw Error("is a folder", path.string(), "give the name of a file");
-    }
-    const std::filesystem::path temporary = make_temporary(path);
-    try {
-        write(temporary);
-        std::filesystem::rename(temporary, path, failure);
-        if (failure) {
-            throw Error(fmt::format("cannot write: {}", failure.message()), path.string());
-        }
-    } catch (...) {
-        std::filesystem::remove(temporary, failure);
-        throw;
-    }
-}
-
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes)
 {
-    write_file_atomically(path, [&](const std::filesystem::path& temporary) {
-        FileHandle file(std::fopen(temporary.c_str(), "wb"));
-        const bool written = file && std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
-                             std::fflush(file.get()) == 0;
-        if (!written) {
-            throw Error(fmt::format("cannot write: {}", reason(errno)), path.string());
-        }
-    });
+    Pending::file(path, bytes).publish();
 }
 
 } // namespace estampe

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -20,13 +19,8 @@ namespace estampe {
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& path,
                                                uint64_t max_bytes = std::numeric_limits<uint64_t>::max());
 
-/// Gives `write` the name of a new, empty file beside `path`, then renames it to `path`, so that readers see
-/// the old file or the whole new one. When `write` throws, the new file is removed and the exception goes on.
-/// Throws Error when the folder does not exist or cannot be written.
-void write_file_atomically(const std::filesystem::path& path,
-                           const std::function<void(const std::filesystem::path& temporary)>& write);
-
-/// The same, for bytes at hand.
+/// Writes beside `path` first and renames, so that readers see the old file or the whole new one, see
+/// Pending. Throws Error when the folder does not exist or cannot be written, or the disk is full.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 } // namespace estampe

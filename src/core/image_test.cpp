@@ -236,18 +236,6 @@ TEST(Image, saving_where_one_cannot)
     EXPECT_EQ(file_count(folder), 0U);
 }
 
-TEST(File, a_failed_write_leaves_nothing)
-{
-    const test::Folder folder;
-    EXPECT_THROW(write_file_atomically(folder / "a.txt",
-                                       [](const std::filesystem::path& temporary) {
-                                           std::ofstream(temporary) << "half";
-                                           throw Error("stop");
-                                       }),
-                 Error);
-    EXPECT_EQ(file_count(folder), 0U);
-}
-
 TEST(File, read_limit)
 {
     const test::Folder folder;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -25,7 +26,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_validation_message(VkDebugUtilsMessageSeverity
     if (receive) {
         receive(data->pMessage);
     } else {
-        fmt::print(stderr, "estampe: validation: {}\n", data->pMessage);
+        std::fprintf(stderr, "estampe: validation: %s\n", data->pMessage);
     }
     return VK_FALSE;
 }

@@ -28,7 +28,8 @@ void vk_check(VkResult result, const char* call)
     case VK_ERROR_DEVICE_LOST:
         throw Error("the graphics device was lost", call, "try again, or --device cpu");
     default:
-        throw Error(fmt::format("Vulkan failed with code {}", static_cast<int>(result)), call);
+        throw Error(fmt::format("Vulkan failed with code {}", static_cast<int>(result)), call,
+                    "choose another --device that estampe devices lists");
     }
 }
 

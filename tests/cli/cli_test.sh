@@ -85,6 +85,9 @@ expect_error 2 '--device' render scene.glb -o a.png --device -1
 expect_error 2 '--raster' render scene.glb -o a.png --raster software
 expect_error 2 '--raster' graph scene.glb -o a.dot --raster ''
 expect_error 2 '--camera' render scene.glb -o a.png --camera ''
+for option in --time --samples --style --animation --set; do
+    expect_error 2 "$option: is empty" render scene.glb -o a.png "$option" ''
+done
 expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=1,2 target=0,0,0'
 expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=1,2,3 target=1,2,3'
 expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=nan,2,3 target=1,2,3'
@@ -137,6 +140,10 @@ expect_error 1 'contour.lines: .*no paths' render scene.glb -o a.svg "${small[@]
 # Control characters of names do not reach the terminal
 expect_error 1 'red.glb' info $'\e[31mred.glb'
 ! grep -q $'\e' ../"$name".err || wrong "an escape character reached stderr"
+
+# A name that no one can read to its end is cut
+expect_error 1 'File name too long' info "$(printf 'x%.0s' {1..50000}).glb"
+[[ "$(wc -c <../"$name".err)" -lt 3000 ]] || wrong "a long name makes a long message"
 
 # Drawing
 expect_success render scene.glb -o a.png "${small[@]}"

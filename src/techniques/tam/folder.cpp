@@ -12,6 +12,7 @@
 
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
+#include "core/pending.hpp"
 #include "techniques/tam/dds.hpp"
 #include "techniques/tam/derive_levels.hpp"
 #include "techniques/tam/images.hpp"
@@ -187,23 +188,10 @@ void write_folder_at_once(const TonalArtMap& map, fs::path folder)
         throw Error("exists and is not empty", folder.string(),
                     "remove it, or give the name of a new folder");
     }
-    const fs::path parent = folder.parent_path().empty() ? fs::path(".") : folder.parent_path();
-    std::string temporary = (parent / fmt::format(".{}.XXXXXX", folder.filename().string())).string();
-    if (mkdtemp(temporary.data()) == nullptr) {
-        throw Error("cannot write into this folder", fs::absolute(folder).parent_path().string(),
-                    "check that it exists and may be written to");
-    }
-    try {
-        write_folder(map, temporary);
-        fs::permissions(temporary, fs::perms(0755));
-        fs::rename(temporary, folder);
-    } catch (const fs::filesystem_error& problem) {
-        fs::remove_all(temporary, failure);
-        throw Error(fmt::format("cannot write: {}", problem.code().message()), folder.string());
-    } catch (...) {
-        fs::remove_all(temporary, failure);
-        throw;
-    }
+    Pending pending = Pending::folder(folder);
+    write_folder(map, pending.path());
+    fs::permissions(pending.path(), fs::perms(0755), failure);
+    pending.publish();
 }
 
 } // namespace

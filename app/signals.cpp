@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "signals.hpp"
+
+#include <array>
+#include <csignal>
+#include <thread>
+
+#include <unistd.h>
+
+#include "core/pending.hpp"
+
+namespace estampe::app {
+namespace {
+
+constexpr std::array watched{SIGINT, SIGTERM, SIGHUP};
+std::atomic<std::atomic<bool>*> listener = nullptr;
+
+sigset_t watched_set()
+{
+    sigset_t set;
+    sigemptyset(&set);
+    for (const int number : watched) {
+        sigaddset(&set, number);
+    }
+    return set;
+}
+
+bool is_ignored(int number)
+{
+    struct sigaction action {};
+
+    return sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/// Ends the program as the signal does by itself, so that a shell sees which one it was.
+[[noreturn]] void end_by(int number)
+{
+    remove_all_pending();
+    std::signal(number, SIG_DFL);
+    const sigset_t set = watched_set();
+    pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+    kill(getpid(), number);
+    _exit(1);
+}
+
+void wait_for_signals()
+{
+    const sigset_t set = watched_set();
+    for (int number = 0; sigwait(&set, &number) == 0;) {
+        std::atomic<bool>* const flag = listener;
+        if (is_ignored(number) && (flag == nullptr || number == SIGHUP)) {
+            continue; // as nohup has it
+        }
+        if (flag != nullptr && !flag->exchange(true)) {
+            continue;
+        }
+        end_by(number);
+    }
+}
+
+} // namespace
+
+void watch_signals()
+{
+    std::signal(SIGXFSZ, SIG_IGN);
+    const sigset_t set = watched_set();
+    pthread_sigmask(SIG_BLOCK, &set, nullptr); // in all threads that are to come; one waits for them
+    std::thread(wait_for_signals).detach();
+}
+
+void tell_of_signals(std::atomic<bool>& flag)
+{
+    listener = &flag;
+}
+
+} // namespace estampe::app

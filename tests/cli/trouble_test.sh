@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Runs the built program where something goes wrong around it: streams that cannot be written, a full disk, signals,
+# two runs at once, a graphics device that fails in mid-frame. Every failure must end with status 1, one line on
+# stderr, and no file.
+# Usage: trouble_test.sh ESTAMPE MAKE_EXAMPLE LAYER_FOLDER     the folder of the layer that makes calls fail
+set -euo pipefail
+estampe="$(realpath "$1")"
+make_example="$(realpath "$2")"
+layer="$(realpath "$3")"
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder" "$folder".err' EXIT
+cd "$folder"
+failures=0
+
+wrong() {
+    echo "FAILED: $*" >&2
+    failures=$((failures + 1))
+}
+
+# expect_files NAME...: nothing else lies in the folder, hidden or not
+expect_files() {
+    local wanted found
+    wanted="$(printf '%s\n' "$@" | sort)"
+    found="$(find . -mindepth 1 -printf '%P\n' | sort)"
+    [[ "$found" == "$wanted" ]] || wrong "files: $(tr '\n' ' ' <<<"$found")instead of $*"
+}
+
+# expect_failure LABEL PATTERN COMMAND...: status 1, one line that matches, nothing new in the folder
+expect_failure() {
+    local label="$1" pattern="$2" status=0 before after
+    shift 2
+    before="$(ls -lAR --time-style=full-iso .)"
+    "$@" >/dev/null 2>"$folder".err || status=$?
+    after="$(ls -lAR --time-style=full-iso .)"
+    [[ $status -eq 1 ]] || wrong "$label: status $status instead of 1"
+    [[ "$(wc -l <"$folder".err)" -eq 1 ]] || wrong "$label: not one line: $(cat "$folder".err)"
+    grep -q "^estampe: error: .*$pattern" "$folder".err || wrong "$label: no '$pattern' in: $(cat "$folder".err)"
+    [[ "$before" == "$after" ]] || wrong "$label: changed files: $after"
+}
+
+"$make_example" scene.glb >/dev/null
+small=(--size 96x54 --device cpu)
+
+# Streams that are full or closed
+status=0
+"$estampe" info missing.glb 2>/dev/full || status=$?
+[[ $status -eq 1 ]] || wrong "an error that cannot be said: status $status instead of 1"
+"$estampe" render scene.glb -o a.png "${small[@]}" --time 2 2>/dev/full || wrong "a warning that cannot be said is a failure"
+"$estampe" render scene.glb -o b.png "${small[@]}" --time 2 <&- >&- 2>&- || wrong "closed streams are a failure"
+cmp a.png b.png || wrong "what belongs on a closed stream is in the picture"
+rm a.png b.png
+expect_files scene.glb
+
+# A disk that is full, which a limit of sizes stands for; and two files of which one cannot be: there is none then
+limited() { (
+    ulimit -f 4
+    "$@"
+); }
+expect_failure 'full disk' 'a.png: cannot write' limited "$estampe" render scene.glb -o a.png "${small[@]}"
+tiny=(--set tam.size_px=64 --set tam.tones=4 --set tam.candidates=8)
+expect_failure 'full disk' 'a.tam: cannot write' limited "$estampe" tam -o a.tam "${tiny[@]}"
+expect_failure 'full disk' 'cannot write' limited "$estampe" tam -o painted/ "${tiny[@]}" --set tam.size_px=256
+nameless="$(printf 'x%.0s' {1..256})"
+expect_failure 'one of two' 'name too long' "$estampe" render scene.glb -o a.png "${small[@]}" --motion "$nameless.exr"
+expect_failure 'one of two' 'name too long' "$estampe" tam -o "$nameless.tam" "${tiny[@]}" --preview a.png
+expect_files scene.glb
+
+# A long name is no reason to fail as long as the disk takes it
+long="$(printf 'x%.0s' {1..251}).dot"
+"$estampe" graph scene.glb -o "$long" "${small[@]}" || wrong "a name of 255 bytes is too long"
+rm -f "$long"
+
+# Signals: nothing half done is left, and a shell sees which one it was
+for signal in INT TERM HUP; do
+    status=0
+    timeout --preserve-status -s "$signal" 2 "$estampe" render scene.glb -o a.png --device cpu --repeat 100000 2>/dev/null ||
+        status=$?
+    [[ $status -eq $((128 + $(kill -l "$signal"))) ]] || wrong "SIG$signal: status $status"
+done
+status=0
+(
+    trap '' HUP
+    timeout -s HUP 2 "$estampe" render scene.glb -o a.png "${small[@]}"
+) || status=$?
+rm -f a.png
+[[ $status -eq 0 || $status -eq 124 ]] || wrong "an ignored SIGHUP: status $status"
+expect_files scene.glb
+
+# Two runs at once: a whole picture of one of them
+"$estampe" render scene.glb -o a.png "${small[@]}" &
+"$estampe" render scene.glb -o a.png --size 97x55 --device cpu
+wait $! || wrong "one of two runs at once failed"
+"$estampe" render scene.glb -o b.png "${small[@]}"
+"$estampe" render scene.glb -o c.png --size 97x55 --device cpu
+cmp -s a.png b.png || cmp -s a.png c.png || wrong "two runs at once left half a picture"
+rm a.png b.png c.png
+expect_files scene.glb
+
+# No driver, and devices that fail
+no_driver=(env VK_DRIVER_FILES=/nonexistent VK_ICD_FILENAMES=/nonexistent)
+expect_failure 'no driver' 'install mesa' "${no_driver[@]}" "$estampe" render scene.glb -o a.png
+expect_failure 'no driver' 'install mesa' "${no_driver[@]}" "$estampe" devices
+failing() {
+    local what="$1"
+    shift
+    VK_LAYER_PATH="$layer" VK_INSTANCE_LAYERS=VK_LAYER_ESTAMPE_failing ESTAMPE_FAIL="$what" "$@"
+}
+while read -r what pattern; do
+    expect_failure "$what" "$pattern" failing "$what" "$estampe" render scene.glb -o a.png "${small[@]}" --motion a.exr
+done <<'CALLS'
+vkCreateInstance:1:-1 out of graphics memory
+vkCreateDevice:1:-3 Vulkan failed with code -3; choose another --device
+vkAllocateMemory:1:-2 out of graphics memory; try a smaller --size
+vkAllocateMemory:3:-2 out of graphics memory; try a smaller --size
+vkMapMemory:2:-5 vkMapMemory: Vulkan failed with code -5
+vkCreateImage:5:-2 out of graphics memory
+vkCreateBuffer:20:-1 out of graphics memory
+vkAllocateDescriptorSets:2:-1000069000 code -1000069000
+vkQueueSubmit2:1:-4 the graphics device was lost; try again
+vkQueueSubmit2:2:-4 the graphics device was lost; try again
+vkWaitForFences:2:-4 the graphics device was lost
+vkGetQueryPoolResults:1:-4 the graphics device was lost
+CALLS
+expect_failure 'strokes of a lost device' 'was lost' failing vkQueueSubmit2:2:-4 "$estampe" render scene.glb -o a.svg "${small[@]}"
+expect_failure 'graph of a lost device' 'was lost' failing vkQueueSubmit2:2:-4 "$estampe" graph scene.glb -o a.dot "${small[@]}"
+expect_files scene.glb
+
+[[ $failures -eq 0 ]] || exit 1
+echo "All is as it should be."
