@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "frame/baked_lights.hpp"
 #include "frame/house_light.hpp"
-#include "frame/lightmaps.hpp"
 #include "techniques/light/daylight.hpp"
 
 namespace estampe::frame {

@@ -103,14 +103,6 @@ lightmap::MapData worn_pictures(const Lightmap& map, const Scene& scene, const p
 
 } // namespace
 
-uint32_t kind_of(const shared::LightRecord& light)
-{
-    const uint32_t type = light.type & shared::light_type_mask;
-    return type == shared::light_directional ? baked_directional
-           : type >= shared::light_spot      ? baked_spot
-                                             : baked_point;
-}
-
 lightmap::MapData worn_map(const Lightmap& map, const Scene& scene, const pose::MeshData& meshes)
 {
     if (!map.pictures.empty()) {
@@ -158,29 +150,6 @@ std::optional<WornLight> upload_baked(gpu::Device& device, const Lightmap* map, 
                      .exposure = map->pictures.empty() ? map->exposure : 0.0F,
                      .level = mean_level(data, meshes),
                      .kinds = map->baked_lights};
-}
-
-float make_room(light::Lighting& lighting, const std::optional<WornLight>& worn,
-                const lightmap::LightmapStyle& style)
-{
-    if (!worn) {
-        return 0.0F;
-    }
-    const WornLight& baked = *worn;
-    std::erase_if(lighting.records,
-                  [&](const shared::LightRecord& light) { return (kind_of(light) & baked.kinds) != 0; });
-    lighting.directional_count = (baked.kinds & baked_directional) != 0 ? 0 : lighting.directional_count;
-    const float scale = style.strength * (baked.exposure > 0.0F ? lighting.exposure / baked.exposure : 1.0F);
-    if (!style.balance) {
-        return scale;
-    }
-    // Well-lit places come to about one and the ambient light; now they come to one and the map.
-    const float dimmed = (1.0F + luminance(lighting.ambient)) / (1.0F + scale * baked.level);
-    lighting.ambient *= dimmed;
-    for (shared::LightRecord& light : lighting.records) {
-        light.color *= dimmed;
-    }
-    return scale * dimmed;
 }
 
 } // namespace estampe::frame

@@ -9,7 +9,8 @@
 
 #include <estampe/error.hpp>
 
-#include "frame/lightmaps.hpp"
+#include "frame/baked_lights.hpp"
+#include "frame/form_strokes.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/light/daylight.hpp"

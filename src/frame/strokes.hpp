@@ -26,8 +26,4 @@ struct StrokePlan {
 [[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
                                       const hatch::HatchStyle& style);
 
-/// Coordinates along the form in the rest pose, three a triangle, zero where a draw does not follow it.
-/// Cost: see form::follow_form; each draw by itself.
-[[nodiscard]] std::vector<glm::vec2> form_coordinates(const pose::MeshData& meshes, const StrokePlan& plan);
-
 } // namespace estampe::frame

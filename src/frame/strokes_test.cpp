@@ -5,6 +5,7 @@
 
 #include <estampe/error.hpp>
 
+#include "frame/form_strokes.hpp"
 #include "scene/shapes.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "support/scenes.hpp"
