@@ -9,9 +9,11 @@
 
 #include <estampe/renderer.hpp>
 
+#include "scene/outlook/outlook.hpp"
 #include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
+#include "techniques/light/light.hpp"
 
 namespace estampe {
 namespace {

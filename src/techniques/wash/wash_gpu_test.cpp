@@ -125,7 +125,7 @@ TEST(Wash, LiftsDarkColoursAndKeepsTheirHue)
     page.material.mean_color = {0.03F, 0.02F, 0.01F};
     const glm::vec3 brown(paint(page, style)[0]);
     EXPECT_NEAR(luminance(brown), std::hypot(0.2F, luminance(page.material.mean_color)), 2e-3F);
-    EXPECT_NEAR(brown.r / brown.b, 3.0F, 0.05F);
+    EXPECT_NEAR(brown.x / brown.z, 3.0F, 0.05F);
     page.material.mean_color = {0.9F, 0.8F, 0.7F};
     EXPECT_LT(glm::distance(glm::vec3(paint(page, style)[0]), page.material.mean_color), 0.05F)
         << "pale ones stay";
