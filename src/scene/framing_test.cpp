@@ -170,7 +170,7 @@ TEST(FramedView, HoldsTheShadowOfTheSunThatItIsTold)
 {
     const Scene scene = test::scene_of(shapes::cylinder(0.4F, 1.2F));
     const ScenePose pose = pose_scene(scene, 0.0);
-    for (const double azimuth_deg : {-60.0, -34.0, 20.0}) {
+    for (const double azimuth_deg : {-34.0, 0.0, 20.0}) {
         SCOPED_TRACE(azimuth_deg);
         const SunBearing low{.azimuth_deg = azimuth_deg, .elevation_deg = 35.0};
         const Page page(framing_camera(scene, pose, aspect, low));

@@ -158,9 +158,9 @@ float wobble(LineField field, LineScale scale, uint identity)
     return 1.15f * scale.wobble_px * mix(wave(fine + phase), wave(0.5f * fine + phase), scale.wobble_fade);
 }
 
-// Share of the boundaries that are open, of all that there may be. One in four stays closed; a line without
+// How far a boundary is open on average, of all that there may be. One in four stays closed; a line without
 // gaps runs through.
-float open_share(LineLook look, float gap_scale)
+float mean_opening(LineLook look, float gap_scale)
 {
     return look.gap_px > 0.0f ? 0.75f * gap_scale : 0.0f;
 }
@@ -168,12 +168,12 @@ float open_share(LineLook look, float gap_scale)
 // Share of a line that is left, on average, after gaps and tapers.
 float kept_share(LineLook look, float gap_scale)
 {
-    return 1.0f - open_share(look, gap_scale) * (look.gap_px + look.taper_px) / look.cell_px;
+    return 1.0f - mean_opening(look, gap_scale) * (look.gap_px + look.taper_px) / look.cell_px;
 }
 
 // Width factor along a line: 0 in gaps, rising over the taper. Cells are dyadic in u and as long as one to
-// two cell_px. As the paper fills up and on approach boundaries close and open one after the other, each
-// nearly at once: one that is hardly open would be a white nick.
+// two cell_px. As the paper fills up and on going away gaps shrink to a third; then they close one after the
+// other, each nearly at once: one that is hardly open would be a white nick.
 float stroke_profile(LineField field, LineLook look, LineScale scale, uint identity)
 {
     float u = field.u + 16.0f * trait(identity, 3u);
@@ -182,10 +182,12 @@ float stroke_profile(LineField field, LineLook look, LineScale scale, uint ident
     int count = 1 << clamp(1 - scale.cell_level, 0, 30);
     uint boundary = dyadic_identity(field.wraps ? ((nearest - 1) & (count - 1)) + 1 : nearest,
                                     scale.cell_level, identity);
-    float share = open_share(look, scale.gap_scale) * ((nearest & 1) == 0 ? 1.0f : scale.cell_growth);
+    const float least = 0.35f;
     const float haste = 16.0f;
-    float opening = clamp((share - trait(boundary, 4u)) * haste + 0.5f, 0.0f, 1.0f);
-    opening = share > 0.0f ? opening : 0.0f;
+    float wanted = mean_opening(look, scale.gap_scale) * ((nearest & 1) == 0 ? 1.0f : scale.cell_growth);
+    float size = max(wanted / 0.75f, least);
+    float opening = size * clamp((wanted / size - trait(boundary, 4u)) * haste + 0.5f, 0.0f, 1.0f);
+    opening = wanted > 0.0f ? opening : 0.0f;
     float distance_px = abs(u - float(nearest) * half_cell) * scale.px_per_u;
     float taper_px = look.taper_px * opening;
     return opening > 0.0f ? soft_step(distance_px - 0.5f * (look.gap_px * opening + taper_px), taper_px)

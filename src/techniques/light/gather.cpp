@@ -213,7 +213,7 @@ std::vector<shared::LightRecord> lamp_light(const Shelter& shelter, const glm::d
 {
     constexpr float daylight = 0.8F;
     // What the key surfaces get, ambient apart: under a lamp alone they keep a half tone, for depth.
-    const float white = shelter.towards_light ? 0.8F : 0.5F;
+    const float white = shelter.towards_light ? 0.62F : 0.5F;
     const glm::vec3 offset(shelter.origin - anchor);
     float size_2 = 0.0F;
     const glm::vec3 place(shelter.lamp - anchor);
