@@ -37,7 +37,7 @@ Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animatio
     if (draw.camera.kind == CameraChoice::Kind::automatic && first != no_index) {
         return scene_camera(scene, pose, std::to_string(first));
     }
-    return framing_camera(scene, pose, static_cast<double>(draw.width) / draw.height,
+    return framing_camera(scene, pose, draw.style.window_aspect(draw.width, draw.height),
                           draw.style.sun_bearing());
 }
 

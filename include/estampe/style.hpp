@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -38,6 +39,10 @@ public:
 
     /// Where its sun stands, for framing_camera(). Throws Error for a date that is none.
     [[nodiscard]] SunBearing sun_bearing() const;
+
+    /// Width by height of what the page's margin leaves of a picture of this size, for framing_camera(). A
+    /// camera's vertical field of view is that of this window.
+    [[nodiscard]] double window_aspect(uint32_t width, uint32_t height) const;
 
     /// The manual of all parameters: name, type, range, default, unit and one line of help each.
     [[nodiscard]] static std::string help();

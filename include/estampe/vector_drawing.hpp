@@ -24,6 +24,7 @@ enum class StrokeKind : uint8_t {
     boundary,     ///< between materials
     border,       ///< where a surface ends
     outline,      ///< where a surface turns away
+    frame,        ///< around the picture, at its margin
 };
 
 /// The same word: "hatch", "crease" and so on.

@@ -11,10 +11,10 @@ struct Share {
     float to = 1.0F;
 };
 
-/// Keeps the part of a straight piece where coordinates are from 0 to `most`.
-void keep_between(float a, float b, float most, Share& kept)
+/// Keeps the part of a straight piece where coordinates are from `least` to `most`.
+void keep_between(float a, float b, float least, float most, Share& kept)
 {
-    for (const auto& [from, to] : {std::pair(a, b), std::pair(most - a, most - b)}) {
+    for (const auto& [from, to] : {std::pair(a - least, b - least), std::pair(most - a, most - b)}) {
         if (from < 0.0F && to < 0.0F) {
             kept = {1.0F, 0.0F};
         } else if (from < 0.0F) {
@@ -25,9 +25,9 @@ void keep_between(float a, float b, float most, Share& kept)
     }
 }
 
-VectorPoint between(const VectorPoint& a, const VectorPoint& b, float share, const glm::vec2& page_mm)
+VectorPoint between(const VectorPoint& a, const VectorPoint& b, float share, const paper::Window& window)
 {
-    return {glm::clamp(glm::mix(a.page_mm, b.page_mm, share), glm::vec2(0.0F), page_mm),
+    return {glm::clamp(glm::mix(a.page_mm, b.page_mm, share), window.min_mm, window.max_mm),
             glm::mix(a.width_mm, b.width_mm, share)};
 }
 
@@ -40,11 +40,11 @@ bool has_length(const VectorStroke& stroke)
 
 } // namespace
 
-std::vector<VectorStroke> clipped(const VectorStroke& stroke, const glm::vec2& page_mm)
+std::vector<VectorStroke> clipped(const VectorStroke& stroke, const paper::Window& window)
 {
     std::vector<VectorStroke> parts;
     const bool is_inside = std::ranges::all_of(stroke.points, [&](const VectorPoint& point) {
-        return glm::clamp(point.page_mm, glm::vec2(0.0F), page_mm) == point.page_mm;
+        return glm::clamp(point.page_mm, window.min_mm, window.max_mm) == point.page_mm;
     });
     if (is_inside) {
         parts.push_back(stroke);
@@ -62,17 +62,17 @@ std::vector<VectorStroke> clipped(const VectorStroke& stroke, const glm::vec2& p
         const VectorPoint& a = stroke.points[i - 1];
         const VectorPoint& b = stroke.points[i];
         Share kept;
-        keep_between(a.page_mm.x, b.page_mm.x, page_mm.x, kept);
-        keep_between(a.page_mm.y, b.page_mm.y, page_mm.y, kept);
+        keep_between(a.page_mm.x, b.page_mm.x, window.min_mm.x, window.max_mm.x, kept);
+        keep_between(a.page_mm.y, b.page_mm.y, window.min_mm.y, window.max_mm.y, kept);
         if (kept.from >= kept.to) {
             finish();
             continue;
         }
         if (open.points.empty() || kept.from > 0.0F) {
             finish();
-            open.points.push_back(between(a, b, kept.from, page_mm));
+            open.points.push_back(between(a, b, kept.from, window));
         }
-        open.points.push_back(between(a, b, kept.to, page_mm));
+        open.points.push_back(between(a, b, kept.to, window));
         if (kept.to < 1.0F) {
             finish();
         }

@@ -248,6 +248,19 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     drawn = std::move(graph);
 }
 
+namespace {
+
+/// How much of the page's height its margin leaves.
+double window_share(const paper::PaperStyle& style, const RenderSettings& settings)
+{
+    const float page_width_mm =
+        style.height_mm * static_cast<float>(settings.width) / static_cast<float>(settings.height);
+    const paper::Window window = paper::window_of(style, page_width_mm);
+    return static_cast<double>(window.max_mm.y - window.min_mm.y) / style.height_mm;
+}
+
+} // namespace
+
 frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::StyleTables& tables,
                                          const RenderSettings& settings)
 {
@@ -315,7 +328,13 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
 {
     Impl& impl = *impl_;
     const frame::StyleTables& tables = style.tables();
-    frame::FramePlan plan = impl.prepare(camera, tables, settings);
+    const double share = window_share(tables.paper, settings);
+    const Camera page_camera = frame::seen_within(camera, share);
+    RenderSettings page_settings = settings;
+    if (page_settings.motion_since) {
+        page_settings.motion_since->camera = frame::seen_within(settings.motion_since->camera, share);
+    }
+    frame::FramePlan plan = impl.prepare(page_camera, tables, page_settings);
     // Later samples of a picture of several go their own way by a pixel at most.
     plan.remembers_lines = settings.continuity != Continuity::still;
     if (plan.remembers_lines) {
@@ -324,7 +343,7 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
     }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
         plan.accumulation = {.sample_index = sample, .sample_count = settings.samples};
-        impl.draw_sample(camera, tables, plan);
+        impl.draw_sample(page_camera, tables, plan);
     }
     if (settings.motion_since) {
         impl.motion = frame::read_motion(impl.motion_pixels, settings);
@@ -342,7 +361,8 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     Impl& impl = *impl_;
     const frame::StyleTables& tables = style.tables();
     frame::check_has_paths(tables);
-    frame::FramePlan plan = impl.prepare(camera, tables, settings);
+    const Camera page_camera = frame::seen_within(camera, window_share(tables.paper, settings));
+    frame::FramePlan plan = impl.prepare(page_camera, tables, settings);
     plan.motion.reset();
     if (tables.wash.strength > 0.0F || plan.sky_drawn || tables.bleed.width_mm > 0.0F) {
         impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs");
@@ -351,7 +371,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
         impl.notes.emplace_back("a drawing of strokes has lines of the pen in place of other brushes");
     }
     frame::StrokeLists lists(impl.device);
-    impl.draw_sample(camera, tables, plan, &lists);
+    impl.draw_sample(page_camera, tables, plan, &lists);
     return frame::drawing_of(lists,
                              {.scene = impl.loaded->scene,
                               .layout = impl.loaded->layout,

@@ -71,6 +71,35 @@ size_t shades(const Image& image)
     return static_cast<size_t>(std::ranges::count(seen, true));
 }
 
+TEST(Renderer, AMarginShrinksThePictureAndNotItsStrokes)
+{
+    Style style;
+    for (const char* assignment : {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0",
+                                   "paper.margin_mm=0", "paper.height_mm=120"}) {
+        style.set(assignment);
+    }
+    const Image whole = draw(still_life(), camera, {.width = 160, .height = 120}, style);
+    style.set("paper.margin_mm=10");
+    style.set("paper.height_mm=140");
+    EXPECT_DOUBLE_EQ(style.window_aspect(180, 140), 160.0 / 120.0);
+    const Image framed = draw(still_life(), camera, {.width = 180, .height = 140}, style);
+    double difference = 0.0;
+    for (uint32_t y = 2; y < 118; ++y) {
+        for (uint32_t x = 2; x < 158; ++x) {
+            const size_t within = 4 * ((y + 10) * size_t{180} + x + 10);
+            const size_t alone = 4 * (y * size_t{160} + x);
+            difference += std::abs(framed.rgba[within] - whole.rgba[alone]) / (156.0 * 116.0);
+        }
+    }
+    EXPECT_LT(difference, 1.0);
+    for (const uint32_t y : {0U, 5U, 8U, 131U, 139U}) {
+        for (uint32_t x = 0; x < 180; ++x) {
+            const size_t at = 4 * (y * size_t{180} + x);
+            EXPECT_EQ(framed.rgba[at], framed.rgba[0]) << x << ", " << y;
+        }
+    }
+}
+
 TEST(Renderer, TheSameBytesAgainAndAgain)
 {
     const Image first = draw(still_life());

@@ -59,6 +59,15 @@ SunBearing Style::sun_bearing() const
             .rules = light.source == light::LightSource::sun};
 }
 
+double Style::window_aspect(uint32_t width, uint32_t height) const
+{
+    const paper::PaperStyle& paper = tables_->paper;
+    const paper::Window window =
+        paper::window_of(paper, paper.height_mm * static_cast<float>(width) / static_cast<float>(height));
+    const glm::dvec2 size_mm(window.max_mm - window.min_mm);
+    return size_mm.x / size_mm.y;
+}
+
 std::string Style::help()
 {
     frame::StyleTables defaults;

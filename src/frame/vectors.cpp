@@ -56,6 +56,7 @@ public:
     {
         drawing_.height_mm = style.paper.height_mm;
         drawing_.width_mm = mm_per_px_ * static_cast<float>(drawn.size_px.x);
+        window_ = paper::window_of(style.paper, drawing_.width_mm);
         drawing_.hatch_width_mm = style.hatch.width_mm;
         drawing_.paper_srgb = style::srgb_from_linear(style.paper.color);
         drawing_.has_mitred_corners = style.contour.joints == contour::Joints::mitre;
@@ -77,8 +78,26 @@ public:
         for (const auto& point : points) {
             stroke.points.push_back({mm_per_px_ * point.page_px, mm_per_px_ * point.width_px});
         }
-        const std::vector<VectorStroke> parts = clipped(stroke, {drawing_.width_mm, drawing_.height_mm});
+        const std::vector<VectorStroke> parts = clipped(stroke, window_);
         drawing_.strokes.insert(drawing_.strokes.end(), parts.begin(), parts.end());
+    }
+
+    /// The lines around the window, side by side as along a ruler.
+    void add_border(const paper::PaperStyle& paper)
+    {
+        const auto object = static_cast<uint32_t>(drawing_.objects.size());
+        drawing_.objects.emplace_back("page");
+        const uint32_t ink = number_of(paper.ink);
+        const glm::vec2& from = window_.min_mm;
+        const glm::vec2& to = window_.max_mm;
+        const std::array<glm::vec2, 5> corners{from, {to.x, from.y}, to, {from.x, to.y}, from};
+        for (size_t i = 0; i + 1 < corners.size(); ++i) {
+            drawing_.strokes.push_back(
+                {.kind = StrokeKind::frame,
+                 .object = object,
+                 .ink = ink,
+                 .points = {{corners[i], paper.border_mm}, {corners[i + 1], paper.border_mm}}});
+        }
     }
 
     [[nodiscard]] VectorDrawing take() { return std::move(drawing_); }
@@ -112,6 +131,7 @@ private:
     const DrawnScene& drawn_;
     float mm_per_px_;
     VectorDrawing drawing_;
+    paper::Window window_;
     std::map<Index, uint32_t> objects_;
 };
 
@@ -228,6 +248,9 @@ VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn, cons
     }
     if (!lists.line_sizes.empty()) {
         add_lines(gathering, lists, drawn, style, with_hidden_lines);
+    }
+    if (style.paper.border_mm > 0.0F) {
+        gathering.add_border(style.paper);
     }
     return gathering.take();
 }

@@ -43,7 +43,8 @@ Style bare(const std::vector<std::string>& assignments)
     Style style;
     for (const char* assignment :
          {"wash.strength=0", "paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.color=#fff",
-          "paper.ink=#000", "contour.ink=#000", "sky.mode=paper", "paper.height_mm=50"}) {
+          "paper.ink=#000", "contour.ink=#000", "sky.mode=paper", "paper.height_mm=50",
+          "paper.margin_mm=0"}) {
         style.set(assignment);
     }
     for (const std::string& assignment : assignments) {
@@ -141,6 +142,26 @@ void expect_alike(const Both& both, double least_covered, double most_more_ink =
     EXPECT_GE(covered(both.picture, both.paths), least_covered);
     EXPECT_GE(covered(both.paths, both.picture), least_covered);
     EXPECT_NEAR(both.paths.mean(), both.picture.mean(), most_more_ink * both.picture.mean());
+}
+
+TEST(Vectors, TheMarginIsLeftBlankAndTheBorderIsRuled)
+{
+    Style style = bare({"paper.margin_mm=5", "paper.border_mm=0.4"});
+    test::shared_renderer().set_scene(still_life());
+    const VectorDrawing drawing = test::shared_renderer().draw_strokes(camera, style, small);
+    float ruled_mm = 0.0F;
+    for (const VectorStroke& stroke : drawing.strokes) {
+        for (size_t i = 0; i < stroke.points.size(); ++i) {
+            const glm::vec2 at = stroke.points[i].page_mm;
+            EXPECT_TRUE(at.x >= 5.0F && at.y >= 5.0F && at.x <= drawing.width_mm - 5.0F && at.y <= 45.0F)
+                << at.x << ", " << at.y;
+            if (stroke.kind == StrokeKind::frame && i > 0) {
+                EXPECT_EQ(stroke.points[i].width_mm, 0.4F);
+                ruled_mm += glm::distance(at, stroke.points[i - 1].page_mm);
+            }
+        }
+    }
+    EXPECT_NEAR(ruled_mm, 2.0F * (drawing.width_mm - 10.0F + 40.0F), 1e-3F);
 }
 
 TEST(Vectors, LinesLieWhereThePictureHasThem)

@@ -92,6 +92,16 @@ float pixels_per_mm(uint32_t height_px, double page_height_mm)
     return static_cast<float>(height_px / page_height_mm);
 }
 
+Camera seen_within(const Camera& camera, double share)
+{
+    Camera whole = camera;
+    whole.vertical_fov_rad = 2.0 * std::atan(std::tan(0.5 * camera.vertical_fov_rad) / share);
+    if (whole.orthographic_half_height_m) {
+        *whole.orthographic_half_height_m /= share;
+    }
+    return whole;
+}
+
 PixelSize pixel_size(const Camera& camera, uint32_t height_px)
 {
     const bool is_parallel = camera.orthographic_half_height_m.has_value();

@@ -43,6 +43,9 @@ struct PixelSize {
     }
 };
 
+/// The camera that shows in a window of `share` of the page's height what `camera` shows on the whole page.
+[[nodiscard]] Camera seen_within(const Camera& camera, double share);
+
 [[nodiscard]] PixelSize pixel_size(const Camera& camera, uint32_t height_px);
 
 /// The `index`th of `count` shifts that cover a pixel evenly (Halton 2, 3), none for a single one.

@@ -37,5 +37,27 @@ TEST(Nearby, ChangesAsLittleAsTheEyeMoves)
     }
 }
 
+TEST(SeenWithin, ShowsTheSameInASmallerWindow)
+{
+    constexpr double share = 0.8;
+    Camera perspective{.eye = {1.0, 2.0, 7.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.7};
+    Camera parallel = perspective;
+    parallel.orthographic_half_height_m = 2.5;
+    for (const Camera& camera : {perspective, parallel}) {
+        const auto on_page = [&](const Camera& from, const glm::vec3& place) {
+            const auto globals =
+                frame_globals(from, {{-5.0, -5.0, -5.0}, {5.0, 5.0, 5.0}}, {}, {.size_px = {400, 300}});
+            const glm::vec4 clip = globals.clip_from_anchor * glm::vec4(place, 1.0F);
+            return glm::vec2(clip) / clip.w;
+        };
+        for (const glm::vec3& place : {glm::vec3(0.3F, 1.4F, 0.2F), glm::vec3(-1.0F, -0.5F, 2.0F)}) {
+            const glm::vec2 whole = on_page(camera, place);
+            const glm::vec2 within = on_page(seen_within(camera, share), place);
+            EXPECT_NEAR(within.x, share * whole.x, 1e-5);
+            EXPECT_NEAR(within.y, share * whole.y, 1e-5);
+        }
+    }
+}
+
 } // namespace
 } // namespace estampe::frame

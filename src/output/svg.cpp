@@ -21,7 +21,7 @@ namespace {
 
 using output::number;
 
-constexpr size_t kind_count = 11;
+constexpr size_t kind_count = 12;
 
 std::string color_text(const glm::vec3& srgb)
 {
@@ -201,7 +201,7 @@ const char* name_of(StrokeKind kind)
 {
     constexpr std::array<const char*, kind_count> names{"hatch",    "shadow", "suggestive", "valley",
                                                         "ridge",    "crease", "marked",     "intersection",
-                                                        "boundary", "border", "outline"};
+                                                        "boundary", "border", "outline",    "frame"};
     return names.at(static_cast<size_t>(kind));
 }
 

@@ -96,7 +96,7 @@ TEST(Svg, LayersAreKindsAndGroupsAreObjects)
 TEST(Svg, EachKindHasANameOfItsOwn)
 {
     std::set<std::string> names;
-    for (auto kind = StrokeKind::hatch; kind <= StrokeKind::outline;
+    for (auto kind = StrokeKind::hatch; kind <= StrokeKind::frame;
          kind = static_cast<StrokeKind>(static_cast<uint8_t>(kind) + 1)) {
         EXPECT_TRUE(names.insert(name_of(kind)).second) << name_of(kind);
     }

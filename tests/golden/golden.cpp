@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/image_compare.hpp"
+#include "support/files.hpp"
 
 namespace estampe::test {
 
@@ -105,7 +106,7 @@ std::optional<std::string> golden_failure(const Image& image, const std::string&
 void expect_matches_golden(const Image& image, const std::string& name, const GoldenTolerance& tolerance)
 {
     const char* renewing = std::getenv("ESTAMPE_RENEW_GOLDENS");
-    const GoldenFolders folders{.golden = ESTAMPE_GOLDEN_DIR,
+    const GoldenFolders folders{.golden = test::golden_folder(),
                                 .failures = std::filesystem::current_path() / "golden-failures",
                                 .renew = renewing != nullptr && std::string_view(renewing) == "1"};
     if (const std::optional<std::string> failure = golden_failure(image, name, tolerance, folders))

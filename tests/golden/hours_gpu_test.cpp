@@ -7,6 +7,7 @@
 #include <estampe/renderer.hpp>
 
 #include "golden/golden.hpp"
+#include "support/files.hpp"
 #include "support/gpu_device.hpp"
 
 namespace estampe {
@@ -14,7 +15,7 @@ namespace {
 
 TEST(HoursGolden, SquareFromMorningToMidnight)
 {
-    const Scene scene = load_scene(ESTAMPE_SQUARE_GLB);
+    const Scene scene = load_scene(test::square_scene());
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
     const Camera camera = scene_camera(scene, pose_scene(scene, 0.0), "square");

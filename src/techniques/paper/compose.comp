@@ -33,6 +33,11 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_tint = (variant & compose_has_tint) != 0u;
 const bool has_sky = (variant & compose_has_sky) != 0u;
+const bool has_margin = (variant & compose_has_margin) != 0u;
+const bool has_grain = (variant & compose_has_grain) != 0u;
+
+// How far the edge of the window strays at most, to and fro.
+const float edge_stray_mm = 0.17;
 
 // How much of a pure colour of light the darkest ink shows under it.
 const float sheen = 0.3;
@@ -47,7 +52,9 @@ vec3 lit_ink(vec3 ink, vec3 tint)
 // What the paper is like at a place.
 struct Paper {
     float relief; // about 0 on average, in features of a few tenths of a millimetre with long faint fibres
+    float tooth;  // 0 to 1: of it what has no direction
     float pooled; // where paint gathers, the same in features of a centimetre
+    float stray;  // about 0 on average: of a line along a ruler
 };
 
 // All noises but the finest come from one loop, which is compiled once on processors.
@@ -58,21 +65,41 @@ Paper paper_at(vec2 page_mm, int loop_count)
     float fibre = 0.0;
     float pooled = 0.0;
     float tooth = 0.0;
+    float stray = 0.0;
     for (int i = 0; i < loop_count; ++i) {
         vec2 place = i == 0   ? page_mm * 0.35
                      : i == 1 ? page_mm * vec2(0.9, 4.3) + 3.0 * bend
                      : i == 2 ? page_mm * 0.08
                      : i == 3 ? tooth_at
-                              : 2.0 * tooth_at + 17.0;
-        uint seed = i == 0 ? 9u : i == 1 ? 5u : i == 2 ? 21u : uint(i - 3);
+                     : i == 4 ? 2.0 * tooth_at + 17.0
+                     : i == 5 ? page_mm * 0.07
+                              : page_mm * 0.6;
+        uint seed = i == 0 ? 9u : i == 1 ? 5u : i == 2 ? 21u : i < 5 ? uint(i - 3) : uint(36 + i);
         float noise = value_noise(place, constants.seed + seed);
         bend = i == 0 ? noise : bend;
         fibre = i == 1 ? noise : fibre;
         pooled = i == 2 ? noise : pooled;
         tooth += i == 3 ? 4.0 * noise : i == 4 ? 2.0 * noise : 0.0;
+        stray += i == 5 ? 0.7 * (noise - 0.5) : i == 6 ? 0.3 * (noise - 0.5) : 0.0;
     }
     tooth += value_noise(4.0 * tooth_at + 31.0, constants.seed + 2u);
-    return Paper(0.72 * (tooth / 7.0) + 0.28 * fibre - 0.5, pooled - 0.5);
+    tooth /= 7.0;
+    return Paper(0.72 * tooth + 0.28 * fibre - 0.5, tooth, pooled - 0.5, stray);
+}
+
+// How much of a dry stroke the paper takes at a place: its heights rub it off, its hollows stay bare. About
+// as much on average as the stroke has, whatever the grain.
+float caught(float stroke, float tooth)
+{
+    float bare = smoothstep(0.4, 0.68, 1.0 - tooth);
+    return clamp(stroke * mix(1.0, 1.3 - bare, constants.ink_grain), 0.0, 1.0);
+}
+
+// Distance to the edge of the window, below 0 within.
+float from_window_mm(vec2 page_mm)
+{
+    vec2 beyond = max(constants.window_min_mm - page_mm, page_mm - constants.window_max_mm);
+    return max(beyond.x, beyond.y);
 }
 
 void main()
@@ -82,12 +109,15 @@ void main()
         return;
     }
     vec2 page_mm = (vec2(pixel) + 0.5) / frame.pixels_per_mm;
-    Paper paper = paper_at(page_mm, rounds(5, pixel.x));
+    Paper paper = paper_at(page_mm, rounds(has_margin ? 7 : 5, pixel.x));
     float relief = paper.relief;
+    float beyond_mm = has_margin ? from_window_mm(page_mm) + edge_stray_mm * paper.stray : -1.0;
+    float within = clamp(0.5 - beyond_mm * frame.pixels_per_mm, 0.0, 1.0);
     vec4 wash = texelFetch(wash_image, pixel, 0);
     vec3 paint = pow(max(wash.rgb, vec3(1e-3)),
                      vec3(1.0 + constants.granulation * (0.3 * paper.pooled - 0.7 * relief)));
-    vec3 color = constants.paper_color * (1.0 + 0.10 * constants.grain * relief) * paint;
+    vec3 color =
+        constants.paper_color * (1.0 + 0.10 * constants.grain * relief) * mix(vec3(1.0), paint, within);
 
     float dry = clamp(1.0 - constants.ink_break * max(relief - 0.1, 0.0) * 3.0, 0.0, 1.0);
     float strokes = texelFetch(hatch_image, pixel, 0).x;
@@ -96,14 +126,24 @@ void main()
         strokes = max(
             strokes, sky_ink * texelFetch(sky_ink_image, min(pixel, textureSize(sky_ink_image, 0) - 1), 0).x);
     }
-    float hatch = strokes * dry;
+    float hatch = strokes * dry * within;
     vec4 line = texelFetch(line_image, pixel, 0);
+    float line_cover = line.a * mix(1.0, dry, 0.5) * within;
+    if (has_grain) {
+        hatch = caught(hatch, paper.tooth);
+        line_cover = caught(line_cover, paper.tooth);
+    }
     vec3 ink = constants.ink_color;
     if (has_tint) {
         vec3 tint = light_tint(texelFetch(light_image, pixel, 0).rgb);
         ink = mix(ink, lit_ink(ink, tint), constants.ink_tint);
     }
     color = mix(color, ink, hatch);
-    color = mix(color, line.rgb * line.rgb, line.a * mix(1.0, dry, 0.5));
+    color = mix(color, line.rgb * line.rgb, line_cover);
+    if (has_margin) {
+        float border = (0.5 * constants.border_mm - abs(beyond_mm)) * frame.pixels_per_mm + 0.5;
+        color = mix(color, constants.ink_color,
+                    clamp(border, 0.0, min(constants.border_mm * frame.pixels_per_mm, 1.0)));
+    }
     imageStore(out_picture, pixel, vec4(color, 1.0));
 }

@@ -11,6 +11,8 @@ namespace estampe::shared {
 // Variant bits of compose.comp and develop.comp.
 SHARED_CONSTANT uint compose_has_tint = 1U << 0U; // coloured light colours the strokes
 SHARED_CONSTANT uint compose_has_sky = 1U << 1U;
+SHARED_CONSTANT uint compose_has_margin = 1U << 2U; // or a border
+SHARED_CONSTANT uint compose_has_grain = 1U << 3U;  // strokes catch on the tooth
 SHARED_CONSTANT uint develop_has_samples = 1U << 0U; // several of them
 SHARED_CONSTANT uint develop_is_last = 1U << 1U;     // of them
 
@@ -22,6 +24,10 @@ struct PaperConstants {
     float ink_break;   // how far ink skips the heights
     float ink_tint;    // how far coloured light colours the strokes' ink
     uint seed;
+    float ink_grain; // how far strokes catch on the tooth alone
+    float border_mm; // width of the line around the window
+    vec2 window_min_mm;
+    vec2 window_max_mm;
 };
 
 struct DevelopConstants {

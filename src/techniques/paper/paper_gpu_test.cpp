@@ -60,7 +60,7 @@ std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, gl
 /// Without relief: every layer lies as it was laid.
 PaperStyle smooth()
 {
-    return {.grain = 0.0F, .granulation = 0.0F, .ink_break = 0.0F};
+    return {.margin_mm = 0.0F, .grain = 0.0F, .granulation = 0.0F, .ink_break = 0.0F};
 }
 
 /// How much lighter than the paper each pixel is.
@@ -313,6 +313,83 @@ TEST(Compose, PaintSettlesInTheHollowsAndInkSkipsTheHeights)
         EXPECT_NEAR(broken[i], expected, 0.03);
     }
     EXPECT_GT(*std::ranges::max_element(broken), 0.3) << "somewhere the ink skips";
+}
+
+/// A page of 32 mm by 24, all covered with ink, at 6 pixels a millimetre.
+std::vector<glm::vec4> framed(PaperStyle style)
+{
+    style.height_mm = 24.0F;
+    Layers layers;
+    layers.wash = [](glm::uvec2) { return glm::vec4(0.3F, 0.6F, 0.2F, 1.0F); };
+    layers.hatch = [](glm::uvec2 pixel) { return pixel.y < 72 ? 1.0F : 0.0F; };
+    layers.lines = [](glm::uvec2 pixel) { return glm::vec4(0.0F, 0.0F, 0.0F, pixel.y < 40 ? 1.0F : 0.0F); };
+    return compose(layers, style, {192, 144}, 6.0F);
+}
+
+TEST(Compose, TheMarginIsBarePaper)
+{
+    PaperStyle style = smooth();
+    const auto whole = framed(style);
+    style.margin_mm = 4.0F;
+    const auto picture = framed(style);
+    for (int i = 0; i < static_cast<int>(picture.size()); ++i) {
+        const glm::ivec2 pixel(i % 192, i / 192);
+        const glm::ivec2 beyond = glm::max(23 - pixel, pixel - glm::ivec2(168, 120));
+        const int beyond_px = std::max(beyond.x, beyond.y); // 0 and less: within
+        if (beyond_px > 1) {
+            expect_near(glm::vec3(picture[static_cast<size_t>(i)]), style.color, half_step);
+        } else if (beyond_px < -1) {
+            EXPECT_EQ(picture[static_cast<size_t>(i)], whole[static_cast<size_t>(i)]);
+        }
+    }
+    style.margin_mm = 1000.0F;
+    EXPECT_EQ(window_of(style, 32.0F), (Window{glm::vec2(8.0F), glm::vec2(24.0F, style.height_mm - 8.0F)}))
+        << "a third of the page stays at least";
+}
+
+TEST(Compose, TheBorderIsAsWideAsItIsSaidToBe)
+{
+    PaperStyle style = smooth();
+    style.height_mm = 24.0F;
+    style.margin_mm = 4.0F;
+    style.border_mm = 0.7F;
+    const auto picture = compose({}, style, {192, 144}, 6.0F);
+    double ink_px = 0.0;
+    for (size_t y = 40; y < 104; ++y) {
+        for (size_t x = 0; x < 96; ++x) {
+            const float cover = (style.color.y - picture[y * 192 + x].y) / (style.color.y - style.ink.y);
+            ink_px += static_cast<double>(cover) / 64.0;
+            EXPECT_TRUE(cover < 1e-3F || (x >= 20 && x < 28)) << x << ", " << y;
+        }
+    }
+    EXPECT_NEAR(ink_px, 6.0 * 0.7, 0.1);
+}
+
+TEST(Compose, DryStrokesCatchOnTheToothAndStayAsDark)
+{
+    constexpr glm::uvec2 size_px(320, 240);
+    Layers inked;
+    inked.hatch = [](glm::uvec2) { return 0.7F; };
+    PaperStyle style = smooth();
+    style.grain = 1.0F;
+    const auto heights = relief(style, size_px, 6.0F);
+    style.grain = 0.0F;
+    const auto cover = [&](float grain) {
+        style.ink_grain = grain;
+        std::vector<double> covers;
+        for (const glm::vec4& color : compose(inked, style, size_px, 6.0F)) {
+            covers.push_back(static_cast<double>((style.color.y - color.y) / (style.color.y - style.ink.y)));
+        }
+        return covers;
+    };
+    for (const float grain : {0.4F, 1.0F}) {
+        const auto caught = cover(grain);
+        EXPECT_NEAR(mean(caught), 0.7, 0.04) << "grain " << grain;
+        EXPECT_GT(correlation(caught, heights), 0.7) << "heights take more than hollows";
+        const auto [least, most] = std::ranges::minmax(caught);
+        EXPECT_NEAR(least, 0.7 * (1.0 - 0.7 * static_cast<double>(grain)), 0.02);
+        EXPECT_GT(most, 0.7 + 0.2 * static_cast<double>(grain));
+    }
 }
 
 /// Pictures one after another through the same sums, and the bytes after each.

@@ -9,6 +9,7 @@
 #include "scene/shapes.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
+#include "support/files.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe::shadow {
@@ -237,7 +238,7 @@ TEST(LocalShadow, WhatLiesBehindASpotThrowsNone)
 
 TEST(LocalShadow, AgreesWithRaysOnTheSquare)
 {
-    const Scene scene = load_scene(ESTAMPE_SQUARE_GLB);
+    const Scene scene = load_scene(test::square_scene());
     const ScenePose pose = pose_scene(scene, 0.0);
     const Camera camera = scene_camera(scene, pose, "square");
     // What the camera looks at, between its eye and its target.

@@ -11,6 +11,7 @@
 
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
+#include "support/files.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe::shadow {
@@ -35,7 +36,7 @@ Shot long_square()
 
 Shot example()
 {
-    Scene scene = load_scene(ESTAMPE_SQUARE_GLB);
+    Scene scene = load_scene(test::square_scene());
     const Camera camera = scene_camera(scene, pose_scene(scene, 0.0), "square");
     return {"example", std::move(scene), camera, glm::normalize(glm::dvec3(0.8, 0.35, 0.3))};
 }

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+namespace estampe::test {
+
+/// Where golden pictures lie.
+[[nodiscard]] std::filesystem::path golden_folder();
+
+/// The scene of the demo, as the build makes it.
+[[nodiscard]] std::filesystem::path square_scene();
+
+} // namespace estampe::test
