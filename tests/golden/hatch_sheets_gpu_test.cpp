@@ -30,6 +30,7 @@ Image tile(const Camera& camera, const std::vector<std::string>& assignments, gl
     Style style;
     style.set(fmt::format("paper.height_mm={}", 70 * size_px.y / 270));
     style.set("light.turn_sun=false");
+    style.set("paper.margin_mm=0");
     style.set("tone.contrast=1.4");
     for (const std::string& assignment : assignments) {
         style.set(assignment);

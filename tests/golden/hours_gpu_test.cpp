@@ -23,6 +23,7 @@ TEST(HoursGolden, SquareFromMorningToMidnight)
     for (const char* hour : {"5.4", "8.5", "13", "17.5", "20", "23"}) {
         Style style;
         style.set("sun.by=place");
+        style.set("paper.margin_mm=0");
         style.set(std::string("sun.hour=") + hour);
         tiles.push_back(renderer.render(camera, style, {.width = 320, .height = 180}));
     }

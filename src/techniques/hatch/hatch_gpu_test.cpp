@@ -23,13 +23,30 @@ constexpr uint32_t side_px = 256;
 Style bare_hatching()
 {
     Style style;
-    for (const char* assignment :
-         {"paper.color=#ffffff", "paper.ink=#000000",  "paper.grain=0",           "paper.ink_break=0",
-          "paper.height_mm=36",  "wash.strength=0",    "contour.drawn=false",     "sky.mode=paper",
-          "picture.ground=none", "light.source=sun",   "light.sun_azimuth_deg=0", "light.sun_elevation_deg=0",
-          "light.ambient=0",     "light.fill=0",       "light.turn_sun=false",    "light.shadows=false",
-          "light.falloff=1",     "tone.gamma=1",       "tone.contrast=1",         "tone.floor=0",
-          "tone.ceiling=1",      "tone.local_value=0", "hatch.black_above=2"}) {
+    for (const char* assignment : {"paper.color=#ffffff",
+                                   "paper.ink=#000000",
+                                   "paper.grain=0",
+                                   "paper.ink_break=0",
+                                   "paper.height_mm=36",
+                                   "paper.margin_mm=0",
+                                   "wash.strength=0",
+                                   "contour.drawn=false",
+                                   "sky.mode=paper",
+                                   "picture.ground=none",
+                                   "light.source=sun",
+                                   "light.sun_azimuth_deg=0",
+                                   "light.sun_elevation_deg=0",
+                                   "light.ambient=0",
+                                   "light.fill=0",
+                                   "light.turn_sun=false",
+                                   "light.shadows=false",
+                                   "light.falloff=1",
+                                   "tone.gamma=1",
+                                   "tone.contrast=1",
+                                   "tone.floor=0",
+                                   "tone.ceiling=1",
+                                   "tone.local_value=0",
+                                   "hatch.black_above=2"}) {
         style.set(assignment);
     }
     return style;

@@ -75,6 +75,7 @@ const Motion& draw(const Moment& since, const Moment& now)
 {
     Style bare;
     bare.set("picture.ground=none");
+    bare.set("paper.margin_mm=0");
     static_cast<void>(test::shared_renderer().render(now.camera, bare, settings(now.time_s, since)));
     return test::shared_renderer().motion();
 }
@@ -301,7 +302,7 @@ TEST(Motion, HatchingHoldsStillUnderIt)
     for (const char* assignment :
          {"wash.strength=0", "contour.drawn=false", "paper.grain=0", "paper.ink_break=0",
           "paper.color=#ffffff", "paper.ink=#000000", "sky.mode=paper", "hatch.width_mm=10",
-          "paper.granulation=0", "picture.ground=none", "light.exposure_stops=-2"}) {
+          "paper.granulation=0", "picture.ground=none", "light.exposure_stops=-2", "paper.margin_mm=0"}) {
         ink.set(assignment);
     }
     Scene scene = test::scene_of(shapes::plane(60.0F, 60.0F));

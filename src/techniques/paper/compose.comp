@@ -92,7 +92,7 @@ Paper paper_at(vec2 page_mm, int loop_count)
 float caught(float stroke, float tooth)
 {
     float bare = smoothstep(0.4, 0.68, 1.0 - tooth);
-    return clamp(stroke * mix(1.0, 1.3 - bare, constants.ink_grain), 0.0, 1.0);
+    return clamp(stroke * mix(1.0, 1.4 - bare, constants.ink_grain), 0.0, 1.0);
 }
 
 // Distance to the edge of the window, below 0 within.

@@ -342,8 +342,9 @@ TEST(Compose, TheMarginIsBarePaper)
             EXPECT_EQ(picture[static_cast<size_t>(i)], whole[static_cast<size_t>(i)]);
         }
     }
+    style.height_mm = 24.0F;
     style.margin_mm = 1000.0F;
-    EXPECT_EQ(window_of(style, 32.0F), (Window{glm::vec2(8.0F), glm::vec2(24.0F, style.height_mm - 8.0F)}))
+    EXPECT_EQ(window_of(style, 32.0F), (Window{glm::vec2(8.0F), glm::vec2(24.0F, 16.0F)}))
         << "a third of the page stays at least";
 }
 
@@ -387,7 +388,7 @@ TEST(Compose, DryStrokesCatchOnTheToothAndStayAsDark)
         EXPECT_NEAR(mean(caught), 0.7, 0.04) << "grain " << grain;
         EXPECT_GT(correlation(caught, heights), 0.7) << "heights take more than hollows";
         const auto [least, most] = std::ranges::minmax(caught);
-        EXPECT_NEAR(least, 0.7 * (1.0 - 0.7 * static_cast<double>(grain)), 0.02);
+        EXPECT_NEAR(least, 0.7 * (1.0 - 0.6 * static_cast<double>(grain)), 0.02);
         EXPECT_GT(most, 0.7 + 0.2 * static_cast<double>(grain));
     }
 }

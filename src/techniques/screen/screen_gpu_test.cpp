@@ -339,9 +339,9 @@ TEST(Screen, AsManyLayersAreDrawnAsTheSceneCanShow)
 TEST(Screen, APaleScreenThinsTheStrokesBehindIt)
 {
     Style strokes;
-    for (const char* assignment :
-         {"wash.strength=0", "contour.drawn=false", "paper.grain=0", "paper.ink_break=0",
-          "paper.color=#ffffff", "paper.ink=#000000", "sky.mode=paper", "light.exposure_stops=-3"}) {
+    for (const char* assignment : {"wash.strength=0", "contour.drawn=false", "paper.grain=0",
+                                   "paper.ink_break=0", "paper.color=#ffffff", "paper.ink=#000000",
+                                   "sky.mode=paper", "light.exposure_stops=-3", "paper.margin_mm=0"}) {
         strokes.set(assignment);
     }
     const auto ink = [&](float opacity) {
