@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <atomic>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <unistd.h>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
@@ -12,6 +9,7 @@
 #include "commands.hpp"
 #include "frame/baking.hpp"
 #include "frame/light_links.hpp"
+#include "progress.hpp"
 #include "scene/static_triangles.hpp"
 #include "signals.hpp"
 #include "text.hpp"
@@ -28,54 +26,12 @@ double seconds_since(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::string in_words(double seconds)
-{
-    const int64_t whole = std::llround(seconds);
-    return whole < 60     ? fmt::format("{} s", whole)
-           : whole < 3600 ? fmt::format("{} min {} s", whole / 60, whole % 60)
-                          : fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
-}
-
-/// Percent and time left on stderr: in place on a terminal, else a line for every tenth.
-class Progress {
-public:
-    explicit Progress(double done) : first_(done), next_(done) {}
-
-    void show(double done)
-    {
-        if (!is_terminal_ && done < next_) {
-            return;
-        }
-        next_ = done + 0.1;
-        const double share = (done - first_) / std::max(1.0 - first_, 1e-9);
-        const std::string left =
-            share > 0.0 ? fmt::format(", {} left", in_words(seconds_since(start_) * (1.0 - share) / share))
-                        : "";
-        say(fmt::format("{}estampe: bake: {:.0f} %{}{}", is_terminal_ ? "\r\x1b[K" : "", 100.0 * done, left,
-                        is_terminal_ ? "" : "\n"));
-        std::fflush(stderr);
-    }
-
-    void clear() const
-    {
-        if (is_terminal_) {
-            say("\r\x1b[K");
-        }
-    }
-
-private:
-    bool is_terminal_ = isatty(STDERR_FILENO) != 0;
-    double first_;
-    double next_;
-    Clock::time_point start_ = Clock::now();
-};
-
 /// Works until all is done; false when a signal came first. What is done lies in `partial` then.
 bool work_through(bake::Bake& bake, const std::filesystem::path& partial)
 {
     constexpr double look_s = 0.5;
     constexpr double save_s = 5.0;
-    Progress progress(bake.done());
+    Progress progress("bake", bake.done());
     Clock::time_point saved = Clock::now();
     bool has_more = true;
     while (has_more && !is_stopped) {

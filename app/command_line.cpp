@@ -92,7 +92,7 @@ void add_draw_options(CLI::App& command, Typed& typed)
         ->capture_default_str();
 }
 
-void add_render(CLI::App& app, Typed& typed)
+void add_render(CLI::App& app, Typed& typed, FilmOptions& film)
 {
     CLI::App& command =
         *app.add_subcommand("render", "Draw a scene and write it as a PNG picture, or as SVG strokes");
@@ -114,7 +114,8 @@ void add_render(CLI::App& app, Typed& typed)
         ->type_name("EXR");
     command.add_option("--since", typed.since_s, "Moment that --motion looks back to [--time less 1/30]")
         ->type_name("S");
-    command.add_flag("--timings", typed.timings, "Print the time of every pass");
+    film.add_to(command);
+    command.add_flag("--timings", typed.timings, "Print the time of every pass, or of the whole film");
     command.add_flag("--json", typed.json, "Print the timings as JSON");
 }
 
@@ -187,10 +188,10 @@ void refuse_empty_values(CLI::App& app)
     }
 }
 
-void add_commands(CLI::App& app, Typed& typed, BakeOptions& bake)
+void add_commands(CLI::App& app, Typed& typed, BakeOptions& bake, FilmOptions& film)
 {
     add_bench(app, typed);
-    add_render(app, typed);
+    add_render(app, typed, film);
     add_tam(app, typed);
     bake.add_to(app);
     CLI::App& info = *app.add_subcommand("info", "Tell what a scene file holds");
@@ -265,6 +266,18 @@ void read_motion(const Typed& typed, RenderCommand& render)
     }
 }
 
+/// Some options go with single pictures alone.
+void check_film(const Typed& typed, const RenderCommand& command)
+{
+    if (command.film && (typed.repeat > 1 || typed.json || !typed.motion.empty())) {
+        throw UsageError("does not go with films",
+                         typed.repeat > 1 ? "--repeat"
+                         : typed.json     ? "--json"
+                                          : "--motion",
+                         "leave it out, or write a .png");
+    }
+}
+
 TamCommand read_tam(const Typed& typed)
 {
     if (!typed.from.empty() && (!typed.brush.empty() || !typed.assignments.empty())) {
@@ -313,7 +326,7 @@ BenchLightsCommand read_bench(const Typed& typed)
     return bench;
 }
 
-Command to_command(const CLI::App& app, const Typed& typed, const BakeOptions& bake)
+Command to_command(const CLI::App& app, const Typed& typed, const BakeOptions& bake, const FilmOptions& film)
 {
     if (typed.style_manual) {
         return StyleManualCommand{};
@@ -355,6 +368,8 @@ Command to_command(const CLI::App& app, const Typed& typed, const BakeOptions& b
                               .timings = typed.timings,
                               .json = typed.json};
         read_motion(typed, command);
+        command.film = film.read(typed.output);
+        check_film(typed, command);
         return command;
     }
     return GraphCommand{std::move(draw)};
@@ -366,12 +381,13 @@ std::optional<Command> read_command_line(int argc, char** argv)
 {
     Typed typed;
     BakeOptions bake;
+    FilmOptions film;
     CLI::App app("Draws 3D scenes as a hand would: pen, ink and paper.", "estampe");
     app.set_version_flag("--version", "estampe " ESTAMPE_VERSION);
     app.require_subcommand(0, 1);
     app.get_formatter()->column_width(34);
     app.footer(examples);
-    add_commands(app, typed, bake);
+    add_commands(app, typed, bake, film);
     refuse_empty_values(app);
     try {
         app.parse(argc, argv);
@@ -385,7 +401,7 @@ std::optional<Command> read_command_line(int argc, char** argv)
                          fmt::format("see estampe {}--help",
                                      command ? app.get_subcommands().front()->get_name() + " " : ""));
     }
-    return to_command(app, typed, bake);
+    return to_command(app, typed, bake, film);
 }
 
 } // namespace estampe::app

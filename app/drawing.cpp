@@ -24,6 +24,12 @@ Index first_placed_camera(const Scene& scene)
 
 } // namespace
 
+bool has_camera_of_file(const DrawOptions& draw, const Scene& scene)
+{
+    return draw.camera.kind == CameraChoice::Kind::named ||
+           (draw.camera.kind == CameraChoice::Kind::automatic && first_placed_camera(scene) != no_index);
+}
+
 Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animation)
 {
     if (draw.camera.kind == CameraChoice::Kind::placed) {
@@ -33,9 +39,8 @@ Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animatio
     if (draw.camera.kind == CameraChoice::Kind::named) {
         return scene_camera(scene, pose, draw.camera.name);
     }
-    const Index first = first_placed_camera(scene);
-    if (draw.camera.kind == CameraChoice::Kind::automatic && first != no_index) {
-        return scene_camera(scene, pose, std::to_string(first));
+    if (has_camera_of_file(draw, scene)) {
+        return scene_camera(scene, pose, std::to_string(first_placed_camera(scene)));
     }
     return framing_camera(scene, pose, draw.style.window_aspect(draw.width, draw.height),
                           draw.style.sun_bearing());

@@ -9,6 +9,9 @@ namespace estampe::app {
 /// that name.
 [[nodiscard]] Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animation);
 
+/// Whether that is one of the scene's own, which may move.
+[[nodiscard]] bool has_camera_of_file(const DrawOptions& draw, const Scene& scene);
+
 /// The animation that `draw` asks for. Throws Error listing the file's animations when it has none of that
 /// name.
 [[nodiscard]] Index choose_animation(const DrawOptions& draw, const Scene& scene);

@@ -10,6 +10,7 @@
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 
+#include "film_options.hpp"
 #include "techniques/bake/bake.hpp"
 
 namespace estampe::app {
@@ -44,10 +45,11 @@ struct DrawOptions {
 
 struct RenderCommand {
     DrawOptions draw;
-    bool hidden = false;  ///< .svg only: lines behind something too
-    bool plotter = false; ///< .svg only: for pens that draw
-    std::string motion;   ///< .exr to write beside the picture; empty: none
-    double since_s = 0.0; ///< moment that the motion looks back to
+    bool hidden = false;            ///< .svg only: lines behind something too
+    bool plotter = false;           ///< .svg only: for pens that draw
+    std::string motion;             ///< .exr to write beside the picture; empty: none
+    double since_s = 0.0;           ///< moment that the motion looks back to
+    std::optional<FilmChoice> film; ///< nothing: a single picture
     uint32_t repeat = 1;
     bool timings = false;
     bool json = false;

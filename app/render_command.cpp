@@ -11,6 +11,7 @@
 #include "core/image_codec.hpp"
 #include "core/pending.hpp"
 #include "drawing.hpp"
+#include "film.hpp"
 #include "pass_history.hpp"
 #include "quick_compile.hpp"
 #include "report.hpp"
@@ -46,10 +47,13 @@ private:
 
 void check_extension(const std::string& output)
 {
+    if (is_film_output(output)) {
+        return;
+    }
     const std::string extension = lower_extension(output);
     if (extension != ".png" && extension != ".svg") {
         throw UsageError(fmt::format("cannot write a picture as {}", in_quotes(extension)), "-o " + output,
-                         "the name must end in .png, or in .svg for strokes");
+                         "the name must end in .png, .svg for strokes, or .mp4, .webm or .gif for films");
     }
 }
 
@@ -122,6 +126,10 @@ void run(const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
     check_outputs(command);
+    if (command.film) {
+        draw_film(command);
+        return;
+    }
 
     StepClock clock;
     compile_quickly_if_soon_drawn(command);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -119,6 +121,16 @@ public:
     [[nodiscard]] VectorDrawing draw_strokes(const Camera& camera, const Style& style,
                                              const RenderSettings& settings,
                                              HiddenLines hidden = HiddenLines::left_out);
+
+    /// What the next frame of a film takes from those before it: where lines were, and how bright it was.
+    /// With it another run draws on as this one would, to the byte. Empty when the last frame was of no film,
+    /// see RenderSettings::continuity. Cost: a copy from the device, 5 bytes a pixel.
+    [[nodiscard]] std::vector<std::byte> film_memory() const;
+
+    /// Makes the next frame, if it Continuity::follows, follow on those of the film_memory() of a renderer on
+    /// the same device with the same scene. Throws Error when there is no scene, and for bytes of another
+    /// origin.
+    void recall_film(std::span<const std::byte> memory);
 
     /// How far what the last picture shows had moved since its RenderSettings::motion_since; empty where that
     /// named no moment, and after draw_strokes(). The picture is the same with it and without.

@@ -23,6 +23,16 @@ public:
     /// The next picture is of something else.
     void forget() { time_s_.reset(); }
 
+    /// Of the last picture; nothing if its exposure was not metered.
+    [[nodiscard]] const std::optional<double>& time_s() const { return time_s_; }
+
+    /// The next picture follows on one at that moment.
+    void recall(gpu::Buffer state, double time_s)
+    {
+        state_ = std::move(state);
+        time_s_ = time_s;
+    }
+
     /// ExposureState.
     [[nodiscard]] gpu::Buffer& buffer() { return state_; }
 

@@ -36,6 +36,20 @@ void LineHistory::end_frame(const glm::mat4& clip_from_anchor)
     }
 }
 
+void LineHistory::recall(gpu::Device& device, glm::uvec2 size_px, std::array<std::optional<Drawn>, 2> drawn,
+                         const glm::mat4& clip_from_anchor)
+{
+    forget();
+    begin_frame(device, size_px, false, drawn.at(static_cast<size_t>(LineClass::hidden)).has_value());
+    for (size_t i = 0; i < memories_.size(); ++i) {
+        if (drawn.at(i)) {
+            memories_.at(i).drawn.at(1 - now_) = std::move(*drawn.at(i));
+            memories_.at(i).holds_frame = true;
+        }
+    }
+    clip_from_anchor_ = clip_from_anchor;
+}
+
 void LineHistory::forget()
 {
     for (Memory& memory : memories_) {

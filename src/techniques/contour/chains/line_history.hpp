@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
 
 #include <glm/glm.hpp>
 
@@ -29,6 +31,11 @@ public:
     /// To be called when what was begun has been drawn as seen by `clip_from_anchor`.
     void end_frame(const glm::mat4& clip_from_anchor);
 
+    /// Makes the next frame follow on `drawn`, of seen and of hidden lines, of pages of `size_px`. Throws
+    /// Error when memory runs out.
+    void recall(gpu::Device& device, glm::uvec2 size_px, std::array<std::optional<Drawn>, 2> drawn,
+                const glm::mat4& clip_from_anchor);
+
     /// Forgets all frames: the scene is another.
     void forget();
 
@@ -36,6 +43,9 @@ public:
     {
         return memory_of(lines).holds_frame;
     }
+
+    /// Of the pages of the frames that are remembered.
+    [[nodiscard]] glm::uvec2 size_px() const { return memories_.front().size_px; }
 
     [[nodiscard]] Drawn& before(LineClass lines = LineClass::seen)
     {

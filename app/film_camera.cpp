@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "film_camera.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace estampe::app {
+namespace {
+
+constexpr int moment_count = 13; // at which what moves is looked at
+constexpr int side_count = 12;   // from which a turntable shows it
+
+Camera turned(const Camera& camera, double turn)
+{
+    const glm::dmat4 rotation =
+        glm::rotate(glm::dmat4(1.0), 2.0 * std::numbers::pi * turn, glm::dvec3(0.0, 1.0, 0.0));
+    Camera other = camera;
+    other.eye = camera.target + glm::dvec3(rotation * glm::dvec4(camera.eye - camera.target, 0.0));
+    other.up = glm::dvec3(rotation * glm::dvec4(camera.up, 0.0));
+    return other;
+}
+
+/// How much of the page's half height or width the box reaches to from its middle.
+double reach(const Camera& camera, const Bounds& box, double aspect)
+{
+    const glm::dmat4 view = glm::lookAt(camera.eye, camera.target, camera.up);
+    const double tangent = std::tan(0.5 * camera.vertical_fov_rad);
+    double most = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 place((corner & 1) != 0 ? box.max.x : box.min.x,
+                               (corner & 2) != 0 ? box.max.y : box.min.y,
+                               (corner & 4) != 0 ? box.max.z : box.min.z);
+        const glm::dvec3 seen(view * glm::dvec4(place, 1.0));
+        const double away_m = std::max(-seen.z, camera.near_m);
+        most = std::max(
+            {most, std::abs(seen.y) / (away_m * tangent), std::abs(seen.x) / (away_m * tangent * aspect)});
+    }
+    return most;
+}
+
+/// Moves the eye away until all of `boxes` is as well within the page, from all of `sides`, as the first box
+/// is from the first side.
+Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int sides, double aspect)
+{
+    const auto farthest = [&](const Camera& from) {
+        double most = 0.0;
+        for (int side = 0; side < sides; ++side) {
+            const Camera seen = turned(from, static_cast<double>(side) / sides);
+            for (const Bounds& box : boxes) {
+                most = std::max(most, reach(seen, box, aspect));
+            }
+        }
+        return most;
+    };
+    const double allowed = reach(camera, boxes.front(), aspect);
+    Camera away = camera;
+    constexpr int rounds = 24;
+    for (int round = 0; round < rounds && farthest(away) > 1.001 * allowed; ++round) {
+        away.eye = away.target + (away.eye - away.target) * std::min(farthest(away) / allowed, 1.3);
+    }
+    return away;
+}
+
+} // namespace
+
+FilmCamera::FilmCamera(const DrawOptions& draw, const Scene& scene, Index animation, double begin_s,
+                       double end_s, bool turntable)
+    : draw_(draw), scene_(scene), animation_(animation)
+{
+    if (has_camera_of_file(draw, scene)) {
+        return;
+    }
+    DrawOptions first = draw;
+    first.time_s = begin_s;
+    still_ = choose_camera(first, scene, animation);
+    const bool is_framed = draw.camera.kind != CameraChoice::Kind::placed;
+    const int sides = turntable ? side_count : 1;
+    const int moments = scene.animations.empty() ? 1 : moment_count;
+    if (!is_framed || sides * moments == 1) {
+        return;
+    }
+    std::vector<Bounds> boxes;
+    for (int i = 0; i < moments; ++i) {
+        const double time_s = begin_s + (end_s - begin_s) * i / std::max(moments - 1, 1);
+        boxes.push_back(scene_bounds(scene, pose_scene(scene, time_s, animation)));
+    }
+    if (!boxes.front().empty()) {
+        still_ = far_enough(*still_, boxes, sides, draw.style.window_aspect(draw.width, draw.height));
+    }
+}
+
+Camera FilmCamera::at(double time_s, double turn) const
+{
+    if (still_) {
+        return turned(*still_, turn);
+    }
+    DrawOptions now = draw_;
+    now.time_s = time_s;
+    return turned(choose_camera(now, scene_, animation_), turn);
+}
+
+} // namespace estampe::app

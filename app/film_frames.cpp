@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "film_frames.hpp"
+
+#include <array>
+#include <cstring>
+#include <regex>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+
+#include "core/file.hpp"
+#include "core/image_codec.hpp"
+
+namespace estampe::app {
+namespace {
+
+const std::regex& number_field()
+{
+    static const std::regex field("%(0?)([1-9]?)d");
+    return field;
+}
+
+std::string numbered(const std::string& pattern, uint32_t number)
+{
+    std::smatch field;
+    std::regex_search(pattern, field, number_field());
+    const int width = field[2].length() > 0 ? std::stoi(field[2]) : 0;
+    const std::string digits =
+        field[1].length() > 0 ? fmt::format("{:0{}}", number, width) : fmt::format("{:{}}", number, width);
+    return field.prefix().str() + digits + field.suffix().str();
+}
+
+/// What the file of the state begins with.
+struct StateHead {
+    std::array<char, 8> signature{'e', 's', 't', 'f', 'i', 'l', 'm', '1'};
+    uint64_t job = 0;
+    uint64_t next = 0;
+};
+
+} // namespace
+
+bool is_numbered(const std::string& name)
+{
+    const std::string file = std::filesystem::path(name).filename();
+    const auto begin = std::sregex_iterator(file.begin(), file.end(), number_field());
+    return std::distance(begin, std::sregex_iterator()) == 1;
+}
+
+FilmFrames::FilmFrames(const std::string& output, uint64_t job) : is_of_film_(!is_numbered(output)), job_(job)
+{
+    const std::filesystem::path target(output);
+    folder_ = is_of_film_ ? std::filesystem::path(output + ".partial")
+                          : (target.has_parent_path() ? target.parent_path() : std::filesystem::path("."));
+    pattern_ = is_of_film_ ? "%06d.png" : target.filename().string();
+    std::error_code problem;
+    std::filesystem::create_directory(folder_, problem);
+    if (!std::filesystem::is_directory(folder_)) {
+        throw Error(fmt::format("cannot make this folder: {}", problem.message()), folder_.string(),
+                    "write elsewhere with -o");
+    }
+}
+
+std::filesystem::path FilmFrames::path_of(uint32_t number) const
+{
+    return folder_ / numbered(pattern_, number);
+}
+
+std::optional<FilmState> FilmFrames::state(uint32_t first) const
+{
+    const std::filesystem::path path = folder_ / "film-state";
+    if (!std::filesystem::exists(path)) {
+        return std::nullopt;
+    }
+    const std::vector<std::byte> bytes = read_file(path);
+    StateHead head;
+    const StateHead own;
+    if (bytes.size() >= sizeof head) {
+        std::memcpy(&head, bytes.data(), sizeof head);
+    }
+    constexpr uint64_t most_frames = 1000000;
+    if (bytes.size() < sizeof head || head.signature != own.signature || head.next < first ||
+        head.next > most_frames + 1) {
+        throw Error("is damaged", path.string(), "leave out --resume to begin anew");
+    }
+    if (head.job != job_) {
+        throw Error("the run that stopped drew something else: another scene, style, size, camera or device",
+                    path.string(), "ask for the same, or leave out --resume to begin anew");
+    }
+    for (uint32_t number = first; number < head.next; ++number) {
+        if (!std::filesystem::exists(path_of(number))) {
+            throw Error("is missing, which was drawn before", path_of(number).string(),
+                        "leave out --resume to begin anew");
+        }
+    }
+    return FilmState{static_cast<uint32_t>(head.next), {bytes.begin() + sizeof head, bytes.end()}};
+}
+
+void FilmFrames::save(uint32_t number, const Image& image) const
+{
+    write_file_atomically(path_of(number), encode_png(image));
+}
+
+void FilmFrames::save_state(const FilmState& state) const
+{
+    const StateHead head{.job = job_, .next = state.next};
+    std::vector<std::byte> bytes(sizeof head);
+    std::memcpy(bytes.data(), &head, sizeof head);
+    bytes.insert(bytes.end(), state.memory.begin(), state.memory.end());
+    write_file_atomically(folder_ / "film-state", bytes);
+}
+
+void FilmFrames::begin_anew() const
+{
+    std::filesystem::remove(folder_ / "film-state");
+    if (!is_of_film_) {
+        return;
+    }
+    static const std::regex own_name("[0-9]{6,7}\\.png");
+    const std::vector<std::filesystem::directory_entry> entries(std::filesystem::directory_iterator(folder_),
+                                                                {});
+    for (const std::filesystem::directory_entry& entry : entries) {
+        if (std::regex_match(entry.path().filename().string(), own_name)) {
+            std::filesystem::remove(entry.path());
+        }
+    }
+}
+
+void FilmFrames::finish() const
+{
+    begin_anew();
+    std::error_code problem; // what somebody else put there stays
+    if (is_of_film_) {
+        std::filesystem::remove(folder_, problem);
+    }
+}
+
+} // namespace estampe::app

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <estampe/image.hpp>
+
+namespace estampe::app {
+
+/// Whether a name holds one number to be filled in, "%d" or "%04d".
+[[nodiscard]] bool is_numbered(const std::string& name);
+
+/// How far a run came that was stopped.
+struct FilmState {
+    uint32_t next = 1;             ///< frame to draw
+    std::vector<std::byte> memory; ///< Renderer::film_memory() of the frame before
+};
+
+/// The frames of a film as files: pictures with numbers in their names, which stay, or those of a film, which
+/// lie in FILM.partial/ until it is whole. A file `film-state` beside them tells how far they go.
+class FilmFrames {
+public:
+    /// Of what `output` names. `job` is a fingerprint of all that the frames hang on. Makes their folder.
+    /// Throws Error when it cannot.
+    FilmFrames(const std::string& output, uint64_t job);
+
+    /// Where a frame lies.
+    [[nodiscard]] std::filesystem::path path_of(uint32_t number) const;
+
+    /// The state that an earlier run left; nothing where there was none. Throws Error when it was of another
+    /// job, is damaged, or a frame from `first` on is missing.
+    [[nodiscard]] std::optional<FilmState> state(uint32_t first) const;
+
+    /// Writes a frame. Throws Error when it cannot.
+    void save(uint32_t number, const Image& image) const;
+
+    /// Writes how far the frames go, whose files must be there. Throws Error when it cannot.
+    void save_state(const FilmState& state) const;
+
+    /// Forgets what an earlier run left: its state, and where they are of a film its frames.
+    void begin_anew() const;
+
+    /// All is drawn and kept elsewhere: as begin_anew(), and the folder of a film's frames goes too.
+    void finish() const;
+
+private:
+    std::string pattern_;
+    std::filesystem::path folder_;
+    bool is_of_film_;
+    uint64_t job_;
+};
+
+} // namespace estampe::app

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// What the renderer does for films that are drawn in several runs.
+#include "frame/renderer_impl.hpp"
+
+#include <cstring>
+
+#include <estampe/error.hpp>
+
+#include "gpu/imports.hpp"
+#include "gpu/read_back.hpp"
+#include "gpu/upload.hpp"
+#include "techniques/contour/chains/chains.glsl.h"
+
+namespace estampe {
+namespace {
+
+/// The first of the bytes: changes when what follows does.
+constexpr uint64_t signature = 0x31304d4c49465345ULL;
+
+/// What is written ahead of the buffers.
+struct Head {
+    uint64_t first = signature;
+    glm::uvec2 size_px{0};
+    glm::mat4 clip_from_anchor{1.0F};
+    std::array<uint32_t, 2> has_lines{}; ///< seen, hidden
+    uint64_t has_exposure = 0;           ///< as wide as that no byte between is left open
+    double exposure_time_s = 0.0;
+};
+
+class Writer {
+public:
+    explicit Writer(const Head& head) { append(std::as_bytes(std::span(&head, 1))); }
+
+    void append(std::span<const std::byte> bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
+
+    [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
+
+private:
+    std::vector<std::byte> bytes_;
+};
+
+class Reader {
+public:
+    explicit Reader(std::span<const std::byte> bytes) : left_(bytes) {}
+
+    [[nodiscard]] std::span<const std::byte> take(uint64_t size_bytes)
+    {
+        if (left_.size() < size_bytes) {
+            throw Error("this is not the memory of a film's frame");
+        }
+        const auto taken = left_.first(size_bytes);
+        left_ = left_.subspan(size_bytes);
+        return taken;
+    }
+
+    [[nodiscard]] bool is_at_end() const { return left_.empty(); }
+
+private:
+    std::span<const std::byte> left_;
+};
+
+/// The buffers to keep, which come to the host in one go.
+class Download {
+public:
+    void add(gpu::Device& device, gpu::Buffer& buffer)
+    {
+        copies_.emplace_back(device, "film memory", buffer.size_bytes(), gpu::MemoryUse::readback);
+        sources_.push_back(&buffer);
+    }
+
+    void append_to(Writer& writer, gpu::Executor& executor)
+    {
+        gpu::Graph graph;
+        for (size_t i = 0; i < copies_.size(); ++i) {
+            gpu::add_read_back(graph, "remember", gpu::import_whole(graph, "remembered", *sources_[i]),
+                               copies_[i]);
+        }
+        executor.run(graph);
+        for (const gpu::Buffer& copy : copies_) {
+            writer.append(copy.mapped());
+        }
+    }
+
+private:
+    std::vector<gpu::Buffer> copies_;
+    std::vector<gpu::Buffer*> sources_;
+};
+
+constexpr std::array line_classes{contour::LineClass::seen, contour::LineClass::hidden};
+
+} // namespace
+
+std::vector<std::byte> Renderer::film_memory() const
+{
+    Impl& impl = *impl_;
+    Head head{.size_px = impl.line_history.size_px(),
+              .clip_from_anchor = impl.line_history.clip_from_anchor_before(),
+              .has_exposure = impl.exposure.time_s() ? uint64_t{1} : 0,
+              .exposure_time_s = impl.exposure.time_s().value_or(0.0)};
+    Download download;
+    for (size_t i = 0; i < line_classes.size(); ++i) {
+        const contour::LineClass lines = line_classes.at(i);
+        if (impl.line_history.holds_frame(lines)) {
+            head.has_lines.at(i) = 1;
+            download.add(impl.device, impl.line_history.before(lines).grid);
+            download.add(impl.device, impl.line_history.before(lines).samples);
+        }
+    }
+    if (head.has_lines.front() == 0) {
+        return {};
+    }
+    if (head.has_exposure != 0) {
+        download.add(impl.device, impl.exposure.buffer());
+    }
+    Writer writer(head);
+    download.append_to(writer, impl.executor);
+    return writer.take();
+}
+
+void Renderer::recall_film(std::span<const std::byte> memory)
+{
+    Impl& impl = *impl_;
+    if (!impl.loaded) {
+        throw Error("there is no scene to draw", "", "call set_scene first");
+    }
+    Reader reader(memory);
+    Head head;
+    std::memcpy(&head, reader.take(sizeof head).data(), sizeof head);
+    constexpr uint32_t longest_side_px = 1U << 16U;
+    if (head.first != signature || head.size_px.x == 0 || head.size_px.y == 0 ||
+        head.size_px.x > longest_side_px || head.size_px.y > longest_side_px) {
+        throw Error("this is not the memory of a film's frame");
+    }
+    const auto next_buffer = [&](const char* name, uint64_t size_bytes) {
+        return gpu::upload_buffer(impl.device, name, reader.take(size_bytes));
+    };
+    std::array<std::optional<contour::LineHistory::Drawn>, line_classes.size()> drawn;
+    for (size_t i = 0; i < line_classes.size(); ++i) {
+        if (head.has_lines.at(i) != 0) {
+            gpu::Buffer grid =
+                next_buffer("line grid", sizeof(glm::uvec2) * contour::grid_cell_count(head.size_px));
+            drawn.at(i) = {std::move(grid),
+                           next_buffer("drawn samples",
+                                       sizeof(shared::DrawnSample) * contour::sample_capacity(head.size_px))};
+        }
+    }
+    std::optional<gpu::Buffer> exposure;
+    if (head.has_exposure != 0) {
+        exposure = next_buffer("exposure", sizeof(shared::ExposureState));
+    }
+    if (!reader.is_at_end()) {
+        throw Error("this is not the memory of a film's frame");
+    }
+    impl.line_history.recall(impl.device, head.size_px, std::move(drawn), head.clip_from_anchor);
+    impl.exposure.forget();
+    if (exposure) {
+        impl.exposure.recall(std::move(*exposure), head.exposure_time_s);
+    }
+}
+
+} // namespace estampe
