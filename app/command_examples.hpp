@@ -12,6 +12,8 @@ inline constexpr const char* examples = R"(Examples:
   estampe render bunny.obj -o bunny.png --camera "eye=2,1,3 target=0,0.5,0 fov=35"
   estampe render temple.glb -o temple.png --style pencil --set hatch.width_mm=0.5
   estampe render temple.glb -o temple.svg --plotter
+  estampe render fox.glb -o fox.mp4 --animation Run --fps 30
+  estampe render helmet.gltf -o 'frames/%04d.png' --turntable --frames 96
   estampe render fox.glb -o fox.png --time 0.4 --motion fox.exr --since 0.36
   estampe info helmet.gltf --json
   estampe tam -o pen.tam --preview pen.png

@@ -104,7 +104,8 @@ public:
             if (film_.resume) {
                 print_notes({"nothing was left to go on with; the film begins with its first frame"});
             }
-            frames_.begin_anew();
+            frames_.make_folder();
+            frames_.forget();
             return film_.first;
         }
         const uint32_t next = std::min(state->next, film_.last + 1);

@@ -52,12 +52,6 @@ FilmFrames::FilmFrames(const std::string& output, uint64_t job) : is_of_film_(!i
     folder_ = is_of_film_ ? std::filesystem::path(output + ".partial")
                           : (target.has_parent_path() ? target.parent_path() : std::filesystem::path("."));
     pattern_ = is_of_film_ ? "%06d.png" : target.filename().string();
-    std::error_code problem;
-    std::filesystem::create_directory(folder_, problem);
-    if (!std::filesystem::is_directory(folder_)) {
-        throw Error(fmt::format("cannot make this folder: {}", problem.message()), folder_.string(),
-                    "write elsewhere with -o");
-    }
 }
 
 std::filesystem::path FilmFrames::path_of(uint32_t number) const
@@ -109,7 +103,17 @@ void FilmFrames::save_state(const FilmState& state) const
     write_file_atomically(folder_ / "film-state", bytes);
 }
 
-void FilmFrames::begin_anew() const
+void FilmFrames::make_folder() const
+{
+    std::error_code problem;
+    std::filesystem::create_directory(folder_, problem);
+    if (!std::filesystem::is_directory(folder_)) {
+        throw Error(fmt::format("cannot make this folder: {}", problem.message()), folder_.string(),
+                    "write elsewhere with -o");
+    }
+}
+
+void FilmFrames::forget() const
 {
     std::filesystem::remove(folder_ / "film-state");
     if (!is_of_film_) {
@@ -127,7 +131,7 @@ void FilmFrames::begin_anew() const
 
 void FilmFrames::finish() const
 {
-    begin_anew();
+    forget();
     std::error_code problem; // what somebody else put there stays
     if (is_of_film_) {
         std::filesystem::remove(folder_, problem);

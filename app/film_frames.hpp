@@ -25,8 +25,7 @@ struct FilmState {
 /// lie in FILM.partial/ until it is whole. A file `film-state` beside them tells how far they go.
 class FilmFrames {
 public:
-    /// Of what `output` names. `job` is a fingerprint of all that the frames hang on. Makes their folder.
-    /// Throws Error when it cannot.
+    /// Of what `output` names. `job` is a fingerprint of all that the frames hang on.
     FilmFrames(const std::string& output, uint64_t job);
 
     /// Where a frame lies.
@@ -42,10 +41,13 @@ public:
     /// Writes how far the frames go, whose files must be there. Throws Error when it cannot.
     void save_state(const FilmState& state) const;
 
-    /// Forgets what an earlier run left: its state, and where they are of a film its frames.
-    void begin_anew() const;
+    /// To be called before the first frame is saved. Throws Error when there can be no such folder.
+    void make_folder() const;
 
-    /// All is drawn and kept elsewhere: as begin_anew(), and the folder of a film's frames goes too.
+    /// Forgets what an earlier run left: its state, and where they are of a film its frames.
+    void forget() const;
+
+    /// All is drawn and kept elsewhere: as forget(), and the folder of a film's frames goes too.
     void finish() const;
 
 private:

@@ -12,6 +12,7 @@
 #include "core/pending.hpp"
 #include "drawing.hpp"
 #include "film.hpp"
+#include "film_frames.hpp"
 #include "pass_history.hpp"
 #include "quick_compile.hpp"
 #include "report.hpp"
@@ -85,7 +86,9 @@ void check_outputs(const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
     check_extension(draw.output);
-    check_output(draw.output, {draw.scene, draw.lightmap});
+    const std::filesystem::path folder = std::filesystem::path(draw.output).parent_path();
+    const bool makes_folder = is_numbered(draw.output) && !folder.empty() && !std::filesystem::exists(folder);
+    check_output(makes_folder ? folder : std::filesystem::path(draw.output), {draw.scene, draw.lightmap});
     if (!command.motion.empty()) {
         check_output(command.motion, {draw.scene, draw.lightmap});
     }

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// A film that is drawn in two runs is the film drawn in one.
+#include <estampe/renderer.hpp>
+
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+#include "scene/shapes.hpp"
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr uint32_t frame_count = 8;
+
+Scene still_life()
+{
+    Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
+    test::add_object(scene, shapes::box({1.0F, 1.5F, 1.0F}), {0.8F, 0.3F, 0.2F}, {-0.6, 0.0, 0.0});
+    test::add_object(scene, shapes::torus(0.6F, 0.25F, 32, 16), {0.2F, 0.4F, 0.7F}, {0.8, 0.6, 0.5});
+    test::add_sun(scene, {1.0, 2.0, 1.5});
+    return scene;
+}
+
+Style inked()
+{
+    Style style;
+    for (const char* assignment : {"contour.hidden=dashed", "contour.brush=pencil", "contour.strokes=2",
+                                   "light.metering=page", "light.adapt_stops_per_s=0.5"}) {
+        style.set(assignment);
+    }
+    return style;
+}
+
+Image frame(Renderer& renderer, const Style& style, uint32_t number)
+{
+    const double angle = 0.4 + 0.06 * number;
+    const Camera camera{.eye = {6.0 * std::sin(angle), 3.0 - 0.1 * number, 6.0 * std::cos(angle)},
+                        .target = {0.0, 0.4, 0.0}};
+    return renderer.render(camera, style,
+                           {.width = 240,
+                            .height = 180,
+                            .time_s = number / 24.0,
+                            .continuity = number == 0 ? Continuity::starts : Continuity::follows});
+}
+
+TEST(FilmMemory, AnotherRunGoesOnToTheByte)
+{
+    Renderer& renderer = test::shared_renderer();
+    const Style style = inked();
+    const Scene scene = still_life();
+    renderer.set_scene(scene);
+    std::vector<Image> film;
+    std::vector<std::byte> memory;
+    for (uint32_t number = 0; number < frame_count; ++number) {
+        film.push_back(frame(renderer, style, number));
+        if (number == 3) {
+            memory = renderer.film_memory();
+        }
+    }
+    ASSERT_FALSE(memory.empty());
+
+    renderer.set_scene(scene);
+    renderer.recall_film(memory);
+    EXPECT_EQ(renderer.film_memory(), memory);
+    for (uint32_t number = 4; number < frame_count; ++number) {
+        EXPECT_TRUE(frame(renderer, style, number) == film[number]) << "frame " << number;
+    }
+
+    renderer.set_scene(scene);
+    EXPECT_FALSE(frame(renderer, style, 4) == film[4]) << "without its memory it is another";
+}
+
+TEST(FilmMemory, RefusesWhatIsNone)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    EXPECT_TRUE(renderer.film_memory().empty());
+    static_cast<void>(frame(renderer, inked(), 0));
+    std::vector<std::byte> memory = renderer.film_memory();
+    for (const size_t size : {size_t{0}, size_t{7}, size_t{100}, memory.size() - 1}) {
+        EXPECT_THROW(renderer.recall_film(std::span(memory).first(size)), Error) << size;
+    }
+    memory.push_back(std::byte{0});
+    EXPECT_THROW(renderer.recall_film(memory), Error) << "too long";
+    memory.pop_back();
+    memory[0] ^= std::byte{1};
+    EXPECT_THROW(renderer.recall_film(memory), Error) << "of another kind";
+}
+
+} // namespace
+} // namespace estampe
