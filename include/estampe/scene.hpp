@@ -278,6 +278,7 @@ struct SunBearing {
     double elevation_deg = 45.0;
     bool turns = true;  ///< with the side that the framed view shows
     bool rules = false; ///< in place of the scene's own light
+    bool throws = true; ///< whether the shadow is drawn, and so wants room
 };
 
 /// Frames the scene as a person would: three-quarter view from slightly above, whole, with a margin, from the

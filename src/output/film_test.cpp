@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>

@@ -163,7 +163,7 @@ ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes
     constexpr double lowest_sun = 0.26; // 15 degrees: longer shadows run out of any page
     ViewPoints points;
     const auto light = shadow_light(scene, pose, outlook, sun);
-    const bool has_shadow = light && light->y > lowest_sun;
+    const bool has_shadow = sun.throws && light && light->y > lowest_sun;
     const bool has_floor =
         outlook.subject.max.x - outlook.subject.min.x < 0.99 * (bounds.max.x - bounds.min.x);
     const double slack_m = 0.02 * (outlook.subject.max.y - outlook.subject.min.y);

@@ -193,6 +193,24 @@ TEST(FramedView, TheSunThatRulesTakesThePlaceOfTheScenes)
     EXPECT_EQ(framing_camera(scene, pose_scene(scene, 0.0), aspect, sun).eye, alone);
 }
 
+TEST(FramedView, LeavesNoRoomForAShadowThatIsNotDrawn)
+{
+    const Scene scene = test::scene_of(shapes::cylinder(0.4F, 1.2F));
+    const ScenePose pose = pose_scene(scene, 0.0);
+    const auto middle = [&](bool throws) {
+        const Page page(framing_camera(scene, pose, aspect, {.throws = throws}));
+        Extent model;
+        visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
+            for (const glm::dvec3& p : posed.positions) {
+                model.extend(page.at(p));
+            }
+        });
+        return 0.5 * (model.min.x + model.max.x);
+    };
+    EXPECT_GT(std::abs(middle(true)), 0.1);
+    EXPECT_NEAR(middle(false), 0.0, 0.02);
+}
+
 TEST(FramedView, IgnoresAWideFloor)
 {
     const Primitive thing = shapes::box({1.0F, 1.2F, 0.8F});

@@ -61,6 +61,7 @@ void main()
         uint material = draw_at(draw_of(word)).material;
         vec4 stored = texelFetch(color_image, pixel, 0);
         vec3 color = mix(mean_color_of(material), stored.rgb * stored.rgb, constants.detail);
+        color = mix(vec3(luminance(color)), color, constants.saturation);
         float largest = max(max(color.r, color.g), max(color.b, 1e-3));
         float saturation = 1.0 - min(color.r, min(color.g, color.b)) / largest;
         // The darkest paint is a pale one: strokes tell how dark a thing is.
@@ -80,7 +81,7 @@ void main()
         if (is_paper(word)) {
             color = mix(vec3(1.0), mix(vec3(1.0), constants.shadow_tint, 0.6), shadow);
         }
-        if (has_air) {
+        if (has_air && !is_paper(word)) {
             float away =
                 distance(anchor_at(frame, vec2(pixel) + 0.5, max(texelFetch(depth_image, pixel, 0).x, 1e-9)),
                          frame.eye_anchor);

@@ -24,6 +24,7 @@ gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const WashStyle& 
                                     .least = style.least,
                                     .strength = style.strength,
                                     .neutral = style.neutral,
+                                    .saturation = style.saturation,
                                     .light_tint = style.light_tint,
                                     .air = style.air,
                                     .air_color = style.air_color,

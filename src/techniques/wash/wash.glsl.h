@@ -23,6 +23,7 @@ struct WashConstants {
     float least;       // brightness that dark colours are lifted towards
     float strength;    // 0: bare paper, 1: full colour
     float neutral;     // share of that for greys
+    float saturation;  // 0: greys alone, 1: the materials' colours
     float light_tint;  // how far coloured light colours what it falls on
     float air;         // share of the horizon's colour at the far end
     vec3 air_color;

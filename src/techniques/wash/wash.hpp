@@ -10,6 +10,7 @@ namespace estampe::wash {
 struct WashStyle {
     float strength = 0.8F;
     float neutral = 0.4F;
+    float saturation = 1.0F;
     float detail = 0.35F;
     float least = 0.16F;
     glm::vec3 shadow_tint = style::srgb(0xbac7c3);
@@ -29,6 +30,8 @@ inline const style::Table<WashStyle>& wash_table()
                     "0 leaves the paper bare, 1 is full colour")
             .number("neutral", &WashStyle::neutral, {0.0F, 1.0F}, "",
                     "Share of the strength that greys are painted with")
+            .number("saturation", &WashStyle::saturation, {0.0F, 1.0F}, "",
+                    "0 paints greys alone, 1 the materials' colours")
             .number("detail", &WashStyle::detail, {0.0F, 1.0F}, "",
                     "0 is one flat colour a material, 1 its whole texture")
             .number("least", &WashStyle::least, {0.0F, 1.0F}, "",

@@ -131,6 +131,17 @@ TEST(Wash, LiftsDarkColoursAndKeepsTheirHue)
         << "pale ones stay";
 }
 
+TEST(Wash, PaintsGreysAsBrightAsTheColoursWere)
+{
+    Page page;
+    WashStyle style = strong();
+    const auto brightness = luminance(glm::vec3(paint(page, style)[0]));
+    style.saturation = 0.0F;
+    expect_everywhere(paint(page, style), glm::vec3(brightness), 3e-3F);
+    style.saturation = 0.5F;
+    expect_everywhere(paint(page, style), glm::mix(glm::vec3(brightness), red, 0.5F), 3e-3F);
+}
+
 TEST(Wash, LiesInShadowWhereOcclusionKeepsLightOff)
 {
     // Half of 0.9 is darker than the shadow's edge, 0.9 is not.
@@ -260,6 +271,7 @@ TEST(Wash, LeavesPaperBareButForItsShadow)
     Page page;
     page.draw = [](glm::uvec2) { return 1U | paper_bit; };
     WashStyle style = strong();
+    style.air = 1.0F;
     expect_everywhere(paint(page, style), glm::vec3(1.0F), 0.0F);
     page.light = [](glm::uvec2) { return glm::vec4(0.1F); };
     expect_everywhere(paint(page, style), glm::mix(glm::vec3(1.0F), style.shadow_tint, 0.6F));
