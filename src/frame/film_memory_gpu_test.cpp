@@ -27,8 +27,9 @@ Scene still_life()
 Style inked()
 {
     Style style;
-    for (const char* assignment : {"contour.hidden=dashed", "contour.brush=pencil", "contour.strokes=2",
-                                   "light.metering=page", "light.adapt_stops_per_s=0.5"}) {
+    for (const char* assignment :
+         {"contour.hidden=dashed", "contour.brush=pencil", "contour.brush_fit=stretch", "light.metering=page",
+          "light.adapt_stops_per_s=0.5"}) {
         style.set(assignment);
     }
     return style;
@@ -36,8 +37,8 @@ Style inked()
 
 Image frame(Renderer& renderer, const Style& style, uint32_t number)
 {
-    const double angle = 0.4 + 0.06 * number;
-    const Camera camera{.eye = {6.0 * std::sin(angle), 3.0 - 0.1 * number, 6.0 * std::cos(angle)},
+    const double angle = 0.4 + 0.006 * number;
+    const Camera camera{.eye = {6.0 * std::sin(angle), 3.0 - 0.01 * number, 6.0 * std::cos(angle)},
                         .target = {0.0, 0.4, 0.0}};
     return renderer.render(camera, style,
                            {.width = 240,
