@@ -37,6 +37,7 @@ struct Typed {
     bool hidden = false;
     bool plotter = false;
     bool style_manual = false;
+    bool schema = false;
     std::vector<uint32_t> light_counts;
     uint32_t shadowed = 0;
     uint32_t frames = 9;
@@ -203,6 +204,7 @@ void add_commands(CLI::App& app, Typed& typed, BakeOptions& bake, FilmOptions& f
     add_draw_options(graph, typed);
     CLI::App& styles = *app.add_subcommand("styles", "List the presets, or print a style in full as TOML");
     styles.add_option("style", typed.style, "Preset or TOML file")->type_name("STYLE");
+    styles.add_flag("--schema", typed.schema, "Print a JSON schema of style files, for editors");
     app.add_flag("--help-style", typed.style_manual, "Print the manual of all style parameters and exit");
 }
 
@@ -338,7 +340,7 @@ Command to_command(const CLI::App& app, const Typed& typed, const BakeOptions& b
         return DevicesCommand{typed.json};
     }
     if (app.got_subcommand("styles")) {
-        return StylesCommand{typed.style};
+        return StylesCommand{typed.style, typed.schema};
     }
     if (app.got_subcommand("bench")) {
         return read_bench(typed);

@@ -68,9 +68,10 @@ struct DevicesCommand {
     bool json = false;
 };
 
-/// Lists the presets, or prints one style in full.
+/// Lists the presets, or prints one style in full, or the schema of all.
 struct StylesCommand {
     std::string style;
+    bool schema = false;
 };
 
 struct StyleManualCommand {};

@@ -9,12 +9,16 @@ namespace estampe::app {
 
 void run(const StylesCommand& command)
 {
+    if (command.schema) {
+        fmt::print("{}", Style::json_schema());
+        return;
+    }
     if (!command.style.empty()) {
         fmt::print("{}", Style::load(command.style).to_toml());
         return;
     }
     for (const std::string& name : Style::presets()) {
-        fmt::print("{}\n", name);
+        fmt::print("{:<13} {}\n", name, Style::about(name));
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The presets and the whole set of parameters, through the public header.
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include <estampe/error.hpp>
 #include <estampe/style.hpp>
@@ -9,6 +11,7 @@
 
 #include "frame/style_tables.hpp"
 #include "style/presets.hpp"
+#include "support/files.hpp"
 
 namespace estampe {
 namespace {
@@ -27,6 +30,17 @@ TEST(Presets, BeginWithALineThatDescribesThem)
     for (const std::string& name : Style::presets()) {
         EXPECT_TRUE(style::preset_text(name)->starts_with("# ")) << name;
     }
+}
+
+TEST(Presets, AreInTheirPageOfTheDocs)
+{
+    std::ifstream file(test::source_folder() / "docs" / "presets.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    for (const std::string& name : Style::presets()) {
+        const std::string row = fmt::format("| `{}` | {} |", name, Style::about(name));
+        EXPECT_NE(page.find(row), std::string::npos) << row;
+    }
+    EXPECT_THROW(static_cast<void>(Style::about("none")), Error);
 }
 
 TEST(Presets, ReadBackEqual)

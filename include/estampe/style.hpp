@@ -47,8 +47,14 @@ public:
     /// The manual of all parameters: name, type, range, default, unit and one line of help each.
     [[nodiscard]] static std::string help();
 
+    /// All parameters as a JSON schema (2020-12), with which editors complete and check TOML files.
+    [[nodiscard]] static std::string json_schema();
+
     /// Names of the presets that load() knows.
     [[nodiscard]] static std::vector<std::string> presets();
+
+    /// What a preset looks like, in a line. Throws Error when there is none of that name.
+    [[nodiscard]] static std::string about(const std::string& preset);
 
     [[nodiscard]] const frame::StyleTables& tables() const { return *tables_; }
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <estampe/error.hpp>
+
 #include "frame/style_tables.hpp"
 #include "style/presets.hpp"
 #include "techniques/light/daylight.hpp"
@@ -75,6 +77,21 @@ std::string Style::help()
 {
     frame::StyleTables defaults;
     return frame::sheet_of(defaults).help();
+}
+
+std::string Style::json_schema()
+{
+    frame::StyleTables defaults;
+    return frame::sheet_of(defaults).json_schema();
+}
+
+std::string Style::about(const std::string& preset)
+{
+    const auto text = style::preset_text(preset);
+    if (!text) {
+        throw Error("there is no such preset", preset, "estampe styles lists them");
+    }
+    return std::string(text->substr(2, text->find('\n') - 2));
 }
 
 std::vector<std::string> Style::presets()

@@ -55,6 +55,9 @@ expect_printed '--samples'
 expect_success --help-style
 expect_printed '^  [a-z_]*\.[a-z_]*  *number '
 expect_success styles
+expect_printed '^pencil  *Soft grey strokes'
+expect_success styles --schema
+expect_printed '"margin_mm": {'
 expect_success devices
 expect_printed 'raster: hardware'
 expect_success devices --json
@@ -173,7 +176,7 @@ expect_success render scene.glb -o b.png "${small[@]}" --camera auto
 expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=0,50,0 target=0,0,0 fov=40'
 expect_success graph scene.glb -o frame.dot "${small[@]}"
 grep -q digraph frame.dot || wrong "frame.dot is no graph"
-"$estampe" styles | while read -r preset; do
+"$estampe" styles | while read -r preset _; do
     "$estampe" styles "$preset" >"$preset".toml
     "$estampe" styles "$preset".toml | cmp - "$preset".toml || exit 1
 done || wrong "a preset does not read back equal"

@@ -3,9 +3,14 @@
 
 namespace estampe::test {
 
+std::filesystem::path source_folder()
+{
+    return ESTAMPE_SOURCE_DIR;
+}
+
 std::filesystem::path golden_folder()
 {
-    return ESTAMPE_GOLDEN_DIR;
+    return source_folder() / "tests" / "golden";
 }
 
 std::filesystem::path square_scene()

@@ -5,6 +5,9 @@
 
 namespace estampe::test {
 
+/// The root of the source tree.
+[[nodiscard]] std::filesystem::path source_folder();
+
 /// Where golden pictures lie.
 [[nodiscard]] std::filesystem::path golden_folder();
 
