@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "scene/drawn_size.hpp"
 #include "scene/outlook/outlook.hpp"
 #include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
@@ -296,6 +297,7 @@ Camera camera_inside(const Outlook& outlook, double aspect)
 
 Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, const SunBearing& sun)
 {
+    check_drawn_size(scene);
     const Bounds bounds = scene_bounds(scene, pose);
     if (bounds.empty())
         return {};
