@@ -275,7 +275,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         light::set_daylight(lighting, *daylight, tables.light);
     }
     const float lightmap_scale = frame::make_room(lighting, loaded->baked, tables.lightmap);
-    notes.clear();
+    notes = loaded->notes;
     if (lighting.indoors) {
         notes.emplace_back("the scene has no light and the sun does not reach it: a lamp hangs in the room");
     }
