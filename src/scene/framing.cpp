@@ -317,7 +317,7 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, 
 
     ViewPoints points = view_points(scene, pose, axes, outlook, sun, bounds, bounds.center());
     // A model without extent still stands somewhere: give it a size that arithmetic can see.
-    const double least = std::max(1e-6 * glm::length(bounds.center()), 1e-9);
+    const double least = std::max(1e-12 * glm::length(bounds.center()), 1e-9);
     if (bounds.radius() < least)
         points = {.subject = {glm::dvec3(-least), glm::dvec3(least)}};
     const glm::dvec3 eye = framed_eye(points, window);

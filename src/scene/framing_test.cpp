@@ -141,6 +141,18 @@ TEST(FramedView, HoldsTheWholeShadowOfAStandingFigure)
     EXPECT_LT(std::abs(figure.model.max.x + figure.model.min.x), 0.75);
 }
 
+TEST(FramedView, IsAsLargeFarFromTheOriginAsAtIt)
+{
+    const Scene home = test::scene_of(shapes::cylinder(0.25F, 1.7F));
+    const Camera near = framing_camera(home, pose_scene(home, 0.0), aspect);
+    for (const double away_m : {1e4, 1e7, 1e9}) {
+        Scene scene = home;
+        scene.nodes[0].transform.translation = {away_m, 0.0, -away_m};
+        const Camera far = framing_camera(scene, pose_scene(scene, 0.0), aspect);
+        EXPECT_NEAR(glm::distance(far.eye, far.target), glm::distance(near.eye, near.target), 1e-3) << away_m;
+    }
+}
+
 TEST(FramedView, LeavesNoRoomForAShadowThatIsNotThrown)
 {
     Scene lit = test::scene_of(shapes::cylinder(0.25F, 1.7F));

@@ -15,6 +15,7 @@
 #include <estampe/error.hpp>
 
 #include "scene/drawn_size.hpp"
+#include "scene/extent.hpp"
 #include "scene/pose.hpp"
 #include "scene/static_triangles.hpp"
 
@@ -78,7 +79,9 @@ public:
 
     void run(Index ground_material)
     {
+        check_places(scene_, rest_pose_);
         data_.bounds = scene_bounds(scene_, rest_pose_);
+        check_extent(data_.bounds, scene_.name);
         data_.anchor = data_.bounds.center();
         data_.stroke_unit_m = std::exp2(std::ceil(std::log2(std::max(data_.bounds.radius(), 1e-9))));
         for (Index node = 0; node < scene_.nodes.size(); ++node) {
