@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/drawn_size.hpp"
+#include "scene/extent.hpp"
 #include "scene/outlook/outlook.hpp"
 #include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
@@ -301,6 +302,7 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, 
     const Bounds bounds = scene_bounds(scene, pose);
     if (bounds.empty())
         return {};
+    check_extent(bounds, scene.name);
     if (!(aspect > 0.0))
         aspect = 1.0;
     const Outlook outlook = find_outlook(scene);
