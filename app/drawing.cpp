@@ -82,7 +82,14 @@ void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw)
     // What is asked for on the command line takes the place of what the file names.
     const std::optional<Lightmap> lightmap =
         draw.lightmap.empty() ? named_lightmap(draw.scene) : load_lightmap(draw.lightmap);
-    renderer.set_scene(scene, lightmap ? &*lightmap : nullptr);
+    try {
+        renderer.set_scene(scene, lightmap ? &*lightmap : nullptr);
+    } catch (const Error& problem) {
+        if (problem.where().empty()) {
+            throw Error(problem.what(), draw.scene);
+        }
+        throw;
+    }
 }
 
 } // namespace estampe::app

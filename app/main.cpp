@@ -3,6 +3,7 @@
 #include <exception>
 #include <new>
 #include <optional>
+#include <system_error>
 #include <variant>
 
 #include <fcntl.h>
@@ -54,6 +55,11 @@ int main(int argc, char** argv)
         return fail(error.what(), 2);
     } catch (const std::bad_alloc&) {
         return fail("out of memory; try a smaller --size or scene", 1);
+    } catch (const std::system_error& error) {
+        return fail(
+            fmt::format("the system refused: {}; it may be out of threads or files", error.code().message())
+                .c_str(),
+            1);
     } catch (const std::exception& error) {
         return fail(error.what(), 1);
     }

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <numbers>
 #include <optional>
-#include <sstream>
 #include <string_view>
 
+#include <estampe/error.hpp>
 #include <fmt/format.h>
 
 #include "text.hpp"
@@ -29,71 +27,20 @@ std::optional<Number> parse_number(std::string_view text)
     return problem == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
 }
 
-std::optional<double> parse_finite(std::string_view text)
-{
-    const std::optional<double> number = parse_number<double>(text);
-    return number && std::isfinite(*number) ? number : std::nullopt;
-}
-
-std::optional<glm::dvec3> parse_point(std::string_view text)
-{
-    const size_t first = text.find(',');
-    const size_t second = first == std::string_view::npos ? first : text.find(',', first + 1);
-    if (second == std::string_view::npos) {
-        return std::nullopt;
-    }
-    const auto x = parse_finite(text.substr(0, first));
-    const auto y = parse_finite(text.substr(first + 1, second - first - 1));
-    const auto z = parse_finite(text.substr(second + 1));
-    return x && y && z ? std::optional(glm::dvec3(*x, *y, *z)) : std::nullopt;
-}
-
 [[noreturn]] void fail_camera(const std::string& what)
 {
     throw UsageError(what, "--camera", camera_syntax);
 }
 
-/// An `up` that is not the direction of view, for cameras that look straight down or up.
-glm::dvec3 up_for(const glm::dvec3& direction)
-{
-    constexpr double parallel = 1.0e-6;
-    const glm::dvec3 up{0.0, 1.0, 0.0};
-    return glm::length(glm::cross(glm::normalize(direction), up)) > parallel ? up
-                                                                             : glm::dvec3{0.0, 0.0, -1.0};
-}
-
+/// Looks at the origin unless told otherwise.
 Camera parse_placement(const std::string& text)
 {
-    Camera camera;
-    bool has_eye = false;
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
-        const std::string_view value =
-            std::string_view(word).substr(std::min(word.size(), word.find('=') + 1));
-        const auto point = parse_point(value);
-        if (word.starts_with("eye=") && point) {
-            camera.eye = *point;
-            has_eye = true;
-        } else if (word.starts_with("target=") && point) {
-            camera.target = *point;
-        } else if (const auto degrees = parse_finite(value); word.starts_with("fov=") && degrees) {
-            if (*degrees < 1.0 || *degrees > 170.0) {
-                throw UsageError(fmt::format("fov={} is out of range", value), "--camera",
-                                 "allowed: 1 to 170 degrees");
-            }
-            camera.vertical_fov_rad = *degrees * std::numbers::pi / 180.0;
-        } else {
-            fail_camera(fmt::format("cannot read {}", in_quotes(word)));
-        }
+    try {
+        return estampe::parse_camera(text.find("target=") == std::string::npos ? text + " target=0,0,0"
+                                                                               : text);
+    } catch (const Error& problem) {
+        throw UsageError(problem.what(), "--camera");
     }
-    if (!has_eye) {
-        fail_camera("no eye is given");
-    }
-    if (camera.eye == camera.target) {
-        fail_camera("eye and target are the same point");
-    }
-    camera.up = up_for(camera.target - camera.eye);
-    return camera;
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "core/at_once.hpp"
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
 #include "core/pending.hpp"
@@ -137,14 +138,13 @@ void run(const RenderCommand& command)
     StepClock clock;
     compile_quickly_if_soon_drawn(command);
     // Opened while the file is read; what is wrong with the file is said first.
-    std::future<Renderer> opening = std::async(std::launch::async, [&draw] { return Renderer(draw.device); });
+    std::future<Renderer> opening = std::async(at_once, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene(draw.scene);
     print_warnings(scene.warnings);
     warn_of_idle_time(draw, scene);
     const Index animation = choose_animation(draw, scene);
     // A view of all of a large scene takes as long to choose as its upload.
-    std::future<Camera> choosing =
-        std::async(std::launch::async, [&] { return choose_camera(draw, scene, animation); });
+    std::future<Camera> choosing = std::async(at_once, [&] { return choose_camera(draw, scene, animation); });
     clock.finish("load");
     Renderer renderer = opening.get();
     clock.finish("device");

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <csignal>
+#include <system_error>
 #include <thread>
 
 #include <unistd.h>
@@ -65,7 +66,11 @@ void watch_signals()
     std::signal(SIGXFSZ, SIG_IGN);
     const sigset_t set = watched_set();
     pthread_sigmask(SIG_BLOCK, &set, nullptr); // in all threads that are to come; one waits for them
-    std::thread(wait_for_signals).detach();
+    try {
+        std::thread(wait_for_signals).detach();
+    } catch (const std::system_error&) {
+        pthread_sigmask(SIG_UNBLOCK, &set, nullptr); // they end the program, as without this
+    }
 }
 
 void tell_of_signals(std::atomic<bool>& flag)

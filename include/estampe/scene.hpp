@@ -285,8 +285,9 @@ struct SunBearing {
 /// side with most to draw (the front, +z, unless another shows clearly more), with room for the shadow on the
 /// ground that the scene's strongest directional light throws, or else `sun`. A floor much wider than what
 /// stands on it is let run out of the page. A room is seen through its open side, or through the wall that
-/// faces the eye; a closed house from a corner inside. `aspect` is width / height. Cost: linear in vertices
-/// and triangles, about 0.1 s for half a million.
+/// faces the eye; a closed house from a corner inside. `aspect` is width / height. Throws Error when the
+/// scene is so large, small or far away that it cannot be drawn. Cost: linear in vertices and triangles,
+/// about 0.1 s for half a million.
 [[nodiscard]] Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect,
                                     const SunBearing& sun = {});
 

@@ -18,6 +18,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/free_memory.hpp"
 #include "core/image_codec.hpp"
 
 namespace estampe {
@@ -91,6 +92,8 @@ ExrFile read_picture(std::span<const std::byte> bytes, const std::string& name)
         static_cast<uint64_t>(width * height) > max_image_pixels) {
         throw Error(fmt::format("a picture of {} x {} pixels is beyond the limits", width, height), name);
     }
+    require_memory(static_cast<uint64_t>(width * height) * sizeof(glm::vec3),
+                   fmt::format("a picture of {} x {} pixels", width, height), name);
     ExrFile result;
     result.image.width = static_cast<uint32_t>(width);
     result.image.height = static_cast<uint32_t>(height);

@@ -17,6 +17,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/free_memory.hpp"
 #include "core/pending.hpp"
 
 namespace estampe {
@@ -61,6 +62,7 @@ std::vector<std::byte> read_file(const std::filesystem::path& path, uint64_t max
         throw Error(fmt::format("is {} bytes long, more than the limit of {}", size, max_bytes),
                     path.string());
     }
+    require_memory(size, "reading it", path.string());
     std::vector<std::byte> bytes(size);
     if (std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) {
         throw Error("cannot read to the end", path.string());

@@ -14,6 +14,8 @@
 
 #include <estampe/error.hpp>
 
+#include "core/free_memory.hpp"
+
 namespace estampe {
 namespace {
 
@@ -24,7 +26,7 @@ struct Failure {
     char message[256] = {};
 };
 
-Image make_image(uint64_t width, uint64_t height, const std::string& name)
+void check_size(uint64_t width, uint64_t height, const std::string& name)
 {
     if (width == 0 || height == 0 || width > max_image_side || height > max_image_side ||
         width * height > max_image_pixels) {
@@ -32,6 +34,12 @@ Image make_image(uint64_t width, uint64_t height, const std::string& name)
                                 width, height, max_image_side, max_image_side, max_image_pixels >> 20),
                     name);
     }
+}
+
+Image make_image(uint64_t width, uint64_t height, const std::string& name)
+{
+    check_size(width, height, name);
+    require_memory(width * height * 4, fmt::format("an image of {} x {} pixels", width, height), name);
     Image image{.width = static_cast<uint32_t>(width), .height = static_cast<uint32_t>(height), .rgba = {}};
     image.rgba.resize(width * height * 4);
     return image;
@@ -76,11 +84,20 @@ bool read_png_header(PngReader& reader)
     if (setjmp(reader.failure.jump) != 0) {
         return false;
     }
-    png_set_user_limits(reader.png, max_image_side, max_image_side);
+    png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); // see check_size
     png_set_chunk_malloc_max(reader.png, png_alloc_size_t{1} << 24);
     png_set_crc_action(reader.png, PNG_CRC_ERROR_QUIT, PNG_CRC_QUIET_USE);
     png_set_read_fn(reader.png, &reader.source, png_take);
     png_read_info(reader.png, reader.info);
+    return true;
+}
+
+/// Takes memory for a row.
+bool ask_for_rgba(PngReader& reader)
+{
+    if (setjmp(reader.failure.jump) != 0) {
+        return false;
+    }
     png_set_expand(reader.png);
     png_set_scale_16(reader.png);
     png_set_gray_to_rgb(reader.png);
@@ -113,6 +130,10 @@ Image decode_png(std::span<const std::byte> data, const std::string& name)
     }
     const uint64_t width = png_get_image_width(reader.png, reader.info);
     const uint64_t height = png_get_image_height(reader.png, reader.info);
+    check_size(width, height, name);
+    if (!ask_for_rgba(reader)) {
+        throw Error(fmt::format("corrupt PNG: {}", reader.failure.message), name);
+    }
     const uint64_t bits = uint64_t{png_get_channels(reader.png, reader.info)} * 8;
     constexpr uint64_t best_deflate_ratio = 1040;
     if (width * height * bits / 8 > 64 * best_deflate_ratio * data.size()) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/loaded_scene.hpp"
 
+#include "scene/drawn_size.hpp"
+
 namespace estampe::frame {
 namespace {
 
@@ -18,12 +20,15 @@ Scene without_images(const Scene& scene)
 
 LoadedScene load_onto_device(gpu::Device& device, const Scene& scene, const Lightmap* lightmap)
 {
+    check_drawn_size(scene);
     LoadedScene loaded;
     if (lightmap != nullptr) {
         loaded.lightmap = *lightmap;
     }
-    loaded.materials = surface::upload_materials(device, scene);
-    loaded.needs = surface::scene_needs(scene);
+    const surface::TexturePlan textures = surface::plan_textures(scene, device.limits().maxImageArrayLayers);
+    loaded.materials = surface::upload_materials(device, scene, textures);
+    loaded.needs = surface::scene_needs(scene, textures);
+    loaded.notes = surface::notes_of(textures);
     loaded.scene = without_images(scene);
     loaded.own_lighting = lighting_of(scene);
     loaded.styled_lighting = loaded.own_lighting;

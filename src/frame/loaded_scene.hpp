@@ -24,6 +24,7 @@ struct LoadedScene {
     pose::MeshBuffers meshes;
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
+    std::vector<std::string> notes;     ///< what became of textures
     std::optional<Lightmap> lightmap;   ///< where one was given
     std::optional<WornLight> baked;     ///< the same as the meshes wear it
     std::vector<uint32_t> stroke_kinds; ///< what the strokes of each draw follow, on the device

@@ -12,6 +12,7 @@
 #include "frame/baked_lights.hpp"
 #include "frame/form_strokes.hpp"
 #include "gpu/upload.hpp"
+#include "scene/extent.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/light/daylight.hpp"
 
@@ -268,6 +269,10 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         throw Error("there is no scene to draw", "", "call set_scene first");
     }
     frame::check_size(device, settings);
+    check_camera(camera);
+    if (settings.motion_since) {
+        check_camera(settings.motion_since->camera);
+    }
     frame::provide_page(device, page, settings);
     if (frame::style_lighting(device, *loaded, tables.light)) {
         sun_map.forget();
@@ -276,6 +281,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     motion = {};
     const pose::MeshData& layout = loaded->layout;
     const ScenePose scene_pose = pose_scene(loaded->scene, settings.time_s, settings.animation);
+    check_places(loaded->scene, scene_pose);
     if (settings.motion_since) {
         pose_before(pose_scene(loaded->scene, settings.motion_since->time_s, settings.animation));
     }
@@ -288,7 +294,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         light::set_daylight(lighting, *daylight, tables.light);
     }
     const float lightmap_scale = frame::make_room(lighting, loaded->baked, tables.lightmap);
-    notes.clear();
+    notes = loaded->notes;
     if (lighting.indoors) {
         notes.emplace_back("the scene has no light and the sun does not reach it: a lamp hangs in the room");
     }

@@ -131,6 +131,31 @@ TEST(Renderer, RefusesWhatItCannotDraw)
     EXPECT_GT(shades(fresh.render(camera, {}, small)), 50U) << "and goes on drawing";
 }
 
+TEST(Renderer, RefusesNumbersThatNothingCanBeDrawnWith)
+{
+    Renderer fresh(test::validated());
+    fresh.set_scene(still_life());
+    Camera far = camera;
+    far.eye.x = 1e30;
+    EXPECT_THROW(std::ignore = fresh.render(far, {}, small), Error);
+    RenderSettings moved = small;
+    moved.motion_since = Moment{far, 0.0};
+    EXPECT_THROW(std::ignore = fresh.render(camera, {}, moved), Error);
+    Scene stretched = still_life();
+    for (const double size : {1e-20, 1e20, 1e300}) {
+        for (Node& node : stretched.nodes) {
+            node.transform.scale = glm::dvec3(size);
+            node.transform.translation = glm::dvec3(0.0);
+        }
+        EXPECT_THROW(fresh.set_scene(stretched), Error) << size;
+    }
+    Scene lost = bending();
+    lost.animations[0].channels[0].values[3] = 3e38F;
+    lost.nodes[1].transform.scale = glm::dvec3(10.0);
+    fresh.set_scene(lost);
+    EXPECT_THROW(std::ignore = fresh.render(camera, {}, {.width = 160, .height = 120, .time_s = 0.9}), Error);
+}
+
 TEST(Renderer, DrawsPaperWhereThereIsNothing)
 {
     Scene empty;

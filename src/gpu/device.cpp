@@ -11,6 +11,7 @@
 #include <estampe/error.hpp>
 
 #include "gpu/device_choice.hpp"
+#include "gpu/driver_threads.hpp"
 
 namespace estampe::gpu {
 namespace {
@@ -130,6 +131,9 @@ void Device::pick_physical(const std::string& choice)
     VkPhysicalDeviceProperties properties{};
     vkGetPhysicalDeviceProperties(physical_, &properties);
     limits_ = properties.limits;
+    if (info_.software) {
+        require_driver_threads();
+    }
 }
 
 void Device::create_device()

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include <estampe/error.hpp>
+
+#include "core/free_memory.hpp"
 
 namespace estampe::gpu {
 namespace {
@@ -16,6 +20,13 @@ constexpr VkDeviceSize dedicated_bytes = 16ULL << 20;
 MemoryAllocator::MemoryAllocator(VkPhysicalDevice physical, VkDevice device) : device_(device)
 {
     vkGetPhysicalDeviceMemoryProperties(physical, &properties_);
+    VkPhysicalDeviceProperties device_properties{};
+    vkGetPhysicalDeviceProperties(physical, &device_properties);
+    if (device_properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU) {
+        for (uint32_t heap = 0; heap < properties_.memoryHeapCount; ++heap) {
+            properties_.memoryHeaps[heap].size = free_memory_bytes();
+        }
+    }
 }
 
 MemoryAllocator::~MemoryAllocator()
@@ -53,8 +64,31 @@ uint32_t MemoryAllocator::pick_type(uint32_t allowed_types, MemoryUse use) const
     return type;
 }
 
+void MemoryAllocator::require_of_type(VkDeviceSize bytes, uint32_t memory_type) const
+{
+    const uint32_t heap = properties_.memoryTypes[memory_type].heapIndex;
+    VkDeviceSize taken = 0;
+    for (const Block& block : blocks_) {
+        const bool is_there = properties_.memoryTypes[block.memory_type].heapIndex == heap;
+        taken += block.memory != VK_NULL_HANDLE && is_there ? block.size : 0;
+    }
+    const VkDeviceSize whole = properties_.memoryHeaps[heap].size;
+    const VkDeviceSize left = whole - std::min(taken, whole);
+    if (bytes > left) {
+        throw Error(fmt::format("out of graphics memory: {} more are needed, {} of {} are free",
+                                in_bytes(bytes), in_bytes(left), in_bytes(whole)),
+                    {}, "try a smaller --size or a lighter scene");
+    }
+}
+
+void MemoryAllocator::require(VkDeviceSize bytes) const
+{
+    require_of_type(bytes, pick_type(UINT32_MAX, MemoryUse::device));
+}
+
 uint32_t MemoryAllocator::new_block(VkDeviceSize size, uint32_t memory_type, bool mapped, bool for_images)
 {
+    require_of_type(size, memory_type);
     Block block{
         .size = size, .memory_type = memory_type, .for_images = for_images, .free_ranges = {{0, size}}};
     const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,

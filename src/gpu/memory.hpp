@@ -38,6 +38,10 @@ public:
     [[nodiscard]] Allocation allocate(const VkMemoryRequirements& needs, MemoryUse use, bool for_image);
     void free(const Allocation& allocation);
 
+    /// Throws Error unless as many bytes that only the device touches can still be allocated. To be asked
+    /// before a lot is: drivers on the processor promise more than the machine has.
+    void require(VkDeviceSize bytes) const;
+
 private:
     struct Range {
         VkDeviceSize offset, size;
@@ -53,11 +57,12 @@ private:
     };
 
     [[nodiscard]] uint32_t pick_type(uint32_t allowed_types, MemoryUse use) const;
+    void require_of_type(VkDeviceSize bytes, uint32_t memory_type) const;
     [[nodiscard]] uint32_t new_block(VkDeviceSize size, uint32_t memory_type, bool mapped, bool for_images);
     [[nodiscard]] bool take(Block& block, const VkMemoryRequirements& needs, VkDeviceSize& offset) const;
 
     VkDevice device_;
-    VkPhysicalDeviceMemoryProperties properties_{};
+    VkPhysicalDeviceMemoryProperties properties_{}; ///< heaps as large as the machine really has them
     std::vector<Block> blocks_;
 };
 

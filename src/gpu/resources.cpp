@@ -43,18 +43,6 @@ VkFormat vulkan_format(Format format)
 
 namespace {
 
-VkImageUsageFlags usage_for(Format format)
-{
-    VkImageUsageFlags usage =
-        VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    if (format == Format::depth32f) {
-        usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-    } else if (format != Format::rgba8_srgb) {
-        usage |= VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    }
-    return usage;
-}
-
 uint64_t texel_bytes(Format format)
 {
     switch (format) {
@@ -77,6 +65,31 @@ uint64_t texel_bytes(Format format)
         return 16;
     }
     return 16;
+}
+
+} // namespace
+
+uint64_t size_bytes(const ImageDesc& desc)
+{
+    uint64_t texels = 0;
+    for (uint32_t mip = 0; mip < desc.mips; ++mip) {
+        texels += uint64_t{std::max(1U, desc.width >> mip)} * std::max(1U, desc.height >> mip);
+    }
+    return texels * desc.layers * texel_bytes(desc.format);
+}
+
+namespace {
+
+VkImageUsageFlags usage_for(Format format)
+{
+    VkImageUsageFlags usage =
+        VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    if (format == Format::depth32f) {
+        usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    } else if (format != Format::rgba8_srgb) {
+        usage |= VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    }
+    return usage;
 }
 
 /// Mesa's software driver takes bits 8 to 15 of the size of texels for a number of mip levels, and compiles a

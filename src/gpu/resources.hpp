@@ -14,6 +14,9 @@ namespace estampe::gpu {
 /// Vulkan's name for a format.
 [[nodiscard]] VkFormat vulkan_format(Format format);
 
+/// What the texels of such an image take, with all of its layers and mips; a driver may add to that.
+[[nodiscard]] uint64_t size_bytes(const ImageDesc& desc);
+
 /// A buffer in device or mapped memory. Move-only; the device must outlive it, and no frame may be in flight
 /// when it dies.
 class Buffer {

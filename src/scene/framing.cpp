@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "scene/drawn_size.hpp"
+#include "scene/extent.hpp"
 #include "scene/outlook/outlook.hpp"
 #include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
@@ -296,9 +298,11 @@ Camera camera_inside(const Outlook& outlook, double aspect)
 
 Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, const SunBearing& sun)
 {
+    check_drawn_size(scene);
     const Bounds bounds = scene_bounds(scene, pose);
     if (bounds.empty())
         return {};
+    check_extent(bounds, scene.name);
     if (!(aspect > 0.0))
         aspect = 1.0;
     const Outlook outlook = find_outlook(scene);
@@ -315,7 +319,7 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, 
 
     ViewPoints points = view_points(scene, pose, axes, outlook, sun, bounds, bounds.center());
     // A model without extent still stands somewhere: give it a size that arithmetic can see.
-    const double least = std::max(1e-6 * glm::length(bounds.center()), 1e-9);
+    const double least = std::max(1e-12 * glm::length(bounds.center()), 1e-9);
     if (bounds.radius() < least)
         points = {.subject = {glm::dvec3(-least), glm::dvec3(least)}};
     const glm::dvec3 eye = framed_eye(points, window);

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <estampe/error.hpp>
+
 #include "scene/outlook/outlook.hpp"
 #include "scene/pose.hpp"
 #include "scene/shapes.hpp"
@@ -139,6 +141,28 @@ TEST(FramedView, HoldsTheWholeShadowOfAStandingFigure)
     EXPECT_EQ(figure.shadow_share, 1.0);
     EXPECT_GT(figure.model.max.y - figure.model.min.y, 1.3) << "two thirds of the page's height";
     EXPECT_LT(std::abs(figure.model.max.x + figure.model.min.x), 0.75);
+}
+
+TEST(FramedView, IsAsLargeFarFromTheOriginAsAtIt)
+{
+    const Scene home = test::scene_of(shapes::cylinder(0.25F, 1.7F));
+    const Camera near = framing_camera(home, pose_scene(home, 0.0), aspect);
+    for (const double away_m : {1e4, 1e7, 1e9}) {
+        Scene scene = home;
+        scene.nodes[0].transform.translation = {away_m, 0.0, -away_m};
+        const Camera far = framing_camera(scene, pose_scene(scene, 0.0), aspect);
+        EXPECT_NEAR(glm::distance(far.eye, far.target), glm::distance(near.eye, near.target), 1e-3) << away_m;
+    }
+}
+
+TEST(FramedView, IsRefusedWhereNothingCanBeDrawn)
+{
+    Scene scene = test::scene_of(shapes::cylinder(0.25F, 1.7F));
+    for (const double length : {3e19, 1e-20}) {
+        scene.nodes[0].transform.scale = glm::dvec3(std::min(length, 1.0), std::min(length, 1.0), length);
+        EXPECT_THROW(static_cast<void>(framing_camera(scene, pose_scene(scene, 0.0), 1.0 / 16384.0)), Error)
+            << length;
+    }
 }
 
 TEST(FramedView, LeavesNoRoomForAShadowThatIsNotThrown)

@@ -12,6 +12,7 @@
 
 #include "core/file.hpp"
 #include "scene/assimp/assimp_import.hpp"
+#include "scene/drawn_size.hpp"
 #include "scene/gltf/gltf_import.hpp"
 
 namespace estampe {
@@ -25,16 +26,22 @@ bool is_among(std::string_view extension, std::span<const std::string_view> exte
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
+Scene checked(Scene scene, const std::filesystem::path& path)
+{
+    check_drawn_size(scene, path.string());
+    return scene;
+}
+
 } // namespace
 
 Scene load_scene(const std::filesystem::path& path)
 {
     const std::string extension = lower_extension(path);
     if (is_among(extension, gltf_extensions)) {
-        return load_gltf(path);
+        return checked(load_gltf(path), path);
     }
     if (is_among(extension, assimp_extensions)) {
-        return load_with_assimp(path);
+        return checked(load_with_assimp(path), path);
     }
     throw Error(extension.empty() ? "has no file name extension"
                                   : fmt::format("files of type {} are not read", extension),

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/hash.hpp"
+#include "scene/drawn_size.hpp"
 #include "scene/pose.hpp"
 
 namespace estampe {
@@ -124,6 +125,7 @@ private:
 
 StaticTriangles static_triangles(const Scene& scene)
 {
+    check_drawn_size(scene);
     StaticTriangles result;
     Gatherer(scene, result).run();
     return result;

@@ -145,6 +145,30 @@ TEST(StyleErrors, NotToml)
     EXPECT_TRUE(read_error("hatch.layers = 3\nhatch.layers = 4").starts_with("ink.toml:2:")) << "a key twice";
 }
 
+TEST(StyleErrors, NotUtf8)
+{
+    const std::string remedy = " begins no character of UTF-8; save the file as UTF-8";
+    EXPECT_EQ(read_error("# \u00e9\u20ac\U0001f58b\n\u00e9 \xf4\x90\x80\x80 = 1"),
+              "ink.toml:2:3: not TOML: byte 0xf4" + remedy)
+        << "the first character beyond Unicode";
+    for (const std::string text :
+         {"\x80", "\xbf", "\xc0\x80", "\xc1\xbf", "\xe0\x80\x80", "\xe0\x9f\xbf", "\xf0\x8f\xbf\xbf",
+          "\xed\xa0\x80", "\xed\xbf\xbf", "\xf5\x80\x80\x80", "\xf7\xbf\xbf\xbf", "\xf8\x88\x80\x80\x80",
+          "\xff", "\xc3", "\xe2\x82", "\xf0\x9f\x96", "\xe2\x82 ", "\xc3\n"}) {
+        const auto byte = static_cast<unsigned char>(text.front());
+        const std::string message = fmt::format("not TOML: byte 0x{:02x}{}", byte, remedy);
+        EXPECT_EQ(read_error("# " + text), "ink.toml:1:3: " + message);
+        EXPECT_EQ(read_error("hatch.coordinates = \"" + text), "ink.toml:1:22: " + message);
+        EXPECT_NE(set_error("hatch.width_mm=" + text).find("is not a number"), std::string::npos);
+        EXPECT_NE(set_error("hatch.coordinates=\"" + text + "\"").find("is not one of its choices"),
+                  std::string::npos);
+    }
+    for (const std::string text :
+         {"\u0080", "\u07ff", "\u0800", "\ud7ff", "\ue000", "\uffff", "\U00010000", "\U0010ffff"}) {
+        EXPECT_EQ(read_error("# " + text), "");
+    }
+}
+
 TEST(StyleErrors, NotAnAssignment)
 {
     for (const std::string text : {"", "=", "=1", "hatch.width_mm"}) {

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "style/utf8.hpp"
+
 namespace estampe::style {
 namespace {
 
@@ -34,6 +36,27 @@ namespace {
 std::string place(const std::string& name, const toml::source_position& position)
 {
     return fmt::format("{}:{}:{}", name, position.line, position.column);
+}
+
+/// toml++ looks characters up in tables by their number, also those that UTF-8 cannot hold.
+void require_utf8(std::string_view text, const std::string& name)
+{
+    const size_t at = first_not_utf8(text);
+    if (at == text.size()) {
+        return;
+    }
+    toml::source_position position{1, 1};
+    for (const char character : text.substr(0, at)) {
+        const bool begins_character = (static_cast<unsigned char>(character) & 0xC0U) != 0x80U;
+        position.column += begins_character ? 1U : 0U;
+        if (character == '\n') {
+            ++position.line;
+            position.column = 1;
+        }
+    }
+    throw Error(fmt::format("not TOML: byte 0x{:02x} begins no character of UTF-8",
+                            static_cast<unsigned char>(text[at])),
+                place(name, position), "save the file as UTF-8");
 }
 
 /// Nothing but numbers: a colour. Anything else in an array is no value of ours.
@@ -119,6 +142,7 @@ void append(Document& document, const std::string& section, const toml::table& t
 
 Document parse_toml(std::string_view text, const std::string& name)
 {
+    require_utf8(text, name);
     Document document;
     try {
         const toml::table root = toml::parse(text);
@@ -142,6 +166,9 @@ Document parse_toml(std::string_view text, const std::string& name)
 
 std::optional<Raw> parse_toml_value(std::string_view text)
 {
+    if (first_not_utf8(text) != text.size()) {
+        return std::nullopt;
+    }
     try {
         const toml::table root = toml::parse(fmt::format("value = {}", text));
         if (root.size() == 1) {

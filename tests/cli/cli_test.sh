@@ -96,6 +96,9 @@ expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=1,2,3 target=1
 expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=nan,2,3 target=1,2,3'
 expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=1,2,3 fov=0'
 expect_error 2 '--camera' render scene.glb -o a.png --camera 'fov=30'
+expect_error 2 '--camera.* "1e30" is not a number up to 1e12' render scene.glb -o a.png --camera 'eye=1e30,0,0'
+expect_error 2 '--camera.*same point' render scene.glb -o a.png --camera 'eye=1,2,3 target=1,2,3.0000000000001'
+expect_error 2 '--camera.*up must not be' render scene.glb -o a.png --camera 'eye=0,9,0 target=0,0,0 up=0,1,0'
 expect_error 2 '--set: unknown key .*--help-style' render scene.glb -o a.png --set nosuch.key=1
 expect_error 2 '--set: .* is not an assignment' render scene.glb -o a.png --set nothing
 expect_error 2 'must end in .png' render scene.glb -o a.jpg
@@ -128,6 +131,17 @@ expect_error 1 'no such folder' render scene.glb -o nowhere/a.png
 expect_error 1 'not a regular file' render scene.glb -o folder.png
 expect_error 1 'cannot write into this folder' render scene.glb -o /proc/a.png
 expect_error 1 'overwrite an input' graph scene.glb -o scene.glb
+printf '[hatch]\nink = "\xf7\xbf\xbf\xbf"\n' >beyond.toml
+expect_error 1 'beyond.toml:2:8: not TOML: byte 0xf7 begins no character of UTF-8' render scene.glb -o a.png --style beyond.toml
+for size in 1e20 1e-20; do
+    printf 'v 0 0 0\nv %s 0 0\nv 0 1e-20 0\nf 1 2 3\n' $size >extent.obj
+    expect_error 1 'extent.*: ' render extent.obj -o a.png "${small[@]}"
+done
+mkfifo pipe pipe.obj
+printf 'mtllib pipe\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >beside-a-pipe.obj
+timeout 60 "$estampe" info beside-a-pipe.obj >/dev/null 2>&1 || wrong "a pipe beside a scene is waited for"
+expect_error 1 'pipe.obj: is not a file' info pipe.obj
+rm pipe pipe.obj
 ln scene.glb scene.png
 expect_error 1 'overwrite an input' render scene.glb -o scene.png
 rm scene.png
@@ -240,7 +254,7 @@ expect_success render scene.glb -o dark.png "${small[@]}"
 expect_success render scene.glb -o lit.png "${small[@]}" --lightmap a.exr
 ! cmp -s dark.png lit.png || wrong "a lightmap changes nothing"
 status=0
-timeout -s INT 4 "$estampe" bake scene.glb -o d.exr --size 512 --samples 60000 2>../"$name".err || status=$?
+timeout --foreground -s INT 4 "$estampe" bake scene.glb -o d.exr --size 512 --samples 60000 2>../"$name".err || status=$?
 [[ $status -ne 0 && -s d.exr.partial && ! -e d.exr ]] || wrong "a stopped bake did not keep its work"
 grep -q '^estampe: error: d.exr: stopped at ' ../"$name".err || wrong "a stopped bake said: $(cat ../"$name".err)"
 rm -f d.exr.partial

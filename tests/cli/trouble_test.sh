@@ -34,7 +34,7 @@ expect_failure() {
     "$@" >/dev/null 2>"$folder".err || status=$?
     after="$(ls -lAR --time-style=full-iso .)"
     [[ $status -eq 1 ]] || wrong "$label: status $status instead of 1"
-    [[ "$(wc -l <"$folder".err)" -eq 1 ]] || wrong "$label: not one line: $(cat "$folder".err)"
+    [[ "$(grep -cv '^estampe: note: ' "$folder".err)" -eq 1 ]] || wrong "$label: not one line: $(cat "$folder".err)"
     grep -q "^estampe: error: .*$pattern" "$folder".err || wrong "$label: no '$pattern' in: $(cat "$folder".err)"
     [[ "$before" == "$after" ]] || wrong "$label: changed files: $after"
 }
@@ -71,6 +71,22 @@ long="$(printf 'x%.0s' {1..251}).dot"
 "$estampe" graph scene.glb -o "$long" "${small[@]}" || wrong "a name of 255 bytes is too long"
 rm -f "$long"
 
+# A disk that is full, where one may be mounted
+room="$folder".room
+mkdir "$room"
+if mount -t tmpfs -o size=12k,nr_inodes=20 tmpfs "$room" 2>/dev/null; then
+    (
+        cd "$room"
+        expect_failure 'no room' 'a.png: cannot write: No space left on device; make room' "$estampe" render "$folder"/scene.glb -o a.png --size 320x180 --device cpu
+        expect_failure 'no room' 'a.svg: cannot write: No space left on device; make room' "$estampe" render "$folder"/scene.glb -o a.svg "${small[@]}"
+        expect_failure 'no room' 'cannot write: No space left on device' "$estampe" tam -o painted/ "${tiny[@]}" --set tam.size_px=256
+        expect_files
+        [[ $failures -eq 0 ]]
+    ) || failures=$((failures + 1))
+    umount "$room"
+fi
+rmdir "$room"
+
 # Signals: nothing half done is left, and a shell sees which one it was
 for signal in INT TERM HUP; do
     status=0
@@ -96,6 +112,38 @@ wait $! || wrong "one of two runs at once failed"
 cmp -s a.png b.png || cmp -s a.png c.png || wrong "two runs at once left half a picture"
 rm a.png b.png c.png
 expect_files scene.glb
+
+# Threads that cannot be started
+threads_from() {
+    local first="$1"
+    shift
+    LD_PRELOAD="$layer"/libestampe_failing_threads.so ESTAMPE_FAIL_THREADS="$first":0 timeout 100 "$@"
+}
+if [[ -e "$layer"/libestampe_failing_threads.so ]]; then
+    for first in 1 2 3 5; do
+        expect_failure "no thread from $first on" 'threads, .* could be started: Resource temporarily unavailable' \
+            threads_from "$first" "$estampe" render scene.glb -o a.png "${small[@]}"
+    done
+    for first in 1 2; do
+        threads_from "$first" "$estampe" info scene.glb >/dev/null || wrong "a scene cannot be read without threads"
+        threads_from "$first" "$estampe" tam -o a.tam "${tiny[@]}" || wrong "a map cannot be drawn without threads"
+        rm -f a.tam
+    done
+    expect_files scene.glb
+fi
+
+# Less memory than is needed, which a limit of address space stands for
+starved() { (
+    ulimit -v "$1"
+    shift
+    "$@"
+); }
+if [[ -e "$layer"/libestampe_failing_threads.so ]]; then # a sanitizer takes terabytes of address space
+    truncate -s 3G vast.glb
+    expect_failure 'a vast file' 'vast.glb: reading it needs 3.0 GiB of memory, [0-9.]* [GM]iB are free' \
+        starved 2000000 "$estampe" info vast.glb
+    rm vast.glb
+fi
 
 # No driver, and devices that fail
 no_driver=(env VK_DRIVER_FILES=/nonexistent VK_ICD_FILENAMES=/nonexistent)

@@ -39,6 +39,11 @@ void unpack_footprint(SurfacePixels& pixels, const std::vector<glm::uvec4>& pack
     }
 }
 
+surface::TexturePlan planned(const Scene& scene)
+{
+    return surface::plan_textures(scene, shared_device().limits().maxImageArrayLayers);
+}
+
 } // namespace
 
 Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, double time_s)
@@ -46,7 +51,8 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
       pose(pose::pose_meshes(layout, scene, pose_scene(scene, time_s))),
       globals(frame::frame_globals(camera, layout.bounds, layout.anchor, {.size_px = size})),
       pixel_(frame::pixel_size(camera, size.y)), meshes_(pose::upload_meshes(shared_device(), layout)),
-      materials_(surface::upload_materials(shared_device(), scene)), needs_(surface::scene_needs(scene)),
+      materials_(surface::upload_materials(shared_device(), scene, planned(scene))),
+      needs_(surface::scene_needs(scene, planned(scene))),
       frame_(gpu::upload_buffer(shared_device(), "frame", std::vector{globals}))
 {
     (void)pose::upload_pose(shared_device(), meshes_, layout, pose);

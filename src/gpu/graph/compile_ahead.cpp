@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <exception>
+#include <system_error>
 #include <utility>
 
 #include "gpu/device.hpp"
@@ -43,10 +44,15 @@ void compile_on_twin(RendererOptions options, std::future<const Graph*> wanted, 
 } // namespace
 
 CompileAhead::CompileAhead(const RendererOptions& options)
-    : thread_([options, wanted = graph_.get_future(), this]() mutable {
-          compile_on_twin(options, std::move(wanted), stop_);
-      })
 {
+    try {
+        thread_ = std::thread([options, wanted = graph_.get_future(), this]() mutable {
+            compile_on_twin(options, std::move(wanted), stop_);
+        });
+    } catch (const std::system_error&) {
+        // Without a second thread the device that draws compiles all by itself.
+        return;
+    }
 }
 
 void CompileAhead::start(const Graph& graph)
@@ -61,7 +67,9 @@ CompileAhead::~CompileAhead()
     if (!has_graph_) {
         graph_.set_value(nullptr);
     }
-    thread_.join();
+    if (thread_.joinable()) {
+        thread_.join();
+    }
 }
 
 } // namespace estampe::gpu

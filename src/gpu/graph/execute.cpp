@@ -121,6 +121,17 @@ void Executor::provide_slots()
     std::vector<Image> old_images = std::exchange(images_, {});
     std::vector<Buffer> old_buffers = std::exchange(buffers_, {});
     physical_of_slot_.clear();
+    uint64_t needed_bytes = 0;
+    for (const Slot& slot : compiled_.slots) {
+        needed_bytes += slot.is_image ? size_bytes(slot.image) : slot.buffer.size_bytes;
+    }
+    for (const Image& image : old_images) {
+        needed_bytes -= std::min(needed_bytes, size_bytes(image.desc()));
+    }
+    for (const Buffer& buffer : old_buffers) {
+        needed_bytes -= std::min(needed_bytes, buffer.size_bytes());
+    }
+    device_.memory().require(needed_bytes);
     for (const Slot& slot : compiled_.slots) {
         if (slot.is_image) {
             physical_of_slot_.push_back(static_cast<uint32_t>(images_.size()));

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "scene/assimp/assimp_import.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
+
+#include <sys/stat.h>
 
 #include <gtest/gtest.h>
 
@@ -118,6 +121,25 @@ TEST_F(AssimpImport, TextureIsFoundBesideTheFile)
 const std::string ply_head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                              "property float z\n";
 const std::string ply_faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+TEST_F(AssimpImport, PipesAndDevicesBesideAFileAreNotWaitedFor)
+{
+    ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", folder_ / "endless");
+    std::filesystem::create_directory(folder_ / "folder");
+    const auto begun = std::chrono::steady_clock::now();
+    for (const std::string name : {"pipe", "endless", "folder", "/dev/zero", "../../../../../dev/zero",
+                                   "../../../../../proc/kmsg", "/proc/self/mem"}) {
+        const Scene scene = load("cube.obj", "mtllib " + name + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        EXPECT_EQ(scene.meshes.size(), 1U) << name;
+        write("painted.mtl", "newmtl paint\nmap_Kd " + name + "\n");
+        const Scene painted = load("cube.obj", "mtllib painted.mtl\nusemtl paint\nv 0 0 0\nv 1 0 0\n"
+                                               "v 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
+        EXPECT_EQ(painted.textures.at(0).image.width, 1U) << name;
+    }
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun;
+    EXPECT_LT(passed.count(), 60.0) << "seconds; a single reading is given up after 120";
+}
 
 TEST_F(AssimpImport, PlyAndStlAreRead)
 {

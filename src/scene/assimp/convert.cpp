@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -141,9 +144,31 @@ std::string name_of(const aiString& name)
     return {name.data, std::min<size_t>(name.length, sizeof(name.data) - 1)};
 }
 
+namespace {
+
+/// What a file names beside itself is opened only if it is a file: a pipe or a device could be waited for
+/// without end.
+class RegularFiles : public Assimp::DefaultIOSystem {
+public:
+    bool Exists(const char* file) const override
+    {
+        std::error_code failed;
+        return std::filesystem::is_regular_file(file, failed) &&
+               std::filesystem::file_size(file, failed) > 0; // files of /proc have no size
+    }
+
+    Assimp::IOStream* Open(const char* file, const char* mode) override
+    {
+        return Exists(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
+    }
+};
+
+} // namespace
+
 TransferScene read_with_assimp(const std::filesystem::path& path)
 {
     Assimp::Importer importer;
+    importer.SetIOHandler(new RegularFiles); // it is the importer's from now on
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const aiScene* const source =
         importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_SortByPType);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/file.hpp"
+#include "core/free_memory.hpp"
 #include "scene/gltf/meshopt.hpp"
 #include "scene/gltf/uri.hpp"
 
@@ -135,6 +136,7 @@ void Data::spend(uint64_t bytes, const std::string& pointer)
         fail(pointer, fmt::format("asks for {} bytes, far more than a file of this size can hold", bytes));
     }
     budget_bytes_ -= bytes;
+    require_memory(bytes, "this", place(pointer));
 }
 
 std::span<const std::byte> Data::slice(int buffer, uint64_t offset, uint64_t length,

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include <sys/stat.h>
+
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
@@ -80,6 +82,32 @@ TEST_F(GltfFiles, short_buffer_and_strange_buffers)
     for (const char* uri : {"short.bin", "a b", "../../../../../../../../dev/zero", "%00", ""}) {
         buffer_["uri"] = uri;
         EXPECT_THROW((void)load_gltf(write()), Error) << uri;
+    }
+}
+
+TEST_F(GltfFiles, pipes_devices_and_folders_are_not_waited_for)
+{
+    ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", folder_ / "endless");
+    const std::pair<const char*, const char*> strange[] = {
+        {"pipe", "pipe: is not a regular file"},
+        {"endless", "endless: is not a regular file"},
+        {"a%20b", "a b: is not a regular file"},
+        {"../../../../../../../../dev/zero", "dev/zero: is not a regular file"},
+        {"../../../../../../../../proc/kmsg", "bytes, there are 0"},
+        {"/dev/zero", "is not a relative path"},
+        {"file:///dev/zero", "is not a relative path"},
+    };
+    for (const auto& [uri, what] : strange) {
+        buffer_["uri"] = uri;
+        try {
+            static_cast<void>(load_gltf(write()));
+            ADD_FAILURE() << uri;
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("scene.gltf#/buffers/0"), std::string::npos)
+                << error.what();
+            EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+        }
     }
 }
 

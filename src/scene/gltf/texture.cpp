@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <system_error>
 #include <thread>
 
 #include "core/image_codec.hpp"
@@ -30,7 +31,7 @@ Image white_pixel()
     return {.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
 }
 
-/// Calls `work(i)` for i below `count` on up to four threads.
+/// Calls `work(i)` for i below `count` on up to four threads, or as many as the machine starts.
 template <typename Work>
 void for_each_in_parallel(size_t count, const Work& work)
 {
@@ -43,8 +44,12 @@ void for_each_in_parallel(size_t count, const Work& work)
     const auto threads =
         std::min<size_t>({count, max_threads, std::max(1U, std::thread::hardware_concurrency())});
     std::vector<std::jthread> helpers;
-    for (size_t i = 1; i < threads; ++i) {
-        helpers.emplace_back(loop);
+    try {
+        for (size_t i = 1; i < threads; ++i) {
+            helpers.emplace_back(loop);
+        }
+    } catch (const std::system_error&) {
+        // Those that there are, and this one, do it all.
     }
     loop();
 }

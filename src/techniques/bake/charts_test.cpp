@@ -217,5 +217,22 @@ TEST(BakeCharts, TooManyChartsForTheMapAreAnError)
     EXPECT_THROW(static_cast<void>(pack_charts(charts, 1, 32)), Error);
 }
 
+TEST(OverlapGrid, FindsNeedlesThatCrossAnyNumberOfCells)
+{
+    OverlapGrid grid(1e-6F);
+    const FlatTriangle small{glm::vec2(0.5F, 0.2F), glm::vec2(0.500002F, 0.2F), glm::vec2(0.5F, 0.200002F)};
+    const FlatTriangle needle{glm::vec2(-1e9F, 1.0F), glm::vec2(1e9F, 1.0F), glm::vec2(1e9F, 1.1F)};
+    const FlatTriangle cover{glm::vec2(0.0F), glm::vec2(1.0F, 0.0F), glm::vec2(0.0F, 0.9F)};
+    const FlatTriangle inside{glm::vec2(0.3F, 0.3F), glm::vec2(0.300002F, 0.3F), glm::vec2(0.3F, 0.300002F)};
+    EXPECT_TRUE(grid.add(small));
+    EXPECT_TRUE(grid.add(needle));
+    EXPECT_FALSE(grid.add(needle));
+    EXPECT_FALSE(grid.add(cover)) << "the small one is below it";
+    OverlapGrid other(1e-6F);
+    EXPECT_TRUE(other.add(cover));
+    EXPECT_FALSE(other.add(inside));
+    EXPECT_TRUE(other.add(needle));
+}
+
 } // namespace
 } // namespace estampe::bake

@@ -50,25 +50,39 @@ OverlapGrid::Cells OverlapGrid::cells_of(const FlatTriangle& triangle) const
     return {cell(low), cell(high)};
 }
 
+bool OverlapGrid::is_free(const FlatTriangle& triangle, std::span<const uint32_t> others) const
+{
+    return std::ranges::none_of(others, [&](uint32_t other) { return overlap(triangle, triangles_[other]); });
+}
+
 bool OverlapGrid::add(const FlatTriangle& triangle)
 {
+    constexpr double most_cells = 4096.0;
     const Cells cells = cells_of(triangle);
+    const glm::dvec2 count = glm::dvec2(cells.last) - glm::dvec2(cells.first) + 1.0;
+    const auto number = static_cast<uint32_t>(triangles_.size());
+    if (!is_free(triangle, wide_)) {
+        return false;
+    }
+    if (count.x * count.y > most_cells) {
+        if (std::ranges::any_of(triangles_, [&](const auto& other) { return overlap(triangle, other); })) {
+            return false;
+        }
+        wide_.push_back(number);
+        triangles_.push_back(triangle);
+        return true;
+    }
     for (int32_t y = cells.first.y; y <= cells.last.y; ++y) {
         for (int32_t x = cells.first.x; x <= cells.last.x; ++x) {
             const auto found = cells_.find(key_of(x, y));
-            if (found == cells_.end()) {
-                continue;
-            }
-            for (const uint32_t other : found->second) {
-                if (overlap(triangle, triangles_[other])) {
-                    return false;
-                }
+            if (found != cells_.end() && !is_free(triangle, found->second)) {
+                return false;
             }
         }
     }
     for (int32_t y = cells.first.y; y <= cells.last.y; ++y) {
         for (int32_t x = cells.first.x; x <= cells.last.x; ++x) {
-            cells_[key_of(x, y)].push_back(static_cast<uint32_t>(triangles_.size()));
+            cells_[key_of(x, y)].push_back(number);
         }
     }
     triangles_.push_back(triangle);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -21,7 +22,7 @@ public:
     explicit OverlapGrid(float cell_m) : cell_m_(cell_m) {}
 
     /// Adds the triangle unless it overlaps one that is there; returns whether it was added. Cost: linear in
-    /// the triangles and cells of its bounding square.
+    /// the triangles and cells of its bounding square, or in all triangles where that has thousands of cells.
     bool add(const FlatTriangle& triangle);
 
 private:
@@ -31,10 +32,12 @@ private:
     };
 
     [[nodiscard]] Cells cells_of(const FlatTriangle& triangle) const;
+    [[nodiscard]] bool is_free(const FlatTriangle& triangle, std::span<const uint32_t> others) const;
 
     float cell_m_;
     std::vector<FlatTriangle> triangles_;
     std::unordered_map<uint64_t, std::vector<uint32_t>> cells_;
+    std::vector<uint32_t> wide_; ///< of so many cells that each is compared with all
 };
 
 } // namespace estampe::bake

@@ -14,13 +14,14 @@
 
 #include <estampe/error.hpp>
 
+#include "scene/drawn_size.hpp"
+#include "scene/extent.hpp"
 #include "scene/pose.hpp"
 #include "scene/static_triangles.hpp"
 
 namespace estampe::pose {
 namespace {
 
-constexpr uint64_t most_vertices = 1ULL << 31;
 constexpr uint32_t enough_sheets = 4;
 constexpr double wire_radius = 3e-3; // of lines, in the scene's own: framed whole, as wide as a pen
 
@@ -78,7 +79,9 @@ public:
 
     void run(Index ground_material)
     {
+        check_places(scene_, rest_pose_);
         data_.bounds = scene_bounds(scene_, rest_pose_);
+        check_extent(data_.bounds, scene_.name);
         data_.anchor = data_.bounds.center();
         data_.stroke_unit_m = std::exp2(std::ceil(std::log2(std::max(data_.bounds.radius(), 1e-9))));
         for (Index node = 0; node < scene_.nodes.size(); ++node) {
@@ -252,10 +255,9 @@ private:
                   const std::vector<glm::mat4>& joints)
     {
         const auto index = static_cast<uint32_t>(data_.draws.size());
-        if (data_.draw_of_vertex.size() + draw.vertex_count > most_vertices ||
-            index >= shared::triangle_draw_mask) {
-            throw Error("the scene draws more vertices than can be numbered", scene_.name,
-                        "use a lighter scene");
+        if (index >= shared::triangle_draw_mask) {
+            throw Error(fmt::format("the scene shows more than {} primitives", shared::triangle_draw_mask),
+                        scene_.name, "use a lighter scene, or show fewer copies");
         }
         data_.draws.push_back(draw);
         data_.draw_of_vertex.insert(data_.draw_of_vertex.end(), draw.vertex_count, index);
@@ -386,6 +388,7 @@ bool has_plain_links(const MeshData& meshes)
 
 MeshData build_meshes(const Scene& scene, Index ground_material)
 {
+    check_drawn_size(scene);
     MeshData data;
     Builder(scene, data).run(ground_material);
     return data;

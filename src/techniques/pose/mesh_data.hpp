@@ -77,8 +77,9 @@ struct MeshData {
 
 /// Builds the mesh data of `scene`. Strokes follow UVs where `uvs_are_usable` of a primitive says so,
 /// otherwise the place in the rest pose, so that they stick to skinned and morphing bodies. Draws a ground of
-/// material `ground_material` under the scene, as a range of its own. Throws Error when the scene has more
-/// vertices than 32 bits can number. Cost: linear in vertices drawn.
+/// material `ground_material` under the scene, as a range of its own. Throws Error when the scene is
+/// larger than `check_drawn_size` lets through, or has an extent or place that scene/extent.hpp refuses.
+/// Cost: linear in vertices drawn.
 [[nodiscard]] MeshData build_meshes(const Scene& scene, Index ground_material);
 
 /// Lines as thin wires and points as small dots, in triangles, so that they are drawn, lit and shadowed like

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
+
+#include <fmt/format.h>
 
 #include "core/srgb.hpp"
 #include "gpu/imports.hpp"
@@ -21,6 +24,22 @@ size_t class_of(const Image& image)
         ++size_class;
     }
     return size_class;
+}
+
+/// `wanted`, or where that has all of its layers, a smaller class, else a larger one; else the number of
+/// classes.
+size_t class_with_room(const TexturePlan& plan, size_t wanted, uint32_t most_layers)
+{
+    const auto has_room = [&](size_t size_class) { return plan.layers[size_class].size() < most_layers; };
+    for (size_t size_class = wanted + 1; size_class > 0; --size_class) {
+        if (has_room(size_class - 1)) {
+            return size_class - 1;
+        }
+    }
+    while (wanted < texture_class_px.size() && !has_room(wanted)) {
+        ++wanted;
+    }
+    return wanted;
 }
 
 shared::TextureSlot slot(const Scene& scene, const TexturePlan& plan, const TextureRef& reference,
@@ -75,15 +94,22 @@ uint32_t flags_of(const Material& material)
 
 } // namespace
 
-TexturePlan plan_textures(const Scene& scene)
+TexturePlan plan_textures(const Scene& scene, uint32_t most_layers)
 {
     TexturePlan plan;
     plan.location.assign(scene.textures.size(), shared::no_texture);
+    std::set<Index> left_out;
     const auto use = [&](const TextureRef& reference) {
         if (reference.texture == no_index || plan.location[reference.texture] != shared::no_texture) {
             return;
         }
-        const size_t size_class = class_of(scene.textures[reference.texture].image);
+        const Image& image = scene.textures[reference.texture].image;
+        const size_t size_class = class_with_room(plan, class_of(image), most_layers);
+        if (size_class == texture_class_px.size()) {
+            left_out.insert(reference.texture);
+            return;
+        }
+        plan.reduced += texture_class_px[size_class] < std::max(image.width, image.height) ? 1 : 0;
         auto& layers = plan.layers[size_class];
         plan.location[reference.texture] =
             static_cast<uint32_t>(size_class) | static_cast<uint32_t>(layers.size()) << 4U;
@@ -94,13 +120,28 @@ TexturePlan plan_textures(const Scene& scene)
         use(material.normal_texture);
         use(occlusion_of(material));
     }
+    plan.left_out = static_cast<uint32_t>(left_out.size());
     return plan;
 }
 
-SceneNeeds scene_needs(const Scene& scene)
+std::vector<std::string> notes_of(const TexturePlan& plan)
+{
+    std::vector<std::string> notes;
+    if (plan.reduced > 0) {
+        notes.push_back(fmt::format("{} of the scene's textures are drawn smaller than they are: the device "
+                                    "takes up to {} px, and so many of a size",
+                                    plan.reduced, texture_class_px.back()));
+    }
+    if (plan.left_out > 0) {
+        notes.push_back(fmt::format(
+            "{} of the scene's textures are left out: the device has no room for so many", plan.left_out));
+    }
+    return notes;
+}
+
+SceneNeeds scene_needs(const Scene& scene, const TexturePlan& plan)
 {
     SceneNeeds needs;
-    const TexturePlan plan = plan_textures(scene);
     for (size_t size_class = 0; size_class < plan.layers.size(); ++size_class) {
         needs.texture_classes |= plan.layers[size_class].empty() ? 0U : 1U << size_class;
     }
@@ -155,9 +196,8 @@ std::vector<shared::MaterialRecord> material_records(const Scene& scene, const T
     return records;
 }
 
-MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene)
+MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene, const TexturePlan& plan)
 {
-    const TexturePlan plan = plan_textures(scene);
     MaterialBuffers buffers;
     buffers.materials = gpu::upload_buffer(device, "materials", material_records(scene, plan));
     for (size_t size_class = 0; size_class < texture_class_px.size(); ++size_class) {

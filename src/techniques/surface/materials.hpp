@@ -5,6 +5,7 @@
 // because not every device can index textures freely.
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include <estampe/scene.hpp>
@@ -17,9 +18,6 @@ namespace estampe::surface {
 
 inline constexpr std::array<uint32_t, 5> texture_class_px{256, 512, 1024, 2048, 4096};
 
-/// What the materials and meshes of `scene` need of the shaders.
-[[nodiscard]] SceneNeeds scene_needs(const Scene& scene);
-
 struct MaterialBuffers {
     gpu::Buffer materials; ///< MaterialRecord, one a material, and the ground's last
     std::array<gpu::Image, 5> textures;
@@ -30,17 +28,29 @@ struct MaterialBuffers {
 struct TexturePlan {
     std::vector<uint32_t> location; ///< class in bits 0-3, layer in 4-23; no_texture when unused
     std::array<std::vector<Index>, 5> layers;
+    uint32_t reduced = 0;  ///< textures of a class smaller than they are
+    uint32_t left_out = 0; ///< textures for which there was no layer
 };
 
-[[nodiscard]] TexturePlan plan_textures(const Scene& scene);
+/// What a class has no more than `most_layers` for goes to the next smaller one that has room, else to a
+/// larger one.
+[[nodiscard]] TexturePlan plan_textures(const Scene& scene, uint32_t most_layers);
+
+/// What the materials and meshes of `scene` need of the shaders.
+[[nodiscard]] SceneNeeds scene_needs(const Scene& scene, const TexturePlan& plan);
 
 /// The records of all materials, with one more for the ground.
 [[nodiscard]] std::vector<shared::MaterialRecord> material_records(const Scene& scene,
                                                                    const TexturePlan& plan);
 
-/// Uploads textures, resized to their class and with all mip levels, and materials. Throws Error when memory
-/// runs out. Cost: about 30 ms for a texture of 2048 x 2048, on two threads.
-[[nodiscard]] MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene);
+/// Uploads textures, resized to their class and with all mip levels, and materials; `plan` is for the layers
+/// that `device` offers. Throws Error when memory runs out. Cost: about 30 ms for a texture of 2048 x 2048,
+/// on two threads.
+[[nodiscard]] MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene,
+                                               const TexturePlan& plan);
+
+/// What became of textures that are not drawn as they are, a line each.
+[[nodiscard]] std::vector<std::string> notes_of(const TexturePlan& plan);
 
 /// The textures as handles of one graph.
 [[nodiscard]] std::array<gpu::ImageId, 5> import_textures(gpu::Graph& graph, MaterialBuffers& materials);

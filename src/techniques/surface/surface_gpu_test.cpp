@@ -183,8 +183,9 @@ TEST(Surface, OcclusionTexturesSayHowMuchLightGetsBy)
     material.unlit = false;
     material.occlusion_strength = 0.0F;
     EXPECT_EQ(open_at(0.9F), 1.0F);
-    EXPECT_FALSE(scene_needs(scene).occlusion);
-    EXPECT_TRUE(plan_textures(scene).layers[0].empty()) << "nor uploaded";
+    const TexturePlan plan = plan_textures(scene, 256);
+    EXPECT_FALSE(scene_needs(scene, plan).occlusion);
+    EXPECT_TRUE(plan.layers[0].empty()) << "nor uploaded";
 }
 
 TEST(Surface, VertexColorsTintTheMaterial)

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "scene/drawn_size.hpp"
+
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+#include "scene/shapes.hpp"
+#include "scene/static_triangles.hpp"
+#include "support/scenes.hpp"
+#include "techniques/pose/mesh_data.hpp"
+
+namespace estampe {
+namespace {
+
+std::string refusal_of(const Scene& scene)
+{
+    try {
+        check_drawn_size(scene);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(DrawnSize, CountsWhatIsPutOnTheDevice)
+{
+    Scene scene = test::scene_of(shapes::box({1.0F, 1.0F, 1.0F}));
+    scene.nodes[0].instances.resize(5, glm::mat4(1.0F));
+    test::add_object(scene, shapes::sphere(1.0F), glm::vec3(1.0F));
+    Primitive lines;
+    lines.topology = Topology::lines;
+    lines.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+    lines.indices = {0, 1, 1, 2};
+    test::add_object(scene, lines, glm::vec3(1.0F));
+    lines.topology = Topology::points;
+    test::add_object(scene, lines, glm::vec3(1.0F));
+    const pose::MeshData built = pose::build_meshes(scene, static_cast<Index>(scene.materials.size() - 1));
+    const DrawnSize size = drawn_size(scene);
+    EXPECT_EQ(size.vertices + 4, built.draw_of_vertex.size()) << "and four of the ground";
+    EXPECT_EQ(size.triangles + 2, built.triangles.size());
+    EXPECT_EQ(refusal_of(scene), "");
+}
+
+TEST(DrawnSize, RefusesAMeshThatIsShownTooOften)
+{
+    Scene scene = test::scene_of(shapes::sphere(1.0F, 512, 512));
+    scene.name = "swarm";
+    const size_t vertices = scene.meshes[0].primitives[0].positions.size();
+    scene.nodes[0].instances.resize((size_t{1} << 31U) / vertices + 1, glm::mat4(1.0F));
+    EXPECT_NE(refusal_of(scene).find("swarm: the scene shows "), std::string::npos) << refusal_of(scene);
+    EXPECT_THROW(static_cast<void>(framing_camera(scene, pose_scene(scene, 0.0), 1.0)), Error);
+    EXPECT_THROW(static_cast<void>(static_triangles(scene)), Error);
+    EXPECT_THROW(static_cast<void>(pose::build_meshes(scene, 0)), Error);
+}
+
+} // namespace
+} // namespace estampe
