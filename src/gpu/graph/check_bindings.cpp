@@ -20,16 +20,6 @@ std::vector<const Use*> bound_uses(const PassRecord& pass)
     return bound;
 }
 
-std::string shaders_of(const PassRecord& pass)
-{
-    if (!pass.is_raster()) {
-        return fmt::format("shader '{}' declares", pass.shader->name);
-    }
-    return pass.draw.fragment == nullptr ? fmt::format("shader '{}' declares", pass.draw.vertex->name)
-                                         : fmt::format("shaders '{}' and '{}' declare",
-                                                       pass.draw.vertex->name, pass.draw.fragment->name);
-}
-
 } // namespace
 
 const std::map<uint32_t, Binding>& BindingCheck::declared_by(const Shader& shader)
@@ -43,7 +33,6 @@ const std::map<uint32_t, Binding>& BindingCheck::declared_by(const Shader& shade
 void BindingCheck::check(const Graph& graph, const PassRecord& pass)
 {
     const std::vector<const Use*> bound = bound_uses(pass);
-    std::vector<bool> is_declared(bound.size());
     for (const Shader* shader : {pass.shader, pass.draw.vertex, pass.draw.fragment}) {
         if (shader == nullptr) {
             continue;
@@ -61,15 +50,6 @@ void BindingCheck::check(const Graph& graph, const PassRecord& pass)
                     "pass '{}' binds '{}' at binding {} as a {}: shader '{}' declares a {}", pass.name,
                     resource.name, number, in_words(given), shader->name, in_words(declared)));
             }
-            is_declared[number] = true;
-        }
-    }
-    for (size_t number = 0; number < bound.size(); ++number) {
-        if (!is_declared[number]) {
-            const ResourceRecord& resource = graph.resources()[bound[number]->resource];
-            throw std::logic_error(fmt::format(
-                "pass '{}' binds '{}' at binding {} as a {}: {} nothing there", pass.name, resource.name,
-                number, in_words(binding_of(*bound[number], resource)), shaders_of(pass)));
         }
     }
 }

@@ -14,9 +14,9 @@ namespace estampe::gpu {
 class BindingCheck {
 public:
     /// Throws std::logic_error naming pass, shader and binding, what the pass binds and what the shader
-    /// declares, unless both agree in number, kind, count and texels. Of a raster pass each binding has to be
-    /// declared by one of its shaders. A declaration that a shader does not use is none: the compiler leaves
-    /// it out.
+    /// declares, unless all that its shaders declare is bound, and both agree in kind, count and texels. The
+    /// compiler leaves out declarations that a shader does not use, and shaders that differ little share the
+    /// list of one, so a pass may bind more.
     void check(const Graph& graph, const PassRecord& pass);
 
 private:
