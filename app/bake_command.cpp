@@ -2,15 +2,14 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <utility>
 
+#include <estampe/bake.hpp>
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "frame/baking.hpp"
-#include "frame/light_links.hpp"
 #include "progress.hpp"
-#include "scene/static_triangles.hpp"
 #include "signals.hpp"
 #include "text.hpp"
 
@@ -27,7 +26,7 @@ double seconds_since(Clock::time_point start)
 }
 
 /// Works until all is done; false when a signal came first. What is done lies in `partial` then.
-bool work_through(bake::Bake& bake, const std::filesystem::path& partial)
+bool work_through(LightmapBake& bake, const std::filesystem::path& partial)
 {
     constexpr double look_s = 0.5;
     constexpr double save_s = 5.0;
@@ -53,23 +52,21 @@ void run(const BakeCommand& command)
     check_output(command.output, {command.scene});
     const std::filesystem::path partial = command.output + ".partial";
     check_output(partial, {command.scene});
-    const Scene scene = frame::lit_by_style(load_scene(command.scene), command.style.tables().light);
+    Scene scene = load_scene(command.scene);
     print_warnings(scene.warnings);
-    if (has_moving_parts(scene)) {
+    LightmapBake bake(std::move(scene), command.style, command.settings);
+    if (bake.leaves_out_moving()) {
         print_warnings(
             {fmt::format("{}: some of it moves; only what stands still is in the map", command.scene)});
     }
-    bake::BakeSettings settings = command.settings;
-    frame::set_light(settings, scene, command.style.tables(), {.direct = command.direct, .sky = command.sky});
-    bake::Bake bake(scene, settings);
     if (command.resume && bake.load_progress(partial)) {
         print_notes(
             {fmt::format("goes on from {:.0f} %, found in {}", 100.0 * bake.done(), partial.string())});
     } else if (std::filesystem::exists(partial)) {
         print_notes({fmt::format("begins anew: {} is not taken up", partial.string())});
     }
-    print_notes({fmt::format("{} texels of {} x {}, each {:.1f} mm wide", bake.texel_count(), settings.size,
-                             settings.size, 1000.0 / bake.texels_per_m())});
+    print_notes({fmt::format("{} texels of {} x {}, each {:.1f} mm wide", bake.texel_count(),
+                             command.settings.size, command.settings.size, 1000.0 / bake.texels_per_m())});
     tell_of_signals(is_stopped);
     if (!work_through(bake, partial)) {
         throw Error(fmt::format("stopped at {:.0f} %", 100.0 * bake.done()), command.output,

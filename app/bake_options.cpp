@@ -74,7 +74,7 @@ void BakeOptions::add_to(CLI::App& app)
                     "render then leaves out: sun, point, spot, all [none]")
         ->delimiter(',')
         ->type_name("KINDS");
-    command.add_option("--sky", sky_, "The style's ambient light is multiplied by this")
+    command.add_option("--sky", settings_.sky, "The style's ambient light is multiplied by this")
         ->type_name("X")
         ->capture_default_str();
     command.add_option("--seed", settings_.seed, "Another number gives other noise")
@@ -111,17 +111,16 @@ BakeCommand BakeOptions::read() const
         throw UsageError(fmt::format("{} is out of range", settings_.bounces), "--bounces",
                          fmt::format("allowed: 0 to {}", most_bounces));
     }
-    if (!(sky_ >= 0.0F && sky_ <= most_sky)) {
+    if (!(settings_.sky >= 0.0F && settings_.sky <= most_sky)) {
         throw UsageError("is out of range", "--sky", fmt::format("allowed: 0 to {}", most_sky));
     }
     BakeCommand command{.scene = scene_,
                         .output = output_,
                         .style = read_style(style_, assignments_),
                         .settings = settings_,
-                        .direct = read_kinds(direct_),
-                        .sky = sky_,
                         .resume = !anew_};
     command.settings.smooth = !rough_;
+    command.settings.direct = read_kinds(direct_);
     return command;
 }
 

@@ -27,9 +27,8 @@ private:
     std::string output_;
     std::string style_;
     std::vector<std::string> assignments_;
-    bake::BakeSettings settings_;
+    BakeSettings settings_;
     std::vector<std::string> direct_;
-    float sky_ = 1.0F;
     bool rough_ = false;
     bool anew_ = false;
 };

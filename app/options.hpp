@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
+#include <estampe/bake.hpp>
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 
 #include "film_options.hpp"
-#include "techniques/bake/bake.hpp"
 
 namespace estampe::app {
 
@@ -104,9 +104,7 @@ struct BakeCommand {
     std::string scene;
     std::string output; ///< .exr
     Style style;
-    bake::BakeSettings settings; ///< light is set when the scene is known
-    uint32_t direct = 0;         ///< kinds of lights, see BakedLights
-    float sky = 1.0F;
+    BakeSettings settings;
     bool resume = true;
 };
 

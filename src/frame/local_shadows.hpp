@@ -56,6 +56,13 @@ struct LocalMapViews {
     [[nodiscard]] bool empty() const { return whole.empty() && still.empty() && moving.empty(); }
 };
 
+/// Shadow maps of local lights, as a picture is to have them.
+struct LocalMapPlan {
+    bool is_there = false; ///< some light has any
+    uint32_t variant = 0;  ///< see shadow/edge_look.hpp
+    LocalMapViews views;   ///< to draw anew
+};
+
 /// The maps of one frame.
 struct LocalShadowPlan {
     std::vector<shared::LocalShadow> shadows; ///< what LightRecord::shadow numbers, from 1

@@ -77,16 +77,16 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     sun_map.forget();
 }
 
-/// Plans the maps of local lights and says who goes without.
-void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighting& lighting,
-                                           const Camera& camera, const frame::StyleTables& tables)
+frame::LocalMapPlan Renderer::Impl::provide_local_shadows(const frame::PagePlan& page_plan,
+                                                          light::Lighting& lighting, const Camera& camera,
+                                                          const frame::StyleTables& tables)
 {
     shadow::ShadowStyle style = tables.shadow;
     style.local_lights = tables.light.shadows ? style.local_lights : 0;
     const frame::PageView page_view{.eye_anchor = glm::vec3(camera.eye - loaded->layout.anchor),
-                                    .pixel = plan.pixel,
+                                    .pixel = page_plan.pixel,
                                     .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
-                                    .longer_side_px = std::max(plan.size_px.x, plan.size_px.y)};
+                                    .longer_side_px = std::max(page_plan.size_px.x, page_plan.size_px.y)};
     const frame::CasterKinds casters = frame::caster_kinds(loaded->layout);
     frame::LocalShadowPlan local = local_shadows.plan(lighting, moved, page_view, style, casters);
     moved.clear();
@@ -115,9 +115,9 @@ void Renderer::Impl::provide_local_shadows(frame::FramePlan& plan, light::Lighti
                                     "and shadow.local_megatexels allow {}",
                                     local.without, local.shadows.size()));
     }
-    plan.has_local_shadows = !local.shadows.empty();
-    plan.shadow_variant |= shadow::lamps_variant(local.shadows);
-    plan.local_views = std::move(local.views);
+    return {.is_there = !local.shadows.empty(),
+            .variant = shadow::lamps_variant(local.shadows),
+            .views = std::move(local.views)};
 }
 
 void Renderer::Impl::provide_strokes(const frame::StrokePlan& strokes)
@@ -148,103 +148,57 @@ void Renderer::Impl::provide_map(const frame::StyleTables& style)
     }
 }
 
-frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const frame::StyleTables& style,
-                                      const Camera& camera, const RenderSettings& settings) const
-{
-    const Scene& scene = loaded->scene;
-    // A file with a camera is a picture already; one with a sun besides is a picture out of doors.
-    const bool is_composed = !scene.cameras.empty();
-    const bool is_outdoors = is_composed && lighting.directional_count > 0 && !scene.lights.empty();
-    frame::FramePlan plan;
-    plan.size_px = {settings.width, settings.height};
-    plan.pixels_per_mm = frame::pixels_per_mm(settings.height, style.paper.height_mm);
-    plan.pixel = frame::pixel_size(camera, settings.height);
-    plan.raster_path = raster_path;
-    plan.on_processor = device.info().software;
-    if (plan.on_processor) {
-        // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
-        plan.raster = {.small_area_px = 2048, .list_groups = 32};
-    }
-    plan.ground_drawn =
-        style.picture.ground == frame::Ground::drawn ||
-        (style.picture.ground == frame::Ground::automatic && !is_composed && !lighting.indoors);
-    plan.sky_drawn =
-        style.sky.mode == sky::SkyMode::drawn || (style.sky.mode == sky::SkyMode::automatic && is_outdoors);
-    plan.needs = loaded->needs;
-    plan.strokes = frame::plan_strokes(loaded->layout, loaded->scene.materials, style.hatch);
-    plan.local_light_count = static_cast<uint32_t>(lighting.records.size()) - lighting.directional_count;
-    plan.follows_local_light = plan.local_light_count > 0 && plan.strokes.has(shared::strokes_light);
-    plan.has_light_links = lighting.has_groups || !loaded->has_plain_links;
-    plan.sun_casters = lighting.sun_casters;
-    plan.towards_sun = glm::vec3(lighting.towards_sun);
-    const auto lines = frame::hatched_lines(style.hatch, plan.towards_sun, plan.has_directions());
-    plan.shadow_variant = shadow::shadow_variant(style.shadow, lines);
-    plan.edge_look = shadow::edge_look(style.shadow, lines, plan.pixels_per_mm);
-    frame::plan_sun(plan,
-                    {.casters = loaded->pose->casters,
-                     .floor_m = loaded->layout.bounds.min.y,
-                     .anchor = loaded->layout.anchor,
-                     .towards_sun = lighting.towards_sun,
-                     .throws_shadow = style.light.shadows && lighting.sun_casters != 0 &&
-                                      lighting.directional_count > 0 && lighting.towards_sun.y > -0.999,
-                     .most_bytes = std::min<uint64_t>(device.limits().maxStorageBufferRange,
-                                                      4ULL * device.limits().maxTexelBufferElements)},
-                    camera, style);
-    plan.lines_shadows = style.contour.drawn && style.contour.lines == contour::Lines::chains &&
-                         contour::has_lines(style.contour, shared::line_shadow) && plan.shadow_size > 0;
-    return plan;
-}
-
 void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style,
-                                 frame::FramePlan& plan, frame::StrokeLists* lists)
+                                 const frame::FramePlan& plan, const paper::Accumulation& accumulation,
+                                 frame::StrokeLists* lists)
 {
     const auto unit_m = static_cast<float>(loaded->layout.stroke_unit_m);
     const glm::vec3 eye_anchor(camera.eye - loaded->layout.anchor);
     const shared::FrameGlobals globals = frame::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
-        {.size_px = plan.size_px,
-         .jitter_px = frame::jitter(plan.accumulation.sample_index, plan.accumulation.sample_count),
+        {.size_px = plan.page.size_px,
+         .jitter_px = frame::jitter(accumulation.sample_index, accumulation.sample_count),
          .page_height_mm = style.paper.height_mm,
          .nearby_m = unit_m * frame::nearby(loaded->layout.stroke_coordinates, eye_anchor / unit_m)});
-    plan.clip_from_anchor = globals.clip_from_anchor;
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
-    sun_map.provide(device, plan);
-    frame::FrameResources resources{loaded->meshes,
-                                    loaded->materials,
-                                    frame_globals,
-                                    light_globals,
-                                    lights,
-                                    exposure.buffer(),
-                                    sun_map.buffer(),
-                                    edge_look,
-                                    sun_shadow,
-                                    local_shadow_buffers,
-                                    stroke_kinds,
-                                    form_coordinates,
-                                    loaded->baked ? &loaded->baked->maps : nullptr,
-                                    map ? &*map : nullptr,
-                                    loaded->line_meshes.provide(device, loaded->layout, style.contour),
-                                    line_history,
-                                    line_brushes.provide(device, style.contour),
-                                    page.sums,
-                                    page.pixels,
-                                    motion_pixels,
-                                    lists};
-    plan.pose_moved = loaded->pose_moved;
+    const frame::SamplePlan sample{.accumulation = accumulation,
+                                   .clip_from_anchor = globals.clip_from_anchor,
+                                   .pose_moved = loaded->pose_moved,
+                                   .sun_map = sun_map.provide(device, plan.sun.map)};
+    frame::FrameResources resources{.meshes = loaded->meshes,
+                                    .materials = loaded->materials,
+                                    .frame_globals = frame_globals,
+                                    .light_globals = light_globals,
+                                    .lights = lights,
+                                    .exposure = exposure.buffer(),
+                                    .shadow_map = sun_map.buffer(),
+                                    .edge_look = edge_look,
+                                    .sun_shadow = sun_shadow,
+                                    .local_shadows = local_shadow_buffers,
+                                    .stroke_kinds = stroke_kinds,
+                                    .form_coordinates = form_coordinates,
+                                    .lightmaps = loaded->baked ? &loaded->baked->maps : nullptr,
+                                    .map = map ? &*map : nullptr,
+                                    .line_mesh =
+                                        loaded->line_meshes.provide(device, loaded->layout, style.contour),
+                                    .line_history = line_history,
+                                    .brushes = line_brushes.provide(device, style.contour),
+                                    .sums = page.sums,
+                                    .pixels = page.pixels,
+                                    .motion = motion_pixels,
+                                    .lists = lists};
     gpu::Graph graph;
-    frame::declare_frame(graph, loaded->layout, resources, plan, style);
+    frame::declare_frame(graph, loaded->layout, resources, plan, sample, style);
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
     if (compiling) {
         compiling->start(graph);
     }
     executor.run(graph);
     loaded->pose_moved = false;
-    if (plan.remembers_lines) {
-        line_history.end_frame(plan.clip_from_anchor);
-        plan.remembers_lines = false;
+    if (plan.lines.are_remembered && sample.is_first()) {
+        line_history.end_frame(sample.clip_from_anchor);
     }
-    plan.local_views = {};
-    sun_map.drawn(plan);
+    sun_map.drawn(plan.sun.map);
     compiling.reset(); // it reads the graph
     drawn = std::move(graph);
 }
@@ -260,7 +214,36 @@ double window_share(const paper::PaperStyle& style, const RenderSettings& settin
     return static_cast<double>(window.max_mm.y - window.min_mm.y) / style.height_mm;
 }
 
+/// The camera of the whole page, whose window shows what `camera` does. Throws Error for one that nothing can
+/// be seen by.
+Camera page_camera(const Camera& camera, const paper::PaperStyle& style, const RenderSettings& settings)
+{
+    check_camera(camera);
+    return frame::seen_within(camera, window_share(style, settings));
+}
+
 } // namespace
+
+void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
+                                      const frame::StyleTables& tables)
+{
+    const pose::MeshData& layout = loaded->layout;
+    const light::Paling paling =
+        light::ground_paling(layout.bounds, layout.anchor, lighting.towards_sun, tables.light.paling);
+    const light::SkyAndGround ambient = light::sky_and_ground(lighting.ambient);
+    const shared::LightGlobals globals{.sky_ambient = ambient.sky,
+                                       .ground_ambient = ambient.ground,
+                                       .directional_count = lighting.directional_count,
+                                       .local_count = plan.light.local_count,
+                                       .falloff = tables.light.falloff,
+                                       .paling = paling.share_per_m,
+                                       .paling_at_anchor = paling.share_at_anchor};
+    light_globals = mapped_buffer(device, "lighting", &globals, 1);
+    edge_look = mapped_buffer(device, "edges", &plan.shadow_edges.look, 1);
+    const shared::SunShadow sun = frame::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
+    sun_shadow = mapped_buffer(device, "sun", &sun, 1);
+    lights = mapped_buffer(device, "lights", lighting.records.data(), lighting.records.size());
+}
 
 frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::StyleTables& tables,
                                          const RenderSettings& settings)
@@ -269,10 +252,6 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         throw Error("there is no scene to draw", "", "call set_scene first");
     }
     frame::check_size(device, settings);
-    check_camera(camera);
-    if (settings.motion_since) {
-        check_camera(settings.motion_since->camera);
-    }
     frame::provide_page(device, page, settings);
     if (frame::style_lighting(device, *loaded, tables.light)) {
         sun_map.forget();
@@ -298,58 +277,46 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     if (lighting.indoors) {
         notes.emplace_back("the scene has no light and the sun does not reach it: a lamp hangs in the room");
     }
-    frame::FramePlan frame_plan = plan(lighting, tables, camera, settings);
-    frame_plan.lightmap_scale = lightmap_scale;
+    frame::FramePlan plan = frame::plan_frame({.loaded = *loaded,
+                                               .lighting = lighting,
+                                               .daylight = daylight,
+                                               .camera = camera,
+                                               .settings = settings,
+                                               .style = tables,
+                                               .device = device,
+                                               .raster_path = raster_path});
+    plan.light.lightmap_scale = lightmap_scale;
     if (settings.motion_since) {
-        frame_plan.motion = plan_motion(camera, settings);
+        plan.motion = plan_motion(camera, settings);
     }
-    if (daylight) {
-        frame_plan.daylight_rad = static_cast<float>(daylight->elevation_rad);
-    }
-    const light::Paling paling =
-        light::ground_paling(layout.bounds, layout.anchor, lighting.towards_sun, tables.light.paling);
-    const light::SkyAndGround ambient = light::sky_and_ground(lighting.ambient);
-    const shared::LightGlobals light_values{.sky_ambient = ambient.sky,
-                                            .ground_ambient = ambient.ground,
-                                            .directional_count = lighting.directional_count,
-                                            .local_count = static_cast<uint32_t>(lighting.records.size()) -
-                                                           lighting.directional_count,
-                                            .falloff = tables.light.falloff,
-                                            .paling = paling.share_per_m,
-                                            .paling_at_anchor = paling.share_at_anchor};
-    light_globals = mapped_buffer(device, "lighting", &light_values, 1);
-    edge_look = mapped_buffer(device, "edges", &frame_plan.edge_look, 1);
-    const shared::SunShadow sun_values = frame::sun_globals(frame_plan, tables.shadow);
-    sun_shadow = mapped_buffer(device, "sun", &sun_values, 1);
     provide_map(tables);
-    provide_strokes(frame_plan.strokes);
-    provide_local_shadows(frame_plan, lighting, camera, tables);
-    lights = mapped_buffer(device, "lights", lighting.records.data(), lighting.records.size());
-    frame_plan.meters_page = tables.light.metering == light::Metering::page;
-    frame_plan.adapt_stops = exposure.prepare(device, tables.light, settings.time_s);
-    return frame_plan;
+    provide_strokes(plan.strokes);
+    plan.local_shadows = provide_local_shadows(plan.page, lighting, camera, tables);
+    provide_lighting(plan, lighting, tables);
+    plan.light.adapt_stops = exposure.prepare(device, tables.light, settings.time_s);
+    return plan;
 }
 
 Image Renderer::render(const Camera& camera, const Style& style, const RenderSettings& settings)
 {
     Impl& impl = *impl_;
     const frame::StyleTables& tables = style.tables();
-    const double share = window_share(tables.paper, settings);
-    const Camera page_camera = frame::seen_within(camera, share);
+    const Camera seen_by = page_camera(camera, tables.paper, settings);
     RenderSettings page_settings = settings;
-    if (page_settings.motion_since) {
-        page_settings.motion_since->camera = frame::seen_within(settings.motion_since->camera, share);
+    if (settings.motion_since) {
+        page_settings.motion_since->camera =
+            page_camera(settings.motion_since->camera, tables.paper, settings);
     }
-    frame::FramePlan plan = impl.prepare(page_camera, tables, page_settings);
+    frame::FramePlan plan = impl.prepare(seen_by, tables, page_settings);
     // Later samples of a picture of several go their own way by a pixel at most.
-    plan.remembers_lines = settings.continuity != Continuity::still;
-    if (plan.remembers_lines) {
-        impl.line_history.begin_frame(impl.device, plan.size_px, settings.continuity == Continuity::follows,
+    plan.lines.are_remembered = settings.continuity != Continuity::still;
+    if (plan.lines.are_remembered) {
+        impl.line_history.begin_frame(impl.device, plan.page.size_px,
+                                      settings.continuity == Continuity::follows,
                                       tables.contour.hidden != contour::Hidden::none);
     }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
-        plan.accumulation = {.sample_index = sample, .sample_count = settings.samples};
-        impl.draw_sample(page_camera, tables, plan);
+        impl.draw_sample(seen_by, tables, plan, {.sample_index = sample, .sample_count = settings.samples});
     }
     if (settings.motion_since) {
         impl.motion = frame::read_motion(impl.motion_pixels, settings);
@@ -367,22 +334,22 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     Impl& impl = *impl_;
     const frame::StyleTables& tables = style.tables();
     frame::check_has_paths(tables);
-    const Camera page_camera = frame::seen_within(camera, window_share(tables.paper, settings));
-    frame::FramePlan plan = impl.prepare(page_camera, tables, settings);
+    const Camera seen_by = page_camera(camera, tables.paper, settings);
+    frame::FramePlan plan = impl.prepare(seen_by, tables, settings);
     plan.motion.reset();
-    if (tables.wash.strength > 0.0F || plan.sky_drawn || tables.bleed.width_mm > 0.0F) {
+    if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.width_mm > 0.0F) {
         impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs");
     }
     if (!frame::is_drawn_by_pen(tables.contour)) {
         impl.notes.emplace_back("a drawing of strokes has lines of the pen in place of other brushes");
     }
     frame::StrokeLists lists(impl.device);
-    impl.draw_sample(page_camera, tables, plan, &lists);
+    impl.draw_sample(seen_by, tables, plan, {}, &lists);
     return frame::drawing_of(lists,
                              {.scene = impl.loaded->scene,
                               .layout = impl.loaded->layout,
                               .edges = impl.loaded->line_meshes.edges(),
-                              .size_px = plan.size_px},
+                              .size_px = plan.page.size_px},
                              tables, hidden == HiddenLines::kept);
 }
 

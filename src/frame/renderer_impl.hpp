@@ -39,18 +39,22 @@ struct Renderer::Impl {
     /// beside it.
     void pose_before(const ScenePose& scene_pose);
     [[nodiscard]] frame::MotionPlan plan_motion(const Camera& camera, const RenderSettings& settings);
-    void provide_local_shadows(frame::FramePlan& plan, light::Lighting& lighting, const Camera& camera,
-                               const frame::StyleTables& tables);
+    /// Plans the maps of local lights, makes room for them, and says who goes without. Fills in the records'
+    /// `shadow`.
+    [[nodiscard]] frame::LocalMapPlan provide_local_shadows(const frame::PagePlan& page_plan,
+                                                            light::Lighting& lighting, const Camera& camera,
+                                                            const frame::StyleTables& tables);
+    /// Hands the device what the light's shaders read.
+    void provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
+                          const frame::StyleTables& tables);
     void provide_map(const frame::StyleTables& style);
     void provide_strokes(const frame::StrokePlan& strokes);
-    [[nodiscard]] frame::FramePlan plan(const light::Lighting& lighting, const frame::StyleTables& style,
-                                        const Camera& camera, const RenderSettings& settings) const;
     /// All that comes before the first sample. Throws Error as Renderer::render() does.
     [[nodiscard]] frame::FramePlan prepare(const Camera& camera, const frame::StyleTables& tables,
                                            const RenderSettings& settings);
     /// Draws into the page, or where there are `lists`, what the strokes are into those.
-    void draw_sample(const Camera& camera, const frame::StyleTables& style, frame::FramePlan& plan,
-                     frame::StrokeLists* lists = nullptr);
+    void draw_sample(const Camera& camera, const frame::StyleTables& style, const frame::FramePlan& plan,
+                     const paper::Accumulation& accumulation, frame::StrokeLists* lists = nullptr);
 
     RendererOptions options;
     gpu::Device device;

@@ -8,6 +8,7 @@
 
 #include <estampe/scene.hpp>
 
+#include "shaders/stroke_kind.glsl.h"
 #include "techniques/hatch/hatch.hpp"
 #include "techniques/pose/mesh_data.hpp"
 
@@ -18,6 +19,12 @@ struct StrokePlan {
     uint32_t present = 0;               ///< a bit for each kind that occurs
 
     [[nodiscard]] bool has(uint32_t kind) const { return (present >> kind & 1U) != 0; }
+
+    /// Whether some strokes follow height, wind or light.
+    [[nodiscard]] bool has_directions() const
+    {
+        return has(shared::strokes_height) || has(shared::strokes_wind) || has(shared::strokes_light);
+    }
 };
 
 /// The style's wish, or that for a single material by `hatch.materials`. UVs are followed only where there

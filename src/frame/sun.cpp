@@ -56,57 +56,59 @@ std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style
                                 .has_directions = has_directions};
 }
 
-void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, const StyleTables& style)
+SunMapPlan plan_sun_map(const SunScene& scene, const Camera& camera, glm::uvec2 size_px,
+                        const PixelSize& pixel, const StyleTables& style)
 {
-    plan.shadow_size = scene.throws_shadow ? whole_size(style, plan.size_px) : 0U;
-    plan.sun =
-        shadow::sun_view(scene.casters, scene.anchor, scene.towards_sun, std::max(plan.shadow_size, 4U));
+    SunMapPlan plan;
+    plan.size = scene.throws_shadow ? whole_size(style, size_px) : 0U;
+    plan.view = shadow::sun_view(scene.casters, scene.anchor, scene.towards_sun, std::max(plan.size, 4U));
     const shadow::SunMapKind kind = style.shadow.sun_map;
     if (!scene.throws_shadow || scene.casters.empty() || kind == shadow::SunMapKind::whole) {
-        return;
+        return plan;
     }
     if (kind == shadow::SunMapKind::warped) {
-        plan.sun = shadow::warped_view(
+        plan.view = shadow::warped_view(
             {.casters = scene.casters,
              .anchor = scene.anchor,
              .towards_sun = scene.towards_sun,
              .floor_m = scene.floor_m,
              .nearest_m = nearest_m(scene.casters, camera.eye)},
-            frame_globals(camera, scene.casters, scene.anchor, {.size_px = plan.size_px}), plan.shadow_size);
-        plan.shadow_variant |= plan.sun.warp.y > 0.0F ? shared::light_has_sun_warp : 0U;
-        return;
+            frame_globals(camera, scene.casters, scene.anchor, {.size_px = size_px}), plan.size);
+        plan.variant = plan.view.warp.y > 0.0F ? shared::light_has_sun_warp : 0U;
+        return plan;
     }
-    const double pixel_m = plan.pixel.at(nearest_m(scene.casters, camera.eye));
+    const double pixel_m = pixel.at(nearest_m(scene.casters, camera.eye));
     if (kind == shadow::SunMapKind::automatic &&
-        static_cast<double>(plan.sun.texel_m) < coarse_texel_px * pixel_m) {
-        return;
+        static_cast<double>(plan.view.texel_m) < coarse_texel_px * pixel_m) {
+        return plan;
     }
     if (kind == shadow::SunMapKind::faded) {
         const auto reach_m = static_cast<double>(style.shadow.faded_reach_m);
-        const uint32_t size = level_size(plan.shadow_size, 1, scene.most_bytes);
+        const uint32_t size = level_size(plan.size, 1, scene.most_bytes);
         plan.clipmap = shadow::Clipmap{
-            .view = plan.sun, .finest_m = 2.0 * reach_m / size, .size = size, .level_count = 1};
+            .view = plan.view, .finest_m = 2.0 * reach_m / size, .size = size, .level_count = 1};
     } else {
-        const uint32_t size = level_size(2 * plan.shadow_size, shadow::most_levels, scene.most_bytes);
-        plan.clipmap = shadow::fit_clipmap(plan.sun, size, pixel_m, scene.casters.radius());
+        const uint32_t size = level_size(2 * plan.size, shadow::most_levels, scene.most_bytes);
+        plan.clipmap = shadow::fit_clipmap(plan.view, size, pixel_m, scene.casters.radius());
     }
-    plan.shadow_size = plan.clipmap->size;
-    plan.shadow_variant |= shared::light_has_sun_levels;
-    plan.sun_windows = shadow::windows_about(*plan.clipmap, camera.eye - scene.anchor);
+    plan.size = plan.clipmap->size;
+    plan.variant = shared::light_has_sun_levels;
+    plan.windows = shadow::windows_about(*plan.clipmap, camera.eye - scene.anchor);
+    return plan;
 }
 
-shared::SunShadow sun_globals(const FramePlan& plan, const shadow::ShadowStyle& style)
+shared::SunShadow sun_globals(const SunMapPlan& plan, const PixelSize& pixel,
+                              const shadow::ShadowStyle& style)
 {
-    return plan.clipmap ? shadow::sun_shadow(*plan.clipmap, plan.sun_windows, plan.pixel.at_one_m,
+    return plan.clipmap ? shadow::sun_shadow(*plan.clipmap, plan.windows, pixel.at_one_m,
                                              style.sun_map == shadow::SunMapKind::faded, style)
-                        : shadow::sun_shadow(plan.sun, plan.shadow_size, style);
+                        : shadow::sun_shadow(plan.view, plan.size, style);
 }
 
-void SunMap::provide(gpu::Device& device, FramePlan& plan)
+SunMapWork SunMap::provide(gpu::Device& device, const SunMapPlan& plan)
 {
     const uint64_t levels = plan.clipmap ? plan.clipmap->level_count : 1;
-    const uint64_t size_bytes =
-        std::max<uint64_t>(sizeof(float) * plan.shadow_size * plan.shadow_size * levels, 16);
+    const uint64_t size_bytes = std::max<uint64_t>(sizeof(float) * plan.size * plan.size * levels, 16);
     if (map_.empty() || map_.size_bytes() != size_bytes) {
         map_ = gpu::Buffer(device, "shadow map", size_bytes, gpu::MemoryUse::device);
         view_.reset();
@@ -114,47 +116,50 @@ void SunMap::provide(gpu::Device& device, FramePlan& plan)
     if (clipmap_ != plan.clipmap) {
         view_.reset();
     }
-    plan.redraw_shadow = plan.shadow_size > 0 && view_ != plan.sun.clip_from_anchor;
+    SunMapWork work{.redraws_whole = plan.size > 0 && view_ != plan.view.clip_from_anchor};
     if (plan.clipmap) {
-        plan.sun_pieces = shadow::uncovered(*plan.clipmap, plan.redraw_shadow ? shadow::Windows() : windows_,
-                                            plan.sun_windows);
+        work.pieces =
+            shadow::uncovered(*plan.clipmap, work.redraws_whole ? shadow::Windows() : windows_, plan.windows);
     }
+    return work;
 }
 
-void SunMap::drawn(const FramePlan& plan)
+void SunMap::drawn(const SunMapPlan& plan)
 {
-    if (plan.shadow_size > 0) {
-        view_ = plan.sun.clip_from_anchor;
+    if (plan.size > 0) {
+        view_ = plan.view.clip_from_anchor;
         clipmap_ = plan.clipmap;
-        windows_ = plan.sun_windows;
+        windows_ = plan.windows;
     }
 }
 
-gpu::BufferId add_sun_map(gpu::Graph& graph, const raster::RasterInputs& in,
-                          const std::vector<raster::Batch>& batches, const FramePlan& plan,
-                          uint32_t vertex_count, gpu::BufferId map)
+gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, gpu::BufferId map)
 {
-    raster::View view{.clip_from_anchor = plan.sun.clip_from_anchor,
-                      .size_px = glm::uvec2(plan.shadow_size),
+    const SunMapPlan& plan = in.plan;
+    raster::View view{.clip_from_anchor = plan.view.clip_from_anchor,
+                      .size_px = glm::uvec2(plan.size),
                       .cull_back_faces = false,
-                      .path = plan.raster_path,
-                      .tuning = plan.raster};
+                      .path = in.path,
+                      .tuning = in.tuning};
     if (!plan.clipmap) {
-        return plan.redraw_shadow ? raster::add_depth(graph, "shadow", in, batches, view, map) : map;
+        return in.work.redraws_whole ? raster::add_depth(graph, "shadow", in.raster, in.casters, view, map)
+                                     : map;
     }
-    if (plan.sun_pieces.empty()) {
+    if (in.work.pieces.empty()) {
         return map;
     }
-    raster::RasterInputs by_sun = in;
-    by_sun.posed_vertices = shadow::add_sun_vertices(graph, in.posed_vertices, vertex_count, *plan.clipmap);
-    for (const shadow::Piece& piece : plan.sun_pieces) {
+    raster::RasterInputs by_sun = in.raster;
+    by_sun.posed_vertices =
+        shadow::add_sun_vertices(graph, in.raster.posed_vertices, in.vertex_count, *plan.clipmap);
+    for (const shadow::Piece& piece : in.work.pieces) {
         view.clip_from_anchor = shadow::clip_from_sun(piece);
         view.size_px = piece.size;
         std::vector<raster::DepthPart> parts;
         for (const shadow::PieceHome& home : shadow::homes(*plan.clipmap, piece)) {
             parts.push_back({.from_px = home.from, .size_px = home.size, .first_texel = home.texel});
         }
-        map = raster::add_depth_parts(graph, "shadow", by_sun, batches, view, parts, plan.clipmap->size, map);
+        map = raster::add_depth_parts(graph, "shadow", by_sun, in.casters, view, parts, plan.clipmap->size,
+                                      map);
     }
     return map;
 }

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
+// The shadow map of the sun: what it is to be, what it holds, and how it is drawn.
 
-#include "frame/frame.hpp"
+#include <optional>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+
+#include "frame/style_tables.hpp"
+#include "frame/view.hpp"
+#include "gpu/graph/graph.hpp"
+#include "gpu/resources.hpp"
 #include "techniques/hatch/hatch.hpp"
+#include "techniques/raster/raster.hpp"
+#include "techniques/shadow/clipmap.hpp"
 #include "techniques/shadow/edge_look.hpp"
+#include "techniques/shadow/sun_view.hpp"
 
 namespace estampe::frame {
 
@@ -23,12 +34,29 @@ struct SunScene {
     uint64_t most_bytes = 1ULL << 27U; ///< of a buffer on the device
 };
 
-/// Plans the sun's map: its view, its size, and the windows of a clipmap where the style or, by itself, a
-/// scene that is far larger than what is near the eye wants one. To be called when the rest of `plan` stands.
-void plan_sun(FramePlan& plan, const SunScene& scene, const Camera& camera, const StyleTables& style);
+/// What the map is to be.
+struct SunMapPlan {
+    uint32_t size = 0; ///< texels a side; 0 for no shadow
+    shadow::SunView view;
+    std::optional<shadow::Clipmap> clipmap; ///< in place of a single map of the view
+    shadow::Windows windows;                ///< of the clipmap
+    uint32_t variant = 0;                   ///< how it is looked up, see shaders/light_variant.glsl.h
+};
 
-/// The plan's map as the light's shader looks it up.
-[[nodiscard]] shared::SunShadow sun_globals(const FramePlan& plan, const shadow::ShadowStyle& style);
+/// What of the map is to be drawn now.
+struct SunMapWork {
+    bool redraws_whole = false;
+    std::vector<shadow::Piece> pieces; ///< of a clipmap, not drawn yet
+};
+
+/// Plans the map: its view, its size, and the windows of a clipmap where the style or, by itself, a scene
+/// that is far larger than what is near the eye wants one.
+[[nodiscard]] SunMapPlan plan_sun_map(const SunScene& scene, const Camera& camera, glm::uvec2 size_px,
+                                      const PixelSize& pixel, const StyleTables& style);
+
+/// The map as the light's shader looks it up.
+[[nodiscard]] shared::SunShadow sun_globals(const SunMapPlan& plan, const PixelSize& pixel,
+                                            const shadow::ShadowStyle& style);
 
 /// The map between pictures: what it holds, and what of it has to be drawn.
 class SunMap {
@@ -36,10 +64,10 @@ public:
     /// What threw the shadow has changed.
     void forget() { view_.reset(); }
 
-    /// Makes room for the map that `plan` wants, and tells the plan what to draw into it.
-    void provide(gpu::Device& device, FramePlan& plan);
-    /// The plan's drawing has been done.
-    void drawn(const FramePlan& plan);
+    /// Makes room for the map that `plan` wants, and says what to draw into it.
+    [[nodiscard]] SunMapWork provide(gpu::Device& device, const SunMapPlan& plan);
+    /// That has been drawn.
+    void drawn(const SunMapPlan& plan);
 
     [[nodiscard]] gpu::Buffer& buffer() { return map_; }
 
@@ -50,9 +78,20 @@ private:
     shadow::Windows windows_;
 };
 
-/// Draws what the plan wants of the sun's map.
-[[nodiscard]] gpu::BufferId add_sun_map(gpu::Graph& graph, const raster::RasterInputs& in,
-                                        const std::vector<raster::Batch>& batches, const FramePlan& plan,
-                                        uint32_t vertex_count, gpu::BufferId map);
+struct SunMapInputs {
+    const raster::RasterInputs& raster;
+    const std::vector<raster::Batch>& casters;
+    const SunMapPlan& plan;
+    const SunMapWork& work;
+    RasterPath path = RasterPath::compute; ///< never automatic
+    raster::Tuning tuning;
+    uint32_t vertex_count = 0; ///< of the posed vertices
+};
+
+/// Draws what is to be drawn of the map, and hands it back.
+///
+/// Cost    nothing where nothing is to be drawn; else that of raster::add_depth(), of a clipmap for each
+/// piece
+[[nodiscard]] gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, gpu::BufferId map);
 
 } // namespace estampe::frame

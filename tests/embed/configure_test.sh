@@ -30,4 +30,7 @@ done
 for target in estampe_unit_tests estampe_example_square bin/estampe; do
     ! grep -q "$target" "$build/build.ninja" || wrong "$target is built for a project that adds Estampe"
 done
+! grep -q estampe_baking "$build/build.ninja" || wrong "baking is built for a project that did not ask for it"
+"$cmake" -S "$root/examples/embed" -B "$build/baking" -G Ninja -DESTAMPE_BAKE=ON >"$build/log" 2>&1 || { cat "$build/log"; exit 1; }
+grep -q estampe_baking "$build/baking/build.ninja" || wrong "baking is not built for a project that asked for it"
 [[ $failures -eq 0 ]]

@@ -5,7 +5,7 @@ set -euo pipefail
 check="$(cd "$(dirname "$0")" && pwd)/check"
 tree="$(mktemp -d)"
 trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree"/src/{core,scene,style,gpu,frame,techniques/hatch,techniques/light,techniques/shadow} "$tree"/app "$tree"/examples
+mkdir -p "$tree"/src/{core,scene,style,gpu,frame,techniques/hatch,techniques/light,techniques/shadow} "$tree"/{app,bench,examples,tests/support}
 
 # write FILE INCLUDE: one file with one include
 write() { printf '#include "%s"\n' "$2" >"$tree/$1"; }
@@ -19,6 +19,9 @@ write src/techniques/hatch/hatch.comp shaders/noise.glsl
 write src/techniques/hatch/hatch_gpu_test.cpp techniques/light/light.hpp
 write src/techniques/light/light.comp techniques/shadow/lookup.glsl
 write src/scene/scene.cpp core/file.hpp
+write src/scene/scene_test_support.hpp support/drawing.hpp
+write bench/speed.cpp scene/pose.hpp
+write tests/support/drawing.cpp frame/frame.hpp
 bash "$check" "$tree" || { echo "right includes were refused"; exit 1; }
 
 failures=0
@@ -40,4 +43,11 @@ expect_refused src/techniques/light/bad.comp techniques/shadow/map.hpp
 expect_refused src/techniques/shadow/bad.glsl techniques/light/light.glsl.h
 expect_refused src/techniques/light/bad.cpp frame/frame.hpp
 expect_refused src/frame/bad.cpp app/text.hpp
+expect_refused src/frame/bad.cpp bench/speed.hpp
+expect_refused src/frame/bad.cpp support/drawing.hpp
+expect_refused src/frame/bad.cpp scene/scene_test_support.hpp
+expect_refused bench/bad.cpp app/text.hpp
+expect_refused bench/bad.cpp support/drawing.hpp
+expect_refused tests/support/bad.cpp app/text.hpp
+expect_refused tests/support/bad.hpp bench/speed.hpp
 exit "$failures"

@@ -176,7 +176,7 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, Light
     const gpu::BufferId local_maps = add_local_maps(graph, stage, setup);
     const glm::dvec3 towards_sun =
         setup.directional_count > 0 ? glm::dvec3(setup.records.front().direction) : glm::dvec3(0, 1, 0);
-    frame::FramePlan plan = sun_plan(towards_sun, setup);
+    const frame::SunMapPlan plan = sun_plan(towards_sun, setup);
     const shared::LightGlobals lighting{.sky_ambient = setup.ambient,
                                         .ground_ambient = setup.ambient,
                                         .directional_count = setup.directional_count,
@@ -184,39 +184,40 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, Light
                                                        setup.directional_count,
                                         .falloff = setup.falloff};
     light_globals_ = gpu::upload_buffer(shared_device(), "lighting", std::vector{lighting});
-    sun_shadow_ =
-        gpu::upload_buffer(shared_device(), "sun", std::vector{frame::sun_globals(plan, setup.shadow)});
+    sun_shadow_ = gpu::upload_buffer(shared_device(), "sun",
+                                     std::vector{frame::sun_globals(plan, pixel_, setup.shadow)});
     edge_look_ = gpu::upload_buffer(shared_device(), "edges",
                                     std::vector{shadow::edge_look(setup.shadow, setup.lines, 1.0F)});
     lights_ = gpu::upload_buffer(shared_device(), "lights", setup.records);
     const gpu::BufferId shadow_map = add_sun_map(graph, stage, setup, plan);
-    return light::add_light(graph,
-                            {.frame = stage.frame,
-                             .lighting = gpu::import_whole(graph, "lighting", light_globals_),
-                             .lights = gpu::import_whole(graph, "lights", lights_),
-                             .draw = stage.surface.draw,
-                             .depth = stage.surface.depth,
-                             .normal = stage.surface.normal,
-                             .draws = stage.draws,
-                             .materials = stage.materials,
-                             .sun_map = shadow_map,
-                             .sun_shadow = gpu::import_whole(graph, "sun", sun_shadow_),
-                             .coordinate = stage.surface.coordinate,
-                             .footprint = stage.surface.footprint,
-                             .edge_look = gpu::import_whole(graph, "edges", edge_look_),
-                             .shadow_variant = plan.shadow_variant | lamps_variant_,
-                             .local_shadows = gpu::import_whole(graph, "local shadows", local_shadows_),
-                             .local_maps = local_maps,
-                             .has_local_shadows = setup.local_shadow_size > 0,
-                             .has_shadow = plan.shadow_size > 0,
-                             .local_count = lighting.local_count,
-                             .has_emissive = needs_.emissive,
-                             .keeps_strongest = setup.keeps_strongest,
-                             .keeps_sun = setup.keeps_sun,
-                             .counts_visits = setup.counts_visits,
-                             .looks_at_all = setup.looks_at_all,
-                             .has_links = setup.has_links,
-                             .size_px = size_px});
+    return light::add_light(
+        graph,
+        {.frame = stage.frame,
+         .lighting = gpu::import_whole(graph, "lighting", light_globals_),
+         .lights = gpu::import_whole(graph, "lights", lights_),
+         .draw = stage.surface.draw,
+         .depth = stage.surface.depth,
+         .normal = stage.surface.normal,
+         .draws = stage.draws,
+         .materials = stage.materials,
+         .sun_map = shadow_map,
+         .sun_shadow = gpu::import_whole(graph, "sun", sun_shadow_),
+         .coordinate = stage.surface.coordinate,
+         .footprint = stage.surface.footprint,
+         .edge_look = gpu::import_whole(graph, "edges", edge_look_),
+         .shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines) | plan.variant | lamps_variant_,
+         .local_shadows = gpu::import_whole(graph, "local shadows", local_shadows_),
+         .local_maps = local_maps,
+         .has_local_shadows = setup.local_shadow_size > 0,
+         .has_shadow = plan.size > 0,
+         .local_count = lighting.local_count,
+         .has_emissive = needs_.emissive,
+         .keeps_strongest = setup.keeps_strongest,
+         .keeps_sun = setup.keeps_sun,
+         .counts_visits = setup.counts_visits,
+         .looks_at_all = setup.looks_at_all,
+         .has_links = setup.has_links,
+         .size_px = size_px});
 }
 
 std::vector<shared::PosedVertex> Drawing::posed()

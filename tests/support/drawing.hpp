@@ -138,9 +138,9 @@ private:
     Stage add_surface(gpu::Graph& graph);
     screen::Screen add_screen(gpu::Graph& graph);
     contour::ContourInputs contour_inputs(gpu::Graph& graph, const Stage& stage);
-    frame::FramePlan sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const;
+    frame::SunMapPlan sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const;
     gpu::BufferId add_sun_map(gpu::Graph& graph, const Stage& stage, const LightSetup& setup,
-                              frame::FramePlan& plan);
+                              const frame::SunMapPlan& plan);
     light::LitPixels add_light(gpu::Graph& graph, const Stage& stage, LightSetup setup);
     /// Fills in the records' shadows and draws their maps.
     gpu::BufferId add_local_maps(gpu::Graph& graph, const Stage& stage, LightSetup& setup);

@@ -11,25 +11,19 @@
 
 namespace estampe::test {
 
-frame::FramePlan Drawing::sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const
+frame::SunMapPlan Drawing::sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const
 {
-    frame::FramePlan plan;
-    plan.raster_path = path;
-    plan.raster = tuning;
-    plan.shadow_size = setup.shadow_size;
-    plan.sun = sun(towards_sun, std::max(setup.shadow_size, 4U));
-    plan.pixel = pixel_;
-    plan.shadow_variant = shadow::shadow_variant(setup.shadow, setup.lines);
+    frame::SunMapPlan plan{.size = setup.shadow_size,
+                           .view = sun(towards_sun, std::max(setup.shadow_size, 4U))};
     if (setup.is_warped) {
-        plan.sun = warped_sun(towards_sun, setup.shadow_size);
-        plan.shadow_variant |= shared::light_has_sun_warp;
+        plan.view = warped_sun(towards_sun, setup.shadow_size);
+        plan.variant |= shared::light_has_sun_warp;
     }
     if (setup.clipmap) {
         plan.clipmap = setup.clipmap;
-        plan.shadow_size = setup.clipmap->size;
-        plan.sun_windows = shadow::windows_about(*plan.clipmap, glm::dvec3(globals.eye_anchor));
-        plan.sun_pieces = shadow::uncovered(*plan.clipmap, {}, plan.sun_windows);
-        plan.shadow_variant |= shared::light_has_sun_levels;
+        plan.size = setup.clipmap->size;
+        plan.windows = shadow::windows_about(*plan.clipmap, glm::dvec3(globals.eye_anchor));
+        plan.variant |= shared::light_has_sun_levels;
     }
     return plan;
 }
@@ -45,15 +39,22 @@ shadow::SunView Drawing::warped_sun(const glm::dvec3& towards_sun, uint32_t shad
 }
 
 gpu::BufferId Drawing::add_sun_map(gpu::Graph& graph, const Stage& stage, const LightSetup& setup,
-                                   frame::FramePlan& plan)
+                                   const frame::SunMapPlan& plan)
 {
     sun_map_ = {};
     frame::SunMap& memory = setup.sun_memory != nullptr ? *setup.sun_memory : sun_map_;
-    memory.provide(shared_device(), plan);
+    const frame::SunMapWork work = memory.provide(shared_device(), plan);
     const gpu::BufferId map = gpu::import_whole(graph, "shadow", memory.buffer());
     memory.drawn(plan);
-    return frame::add_sun_map(graph, raster_inputs(graph, stage.posed), caster_batches(setup), plan,
-                              meshes_.vertex_count, map);
+    return frame::add_sun_map(graph,
+                              {.raster = raster_inputs(graph, stage.posed),
+                               .casters = caster_batches(setup),
+                               .plan = plan,
+                               .work = work,
+                               .path = path,
+                               .tuning = tuning,
+                               .vertex_count = meshes_.vertex_count},
+                              map);
 }
 
 std::vector<uint32_t> Drawing::sun_piece(const shadow::Clipmap& clipmap, const shadow::Piece& piece)

@@ -230,8 +230,11 @@ void Executor::record_barriers(VkCommandBuffer commands, const std::vector<Barri
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-std::vector<VkDescriptorType> Executor::binding_types(const PassRecord& pass) const
+std::vector<VkDescriptorType> Executor::binding_types(const PassRecord& pass)
 {
+#ifndef NDEBUG
+    binding_check_.check(*graph_, pass);
+#endif
     std::vector<VkDescriptorType> types;
     for (const Use& use : pass.uses) {
         if (use.bound) {

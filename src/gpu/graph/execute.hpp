@@ -10,6 +10,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "gpu/graph/check_bindings.hpp"
 #include "gpu/graph/compile.hpp"
 #include "gpu/pipelines.hpp"
 #include "gpu/resources.hpp"
@@ -60,7 +61,8 @@ private:
     void record_barriers(VkCommandBuffer commands, const std::vector<Barrier>& barriers);
     void record_dispatch(VkCommandBuffer commands, const PassRecord& pass);
     void record_draw(VkCommandBuffer commands, const PassRecord& pass);
-    [[nodiscard]] std::vector<VkDescriptorType> binding_types(const PassRecord& pass) const;
+    /// What the pass binds, in order. Builds with assertions hold it against what the shaders declare.
+    [[nodiscard]] std::vector<VkDescriptorType> binding_types(const PassRecord& pass);
     [[nodiscard]] VkDescriptorSet bind(const PassRecord& pass, const Pipeline& pipeline);
     [[nodiscard]] const Image& image_of(uint32_t resource) const;
     [[nodiscard]] const Buffer& buffer_of(uint32_t resource) const;
@@ -71,6 +73,7 @@ private:
 
     Device& device_;
     PipelineCache pipelines_;
+    BindingCheck binding_check_;
     VkCommandPool commands_pool_ = VK_NULL_HANDLE;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     VkDescriptorPool descriptor_pool_ = VK_NULL_HANDLE;

@@ -74,7 +74,7 @@ layout(binding = 17) uniform samplerBuffer local_maps;
 layout(binding = 18) uniform sampler2D lightmap_image;        // irradiance / pi, and whether it is known
 layout(binding = 19, r32f) writeonly uniform image2D out_sun; // see LitPixels
 
-layout(push_constant) uniform Constants
+layout(push_constant, scalar) uniform Constants
 {
     ListTiles list_tiles;
 };

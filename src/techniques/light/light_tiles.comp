@@ -30,7 +30,7 @@ layout(scalar, binding = 3) writeonly buffer Lists
     uint lists[]; // a tile: how many, then which, numbered from the first local light
 };
 
-layout(push_constant) uniform Constants
+layout(push_constant, scalar) uniform Constants
 {
     ListTiles list_tiles;
 };

@@ -5,31 +5,17 @@
 #include <string>
 #include <vector>
 
+#include <estampe/tonal_art_map.hpp>
+
 namespace estampe::tam {
 
-/// Coverage of one level, a square of 8-bit texels row by row from the top: 0 paper, 255 ink.
-using Gray8 = std::vector<uint8_t>;
+using estampe::Gray8;
+using estampe::TonalArtMap;
 
 inline constexpr uint32_t min_size_px = 32;
 inline constexpr uint32_t max_size_px = 2048;
 inline constexpr size_t min_tones = 1;
 inline constexpr size_t max_tones = 16;
-
-/// Nested strokes for several darknesses and every mip level. What is ink in a tone is ink in all darker
-/// ones, and a stroke of a level is there, as many pixels wide, in all finer ones. Wraps without a seam.
-///
-/// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001
-struct TonalArtMap {
-    uint32_t size_px = 0;                          ///< of level 0; a power of two
-    std::vector<float> darkness;                   ///< mean coverage wanted of each tone, rising, in (0, 1)
-    std::vector<std::vector<Gray8>> level_of_tone; ///< [tone][level]: level 0 of size_px, the last of 1 px
-
-    /// By level, what threshold_levels() gives, where the maker knows the order of the strokes within a tone;
-    /// empty for maps that were painted.
-    std::vector<Gray8> threshold_of_level;
-
-    bool operator==(const TonalArtMap&) const = default;
-};
 
 /// Levels of a chain from `size_px` down to 1 px.
 [[nodiscard]] size_t level_count(uint32_t size_px);

@@ -55,7 +55,7 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
     const uint32_t triangle_words = (constants.triangle_count + 31) / 32;
     const uint32_t words = mesh_words(constants) + constants.page_words;
     auto triangles = graph.compute("contour/mark triangles", shaders::mark_triangles_comp);
-    triangles.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices).sample(in.neighbors);
+    triangles.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices);
     const gpu::BufferId facing =
         triangles.write(graph.buffer("contour/facing", list_of(triangle_words, sizeof(uint32_t))));
     gpu::BufferId marks = triangles.write(graph.buffer("contour/marks", list_of(words, sizeof(uint32_t))));

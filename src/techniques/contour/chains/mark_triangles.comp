@@ -22,14 +22,12 @@ layout(scalar, binding = 0) uniform Frame
 #include "shaders/mesh_texels.glsl"
 #include "techniques/contour/chains/silhouette.glsl"
 
-layout(binding = 3) uniform usamplerBuffer neighbor_texels;
-
-layout(scalar, binding = 4) writeonly buffer Facing
+layout(scalar, binding = 3) writeonly buffer Facing
 {
     uint facing[];
 };
 
-layout(scalar, binding = 5) writeonly buffer Marks
+layout(scalar, binding = 4) writeonly buffer Marks
 {
     uint marks[];
 };

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "frame/plan.hpp"
+
+#include <algorithm>
+
+#include "shaders/stroke_kind.glsl.h"
+
+namespace estampe::frame {
+namespace {
+
+PagePlan plan_page(const PlanInputs& in)
+{
+    // A file with a camera is a picture already; one with a sun besides is a picture out of doors.
+    const Scene& scene = in.loaded.scene;
+    const bool is_composed = !scene.cameras.empty();
+    const bool is_outdoors = is_composed && in.lighting.directional_count > 0 && !scene.lights.empty();
+    const Ground ground = in.style.picture.ground;
+    const sky::SkyMode sky = in.style.sky.mode;
+    return {.size_px = {in.settings.width, in.settings.height},
+            .pixels_per_mm = pixels_per_mm(in.settings.height, in.style.paper.height_mm),
+            .pixel = pixel_size(in.camera, in.settings.height),
+            .has_ground = ground == Ground::drawn ||
+                          (ground == Ground::automatic && !is_composed && !in.lighting.indoors),
+            .has_sky = sky == sky::SkyMode::drawn || (sky == sky::SkyMode::automatic && is_outdoors)};
+}
+
+RasterPlan plan_raster(const PlanInputs& in)
+{
+    if (!in.device.info().software) {
+        return {.path = in.raster_path};
+    }
+    // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
+    return {
+        .path = in.raster_path, .tuning = {.small_area_px = 2048, .list_groups = 32}, .on_processor = true};
+}
+
+SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
+{
+    const light::Lighting& lighting = in.lighting;
+    const pose::MeshData& layout = in.loaded.layout;
+    const SunScene scene{.casters = in.loaded.pose->casters,
+                         .floor_m = layout.bounds.min.y,
+                         .anchor = layout.anchor,
+                         .towards_sun = lighting.towards_sun,
+                         .throws_shadow = in.style.light.shadows && lighting.sun_casters != 0 &&
+                                          lighting.directional_count > 0 && lighting.towards_sun.y > -0.999,
+                         .most_bytes = std::min<uint64_t>(in.device.limits().maxStorageBufferRange,
+                                                          4ULL * in.device.limits().maxTexelBufferElements)};
+    return {.towards = glm::vec3(lighting.towards_sun),
+            .daylight_rad =
+                in.daylight ? std::optional(static_cast<float>(in.daylight->elevation_rad)) : std::nullopt,
+            .casters = lighting.sun_casters,
+            .map = plan_sun_map(scene, in.camera, page.size_px, page.pixel, in.style)};
+}
+
+LightPlan plan_light(const PlanInputs& in, const StrokePlan& strokes)
+{
+    const light::Lighting& lighting = in.lighting;
+    const uint32_t local_count = static_cast<uint32_t>(lighting.records.size()) - lighting.directional_count;
+    return {.local_count = local_count,
+            .leads_strokes = local_count > 0 && strokes.has(shared::strokes_light),
+            .has_links = lighting.has_groups || !in.loaded.has_plain_links,
+            .meters_page = in.style.light.metering == light::Metering::page};
+}
+
+EdgePlan plan_edges(const StyleTables& style, const SunPlan& sun, const StrokePlan& strokes,
+                    float pixels_per_mm)
+{
+    const auto lines = hatched_lines(style.hatch, sun.towards, strokes.has_directions());
+    return {.look = shadow::edge_look(style.shadow, lines, pixels_per_mm),
+            .variant = shadow::shadow_variant(style.shadow, lines)};
+}
+
+bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& map)
+{
+    return style.drawn && style.lines == contour::Lines::chains &&
+           contour::has_lines(style, shared::line_shadow) && map.size > 0;
+}
+
+} // namespace
+
+FramePlan plan_frame(const PlanInputs& in)
+{
+    const PagePlan page = plan_page(in);
+    StrokePlan strokes = plan_strokes(in.loaded.layout, in.loaded.scene.materials, in.style.hatch);
+    const LightPlan light = plan_light(in, strokes);
+    SunPlan sun = plan_sun(in, page);
+    const EdgePlan edges = plan_edges(in.style, sun, strokes, page.pixels_per_mm);
+    const LinePlan lines{.of_shadows = draws_shadow_lines(in.style.contour, sun.map)};
+    return {.page = page,
+            .raster = plan_raster(in),
+            .needs = in.loaded.needs,
+            .strokes = std::move(strokes),
+            .sun = std::move(sun),
+            .light = light,
+            .shadow_edges = edges,
+            .lines = lines};
+}
+
+} // namespace estampe::frame

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What is decided on the processor before a picture is declared, in parts.
+
+#include <optional>
+
+#include <estampe/renderer.hpp>
+
+#include "frame/loaded_scene.hpp"
+#include "frame/local_shadows.hpp"
+#include "frame/motion.hpp"
+#include "frame/strokes.hpp"
+#include "frame/style_tables.hpp"
+#include "frame/sun.hpp"
+#include "frame/view.hpp"
+#include "gpu/device.hpp"
+#include "techniques/light/daylight.hpp"
+#include "techniques/raster/raster.hpp"
+
+namespace estampe::frame {
+
+/// The page, and what stands on it besides the scene.
+struct PagePlan {
+    glm::uvec2 size_px{0};
+    float pixels_per_mm = 1.0F;
+    PixelSize pixel; ///< what one of them spans in the scene
+    bool has_ground = false;
+    bool has_sky = false;
+};
+
+/// How triangles become pixels.
+struct RasterPlan {
+    RasterPath path = RasterPath::compute; ///< never automatic
+    raster::Tuning tuning;
+    bool on_processor = false; ///< the device is no GPU
+};
+
+/// The first of the directional lights.
+struct SunPlan {
+    glm::vec3 towards{0.0F, 1.0F, 0.0F};
+    std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
+    Groups casters = all_groups;       ///< whose shadows it throws
+    SunMapPlan map;
+};
+
+/// The light but for the sun's place.
+struct LightPlan {
+    uint32_t local_count = 0;
+    bool leads_strokes = false;  ///< some strokes run along the light, and there are local lights
+    bool has_links = false;      ///< not every light lights and shadows everything
+    float lightmap_scale = 1.0F; ///< from the lightmaps' exposure to the frame's
+    bool meters_page = false;
+    float adapt_stops = -1.0F; ///< most that the exposure by the page changes; negative: any
+};
+
+/// How the edges of shadows look.
+struct EdgePlan {
+    shared::EdgeLook look; ///< their teeth
+    uint32_t variant = 0;  ///< see shadow/edge_look.hpp
+};
+
+struct LinePlan {
+    bool of_shadows = false;     ///< edges of the sun's shadow are lines
+    bool are_remembered = false; ///< the picture goes on from one before, or another may from this
+};
+
+/// A picture, all of its samples alike.
+struct FramePlan {
+    PagePlan page;
+    RasterPlan raster;
+    surface::SceneNeeds needs;
+    StrokePlan strokes;
+    SunPlan sun;
+    LightPlan light;
+    EdgePlan shadow_edges;
+    LocalMapPlan local_shadows;
+    LinePlan lines;
+    std::optional<MotionPlan> motion;
+};
+
+/// What of a picture differs from sample to sample. The first one leaves on the device what the others find
+/// there.
+struct SamplePlan {
+    paper::Accumulation accumulation;
+    glm::mat4 clip_from_anchor{1.0F}; ///< shifted within a pixel
+    bool pose_moved = true;           ///< the posed vertices are not yet those of this moment
+    SunMapWork sun_map;
+
+    [[nodiscard]] bool is_first() const { return accumulation.sample_index == 0; }
+};
+
+/// What a plan is made from.
+struct PlanInputs {
+    const LoadedScene& loaded; ///< posed
+    const light::Lighting& lighting;
+    const std::optional<light::Daylight>& daylight;
+    const Camera& camera;
+    const RenderSettings& settings;
+    const StyleTables& style;
+    const gpu::Device& device;
+    RasterPath raster_path = RasterPath::compute; ///< never automatic
+};
+
+/// Plans all that needs no room on the device: shadows of local lights, motion, what the eye is used to and
+/// what lines remember are left as they are by default. Throws Error as plan_strokes(). Cost: linear in
+/// draws.
+[[nodiscard]] FramePlan plan_frame(const PlanInputs& in);
+
+} // namespace estampe::frame

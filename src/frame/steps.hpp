@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The steps of a frame: what each technique takes from the ones before it, and what it hands on. A step
+// declares passes and draws nothing yet. Handles go in and come out by name; what was known before the frame
+// was begun lies in Making.
+
+#include <optional>
+
+#include "frame/frame.hpp"
+#include "techniques/contour/contour.hpp"
+#include "techniques/raster/raster.hpp"
+#include "techniques/screen/screen.hpp"
+#include "techniques/surface/surface.hpp"
+
+namespace estampe::frame {
+
+/// A frame in the making.
+struct Making {
+    gpu::Graph& graph;
+    const pose::MeshData& layout;
+    FrameResources& resources;
+    const FramePlan& plan;
+    const SamplePlan& sample;
+    const StyleTables& style;
+};
+
+/// The camera, and the scene as it stands at this moment.
+struct PosedScene {
+    gpu::BufferId frame; ///< FrameGlobals
+    raster::RasterInputs meshes;
+};
+
+/// What is looked through, and whether there is any.
+struct SeenThrough {
+    screen::Screen images; ///< one texel each where there is none
+    bool is_there = false;
+};
+
+struct ShadowMaps {
+    gpu::BufferId sun;
+    gpu::BufferId local;
+};
+
+/// What lies under the ink.
+struct Colors {
+    gpu::ImageId wash;
+    gpu::ImageId sky_ink;
+};
+
+/// Whatever moves writes vertices. In a scene that stands as it stood they are there already.
+[[nodiscard]] PosedScene add_posed_scene(const Making& making);
+
+/// Rasterisation only writes identities: depth and triangle, 64 bits a pixel.
+[[nodiscard]] gpu::BufferId add_visibility(const Making& making, const PosedScene& scene);
+
+/// What is seen at each pixel.
+[[nodiscard]] surface::Surface add_surface(const Making& making, const PosedScene& scene,
+                                           gpu::BufferId visibility);
+
+/// Where that stood at another moment, for the processor, in the first sample of a picture that asks for it.
+void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId visibility);
+
+[[nodiscard]] SeenThrough add_screen(const Making& making, const PosedScene& scene, gpu::BufferId visibility);
+
+/// How far sun, lamps and spots see. Maps are kept, and drawn only where they are out of date.
+[[nodiscard]] ShadowMaps add_shadow_maps(const Making& making, const PosedScene& scene);
+
+/// Light that is known ahead; none in a scene without lightmaps.
+[[nodiscard]] std::optional<gpu::ImageId> add_known_light(const Making& making, const PosedScene& scene,
+                                                          gpu::BufferId visibility);
+
+/// The light that arrives there, exposed for the page where the style meters that.
+[[nodiscard]] light::LitPixels add_light(const Making& making, const PosedScene& scene,
+                                         const surface::Surface& surface, const ShadowMaps& maps,
+                                         const std::optional<gpu::ImageId>& known);
+
+/// What strokes are drawn from.
+[[nodiscard]] hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
+                                              const surface::Surface& surface, const light::LitPixels& lit,
+                                              const SeenThrough& screen);
+
+/// What lines are found in.
+[[nodiscard]] contour::ContourInputs contour_inputs(const Making& making, const PosedScene& scene,
+                                                    gpu::BufferId visibility, const surface::Surface& surface,
+                                                    const light::LitPixels& lit, const SeenThrough& screen);
+
+/// Lines where surfaces end, meet or fold: strung as chains, or found between pixels, which is also how what
+/// a texture cuts gets its own.
+[[nodiscard]] gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in);
+
+/// Colour, flat, and the sky behind it.
+[[nodiscard]] Colors add_colors(const Making& making, const PosedScene& scene,
+                                const surface::Surface& surface, gpu::ImageId light,
+                                const SeenThrough& screen);
+
+/// The layers on paper, added to those of the samples before, and read back.
+void add_picture(const Making& making, const PosedScene& scene, const Colors& colors, gpu::ImageId ink,
+                 gpu::ImageId lines, gpu::ImageId light);
+
+} // namespace estampe::frame

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// From light to ink, colour and paper.
+#include "frame/steps.hpp"
+#include "gpu/read_back.hpp"
+#include "techniques/contour/chains/chains.hpp"
+
+namespace estampe::frame {
+
+hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
+                                const surface::Surface& surface, const light::LitPixels& lit,
+                                const SeenThrough& screen)
+{
+    const FramePlan& plan = making.plan;
+    hatch::MapImages* const map = making.resources.map;
+    return {.frame = scene.frame,
+            .draw = surface.draw,
+            .depth = surface.depth,
+            .normal = surface.normal,
+            .color = surface.color,
+            .coordinate = surface.coordinate,
+            .footprint = surface.footprint,
+            .light = lit.light,
+            .screen = screen.images.color,
+            .has_screen = screen.is_there,
+            .tone = light::tone_constants(making.style.tone),
+            .strokes_present = plan.strokes.present,
+            .strongest_light = plan.light.leads_strokes ? std::optional(lit.strongest) : std::nullopt,
+            .towards_light = plan.sun.towards,
+            .map = map != nullptr ? std::optional(hatch::import_map(making.graph, *map)) : std::nullopt,
+            .pixels_per_mm = plan.page.pixels_per_mm,
+            .size_px = plan.page.size_px};
+}
+
+contour::ContourInputs contour_inputs(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+                                      const surface::Surface& surface, const light::LitPixels& lit,
+                                      const SeenThrough& screen)
+{
+    const FramePlan& plan = making.plan;
+    const FrameResources& resources = making.resources;
+    const bool has_chains = resources.line_mesh != nullptr;
+    const bool is_moving = making.sample.pose_moved ||
+                           resources.line_history.clip_from_anchor_before() != making.sample.clip_from_anchor;
+    return {.frame = scene.frame,
+            .visibility = visibility,
+            .triangles = scene.meshes.triangles,
+            .posed_vertices = scene.meshes.posed_vertices,
+            .draws = scene.meshes.draws,
+            .materials = scene.meshes.materials,
+            .own_outlines = plan.needs.own_outlines,
+            .draw = surface.draw,
+            .depth = surface.depth,
+            .normal = surface.normal,
+            .coordinate = surface.coordinate,
+            .light = lit.light,
+            .sun = plan.lines.of_shadows ? std::optional(lit.sun) : std::nullopt,
+            .screen_draw = screen.images.draw,
+            .has_screen = screen.is_there && !has_chains,
+            .only_cut = has_chains,
+            .on_processor = plan.raster.on_processor,
+            .is_moving = is_moving,
+            .brushes = resources.brushes,
+            .pixels_per_mm = plan.page.pixels_per_mm,
+            .pixel_m_at_one = plan.page.pixel.at_one_m,
+            .size_px = plan.page.size_px};
+}
+
+gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in)
+{
+    FrameResources& resources = making.resources;
+    if (resources.line_mesh == nullptr) {
+        return contour::add_contours(making.graph, in, making.style.contour);
+    }
+    const std::optional<gpu::ImageId> of_cuts =
+        making.layout.masked.count > 0
+            ? std::optional(contour::add_contours(making.graph, in, making.style.contour))
+            : std::nullopt;
+    const bool remembers = making.plan.lines.are_remembered && making.sample.is_first();
+    return contour::add_chain_contours(making.graph, in, *resources.line_mesh,
+                                       remembers ? &resources.line_history : nullptr, making.style.contour,
+                                       of_cuts);
+}
+
+Colors add_colors(const Making& making, const PosedScene& scene, const surface::Surface& surface,
+                  gpu::ImageId light, const SeenThrough& screen)
+{
+    const FramePlan& plan = making.plan;
+    const sky::Sky sky = sky::add_sky(making.graph,
+                                      {.frame = scene.frame,
+                                       .towards_sun = plan.sun.towards,
+                                       .daylight_rad = plan.sun.daylight_rad,
+                                       .pixels_per_mm = plan.page.pixels_per_mm,
+                                       .drawn = plan.page.has_sky,
+                                       .size_px = plan.page.size_px},
+                                      making.style.sky);
+    const gpu::ImageId wash = wash::add_wash(making.graph,
+                                             {.frame = scene.frame,
+                                              .draw = surface.draw,
+                                              .depth = surface.depth,
+                                              .color = surface.color,
+                                              .light = light,
+                                              .draws = scene.meshes.draws,
+                                              .materials = scene.meshes.materials,
+                                              .screen = screen.images.color,
+                                              .has_screen = screen.is_there,
+                                              .background = sky.wash,
+                                              .has_background = plan.page.has_sky,
+                                              .tone = light::tone_constants(making.style.tone),
+                                              .size_px = plan.page.size_px},
+                                             making.style.wash);
+    return {.wash = wash, .sky_ink = sky.ink};
+}
+
+void add_picture(const Making& making, const PosedScene& scene, const Colors& colors, gpu::ImageId ink,
+                 gpu::ImageId lines, gpu::ImageId light)
+{
+    gpu::Graph& graph = making.graph;
+    const PagePlan& page = making.plan.page;
+    const paper::Accumulation& accumulation = making.sample.accumulation;
+    const auto composed = paper::add_compose(graph,
+                                             {.frame = scene.frame,
+                                              .wash = colors.wash,
+                                              .hatch = ink,
+                                              .lines = lines,
+                                              .sky_ink = colors.sky_ink,
+                                              .has_sky = page.has_sky,
+                                              .light = light,
+                                              .size_px = page.size_px},
+                                             making.style.paper);
+    const auto pixels = graph.buffer("pixels", {.size_bytes = 4ULL * page.size_px.x * page.size_px.y});
+    const paper::Developed developed =
+        paper::add_develop(graph, composed, paper::import_sums(graph, making.resources.sums, accumulation),
+                           pixels, page.size_px, accumulation);
+    gpu::add_read_back(graph, "read back", developed.pixels, making.resources.pixels);
+}
+
+} // namespace estampe::frame

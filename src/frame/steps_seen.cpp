@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// From triangles to what is seen at each pixel.
+#include <algorithm>
+
+#include "frame/steps.hpp"
+#include "gpu/imports.hpp"
+
+namespace estampe::frame {
+namespace {
+
+raster::Batch batch(const pose::Range& range, bool masked = false)
+{
+    return {
+        .first_triangle = range.first, .triangle_count = range.count, .masked = masked, .plain = range.plain};
+}
+
+/// What hides what is behind it.
+std::vector<raster::Batch> solid_batches(const pose::MeshData& layout, bool with_ground)
+{
+    std::vector<raster::Batch> batches{batch(layout.opaque), batch(layout.masked, true)};
+    if (with_ground) {
+        batches.push_back(batch(layout.ground));
+    }
+    return batches;
+}
+
+raster::View eye_view(const Making& making)
+{
+    return {.clip_from_anchor = making.sample.clip_from_anchor,
+            .size_px = making.plan.page.size_px,
+            .path = making.plan.raster.path,
+            .tuning = making.plan.raster.tuning};
+}
+
+} // namespace
+
+PosedScene add_posed_scene(const Making& making)
+{
+    gpu::Graph& graph = making.graph;
+    pose::MeshBuffers& meshes = making.resources.meshes;
+    const auto draws = gpu::import_whole(graph, "draws", meshes.draws);
+    const auto rest_vertices = gpu::import_whole(graph, "rest vertices", meshes.rest_vertices);
+    const auto posed_vertices = making.sample.pose_moved
+                                    ? pose::add_pose(graph, meshes, making.layout, draws, rest_vertices)
+                                    : gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]);
+    return {
+        .frame = gpu::import_whole(graph, "frame", making.resources.frame_globals),
+        .meshes = {.triangles = gpu::import_whole(graph, "triangles", meshes.triangles),
+                   .posed_vertices = posed_vertices,
+                   .draws = draws,
+                   .rest_vertices = rest_vertices,
+                   .materials = gpu::import_whole(graph, "materials", making.resources.materials.materials),
+                   .textures = surface::import_textures(graph, making.resources.materials),
+                   .texture_classes = making.plan.needs.texture_classes}};
+}
+
+gpu::BufferId add_visibility(const Making& making, const PosedScene& scene)
+{
+    return raster::add_visibility(making.graph, "visibility", scene.meshes,
+                                  solid_batches(making.layout, making.plan.page.has_ground),
+                                  eye_view(making));
+}
+
+surface::Surface add_surface(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
+{
+    gpu::Graph& graph = making.graph;
+    FrameResources& resources = making.resources;
+    return surface::add_resolve(
+        graph, {.frame = scene.frame,
+                .visibility = visibility,
+                .triangles = scene.meshes.triangles,
+                .posed_vertices = scene.meshes.posed_vertices,
+                .draws = scene.meshes.draws,
+                .rest_vertices = scene.meshes.rest_vertices,
+                .stroke_coordinates =
+                    gpu::import_whole(graph, "stroke coordinates", resources.meshes.stroke_coordinates),
+                .stroke_kinds = gpu::import_whole(graph, "stroke kinds", resources.stroke_kinds),
+                .form_coordinates = gpu::import_whole(graph, "form coordinates", resources.form_coordinates),
+                .materials = scene.meshes.materials,
+                .textures = scene.meshes.textures,
+                .needs = making.plan.needs,
+                .strokes_present = making.plan.strokes.present,
+                .strokes_per_m = static_cast<float>(1.0 / making.layout.stroke_unit_m),
+                .size_px = making.plan.page.size_px});
+}
+
+void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
+{
+    const std::optional<MotionPlan>& motion = making.plan.motion;
+    if (!motion || !making.sample.is_first()) {
+        return;
+    }
+    const auto vertices_before =
+        motion->pose_moved
+            ? gpu::import_whole(making.graph, "vertices before", making.resources.meshes.posed_vertices[1])
+            : scene.meshes.posed_vertices;
+    declare_motion(making.graph,
+                   {.frame = scene.frame,
+                    .visibility = visibility,
+                    .triangles = scene.meshes.triangles,
+                    .posed_vertices = scene.meshes.posed_vertices,
+                    .posed_vertices_before = vertices_before,
+                    .clip_from_anchor = motion->clip_from_anchor,
+                    .clip_from_anchor_before = motion->clip_from_anchor_before,
+                    .size_px = making.plan.page.size_px},
+                   making.resources.motion);
+}
+
+SeenThrough add_screen(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
+{
+    const pose::MeshData& layout = making.layout;
+    if (layout.blended.count == 0) {
+        return {.images = screen::add_no_screen(making.graph)};
+    }
+    const auto wanted_layers = static_cast<uint32_t>(making.style.screen.layers);
+    const auto layers =
+        raster::add_layers(making.graph, "screen", scene.meshes, {batch(layout.blended, true)},
+                           eye_view(making), std::min(layout.blended_sheets, wanted_layers));
+    return {.images = screen::add_screen(making.graph, {.frame = scene.frame,
+                                                        .solid_visibility = visibility,
+                                                        .layers = layers,
+                                                        .triangles = scene.meshes.triangles,
+                                                        .posed_vertices = scene.meshes.posed_vertices,
+                                                        .draws = scene.meshes.draws,
+                                                        .rest_vertices = scene.meshes.rest_vertices,
+                                                        .materials = scene.meshes.materials,
+                                                        .textures = scene.meshes.textures,
+                                                        .texture_classes = scene.meshes.texture_classes,
+                                                        .size_px = making.plan.page.size_px}),
+            .is_there = true};
+}
+
+} // namespace estampe::frame
