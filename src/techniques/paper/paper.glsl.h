@@ -11,8 +11,8 @@ namespace estampe::shared {
 // Variant bits of compose.comp and develop.comp.
 SHARED_CONSTANT uint compose_has_tint = 1U << 0U; // coloured light colours the strokes
 SHARED_CONSTANT uint compose_has_sky = 1U << 1U;
-SHARED_CONSTANT uint compose_has_margin = 1U << 2U; // or a border
-SHARED_CONSTANT uint compose_has_grain = 1U << 3U;  // strokes catch on the tooth
+SHARED_CONSTANT uint compose_has_margin = 1U << 2U;  // or a border
+SHARED_CONSTANT uint compose_has_grain = 1U << 3U;   // strokes catch on the tooth
 SHARED_CONSTANT uint develop_has_samples = 1U << 0U; // several of them
 SHARED_CONSTANT uint develop_is_last = 1U << 1U;     // of them
 
