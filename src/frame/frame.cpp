@@ -160,31 +160,32 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
 
     // Light: what arrives there.
     const light::LitPixels lit = light::add_light(
-        graph, {.frame = frame,
-                .lighting = lighting,
-                .lights = lights,
-                .draw = surface.draw,
-                .depth = surface.depth,
-                .normal = surface.normal,
-                .draws = draws,
-                .materials = materials,
-                .sun_map = shadow_map,
-                .sun_shadow = gpu::import_whole(graph, "sun", resources.sun_shadow),
-                .coordinate = surface.coordinate,
-                .footprint = surface.footprint,
-                .edge_look = gpu::import_whole(graph, "edges", resources.edge_look),
-                .shadow_variant = plan.shadow_variant,
-                .local_shadows = gpu::import_whole(graph, "lights' shadows", resources.local_shadows.shadows),
-                .local_maps = local_maps,
-                .has_local_shadows = plan.has_local_shadows,
-                .lightmap = lightmap,
-                .has_shadow = plan.shadow_size > 0,
-                .local_count = plan.local_light_count,
-                .has_emissive = plan.needs.emissive,
-                .keeps_strongest = plan.follows_local_light,
-                .keeps_sun = plan.lines_shadows,
-                .has_links = plan.has_light_links,
-                .size_px = size_px});
+        graph,
+        {.frame = frame,
+         .lighting = lighting,
+         .lights = lights,
+         .draw = surface.draw,
+         .depth = surface.depth,
+         .normal = surface.normal,
+         .draws = draws,
+         .materials = materials,
+         .sun_map = shadow_map,
+         .sun_shadow = gpu::import_whole(graph, "sun", resources.sun_shadow),
+         .coordinate = surface.coordinate,
+         .footprint = surface.footprint,
+         .edge_look = gpu::import_whole(graph, "edges", resources.edge_look),
+         .shadow_variant = plan.shadow_variant,
+         .local_shadows = gpu::import_whole(graph, "lights' shadows", resources.local_shadows.shadows),
+         .local_maps = local_maps,
+         .has_local_shadows = plan.has_local_shadows,
+         .lightmap = lightmap,
+         .has_shadow = plan.shadow_size > 0,
+         .local_count = plan.local_light_count,
+         .has_emissive = plan.needs.emissive,
+         .keeps_strongest = plan.follows_local_light,
+         .keeps_sun = plan.lines_shadows || (resources.deep != nullptr && resources.deep->has_layers()),
+         .has_links = plan.has_light_links,
+         .size_px = size_px});
     const gpu::ImageId light =
         plan.meters_page
             ? light::add_exposure(graph, {.light = lit.light,
@@ -292,19 +293,24 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                      style.wash);
 
     // Compose: the layers on paper.
-    const auto picture = paper::add_compose(graph,
-                                            {.frame = frame,
-                                             .wash = wash,
-                                             .hatch = ink,
-                                             .lines = lines,
-                                             .sky_ink = sky.ink,
-                                             .has_sky = plan.sky_drawn,
-                                             .light = light,
-                                             .size_px = size_px},
-                                            style.paper);
+    const paper::ComposeInputs layers{.frame = frame,
+                                      .wash = wash,
+                                      .hatch = ink,
+                                      .lines = lines,
+                                      .sky_ink = sky.ink,
+                                      .has_sky = plan.sky_drawn,
+                                      .light = light,
+                                      .size_px = size_px};
+    const auto picture = paper::add_compose(graph, layers, style.paper);
     const auto developed = paper::add_develop(
         graph, picture, paper::import_sums(graph, resources.sums, plan.accumulation),
         graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y}), size_px, plan.accumulation);
+
+    // Deep page: the same in floats, where they are asked for.
+    if (resources.deep != nullptr) {
+        declare_deep_page(graph, {.layers = layers, .draw = surface.draw, .sun = lit.sun}, style.paper,
+                          plan.accumulation, *resources.deep);
+    }
 
     // Read-back: the picture for the processor.
     gpu::add_read_back(graph, "read back", developed.pixels, resources.pixels);

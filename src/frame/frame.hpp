@@ -5,6 +5,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "frame/deep_page.hpp"
 #include "frame/local_maps.hpp"
 #include "frame/motion.hpp"
 #include "frame/strokes.hpp"
@@ -49,6 +50,7 @@ struct FrameResources {
     gpu::Buffer& pixels;           ///< the picture, four bytes a pixel, for reading back
     gpu::Buffer& motion;           ///< read back where FramePlan::motion asks for it
     StrokeLists* lists = nullptr;  ///< where strokes are wanted in place of a picture
+    DeepPage* deep = nullptr;      ///< where the picture is wanted in floats too
 };
 
 /// What is decided on the processor before a frame is declared.

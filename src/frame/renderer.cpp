@@ -195,7 +195,7 @@ frame::FramePlan Renderer::Impl::plan(const light::Lighting& lighting, const fra
 }
 
 void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style,
-                                 frame::FramePlan& plan, frame::StrokeLists* lists)
+                                 frame::FramePlan& plan, frame::StrokeLists* lists, frame::DeepPage* deep)
 {
     const auto unit_m = static_cast<float>(loaded->layout.stroke_unit_m);
     const glm::vec3 eye_anchor(camera.eye - loaded->layout.anchor);
@@ -228,7 +228,8 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     page.sums,
                                     page.pixels,
                                     motion_pixels,
-                                    lists};
+                                    lists,
+                                    deep};
     plan.pose_moved = loaded->pose_moved;
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, style);
@@ -311,29 +312,37 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     return frame_plan;
 }
 
-Image Renderer::render(const Camera& camera, const Style& style, const RenderSettings& settings)
+Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
+                                   frame::DeepPage* deep, const std::function<void()>& after_sample)
 {
-    Impl& impl = *impl_;
     const frame::StyleTables& tables = style.tables();
-    frame::FramePlan plan = impl.prepare(camera, tables, settings);
+    frame::FramePlan plan = prepare(camera, tables, settings);
     // Later samples of a picture of several go their own way by a pixel at most.
     plan.remembers_lines = settings.continuity != Continuity::still;
     if (plan.remembers_lines) {
-        impl.line_history.begin_frame(impl.device, plan.size_px, settings.continuity == Continuity::follows,
-                                      tables.contour.hidden != contour::Hidden::none);
+        line_history.begin_frame(device, plan.size_px, settings.continuity == Continuity::follows,
+                                 tables.contour.hidden != contour::Hidden::none);
     }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
         plan.accumulation = {.sample_index = sample, .sample_count = settings.samples};
-        impl.draw_sample(camera, tables, plan);
+        draw_sample(camera, tables, plan, nullptr, deep);
+        if (after_sample) {
+            after_sample();
+        }
     }
     if (settings.motion_since) {
-        impl.motion = frame::read_motion(impl.motion_pixels, settings);
+        motion = frame::read_motion(motion_pixels, settings);
     }
-    const auto bytes = impl.page.pixels.mapped();
+    const auto bytes = page.pixels.mapped();
     Image image{.width = settings.width, .height = settings.height};
     const auto* first = reinterpret_cast<const uint8_t*>(bytes.data());
     image.rgba.assign(first, first + 4ULL * settings.width * settings.height);
     return image;
+}
+
+Image Renderer::render(const Camera& camera, const Style& style, const RenderSettings& settings)
+{
+    return impl_->draw_picture(camera, style, settings);
 }
 
 VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, const RenderSettings& settings,

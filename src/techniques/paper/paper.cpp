@@ -1,32 +1,62 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/paper/paper.hpp"
 
+#include <optional>
+
 #include "gpu/resources.hpp"
 #include "shaders/compose_comp.hpp"
 #include "shaders/develop_comp.hpp"
-#include "techniques/paper/paper.glsl.h"
 
 namespace estampe::paper {
 
-gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style)
+namespace {
+
+struct Composed {
+    gpu::ImageId picture;
+    gpu::ImageId stage;
+};
+
+/// One of the two is of one texel, which nobody reads.
+Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style,
+                 std::optional<Stage> stage)
 {
     auto pass = graph.compute("compose", shaders::compose_comp);
     pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
     // Unread, the light's memory is free for others by now.
     const bool tinted = style.ink_tint > 0.0F;
     pass.sample(tinted ? in.light : in.wash)
-        .variant((tinted ? shared::compose_has_tint : 0U) | (in.has_sky ? shared::compose_has_sky : 0U));
-    const gpu::ImageId picture = pass.write(graph.image(
-        "picture", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
+        .variant((tinted ? shared::compose_has_tint : 0U) | (in.has_sky ? shared::compose_has_sky : 0U) |
+                 (stage ? shared::compose_is_staged : 0U));
+    const auto write = [&](const char* name, gpu::Format format, bool is_wanted) {
+        return pass.write(graph.image(name, {.width = is_wanted ? in.size_px.x : 1,
+                                             .height = is_wanted ? in.size_px.y : 1,
+                                             .format = format}));
+    };
+    const gpu::ImageId picture = write("picture", gpu::Format::rgba16f, !stage);
+    const gpu::ImageId staged = write("stage", gpu::Format::rgba32f, stage.has_value());
     pass.push(shared::PaperConstants{.paper_color = style.color,
                                      .grain = style.grain,
                                      .ink_color = style.ink,
                                      .granulation = style.granulation,
                                      .ink_break = style.ink_break,
                                      .ink_tint = style.ink_tint,
-                                     .seed = static_cast<uint32_t>(style.seed)})
+                                     .seed = static_cast<uint32_t>(style.seed),
+                                     .stage = static_cast<uint32_t>(stage.value_or(Stage::lines))})
         .dispatch_over(in.size_px.x, in.size_px.y);
-    return picture;
+    return {picture, staged};
+}
+
+} // namespace
+
+gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style)
+{
+    return compose(graph, in, style, std::nullopt).picture;
+}
+
+gpu::ImageId add_compose_stage(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style,
+                               Stage stage)
+{
+    return compose(graph, in, style, stage).stage;
 }
 
 gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation& accumulation)
@@ -36,7 +66,7 @@ gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation
 }
 
 Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums, gpu::BufferId pixels,
-                      glm::uvec2 size_px, const Accumulation& accumulation)
+                      glm::uvec2 size_px, const Accumulation& accumulation, PixelForm form)
 {
     auto pass = graph.compute("develop", shaders::develop_comp);
     pass.sample(picture);
@@ -44,7 +74,8 @@ Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums
     const gpu::BufferId written = pass.write(pixels);
     const bool is_last = accumulation.sample_index + 1 == accumulation.sample_count;
     pass.variant((accumulation.sample_count > 1 ? shared::develop_has_samples : 0U) |
-                 (is_last ? shared::develop_is_last : 0U));
+                 (is_last ? shared::develop_is_last : 0U) |
+                 (form == PixelForm::linear_floats ? shared::develop_keeps_floats : 0U));
     pass.push(shared::DevelopConstants{
                   .width = size_px.x, .height = size_px.y, .sample_index = accumulation.sample_index})
         .dispatch_over(size_px.x, size_px.y);

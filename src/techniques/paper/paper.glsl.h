@@ -11,8 +11,16 @@ namespace estampe::shared {
 // Variant bits of compose.comp and develop.comp.
 SHARED_CONSTANT uint compose_has_tint = 1U << 0U; // coloured light colours the strokes
 SHARED_CONSTANT uint compose_has_sky = 1U << 1U;
+SHARED_CONSTANT uint compose_is_staged = 1U << 2U;   // layers up to one of them, in floats
 SHARED_CONSTANT uint develop_has_samples = 1U << 0U; // several of them
 SHARED_CONSTANT uint develop_is_last = 1U << 1U;     // of them
+SHARED_CONSTANT uint develop_keeps_floats = 1U << 2U;
+
+// How far the layers are laid.
+SHARED_CONSTANT uint stage_paper = 0U;
+SHARED_CONSTANT uint stage_wash = 1U;
+SHARED_CONSTANT uint stage_hatch = 2U;
+SHARED_CONSTANT uint stage_lines = 3U;
 
 struct PaperConstants {
     vec3 paper_color;
@@ -22,6 +30,7 @@ struct PaperConstants {
     float ink_break;   // how far ink skips the heights
     float ink_tint;    // how far coloured light colours the strokes' ink
     uint seed;
+    uint stage; // of the variant that is staged
 };
 
 struct DevelopConstants {
