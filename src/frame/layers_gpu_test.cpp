@@ -88,6 +88,7 @@ TEST(Layers, LaidOnEachOtherTheyAreThePicture)
             const double in_bytes = test::largest_difference(test::composite(raster, true), picture);
             const double in_floats = test::largest_difference(test::composite(raster, false), picture);
             EXPECT_LE(in_bytes, 1.0);
+            EXPECT_LT(test::share_that_differs(test::composite(raster, true), picture), 0.0005);
             EXPECT_LE(in_floats, 1.0);
             RecordProperty("samples " + std::to_string(samples), std::to_string(in_light) + " " +
                                                                      std::to_string(in_bytes) + " " +

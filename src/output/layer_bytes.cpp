@@ -157,6 +157,20 @@ glm::ivec4 covering(Laid& laid, const Wanted& wanted, const glm::vec4& paint, co
     return pixel;
 }
 
+/// Which layer is the last to change each pixel.
+std::vector<size_t> topmost_layers(const LayeredImage& image)
+{
+    std::vector<size_t> topmost(image.layers.front().image.pixels.size(), 0);
+    for (size_t number = 1; number < image.layers.size(); ++number) {
+        const PictureLayer& layer = image.layers[number];
+        const glm::vec4 nothing(layer.blend == LayerBlend::multiply ? 1.0F : 0.0F);
+        for (size_t i = 0; i < topmost.size(); ++i) {
+            topmost[i] = layer.image.pixels[i] == nothing ? topmost[i] : number;
+        }
+    }
+    return topmost;
+}
+
 void check_opaque(const PictureLayer& bottom)
 {
     const bool is_opaque =
@@ -210,17 +224,18 @@ std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits)
     const Arithmetic in(bits);
     LinearImage stage = image.layers.front().image;
     std::vector<Laid> laid(stage.pixels.size());
+    const std::vector<size_t> topmost = topmost_layers(image);
     std::vector<EncodedLayer> result;
     for (size_t number = 0; number < image.layers.size(); ++number) {
         const PictureLayer& layer = image.layers[number];
         if (number > 0) {
             lay(stage, layer);
         }
-        const bool is_whole = number + 1 == image.layers.size() && bits == 8;
         EncodedLayer& encoded = result.emplace_back(EncodedLayer{.name = layer.name, .blend = layer.blend});
         encoded.rgba.reserve(4 * stage.pixels.size());
         for (size_t i = 0; i < stage.pixels.size(); ++i) {
             Wanted wanted{.exact = in.encoded(glm::vec3(stage.pixels[i]))};
+            const bool is_whole = bits == 8 && number >= topmost[i];
             for (int channel = 0; channel < 3; ++channel) {
                 wanted.rounded[channel] = is_whole ? image.picture.rgba[4 * i + static_cast<size_t>(channel)]
                                                    : in.nearest(wanted.exact[channel]);
