@@ -12,6 +12,9 @@ inline constexpr const char* examples = R"(Examples:
   estampe render bunny.obj -o bunny.png --camera "eye=2,1,3 target=0,0.5,0 fov=35"
   estampe render temple.glb -o temple.png --style pencil --set hatch.width_mm=0.5
   estampe render temple.glb -o temple.svg --plotter
+  estampe render temple.glb -o temple.ora                          (layers, for Krita and GIMP)
+  estampe render temple.glb -o temple.exr --depth 32 --layers layers.exr
+  estampe render temple.glb -o - --format jpg --quality 85 | lp
   estampe render fox.glb -o fox.png --time 0.4 --motion fox.exr --since 0.36
   estampe info helmet.gltf --json
   estampe tam -o pen.tam --preview pen.png
