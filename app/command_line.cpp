@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <cmath>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 #include "core/file.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
+#include "picture_options.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
 
@@ -93,12 +95,13 @@ void add_draw_options(CLI::App& command, Typed& typed)
         ->capture_default_str();
 }
 
-void add_render(CLI::App& app, Typed& typed, FilmOptions& film)
+void add_render(CLI::App& app, Typed& typed, PictureOptions& picture, FilmOptions& film)
 {
     CLI::App& command =
-        *app.add_subcommand("render", "Draw a scene and write it as a PNG picture, or as SVG strokes");
+        *app.add_subcommand("render", "Draw a scene and write it as a picture, or as SVG strokes");
     command.footer(examples);
     add_draw_options(command, typed);
+    picture.add_to(command);
     command.add_option("--samples", typed.samples, "Jittered frames to accumulate, for smooth edges")
         ->type_name("N")
         ->capture_default_str();
@@ -189,12 +192,19 @@ void refuse_empty_values(CLI::App& app)
     }
 }
 
-void add_commands(CLI::App& app, Typed& typed, BakeOptions& bake, FilmOptions& film)
+/// Options of single commands.
+struct OwnOptions {
+    BakeOptions bake;
+    PictureOptions picture;
+    FilmOptions film;
+};
+
+void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
 {
     add_bench(app, typed);
-    add_render(app, typed, film);
+    add_render(app, typed, own.picture, own.film);
     add_tam(app, typed);
-    bake.add_to(app);
+    own.bake.add_to(app);
     CLI::App& info = *app.add_subcommand("info", "Tell what a scene file holds");
     info.add_option("SCENE", typed.scene, "Scene file")->required()->type_name("FILE");
     info.add_flag("--json", typed.json, "Print JSON");
@@ -231,22 +241,23 @@ DrawOptions read_draw_options(const Typed& typed)
 }
 
 /// Some options go with strokes alone, some with pictures alone.
-void check_strokes(const Typed& typed)
+void check_strokes(const Typed& typed, const PictureChoice& picture)
 {
-    const bool is_strokes = lower_extension(typed.output) == ".svg";
+    const bool is_strokes = picture.format == PictureFormat::svg;
     if (!is_strokes && (typed.hidden || typed.plotter)) {
         throw UsageError("goes with strokes alone", typed.hidden ? "--hidden" : "--plotter",
                          "the name of the output must end in .svg");
     }
-    if (is_strokes &&
-        (typed.samples > 1 || typed.repeat > 1 || typed.timings || typed.json || !typed.motion.empty())) {
-        throw UsageError("goes with pictures alone",
-                         typed.samples > 1       ? "--samples"
-                         : typed.repeat > 1      ? "--repeat"
-                         : typed.timings         ? "--timings"
-                         : !typed.motion.empty() ? "--motion"
-                                                 : "--json",
-                         "leave it out, or write a .png");
+    const std::array<std::pair<const char*, bool>, 6> of_pictures{{{"--samples", typed.samples > 1},
+                                                                   {"--repeat", typed.repeat > 1},
+                                                                   {"--timings", typed.timings},
+                                                                   {"--motion", !typed.motion.empty()},
+                                                                   {"--layers", !picture.layers.empty()},
+                                                                   {"--json", typed.json}}};
+    for (const auto& [option, is_given] : of_pictures) {
+        if (is_strokes && is_given) {
+            throw UsageError("goes with pictures alone", option, "leave it out, or write a .png");
+        }
     }
 }
 
@@ -328,7 +339,7 @@ BenchLightsCommand read_bench(const Typed& typed)
     return bench;
 }
 
-Command to_command(const CLI::App& app, const Typed& typed, const BakeOptions& bake, const FilmOptions& film)
+Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& own)
 {
     if (typed.style_manual) {
         return StyleManualCommand{};
@@ -349,7 +360,7 @@ Command to_command(const CLI::App& app, const Typed& typed, const BakeOptions& b
         return read_tam(typed);
     }
     if (app.got_subcommand("bake")) {
-        return bake.read();
+        return own.bake.read();
     }
     const bool render = app.got_subcommand("render");
     if (!render && !app.got_subcommand("graph")) {
@@ -362,16 +373,24 @@ Command to_command(const CLI::App& app, const Typed& typed, const BakeOptions& b
     if (render) {
         constexpr uint32_t most_frames = 100000;
         check_count("--repeat", typed.repeat, most_frames);
-        check_strokes(typed);
+        const std::optional<FilmChoice> film = own.film.read(draw.output);
+        const PictureChoice picture =
+            film ? own.picture.of_film() : own.picture.read(draw.output, draw.width, draw.height);
+        check_strokes(typed, picture);
         RenderCommand command{.draw = std::move(draw),
+                              .picture = picture,
                               .hidden = typed.hidden,
                               .plotter = typed.plotter,
+                              .film = film,
                               .repeat = typed.repeat,
                               .timings = typed.timings,
                               .json = typed.json};
         read_motion(typed, command);
-        command.film = film.read(typed.output);
         check_film(typed, command);
+        if (!command.motion.empty() &&
+            (command.motion == command.draw.output || command.motion == command.picture.layers)) {
+            throw UsageError("needs a file of its own", "--motion", "give another name");
+        }
         return command;
     }
     return GraphCommand{std::move(draw)};
@@ -382,14 +401,13 @@ Command to_command(const CLI::App& app, const Typed& typed, const BakeOptions& b
 std::optional<Command> read_command_line(int argc, char** argv)
 {
     Typed typed;
-    BakeOptions bake;
-    FilmOptions film;
+    OwnOptions own;
     CLI::App app("Draws 3D scenes as a hand would: pen, ink and paper.", "estampe");
     app.set_version_flag("--version", "estampe " ESTAMPE_VERSION);
     app.require_subcommand(0, 1);
     app.get_formatter()->column_width(34);
     app.footer(examples);
-    add_commands(app, typed, bake, film);
+    add_commands(app, typed, own);
     refuse_empty_values(app);
     try {
         app.parse(argc, argv);
@@ -403,7 +421,7 @@ std::optional<Command> read_command_line(int argc, char** argv)
                          fmt::format("see estampe {}--help",
                                      command ? app.get_subcommands().front()->get_name() + " " : ""));
     }
-    return to_command(app, typed, bake, film);
+    return to_command(app, typed, own);
 }
 
 } // namespace estampe::app

@@ -10,6 +10,7 @@
 #include <estampe/film.hpp>
 #include <fmt/format.h>
 
+#include "core/at_once.hpp"
 #include "core/hash.hpp"
 #include "drawing.hpp"
 #include "film_camera.hpp"
@@ -195,7 +196,7 @@ void draw_film(const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
     const Clock::time_point start = Clock::now();
-    std::future<Renderer> opening = std::async(std::launch::async, [&draw] { return Renderer(draw.device); });
+    std::future<Renderer> opening = std::async(at_once, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene(draw.scene);
     print_warnings(scene.warnings);
     const Index animation = choose_animation(draw, scene);

@@ -7,6 +7,7 @@
 
 #include <estampe/film.hpp>
 
+#include "core/file.hpp"
 #include "film_frames.hpp"
 #include "usage_error.hpp"
 
@@ -69,6 +70,9 @@ std::optional<FilmChoice> FilmOptions::read(const std::string& output) const
                              "frames/%04d.png does");
         }
         return std::nullopt;
+    }
+    if (is_numbered(output) && lower_extension(output) != ".png") {
+        throw UsageError("numbered frames are PNG pictures", "-o " + output, "the name must end in .png");
     }
     FilmChoice film{.turntable = turntable_, .resume = resume_};
     if (!frames_.empty()) {

@@ -43,8 +43,22 @@ struct DrawOptions {
     RendererOptions device;
 };
 
+/// In place of the name of a file.
+inline constexpr const char* standard_output = "-";
+
+enum class PictureFormat : uint8_t { png, jpeg, webp, exr, openraster, svg };
+
+/// What a picture is written as.
+struct PictureChoice {
+    PictureFormat format = PictureFormat::png;
+    int depth = 8;              ///< bits a channel
+    std::optional<int> quality; ///< of JPEG and WebP; none: the usual one, or without loss
+    std::string layers;         ///< a folder, or an .exr, for the layers too; empty: none
+};
+
 struct RenderCommand {
     DrawOptions draw;
+    PictureChoice picture;
     bool hidden = false;            ///< .svg only: lines behind something too
     bool plotter = false;           ///< .svg only: for pens that draw
     std::string motion;             ///< .exr to write beside the picture; empty: none

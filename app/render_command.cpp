@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <future>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
 #include "core/at_once.hpp"
-#include "core/file.hpp"
-#include "core/image_codec.hpp"
-#include "core/pending.hpp"
 #include "drawing.hpp"
 #include "film.hpp"
-#include "film_frames.hpp"
+#include "output/svg.hpp"
 #include "pass_history.hpp"
+#include "picture_output.hpp"
 #include "quick_compile.hpp"
 #include "report.hpp"
 #include "text.hpp"
@@ -47,18 +45,6 @@ private:
     std::vector<std::pair<std::string, double>> steps_;
 };
 
-void check_extension(const std::string& output)
-{
-    if (is_film_output(output)) {
-        return;
-    }
-    const std::string extension = lower_extension(output);
-    if (extension != ".png" && extension != ".svg") {
-        throw UsageError(fmt::format("cannot write a picture as {}", in_quotes(extension)), "-o " + output,
-                         "the name must end in .png, .svg for strokes, or .mp4, .webm or .gif for films");
-    }
-}
-
 void warn_of_idle_time(const DrawOptions& draw, const Scene& scene)
 {
     if (draw.time_s != 0.0 && scene.animations.empty()) {
@@ -69,6 +55,16 @@ void warn_of_idle_time(const DrawOptions& draw, const Scene& scene)
 std::string in_meters(double mm)
 {
     return fmt::format("{:.2f} m", 1e-3 * mm);
+}
+
+/// Prints what was asked for; beside a picture on standard output, to stderr.
+void tell(const RenderCommand& command, const std::string& text)
+{
+    if (command.draw.output == standard_output) {
+        say(text);
+    } else {
+        fmt::print("{}", text);
+    }
 }
 
 /// What the command's pictures are to be like.
@@ -83,18 +79,6 @@ RenderSettings render_settings(const RenderCommand& command, const Scene& scene,
     return settings;
 }
 
-void check_outputs(const RenderCommand& command)
-{
-    const DrawOptions& draw = command.draw;
-    check_extension(draw.output);
-    const std::filesystem::path folder = std::filesystem::path(draw.output).parent_path();
-    const bool makes_folder = is_numbered(draw.output) && !folder.empty() && !std::filesystem::exists(folder);
-    check_output(makes_folder ? folder : std::filesystem::path(draw.output), {draw.scene, draw.lightmap});
-    if (!command.motion.empty()) {
-        check_output(command.motion, {draw.scene, draw.lightmap});
-    }
-}
-
 void write_strokes(Renderer& renderer, const Camera& camera, Index animation, const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
@@ -105,23 +89,15 @@ void write_strokes(Renderer& renderer, const Camera& camera, Index animation, co
         const PlotterWork before = plotter_work(drawing);
         prepare_for_plotter(drawing);
         const PlotterWork after = plotter_work(drawing);
-        fmt::print("strokes    {:>10} before {:>10} after\n"
-                   "pen down   {:>10} before {:>10} after\n"
-                   "pen up     {:>10} before {:>10} after\n",
-                   before.strokes, after.strokes, in_meters(before.drawn_mm), in_meters(after.drawn_mm),
-                   in_meters(before.lifted_mm), in_meters(after.lifted_mm));
+        tell(command,
+             fmt::format("strokes    {:>10} before {:>10} after\n"
+                         "pen down   {:>10} before {:>10} after\n"
+                         "pen up     {:>10} before {:>10} after\n",
+                         before.strokes, after.strokes, in_meters(before.drawn_mm), in_meters(after.drawn_mm),
+                         in_meters(before.lifted_mm), in_meters(after.lifted_mm)));
     }
-    save_svg(drawing, draw.output, {.is_for_plotter = command.plotter});
-}
-
-/// Both files, or none.
-void write_pictures(const Image& image, const Renderer& renderer, const RenderCommand& command)
-{
-    Pending picture = Pending::file(command.draw.output, encode_png(image));
-    if (!command.motion.empty()) {
-        save_motion(renderer.motion(), command.motion);
-    }
-    picture.publish();
+    const std::string text = output::encode_svg(drawing, {.is_for_plotter = command.plotter});
+    write_output(draw.output, std::as_bytes(std::span(text)));
 }
 
 } // namespace
@@ -151,14 +127,14 @@ void run(const RenderCommand& command)
     set_scene(renderer, scene, draw);
     const Camera camera = choosing.get();
     clock.finish("upload");
-    if (lower_extension(draw.output) == ".svg") {
+    if (command.picture.format == PictureFormat::svg) {
         write_strokes(renderer, camera, animation, command);
         return;
     }
 
     const RenderSettings settings = render_settings(command, scene, animation);
     PassHistory passes;
-    Image image = renderer.render(camera, draw.style, settings);
+    DrawnPicture picture = draw_picture(renderer, camera, command, settings);
     clock.finish("first frame");
     print_notes(renderer.notes());
     passes.add(renderer.timings());
@@ -168,7 +144,7 @@ void run(const RenderCommand& command)
             passes.forget();
         }
         StepClock frame_clock;
-        image = renderer.render(camera, draw.style, settings);
+        picture = draw_picture(renderer, camera, command, settings);
         frame_clock.finish("frame");
         later_frames_ms.push_back(frame_clock.last_ms());
         passes.add(renderer.timings());
@@ -176,7 +152,7 @@ void run(const RenderCommand& command)
     if (!later_frames_ms.empty()) {
         clock.finish("later frames");
     }
-    write_pictures(image, renderer, command);
+    write_pictures(picture, renderer, command);
     clock.finish("write");
 
     if (command.timings || command.json) {
@@ -186,7 +162,7 @@ void run(const RenderCommand& command)
         if (!later_frames_ms.empty()) {
             report.cpu_ms.emplace_back("median later frame", median(later_frames_ms));
         }
-        fmt::print("{}", report_timings(report, command.json));
+        tell(command, report_timings(report, command.json));
     }
 }
 

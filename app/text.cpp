@@ -69,6 +69,10 @@ void check_output(const std::filesystem::path& output, const std::vector<std::fi
                     "create it first, or write elsewhere with -o");
     }
     const std::filesystem::file_status status = std::filesystem::status(output, problem);
+    if (problem == std::errc::filename_too_long) { // found out now, before other files have their names
+        throw Error(fmt::format("cannot write: {}", problem.message()), output.string(),
+                    "choose a shorter name");
+    }
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
         throw Error("exists and is not a regular file", output.string(), "choose another name for -o");
     }

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include <estampe/image.hpp>
+#include <estampe/layers.hpp>
 #include <estampe/lightmap.hpp>
+#include <estampe/linear_image.hpp>
 #include <estampe/motion.hpp>
 #include <estampe/scene.hpp>
 #include <estampe/style.hpp>
@@ -112,6 +114,21 @@ public:
     /// the same raster path; so do the frames of a film that follow one another.
     /// Throws Error when the size is zero or beyond the device's limits, or when no scene was set.
     [[nodiscard]] Image render(const Camera& camera, const Style& style, const RenderSettings& settings);
+
+    /// The picture of render() before it is rounded to bytes: opaque, and as fine as it was composed, some
+    /// 11 bits where ink is thin.
+    /// Throws Error as render() does, and when the device cannot hold so many floats. Cost: as render(), and
+    /// one more pass over the page.
+    [[nodiscard]] LinearImage render_linear(const Camera& camera, const Style& style,
+                                            const RenderSettings& settings);
+
+    /// The picture of render(), and what it is made of: the layers paper, wash (multiplied), hatch and lines,
+    /// which laid on each other are the picture again; and masks: "shadow", where the sun's light is kept off
+    /// by something, where there is such a shadow, and one for each node of the scene that is seen, named
+    /// after it. With several samples all are means of theirs. Throws Error as render_linear() does. Cost: as
+    /// render(), and four more passes over the page; 84 bytes a pixel are read back.
+    [[nodiscard]] LayeredImage render_layers(const Camera& camera, const Style& style,
+                                             const RenderSettings& settings);
 
     /// The strokes that render() would draw, as paths: lines, and hatching where it is of lines. Paths follow
     /// what the picture of that size shows, to about a third of a pixel; a larger one gives finer paths.

@@ -13,6 +13,7 @@
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
 #include <ImfRgbaFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
 
@@ -175,6 +176,50 @@ std::vector<std::byte> encode_float_exr(uint32_t width, uint32_t height, std::sp
         Imf::OutputFile output(stream, header, 0);
         output.setFrameBuffer(channels);
         output.writePixels(static_cast<int>(height));
+    }
+    return std::move(stream.bytes);
+}
+
+std::vector<std::byte> encode_exr(uint32_t width, uint32_t height, std::span<const ExrChannel> channels,
+                                  ExrNumbers numbers, const std::map<std::string, std::string>& texts)
+{
+    if (width == 0 || height == 0 || channels.empty()) {
+        throw Error("an empty picture cannot be written");
+    }
+    Imf::Header header(static_cast<int>(width), static_cast<int>(height));
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::addChromaticities(header, Imf::Chromaticities()); // of Rec. 709
+    for (const auto& [key, text] : texts) {
+        header.insert(key, Imf::StringAttribute(text));
+    }
+    // One row of each channel at a time, where the library finds it whatever the row.
+    const bool is_half = numbers == ExrNumbers::half;
+    std::vector<std::vector<float>> rows(channels.size(), std::vector<float>(width));
+    std::vector<std::vector<Imath::half>> halves(channels.size(),
+                                                 std::vector<Imath::half>(is_half ? width : 0));
+    Imf::FrameBuffer slices;
+    for (size_t i = 0; i < channels.size(); ++i) {
+        const Imf::PixelType type = is_half ? Imf::HALF : Imf::FLOAT;
+        char* const row =
+            is_half ? reinterpret_cast<char*>(halves[i].data()) : reinterpret_cast<char*>(rows[i].data());
+        header.channels().insert(channels[i].name, Imf::Channel(type));
+        slices.insert(channels[i].name,
+                      Imf::Slice(type, row, is_half ? sizeof(Imath::half) : sizeof(float), 0));
+    }
+    MemoryWriter stream;
+    {
+        Imf::OutputFile output(stream, header, 0);
+        output.setFrameBuffer(slices);
+        for (uint32_t y = 0; y < height; ++y) {
+            for (size_t i = 0; i < channels.size(); ++i) {
+                channels[i].fill(y, rows[i]);
+                std::transform(
+                    rows[i].begin(), rows[i].begin() + static_cast<std::ptrdiff_t>(halves[i].size()),
+                    halves[i].begin(),
+                    [](float value) { return Imath::half(std::clamp(value, -largest_half, largest_half)); });
+            }
+            output.writePixels(1);
+        }
     }
     return std::move(stream.bytes);
 }

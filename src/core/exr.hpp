@@ -3,12 +3,14 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <estampe/lightmap.hpp>
+#include <estampe/linear_image.hpp>
 
 namespace estampe {
 
@@ -26,6 +28,19 @@ struct ExrFile {
 /// Encodes red, green, blue and alpha as floats, bit for bit. Throws Error when the picture is empty.
 [[nodiscard]] std::vector<std::byte> encode_float_exr(uint32_t width, uint32_t height,
                                                       std::span<const glm::vec4> texels);
+
+/// One channel of a picture in linear light, by its name: "R", or "layer.R" of a layer.
+struct ExrChannel {
+    std::string name;
+    /// Fills one row, from left to right.
+    std::function<void(uint32_t y, std::span<float> row)> fill;
+};
+
+/// Encodes channels as halves or floats, and names the primaries of Rec. 709 in the header, besides `texts`.
+/// Values are held to what a half can carry where they become halves. Throws Error when the picture is empty.
+[[nodiscard]] std::vector<std::byte> encode_exr(uint32_t width, uint32_t height,
+                                                std::span<const ExrChannel> channels, ExrNumbers numbers,
+                                                const std::map<std::string, std::string>& texts = {});
 
 /// Decodes the first part of an OpenEXR picture; grey becomes three channels, alpha is left out. Negative and
 /// non-finite values become zero. Throws Error with `name` as its place when the data is none, damaged or

@@ -273,48 +273,4 @@ Image decode_image(std::span<const std::byte> data, const std::string& name)
     throw Error("is not a PNG, JPEG or WebP image", name);
 }
 
-std::vector<std::byte> encode_png(const Image& image)
-{
-    if (image.empty() || image.rgba.size() != uint64_t{image.width} * image.height * 4) {
-        throw Error(fmt::format("an image of {} x {} pixels with {} bytes cannot be written", image.width,
-                                image.height, image.rgba.size()));
-    }
-
-    struct Writer {
-        png_structp png = nullptr;
-        png_infop info = nullptr;
-        Failure failure;
-        std::vector<std::byte> bytes;
-
-        ~Writer() { png_destroy_write_struct(&png, &info); }
-    } writer;
-
-    writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.failure, png_failed, png_warned);
-    writer.info = writer.png == nullptr ? nullptr : png_create_info_struct(writer.png);
-    if (writer.info == nullptr) {
-        throw Error("out of memory");
-    }
-    const auto append = [](png_structp png, png_bytep data, png_size_t count) {
-        auto* bytes = static_cast<std::vector<std::byte>*>(png_get_io_ptr(png));
-        const auto* first = reinterpret_cast<const std::byte*>(data);
-        bytes->insert(bytes->end(), first, first + count);
-    };
-    writer.bytes.reserve(image.rgba.size() / 4);
-    if (setjmp(writer.failure.jump) != 0) {
-        throw Error(fmt::format("cannot encode PNG: {}", writer.failure.message));
-    }
-    png_set_write_fn(writer.png, &writer.bytes, append, nullptr);
-    png_set_compression_level(writer.png, 3);
-    png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-    png_set_IHDR(writer.png, writer.info, image.width, image.height, 8, PNG_COLOR_TYPE_RGBA,
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
-    png_write_info(writer.png, writer.info);
-    for (uint32_t row = 0; row < image.height; ++row) {
-        png_write_row(writer.png, image.rgba.data() + size_t{row} * image.width * 4);
-    }
-    png_write_end(writer.png, writer.info);
-    return std::move(writer.bytes);
-}
-
 } // namespace estampe

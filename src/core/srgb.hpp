@@ -15,7 +15,14 @@ template <std::floating_point T>
     return encoded <= T(0.04045) ? encoded / T(12.92) : std::pow((encoded + T(0.055)) / T(1.055), T(2.4));
 }
 
-/// The same of each byte.
+/// The encoding of a linear value, 0 to 1, as sRGB.
+template <std::floating_point T>
+[[nodiscard]] T srgb_from_linear(T linear)
+{
+    return linear <= T(0.0031308) ? linear * T(12.92) : T(1.055) * std::pow(linear, T(1) / T(2.4)) - T(0.055);
+}
+
+/// The linear value of each byte that is encoded as sRGB.
 template <std::floating_point T>
 [[nodiscard]] std::array<T, 256> linear_of_srgb_bytes()
 {

@@ -45,7 +45,9 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
 
     // What colour lies under it, and all of it on paper.
     const Colors colors = add_colors(making, scene, surface, lit.light, screen);
-    add_picture(making, scene, colors, ink, lines, lit.light);
+    const paper::ComposeInputs layers = page_layers(making, scene, colors, ink, lines, lit.light);
+    add_picture(making, layers);
+    add_deep_picture(making, layers, surface, lit);
 }
 
 } // namespace estampe::frame

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "frame/deep_page.hpp"
 #include "frame/local_maps.hpp"
 #include "frame/plan.hpp"
 #include "frame/style_tables.hpp"
@@ -38,6 +39,7 @@ struct FrameResources {
     gpu::Buffer& pixels;           ///< the picture, four bytes a pixel, for reading back
     gpu::Buffer& motion;           ///< read back where the plan asks for it
     StrokeLists* lists = nullptr;  ///< where strokes are wanted in place of a picture
+    DeepPage* deep = nullptr;      ///< where the picture is wanted in floats too
 };
 
 /// Declares one sample of a picture, top to bottom; or where there are lists, what fills those in its place.

@@ -150,7 +150,7 @@ void Renderer::Impl::provide_map(const frame::StyleTables& style)
 
 void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style,
                                  const frame::FramePlan& plan, const paper::Accumulation& accumulation,
-                                 frame::StrokeLists* lists)
+                                 frame::StrokeLists* lists, frame::DeepPage* deep)
 {
     const auto unit_m = static_cast<float>(loaded->layout.stroke_unit_m);
     const glm::vec3 eye_anchor(camera.eye - loaded->layout.anchor);
@@ -186,7 +186,8 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     .sums = page.sums,
                                     .pixels = page.pixels,
                                     .motion = motion_pixels,
-                                    .lists = lists};
+                                    .lists = lists,
+                                    .deep = deep};
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, sample, style);
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
@@ -297,9 +298,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     return plan;
 }
 
-Image Renderer::render(const Camera& camera, const Style& style, const RenderSettings& settings)
+Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
+                                   frame::DeepPage* deep, const std::function<void()>& after_sample)
 {
-    Impl& impl = *impl_;
     const frame::StyleTables& tables = style.tables();
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     RenderSettings page_settings = settings;
@@ -307,25 +308,33 @@ Image Renderer::render(const Camera& camera, const Style& style, const RenderSet
         page_settings.motion_since->camera =
             page_camera(settings.motion_since->camera, tables.paper, settings);
     }
-    frame::FramePlan plan = impl.prepare(seen_by, tables, page_settings);
+    frame::FramePlan plan = prepare(seen_by, tables, page_settings);
     // Later samples of a picture of several go their own way by a pixel at most.
     plan.lines.are_remembered = settings.continuity != Continuity::still;
     if (plan.lines.are_remembered) {
-        impl.line_history.begin_frame(impl.device, plan.page.size_px,
-                                      settings.continuity == Continuity::follows,
-                                      tables.contour.hidden != contour::Hidden::none);
+        line_history.begin_frame(device, plan.page.size_px, settings.continuity == Continuity::follows,
+                                 tables.contour.hidden != contour::Hidden::none);
     }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
-        impl.draw_sample(seen_by, tables, plan, {.sample_index = sample, .sample_count = settings.samples});
+        draw_sample(seen_by, tables, plan, {.sample_index = sample, .sample_count = settings.samples},
+                    nullptr, deep);
+        if (after_sample) {
+            after_sample();
+        }
     }
     if (settings.motion_since) {
-        impl.motion = frame::read_motion(impl.motion_pixels, settings);
+        motion = frame::read_motion(motion_pixels, settings);
     }
-    const auto bytes = impl.page.pixels.mapped();
+    const auto bytes = page.pixels.mapped();
     Image image{.width = settings.width, .height = settings.height};
     const auto* first = reinterpret_cast<const uint8_t*>(bytes.data());
     image.rgba.assign(first, first + 4ULL * settings.width * settings.height);
     return image;
+}
+
+Image Renderer::render(const Camera& camera, const Style& style, const RenderSettings& settings)
+{
+    return impl_->draw_picture(camera, style, settings);
 }
 
 VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, const RenderSettings& settings,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,9 +53,15 @@ struct Renderer::Impl {
     /// All that comes before the first sample. Throws Error as Renderer::render() does.
     [[nodiscard]] frame::FramePlan prepare(const Camera& camera, const frame::StyleTables& tables,
                                            const RenderSettings& settings);
-    /// Draws into the page, or where there are `lists`, what the strokes are into those.
+    /// Draws into the page, and the `deep` one where there is one; or where there are `lists`, what the
+    /// strokes are into those.
     void draw_sample(const Camera& camera, const frame::StyleTables& style, const frame::FramePlan& plan,
-                     const paper::Accumulation& accumulation, frame::StrokeLists* lists = nullptr);
+                     const paper::Accumulation& accumulation, frame::StrokeLists* lists = nullptr,
+                     frame::DeepPage* deep = nullptr);
+    /// All samples of a picture. `after_sample` is called after each.
+    [[nodiscard]] Image draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
+                                     frame::DeepPage* deep = nullptr,
+                                     const std::function<void()>& after_sample = {});
 
     RendererOptions options;
     gpu::Device device;

@@ -94,8 +94,16 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
                                 const surface::Surface& surface, gpu::ImageId light,
                                 const SeenThrough& screen);
 
+/// What is laid on the paper.
+[[nodiscard]] paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
+                                               const Colors& colors, gpu::ImageId ink, gpu::ImageId lines,
+                                               gpu::ImageId light);
+
 /// The layers on paper, added to those of the samples before, and read back.
-void add_picture(const Making& making, const PosedScene& scene, const Colors& colors, gpu::ImageId ink,
-                 gpu::ImageId lines, gpu::ImageId light);
+void add_picture(const Making& making, const paper::ComposeInputs& layers);
+
+/// The same in floats, whole or layer by layer, where it is asked for.
+void add_deep_picture(const Making& making, const paper::ComposeInputs& layers,
+                      const surface::Surface& surface, const light::LitPixels& lit);
 
 } // namespace estampe::frame

@@ -110,27 +110,39 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
     return {.wash = wash, .sky_ink = sky.ink};
 }
 
-void add_picture(const Making& making, const PosedScene& scene, const Colors& colors, gpu::ImageId ink,
-                 gpu::ImageId lines, gpu::ImageId light)
+paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene, const Colors& colors,
+                                 gpu::ImageId ink, gpu::ImageId lines, gpu::ImageId light)
+{
+    return {.frame = scene.frame,
+            .wash = colors.wash,
+            .hatch = ink,
+            .lines = lines,
+            .sky_ink = colors.sky_ink,
+            .has_sky = making.plan.page.has_sky,
+            .light = light,
+            .size_px = making.plan.page.size_px};
+}
+
+void add_picture(const Making& making, const paper::ComposeInputs& layers)
 {
     gpu::Graph& graph = making.graph;
     const PagePlan& page = making.plan.page;
     const paper::Accumulation& accumulation = making.sample.accumulation;
-    const auto composed = paper::add_compose(graph,
-                                             {.frame = scene.frame,
-                                              .wash = colors.wash,
-                                              .hatch = ink,
-                                              .lines = lines,
-                                              .sky_ink = colors.sky_ink,
-                                              .has_sky = page.has_sky,
-                                              .light = light,
-                                              .size_px = page.size_px},
-                                             making.style.paper);
+    const auto composed = paper::add_compose(graph, layers, making.style.paper);
     const auto pixels = graph.buffer("pixels", {.size_bytes = 4ULL * page.size_px.x * page.size_px.y});
     const paper::Developed developed =
         paper::add_develop(graph, composed, paper::import_sums(graph, making.resources.sums, accumulation),
                            pixels, page.size_px, accumulation);
     gpu::add_read_back(graph, "read back", developed.pixels, making.resources.pixels);
+}
+
+void add_deep_picture(const Making& making, const paper::ComposeInputs& layers,
+                      const surface::Surface& surface, const light::LitPixels& lit)
+{
+    if (making.resources.deep != nullptr) {
+        declare_deep_page(making.graph, {.layers = layers, .draw = surface.draw, .sun = lit.sun},
+                          making.style.paper, making.sample.accumulation, *making.resources.deep);
+    }
 }
 
 } // namespace estampe::frame

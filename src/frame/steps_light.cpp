@@ -103,7 +103,7 @@ light::LitPixels add_light(const Making& making, const PosedScene& scene, const 
          .local_count = plan.light.local_count,
          .has_emissive = plan.needs.emissive,
          .keeps_strongest = plan.light.leads_strokes,
-         .keeps_sun = plan.lines.of_shadows,
+         .keeps_sun = plan.lines.of_shadows || (resources.deep != nullptr && resources.deep->has_layers()),
          .has_links = plan.light.has_links,
          .size_px = plan.page.size_px});
     if (plan.light.meters_page) {

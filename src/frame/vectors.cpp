@@ -32,13 +32,6 @@ void read_back(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from, gpu::
     gpu::add_read_back(graph, "read back strokes", from, to);
 }
 
-template <class T>
-std::span<const T> items_of(const gpu::Buffer& buffer, uint64_t offset_bytes = 0)
-{
-    const auto bytes = buffer.mapped().subspan(offset_bytes);
-    return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
-}
-
 StrokeKind kind_of_line(uint32_t kind)
 {
     constexpr std::array<StrokeKind, shared::line_kind_count> kinds{
@@ -138,8 +131,8 @@ private:
 void add_hatching(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn,
                   const StyleTables& style)
 {
-    const uint32_t count = items_of<uint32_t>(lists.crossings).front();
-    const auto crossings = items_of<shared::Crossing>(lists.crossings, sizeof(uint32_t));
+    const uint32_t count = gpu::items_of<uint32_t>(lists.crossings).front();
+    const auto crossings = gpu::items_of<shared::Crossing>(lists.crossings, sizeof(uint32_t));
     if (count > crossings.size()) {
         throw Error("there are more strokes than the device has room for", "hatch.width_mm",
                     "draw fewer pixels with --size, or wider strokes");
@@ -172,12 +165,12 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
     std::vector<contour::LinePath> paths;
     for (const gpu::Buffer& line_points : lists.line_points) {
         std::vector<contour::LinePath> hand = contour::line_paths(
-            {.sizes = items_of<shared::ListSize>(lists.line_sizes),
-             .samples = items_of<shared::LineSample>(lists.line_samples),
-             .samples_before = items_of<uint32_t>(lists.line_samples_before),
-             .strokes_before = items_of<uint32_t>(lists.line_strokes_before),
-             .points = items_of<shared::LinePoint>(line_points),
-             .facing = items_of<uint32_t>(lists.line_facing)},
+            {.sizes = gpu::items_of<shared::ListSize>(lists.line_sizes),
+             .samples = gpu::items_of<shared::LineSample>(lists.line_samples),
+             .samples_before = gpu::items_of<uint32_t>(lists.line_samples_before),
+             .strokes_before = gpu::items_of<uint32_t>(lists.line_strokes_before),
+             .points = gpu::items_of<shared::LinePoint>(line_points),
+             .facing = gpu::items_of<uint32_t>(lists.line_facing)},
             *drawn.edges, with_hidden ? std::optional(hidden_widths_px(contour, px_per_mm)) : std::nullopt);
         if (contour.joints == contour::Joints::mitre) {
             hand = contour::join_paths(std::move(hand));

@@ -3,6 +3,7 @@
 
 // Passes that copy what a graph has made into memory that the host reads after the run.
 
+#include <span>
 #include <string>
 
 #include "gpu/graph/graph.hpp"
@@ -16,5 +17,13 @@ void add_read_back(Graph& graph, const std::string& name, BufferId from, Buffer&
 
 /// The same of an image, its first layer and mip, row by row without gaps.
 void add_read_back(Graph& graph, const std::string& name, ImageId from, Buffer& to);
+
+/// What lies in a buffer of mapped memory, from an offset on.
+template <class T>
+[[nodiscard]] std::span<const T> items_of(const Buffer& buffer, uint64_t offset_bytes = 0)
+{
+    const auto bytes = buffer.mapped().subspan(offset_bytes);
+    return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
+}
 
 } // namespace estampe::gpu

@@ -13,12 +13,15 @@
 
 #include <estampe/error.hpp>
 
-#include "core/file.hpp"
+#include "output/save_as.hpp"
 #include "output/stroke_shape.hpp"
+#include "output/svg.hpp"
+#include "output/xml_text.hpp"
 
 namespace estampe {
 namespace {
 
+using output::escaped;
 using output::number;
 
 constexpr size_t kind_count = 12;
@@ -27,48 +30,6 @@ std::string color_text(const glm::vec3& srgb)
 {
     const auto byte = [](float value) { return std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)); };
     return fmt::format("#{:02x}{:02x}{:02x}", byte(srgb.x), byte(srgb.y), byte(srgb.z));
-}
-
-/// Length of the UTF-8 sequence that starts at `i`; 0 where none does.
-size_t sequence_length(const std::string& text, size_t i)
-{
-    const auto first = static_cast<unsigned char>(text[i]);
-    const size_t length = first < 0x80                    ? 1
-                          : first >= 0xc2 && first < 0xe0 ? 2
-                          : first >= 0xe0 && first < 0xf0 ? 3
-                          : first >= 0xf0 && first < 0xf5 ? 4
-                                                          : 0;
-    for (size_t k = 1; k < length; ++k) {
-        if (i + k >= text.size() || (static_cast<unsigned char>(text[i + k]) & 0xc0U) != 0x80) {
-            return 0;
-        }
-    }
-    return length;
-}
-
-/// Text between quotes: what XML would take for its own is written out, what it cannot hold becomes a space
-/// or a question mark.
-std::string escaped(const std::string& text)
-{
-    static const std::map<char, std::string> own{
-        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
-    std::string result;
-    result.reserve(text.size());
-    for (size_t i = 0; i < text.size();) {
-        const size_t length = sequence_length(text, i);
-        const auto written = own.find(text[i]);
-        if (length == 0) {
-            result += '?';
-        } else if (written != own.end()) {
-            result += written->second;
-        } else if (static_cast<unsigned char>(text[i]) < 0x20) {
-            result += ' ';
-        } else {
-            result += text.substr(i, length);
-        }
-        i += std::max<size_t>(length, 1);
-    }
-    return result;
 }
 
 /// Names that may stand as ids: letters and digits, none given twice.
@@ -205,16 +166,24 @@ const char* name_of(StrokeKind kind)
     return names.at(static_cast<size_t>(kind));
 }
 
-void save_svg(const VectorDrawing& drawing, const std::filesystem::path& path, const SvgSettings& settings)
+std::string output::encode_svg(const VectorDrawing& drawing, const SvgSettings& settings)
 {
     if (!(drawing.width_mm > 0.0F && drawing.height_mm > 0.0F)) {
-        throw Error("a drawing without a size cannot be written", path.string());
+        throw Error("a drawing without a size cannot be written");
     }
-    const std::string text = head(drawing, !settings.is_for_plotter) +
-                             (settings.is_for_plotter ? layers_by_pen(drawing, settings.tolerance_mm)
-                                                      : layers_by_kind(drawing, settings.tolerance_mm)) +
-                             "</svg>\n";
-    write_file_atomically(path, std::as_bytes(std::span(text)));
+    return head(drawing, !settings.is_for_plotter) +
+           (settings.is_for_plotter ? layers_by_pen(drawing, settings.tolerance_mm)
+                                    : layers_by_kind(drawing, settings.tolerance_mm)) +
+           "</svg>\n";
+}
+
+void save_svg(const VectorDrawing& drawing, const std::filesystem::path& path, const SvgSettings& settings)
+{
+    output::save_as(path, [&] {
+        const std::string text = output::encode_svg(drawing, settings);
+        const auto bytes = std::as_bytes(std::span(text));
+        return std::vector<std::byte>(bytes.begin(), bytes.end());
+    });
 }
 
 } // namespace estampe

@@ -101,8 +101,21 @@ expect_error 2 '--camera.*same point' render scene.glb -o a.png --camera 'eye=1,
 expect_error 2 '--camera.*up must not be' render scene.glb -o a.png --camera 'eye=0,9,0 target=0,0,0 up=0,1,0'
 expect_error 2 '--set: unknown key .*--help-style' render scene.glb -o a.png --set nosuch.key=1
 expect_error 2 '--set: .* is not an assignment' render scene.glb -o a.png --set nothing
-expect_error 2 'must end in .png' render scene.glb -o a.jpg
-expect_error 2 'must end in .png' render scene.glb -o a
+expect_error 2 'as ".gif"; the name must end in .png, .jpg, .jpeg, .webp, .exr, .ora, or in .svg' render scene.glb -o a.gif
+expect_error 2 'tells no format; the name must end in .png' render scene.glb -o a
+expect_error 2 '--format: goes with -o - alone' render scene.glb -o a.png --format png
+expect_error 2 '--format: .*as "gif"; allowed: png, jpg, webp, exr, ora, svg' render scene.glb -o - --format gif
+expect_error 2 '--depth: 16 is no depth of JPEG' render scene.glb -o a.jpg --depth 16
+expect_error 2 '--depth: 8 is no depth of OpenEXR' render scene.glb -o a.exr --depth 8
+expect_error 2 '--depth: 0 is no depth of SVG' render scene.glb -o a.svg --depth 0
+expect_error 2 '--quality: goes with JPEG and WebP alone' render scene.glb -o a.png --quality 90
+expect_error 2 '--quality: 0 is out of range; of JPEG it is 1 to 100' render scene.glb -o a.jpg --quality 0
+expect_error 2 '--quality: 101 is out of range' render scene.glb -o a.webp --quality 101
+expect_error 2 '--size: WebP holds no side of more than 16383 pixels' render scene.glb -o a.webp --size 16384x1
+expect_error 2 '--layers: goes with pictures alone' render scene.glb -o a.svg --layers layers
+expect_error 2 '--layers: needs a place of its own' render scene.glb -o a.exr --layers a.exr
+expect_error 2 '--layers: needs a place of its own' render scene.glb -o a.png --layers -
+expect_error 2 '--motion: needs a file of its own' render scene.glb -o a.exr --motion a.exr
 expect_error 2 '--plotter: goes with strokes alone' render scene.glb -o a.png --plotter
 expect_error 2 '--hidden: goes with strokes alone' render scene.glb -o a.png --hidden
 expect_error 2 '--samples: goes with pictures alone' render scene.glb -o a.svg --samples 2
@@ -145,6 +158,8 @@ rm pipe pipe.obj
 ln scene.glb scene.png
 expect_error 1 'overwrite an input' render scene.glb -o scene.png
 rm scene.png
+expect_error 1 'no such folder' render scene.glb -o a.png --layers nowhere/layers
+expect_error 1 'exists and is no empty folder' render scene.glb -o a.png --layers text.gltf
 mkdir locked
 chmod a-w locked
 if [[ $(id -u) -ne 0 ]]; then
@@ -194,6 +209,61 @@ grep -q digraph frame.dot || wrong "frame.dot is no graph"
     "$estampe" styles "$preset" >"$preset".toml
     "$estampe" styles "$preset".toml | cmp - "$preset".toml || exit 1
 done || wrong "a preset does not read back equal"
+
+# Formats of pictures
+# starts_with FILE HEX: the bytes that a kind of file begins with
+starts_with() {
+    [[ "$(od -An -tx1 -v "$1" | head -1 | tr -d ' ')" == $2* ]] || wrong "$1 begins with $(od -An -tx1 "$1" | head -1)"
+}
+for file in form.png form.jpg form.jpeg form.webp form.exr form.ora; do
+    expect_success render scene.glb -o "$file" "${small[@]}"
+    [[ ! -s ../"$name".out ]] || wrong "render -o $file printed on stdout"
+done
+starts_with form.jpg ffd8ff
+cmp form.jpg form.jpeg || wrong "one format has two kinds of bytes"
+starts_with form.webp 52494646
+starts_with form.exr 762f3101
+starts_with form.ora 504b0304
+[[ "$(head -c 54 form.ora | tail -c 24)" == mimetypeimage/openraster ]] || wrong "form.ora does not say what it is"
+expect_success render scene.glb -o small.jpg "${small[@]}" --quality 30
+[[ $(wc -c <small.jpg) -lt $(wc -c <form.jpg) ]] || wrong "--quality changes nothing"
+expect_success render scene.glb -o deep.png "${small[@]}" --depth 16
+[[ "$(od -An -tu1 -j24 -N1 deep.png | tr -d ' ')" == 16 ]] || wrong "deep.png is not of 16 bits"
+expect_success render scene.glb -o float.exr "${small[@]}" --depth 32
+[[ $(wc -c <float.exr) -gt $(wc -c <form.exr) ]] || wrong "floats are no longer than halves"
+
+# Standard output carries the picture alone
+for format in png jpg webp exr ora svg; do
+    expect_success render scene.glb -o - "${small[@]}" --format "$format"
+    cp ../"$name".out piped
+    expect_success render scene.glb -o "named.$format" "${small[@]}"
+    cmp piped "named.$format" || wrong "-o - --format $format writes other bytes than a file"
+done
+expect_success render scene.glb -o - "${small[@]}" --timings
+cmp ../"$name".out form.png || wrong "timings went to stdout"
+grep -q 'GPU ms' ../"$name".err || wrong "timings went nowhere"
+expect_success render scene.glb -o - "${small[@]}" --format svg --plotter
+[[ "$(tail -c 7 ../"$name".out)" == '</svg>' ]] || wrong "the plotter's work went to stdout"
+if "$estampe" render scene.glb -o - "${small[@]}" >/dev/full 2>../"$name".err; then
+    wrong "a full stdout went unnoticed"
+fi
+grep -q 'standard output cannot be written' ../"$name".err || wrong "a full stdout: $(cat ../"$name".err)"
+
+# Layers
+expect_success render scene.glb -o plain.png "${small[@]}"
+expect_success render scene.glb -o with.png "${small[@]}" --layers layers
+cmp plain.png with.png || wrong "--layers changes the picture"
+for layer in 00-paper 01-wash hatch lines; do
+    compgen -G "layers/*$layer.png" >/dev/null || wrong "there is no layer $layer"
+done
+grep -q '"blend": "multiply"' layers/layers.json || wrong "layers.json does not say how layers blend"
+expect_error 1 'exists and is no empty folder' render scene.glb -o with.png "${small[@]}" --layers layers/
+mkdir empty
+expect_success render scene.glb -o deep.png "${small[@]}" --depth 16 --layers empty/
+[[ "$(od -An -tu1 -j24 -N1 empty/00-paper.png | tr -d ' ')" == 16 ]] || wrong "layers of a deep PNG are not deep"
+expect_success render scene.glb -o with.ora "${small[@]}" --layers layers.exr
+cmp with.ora form.ora || wrong "--layers changes the OpenRaster file"
+grep -q 'paper\.R' layers.exr || wrong "layers.exr has no paper"
 
 # Tonal art maps
 tiny=(--set tam.size_px=64 --set tam.tones=4 --set tam.candidates=8)

@@ -63,6 +63,11 @@ expect_failure 'full disk' 'a.tam: cannot write' limited "$estampe" tam -o a.tam
 expect_failure 'full disk' 'cannot write' limited "$estampe" tam -o painted/ "${tiny[@]}" --set tam.size_px=256
 nameless="$(printf 'x%.0s' {1..256})"
 expect_failure 'one of two' 'name too long' "$estampe" render scene.glb -o a.png "${small[@]}" --motion "$nameless.exr"
+for file in a.jpg a.webp a.exr a.ora; do
+    expect_failure 'full disk' "$file: cannot write" limited "$estampe" render scene.glb -o "$file" --size 320x180 --device cpu
+done
+expect_failure 'full disk' 'cannot write' limited "$estampe" render scene.glb -o - "${small[@]}" --layers layers
+expect_failure 'one of two' 'name too long' "$estampe" render scene.glb -o a.jpg "${small[@]}" --layers "$nameless"
 expect_failure 'one of two' 'name too long' "$estampe" tam -o "$nameless.tam" "${tiny[@]}" --preview a.png
 expect_files scene.glb
 

@@ -24,6 +24,7 @@ layout(binding = 3) uniform sampler2D line_image;
 layout(binding = 4) uniform sampler2D sky_ink_image;
 layout(binding = 5) uniform sampler2D light_image; // of the variant that tints
 layout(binding = 6, rgba16f) writeonly uniform image2D out_picture;
+layout(binding = 7, rgba32f) writeonly uniform image2D out_stage; // of the variant that is staged
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -33,6 +34,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_tint = (variant & compose_has_tint) != 0u;
 const bool has_sky = (variant & compose_has_sky) != 0u;
+const bool is_staged = (variant & compose_is_staged) != 0u;
 const bool has_margin = (variant & compose_has_margin) != 0u;
 const bool has_grain = (variant & compose_has_grain) != 0u;
 
@@ -116,8 +118,8 @@ void main()
     vec4 wash = texelFetch(wash_image, pixel, 0);
     vec3 paint = pow(max(wash.rgb, vec3(1e-3)),
                      vec3(1.0 + constants.granulation * (0.3 * paper.pooled - 0.7 * relief)));
-    vec3 color =
-        constants.paper_color * (1.0 + 0.10 * constants.grain * relief) * mix(vec3(1.0), paint, within);
+    vec3 bare = constants.paper_color * (1.0 + 0.10 * constants.grain * relief);
+    vec3 color = bare * mix(vec3(1.0), paint, within);
 
     float dry = clamp(1.0 - constants.ink_break * max(relief - 0.1, 0.0) * 3.0, 0.0, 1.0);
     float strokes = texelFetch(hatch_image, pixel, 0).x;
@@ -128,6 +130,7 @@ void main()
     }
     float hatch = strokes * dry * within;
     vec4 line = texelFetch(line_image, pixel, 0);
+    vec3 line_color = line.rgb * line.rgb;
     float line_cover = line.a * mix(1.0, dry, 0.5) * within;
     if (has_grain) {
         hatch = caught(hatch, paper.tooth);
@@ -138,12 +141,27 @@ void main()
         vec3 tint = light_tint(texelFetch(light_image, pixel, 0).rgb);
         ink = mix(ink, lit_ink(ink, tint), constants.ink_tint);
     }
-    color = mix(color, ink, hatch);
-    color = mix(color, line.rgb * line.rgb, line_cover);
     if (has_margin) {
+        // The border lies over the lines, in the ink of the strokes.
         float border = (0.5 * constants.border_mm - abs(beyond_mm)) * frame.pixels_per_mm + 0.5;
-        color = mix(color, constants.ink_color,
-                    clamp(border, 0.0, min(constants.border_mm * frame.pixels_per_mm, 1.0)));
+        border = clamp(border, 0.0, min(constants.border_mm * frame.pixels_per_mm, 1.0));
+        float cover = 1.0 - (1.0 - line_cover) * (1.0 - border);
+        line_color = mix(line_color, constants.ink_color, border / max(cover, 1e-6));
+        line_cover = cover;
     }
-    imageStore(out_picture, pixel, vec4(color, 1.0));
+    if (is_staged) {
+        color = constants.stage >= stage_wash ? color : bare;
+        hatch = constants.stage >= stage_hatch ? hatch : 0.0;
+        line_cover = constants.stage >= stage_lines ? line_cover : 0.0;
+    }
+    color = mix(color, ink, hatch);
+    color = mix(color, line_color, line_cover);
+    if (is_staged) {
+        float cover = constants.stage == stage_lines   ? line_cover
+                      : constants.stage == stage_hatch ? hatch
+                                                       : 1.0;
+        imageStore(out_stage, pixel, vec4(color, cover));
+    } else {
+        imageStore(out_picture, pixel, vec4(color, 1.0));
+    }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One thread adds one pixel of this frame to the mean of the frames before; the last frame writes it out as
-// sRGB bytes.
+// sRGB bytes, or as it is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,7 +16,7 @@ layout(binding = 1, rgba32f) uniform image2D sum_image;
 
 layout(std430, binding = 2) writeonly buffer Pixels
 {
-    uint pixels[];
+    uint pixels[]; // one word a pixel, four of the variant that keeps floats
 };
 
 layout(push_constant, scalar) uniform Constants
@@ -27,6 +27,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_samples = (variant & develop_has_samples) != 0u;
 const bool is_last = (variant & develop_is_last) != 0u;
+const bool keeps_floats = (variant & develop_keeps_floats) != 0u;
 
 void main()
 {
@@ -35,14 +36,21 @@ void main()
         return;
     }
     ivec2 at = ivec2(pixel);
-    vec3 color = texelFetch(picture_image, at, 0).rgb;
+    vec4 color = texelFetch(picture_image, at, 0);
     if (has_samples) {
-        vec3 sum = constants.sample_index == 0u ? color : imageLoad(sum_image, at).rgb + color;
-        imageStore(sum_image, at, vec4(sum, 1.0));
+        vec4 sum = constants.sample_index == 0u ? color : imageLoad(sum_image, at) + color;
+        imageStore(sum_image, at, sum);
         color = sum / float(constants.sample_index + 1u);
     }
-    if (is_last) {
-        pixels[pixel.y * constants.width + pixel.x] =
-            packUnorm4x8(vec4(srgb_from_linear(clamp(color, 0.0, 1.0)), 1.0));
+    if (!is_last) {
+        return;
+    }
+    uint index = pixel.y * constants.width + pixel.x;
+    if (keeps_floats) {
+        for (uint i = 0u; i < 4u; ++i) {
+            pixels[4u * index + i] = floatBitsToUint(color[i]);
+        }
+    } else {
+        pixels[index] = packUnorm4x8(vec4(srgb_from_linear(clamp(color.rgb, 0.0, 1.0)), 1.0));
     }
 }

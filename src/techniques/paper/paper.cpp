@@ -2,11 +2,11 @@
 #include "techniques/paper/paper.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "gpu/resources.hpp"
 #include "shaders/compose_comp.hpp"
 #include "shaders/develop_comp.hpp"
-#include "techniques/paper/paper.glsl.h"
 
 namespace estampe::paper {
 
@@ -17,20 +17,39 @@ Window window_of(const PaperStyle& style, float width_mm)
     return {glm::vec2(margin_mm), page_mm - margin_mm};
 }
 
-gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style)
+namespace {
+
+struct Composed {
+    gpu::ImageId picture;
+    gpu::ImageId stage;
+};
+
+uint32_t compose_variant(const ComposeInputs& in, const PaperStyle& style, bool is_staged)
+{
+    return (style.ink_tint > 0.0F ? shared::compose_has_tint : 0U) |
+           (in.has_sky ? shared::compose_has_sky : 0U) | (is_staged ? shared::compose_is_staged : 0U) |
+           (style.margin_mm > 0.0F || style.border_mm > 0.0F ? shared::compose_has_margin : 0U) |
+           (style.ink_grain > 0.0F ? shared::compose_has_grain : 0U);
+}
+
+/// One of the two is of one texel, which nobody reads.
+Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style,
+                 std::optional<Stage> stage)
 {
     auto pass = graph.compute("compose", shaders::compose_comp);
     pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
     // Unread, the light's memory is free for others by now.
-    const bool tinted = style.ink_tint > 0.0F;
-    pass.sample(tinted ? in.light : in.wash)
-        .variant((tinted ? shared::compose_has_tint : 0U) | (in.has_sky ? shared::compose_has_sky : 0U) |
-                 (style.margin_mm > 0.0F || style.border_mm > 0.0F ? shared::compose_has_margin : 0U) |
-                 (style.ink_grain > 0.0F ? shared::compose_has_grain : 0U));
+    pass.sample(style.ink_tint > 0.0F ? in.light : in.wash)
+        .variant(compose_variant(in, style, stage.has_value()));
+    const auto write = [&](const char* name, gpu::Format format, bool is_wanted) {
+        return pass.write(graph.image(name, {.width = is_wanted ? in.size_px.x : 1,
+                                             .height = is_wanted ? in.size_px.y : 1,
+                                             .format = format}));
+    };
+    const gpu::ImageId picture = write("picture", gpu::Format::rgba16f, !stage);
+    const gpu::ImageId staged = write("stage", gpu::Format::rgba32f, stage.has_value());
     const Window window = window_of(style, style.height_mm * static_cast<float>(in.size_px.x) /
                                                static_cast<float>(in.size_px.y));
-    const gpu::ImageId picture = pass.write(graph.image(
-        "picture", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     pass.push(shared::PaperConstants{.paper_color = style.color,
                                      .grain = style.grain,
                                      .ink_color = style.ink,
@@ -41,9 +60,23 @@ gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const Paper
                                      .ink_grain = style.ink_grain,
                                      .border_mm = style.border_mm,
                                      .window_min_mm = window.min_mm,
-                                     .window_max_mm = window.max_mm})
+                                     .window_max_mm = window.max_mm,
+                                     .stage = static_cast<uint32_t>(stage.value_or(Stage::lines))})
         .dispatch_over(in.size_px.x, in.size_px.y);
-    return picture;
+    return {picture, staged};
+}
+
+} // namespace
+
+gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style)
+{
+    return compose(graph, in, style, std::nullopt).picture;
+}
+
+gpu::ImageId add_compose_stage(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style,
+                               Stage stage)
+{
+    return compose(graph, in, style, stage).stage;
 }
 
 gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation& accumulation)
@@ -53,7 +86,7 @@ gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation
 }
 
 Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums, gpu::BufferId pixels,
-                      glm::uvec2 size_px, const Accumulation& accumulation)
+                      glm::uvec2 size_px, const Accumulation& accumulation, PixelForm form)
 {
     auto pass = graph.compute("develop", shaders::develop_comp);
     pass.sample(picture);
@@ -61,7 +94,8 @@ Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums
     const gpu::BufferId written = pass.write(pixels);
     const bool is_last = accumulation.sample_index + 1 == accumulation.sample_count;
     pass.variant((accumulation.sample_count > 1 ? shared::develop_has_samples : 0U) |
-                 (is_last ? shared::develop_is_last : 0U));
+                 (is_last ? shared::develop_is_last : 0U) |
+                 (form == PixelForm::linear_floats ? shared::develop_keeps_floats : 0U));
     pass.push(shared::DevelopConstants{
                   .width = size_px.x, .height = size_px.y, .sample_index = accumulation.sample_index})
         .dispatch_over(size_px.x, size_px.y);

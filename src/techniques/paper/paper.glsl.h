@@ -13,8 +13,16 @@ SHARED_CONSTANT uint compose_has_tint = 1U << 0U; // coloured light colours the 
 SHARED_CONSTANT uint compose_has_sky = 1U << 1U;
 SHARED_CONSTANT uint compose_has_margin = 1U << 2U;  // or a border
 SHARED_CONSTANT uint compose_has_grain = 1U << 3U;   // strokes catch on the tooth
+SHARED_CONSTANT uint compose_is_staged = 1U << 4U;   // layers up to one of them, in floats
 SHARED_CONSTANT uint develop_has_samples = 1U << 0U; // several of them
 SHARED_CONSTANT uint develop_is_last = 1U << 1U;     // of them
+SHARED_CONSTANT uint develop_keeps_floats = 1U << 2U;
+
+// How far the layers are laid.
+SHARED_CONSTANT uint stage_paper = 0U;
+SHARED_CONSTANT uint stage_wash = 1U;
+SHARED_CONSTANT uint stage_hatch = 2U;
+SHARED_CONSTANT uint stage_lines = 3U;
 
 struct PaperConstants {
     vec3 paper_color;
@@ -28,6 +36,7 @@ struct PaperConstants {
     float border_mm; // width of the line around the window
     vec2 window_min_mm;
     vec2 window_max_mm;
+    uint stage; // of the variant that is staged
 };
 
 struct DevelopConstants {

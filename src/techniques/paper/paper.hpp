@@ -4,6 +4,7 @@
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
 #include "style/parameter.hpp"
+#include "techniques/paper/paper.glsl.h"
 
 namespace estampe::paper {
 
@@ -71,11 +72,26 @@ struct ComposeInputs {
 /// Lays the layers on paper. Writes rgba16f, linear colour. Cost: one full-screen dispatch.
 [[nodiscard]] gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style);
 
+/// How far the layers are laid, from the paper up; all of them are the picture.
+enum class Stage : uint8_t {
+    paper = shared::stage_paper,
+    wash = shared::stage_wash,
+    hatch = shared::stage_hatch,
+    lines = shared::stage_lines
+};
+
+/// Lays the layers up to one of them. Writes rgba32f: linear colour, and how much of it hides what lies below
+/// the topmost of these layers: 1 of paper and wash. Cost: as add_compose().
+[[nodiscard]] gpu::ImageId add_compose_stage(gpu::Graph& graph, const ComposeInputs& in,
+                                             const PaperStyle& style, Stage stage);
+
 /// Which of the jittered frames of one picture this is.
 struct Accumulation {
     uint32_t sample_index = 0;
     uint32_t sample_count = 1;
 };
+
+enum class PixelForm : uint8_t { srgb_bytes, linear_floats };
 
 /// What a developed picture is made of: new versions of both.
 struct Developed {
@@ -87,9 +103,10 @@ struct Developed {
 [[nodiscard]] gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation& accumulation);
 
 /// Adds a frame to `sums` (rgba32f, as large as the picture where it has several samples) and, with the last
-/// one, writes `pixels`: sRGB, four bytes a pixel. Cost: one full-screen dispatch.
+/// one, writes `pixels`: the mean, sRGB-encoded and opaque in four bytes a pixel, or as it is in four floats.
+/// Cost: one full-screen dispatch.
 [[nodiscard]] Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums,
                                     gpu::BufferId pixels, glm::uvec2 size_px,
-                                    const Accumulation& accumulation);
+                                    const Accumulation& accumulation, PixelForm form = PixelForm::srgb_bytes);
 
 } // namespace estampe::paper

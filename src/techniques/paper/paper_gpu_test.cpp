@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include <glm/gtc/packing.hpp>
@@ -31,8 +32,9 @@ struct Layers {
     bool has_sky = true;
 };
 
+/// The picture, or what one of its stages comes to.
 std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, glm::uvec2 size_px,
-                               float pixels_per_mm = 3.0F)
+                               float pixels_per_mm = 3.0F, std::optional<Stage> stage = std::nullopt)
 {
     const double height_mm = size_px.y / static_cast<double>(pixels_per_mm);
     const auto globals =
@@ -44,17 +46,18 @@ std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, gl
     auto sky_ink = test::Layer::coverage(layers.sky_size_px, layers.sky_ink);
     auto light = test::Layer::color(size_px, layers.light);
     gpu::Graph graph;
-    const auto picture = add_compose(graph,
-                                     {.frame = gpu::import_whole(graph, "frame", frame),
-                                      .wash = wash.in(graph),
-                                      .hatch = hatch.in(graph),
-                                      .lines = lines.in(graph),
-                                      .sky_ink = sky_ink.in(graph),
-                                      .has_sky = layers.has_sky,
-                                      .light = light.in(graph),
-                                      .size_px = size_px},
-                                     style);
-    return test::run_and_read_colors(graph, picture);
+    const ComposeInputs inputs{.frame = gpu::import_whole(graph, "frame", frame),
+                               .wash = wash.in(graph),
+                               .hatch = hatch.in(graph),
+                               .lines = lines.in(graph),
+                               .sky_ink = sky_ink.in(graph),
+                               .has_sky = layers.has_sky,
+                               .light = light.in(graph),
+                               .size_px = size_px};
+    if (stage) {
+        return test::run_and_read_as<glm::vec4>(graph, add_compose_stage(graph, inputs, style, *stage));
+    }
+    return test::run_and_read_colors(graph, add_compose(graph, inputs, style));
 }
 
 /// Without relief: every layer lies as it was laid.
@@ -155,6 +158,40 @@ TEST(Compose, LaysInkOverPaintOverPaper)
         const glm::vec3 below = glm::mix(style.color * glm::max(glm::vec3(wash[i]), 1e-3F), style.ink, ink);
         expect_near(glm::vec3(picture[i]), glm::mix(below, glm::vec3(lines[i]), lines[i].w), 5e-3F);
         EXPECT_EQ(picture[i].w, 1.0F);
+    }
+}
+
+TEST(Compose, EachStageLaysOneLayerMore)
+{
+    constexpr glm::uvec2 size_px(48, 32);
+    PaperStyle style; // with its relief
+    const auto wave = [](glm::uvec2 pixel, float turn) {
+        return 0.5F + 0.5F * std::sin(0.3F * static_cast<float>(pixel.x + 2 * pixel.y) + turn);
+    };
+    const Layers layers{
+        .wash = [&](glm::uvec2 p) { return glm::vec4(wave(p, 1.0F), 0.8F, wave(p, 2.0F), 1.0F); },
+        .hatch = [&](glm::uvec2 p) { return std::max(wave(p, 3.0F) - 0.3F, 0.0F); },
+        .lines = [&](glm::uvec2 p) { return glm::vec4(0.5F, 0.2F, 0.1F, p.x < 24 ? 0.0F : wave(p, 4.0F)); }};
+    const auto stage = [&](Stage last) { return compose(layers, style, size_px, 3.0F, last); };
+    const auto paper = stage(Stage::paper);
+    const auto wash = stage(Stage::wash);
+    const auto hatch = stage(Stage::hatch);
+    const auto lines = stage(Stage::lines);
+    const auto blank = compose({}, style, size_px, 3.0F, Stage::lines);
+    const auto picture = compose(layers, style, size_px);
+    for (size_t i = 0; i < picture.size(); ++i) {
+        EXPECT_EQ(paper[i].w, 1.0F);
+        EXPECT_EQ(glm::vec3(paper[i]), glm::vec3(blank[i])) << "blank layers leave the paper";
+        EXPECT_EQ(blank[i].w, 0.0F);
+        EXPECT_EQ(wash[i].w, 1.0F);
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_LE(wash[i][channel], paper[i][channel]);
+        }
+        expect_near(glm::vec3(hatch[i]), glm::mix(glm::vec3(wash[i]), style.ink, hatch[i].w), 1e-6F);
+        const glm::vec3 line = glm::vec3(0.5F, 0.2F, 0.1F);
+        expect_near(glm::vec3(lines[i]), glm::mix(glm::vec3(hatch[i]), line, lines[i].w),
+                    4e-3F); // roots of 8 bits
+        expect_near(glm::vec3(lines[i]), glm::vec3(picture[i]), half_step);
     }
 }
 
@@ -393,17 +430,18 @@ TEST(Compose, DryStrokesCatchOnTheToothAndStayAsDark)
     }
 }
 
-/// Pictures one after another through the same sums, and the bytes after each.
-std::vector<std::vector<glm::u8vec4>> develop(const std::vector<test::Painter<glm::vec4>>& pictures,
-                                              glm::uvec2 size_px)
+/// Pictures one after another through the same sums, and the pixels after each.
+template <class Pixel>
+std::vector<std::vector<Pixel>> develop_as(const std::vector<test::Painter<glm::vec4>>& pictures,
+                                           glm::uvec2 size_px, PixelForm form)
 {
-    const uint64_t count = uint64_t{size_px.x} * size_px.y;
+    const uint64_t count = sizeof(Pixel) / sizeof(uint32_t) * size_px.x * size_px.y;
     auto older = test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(7.0F); });
     gpu::Image sums(test::shared_device(), "sums",
                     {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba32f});
     gpu::Buffer pixels =
         gpu::upload_buffer(test::shared_device(), "pixels", std::vector<uint32_t>(count, 0x01020304U));
-    std::vector<std::vector<glm::u8vec4>> results;
+    std::vector<std::vector<Pixel>> results;
     for (uint32_t i = 0; i < pictures.size(); ++i) {
         auto picture = test::Layer::color(size_px, pictures[i]);
         gpu::Graph graph;
@@ -411,10 +449,16 @@ std::vector<std::vector<glm::u8vec4>> develop(const std::vector<test::Painter<gl
                                         .sample_count = static_cast<uint32_t>(pictures.size())};
         const Developed developed =
             add_develop(graph, picture.in(graph), import_sums(graph, sums, accumulation),
-                        gpu::import_whole(graph, "pixels", pixels), size_px, accumulation);
-        results.push_back(test::run_and_read_as<glm::u8vec4>(graph, developed.pixels));
+                        gpu::import_whole(graph, "pixels", pixels), size_px, accumulation, form);
+        results.push_back(test::run_and_read_as<Pixel>(graph, developed.pixels));
     }
     return results;
+}
+
+std::vector<std::vector<glm::u8vec4>> develop(const std::vector<test::Painter<glm::vec4>>& pictures,
+                                              glm::uvec2 size_px)
+{
+    return develop_as<glm::u8vec4>(pictures, size_px, PixelForm::srgb_bytes);
 }
 
 void expect_developed(const std::vector<glm::u8vec4>& bytes, const test::Painter<glm::vec3>& linear,
@@ -471,6 +515,30 @@ TEST(Develop, SeveralPicturesBecomeTheirMean)
             return sum / static_cast<float>(pictures.size());
         },
         size_px);
+}
+
+TEST(Develop, FloatsAreTheMeanAsItIs)
+{
+    constexpr glm::uvec2 size_px(64, 40);
+    const auto picture = [](float step) {
+        return [step](glm::uvec2 pixel) {
+            const float t = static_cast<float>(pixel.y * 64 + pixel.x) / 2048.0F;
+            return glm::vec4(t + step, 1.5F - t, 0.001F * t, 0.5F * t);
+        };
+    };
+    const auto as_half = [](const glm::vec4& color) { return glm::unpackHalf4x16(glm::packHalf4x16(color)); };
+    const auto one = develop_as<glm::vec4>({picture(0.0F)}, size_px, PixelForm::linear_floats)[0];
+    const auto two =
+        develop_as<glm::vec4>({picture(0.0F), picture(0.25F)}, size_px, PixelForm::linear_floats)[1];
+    for (uint32_t i = 0; i < one.size(); ++i) {
+        const glm::uvec2 pixel(i % size_px.x, i / size_px.x);
+        const glm::vec4 first = as_half(picture(0.0F)(pixel));
+        EXPECT_EQ(one[i], first);
+        const glm::vec4 mean = 0.5F * (first + as_half(picture(0.25F)(pixel)));
+        for (int channel = 0; channel < 4; ++channel) {
+            EXPECT_NEAR(two[i][channel], mean[channel], 1e-6F) << "alpha is averaged too";
+        }
+    }
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 
 #include "core/file.hpp"
 #include "core/image_codec.hpp"
+#include "core/zip_writer.hpp"
 #include "techniques/tam/images.hpp"
 
 namespace estampe::tam {
@@ -94,71 +95,6 @@ public:
 
 private:
     std::string name_;
-    Archive archive_;
-};
-
-/// A zip archive that grows in memory. What is added must outlive it.
-class ZipWriter {
-public:
-    ZipWriter()
-    {
-        zip_error_t error;
-        zip_error_init(&error);
-        source_.reset(zip_source_buffer_create(nullptr, 0, 0, &error));
-        archive_.reset(source_ ? zip_open_from_source(source_.get(), ZIP_TRUNCATE, &error) : nullptr);
-        if (!archive_) {
-            throw Error(fmt::format("cannot make an archive: {}", text_of(error)));
-        }
-        zip_source_keep(source_.get());
-        zip_error_fini(&error);
-    }
-
-    void add(const std::string& entry, std::span<const std::byte> bytes, bool compress)
-    {
-        constexpr zip_uint16_t no_time = 0;
-        constexpr zip_uint16_t first_of_january_1980 = 0x21;
-        zip_source_t* data = zip_source_buffer(archive_.get(), bytes.data(), bytes.size(), 0);
-        const zip_int64_t index =
-            data == nullptr ? -1 : zip_file_add(archive_.get(), entry.c_str(), data, ZIP_FL_ENC_UTF_8);
-        if (index < 0) {
-            zip_source_free(data);
-            fail();
-        }
-        const auto number = static_cast<zip_uint64_t>(index);
-        if (zip_set_file_compression(archive_.get(), number, compress ? ZIP_CM_DEFLATE : ZIP_CM_STORE, 0) !=
-                0 ||
-            zip_file_set_dostime(archive_.get(), number, no_time, first_of_january_1980, 0) != 0) {
-            fail();
-        }
-    }
-
-    [[nodiscard]] std::vector<std::byte> finish()
-    {
-        if (zip_close(archive_.get()) != 0) {
-            fail();
-        }
-        static_cast<void>(archive_.release());
-        zip_source_t* source = source_.get();
-        if (zip_source_open(source) != 0 || zip_source_seek(source, 0, SEEK_END) != 0) {
-            throw Error("cannot make an archive");
-        }
-        std::vector<std::byte> bytes(static_cast<size_t>(std::max<zip_int64_t>(0, zip_source_tell(source))));
-        if (zip_source_seek(source, 0, SEEK_SET) != 0 ||
-            zip_source_read(source, bytes.data(), bytes.size()) != static_cast<zip_int64_t>(bytes.size())) {
-            throw Error("cannot make an archive");
-        }
-        zip_source_close(source);
-        return bytes;
-    }
-
-private:
-    [[noreturn]] void fail()
-    {
-        throw Error(
-            fmt::format("cannot make an archive: {}", zip_error_strerror(zip_get_error(archive_.get()))));
-    }
-
-    ZipSource source_;
     Archive archive_;
 };
 

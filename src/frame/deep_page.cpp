@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "frame/deep_page.hpp"
+
+#include <array>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+
+#include "gpu/read_back.hpp"
+
+namespace estampe::frame {
+
+DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, bool has_layers)
+{
+    const uint64_t count = uint64_t{settings.width} * settings.height;
+    const uint64_t most = device.limits().maxStorageBufferRange / sizeof(glm::vec4);
+    if (count > most) {
+        throw Error(fmt::format("a picture of {} x {} pixels is too large in floats", settings.width,
+                                settings.height),
+                    "size",
+                    fmt::format("{} draws at most {:.1f} megapixels so", device.info().name,
+                                static_cast<double>(most) * 1e-6));
+    }
+    constexpr std::array all{paper::Stage::paper, paper::Stage::wash, paper::Stage::hatch,
+                             paper::Stage::lines};
+    const bool has_sums = settings.samples > 1;
+    DeepPage page;
+    for (const paper::Stage stage : all) {
+        if (has_layers || stage == paper::Stage::lines) {
+            page.stages.push_back({.stage = stage,
+                                   .sums = gpu::Image(device, "deep sums",
+                                                      {.width = has_sums ? settings.width : 1,
+                                                       .height = has_sums ? settings.height : 1,
+                                                       .format = gpu::Format::rgba32f}),
+                                   .pixels = gpu::Buffer(device, "deep pixels", sizeof(glm::vec4) * count,
+                                                         gpu::MemoryUse::readback)});
+        }
+    }
+    if (has_layers) {
+        page.draws =
+            gpu::Buffer(device, "draws of layers", sizeof(uint32_t) * count, gpu::MemoryUse::readback);
+        page.sun = gpu::Buffer(device, "sun of layers", sizeof(float) * count, gpu::MemoryUse::readback);
+    }
+    return page;
+}
+
+void declare_deep_page(gpu::Graph& graph, const DeepInputs& in, const paper::PaperStyle& style,
+                       const paper::Accumulation& accumulation, DeepPage& page)
+{
+    const glm::uvec2 size_px = in.layers.size_px;
+    const uint64_t size_bytes = sizeof(glm::vec4) * size_px.x * size_px.y;
+    for (DeepPage::Stage& stage : page.stages) {
+        const gpu::ImageId picture = paper::add_compose_stage(graph, in.layers, style, stage.stage);
+        const paper::Developed developed =
+            paper::add_develop(graph, picture, paper::import_sums(graph, stage.sums, accumulation),
+                               graph.buffer("deep pixels", {.size_bytes = size_bytes}), size_px, accumulation,
+                               paper::PixelForm::linear_floats);
+        gpu::add_read_back(graph, "read back floats", developed.pixels, stage.pixels);
+    }
+    if (page.has_layers()) {
+        gpu::add_read_back(graph, "read back draws", in.draw, page.draws);
+        gpu::add_read_back(graph, "read back sun", in.sun, page.sun);
+    }
+}
+
+} // namespace estampe::frame

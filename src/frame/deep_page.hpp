@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A picture in floats, whole or layer by layer.
+
+#include <vector>
+
+#include <estampe/renderer.hpp>
+
+#include "gpu/resources.hpp"
+#include "techniques/paper/paper.hpp"
+
+namespace estampe::frame {
+
+/// Where one picture ends in floats, beside its bytes.
+struct DeepPage {
+    struct Stage {
+        paper::Stage stage = paper::Stage::lines;
+        gpu::Image sums;    ///< of a picture of several samples; one texel for others
+        gpu::Buffer pixels; ///< four floats a pixel, for reading back
+    };
+
+    std::vector<Stage> stages;
+    gpu::Buffer draws; ///< of the last sample, see shaders/draw_word.glsl; empty where no layers are wanted
+    gpu::Buffer sun;   ///< of the last sample, see light::LitPixels; empty where no layers are wanted
+
+    [[nodiscard]] bool has_layers() const { return !draws.empty(); }
+};
+
+/// A page for the whole picture, or for each of its layers. Throws Error naming the device's limit when there
+/// is no room for its floats.
+[[nodiscard]] DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, bool has_layers);
+
+/// What a deep page is made from.
+struct DeepInputs {
+    paper::ComposeInputs layers;
+    gpu::ImageId draw;
+    gpu::ImageId sun;
+};
+
+/// Declares what fills `page`, which must outlive the graph.
+void declare_deep_page(gpu::Graph& graph, const DeepInputs& in, const paper::PaperStyle& style,
+                       const paper::Accumulation& accumulation, DeepPage& page);
+
+} // namespace estampe::frame

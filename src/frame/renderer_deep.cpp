@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// What the renderer does for pictures in floats, and in layers, alone.
+#include "frame/renderer_impl.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "frame/layers.hpp"
+#include "gpu/read_back.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr uint32_t draw_number_mask = (1U << 26U) - 1U; // DRAW_NUMBER_MASK of shaders/draw_word.glsl
+
+/// Things of a scene as numbers: a node is its index + 2, the ground 1.
+std::vector<uint32_t> thing_of_draw(const pose::MeshData& layout)
+{
+    std::vector<uint32_t> things(layout.draws.size(), 1);
+    std::ranges::transform(layout.sources, things.begin(),
+                           [](const pose::DrawSource& source) { return source.node + 2; });
+    return things;
+}
+
+std::string name_of_thing(const Scene& scene, uint32_t thing)
+{
+    if (thing == 1) {
+        return "ground";
+    }
+    const std::string& name = scene.nodes.at(thing - 2).name;
+    return name.empty() ? fmt::format("object {}", thing - 2) : name;
+}
+
+/// No two alike: the second "leaf" is "leaf 2".
+class Names {
+public:
+    std::string make(const std::string& wanted)
+    {
+        std::string name = wanted;
+        for (int number = 2; !taken_.insert(name).second; ++number) {
+            name = fmt::format("{} {}", wanted, number);
+        }
+        return name;
+    }
+
+private:
+    std::set<std::string> taken_{"paper", "wash", "hatch", "lines", "shadow"};
+};
+
+/// What the samples of a picture have seen.
+class Seen {
+public:
+    Seen(const pose::MeshData& layout, size_t pixel_count)
+        : things_(thing_of_draw(layout)), pixel_things_(pixel_count), shares_(pixel_count),
+          shadow_(pixel_count)
+    {
+    }
+
+    void add(const frame::DeepPage& page)
+    {
+        const auto words = gpu::items_of<uint32_t>(page.draws);
+        const auto sun = gpu::items_of<float>(page.sun);
+        for (size_t i = 0; i < pixel_things_.size(); ++i) {
+            const uint32_t number = words[i] & draw_number_mask;
+            pixel_things_[i] = number > 0 ? things_.at(number - 1) : 0;
+            // Negative: turned away from the sun, or never lit by it.
+            shadow_[i] += sun[i] >= 0.0F ? 1.0F - std::min(sun[i], 1.0F) : 0.0F;
+        }
+        shares_.add(pixel_things_);
+    }
+
+    [[nodiscard]] std::vector<PictureMask> masks(const Scene& scene, const RenderSettings& settings) const
+    {
+        constexpr uint32_t above_wash = 2;
+        constexpr uint32_t above_all = 4;
+        std::vector<PictureMask> masks;
+        if (std::ranges::any_of(shadow_, [](float sum) { return sum > 0.0F; })) {
+            masks.push_back({.name = "shadow",
+                             .is_object = false,
+                             .above = above_wash,
+                             .width = settings.width,
+                             .height = settings.height,
+                             .cover = shadow_});
+            for (float& share : masks.back().cover) {
+                share /= static_cast<float>(settings.samples);
+            }
+        }
+        Names names;
+        for (const auto& [thing, places] : shares_.places()) {
+            masks.push_back(frame::cropped_mask(names.make(name_of_thing(scene, thing)), settings.width,
+                                                places, settings.samples));
+            masks.back().above = above_all;
+        }
+        return masks;
+    }
+
+private:
+    std::vector<uint32_t> things_;
+    std::vector<uint32_t> pixel_things_; ///< of the sample in hand
+    frame::Shares shares_;
+    std::vector<float> shadow_; ///< sum over the samples
+};
+
+} // namespace
+
+LinearImage Renderer::render_linear(const Camera& camera, const Style& style, const RenderSettings& settings)
+{
+    frame::check_size(impl_->device, settings);
+    frame::DeepPage page = frame::make_deep_page(impl_->device, settings, false);
+    std::ignore = impl_->draw_picture(camera, style, settings, &page);
+    LinearImage image{.width = settings.width, .height = settings.height, .pixels = {}};
+    const auto pixels = gpu::items_of<glm::vec4>(page.stages.front().pixels);
+    image.pixels.assign(pixels.begin(), pixels.end());
+    std::ranges::for_each(image.pixels, [](glm::vec4& pixel) { pixel.w = 1.0F; });
+    return image;
+}
+
+LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, const RenderSettings& settings)
+{
+    Impl& impl = *impl_;
+    frame::check_size(impl.device, settings);
+    frame::DeepPage page = frame::make_deep_page(impl.device, settings, true);
+    std::optional<Seen> seen;
+    LayeredImage result;
+    result.picture = impl.draw_picture(camera, style, settings, &page, [&] {
+        if (!seen) {
+            seen.emplace(impl.loaded->layout, size_t{settings.width} * settings.height);
+        }
+        seen->add(page);
+    });
+    const auto stage = [&](size_t i) { return gpu::items_of<glm::vec4>(page.stages.at(i).pixels); };
+    result.layers =
+        frame::layers_between({.paper = stage(0), .wash = stage(1), .hatch = stage(2), .lines = stage(3)},
+                              settings.width, settings.height);
+    result.masks = seen->masks(impl.loaded->scene, settings);
+    return result;
+}
+
+} // namespace estampe

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Pictures of more than eight bits a channel.
+#include <algorithm>
+#include <cmath>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+
+#include "core/exr.hpp"
+#include "core/image_codec.hpp"
+#include "core/srgb.hpp"
+#include "output/pictures.hpp"
+
+namespace estampe::output {
+
+void check_pixels(const LinearImage& image)
+{
+    if (image.empty() || image.pixels.size() != uint64_t{image.width} * image.height) {
+        throw Error(fmt::format("a picture of {} x {} with {} pixels cannot be written", image.width,
+                                image.height, image.pixels.size()));
+    }
+}
+
+std::vector<std::byte> encode_deep_png(const LinearImage& image)
+{
+    check_pixels(image);
+    std::vector<uint16_t> values;
+    values.reserve(3 * image.pixels.size());
+    for (const glm::vec4& pixel : image.pixels) {
+        for (int channel = 0; channel < 3; ++channel) {
+            const float encoded = srgb_from_linear(std::clamp(pixel[channel], 0.0F, 1.0F));
+            values.push_back(static_cast<uint16_t>(std::lround(65535.0F * encoded)));
+        }
+    }
+    return encode_png(image.width, image.height, 3, values);
+}
+
+std::vector<std::byte> encode_picture_exr(const LinearImage& image, ExrNumbers numbers)
+{
+    check_pixels(image);
+    std::vector<ExrChannel> channels;
+    for (int channel = 0; channel < 3; ++channel) {
+        channels.push_back(
+            {std::string(1, "RGB"[channel]), [&image, channel](uint32_t y, std::span<float> row) {
+                 const glm::vec4* pixels = image.pixels.data() + size_t{y} * image.width;
+                 std::transform(pixels, pixels + image.width, row.begin(),
+                                [channel](const glm::vec4& pixel) { return pixel[channel]; });
+             }});
+    }
+    return encode_exr(image.width, image.height, channels, numbers);
+}
+
+} // namespace estampe::output

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Pictures as the bytes of files.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <estampe/image.hpp>
+#include <estampe/linear_image.hpp>
+
+namespace estampe::output {
+
+/// A profile of the ICC, version 4, that says sRGB; always the same bytes, some 600.
+[[nodiscard]] const std::vector<std::byte>& srgb_profile();
+
+/// As save_jpeg(), save_webp(), save_png() and save_exr() write them. Throw Error as those do, but name no
+/// file.
+[[nodiscard]] std::vector<std::byte> encode_jpeg(const Image& image, int quality);
+[[nodiscard]] std::vector<std::byte> encode_webp(const Image& image, std::optional<int> quality);
+[[nodiscard]] std::vector<std::byte> encode_deep_png(const LinearImage& image);
+[[nodiscard]] std::vector<std::byte> encode_picture_exr(const LinearImage& image, ExrNumbers numbers);
+
+/// Throws Error when the picture is empty, or its size and number of pixels disagree.
+void check_pixels(const LinearImage& image);
+
+} // namespace estampe::output
