@@ -11,6 +11,7 @@
 #include "core/srgb.hpp"
 #include "output/layer_files.hpp"
 #include "scene/shapes.hpp"
+#include "support/files.hpp"
 #include "support/gpu_device.hpp"
 #include "support/open_raster.hpp"
 #include "support/scenes.hpp"
@@ -46,7 +47,7 @@ std::vector<Case> cases()
 {
     std::vector<Case> cases;
     cases.push_back({still_life(), camera, {}});
-    const Scene square = load_scene(ESTAMPE_SQUARE_GLB);
+    const Scene square = load_scene(test::square_scene());
     Style night;
     night.set("paper.color=#20242c");
     night.set("paper.ink=#e8e2d0");
@@ -181,6 +182,35 @@ TEST(Layers, ShadowIsWhereTheSunIsKeptOff)
     overcast.lights[0].type = LightType::point;
     renderer.set_scene(overcast);
     EXPECT_NE(renderer.render_layers(camera, {}, {.width = 60, .height = 40}).masks.front().name, "shadow");
+}
+
+/// Beyond the margin there is nothing but paper, and the border is a line.
+TEST(Layers, EndAtTheMargin)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    Style style;
+    style.set("paper.margin_mm=20");
+    style.set("paper.border_mm=1");
+    const RenderSettings settings{.width = 240, .height = 180};
+    const LayeredImage image = renderer.render_layers(camera, style, settings);
+    EXPECT_EQ(image.picture, renderer.render(camera, style, settings));
+    EXPECT_LE(largest_difference(flattened(image), image.picture), 1.0);
+    const test::OpenRaster raster = test::read_openraster(output::encode_openraster(image));
+    EXPECT_LE(test::largest_difference(test::composite(raster, true), image.picture), 1.0);
+    for (const PictureMask& mask : image.masks) {
+        EXPECT_TRUE(!mask.is_object || (mask.x >= 23 && mask.x + mask.width <= 217)) << mask.name;
+        EXPECT_TRUE(!mask.is_object || (mask.y >= 23 && mask.y + mask.height <= 157)) << mask.name;
+    }
+    const size_t corner = size_t{10} * 240 + 10;
+    EXPECT_EQ(image.layers[1].image.pixels[corner], glm::vec4(1.0F));
+    EXPECT_EQ(image.layers[2].image.pixels[corner].w, 0.0F);
+    EXPECT_EQ(image.layers[3].image.pixels[corner].w, 0.0F);
+    size_t border = 0;
+    for (size_t x = 0; x < 60; ++x) {
+        border += image.layers[3].image.pixels[size_t{90} * 240 + x].w > 0.4F ? 1 : 0;
+    }
+    EXPECT_GE(border, 1U);
 }
 
 TEST(LinearPicture, IsThePictureInMoreThanBytes)

@@ -49,12 +49,28 @@ private:
     std::set<std::string> taken_{"paper", "wash", "hatch", "lines", "shadow"};
 };
 
-/// What the samples of a picture have seen.
+/// The part of the page that its margin leaves: from the first pixel to before the last.
+struct PixelWindow {
+    glm::uvec2 first{0};
+    glm::uvec2 last{0};
+};
+
+PixelWindow window_px(const paper::PaperStyle& style, const RenderSettings& settings)
+{
+    const float px_per_mm = static_cast<float>(settings.height) / style.height_mm;
+    const paper::Window window = paper::window_of(style, static_cast<float>(settings.width) / px_per_mm);
+    const glm::vec2 size_px(settings.width, settings.height);
+    return {glm::uvec2(glm::floor(window.min_mm * px_per_mm)),
+            glm::uvec2(glm::min(glm::ceil(window.max_mm * px_per_mm), size_px))};
+}
+
+/// What the samples of a picture have seen within its window.
 class Seen {
 public:
-    Seen(const pose::MeshData& layout, size_t pixel_count)
-        : things_(thing_of_draw(layout)), pixel_things_(pixel_count), shares_(pixel_count),
-          shadow_(pixel_count)
+    Seen(const pose::MeshData& layout, const RenderSettings& settings, const PixelWindow& window)
+        : things_(thing_of_draw(layout)), width_(settings.width), window_(window),
+          pixel_things_(size_t{settings.width} * settings.height), shares_(pixel_things_.size()),
+          shadow_(pixel_things_.size())
     {
     }
 
@@ -62,11 +78,14 @@ public:
     {
         const auto words = gpu::items_of<uint32_t>(page.draws);
         const auto sun = gpu::items_of<float>(page.sun);
-        for (size_t i = 0; i < pixel_things_.size(); ++i) {
-            const uint32_t number = words[i] & draw_number_mask;
-            pixel_things_[i] = number > 0 ? things_.at(number - 1) : 0;
-            // Negative: turned away from the sun, or never lit by it.
-            shadow_[i] += sun[i] >= 0.0F ? 1.0F - std::min(sun[i], 1.0F) : 0.0F;
+        for (uint32_t y = window_.first.y; y < window_.last.y; ++y) {
+            for (uint32_t x = window_.first.x; x < window_.last.x; ++x) {
+                const size_t i = size_t{y} * width_ + x;
+                const uint32_t number = words[i] & draw_number_mask;
+                pixel_things_[i] = number > 0 ? things_.at(number - 1) : 0;
+                // Negative: turned away from the sun, or never lit by it.
+                shadow_[i] += sun[i] >= 0.0F ? 1.0F - std::min(sun[i], 1.0F) : 0.0F;
+            }
         }
         shares_.add(pixel_things_);
     }
@@ -98,6 +117,8 @@ public:
 
 private:
     std::vector<uint32_t> things_;
+    uint32_t width_;
+    PixelWindow window_;
     std::vector<uint32_t> pixel_things_; ///< of the sample in hand
     frame::Shares shares_;
     std::vector<float> shadow_; ///< sum over the samples
@@ -126,7 +147,7 @@ LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, c
     LayeredImage result;
     result.picture = impl.draw_picture(camera, style, settings, &page, [&] {
         if (!seen) {
-            seen.emplace(impl.loaded->layout, size_t{settings.width} * settings.height);
+            seen.emplace(impl.loaded->layout, settings, window_px(style.tables().paper, settings));
         }
         seen->add(page);
     });

@@ -101,7 +101,9 @@ expect_error 2 '--camera.*same point' render scene.glb -o a.png --camera 'eye=1,
 expect_error 2 '--camera.*up must not be' render scene.glb -o a.png --camera 'eye=0,9,0 target=0,0,0 up=0,1,0'
 expect_error 2 '--set: unknown key .*--help-style' render scene.glb -o a.png --set nosuch.key=1
 expect_error 2 '--set: .* is not an assignment' render scene.glb -o a.png --set nothing
-expect_error 2 'as ".gif"; the name must end in .png, .jpg, .jpeg, .webp, .exr, .ora, or in .svg' render scene.glb -o a.gif
+expect_error 2 'as ".bmp"; the name must end in .png, .jpg, .jpeg, .webp, .exr, .ora, in .svg' render scene.glb -o a.bmp
+expect_error 2 '--depth: goes with single pictures alone' render scene.glb -o 'frames/%d.png' --depth 16
+expect_error 2 '--layers: goes with single pictures alone' render scene.glb -o a.mp4 --layers layers
 expect_error 2 'tells no format; the name must end in .png' render scene.glb -o a
 expect_error 2 '--format: goes with -o - alone' render scene.glb -o a.png --format png
 expect_error 2 '--format: .*as "gif"; allowed: png, jpg, webp, exr, ora, svg' render scene.glb -o - --format gif
