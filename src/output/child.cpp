@@ -49,6 +49,7 @@ public:
     [[nodiscard]] int run(pid_t& id, const std::vector<std::string>& command) const
     {
         std::vector<char*> words;
+        words.reserve(command.size() + 1);
         for (const std::string& word : command) {
             words.push_back(const_cast<char*>(word.c_str())); // posix_spawn writes to none
         }
