@@ -39,6 +39,7 @@ std::vector<std::byte> encode_picture_exr(const LinearImage& image, ExrNumbers n
 {
     check_pixels(image);
     std::vector<ExrChannel> channels;
+    channels.reserve(3);
     for (int channel = 0; channel < 3; ++channel) {
         channels.push_back(
             {std::string(1, "RGB"[channel]), [&image, channel](uint32_t y, std::span<float> row) {

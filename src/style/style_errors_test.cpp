@@ -145,6 +145,26 @@ TEST(StyleErrors, NotToml)
     EXPECT_TRUE(read_error("hatch.layers = 3\nhatch.layers = 4").starts_with("ink.toml:2:")) << "a key twice";
 }
 
+TEST(StyleErrors, CharactersBeyondAsciiOutsideOfQuotes)
+{
+    const std::string message =
+        "not TOML: a character beyond ASCII outside of quotes; only strings and comments may "
+        "hold it";
+    EXPECT_EQ(read_error("# \u00e9\nx = \u00e9"), "ink.toml:2:5: " + message);
+    EXPECT_EQ(read_error("hatch.width_mm = 1 \ufefb"), "ink.toml:1:20: " + message);
+    EXPECT_EQ(read_error("[\u00a1]"), "ink.toml:1:2: " + message);
+    EXPECT_EQ(read_error("\ufeff# a mark of byte order"), "");
+    for (const std::string quoted :
+         {"\"\u00e9\"", "'\u00e9'", "\"\\\"\u00e9\"", "\"\"\"\n\"\u00e9\"\"\"", "'''\n\u00e9'''"}) {
+        EXPECT_NE(read_error("hatch.coordinates = " + quoted).find("is not one of its choices"),
+                  std::string::npos)
+            << quoted;
+        EXPECT_NE(read_error("hatch.coordinates = " + quoted + " \u00e9").find(message), std::string::npos)
+            << quoted;
+    }
+    EXPECT_NE(set_error("hatch.width_mm=\u00e9").find("is not a number"), std::string::npos);
+}
+
 TEST(StyleErrors, NotUtf8)
 {
     const std::string remedy = " begins no character of UTF-8; save the file as UTF-8";

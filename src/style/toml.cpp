@@ -38,13 +38,8 @@ std::string place(const std::string& name, const toml::source_position& position
     return fmt::format("{}:{}:{}", name, position.line, position.column);
 }
 
-/// toml++ looks characters up in tables by their number, also those that UTF-8 cannot hold.
-void require_utf8(std::string_view text, const std::string& name)
+std::string place_of_byte(const std::string& name, std::string_view text, size_t at)
 {
-    const size_t at = first_not_utf8(text);
-    if (at == text.size()) {
-        return;
-    }
     toml::source_position position{1, 1};
     for (const char character : text.substr(0, at)) {
         const bool begins_character = (static_cast<unsigned char>(character) & 0xC0U) != 0x80U;
@@ -54,9 +49,22 @@ void require_utf8(std::string_view text, const std::string& name)
             position.column = 1;
         }
     }
-    throw Error(fmt::format("not TOML: byte 0x{:02x} begins no character of UTF-8",
-                            static_cast<unsigned char>(text[at])),
-                place(name, position), "save the file as UTF-8");
+    return place(name, position);
+}
+
+/// toml++ looks characters up in tables by their number, also those that UTF-8 cannot hold; and of those
+/// beyond ASCII it takes for granted that they stand in strings and comments.
+void check_characters(std::string_view text, const std::string& name)
+{
+    if (const size_t at = first_not_utf8(text); at < text.size()) {
+        throw Error(fmt::format("not TOML: byte 0x{:02x} begins no character of UTF-8",
+                                static_cast<unsigned char>(text[at])),
+                    place_of_byte(name, text, at), "save the file as UTF-8");
+    }
+    if (const size_t at = first_bare_beyond_ascii(text); at < text.size()) {
+        throw Error("not TOML: a character beyond ASCII outside of quotes", place_of_byte(name, text, at),
+                    "only strings and comments may hold it");
+    }
 }
 
 /// Nothing but numbers: a colour. Anything else in an array is no value of ours.
@@ -142,7 +150,7 @@ void append(Document& document, const std::string& section, const toml::table& t
 
 Document parse_toml(std::string_view text, const std::string& name)
 {
-    require_utf8(text, name);
+    check_characters(text, name);
     Document document;
     try {
         const toml::table root = toml::parse(text);
@@ -166,7 +174,7 @@ Document parse_toml(std::string_view text, const std::string& name)
 
 std::optional<Raw> parse_toml_value(std::string_view text)
 {
-    if (first_not_utf8(text) != text.size()) {
+    if (first_not_utf8(text) != text.size() || first_bare_beyond_ascii(text) != text.size()) {
         return std::nullopt;
     }
     try {

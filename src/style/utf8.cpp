@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "style/utf8.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include <array>
 #include <cstdint>
 
@@ -45,6 +48,26 @@ size_t character_length(std::string_view text)
     return 0;
 }
 
+/// Behind the string that begins at `at`, of one line or of several; of one that does not end, behind its
+/// line or the text.
+size_t end_of_string(std::string_view text, size_t at)
+{
+    const char quote = text[at];
+    const std::string three(3, quote);
+    const bool has_lines = text.substr(at).starts_with(three);
+    const size_t quotes = has_lines ? 3 : 1;
+    for (at += quotes; at < text.size(); ++at) {
+        if (text[at] == '\\' && quote == '"') {
+            ++at;
+        } else if (text.substr(at).starts_with(std::string_view(three).substr(0, quotes))) {
+            return at + quotes;
+        } else if (text[at] == '\n' && !has_lines) {
+            return at;
+        }
+    }
+    return text.size();
+}
+
 } // namespace
 
 size_t first_not_utf8(std::string_view text)
@@ -56,6 +79,23 @@ size_t first_not_utf8(std::string_view text)
             break;
         }
         at += length;
+    }
+    return at;
+}
+
+size_t first_bare_beyond_ascii(std::string_view text)
+{
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    size_t at = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+    while (at < text.size() && static_cast<unsigned char>(text[at]) < 0x80U) {
+        const char character = text[at];
+        if (character == '#') {
+            at = std::min(text.find('\n', at), text.size());
+        } else if (character == '"' || character == '\'') {
+            at = end_of_string(text, at);
+        } else {
+            ++at;
+        }
     }
     return at;
 }

@@ -11,4 +11,9 @@ namespace estampe::style {
 /// there is none.
 [[nodiscard]] size_t first_not_utf8(std::string_view text);
 
+/// The offset of the first character beyond ASCII of a TOML text that stands in neither a string nor a
+/// comment, where there must be none; a mark of byte order at the beginning is let pass. The size of `text`
+/// when there is none.
+[[nodiscard]] size_t first_bare_beyond_ascii(std::string_view text);
+
 } // namespace estampe::style

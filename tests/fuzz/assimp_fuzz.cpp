@@ -32,8 +32,7 @@ void read_sent(std::span<const std::byte> bytes)
             mend_primitive(primitive, mesh.name, transfer.scene.warnings);
         }
     }
-    turn_outside(transfer.scene);
-    check_structure(transfer.scene, "fuzz");
+    make_sound(transfer.scene, "fuzz");
     const ScenePose pose = pose_scene(transfer.scene, 0.5);
     (void)scene_bounds(transfer.scene, pose);
 }

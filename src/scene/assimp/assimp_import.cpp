@@ -139,8 +139,7 @@ Scene load_with_assimp(const std::filesystem::path& path)
     TransferScene transfer = unpack(bytes, path.string());
     Scene& scene = transfer.scene;
     mend_meshes(scene, path);
-    turn_outside(scene);
-    check_structure(scene, path.string());
+    make_sound(scene, path.string());
     load_pictures(scene, transfer.images, path.parent_path());
     give_lights_units(scene);
     return std::move(scene);

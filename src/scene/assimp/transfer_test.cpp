@@ -7,6 +7,7 @@
 
 #include <estampe/error.hpp>
 
+#include "scene/assimp/turn_outside.hpp"
 #include "scene/shapes.hpp"
 
 namespace estampe {
@@ -56,6 +57,18 @@ TEST(Transfer, ComesBackAsItWent)
     EXPECT_EQ(after.scene.lights[0].type, LightType::directional);
     EXPECT_TRUE(after.scene.cameras[0].orthographic);
     EXPECT_EQ(after.scene.animations[0].channels[0].times_s, (std::vector<float>{0.0F, 2.0F}));
+}
+
+TEST(Transfer, WhatIsNoTreeIsRefusedBeforeItIsPosed)
+{
+    for (const Index root : {Index{2}, no_index}) {
+        Scene scene = sample().scene;
+        scene.roots = {root};
+        EXPECT_THROW(make_sound(scene, "sample"), Error);
+    }
+    Scene none = sample().scene;
+    none.nodes.clear();
+    EXPECT_THROW(make_sound(none, "sample"), Error);
 }
 
 TEST(Transfer, EveryTruncationIsAnError)

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/assimp/mend.hpp"
+
 namespace estampe {
 namespace {
 
@@ -231,6 +233,12 @@ void turn_outside(Scene& scene)
                                                  turned[mesh] == 1 ? " was" : "s were"));
         }
     }
+}
+
+void make_sound(Scene& scene, const std::string& where)
+{
+    check_structure(scene, where); // only what is a tree can be posed
+    turn_outside(scene);
 }
 
 } // namespace estampe
