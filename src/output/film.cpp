@@ -37,7 +37,7 @@ const Codec* codec_of(const std::filesystem::path& path)
         return Codec{container, std::move(arguments), true};
     };
     static const std::map<std::string, Codec> codecs{
-        {".mp4", video("mp4", {"-c:v", "libx264", "-preset", "medium", "-crf", "16", "-tune", "animation",
+        {".mp4", video("mp4", {"-c:v", "libx264", "-preset", "veryfast", "-crf", "16", "-tune", "animation",
                                "-movflags", "+faststart"})},
         {".webm", video("webm", {"-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "22", "-deadline", "good",
                                  "-cpu-used", "4", "-row-mt", "1"})},
