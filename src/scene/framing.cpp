@@ -318,10 +318,13 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, 
                         .bottom = half_height - (margin + shadow_room) * shorter};
 
     ViewPoints points = view_points(scene, pose, axes, outlook, sun, bounds, bounds.center());
-    // A model without extent still stands somewhere: give it a size that arithmetic can see.
-    const double least = std::max(1e-12 * glm::length(bounds.center()), 1e-9);
-    if (bounds.radius() < least)
-        points = {.subject = {glm::dvec3(-least), glm::dvec3(least)}};
+    // A subject without extent still stands somewhere: give it a size that arithmetic can see.
+    const double least = std::max({1e-12 * glm::length(bounds.center()), 1e-6 * bounds.radius(), 1e-9});
+    Bounds extent;
+    for (const glm::dvec3& point : points.subject)
+        extent.extend(point);
+    if (extent.radius() < least)
+        points = {.subject = {extent.center() - least, extent.center() + least}};
     const glm::dvec3 eye = framed_eye(points, window);
 
     Camera camera;

@@ -235,6 +235,25 @@ TEST(FramedView, LeavesNoRoomForAShadowThatIsNotDrawn)
     EXPECT_NEAR(middle(false), 0.0, 0.02);
 }
 
+TEST(FramedView, FindsAPlaceWhereOnePointIsLeftOfTheSubject)
+{
+    Primitive point;
+    point.positions.assign(3, glm::vec3(-4.0F));
+    point.normals.assign(3, {0.0F, 1.0F, 0.0F});
+    point.indices = {0, 1, 2};
+    Scene scene = test::scene_of(point);
+    test::add_object(scene, point, glm::vec3(1.0F), {1.0, 0.0, 0.0});
+    scene.materials.front().double_sided = true;
+    ScenePose pose = pose_scene(scene, 0.0);
+    pose.world_from_node[0][3] =
+        glm::dvec4(-4.0, -4.0, -4.0, 1.0); // it has moved out of where it stood at rest
+    for (const double page_aspect : {1.0 / 16384.0, 1.5, 16384.0, 17808.6}) {
+        const Camera camera = framing_camera(scene, pose, page_aspect);
+        EXPECT_LT(glm::length(camera.eye), 1e6) << page_aspect;
+        EXPECT_GT(glm::distance(camera.eye, camera.target), 0.0) << page_aspect;
+    }
+}
+
 TEST(FramedView, IgnoresAWideFloor)
 {
     const Primitive thing = shapes::box({1.0F, 1.2F, 0.8F});
