@@ -40,8 +40,9 @@ std::vector<stbrp_rect> packed(std::span<const Chart> charts, uint32_t size, dou
     std::vector<stbrp_node> nodes(size);
     const auto side = static_cast<int>(size);
     stbrp_init_target(&context, side, side, nodes.data(), side);
-    const bool all_fit =
-        stbrp_pack_rects(&context, rectangles.data(), static_cast<int>(rectangles.size())) != 0;
+    // Sorting none, it would hand a null pointer on.
+    const bool all_fit = rectangles.empty() || stbrp_pack_rects(&context, rectangles.data(),
+                                                                static_cast<int>(rectangles.size())) != 0;
     return all_fit ? rectangles : std::vector<stbrp_rect>();
 }
 
