@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <atomic>
-#include <chrono>
 #include <filesystem>
 #include <utility>
 
@@ -8,6 +7,7 @@
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
+#include "clock.hpp"
 #include "commands.hpp"
 #include "progress.hpp"
 #include "signals.hpp"
@@ -16,14 +16,7 @@
 namespace estampe::app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 std::atomic<bool> is_stopped = false;
-
-double seconds_since(Clock::time_point start)
-{
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Works until all is done; false when a signal came first. What is done lies in `partial` then.
 bool work_through(LightmapBake& bake, const std::filesystem::path& partial)

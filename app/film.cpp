@@ -2,7 +2,6 @@
 #include "film.hpp"
 
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <future>
 
@@ -10,6 +9,7 @@
 #include <estampe/film.hpp>
 #include <fmt/format.h>
 
+#include "clock.hpp"
 #include "core/at_once.hpp"
 #include "core/hash.hpp"
 #include "drawing.hpp"
@@ -23,14 +23,7 @@
 namespace estampe::app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 std::atomic<bool> is_stopped = false;
-
-double seconds_since(Clock::time_point start)
-{
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The choice, with a last frame.
 FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene, Index animation)
@@ -49,7 +42,7 @@ FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene
     return film;
 }
 
-/// Of all that the frames hang on, but how many there are.
+/// Of all that the frames hang on.
 uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scene& scene,
                      const Renderer& renderer)
 {
@@ -78,8 +71,9 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add(draw.camera.placed.orthographic_half_height_m.value_or(0.0));
     hash.add(film.first);
     hash.add(film.frames_per_s);
-    // The last frame of a turn says how far each turns, and of a film how much has to be seen.
-    hash.add(film.turntable ? film.last : 0U);
+    // It says how far each frame of a turn goes, and how much a view of all that moves has to hold.
+    hash.add(film.last);
+    hash.add(film.turntable);
     return hash.value();
 }
 

@@ -37,7 +37,7 @@ void Progress::show(double done, const std::string& what)
     }
     next_ = done + 0.1;
     const double share = (done - first_) / std::max(1.0 - first_, 1e-9);
-    const double spent_s = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double spent_s = seconds_since(start_);
     say(fmt::format("{}estampe: {}: {:.0f} %{}{}{}", is_terminal_ ? "\r\x1b[K" : "", job_, 100.0 * done,
                     what.empty() ? "" : ", " + what,
                     share > 0.0 ? fmt::format(", {} left", in_words(spent_s * (1.0 - share) / share)) : "",

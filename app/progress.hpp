@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
 #include <string>
+
+#include "clock.hpp"
 
 namespace estampe::app {
 
@@ -20,8 +21,6 @@ public:
     void clear() const;
 
 private:
-    using Clock = std::chrono::steady_clock;
-
     std::string job_;
     bool is_terminal_;
     double first_;

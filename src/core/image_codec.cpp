@@ -2,7 +2,6 @@
 #include "core/image_codec.hpp"
 
 #include <algorithm>
-#include <csetjmp>
 #include <cstdio>
 #include <cstring>
 
@@ -14,17 +13,11 @@
 
 #include <estampe/error.hpp>
 
+#include "core/codec_failure.hpp"
 #include "core/free_memory.hpp"
 
 namespace estampe {
 namespace {
-
-/// Both libpng and libjpeg report errors by calling a function that must not return; each decoder below
-/// therefore keeps everything with a destructor outside the frame that longjmp leaves.
-struct Failure {
-    std::jmp_buf jump;
-    char message[256] = {};
-};
 
 void check_size(uint64_t width, uint64_t height, const std::string& name)
 {
@@ -53,21 +46,12 @@ struct PngSource {
 struct PngReader {
     png_structp png = nullptr;
     png_infop info = nullptr;
-    Failure failure;
+    CodecFailure failure;
     PngSource source;
     std::vector<png_bytep> rows;
 
     ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
-
-void png_failed(png_structp png, png_const_charp message)
-{
-    auto* failure = static_cast<Failure*>(png_get_error_ptr(png));
-    std::snprintf(failure->message, sizeof failure->message, "%s", message);
-    std::longjmp(failure->jump, 1);
-}
-
-void png_warned(png_structp /*png*/, png_const_charp /*message*/) {}
 
 void png_take(png_structp png, png_bytep target, png_size_t count)
 {
@@ -155,14 +139,14 @@ struct JpegReader {
     jpeg_decompress_struct jpeg{};
     jpeg_error_mgr errors{};
     jpeg_progress_mgr progress{};
-    Failure failure;
+    CodecFailure failure;
 
     ~JpegReader() { jpeg_destroy_decompress(&jpeg); }
 };
 
 [[noreturn]] void jpeg_failed(j_common_ptr jpeg)
 {
-    auto* failure = static_cast<Failure*>(jpeg->client_data);
+    auto* failure = static_cast<CodecFailure*>(jpeg->client_data);
     char message[JMSG_LENGTH_MAX] = {};
     jpeg->err->format_message(jpeg, message);
     std::snprintf(failure->message, sizeof failure->message, "%s", message);
@@ -182,7 +166,7 @@ void jpeg_progressed(j_common_ptr jpeg)
 {
     constexpr int max_scans = 200;
     if (jpeg->is_decompressor && reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > max_scans) {
-        auto* failure = static_cast<Failure*>(jpeg->client_data);
+        auto* failure = static_cast<CodecFailure*>(jpeg->client_data);
         std::snprintf(failure->message, sizeof failure->message, "more than %d scans", max_scans);
         std::longjmp(failure->jump, 1);
     }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <bit>
-#include <csetjmp>
-#include <cstdio>
 
 #include <png.h>
 
@@ -9,6 +7,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/codec_failure.hpp"
 #include "core/image_codec.hpp"
 
 namespace estampe {
@@ -25,26 +24,14 @@ struct Samples {
     [[nodiscard]] uint64_t row_bytes() const { return uint64_t{width} * channels * bits / 8; }
 };
 
-/// libpng reports errors by a function that must not return: what has a destructor lives here, outside the
-/// frame that longjmp leaves.
 struct PngWriter {
     png_structp png = nullptr;
     png_infop info = nullptr;
-    std::jmp_buf jump;
-    char message[256] = {};
+    CodecFailure failure;
     std::vector<std::byte> bytes;
 
     ~PngWriter() { png_destroy_write_struct(&png, &info); }
 };
-
-void failed(png_structp png, png_const_charp message)
-{
-    auto* writer = static_cast<PngWriter*>(png_get_error_ptr(png));
-    std::snprintf(writer->message, sizeof writer->message, "%s", message);
-    std::longjmp(writer->jump, 1);
-}
-
-void warned(png_structp /*png*/, png_const_charp /*message*/) {}
 
 void append(png_structp png, png_bytep data, png_size_t count)
 {
@@ -55,7 +42,7 @@ void append(png_structp png, png_bytep data, png_size_t count)
 
 bool write(PngWriter& writer, const Samples& samples)
 {
-    if (setjmp(writer.jump) != 0) {
+    if (setjmp(writer.failure.jump) != 0) {
         return false;
     }
     png_set_write_fn(writer.png, &writer.bytes, append, nullptr);
@@ -84,14 +71,14 @@ std::vector<std::byte> encode(const Samples& samples)
                                 samples.height, samples.bytes.size()));
     }
     PngWriter writer;
-    writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, failed, warned);
+    writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.failure, png_failed, png_warned);
     writer.info = writer.png == nullptr ? nullptr : png_create_info_struct(writer.png);
     if (writer.info == nullptr) {
         throw Error("out of memory");
     }
     writer.bytes.reserve(samples.bytes.size() / 4);
     if (!write(writer, samples)) {
-        throw Error(fmt::format("cannot encode PNG: {}", writer.message));
+        throw Error(fmt::format("cannot encode PNG: {}", writer.failure.message));
     }
     return std::move(writer.bytes);
 }

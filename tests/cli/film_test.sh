@@ -50,6 +50,8 @@ at="$(sed -n 's/.*stopped after frame \([0-9]*\) of.*/\1/p' said)"
 [[ "$(frames_of stopped.mp4)" -eq "${at:-0}" ]] || wrong "a film that was stopped has not the frames drawn"
 draw -o stopped.mp4 --frames $count --resume --set hatch.width_mm=0.7
 says "drew something else"
+draw -o stopped.mp4 --frames $((count + 8)) --resume
+says "drew something else"
 draw -o stopped.mp4 --frames $count --resume
 [[ $status -eq 0 ]] || wrong "does not go on: $(cat said)"
 grep -q "goes on with frame $((at + 1))" said || wrong "begins anew: $(cat said)"
