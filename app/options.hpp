@@ -69,6 +69,14 @@ struct RenderCommand {
     bool json = false;
 };
 
+/// Opens a window.
+struct ViewCommand {
+    DrawOptions draw;       ///< size is the window's; without a scene one is dropped on it
+    std::string style_name; ///< that --style gave; empty: built-in values
+    std::string shaders;    ///< folder whose shaders take the place of those built in; empty: none
+    bool verbose = false;
+};
+
 struct GraphCommand {
     DrawOptions draw;
 };
@@ -123,7 +131,7 @@ struct BakeCommand {
 };
 
 using Command = std::variant<BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
-                             StylesCommand, StyleManualCommand, TamCommand, BakeCommand>;
+                             StylesCommand, StyleManualCommand, TamCommand, BakeCommand, ViewCommand>;
 
 /// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or
 /// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file
