@@ -8,13 +8,13 @@ void Viewer::go_back()
 {
     if (studio_.shows_keys) {
         studio_.shows_keys = false;
-    } else if (loader_.is_loading()) {
-        loader_.cancel();
+    } else if (loader_->is_loading()) {
+        loader_->cancel();
         studio_.work.reset();
         studio_.say(Message::Kind::note, "scene", "Reading was cancelled.");
         report("cancelled");
     } else if (studio_.work) {
-        pictures_.cancel_job();
+        pictures_->cancel_job();
     } else if (!studio_.messages.empty() && studio_.messages.back().kind == Message::Kind::problem) {
         studio_.messages.pop_back();
     } else if (studio_.comparison.other) {
@@ -170,6 +170,12 @@ void Viewer::act(Action action)
     case Action::frame_on:
         time.is_playing = false;
         time.seek(time.time_s + frame_s);
+        break;
+    case Action::screenshot:
+        take_screenshot();
+        break;
+    case Action::record:
+        toggle_recording();
         break;
     case Action::reload:
         read_scene_again();

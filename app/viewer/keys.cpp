@@ -14,9 +14,9 @@ constexpr int letter = -1; // of `modifiers`: the key is typed, whatever it take
 
 constexpr std::array pointer_keys{
     KeyHelp{Action::none, 0, 0, "Left drag", "go around; look about when flying and walking"},
-    KeyHelp{Action::none, 0, 0, "Shift+left drag, middle drag", "shift the view"},
+    KeyHelp{Action::none, 0, 0, "Shift+drag, middle drag", "shift the view"},
     KeyHelp{Action::none, 0, 0, "Wheel, right drag", "nearer and farther"},
-    KeyHelp{Action::none, 0, 0, "L+left drag", "turn the sun"},
+    KeyHelp{Action::none, 0, 0, "L+drag", "turn the sun"},
     KeyHelp{Action::none, 0, 0, "Files dropped", "a scene, a style, a folder or file of a tonal art map"}};
 
 constexpr std::array camera_keys{

@@ -84,6 +84,25 @@ void show_timeline(Studio& studio, const PanelRequests& requests, float width)
     }
 }
 
+void show_key_group(const KeyGroup& group, float content_scale)
+{
+    ImGui::TextDisabled("%s", group.title);
+    if (ImGui::BeginTable(group.title, 2)) {
+        ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 132.0F * content_scale);
+        ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
+        for (const KeyHelp& key : group.keys) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(key.name);
+            ImGui::TableNextColumn();
+            ImGui::PushTextWrapPos(0.0F);
+            ImGui::TextUnformatted(key.help);
+            ImGui::PopTextWrapPos();
+        }
+        ImGui::EndTable();
+    }
+    ImGui::Spacing();
+}
+
 void show_work(const Studio& studio, const PanelRequests& requests, const Area& area, float content_scale)
 {
     const float width = std::min(360.0F * content_scale, area.width - 20.0F);
@@ -185,25 +204,18 @@ void show_keys(Studio& studio, const Area& area, float content_scale)
     ImGui::SetNextWindowBgAlpha(0.97F);
     ImGui::SetNextWindowFocus();
     ImGui::Begin("keys", &studio.shows_keys, fixed & ~ImGuiWindowFlags_NoScrollbar);
-    const bool two_columns = width > 640.0F * content_scale;
-    ImGui::Columns(two_columns ? 2 : 1, "keys", false);
-    size_t shown = 0;
-    for (const KeyGroup& group : key_groups()) {
-        if (two_columns && shown == 2) {
-            ImGui::NextColumn();
+    const bool has_two_columns = width > 640.0F * content_scale;
+    const size_t left_count = has_two_columns ? 2 : key_groups().size();
+    if (ImGui::BeginTable("halves", has_two_columns ? 2 : 1)) {
+        ImGui::TableNextColumn();
+        for (size_t i = 0; i < key_groups().size(); ++i) {
+            if (i == left_count) {
+                ImGui::TableNextColumn();
+            }
+            show_key_group(key_groups()[i], content_scale);
         }
-        ++shown;
-        ImGui::TextDisabled("%s", group.title);
-        for (const KeyHelp& key : group.keys) {
-            ImGui::TextUnformatted(key.name);
-            ImGui::SameLine(ImGui::GetColumnOffset() + 150.0F * content_scale);
-            ImGui::PushTextWrapPos(ImGui::GetColumnOffset() + ImGui::GetColumnWidth() - 8.0F * content_scale);
-            ImGui::TextUnformatted(key.help);
-            ImGui::PopTextWrapPos();
-        }
-        ImGui::Spacing();
+        ImGui::EndTable();
     }
-    ImGui::Columns(1);
     ImGui::End();
 }
 

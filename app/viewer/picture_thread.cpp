@@ -54,13 +54,6 @@ void PictureThread::cancel_job()
     is_job_cancelled_ = true;
 }
 
-void PictureThread::replace_shader(std::string name, std::vector<uint32_t> spirv)
-{
-    const std::lock_guard lock(guard_);
-    new_shaders_.push_back({std::move(name), std::move(spirv)});
-    changed_.notify_all();
-}
-
 bool PictureThread::is_drawing(size_t slot) const
 {
     const std::lock_guard lock(guard_);
@@ -102,11 +95,6 @@ void PictureThread::work_on(Renderer& renderer)
             lock.unlock();
             take_scene(renderer, file);
             lock.lock();
-        } else if (!new_shaders_.empty()) {
-            const auto shaders = std::exchange(new_shaders_, {});
-            lock.unlock();
-            take_shaders(renderer, shaders);
-            lock.lock();
         } else if (job_) {
             lock.unlock();
             do_step(renderer);
@@ -129,6 +117,7 @@ void PictureThread::work_on(Renderer& renderer)
 
 void PictureThread::take_scene(Renderer& renderer, const std::shared_ptr<const LoadedFile>& file)
 {
+    film_size_px_ = glm::uvec2(0);
     try {
         app::set_scene(renderer, file->scene, file->draw);
         scene_ = file;
@@ -141,21 +130,23 @@ void PictureThread::take_scene(Renderer& renderer, const std::shared_ptr<const L
     }
 }
 
-void PictureThread::take_shaders(Renderer& renderer, const std::vector<NewShader>& shaders)
-{
-    static_cast<void>(renderer);
-    static_cast<void>(shaders);
-}
-
 void PictureThread::draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request)
 {
     try {
         const app::Clock::time_point start = app::Clock::now();
+        RenderSettings settings = request.settings;
+        const glm::uvec2 size_px(settings.width, settings.height);
+        const bool is_film = settings.continuity != Continuity::still;
+        if (is_film && size_px != film_size_px_) {
+            settings.continuity = Continuity::starts;
+        }
+        film_size_px_ = glm::uvec2(0);
         Picture picture{.slot = slot,
-                        .image = renderer.render(request.camera, request.style, request.settings),
+                        .image = renderer.render(request.camera, request.style, settings),
                         .scale = request.scale,
                         .view = request.view,
-                        .continuity = request.settings.continuity};
+                        .continuity = settings.continuity};
+        film_size_px_ = is_film ? size_px : glm::uvec2(0);
         picture.seconds = app::seconds_since(start);
         picture.timings = renderer.timings();
         picture.notes = renderer.notes();
@@ -168,6 +159,7 @@ void PictureThread::draw_picture(Renderer& renderer, size_t slot, const PictureR
 void PictureThread::do_step(Renderer& renderer)
 {
     bool goes_on = false;
+    film_size_px_ = glm::uvec2(0);
     try {
         goes_on = job_->step(renderer, [this](PictureNews news) { tell(std::move(news)); });
     } catch (const std::exception& problem) {

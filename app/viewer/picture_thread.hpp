@@ -95,25 +95,16 @@ public:
     void do_job(std::unique_ptr<PictureJob> job);
     /// Ends the job in hand after its step.
     void cancel_job();
-    /// Another build of one of the renderer's shaders; broken ones are news.
-    void replace_shader(std::string name, std::vector<uint32_t> spirv);
-
     /// Whether the slot's request waits or is being drawn.
     [[nodiscard]] bool is_drawing(size_t slot) const;
 
     [[nodiscard]] std::vector<PictureNews> take_news();
 
 private:
-    struct NewShader {
-        std::string name;
-        std::vector<uint32_t> spirv;
-    };
-
     void work();
     void work_on(Renderer& renderer);
     void tell(PictureNews news);
     void take_scene(Renderer& renderer, const std::shared_ptr<const LoadedFile>& file);
-    void take_shaders(Renderer& renderer, const std::vector<NewShader>& shaders);
     void draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request);
     void do_step(Renderer& renderer);
 
@@ -126,7 +117,7 @@ private:
     std::optional<size_t> in_hand_;
     size_t next_slot_ = 0;
     std::unique_ptr<PictureJob> job_;
-    std::vector<NewShader> new_shaders_;
+    glm::uvec2 film_size_px_{0}; ///< of the last picture, if one can follow it; the thread's own
     bool is_job_cancelled_ = false;
     bool is_closing_ = false;
     std::vector<PictureNews> news_;

@@ -12,7 +12,10 @@
 #include <backends/imgui_impl_glfw.h>
 
 #include "core/file.hpp"
+#include "gpu/shader_replacements.hpp"
 #include "text.hpp"
+#include "viewer/ground.hpp"
+#include "viewer/jobs.hpp"
 #include "viewer/texture_id.hpp"
 
 namespace estampe::viewer {
@@ -39,7 +42,7 @@ bool same(const Sight& a, const Sight& b)
 
 Viewer::Viewer(const app::ViewCommand& command)
     : command_(command), studio_(command.style_name, command.draw.style),
-      pictures_(command.draw.device, &Window::wake), loader_(&Window::wake),
+      pictures_(std::in_place, command.draw.device, &Window::wake), loader_(std::in_place, &Window::wake),
       window_(command.draw.width, command.draw.height), screen_(window_.handle(), command.draw.device.device),
       painter_(screen_)
 {
@@ -51,13 +54,21 @@ Viewer::Viewer(const app::ViewCommand& command)
         texture = painter_.make_texture();
     }
     apply_scale();
+    if (!command.shaders.empty()) {
+        shaders_.emplace(command.shaders, &Window::wake);
+    }
     report(fmt::format("window {} x {}", command.draw.width, command.draw.height));
     if (!command.draw.scene.empty()) {
         open_scene(command.draw.scene);
     }
 }
 
-Viewer::~Viewer() = default;
+Viewer::~Viewer()
+{
+    shaders_.reset();
+    loader_.reset();
+    pictures_.reset();
+}
 
 void Viewer::report(const std::string& text) const
 {
@@ -120,7 +131,7 @@ void Viewer::open_scene(const std::string& path)
     draw.width = static_cast<uint32_t>(view.width);
     draw.height = static_cast<uint32_t>(view.height);
     draw.style = studio_.look.style();
-    loader_.load(std::move(draw));
+    loader_->load(std::move(draw));
     studio_.work = Work{"Reading " + std::filesystem::path(path).filename().string(), -1.0};
     report("reads " + path);
 }
@@ -139,7 +150,7 @@ void Viewer::open_style(const std::string& name)
 
 void Viewer::take_loaded()
 {
-    const std::optional<SceneLoader::Result> result = loader_.take();
+    const std::optional<SceneLoader::Result> result = loader_->take();
     if (!result) {
         return;
     }
@@ -149,7 +160,7 @@ void Viewer::take_loaded()
         return;
     }
     const auto& file = std::get<std::shared_ptr<const LoadedFile>>(*result);
-    pictures_.set_scene(file);
+    pictures_->set_scene(file);
     report("has read " + file->draw.scene);
 }
 
@@ -163,6 +174,10 @@ void Viewer::take(const Failure& failure)
     const char* topic = failure.what == Failure::Of::scene ? "scene"
                         : failure.what == Failure::Of::job ? "job"
                                                            : "picture";
+    if (failure.what == Failure::Of::job) {
+        studio_.work.reset();
+        asked_ = {};
+    }
     studio_.say(Message::Kind::problem, topic, failure.message);
 }
 
@@ -174,8 +189,17 @@ void Viewer::take(const SceneTaken& taken)
     ++scene_number_;
     const Scene& scene = taken.file->scene;
     const std::string name = std::filesystem::path(taken.file->draw.scene).filename().string();
+    scene_watch_.watch(files_of_scene(taken.file->draw.scene));
     if (!is_same) {
-        studio_.rig.set_scene(taken.file->home, taken.file->bounds);
+        // Made when someone walks; a scene that stands still is enough.
+        auto ground = std::make_shared<std::optional<Ground>>();
+        studio_.rig.set_scene(taken.file->home, taken.file->bounds,
+                              [file = taken.file, ground](const glm::dvec3& place) {
+                                  if (!*ground) {
+                                      ground->emplace(file->scene);
+                                  }
+                                  return (*ground)->height_under(place);
+                              });
         studio_.time = {.time_s = taken.file->draw.time_s, .animation = taken.file->animation};
         studio_.bookmark.reset();
         studio_.attempt("bookmarks",
@@ -220,7 +244,7 @@ void Viewer::take(Picture& picture)
 
 void Viewer::take_news()
 {
-    for (PictureNews& news : pictures_.take_news()) {
+    for (PictureNews& news : pictures_->take_news()) {
         frames_to_paint_ = std::max(frames_to_paint_, 1);
         if (auto* picture = std::get_if<Picture>(&news)) {
             take(*picture);
@@ -233,6 +257,7 @@ void Viewer::take_news()
         } else if (const auto* job = std::get_if<JobNews>(&news)) {
             if (job->is_done) {
                 studio_.work.reset();
+                asked_ = {}; // what is seen is drawn again
                 studio_.say(Message::Kind::note, "job", job->text);
                 report(job->text);
             } else {
@@ -275,7 +300,7 @@ void Viewer::request(size_t slot, const Sight& sight, bool is_moving)
     style_drawn_ = sight.style;
     requested_view_.at(slot) = view_;
     requested_whole_.at(slot) = scale == 1.0;
-    pictures_.draw(slot, std::move(request));
+    pictures_->draw(slot, std::move(request));
 }
 
 void Viewer::ask_for_pictures()
@@ -319,10 +344,8 @@ void Viewer::move_by_keys(double seconds)
     }
 }
 
-void Viewer::drag(const Area& area)
+void Viewer::drag(const glm::dvec2& way, const PointerEvent& event, const Area& area)
 {
-    const ImGuiIO& io = ImGui::GetIO();
-    const glm::dvec2 way(io.MouseDelta.x / area.height, io.MouseDelta.y / area.height);
     switch (drag_) {
     case Drag::turn:
         studio_.rig.turn(way);
@@ -334,53 +357,164 @@ void Viewer::drag(const Area& area)
         studio_.rig.zoom(-20.0 * way.y);
         break;
     case Drag::sun:
-        if (way != glm::dvec2(0.0)) {
-            studio_.turn_sun(way);
-        }
+        studio_.turn_sun(way);
         break;
     case Drag::split:
-        studio_.comparison.split = std::clamp((io.MousePos.x - area.x) / area.width, 0.02F, 0.98F);
+        studio_.comparison.split =
+            std::clamp((static_cast<float>(event.place.x) - area.x) / area.width, 0.02F, 0.98F);
         break;
     case Drag::none:
         break;
     }
 }
 
-void Viewer::follow_pointer(const Area& area)
+void Viewer::press(const PointerEvent& event, const Area& area)
 {
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool is_held = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2];
-    if (drag_ != Drag::none) {
-        drag(area);
-        if (!is_held) {
+    const double split_x = area.x + area.width * studio_.comparison.split;
+    const bool is_on_split = studio_.comparison.other && std::abs(event.place.x - split_x) < 8.0 * ui_scale_;
+    switch (event.button) {
+    case GLFW_MOUSE_BUTTON_LEFT:
+        drag_ = is_on_split                               ? Drag::split
+                : window_.is_down(GLFW_KEY_L)             ? Drag::sun
+                : (event.modifiers & GLFW_MOD_SHIFT) != 0 ? Drag::pan
+                                                          : Drag::turn;
+        break;
+    case GLFW_MOUSE_BUTTON_RIGHT:
+        drag_ = Drag::zoom;
+        break;
+    case GLFW_MOUSE_BUTTON_MIDDLE:
+        drag_ = Drag::pan;
+        break;
+    default:
+        break;
+    }
+}
+
+void Viewer::follow_pointer(const std::vector<PointerEvent>& events)
+{
+    const Area area = picture_area(studio_, ui_scale_);
+    for (const PointerEvent& event : events) {
+        const glm::dvec2 way = (event.place - pointer_) / static_cast<double>(area.height);
+        pointer_ = event.place;
+        const bool is_in_picture = event.place.x >= area.x && event.place.x < area.x + area.width &&
+                                   event.place.y >= area.y && event.place.y < area.y + area.height;
+        const bool is_free = is_in_picture && !ImGui::GetIO().WantCaptureMouse && studio_.file;
+        switch (event.kind) {
+        case PointerEvent::Kind::press:
+            if (drag_ == Drag::none && is_free) {
+                press(event, area);
+            }
+            break;
+        case PointerEvent::Kind::release:
             if (drag_ == Drag::sun) {
                 studio_.look.finish_change();
             }
             drag_ = Drag::none;
+            break;
+        case PointerEvent::Kind::move:
+            drag(way, event, area);
+            break;
+        case PointerEvent::Kind::wheel:
+            if (is_free) {
+                studio_.rig.zoom(event.wheel);
+            }
+            break;
         }
+    }
+}
+
+void Viewer::look_at_files()
+{
+    constexpr double between_looks_s = 0.1;
+    if (app::seconds_since(looked_at_files_) < between_looks_s) {
         return;
     }
-    if (io.WantCaptureMouse || !studio_.file) {
+    looked_at_files_ = app::Clock::now();
+    if (studio_.look.name() != watched_style_) {
+        watched_style_ = studio_.look.name();
+        style_watch_.watch(watched_style_.ends_with(".toml")
+                               ? std::vector<std::filesystem::path>{watched_style_}
+                               : std::vector<std::filesystem::path>{});
+    }
+    if (!style_watch_.changed().empty()) {
+        report("style changed: " + watched_style_);
+        open_style(watched_style_);
+    }
+    if (!scene_watch_.changed().empty() && studio_.file) {
+        report("scene changed");
+        read_scene_again();
+    }
+}
+
+void Viewer::take_shaders()
+{
+    if (!shaders_) {
         return;
     }
-    if (io.MouseWheel != 0.0F) {
-        studio_.rig.zoom(io.MouseWheel);
+    for (ShaderNews& news : shaders_->take()) {
+        const std::string topic = "shader " + news.name;
+        if (news.problem.empty()) {
+            gpu::replace_shader(news.name, std::move(news.spirv));
+            studio_.settle(topic);
+            studio_.settle("picture");
+            studio_.look.changed(); // all is drawn anew
+            report(topic + " compiled");
+        } else {
+            studio_.say(Message::Kind::problem, topic, news.problem);
+            report(topic + ": " + news.problem);
+        }
     }
-    const float split_x = area.x + area.width * studio_.comparison.split;
-    const bool is_on_split = studio_.comparison.other && std::abs(io.MousePos.x - split_x) < 8.0F * ui_scale_;
-    if (is_on_split) {
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+}
+
+void Viewer::take_screenshot()
+{
+    if (!studio_.file) {
+        return;
     }
-    if (ImGui::IsMouseClicked(0)) {
-        drag_ = is_on_split                   ? Drag::split
-                : window_.is_down(GLFW_KEY_L) ? Drag::sun
-                : io.KeyShift                 ? Drag::pan
-                                              : Drag::turn;
-    } else if (ImGui::IsMouseClicked(1)) {
-        drag_ = Drag::zoom;
-    } else if (ImGui::IsMouseClicked(2)) {
-        drag_ = Drag::pan;
+    const Sight now = sight();
+    PictureRequest request{.camera = now.camera,
+                           .style = studio_.look.style(),
+                           .settings = {.width = now.size_px.x,
+                                        .height = now.size_px.y,
+                                        .samples = studio_.samples,
+                                        .time_s = now.time_s,
+                                        .animation = now.animation}};
+    pictures_->do_job(
+        std::make_unique<ScreenshotJob>(std::move(request), free_name(studio_.file->draw.scene, ".png")));
+}
+
+void Viewer::toggle_recording()
+{
+    if (!studio_.file || studio_.work) {
+        return;
     }
+    studio_.is_recording = !studio_.is_recording;
+    if (studio_.is_recording) {
+        take_ = {};
+        take_start_ = app::Clock::now();
+        take_style_.reset();
+        return;
+    }
+    record();
+    const RenderSettings settings{
+        .width = studio_.view_px.x, .height = studio_.view_px.y, .samples = studio_.samples};
+    pictures_->do_job(
+        std::make_unique<FilmJob>(std::move(take_), settings, free_name(studio_.file->draw.scene, ".mp4")));
+    take_ = {};
+}
+
+void Viewer::record()
+{
+    if (!take_style_ || take_revision_ != studio_.look.revision()) {
+        take_revision_ = studio_.look.revision();
+        take_style_ = std::make_shared<const Style>(studio_.look.style());
+    }
+    studio_.recorded_s = app::seconds_since(take_start_);
+    take_.add({.at_s = studio_.recorded_s,
+               .camera = studio_.rig.camera(),
+               .time_s = studio_.time.time_s,
+               .animation = studio_.time.animation,
+               .style = take_style_});
 }
 
 void Viewer::paint_pictures(const Area& area)
@@ -430,7 +564,6 @@ void Viewer::lay_out()
     const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
     studio_.view_px = {static_cast<uint32_t>(std::lround(area.width * pixels.x)),
                        static_cast<uint32_t>(std::lround(area.height * pixels.y))};
-    follow_pointer(area);
     paint_pictures(area);
     if (studio_.shows_bars) {
         show_bar(studio_, requests_, ui_scale_);
@@ -479,7 +612,8 @@ void Viewer::run()
     app::Clock::time_point last = app::Clock::now();
     app::Clock::time_point painted = last;
     while (!window_.is_closing()) {
-        const bool is_busy = is_moving_ || studio_.work || !studio_.messages.empty() || frames_to_paint_ > 0;
+        const bool is_busy = is_moving_ || studio_.is_recording || studio_.work ||
+                             !studio_.messages.empty() || frames_to_paint_ > 0;
         const double since_s = app::seconds_since(painted);
         const double wait_s = frames_to_paint_ > 0 ? std::max(frame_s - since_s, 0.0)
                               : is_busy            ? busy_s
@@ -494,10 +628,16 @@ void Viewer::run()
         if (events.any) {
             frames_to_paint_ = 3;
         }
+        follow_pointer(events.pointer);
         take_loaded();
         take_news();
+        take_shaders();
+        look_at_files();
         move_by_keys(app::seconds_since(last));
         last = app::Clock::now();
+        if (studio_.is_recording) {
+            record();
+        }
         ask_for_pictures();
         if (studio_.work || !studio_.messages.empty()) {
             frames_to_paint_ = std::max(frames_to_paint_, app::seconds_since(painted) > 0.1 ? 1 : 0);

@@ -5,10 +5,13 @@
 #include <memory>
 #include <optional>
 
+#include "viewer/file_watch.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/picture_thread.hpp"
 #include "viewer/scene_loader.hpp"
+#include "viewer/shader_reload.hpp"
 #include "viewer/studio.hpp"
+#include "viewer/take.hpp"
 #include "viewer/ui_painter.hpp"
 #include "viewer/window.hpp"
 
@@ -39,7 +42,7 @@ public:
     void run();
 
     /// Whether a scene that is not wanted any more is still being read, which cannot be hurried.
-    [[nodiscard]] bool is_reading() const { return loader_.is_busy(); }
+    [[nodiscard]] bool is_reading() const { return loader_->is_busy(); }
 
 private:
     void act(Action action);
@@ -59,8 +62,14 @@ private:
     void request(size_t slot, const Sight& sight, bool is_moving);
     [[nodiscard]] Sight sight() const;
     void move_by_keys(double seconds);
-    void follow_pointer(const Area& area);
-    void drag(const Area& area);
+    void follow_pointer(const std::vector<PointerEvent>& events);
+    void press(const PointerEvent& event, const Area& area);
+    void drag(const glm::dvec2& way, const PointerEvent& event, const Area& area);
+    void look_at_files();
+    void take_shaders();
+    void take_screenshot();
+    void toggle_recording();
+    void record();
     void lay_out();
     void paint_pictures(const Area& area);
     void paint();
@@ -70,8 +79,9 @@ private:
     const app::ViewCommand& command_;
     app::Clock::time_point start_ = app::Clock::now();
     Studio studio_;
-    PictureThread pictures_;
-    SceneLoader loader_;
+    std::optional<PictureThread> pictures_; ///< goes before the window that it wakes, as the next two do
+    std::optional<SceneLoader> loader_;
+    std::optional<ShaderReload> shaders_;
     Window window_;
     Screen screen_;
     UiPainter painter_;
@@ -92,6 +102,15 @@ private:
 
     enum class Drag : uint8_t { none, turn, pan, zoom, sun, split };
     Drag drag_ = Drag::none;
+    glm::dvec2 pointer_{0.0};
+    FileWatch scene_watch_;
+    FileWatch style_watch_;
+    std::string watched_style_;
+    app::Clock::time_point looked_at_files_ = start_;
+    Take take_;
+    app::Clock::time_point take_start_ = start_;
+    std::shared_ptr<const Style> take_style_;
+    uint64_t take_revision_ = 0;
     int frames_to_paint_ = 3; ///< panels settle in a few
 };
 

@@ -99,9 +99,22 @@ void Window::watch_keys()
 
 void Window::watch_rest()
 {
-    glfwSetMouseButtonCallback(handle_, [](GLFWwindow* handle, int, int, int) { of(handle); });
-    glfwSetCursorPosCallback(handle_, [](GLFWwindow* handle, double, double) { of(handle); });
-    glfwSetScrollCallback(handle_, [](GLFWwindow* handle, double, double) { of(handle); });
+    glfwSetMouseButtonCallback(handle_, [](GLFWwindow* handle, int button, int action, int modifiers) {
+        PointerEvent event{.kind =
+                               action == GLFW_PRESS ? PointerEvent::Kind::press : PointerEvent::Kind::release,
+                           .button = button,
+                           .modifiers = modifiers};
+        glfwGetCursorPos(handle, &event.place.x, &event.place.y);
+        of(handle).events_.pointer.push_back(event);
+    });
+    glfwSetCursorPosCallback(handle_, [](GLFWwindow* handle, double x, double y) {
+        of(handle).events_.pointer.push_back({.kind = PointerEvent::Kind::move, .place = {x, y}});
+    });
+    glfwSetScrollCallback(handle_, [](GLFWwindow* handle, double, double steps) {
+        PointerEvent event{.kind = PointerEvent::Kind::wheel, .wheel = steps};
+        glfwGetCursorPos(handle, &event.place.x, &event.place.y);
+        of(handle).events_.pointer.push_back(event);
+    });
     glfwSetCursorEnterCallback(handle_, [](GLFWwindow* handle, int) { of(handle); });
     glfwSetWindowFocusCallback(handle_, [](GLFWwindow* handle, int) { of(handle); });
     glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* handle, int, int) { of(handle); });

@@ -11,10 +11,21 @@
 
 namespace estampe::viewer {
 
+/// What the pointer did, in the order it did it: several may come between two looks.
+struct PointerEvent {
+    enum class Kind : uint8_t { press, release, move, wheel };
+    Kind kind = Kind::move;
+    int button = 0;    ///< GLFW_MOUSE_BUTTON_*
+    int modifiers = 0; ///< GLFW_MOD_*
+    glm::dvec2 place{0.0};
+    double wheel = 0.0;
+};
+
 /// What happened since one looked last.
 struct WindowEvents {
     std::vector<Action> actions; ///< of keys that no text field took
     std::vector<std::string> dropped;
+    std::vector<PointerEvent> pointer;
     bool any = false; ///< something that may change what is painted
 };
 

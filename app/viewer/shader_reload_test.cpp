@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/shader_reload.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+#include "gpu/graph/graph.hpp"
+#include "gpu/shader_replacements.hpp"
+#include "shaders/ui_frag.hpp"
+#include "support/folder.hpp"
+
+namespace estampe::viewer {
+namespace {
+
+constexpr const char* shader_text = R"(#version 460
+#include "shaders/two.glsl"
+layout(local_size_x = 64) in;
+layout(binding = 0) buffer Numbers { uint numbers[]; };
+void main() { numbers[gl_GlobalInvocationID.x] = two(); }
+)";
+
+void write(const std::filesystem::path& file, const std::string& text)
+{
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+}
+
+TEST(ShaderReload, CompilesWithItsIncludesAndSaysWhatIsWrong)
+{
+    const test::Folder folder;
+    const std::filesystem::path shader = folder.path() / "techniques/a/fill.comp";
+    write(shader, shader_text);
+    write(folder.path() / "shaders/two.glsl", "uint two() { return 2; }\n");
+    const ShaderNews right = compile_shader(shader, folder.path());
+    EXPECT_EQ(right.name, "fill_comp");
+    EXPECT_EQ(right.problem, "");
+    ASSERT_FALSE(right.spirv.empty());
+    EXPECT_EQ(right.spirv.front(), 0x07230203U);
+    EXPECT_EQ(includes_of(shader, folder.path()),
+              std::set<std::filesystem::path>{folder.path() / "shaders/two.glsl"});
+
+    write(folder.path() / "shaders/two.glsl", "uint two() { return tow; }\n");
+    const ShaderNews wrong = compile_shader(shader, folder.path());
+    EXPECT_TRUE(wrong.spirv.empty());
+    EXPECT_NE(wrong.problem.find("shaders/two.glsl:1"), std::string::npos) << wrong.problem;
+    std::filesystem::remove(folder.path() / "shaders/two.glsl");
+    EXPECT_NE(compile_shader(shader, folder.path()).problem, "");
+}
+
+TEST(ShaderReload, AReplacementStandsForItsShaderIfItBindsTheSame)
+{
+    const gpu::Shader own = shaders::ui_frag;
+    EXPECT_EQ(gpu::current_build(own).spirv.data(), own.spirv.data());
+    gpu::replace_shader("ui_frag", {own.spirv.begin(), own.spirv.end()});
+    const gpu::Shader other = gpu::current_build(own);
+    EXPECT_NE(other.spirv.data(), own.spirv.data());
+    EXPECT_TRUE(std::ranges::equal(other.spirv, own.spirv));
+
+    const test::Folder folder;
+    write(folder.path() / "fill.comp", shader_text);
+    write(folder.path() / "shaders/two.glsl", "uint two() { return 2; }\n");
+    gpu::replace_shader("ui_frag", compile_shader(folder.path() / "fill.comp", folder.path()).spirv);
+    EXPECT_THROW(static_cast<void>(gpu::current_build(own)), Error) << "a buffer in place of an image";
+    EXPECT_EQ(gpu::current_build(own).spirv.data(), own.spirv.data());
+    gpu::replace_shader("ui_frag", {own.spirv.begin(), own.spirv.end()});
+    gpu::replace_shader("ui_frag", {});
+    EXPECT_EQ(gpu::current_build(own).spirv.data(), own.spirv.data());
+}
+
+} // namespace
+} // namespace estampe::viewer
