@@ -88,7 +88,7 @@ void show_key_group(const KeyGroup& group, float content_scale)
 {
     ImGui::TextDisabled("%s", group.title);
     if (ImGui::BeginTable(group.title, 2)) {
-        ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 132.0F * content_scale);
+        ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 164.0F * content_scale);
         ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch);
         for (const KeyHelp& key : group.keys) {
             ImGui::TableNextColumn();

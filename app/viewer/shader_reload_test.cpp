@@ -10,7 +10,6 @@
 
 #include "gpu/graph/graph.hpp"
 #include "gpu/shader_replacements.hpp"
-#include "shaders/ui_frag.hpp"
 #include "support/folder.hpp"
 
 namespace estampe::viewer {
@@ -53,22 +52,26 @@ TEST(ShaderReload, CompilesWithItsIncludesAndSaysWhatIsWrong)
 
 TEST(ShaderReload, AReplacementStandsForItsShaderIfItBindsTheSame)
 {
-    const gpu::Shader own = shaders::ui_frag;
-    EXPECT_EQ(gpu::current_build(own).spirv.data(), own.spirv.data());
-    gpu::replace_shader("ui_frag", {own.spirv.begin(), own.spirv.end()});
-    const gpu::Shader other = gpu::current_build(own);
-    EXPECT_NE(other.spirv.data(), own.spirv.data());
-    EXPECT_TRUE(std::ranges::equal(other.spirv, own.spirv));
-
     const test::Folder folder;
     write(folder.path() / "fill.comp", shader_text);
     write(folder.path() / "shaders/two.glsl", "uint two() { return 2; }\n");
-    gpu::replace_shader("ui_frag", compile_shader(folder.path() / "fill.comp", folder.path()).spirv);
-    EXPECT_THROW(static_cast<void>(gpu::current_build(own)), Error) << "a buffer in place of an image";
-    EXPECT_EQ(gpu::current_build(own).spirv.data(), own.spirv.data());
-    gpu::replace_shader("ui_frag", {own.spirv.begin(), own.spirv.end()});
-    gpu::replace_shader("ui_frag", {});
-    EXPECT_EQ(gpu::current_build(own).spirv.data(), own.spirv.data());
+    const std::vector<uint32_t> words = compile_shader(folder.path() / "fill.comp", folder.path()).spirv;
+    const gpu::Shader own{"fill_comp", words};
+    EXPECT_EQ(gpu::current_build(own).spirv.data(), words.data());
+    gpu::replace_shader("fill_comp", words);
+    const gpu::Shader other = gpu::current_build(own);
+    EXPECT_NE(other.spirv.data(), words.data());
+    EXPECT_TRUE(std::ranges::equal(other.spirv, words));
+
+    std::string elsewhere = shader_text;
+    elsewhere.replace(elsewhere.find("binding = 0"), 11, "binding = 1");
+    write(folder.path() / "fill.comp", elsewhere);
+    gpu::replace_shader("fill_comp", compile_shader(folder.path() / "fill.comp", folder.path()).spirv);
+    EXPECT_THROW(static_cast<void>(gpu::current_build(own)), Error) << "a binding that no pass fills";
+    EXPECT_EQ(gpu::current_build(own).spirv.data(), words.data());
+    gpu::replace_shader("fill_comp", words);
+    gpu::replace_shader("fill_comp", {});
+    EXPECT_EQ(gpu::current_build(own).spirv.data(), words.data());
 }
 
 } // namespace

@@ -104,15 +104,16 @@ void Window::watch_rest()
                                action == GLFW_PRESS ? PointerEvent::Kind::press : PointerEvent::Kind::release,
                            .button = button,
                            .modifiers = modifiers};
-        glfwGetCursorPos(handle, &event.place.x, &event.place.y);
+        event.place = of(handle).pointer_;
         of(handle).events_.pointer.push_back(event);
     });
     glfwSetCursorPosCallback(handle_, [](GLFWwindow* handle, double x, double y) {
+        of(handle).pointer_ = {x, y};
         of(handle).events_.pointer.push_back({.kind = PointerEvent::Kind::move, .place = {x, y}});
     });
     glfwSetScrollCallback(handle_, [](GLFWwindow* handle, double, double steps) {
         PointerEvent event{.kind = PointerEvent::Kind::wheel, .wheel = steps};
-        glfwGetCursorPos(handle, &event.place.x, &event.place.y);
+        event.place = of(handle).pointer_;
         of(handle).events_.pointer.push_back(event);
     });
     glfwSetCursorEnterCallback(handle_, [](GLFWwindow* handle, int) { of(handle); });

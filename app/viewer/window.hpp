@@ -63,6 +63,7 @@ private:
 
     GLFWwindow* handle_ = nullptr;
     WindowEvents events_;
+    glm::dvec2 pointer_{0.0}; ///< by the events so far; where it is by now may be elsewhere
     float content_scale_ = 1.0F;
     glm::ivec4 place_px_{0}; ///< x, y, width, height before full screen
 };

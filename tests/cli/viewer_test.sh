@@ -44,7 +44,7 @@ seen=0
 # await PATTERN: until the viewer says it, after what was awaited before
 await() {
     local line
-    for ((i = 0; i < 1200; ++i)); do
+    for ((i = 0; i < 400; ++i)); do
         line="$(tail -n +$((seen + 1)) log | grep -n -m 1 -- "$1" || true)"
         if [[ -n $line ]]; then
             seen=$((seen + ${line%%:*}))
@@ -124,7 +124,7 @@ shot turned
 others first turned
 key_then_picture Return
 shot home
-same first home
+same first home 640x320+0+46
 skip
 xdotool mousemove --window "$window" 300 180 click 4 click 4
 await 'refined'
@@ -142,7 +142,7 @@ same top no_keys
 key_then_picture Return
 
 # Walking goes on for as long as a key is held.
-key_then_picture f
+xdotool key f
 skip
 xdotool keydown w
 await 'picture 0'
@@ -168,7 +168,7 @@ await 'refined'
 xdotool type --delay 5 'hatch.drawn'
 shot panel
 skip
-xdotool mousemove --window "$window" 452 166 click 1
+xdotool mousemove --window "$window" 448 152 click 1
 await 'refined'
 shot no_hatch
 others panel no_hatch 290x366+0+0
