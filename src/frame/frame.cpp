@@ -31,10 +31,11 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const hatch::HatchInputs hatching = hatch_inputs(making, scene, surface, lit, screen);
     const contour::ContourInputs outlining = contour_inputs(making, scene, visibility, surface, lit, screen);
     if (resources.lists != nullptr) {
-        declare_stroke_lists(graph, hatching, outlining, resources.line_mesh, style, *resources.lists);
+        declare_stroke_lists(graph, {hatching, hatch_looks(making)}, {outlining, resources.line_mesh},
+                             plan.looks, *resources.lists);
         return;
     }
-    const gpu::ImageId strokes = hatch::add_hatch(graph, hatching, style.hatch);
+    const gpu::ImageId strokes = hatch::add_hatch(graph, hatching, hatch_looks(making));
     const gpu::ImageId lines = add_lines(making, outlining);
     const gpu::ImageId ink = bleed::add_bleed(graph,
                                               {.hatch = strokes,

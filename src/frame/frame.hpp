@@ -5,6 +5,7 @@
 #include "frame/local_maps.hpp"
 #include "frame/plan.hpp"
 #include "frame/style_tables.hpp"
+#include "frame/tonal_maps.hpp"
 #include "frame/vectors.hpp"
 #include "gpu/graph/graph.hpp"
 #include "techniques/contour/chains/brushes.hpp"
@@ -31,7 +32,9 @@ struct FrameResources {
     gpu::Buffer& stroke_kinds;       ///< one a draw
     gpu::Buffer& form_coordinates;   ///< three a triangle, where strokes follow the form
     lightmap::MapBuffers* lightmaps; ///< where the scene has any
-    hatch::MapImages* map;           ///< where strokes come from a map
+    TonalMaps& maps;                 ///< one a look
+    gpu::Buffer& look_of_draw;       ///< where surfaces differ, as LookPlan has it
+    gpu::Buffer& line_looks;         ///< then, contour's LineLook of each look
     contour::LineMesh* line_mesh;    ///< where lines are chains
     contour::LineHistory& line_history;
     contour::BrushImages* brushes; ///< where lines have others than the pen

@@ -82,14 +82,16 @@ bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& ma
 FramePlan plan_frame(const PlanInputs& in)
 {
     const PagePlan page = plan_page(in);
-    StrokePlan strokes = plan_strokes(in.loaded.layout, in.loaded.scene.materials, in.style.hatch);
+    LookPlan looks = plan_looks(in.loaded.layout, in.loaded.scene, in.style);
+    StrokePlan strokes = plan_strokes(in.loaded.layout, in.loaded.scene.materials, looks);
     const LightPlan light = plan_light(in, strokes);
     SunPlan sun = plan_sun(in, page);
     const EdgePlan edges = plan_edges(in.style, sun, strokes, page.pixels_per_mm);
-    const LinePlan lines{.of_shadows = draws_shadow_lines(in.style.contour, sun.map)};
+    const LinePlan lines{.of_shadows = draws_shadow_lines(looks.lines, sun.map)};
     return {.page = page,
             .raster = plan_raster(in),
             .needs = in.loaded.needs,
+            .looks = std::move(looks),
             .strokes = std::move(strokes),
             .sun = std::move(sun),
             .light = light,

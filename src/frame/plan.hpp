@@ -9,6 +9,7 @@
 
 #include "frame/loaded_scene.hpp"
 #include "frame/local_shadows.hpp"
+#include "frame/looks.hpp"
 #include "frame/motion.hpp"
 #include "frame/strokes.hpp"
 #include "frame/style_tables.hpp"
@@ -70,6 +71,7 @@ struct FramePlan {
     PagePlan page;
     RasterPlan raster;
     surface::SceneNeeds needs;
+    LookPlan looks;
     StrokePlan strokes;
     SunPlan sun;
     LightPlan light;

@@ -76,6 +76,8 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
                                          const std::optional<gpu::ImageId>& known);
 
 /// What strokes are drawn from.
+[[nodiscard]] std::vector<hatch::LookHatch> hatch_looks(const Making& making);
+
 [[nodiscard]] hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
                                               const surface::Surface& surface, const light::LitPixels& lit,
                                               const SeenThrough& screen);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "style/sheet.hpp"
 #include "techniques/bleed/bleed.hpp"
 #include "techniques/contour/contour.hpp"
@@ -51,6 +53,7 @@ struct StyleTables {
     wash::WashStyle wash;
     sky::SkyStyle sky;
     paper::PaperStyle paper;
+    std::vector<style::Override> overrides; ///< what single materials and objects have otherwise
 };
 
 /// The readers and writers of `tables`, which must outlive the sheet.
@@ -71,6 +74,7 @@ struct StyleTables {
     sheet.bind(wash::wash_table(), tables.wash);
     sheet.bind(sky::sky_table(), tables.sky);
     sheet.bind(paper::paper_table(), tables.paper);
+    sheet.bind_overrides(tables.overrides);
     return sheet;
 }
 

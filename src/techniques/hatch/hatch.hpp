@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gpu/graph/graph.hpp"
 #include "shaders/stroke_kind.glsl.h"
@@ -108,7 +109,8 @@ inline const style::Table<HatchStyle>& hatch_table()
                     "Contrast of a map about its middle; 1 leaves its greys")
             .number("map_texel_mm", &HatchStyle::map_texel_mm, {0.01F, 5.0F}, "mm",
                     "Size of a texel of the map on the page")
-            .integer("seed", &HatchStyle::seed, {0, 1000000}, "", "Another number, another hand");
+            .integer("seed", &HatchStyle::seed, {0, 1000000}, "", "Another number, another hand")
+            .by_surface_but({"materials"});
     return table;
 }
 
@@ -157,12 +159,26 @@ struct HatchInputs {
     std::optional<MapInputs> map; ///< where the style asks for one
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
+    std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels
+    uint32_t look = 0;                         ///< which of them is drawn, then
+    std::optional<gpu::ImageId> ink_before;    ///< of looks that are drawn already
 };
+
+/// How the surfaces of one look are hatched.
+struct LookHatch {
+    HatchStyle style;
+    shared::ToneConstants tone;
+    std::optional<MapInputs> map; ///< where the style asks for one
+};
+
+/// `in` for one of several looks, over what was drawn before.
+[[nodiscard]] HatchInputs inputs_of_look(const HatchInputs& in, const std::vector<LookHatch>& looks,
+                                         uint32_t number, std::optional<gpu::ImageId> ink_before);
 
 /// How dark the strokes have to be, and where there are none to draw.
 struct Darkness {
     gpu::ImageId image;  ///< r16f: 0 paper to 1 ink
-    gpu::ImageId blank;  ///< ink before any stroke is drawn
+    gpu::ImageId blank;  ///< ink before any stroke of the look is drawn
     gpu::BufferId tiles; ///< those that are not blank, see dark_tiles.glsl
 };
 
@@ -185,10 +201,12 @@ struct Darkness {
 /// Cost    one full-screen dispatch, five texels a pixel
 /// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001; thresholds: Webb et al., "Fine Tone Control in
 /// Hardware Hatching", NPAR 2002
-[[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
+[[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                    const HatchStyle& style);
 
-/// The ink of all strokes.
-[[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);
+/// The ink of all strokes; tone, map and look of `in` are left aside. Cost: for each look a full-screen
+/// dispatch, and what its strokes cost.
+[[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in,
+                                     const std::vector<LookHatch>& looks);
 
 } // namespace estampe::hatch
