@@ -46,7 +46,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
 
     // What colour lies under it, and all of it on paper.
     const Colors colors = add_colors(making, scene, surface, lit.light, screen);
-    const paper::ComposeInputs layers = page_layers(making, scene, colors, ink, lines, lit.light);
+    const paper::ComposeInputs layers =
+        page_layers(making, scene, colors, ink, add_focus_lines(making, lines), lit.light);
     add_picture(making, layers);
     add_deep_picture(making, layers, surface, lit);
 }

@@ -37,6 +37,7 @@ struct FrameResources {
     gpu::Buffer& line_looks;         ///< then, contour's LineLook of each look
     contour::LineMesh* line_mesh;    ///< where lines are chains
     contour::LineHistory& line_history;
+    gpu::Buffer& focus_lines;      ///< of the plan
     contour::BrushImages* brushes; ///< where lines have others than the pen
     gpu::Image& sums;              ///< of a picture of several samples
     gpu::Buffer& pixels;           ///< the picture, four bytes a pixel, for reading back

@@ -71,6 +71,16 @@ EdgePlan plan_edges(const StyleTables& style, const SunPlan& sun, const StrokePl
             .variant = shadow::shadow_variant(style.shadow, lines)};
 }
 
+FocusPlan plan_focus(const PlanInputs& in, const PagePlan& page)
+{
+    const float width_mm = static_cast<float>(page.size_px.x) / page.pixels_per_mm;
+    const paper::Window window_mm = paper::window_of(in.style.paper, width_mm);
+    const focus::Window window{.min_px = page.pixels_per_mm * window_mm.min_mm,
+                               .max_px = page.pixels_per_mm * window_mm.max_mm};
+    return {.lines = focus::focus_lines(in.style.focus, window, page.pixels_per_mm, in.settings.time_s),
+            .middle_px = focus::middle_px(in.style.focus, window)};
+}
+
 bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& map)
 {
     return style.drawn && style.lines == contour::Lines::chains &&
@@ -96,7 +106,8 @@ FramePlan plan_frame(const PlanInputs& in)
             .sun = std::move(sun),
             .light = light,
             .shadow_edges = edges,
-            .lines = lines};
+            .lines = lines,
+            .focus = plan_focus(in, page)};
 }
 
 } // namespace estampe::frame

@@ -66,6 +66,12 @@ struct LinePlan {
     bool are_remembered = false; ///< the picture goes on from one before, or another may from this
 };
 
+/// Lines that point at what matters.
+struct FocusPlan {
+    std::vector<shared::FocusLine> lines;
+    glm::vec2 middle_px{0.0F};
+};
+
 /// A picture, all of its samples alike.
 struct FramePlan {
     PagePlan page;
@@ -78,6 +84,7 @@ struct FramePlan {
     EdgePlan shadow_edges;
     LocalMapPlan local_shadows;
     LinePlan lines;
+    FocusPlan focus;
     std::optional<MotionPlan> motion;
 };
 

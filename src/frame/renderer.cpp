@@ -137,6 +137,9 @@ void Renderer::Impl::provide_strokes(const frame::StrokePlan& strokes)
 void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
 {
     tonal_maps.provide(device, plan.looks.styles);
+    if (!plan.focus.lines.empty()) {
+        focus_lines = mapped_buffer(device, "focus lines", plan.focus.lines.data(), plan.focus.lines.size());
+    }
     if (!plan.looks.has_several()) {
         return;
     }
@@ -185,6 +188,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     .line_mesh =
                                         loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines),
                                     .line_history = line_history,
+                                    .focus_lines = focus_lines,
                                     .brushes = line_brushes.provide(device, plan.looks.lines),
                                     .sums = page.sums,
                                     .pixels = page.pixels,
@@ -363,7 +367,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
                               .layout = impl.loaded->layout,
                               .edges = impl.loaded->line_meshes.edges(),
                               .size_px = plan.page.size_px},
-                             plan.looks, hidden == HiddenLines::kept);
+                             plan, hidden == HiddenLines::kept);
 }
 
 const Motion& Renderer::motion() const

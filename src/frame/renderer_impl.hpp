@@ -84,6 +84,7 @@ struct Renderer::Impl {
     frame::TonalMaps tonal_maps;
     gpu::Buffer look_of_draw;
     gpu::Buffer line_looks;
+    gpu::Buffer focus_lines;
     contour::LineHistory line_history;
     frame::LineBrushes line_brushes;
     frame::Page page;

@@ -61,7 +61,8 @@ hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
             .towards_light = plan.sun.towards,
             .pixels_per_mm = plan.page.pixels_per_mm,
             .size_px = plan.page.size_px,
-            .look_of_draw = look_of_draw(making)};
+            .look_of_draw = look_of_draw(making),
+            .draws = scene.meshes.draws};
 }
 
 contour::ContourInputs contour_inputs(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
@@ -116,6 +117,21 @@ gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in)
     return contour::add_chain_contours(making.graph, in, *resources.line_mesh,
                                        remembers ? &resources.line_history : nullptr, making.plan.looks.lines,
                                        of_cuts);
+}
+
+gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
+{
+    const FocusPlan& plan = making.plan.focus;
+    if (plan.lines.empty()) {
+        return lines;
+    }
+    return focus::add_focus(
+        making.graph,
+        {.lines = gpu::import_whole(making.graph, "focus lines", making.resources.focus_lines),
+         .line_count = static_cast<uint32_t>(plan.lines.size()),
+         .middle_px = plan.middle_px,
+         .size_px = making.plan.page.size_px},
+        making.style.focus, lines);
 }
 
 Colors add_colors(const Making& making, const PosedScene& scene, const surface::Surface& surface,

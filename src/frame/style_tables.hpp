@@ -6,6 +6,7 @@
 #include "style/sheet.hpp"
 #include "techniques/bleed/bleed.hpp"
 #include "techniques/contour/contour.hpp"
+#include "techniques/focus/focus.hpp"
 #include "techniques/hatch/hatch.hpp"
 #include "techniques/light/light_style.hpp"
 #include "techniques/light/sun_style.hpp"
@@ -50,6 +51,7 @@ struct StyleTables {
     tam::TamStyle tam;
     contour::ContourStyle contour;
     bleed::BleedStyle bleed;
+    focus::FocusStyle focus;
     wash::WashStyle wash;
     sky::SkyStyle sky;
     paper::PaperStyle paper;
@@ -71,6 +73,7 @@ struct StyleTables {
     sheet.bind(tam::tam_table(), tables.tam);
     sheet.bind(contour::contour_table(), tables.contour);
     sheet.bind(bleed::bleed_table(), tables.bleed);
+    sheet.bind(focus::focus_table(), tables.focus);
     sheet.bind(wash::wash_table(), tables.wash);
     sheet.bind(sky::sky_table(), tables.sky);
     sheet.bind(paper::paper_table(), tables.paper);

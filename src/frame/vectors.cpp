@@ -71,8 +71,25 @@ public:
         for (const auto& point : points) {
             stroke.points.push_back({mm_per_px_ * point.page_px, mm_per_px_ * point.width_px});
         }
-        const std::vector<VectorStroke> parts = clipped(stroke, window_);
-        drawing_.strokes.insert(drawing_.strokes.end(), parts.begin(), parts.end());
+        add_parts(stroke);
+    }
+
+    void add_focus(const FocusPlan& plan, const glm::vec3& ink)
+    {
+        if (plan.lines.empty()) {
+            return;
+        }
+        const auto object = static_cast<uint32_t>(drawing_.objects.size());
+        drawing_.objects.emplace_back("focus");
+        for (const shared::FocusLine& line : plan.lines) {
+            const glm::vec2 tip_px = plan.middle_px + line.tip_px * line.outwards;
+            const glm::vec2 end_px = plan.middle_px + line.end_px * line.outwards;
+            add_parts({.kind = StrokeKind::focus,
+                       .object = object,
+                       .ink = number_of(ink),
+                       .points = {{mm_per_px_ * tip_px, 0.0F},
+                                  {mm_per_px_ * end_px, 2.0F * mm_per_px_ * line.half_width_px}}});
+        }
     }
 
     /// The lines around the window, side by side as along a ruler.
@@ -96,6 +113,12 @@ public:
     [[nodiscard]] VectorDrawing take() { return std::move(drawing_); }
 
 private:
+    void add_parts(const VectorStroke& stroke)
+    {
+        const std::vector<VectorStroke> parts = clipped(stroke, window_);
+        drawing_.strokes.insert(drawing_.strokes.end(), parts.begin(), parts.end());
+    }
+
     uint32_t object_of(uint32_t draw)
     {
         const bool is_ground = draw >= drawn_.layout.sources.size();
@@ -204,11 +227,11 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
 
 void check_has_paths(const LookPlan& looks)
 {
-    const auto is_map = [](const StyleTables& style) {
-        return style.hatch.drawn && style.hatch.strokes == hatch::Strokes::map;
+    const auto is_no_line = [](const StyleTables& style) {
+        return style.hatch.drawn && style.hatch.strokes != hatch::Strokes::lines;
     };
-    if (std::ranges::any_of(looks.styles, is_map)) {
-        throw Error("the strokes of a tonal art map have no paths", "hatch.strokes",
+    if (std::ranges::any_of(looks.styles, is_no_line)) {
+        throw Error("the strokes of a tonal art map have no paths, nor have dots", "hatch.strokes",
                     "--set hatch.strokes=lines draws others, --set hatch.drawn=false none");
     }
     if (looks.lines.drawn && looks.lines.lines == contour::Lines::page) {
@@ -241,17 +264,18 @@ void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const Li
     }
 }
 
-VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn, const LookPlan& looks,
+VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn, const FramePlan& plan,
                          bool with_hidden_lines)
 {
-    const StyleTables& style = looks.styles.front();
+    const StyleTables& style = plan.looks.styles.front();
     Gathering gathering(drawn, style);
     if (!lists.crossings.empty()) {
         add_hatching(gathering, lists, drawn, style);
     }
     if (!lists.line_sizes.empty()) {
-        add_lines(gathering, lists, drawn, looks, with_hidden_lines);
+        add_lines(gathering, lists, drawn, plan.looks, with_hidden_lines);
     }
+    gathering.add_focus(plan.focus, style.focus.ink);
     if (style.paper.border_mm > 0.0F) {
         gathering.add_border(style.paper);
     }

@@ -8,7 +8,7 @@
 #include <estampe/scene.hpp>
 #include <estampe/vector_drawing.hpp>
 
-#include "frame/looks.hpp"
+#include "frame/plan.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/contour/chains/edge_mesh.hpp"
 #include "techniques/contour/chains/line_mesh.hpp"
@@ -60,6 +60,6 @@ struct DrawnScene {
 
 /// The strokes of `lists` on the page. Throws Error when there was no room for all of the hatching.
 [[nodiscard]] VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn,
-                                       const LookPlan& looks, bool with_hidden_lines);
+                                       const FramePlan& plan, bool with_hidden_lines);
 
 } // namespace estampe::frame

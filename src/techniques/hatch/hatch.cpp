@@ -10,6 +10,7 @@
 #include "gpu/fills.hpp"
 #include "gpu/imports.hpp"
 #include "shaders/darkness_comp.hpp"
+#include "shaders/dots_comp.hpp"
 #include "shaders/lines_comp.hpp"
 #include "shaders/map_comp.hpp"
 #include "shaders/overrun_comp.hpp"
@@ -187,6 +188,36 @@ gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, const Darkness& d
     return ink;
 }
 
+gpu::ImageId add_dots(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
+                      const HatchStyle& style)
+{
+    auto pass = graph.compute("hatch/dots", shaders::dots_comp);
+    pass.uniform(in.frame).sample(darkness.image).sample(in.draw).sample(in.draws.value());
+    const gpu::ImageId ink = pass.modify(darkness.blank);
+    const glm::vec2 across = turned(style.dots_deg);
+    pass.variant(in.ink_before ? shared::dots_has_ink : 0U);
+    pass.push(shared::DotConstants{.pitch_px = style.dots_mm * in.pixels_per_mm,
+                                   .axis = {across.y, across.x},
+                                   .steps = static_cast<uint32_t>(style.dots_tones),
+                                   .black_above = style.black_above})
+        .dispatch_over(in.size_px.x, in.size_px.y);
+    return ink;
+}
+
+namespace {
+
+gpu::ImageId add_look(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
+{
+    const Darkness darkness = add_darkness(graph, in, style);
+    if (in.map && style.drawn && style.strokes == Strokes::map) {
+        return add_map(graph, in, darkness, style);
+    }
+    return style.drawn && style.strokes == Strokes::dots ? add_dots(graph, in, darkness, style)
+                                                         : add_lines(graph, in, darkness, style);
+}
+
+} // namespace
+
 HatchInputs inputs_of_look(const HatchInputs& in, const std::vector<LookHatch>& looks, uint32_t number,
                            std::optional<gpu::ImageId> ink_before)
 {
@@ -202,11 +233,7 @@ gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const std::vect
 {
     std::optional<gpu::ImageId> ink;
     for (uint32_t look = 0; look < looks.size(); ++look) {
-        const HatchInputs of_look = inputs_of_look(in, looks, look, ink);
-        const HatchStyle& style = looks[look].style;
-        const Darkness darkness = add_darkness(graph, of_look, style);
-        const bool by_map = of_look.map && style.drawn && style.strokes == Strokes::map;
-        ink = by_map ? add_map(graph, of_look, darkness, style) : add_lines(graph, of_look, darkness, style);
+        ink = add_look(graph, inputs_of_look(in, looks, look, ink), looks[look].style);
     }
     return ink.value();
 }

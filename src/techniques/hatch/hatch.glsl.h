@@ -42,6 +42,9 @@ SHARED_CONSTANT uint map_in_steps = 2U;  // one tone or the next
 SHARED_CONSTANT uint map_has_overrun = 1U << 2U;
 SHARED_CONSTANT uint map_has_ink = 1U << 3U; // of looks drawn before
 
+// Of dots.comp.
+SHARED_CONSTANT uint dots_has_ink = 1U << 0U; // of looks drawn before
+
 struct DarknessConstants {
     ToneConstants tone;
     float fade; // darkness left at infinity, 1 for no fade
@@ -93,6 +96,13 @@ struct MapConstants {
     float contrast;      // of the tones about their middle; 1 for none
     float black_above;
     float overrun_px;
+};
+
+struct DotConstants {
+    float pitch_px;
+    vec2 axis;  // of the lattice on the page
+    uint steps; // tones that darkness is rounded to, 0 for all there are
+    float black_above;
 };
 
 #ifdef __cplusplus
