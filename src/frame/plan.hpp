@@ -9,6 +9,7 @@
 
 #include "frame/loaded_scene.hpp"
 #include "frame/local_shadows.hpp"
+#include "frame/looks.hpp"
 #include "frame/motion.hpp"
 #include "frame/strokes.hpp"
 #include "frame/style_tables.hpp"
@@ -65,17 +66,25 @@ struct LinePlan {
     bool are_remembered = false; ///< the picture goes on from one before, or another may from this
 };
 
+/// Lines that point at what matters.
+struct FocusPlan {
+    std::vector<shared::FocusLine> lines;
+    glm::vec2 middle_px{0.0F};
+};
+
 /// A picture, all of its samples alike.
 struct FramePlan {
     PagePlan page;
     RasterPlan raster;
     surface::SceneNeeds needs;
+    LookPlan looks;
     StrokePlan strokes;
     SunPlan sun;
     LightPlan light;
     EdgePlan shadow_edges;
     LocalMapPlan local_shadows;
     LinePlan lines;
+    FocusPlan focus;
     std::optional<MotionPlan> motion;
 };
 

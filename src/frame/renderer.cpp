@@ -14,6 +14,7 @@
 #include "gpu/upload.hpp"
 #include "scene/extent.hpp"
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/contour/chains/chains.hpp"
 #include "techniques/light/daylight.hpp"
 
 namespace estampe {
@@ -133,19 +134,22 @@ void Renderer::Impl::provide_strokes(const frame::StrokePlan& strokes)
     loaded->stroke_kinds = strokes.kind_of_draw;
 }
 
-void Renderer::Impl::provide_map(const frame::StyleTables& style)
+void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
 {
-    if (!style.hatch.drawn || style.hatch.strokes != hatch::Strokes::map) {
-        map.reset();
-        map_choice.reset();
+    tonal_maps.provide(device, plan.looks.styles);
+    if (!plan.focus.lines.empty()) {
+        focus_lines = mapped_buffer(device, "focus lines", plan.focus.lines.data(), plan.focus.lines.size());
+    }
+    if (!plan.looks.has_several()) {
         return;
     }
-    frame::MapChoice choice = frame::map_choice(style);
-    if (map_choice != choice) {
-        map_choice.reset();
-        map = hatch::upload_map(device, frame::load_map(choice), choice.tone, choice.contrast);
-        map_choice = std::move(choice);
+    std::vector<shared::LineLook> lines;
+    for (const frame::StyleTables& style : plan.looks.styles) {
+        lines.push_back(contour::line_look(style.contour, plan.page.pixels_per_mm));
     }
+    const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
+    look_of_draw = mapped_buffer(device, "looks", looks.data(), looks.size());
+    line_looks = mapped_buffer(device, "line looks", lines.data(), lines.size());
 }
 
 void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style,
@@ -178,11 +182,14 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     .stroke_kinds = stroke_kinds,
                                     .form_coordinates = form_coordinates,
                                     .lightmaps = loaded->baked ? &loaded->baked->maps : nullptr,
-                                    .map = map ? &*map : nullptr,
+                                    .maps = tonal_maps,
+                                    .look_of_draw = look_of_draw,
+                                    .line_looks = line_looks,
                                     .line_mesh =
-                                        loaded->line_meshes.provide(device, loaded->layout, style.contour),
+                                        loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines),
                                     .line_history = line_history,
-                                    .brushes = line_brushes.provide(device, style.contour),
+                                    .focus_lines = focus_lines,
+                                    .brushes = line_brushes.provide(device, plan.looks.lines),
                                     .sums = page.sums,
                                     .pixels = page.pixels,
                                     .motion = motion_pixels,
@@ -275,6 +282,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     }
     const float lightmap_scale = frame::make_room(lighting, loaded->baked, tables.lightmap);
     notes = loaded->notes;
+    std::ranges::copy(frame::idle_overrides(loaded->scene, tables), std::back_inserter(notes));
     if (lighting.indoors) {
         notes.emplace_back("the scene has no light and the sun does not reach it: a lamp hangs in the room");
     }
@@ -290,8 +298,8 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     if (settings.motion_since) {
         plan.motion = plan_motion(camera, settings);
     }
-    provide_map(tables);
     provide_strokes(plan.strokes);
+    provide_looks(plan);
     plan.local_shadows = provide_local_shadows(plan.page, lighting, camera, tables);
     provide_lighting(plan, lighting, tables);
     plan.light.adapt_stops = exposure.prepare(device, tables.light, settings.time_s);
@@ -342,9 +350,9 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
 {
     Impl& impl = *impl_;
     const frame::StyleTables& tables = style.tables();
-    frame::check_has_paths(tables);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     frame::FramePlan plan = impl.prepare(seen_by, tables, settings);
+    frame::check_has_paths(plan.looks);
     plan.motion.reset();
     if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.width_mm > 0.0F) {
         impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs");
@@ -359,7 +367,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
                               .layout = impl.loaded->layout,
                               .edges = impl.loaded->line_meshes.edges(),
                               .size_px = plan.page.size_px},
-                             tables, hidden == HiddenLines::kept);
+                             plan, hidden == HiddenLines::kept);
 }
 
 const Motion& Renderer::motion() const

@@ -48,8 +48,8 @@ struct Renderer::Impl {
     /// Hands the device what the light's shaders read.
     void provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
                           const frame::StyleTables& tables);
-    void provide_map(const frame::StyleTables& style);
     void provide_strokes(const frame::StrokePlan& strokes);
+    void provide_looks(const frame::FramePlan& plan);
     /// All that comes before the first sample. Throws Error as Renderer::render() does.
     [[nodiscard]] frame::FramePlan prepare(const Camera& camera, const frame::StyleTables& tables,
                                            const RenderSettings& settings);
@@ -81,8 +81,10 @@ struct Renderer::Impl {
     std::vector<Bounds> moved; ///< since the local shadows were planned last
     gpu::Buffer stroke_kinds;
     gpu::Buffer form_coordinates;
-    std::optional<hatch::MapImages> map;
-    std::optional<frame::MapChoice> map_choice; ///< of what `map` holds
+    frame::TonalMaps tonal_maps;
+    gpu::Buffer look_of_draw;
+    gpu::Buffer line_looks;
+    gpu::Buffer focus_lines;
     contour::LineHistory line_history;
     frame::LineBrushes line_brushes;
     frame::Page page;

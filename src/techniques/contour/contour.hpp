@@ -34,6 +34,8 @@ struct ContourInputs {
     float pixels_per_mm = 1.0F;
     float pixel_m_at_one = 0.001F; ///< what a pixel spans at a distance of one; in parallel projection at any
     glm::uvec2 size_px{0};
+    std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels
+    std::optional<gpu::BufferId> line_looks;   ///< then, LineLook of each look; chains alone heed them
 };
 
 /// Draws lines in screen space: breaks of identity, depth and normal become seeds, placed where the front
