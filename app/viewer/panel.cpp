@@ -2,7 +2,10 @@
 // The panel at the right and its tabs.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <filesystem>
 
+#include <estampe/error.hpp>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -96,6 +99,11 @@ void show_save_field(Studio& studio)
             studio.save_name += ".toml";
         }
         studio.attempt("style", [&] {
+            std::error_code problem;
+            if (studio.save_name != studio.look.name() &&
+                std::filesystem::exists(studio.save_name, problem)) {
+                throw Error("is there already", studio.save_name, "choose another name");
+            }
             studio.look.save(studio.save_name);
             studio.say(Message::Kind::note, "saved", "wrote " + studio.save_name);
         });
@@ -237,7 +245,10 @@ void show_timings_tab(Studio& studio)
     ImGui::TextWrapped("%s", title.c_str());
     const std::vector<float> times(studio.frame_ms.begin(), studio.frame_ms.end());
     if (!times.empty()) {
-        const float most = std::max(*std::ranges::max_element(times), 70.0F);
+        // The first of all compiles; it is not to flatten the others.
+        std::vector<float> sorted = times;
+        std::ranges::sort(sorted);
+        const float most = 1.5F * std::max(sorted[sorted.size() * 9 / 10], 45.0F);
         const std::string now = fmt::format("{:.0f} ms a picture", times.back());
         ImGui::PlotLines("##pictures", times.data(), static_cast<int>(times.size()), 0, now.c_str(), 0.0F,
                          most, {-1.0F, 5.0F * ImGui::GetFontSize()});

@@ -109,6 +109,10 @@ void Studio::turn_sun(const glm::dvec2& drag)
 {
     light::LightStyle& light = look.style().tables().light;
     constexpr float degrees_a_view = 180.0F;
+    look.style().tables().sun.by = light::SunBy::direction;
+    if (file && !file->scene.lights.empty()) {
+        light.source = light::LightSource::sun; // the scene's own are out
+    }
     const float azimuth = light.sun_azimuth_deg + degrees_a_view * static_cast<float>(drag.x);
     light.sun_azimuth_deg = std::remainder(azimuth, 360.0F);
     light.sun_elevation_deg =

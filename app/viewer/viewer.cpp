@@ -438,7 +438,12 @@ void Viewer::look_at_files()
     }
     if (!style_watch_.changed().empty()) {
         report("style changed: " + watched_style_);
-        open_style(watched_style_);
+        studio_.attempt("style", [this] {
+            // What was saved from here is in hand already.
+            if (Style::load(watched_style_).to_toml() != studio_.look.base().to_toml()) {
+                studio_.look.load(watched_style_);
+            }
+        });
     }
     if (!scene_watch_.changed().empty() && studio_.file) {
         report("scene changed");
