@@ -191,14 +191,13 @@ void show_row(Studio& studio, const style::Sheet::Section& section, const Parame
     }
     ImGui::SameLine(0.42F * width);
     ImGui::SetNextItemWidth(0.58F * width - 1.9F * line);
-    if (edit(parameter, value)) {
+    const bool is_changed = edit(parameter, value);
+    if (is_changed) {
         set_value(studio, section.name, parameter, section.values, value);
     }
     const bool is_picked = parameter.kind == Kind::toggle || parameter.kind == Kind::choice;
-    if (ImGui::IsItemDeactivatedAfterEdit() || is_picked) {
-        if (value != parameter.get(section.values) || differs || value != base_value) {
-            studio.look.finish_change_if_any();
-        }
+    if (ImGui::IsItemDeactivatedAfterEdit() || (is_changed && is_picked)) {
+        studio.look.finish_change_if_any(); // of a drag once, at its end
     }
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
         show_help(name, parameter);

@@ -54,12 +54,6 @@ void PictureThread::cancel_job()
     is_job_cancelled_ = true;
 }
 
-bool PictureThread::is_drawing(size_t slot) const
-{
-    const std::lock_guard lock(guard_);
-    return in_hand_ == slot || requests_.at(slot).has_value();
-}
-
 std::vector<PictureNews> PictureThread::take_news()
 {
     const std::lock_guard lock(guard_);
@@ -103,11 +97,9 @@ void PictureThread::work_on(Renderer& renderer)
             const size_t slot = requests_.at(next_slot_) ? next_slot_ : 1 - next_slot_;
             next_slot_ = 1 - slot;
             const PictureRequest request = *std::exchange(requests_.at(slot), std::nullopt);
-            in_hand_ = slot;
             lock.unlock();
             draw_picture(renderer, slot, request);
             lock.lock();
-            in_hand_.reset();
         } else {
             changed_.wait(lock);
         }

@@ -95,9 +95,6 @@ public:
     void do_job(std::unique_ptr<PictureJob> job);
     /// Ends the job in hand after its step.
     void cancel_job();
-    /// Whether the slot's request waits or is being drawn.
-    [[nodiscard]] bool is_drawing(size_t slot) const;
-
     [[nodiscard]] std::vector<PictureNews> take_news();
 
 private:
@@ -114,7 +111,6 @@ private:
     std::condition_variable changed_;
     std::shared_ptr<const LoadedFile> next_scene_;
     std::array<std::optional<PictureRequest>, 2> requests_;
-    std::optional<size_t> in_hand_;
     size_t next_slot_ = 0;
     std::unique_ptr<PictureJob> job_;
     glm::uvec2 film_size_px_{0}; ///< of the last picture, if one can follow it; the thread's own

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/progress_watch.hpp"
 #include "drawing.hpp"
-#include "text.hpp"
 
 namespace estampe::viewer {
 namespace {
@@ -50,6 +50,7 @@ void SceneLoader::load(app::DrawOptions draw)
         number = ++wanted_;
         is_loading_ = true;
         path_ = draw.scene;
+        share_.reset();
         result_.reset();
     }
     auto is_done = std::make_shared<std::atomic<bool>>(false);
@@ -63,6 +64,7 @@ void SceneLoader::load(app::DrawOptions draw)
 void SceneLoader::read(const app::DrawOptions& draw, uint64_t number)
 {
     Result result;
+    const ProgressWatch watch([&](double share) { return heed(number, share); });
     try {
         result = load_file(draw);
     } catch (const std::exception& problem) {
@@ -77,6 +79,26 @@ void SceneLoader::read(const app::DrawOptions& draw, uint64_t number)
         is_loading_ = false;
     }
     wake_();
+}
+
+/// Of a reading that says how far it is. Returns whether it is to go on.
+bool SceneLoader::heed(uint64_t number, double share)
+{
+    {
+        const std::lock_guard lock(guard_);
+        if (number != wanted_) {
+            return false;
+        }
+        share_ = share;
+    }
+    wake_();
+    return true;
+}
+
+std::optional<double> SceneLoader::share() const
+{
+    const std::lock_guard lock(guard_);
+    return share_;
 }
 
 void SceneLoader::cancel()

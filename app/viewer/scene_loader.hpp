@@ -43,6 +43,8 @@ public:
     [[nodiscard]] bool is_loading() const;
     /// What is being read.
     [[nodiscard]] std::string path() const;
+    /// How much of it is read; nothing where the file does not tell.
+    [[nodiscard]] std::optional<double> share() const;
     /// Whether any thread still reads, wanted or not.
     [[nodiscard]] bool is_busy() const;
 
@@ -57,12 +59,14 @@ private:
     };
 
     void read(const app::DrawOptions& draw, uint64_t number);
+    bool heed(uint64_t number, double share);
     void sweep();
 
     std::function<void()> wake_;
     mutable std::mutex guard_;
     uint64_t wanted_ = 0; ///< number of the reading whose result counts
     bool is_loading_ = false;
+    std::optional<double> share_;
     std::string path_;
     std::optional<Result> result_;
     std::list<Reading> readings_;

@@ -152,6 +152,9 @@ void Viewer::take_loaded()
 {
     const std::optional<SceneLoader::Result> result = loader_->take();
     if (!result) {
+        if (loader_->is_loading() && studio_.work) {
+            studio_.work->share = loader_->share().value_or(-1.0);
+        }
         return;
     }
     studio_.work.reset();
@@ -176,7 +179,9 @@ void Viewer::take(const Failure& failure)
                                                            : "picture";
     if (failure.what == Failure::Of::job) {
         studio_.work.reset();
-        asked_ = {};
+    }
+    if (failure.what != Failure::Of::picture) {
+        asked_ = {}; // what was asked for meanwhile is gone
     }
     studio_.say(Message::Kind::problem, topic, failure.message);
 }
@@ -232,7 +237,7 @@ void Viewer::take(Picture& picture)
         if (studio_.frame_ms.size() > most_times) {
             studio_.frame_ms.pop_front();
         }
-        if (!is_whole || studio_.resolution.scale() == 1.0) {
+        if (picture.view > 0 && (!is_whole || studio_.resolution.scale() == 1.0)) {
             studio_.resolution.drawn(picture.scale, picture.seconds);
         }
     }

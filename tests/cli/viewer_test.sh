@@ -178,6 +178,25 @@ await 'refined'
 shot undone
 same panel undone 290x300+0+66
 skip
+xdotool mousemove --window "$window" 400 102 click --repeat 3 1
+xdotool type --delay 5 'paper.height'
+shot slider
+skip
+xdotool mousemove --window "$window" 470 152 mousedown 1
+for x in 480 500 520; do
+    xdotool mousemove --window "$window" $x 152
+    await 'picture 0'
+done
+xdotool mouseup 1
+await 'refined'
+shot finer
+others undone finer 290x300+0+66
+skip
+xdotool mousemove --window "$window" 140 300 key ctrl+z
+await 'refined'
+shot undone_drag
+same undone undone_drag 290x300+0+66
+skip
 xdotool key bracketright
 await 'refined'
 shot other_preset
