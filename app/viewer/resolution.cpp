@@ -22,8 +22,9 @@ void Resolution::drawn(double scale, double seconds)
     if (next < scale_ && counts_s > wanted_s) {
         scale_ = next;
         slow_s_ = 0.0;
-    } else if (next > scale_ + step || (next == 1.0 && next > scale_)) {
-        // Two steps of room, so that it does not go to and fro; never twice as many pixels at once.
+    } else if (next > scale_) {
+        // There would be room even if all time went as pixels do, so it does not go to and fro. Never twice
+        // as many pixels at once.
         scale_ = std::min(next, std::max(scale_ + step, 1.4 * scale_));
     }
 }

@@ -43,8 +43,8 @@ export DISPLAY
 seen=0
 # await PATTERN: until the viewer says it, after what was awaited before
 await() {
-    local line
-    for ((i = 0; i < 400; ++i)); do
+    local line end=$((SECONDS + 40))
+    while ((SECONDS < end)); do
         line="$(tail -n +$((seen + 1)) log | grep -n -m 1 -- "$1" || true)"
         if [[ -n $line ]]; then
             seen=$((seen + ${line%%:*}))
@@ -265,15 +265,9 @@ END
 await 'shader compose_comp compiled'
 await 'refined'
 skip
-xdotool key F10
-xdotool mousemove --window "$window" 300 180 mousedown 1
-for x in 310 320 330 340; do
-    xdotool mousemove --window "$window" $x 180
-    await 'picture 0'
-done
-xdotool mouseup 1
-skip
-xdotool key F10
+xdotool key F10 mousemove --window "$window" 300 180 mousedown 1 mousemove --window "$window" 340 180
+await 'picture 0'
+xdotool mouseup 1 key F10
 await 'wrote scene-001.mp4'
 [[ "$(ffprobe -v error -show_entries stream=width,height -of csv=p=0 scene-001.mp4)" == 640,366 ]] ||
     wrong "the film has another size"
