@@ -37,13 +37,14 @@ struct FrameResources {
     gpu::Buffer& line_looks;         ///< then, contour's LineLook of each look
     contour::LineMesh* line_mesh;    ///< where lines are chains
     contour::LineHistory& line_history;
-    gpu::Buffer& focus_lines;      ///< of the plan
-    contour::BrushImages* brushes; ///< where lines have others than the pen
-    gpu::Image& sums;              ///< of a picture of several samples
-    gpu::Buffer& pixels;           ///< the picture, four bytes a pixel, for reading back
-    gpu::Buffer& motion;           ///< read back where the plan asks for it
-    StrokeLists* lists = nullptr;  ///< where strokes are wanted in place of a picture
-    DeepPage* deep = nullptr;      ///< where the picture is wanted in floats too
+    gpu::Buffer& focus_lines;              ///< of the plan
+    contour::BrushImages* brushes;         ///< where lines have others than the pen
+    gpu::Image& sums;                      ///< of a picture of several samples
+    gpu::Buffer& pixels;                   ///< the picture, four bytes a pixel, for reading back
+    gpu::Buffer& motion;                   ///< read back where the plan asks for it
+    StrokeLists* lists = nullptr;          ///< where strokes are wanted in place of a picture
+    DeepPage* deep = nullptr;              ///< where the picture is wanted in floats too
+    const VulkanPicture* target = nullptr; ///< of the host's, where the picture goes in place of `pixels`
 };
 
 /// Declares one sample of a picture, top to bottom; or where there are lists, what fills those in its place.

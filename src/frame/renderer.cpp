@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,11 @@ gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const T* items,
 } // namespace
 
 Renderer::Renderer(const RendererOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+
+Renderer::Renderer(const VulkanHost& host, const RendererOptions& options)
+    : impl_(std::make_unique<Impl>(host, options))
+{
+}
 
 Renderer::~Renderer() = default;
 
@@ -154,7 +160,8 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
 
 void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style,
                                  const frame::FramePlan& plan, const paper::Accumulation& accumulation,
-                                 frame::StrokeLists* lists, frame::DeepPage* deep)
+                                 frame::StrokeLists* lists, frame::DeepPage* deep,
+                                 const VulkanPicture* target)
 {
     const auto unit_m = static_cast<float>(loaded->layout.stroke_unit_m);
     const glm::vec3 eye_anchor(camera.eye - loaded->layout.anchor);
@@ -194,7 +201,8 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     .pixels = page.pixels,
                                     .motion = motion_pixels,
                                     .lists = lists,
-                                    .deep = deep};
+                                    .deep = deep,
+                                    .target = target};
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, sample, style);
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
@@ -307,7 +315,8 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
 }
 
 Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
-                                   frame::DeepPage* deep, const std::function<void()>& after_sample)
+                                   frame::DeepPage* deep, const std::function<void()>& after_sample,
+                                   const VulkanPicture* target)
 {
     const frame::StyleTables& tables = style.tables();
     const Camera seen_by = page_camera(camera, tables.paper, settings);
@@ -325,13 +334,16 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
         draw_sample(seen_by, tables, plan, {.sample_index = sample, .sample_count = settings.samples},
-                    nullptr, deep);
+                    nullptr, deep, target);
         if (after_sample) {
             after_sample();
         }
     }
     if (settings.motion_since) {
         motion = frame::read_motion(motion_pixels, settings);
+    }
+    if (target != nullptr) {
+        return {};
     }
     const auto bytes = page.pixels.mapped();
     Image image{.width = settings.width, .height = settings.height};
@@ -343,6 +355,16 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
 Image Renderer::render(const Camera& camera, const Style& style, const RenderSettings& settings)
 {
     return impl_->draw_picture(camera, style, settings);
+}
+
+void Renderer::render_to(const VulkanPicture& picture, const Camera& camera, const Style& style,
+                         const RenderSettings& settings)
+{
+    if (!impl_->device.is_borrowed()) {
+        throw Error("the picture is of another device than the renderer's", "render_to",
+                    "make the renderer with the host's");
+    }
+    std::ignore = impl_->draw_picture(camera, style, settings, nullptr, {}, &picture);
 }
 
 VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, const RenderSettings& settings,

@@ -35,6 +35,12 @@ struct Renderer::Impl {
         }
     }
 
+    Impl(const VulkanHost& host, RendererOptions renderer_options)
+        : options(std::move(renderer_options)), device(host), executor(device),
+          raster_path(raster::choose_path(device, executor, options.raster))
+    {
+    }
+
     void update_pose(const ScenePose& scene_pose);
     /// Poses the scene on the device as it was at another moment, so that the next update_pose() keeps that
     /// beside it.
@@ -57,11 +63,13 @@ struct Renderer::Impl {
     /// strokes are into those.
     void draw_sample(const Camera& camera, const frame::StyleTables& style, const frame::FramePlan& plan,
                      const paper::Accumulation& accumulation, frame::StrokeLists* lists = nullptr,
-                     frame::DeepPage* deep = nullptr);
-    /// All samples of a picture. `after_sample` is called after each.
+                     frame::DeepPage* deep = nullptr, const VulkanPicture* target = nullptr);
+    /// All samples of a picture, which is empty where it goes into a `target`. `after_sample` is called after
+    /// each.
     [[nodiscard]] Image draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
                                      frame::DeepPage* deep = nullptr,
-                                     const std::function<void()>& after_sample = {});
+                                     const std::function<void()>& after_sample = {},
+                                     const VulkanPicture* target = nullptr);
 
     RendererOptions options;
     gpu::Device device;

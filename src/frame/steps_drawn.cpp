@@ -187,7 +187,11 @@ void add_picture(const Making& making, const paper::ComposeInputs& layers)
     const paper::Developed developed =
         paper::add_develop(graph, composed, paper::import_sums(graph, making.resources.sums, accumulation),
                            pixels, page.size_px, accumulation);
-    gpu::add_read_back(graph, "read back", developed.pixels, making.resources.pixels);
+    if (const VulkanPicture* target = making.resources.target) {
+        gpu::add_hand_over(graph, developed.pixels, *target, page.size_px);
+    } else {
+        gpu::add_read_back(graph, "read back", developed.pixels, making.resources.pixels);
+    }
 }
 
 void add_deep_picture(const Making& making, const paper::ComposeInputs& layers,
