@@ -201,7 +201,6 @@ void show_keys(Studio& studio, const Area& area, float content_scale)
                             {0.5F, 0.5F});
     ImGui::SetNextWindowSize({width, 0.0F});
     ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, area.height - 16.0F});
-    ImGui::SetNextWindowBgAlpha(0.97F);
     ImGui::SetNextWindowFocus();
     ImGui::Begin("keys", &studio.shows_keys, fixed & ~ImGuiWindowFlags_NoScrollbar);
     const bool has_two_columns = width > 640.0F * content_scale;

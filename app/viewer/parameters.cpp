@@ -238,9 +238,11 @@ void show_parameters(Studio& studio, const std::string& search, std::span<const 
         const auto changed = std::ranges::count_if(section.parameters, [&](const Parameter& parameter) {
             return parameter.get(section.values) != parameter.get(base_values);
         });
-        const std::string title =
-            changed > 0 ? fmt::format("{}  ({} changed)###{}", section.name, changed, section.name)
-                        : fmt::format("{}###{}", section.name, section.name);
+        // What a search opens is closed again after it.
+        const std::string id = section.name + (search.empty() ? "" : " found");
+        const std::string title = changed > 0
+                                      ? fmt::format("{}  ({} changed)###{}", section.name, changed, id)
+                                      : fmt::format("{}###{}", section.name, id);
         if (!search.empty()) {
             ImGui::SetNextItemOpen(true);
         }

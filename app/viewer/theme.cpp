@@ -66,8 +66,8 @@ void set_colors(ImGuiStyle& style)
     set(ImGuiCol_FrameBgHovered, color(0xdfd8ca));
     set(ImGuiCol_FrameBgActive, color(pressed));
     set(ImGuiCol_CheckMark, color(accent));
-    set(ImGuiCol_SliderGrab, color(ink, 0.45F));
-    set(ImGuiCol_SliderGrabActive, color(accent));
+    set(ImGuiCol_SliderGrab, color(ink, 0.28F));
+    set(ImGuiCol_SliderGrabActive, color(accent, 0.6F));
     set(ImGuiCol_Button, color(field));
     set(ImGuiCol_ButtonHovered, color(0xdfd8ca));
     set(ImGuiCol_ButtonActive, color(pressed));

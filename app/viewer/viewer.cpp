@@ -57,7 +57,7 @@ Viewer::Viewer(const app::ViewCommand& command)
     if (!command.shaders.empty()) {
         shaders_.emplace(command.shaders, &Window::wake);
     }
-    report(fmt::format("window {} x {}", command.draw.width, command.draw.height));
+    report(fmt::format("window {} x {}, scale {}", command.draw.width, command.draw.height, ui_scale_));
     if (!command.draw.scene.empty()) {
         open_scene(command.draw.scene);
     }

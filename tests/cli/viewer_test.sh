@@ -274,6 +274,27 @@ await 'wrote scene-001.mp4'
 close_viewer
 ! grep -i 'validation\|VUID\|SYNC-' log || wrong "the validation layers have something to say"
 
+# What takes long to read can be cancelled, and the window closed meanwhile.
+awk 'BEGIN { n = 400
+    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) print "v", i / n, 0.01 * (i * j % 7), j / n
+    for (i = 0; i < n; ++i) for (j = 1; j <= n; ++j) { a = i * (n + 1) + j; b = a + n + 1
+        print "f", a, a + 1, b + 1; print "f", a, b + 1, b } }' >large.obj
+for way in cancel close; do
+    : >log
+    seen=0
+    "$estampe" view large.obj --size 640x400 --device cpu --verbose >printed 2>log &
+    viewer=$!
+    await 'reads large.obj'
+    window="$(xdotool search --sync --onlyvisible --name Estampe | head -1)"
+    xdotool windowfocus --sync "$window"
+    if [[ $way == cancel ]]; then
+        xdotool key Escape
+        await 'cancelled'
+    fi
+    close_viewer
+    ! grep -q 'shows' log || wrong "what was cancelled is shown"
+done
+
 # A scene that cannot be read ends it before it begins.
 status=0
 "$estampe" view nowhere.glb --device cpu 2>said || status=$?
