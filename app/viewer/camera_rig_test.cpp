@@ -44,6 +44,19 @@ TEST(CameraRig, OrbitKeepsDistanceAndTargetAndNeverTurnsOver)
     EXPECT_GT(rig.camera().eye.y, 0.9 * before) << "a drag down looks from above";
 }
 
+TEST(CameraRig, DragsUpAndDownEndAtThePoles)
+{
+    for (const double drag : {0.07, -0.07}) {
+        CameraRig rig = rig_of({.eye = {3.0, 0.0, 4.0}});
+        const glm::dvec3 right = glm::cross(-rig.camera().eye, rig.camera().up);
+        for (int i = 0; i < 100; ++i) {
+            rig.turn({0.0, drag});
+            EXPECT_GT(glm::dot(glm::cross(-rig.camera().eye, rig.camera().up), right), 0.0) << i;
+        }
+        EXPECT_GT(std::copysign(rig.camera().eye.y, rig.camera().eye.y * drag), 4.9);
+    }
+}
+
 TEST(CameraRig, DragOfTheViewsHeightGoesHalfAround)
 {
     CameraRig rig = rig_of({.eye = {0.0, 0.0, 5.0}});
@@ -101,6 +114,12 @@ TEST(CameraRig, FlyingTurnsTheLookAndLeavesTheEye)
     rig.go({0.0, 0.0, 1.0}, 1.0, false);
     const glm::dvec3 way = rig.camera().eye - glm::dvec3(0.0, 1.0, 5.0);
     EXPECT_NEAR(glm::dot(glm::normalize(way), ahead), 1.0, tolerance);
+    const double height_m = rig.camera().eye.y;
+    rig.go({0.0, 1.0, 0.0}, 1.0, false);
+    const double rise_m = rig.camera().eye.y - height_m;
+    EXPECT_GT(rise_m, 0.0);
+    rig.go({0.0, -1.0, 0.0}, 1.0, true);
+    EXPECT_NEAR(rig.camera().eye.y, height_m - 3.0 * rise_m, tolerance) << "four times as fast";
 }
 
 TEST(CameraRig, WalkersStayOnTheGround)
@@ -123,6 +142,7 @@ TEST(CameraRig, SidesShowTheWholeAndHomeIsWhereItBegan)
         rig.look_from(side);
         EXPECT_GT(distance(rig.camera()) * std::sin(0.3), box(2.0).radius());
         EXPECT_NEAR(glm::length(rig.camera().up), 1.0, tolerance);
+        EXPECT_GT(glm::length(glm::cross(rig.camera().target - rig.camera().eye, rig.camera().up)), 1.0);
     }
     rig.look_from(ViewSide::top);
     EXPECT_GT(rig.camera().eye.y, 5.0);
