@@ -9,6 +9,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/free_memory.hpp"
 #include "frame/baked_lights.hpp"
 #include "frame/form_strokes.hpp"
 #include "gpu/upload.hpp"
@@ -148,24 +149,30 @@ void Renderer::Impl::provide_map(const frame::StyleTables& style)
     }
 }
 
-void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style,
-                                 const frame::FramePlan& plan, const paper::Accumulation& accumulation,
-                                 frame::StrokeLists* lists, frame::DeepPage* deep)
+void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& style,
+                                const frame::FramePlan& plan, const FrameJob& job)
 {
     const auto unit_m = static_cast<float>(loaded->layout.stroke_unit_m);
     const glm::vec3 eye_anchor(camera.eye - loaded->layout.anchor);
+    const paper::Accumulation& accumulation = job.accumulation;
     const shared::FrameGlobals globals = frame::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
-        {.size_px = plan.page.size_px,
+        {.size_px = plan.page_px,
+         .part = job.part,
+         .shrink = job.shrink,
          .jitter_px = frame::jitter(accumulation.sample_index, accumulation.sample_count),
          .page_height_mm = style.paper.height_mm,
          .nearby_m = unit_m * frame::nearby(loaded->layout.stroke_coordinates, eye_anchor / unit_m)});
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
     const frame::SamplePlan sample{.accumulation = accumulation,
+                                   .is_first = job.is_first,
+                                   .size_px = globals.size_px,
                                    .clip_from_anchor = globals.clip_from_anchor,
                                    .pose_moved = loaded->pose_moved,
-                                   .sun_map = sun_map.provide(device, plan.sun.map)};
-    frame::FrameResources resources{.meshes = loaded->meshes,
+                                   .sun_map = sun_map.provide(device, plan.sun.map),
+                                   .line_step_px = frame::line_step_px(job.shrink)};
+    frame::FrameResources resources{.device = device,
+                                    .meshes = loaded->meshes,
                                     .materials = loaded->materials,
                                     .frame_globals = frame_globals,
                                     .light_globals = light_globals,
@@ -186,8 +193,10 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     .sums = page.sums,
                                     .pixels = page.pixels,
                                     .motion = motion_pixels,
-                                    .lists = lists,
-                                    .deep = deep};
+                                    .lists = job.lists,
+                                    .deep = job.deep,
+                                    .strung = job.strung,
+                                    .to_string = job.to_string};
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, sample, style);
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
@@ -196,7 +205,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     }
     executor.run(graph);
     loaded->pose_moved = false;
-    if (plan.lines.are_remembered && sample.is_first()) {
+    if (plan.lines.are_remembered && sample.is_first) {
         line_history.end_frame(sample.clip_from_anchor);
     }
     sun_map.drawn(plan.sun.map);
@@ -215,15 +224,20 @@ double window_share(const paper::PaperStyle& style, const RenderSettings& settin
     return static_cast<double>(window.max_mm.y - window.min_mm.y) / style.height_mm;
 }
 
-/// The camera of the whole page, whose window shows what `camera` does. Throws Error for one that nothing can
-/// be seen by.
+} // namespace
+
 Camera page_camera(const Camera& camera, const paper::PaperStyle& style, const RenderSettings& settings)
 {
     check_camera(camera);
     return frame::seen_within(camera, window_share(style, settings));
 }
 
-} // namespace
+void Renderer::Impl::provide_shadow_looks(const frame::FramePlan& plan, const frame::StyleTables& tables)
+{
+    edge_look = mapped_buffer(device, "edges", &plan.shadow_edges.look, 1);
+    const shared::SunShadow sun = frame::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
+    sun_shadow = mapped_buffer(device, "sun", &sun, 1);
+}
 
 void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
                                       const frame::StyleTables& tables)
@@ -240,9 +254,7 @@ void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light:
                                        .paling = paling.share_per_m,
                                        .paling_at_anchor = paling.share_at_anchor};
     light_globals = mapped_buffer(device, "lighting", &globals, 1);
-    edge_look = mapped_buffer(device, "edges", &plan.shadow_edges.look, 1);
-    const shared::SunShadow sun = frame::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
-    sun_shadow = mapped_buffer(device, "sun", &sun, 1);
+    provide_shadow_looks(plan, tables);
     lights = mapped_buffer(device, "lights", lighting.records.data(), lighting.records.size());
 }
 
@@ -252,8 +264,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     if (!loaded) {
         throw Error("there is no scene to draw", "", "call set_scene first");
     }
-    frame::check_size(device, settings);
-    frame::provide_page(device, page, settings);
+    frame::check_page(settings);
     if (frame::style_lighting(device, *loaded, tables.light)) {
         sun_map.forget();
         local_shadows.forget();
@@ -309,6 +320,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
             page_camera(settings.motion_since->camera, tables.paper, settings);
     }
     frame::FramePlan plan = prepare(seen_by, tables, page_settings);
+    frame::provide_page(device, page, plan.page_px, settings.samples);
     // Later samples of a picture of several go their own way by a pixel at most.
     plan.lines.are_remembered = settings.continuity != Continuity::still;
     if (plan.lines.are_remembered) {
@@ -316,8 +328,10 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
                                  tables.contour.hidden != contour::Hidden::none);
     }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
-        draw_sample(seen_by, tables, plan, {.sample_index = sample, .sample_count = settings.samples},
-                    nullptr, deep);
+        draw_frame(seen_by, tables, plan,
+                   {.accumulation = {.sample_index = sample, .sample_count = settings.samples},
+                    .is_first = sample == 0,
+                    .deep = deep});
         if (after_sample) {
             after_sample();
         }
@@ -334,7 +348,28 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
 
 Image Renderer::render(const Camera& camera, const Style& style, const RenderSettings& settings)
 {
-    return impl_->draw_picture(camera, style, settings);
+    if (!impl_->is_tiled(settings)) {
+        return impl_->draw_picture(camera, style, settings);
+    }
+    const uint64_t size_bytes = uint64_t{4} * settings.width * settings.height;
+    require_memory(size_bytes, fmt::format("a picture of {} x {} pixels", settings.width, settings.height),
+                   "size", "draw a smaller one");
+    Image image{.width = settings.width, .height = settings.height};
+    image.rgba.reserve(size_bytes);
+    impl_->draw_tiles(camera, style, settings, {.take = [&](const Image& band) {
+                          image.rgba.insert(image.rgba.end(), band.rgba.begin(), band.rgba.end());
+                      }});
+    return image;
+}
+
+void Renderer::render_bands(const Camera& camera, const Style& style, const RenderSettings& settings,
+                            const BandSink& sink)
+{
+    if (impl_->is_tiled(settings)) {
+        impl_->draw_tiles(camera, style, settings, sink);
+    } else {
+        sink.take(impl_->draw_picture(camera, style, settings));
+    }
 }
 
 VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, const RenderSettings& settings,
@@ -343,6 +378,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     Impl& impl = *impl_;
     const frame::StyleTables& tables = style.tables();
     frame::check_has_paths(tables);
+    frame::check_size(impl.device, settings);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     frame::FramePlan plan = impl.prepare(seen_by, tables, settings);
     plan.motion.reset();
@@ -353,7 +389,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
         impl.notes.emplace_back("a drawing of strokes has lines of the pen in place of other brushes");
     }
     frame::StrokeLists lists(impl.device);
-    impl.draw_sample(seen_by, tables, plan, {}, &lists);
+    impl.draw_frame(seen_by, tables, plan, {.lists = &lists});
     return frame::drawing_of(lists,
                              {.scene = impl.loaded->scene,
                               .layout = impl.loaded->layout,

@@ -89,6 +89,9 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
 /// a texture cuts gets its own.
 [[nodiscard]] gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in);
 
+/// Strings the lines of the whole page, for its tiles.
+void add_strung_lines(const Making& making, const contour::ContourInputs& in);
+
 /// Colour, flat, and the sky behind it.
 [[nodiscard]] Colors add_colors(const Making& making, const PosedScene& scene,
                                 const surface::Surface& surface, gpu::ImageId light,

@@ -28,7 +28,7 @@ hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
             .towards_light = plan.sun.towards,
             .map = map != nullptr ? std::optional(hatch::import_map(making.graph, *map)) : std::nullopt,
             .pixels_per_mm = plan.page.pixels_per_mm,
-            .size_px = plan.page.size_px};
+            .size_px = making.sample.size_px};
 }
 
 contour::ContourInputs contour_inputs(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
@@ -60,8 +60,9 @@ contour::ContourInputs contour_inputs(const Making& making, const PosedScene& sc
             .is_moving = is_moving,
             .brushes = resources.brushes,
             .pixels_per_mm = plan.page.pixels_per_mm,
+            .line_step_px = making.sample.line_step_px,
             .pixel_m_at_one = plan.page.pixel.at_one_m,
-            .size_px = plan.page.size_px};
+            .size_px = making.sample.size_px};
 }
 
 gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in)
@@ -74,10 +75,25 @@ gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in)
         making.layout.masked.count > 0
             ? std::optional(contour::add_contours(making.graph, in, making.style.contour))
             : std::nullopt;
-    const bool remembers = making.plan.lines.are_remembered && making.sample.is_first();
+    if (resources.strung) {
+        return contour::add_strung_contours(making.graph, in, resources.strung->lines,
+                                            resources.strung->part, making.style.contour, of_cuts);
+    }
+    const bool remembers = making.plan.lines.are_remembered && making.sample.is_first;
     return contour::add_chain_contours(making.graph, in, *resources.line_mesh,
                                        remembers ? &resources.line_history : nullptr, making.style.contour,
                                        of_cuts);
+}
+
+void add_strung_lines(const Making& making, const contour::ContourInputs& in)
+{
+    FrameResources& resources = making.resources;
+    if (resources.line_mesh != nullptr) {
+        const contour::ShapedStrokes shaped = contour::add_shaped_strokes(
+            making.graph, in, *resources.line_mesh, nullptr, making.style.contour);
+        contour::add_keeping(making.graph, resources.device, shaped, making.sample.size_px,
+                             *resources.to_string);
+    }
 }
 
 Colors add_colors(const Making& making, const PosedScene& scene, const surface::Surface& surface,
@@ -90,7 +106,7 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                        .daylight_rad = plan.sun.daylight_rad,
                                        .pixels_per_mm = plan.page.pixels_per_mm,
                                        .drawn = plan.page.has_sky,
-                                       .size_px = plan.page.size_px},
+                                       .size_px = making.sample.size_px},
                                       making.style.sky);
     const gpu::ImageId wash = wash::add_wash(making.graph,
                                              {.frame = scene.frame,
@@ -105,7 +121,7 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                               .background = sky.wash,
                                               .has_background = plan.page.has_sky,
                                               .tone = light::tone_constants(making.style.tone),
-                                              .size_px = plan.page.size_px},
+                                              .size_px = making.sample.size_px},
                                              making.style.wash);
     return {.wash = wash, .sky_ink = sky.ink};
 }
@@ -120,19 +136,19 @@ paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene, 
             .sky_ink = colors.sky_ink,
             .has_sky = making.plan.page.has_sky,
             .light = light,
-            .size_px = making.plan.page.size_px};
+            .size_px = making.sample.size_px};
 }
 
 void add_picture(const Making& making, const paper::ComposeInputs& layers)
 {
     gpu::Graph& graph = making.graph;
-    const PagePlan& page = making.plan.page;
+    const glm::uvec2 size_px = making.sample.size_px;
     const paper::Accumulation& accumulation = making.sample.accumulation;
     const auto composed = paper::add_compose(graph, layers, making.style.paper);
-    const auto pixels = graph.buffer("pixels", {.size_bytes = 4ULL * page.size_px.x * page.size_px.y});
+    const auto pixels = graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y});
     const paper::Developed developed =
         paper::add_develop(graph, composed, paper::import_sums(graph, making.resources.sums, accumulation),
-                           pixels, page.size_px, accumulation);
+                           pixels, size_px, accumulation);
     gpu::add_read_back(graph, "read back", developed.pixels, making.resources.pixels);
 }
 

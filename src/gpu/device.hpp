@@ -39,6 +39,8 @@ public:
 
     [[nodiscard]] MemoryAllocator& memory() { return *memory_; }
 
+    [[nodiscard]] const MemoryAllocator& memory() const { return *memory_; }
+
     /// Runs `commands` and waits until the GPU is done. Throws Error when the device is lost.
     void submit_and_wait(VkCommandBuffer commands);
 

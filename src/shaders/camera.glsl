@@ -24,6 +24,12 @@ vec3 towards_eye(FrameGlobals frame, vec3 point_anchor)
     return frame.is_orthographic != 0u ? -frame.view_forward : normalize(frame.eye_anchor - point_anchor);
 }
 
+// The place on the page of a place of what is drawn, which may be a tile of the page.
+vec2 page_place(FrameGlobals frame, vec2 position_px)
+{
+    return position_px + vec2(frame.tile_from_px);
+}
+
 // How much thinner lines are that lie `away_m` from the eye, 0.45 to 1.25: 1 in front.
 float thinned_at(FrameGlobals frame, float away_m)
 {
@@ -33,9 +39,7 @@ float thinned_at(FrameGlobals frame, float away_m)
 // What a pixel spans, in metres, of a plane through the point that faces as the page does.
 float pixel_size_m(FrameGlobals frame, vec3 point_anchor)
 {
-    float w = (frame.clip_from_anchor * vec4(point_anchor, 1.0)).w;
-    vec3 up = vec3(frame.clip_from_anchor[0].y, frame.clip_from_anchor[1].y, frame.clip_from_anchor[2].y);
-    return 2.0 * w / (float(frame.size_px.y) * max(size_of(up), 1e-20));
+    return frame.pixel_m * (frame.clip_from_anchor * vec4(point_anchor, 1.0)).w;
 }
 
 #endif

@@ -188,6 +188,9 @@ struct Darkness {
 [[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
                                    const HatchStyle& style);
 
+/// How far off the strokes lie that run over into a pixel.
+[[nodiscard]] uint32_t reach_px(const HatchStyle& style, float pixels_per_mm);
+
 /// The ink of all strokes.
 [[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);
 

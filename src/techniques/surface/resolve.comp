@@ -199,7 +199,7 @@ void main()
     }
     if (has_page_strokes && strokes == strokes_page) {
         float mm_per_px = 1.0 / frame.pixels_per_mm;
-        coordinate = vec3((vec2(pixel) + 0.5) * mm_per_px, 0.0);
+        coordinate = vec3(page_place(frame, vec2(pixel) + 0.5) * mm_per_px, 0.0);
         footprint = Footprint(vec3(mm_per_px, 0.0, 0.0), vec3(0.0, mm_per_px, 0.0));
     }
     uint flags = flags_of(draw.material);
