@@ -12,6 +12,7 @@
 #include <estampe/scene.hpp>
 
 #include "film_options.hpp"
+#include "page_options.hpp"
 
 namespace estampe::app {
 
@@ -33,12 +34,12 @@ struct DrawOptions {
     std::string scene;
     std::string output;
     std::string lightmap; ///< what `estampe bake` wrote; empty: what the scene's file names
-    uint32_t width = 1280;
-    uint32_t height = 720;
+    PageSize page;
     CameraChoice camera;
     double time_s = 0.0;
     std::string animation; ///< a name or an index; empty: the first
     uint32_t samples = 1;
+    uint32_t tile_px = 0; ///< see RenderSettings
     Style style;
     RendererOptions device;
 };

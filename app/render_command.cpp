@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <future>
 #include <span>
@@ -79,10 +81,25 @@ RenderSettings render_settings(const RenderCommand& command, const Scene& scene,
     return settings;
 }
 
+/// Paths are as fine as the page on which they are found: of a large page one that can be drawn at once.
+RenderSettings settings_of_strokes(const DrawOptions& draw, Index animation)
+{
+    constexpr double most_pixels = 16e6;
+    constexpr double most_px = 16384.0;
+    RenderSettings settings = settings_of(draw, animation);
+    const double share = std::min({1.0, most_px / std::max(settings.width, settings.height),
+                                   std::sqrt(most_pixels / settings.width / settings.height)});
+    if (draw.page.height_mm) {
+        settings.width = static_cast<uint32_t>(std::max(share * settings.width, 1.0));
+        settings.height = static_cast<uint32_t>(std::max(share * settings.height, 1.0));
+    }
+    return settings;
+}
+
 void write_strokes(Renderer& renderer, const Camera& camera, Index animation, const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
-    VectorDrawing drawing = renderer.draw_strokes(camera, draw.style, settings_of(draw, animation),
+    VectorDrawing drawing = renderer.draw_strokes(camera, draw.style, settings_of_strokes(draw, animation),
                                                   command.hidden ? HiddenLines::kept : HiddenLines::left_out);
     print_notes(renderer.notes());
     if (command.plotter) {

@@ -47,12 +47,12 @@ struct FrameResources {
     hatch::MapImages* map;           ///< where strokes come from a map
     contour::LineMesh* line_mesh;    ///< where lines are chains
     contour::LineHistory& line_history;
-    contour::BrushImages* brushes; ///< where lines have others than the pen
-    gpu::Image& sums;              ///< of a picture of several samples
-    gpu::Buffer& pixels;           ///< the picture, four bytes a pixel, for reading back
-    gpu::Buffer& motion;           ///< read back where the plan asks for it
-    StrokeLists* lists = nullptr;  ///< where strokes are wanted in place of a picture
-    DeepPage* deep = nullptr;      ///< where the picture is wanted in floats too
+    contour::BrushImages* brushes;         ///< where lines have others than the pen
+    gpu::Image& sums;                      ///< of a picture of several samples
+    gpu::Buffer& pixels;                   ///< the picture, four bytes a pixel, for reading back
+    gpu::Buffer& motion;                   ///< read back where the plan asks for it
+    StrokeLists* lists = nullptr;          ///< where strokes are wanted in place of a picture
+    DeepPage* deep = nullptr;              ///< where the picture is wanted in floats too
     std::optional<StrungPart> strung = {}; ///< where lines are strung already
     /// Where what tiles share is wanted in place of a picture: lines, and how bright the page is.
     contour::StrungLines* to_string = nullptr;

@@ -85,8 +85,8 @@ struct FramePlan {
 /// what the others find there.
 struct SamplePlan {
     paper::Accumulation accumulation;
-    bool is_first = true; ///< nothing of the picture has been drawn yet
-    glm::uvec2 size_px{0}; ///< of what is drawn: the page, or a tile
+    bool is_first = true;             ///< nothing of the picture has been drawn yet
+    glm::uvec2 size_px{0};            ///< of what is drawn: the page, or a tile
     glm::mat4 clip_from_anchor{1.0F}; ///< shifted within a pixel
     bool pose_moved = true;           ///< the posed vertices are not yet those of this moment
     SunMapWork sun_map;

@@ -27,11 +27,11 @@ namespace estampe {
 /// One frame of a picture: which sample, of which part of the page, and what is wanted of it.
 struct FrameJob {
     paper::Accumulation accumulation;
-    bool is_first = true;                  ///< of the picture's frames
-    std::optional<frame::PixelRect> part;  ///< of the page; else all of it
-    uint32_t shrink = 1;                   ///< see frame::ViewSettings
-    frame::StrokeLists* lists = nullptr;   ///< strokes as paths in place of pixels
-    frame::DeepPage* deep = nullptr;       ///< floats beside bytes
+    bool is_first = true;                 ///< of the picture's frames
+    std::optional<frame::PixelRect> part; ///< of the page; else all of it
+    uint32_t shrink = 1;                  ///< see frame::ViewSettings
+    frame::StrokeLists* lists = nullptr;  ///< strokes as paths in place of pixels
+    frame::DeepPage* deep = nullptr;      ///< floats beside bytes
     std::optional<frame::StrungPart> strung = {};
     contour::StrungLines* to_string = nullptr; ///< what tiles share in place of pixels
 };
@@ -76,11 +76,9 @@ struct Renderer::Impl {
     void draw_tiles(const Camera& camera, const Style& style, const RenderSettings& settings,
                     const BandSink& sink);
     /// What tiles share: the lines of each sample, and how bright the page is.
-    [[nodiscard]] std::vector<contour::StrungLines> survey_page(const Camera& camera,
-                                                                const frame::StyleTables& style,
-                                                                const frame::FramePlan& plan,
-                                                                const frame::Survey& survey,
-                                                                uint32_t samples);
+    [[nodiscard]] std::vector<contour::StrungLines>
+    survey_page(const Camera& camera, const frame::StyleTables& style, const frame::FramePlan& plan,
+                const frame::Survey& survey, uint32_t samples);
     /// All samples of a picture. `after_sample` is called after each.
     [[nodiscard]] Image draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
                                      frame::DeepPage* deep = nullptr,

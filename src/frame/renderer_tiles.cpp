@@ -64,8 +64,7 @@ std::vector<contour::StrungLines> Renderer::Impl::survey_page(const Camera& came
 {
     const bool has_chains = loaded->line_meshes.provide(device, loaded->layout, style.contour) != nullptr;
     const uint32_t survey_count = has_chains ? samples : plan.light.meters_page ? 1 : 0;
-    const frame::FramePlan survey_plan =
-        frame::shrunk_plan(plan, survey.shrink, survey.size_px(), style);
+    const frame::FramePlan survey_plan = frame::shrunk_plan(plan, survey.shrink, survey.size_px(), style);
     provide_shadow_looks(survey_plan, style);
     std::vector<contour::StrungLines> lines;
     for (uint32_t sample = 0; sample < survey_count; ++sample) {
@@ -97,8 +96,7 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
     const std::vector<frame::Tile> tiles = frame::tiles_of(plan.page_px, tile_px, overlap);
     const frame::Survey survey =
         frame::survey_of(plan.page_px, limits.side_px, std::min(limits.pixels, most_survey_pixels));
-    std::vector<contour::StrungLines> lines =
-        survey_page(seen_by, tables, plan, survey, settings.samples);
+    std::vector<contour::StrungLines> lines = survey_page(seen_by, tables, plan, survey, settings.samples);
     bool is_first = lines.empty() && !plan.light.meters_page;
     frame::provide_page(device, page, tiles.front().drawn.size_px, settings.samples);
     Image band{.width = settings.width};

@@ -76,8 +76,8 @@ gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in)
             ? std::optional(contour::add_contours(making.graph, in, making.style.contour))
             : std::nullopt;
     if (resources.strung) {
-        return contour::add_strung_contours(making.graph, in, resources.strung->lines,
-                                            resources.strung->part, making.style.contour, of_cuts);
+        return contour::add_strung_contours(making.graph, in, resources.strung->lines, resources.strung->part,
+                                            making.style.contour, of_cuts);
     }
     const bool remembers = making.plan.lines.are_remembered && making.sample.is_first;
     return contour::add_chain_contours(making.graph, in, *resources.line_mesh,

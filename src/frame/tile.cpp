@@ -31,9 +31,10 @@ uint32_t overlap_px(const StyleTables& style, float pixels_per_mm)
 std::vector<Tile> tiles_of(glm::uvec2 page_px, uint32_t most_px, uint32_t overlap)
 {
     if (most_px <= 2 * overlap) {
-        throw Error(fmt::format("tiles of {} pixels are too small for strokes that reach {} pixels beyond them",
-                                most_px, overlap),
-                    "tiles", "draw at fewer pixels a millimetre, or in a style whose ink runs less far");
+        throw Error(
+            fmt::format("tiles of {} pixels are too small for strokes that reach {} pixels beyond them",
+                        most_px, overlap),
+            "tiles", "draw at fewer pixels a millimetre, or in a style whose ink runs less far");
     }
     const glm::uvec2 drawn_px = glm::min(page_px, glm::uvec2(most_px));
     const auto step = [&](int axis) {

@@ -14,10 +14,10 @@ namespace estampe::frame {
 
 /// What a picture looks like from where: all that the shaders' FrameGlobals hold.
 struct ViewSettings {
-    glm::uvec2 size_px{0};            ///< of the whole page
-    std::optional<PixelRect> part;    ///< of the page that is drawn; else all of it
-    uint32_t shrink = 1;              ///< pixels of the page to one that is drawn, which `part` divides by
-    glm::dvec2 jitter_px{0.0}; ///< shift of the picture, within half a pixel
+    glm::uvec2 size_px{0};         ///< of the whole page
+    std::optional<PixelRect> part; ///< of the page that is drawn; else all of it
+    uint32_t shrink = 1;           ///< pixels of the page to one that is drawn, which `part` divides by
+    glm::dvec2 jitter_px{0.0};     ///< shift of the picture, within half a pixel
     double page_height_mm = 150.0;
     float nearby_m = 1.0F; ///< see FrameGlobals
 };

@@ -48,8 +48,8 @@ void add_copy_out(Graph& graph, const std::string& name, BufferId from, Buffer& 
     const BufferId copied = pass.touch_write(import_whole(graph, name, to), Access::transfer_write);
     pass.execute([=](Recorder& recorder) {
         const VkBufferCopy region{.size = size_bytes};
-        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(from).handle(),
-                        recorder.buffer(copied).handle(), 1, &region);
+        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(from).handle(), recorder.buffer(copied).handle(),
+                        1, &region);
     });
 }
 

@@ -18,8 +18,8 @@ struct FrameGlobals {
     uvec2 size_px; // of what is drawn: the page, or a tile of it
     float near_m;
     float scene_radius_m;
-    float nearby_m;      // from the eye: nearer is what stands in front
-    float pixel_m;       // what a pixel spans at a distance of one; in parallel projection at any
+    float nearby_m;     // from the eye: nearer is what stands in front
+    float pixel_m;      // what a pixel spans at a distance of one; in parallel projection at any
     uvec2 tile_from_px; // where on the page the first pixel of what is drawn lies
 };
 

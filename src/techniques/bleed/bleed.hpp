@@ -46,7 +46,8 @@ struct BleedInputs {
 /// Writes  r16f: what replaces `hatch` under the same lines, which keep their colour; never less than
 /// `hatch`.
 ///         With a width of 0 nothing is declared, and `hatch` itself is handed back.
-/// Cost    two full-screen dispatches, of at most 386 and 195 texels a pixel: 98 and 51 up to a width of 19 px
+/// Cost    two full-screen dispatches, of at most 386 and 195 texels a pixel: 98 and 51 up to a width of 19
+/// px
 [[nodiscard]] gpu::ImageId add_bleed(gpu::Graph& graph, const BleedInputs& in, const BleedStyle& style);
 
 } // namespace estampe::bleed

@@ -32,7 +32,7 @@ struct ContourInputs {
     bool is_moving = false;         ///< it, or the camera, since the frame before
     BrushImages* brushes = nullptr; ///< of chains; none for the pen alone
     float pixels_per_mm = 1.0F;
-    float line_step_px = 3.0F;      ///< between samples of chains, about
+    float line_step_px = 3.0F;     ///< between samples of chains, about
     float pixel_m_at_one = 0.001F; ///< what a pixel spans at a distance of one; in parallel projection at any
     glm::uvec2 size_px{0};
 };

@@ -50,8 +50,7 @@ void main()
                                 constants.scale * point.half_width_px, point.ink);
     if (constants.has_touches != 0u) {
         LineTouch touch = touches[i];
-        taken_touches[i] =
-            LineTouch(constants.scale * touch.phase_px, constants.scale * touch.along_px,
-                      constants.scale * touch.whole_px, touch.way, touch.uses);
+        taken_touches[i] = LineTouch(constants.scale * touch.phase_px, constants.scale * touch.along_px,
+                                     constants.scale * touch.whole_px, touch.way, touch.uses);
     }
 }
