@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "bake_options.hpp"
+#include "batch_options.hpp"
 #include "command_examples.hpp"
 #include "core/file.hpp"
 #include "option_values.hpp"
@@ -198,6 +199,7 @@ void refuse_empty_values(CLI::App& app)
 /// Options of single commands.
 struct OwnOptions {
     BakeOptions bake;
+    BatchOptions batch;
     PictureOptions picture;
     FilmOptions film;
 };
@@ -208,6 +210,7 @@ void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
     add_render(app, typed, own.picture, own.film);
     add_tam(app, typed);
     own.bake.add_to(app);
+    own.batch.add_to(app);
     CLI::App& info = *app.add_subcommand("info", "Tell what a scene file holds");
     info.add_option("SCENE", typed.scene, "Scene file")->required()->type_name("FILE");
     info.add_flag("--json", typed.json, "Print JSON");
@@ -384,6 +387,9 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
     if (app.got_subcommand("tam")) {
         return read_tam(typed);
     }
+    if (app.got_subcommand("batch")) {
+        return own.batch.read();
+    }
     if (app.got_subcommand("bake")) {
         return own.bake.read();
     }
@@ -423,7 +429,7 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
 
 } // namespace
 
-std::optional<Command> read_command_line(int argc, char** argv)
+std::optional<Command> read_command_line(int argc, const char* const* argv)
 {
     Typed typed;
     OwnOptions own;

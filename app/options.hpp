@@ -123,12 +123,21 @@ struct BakeCommand {
     bool resume = true;
 };
 
-using Command = std::variant<BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
-                             StylesCommand, StyleManualCommand, TamCommand, BakeCommand>;
+/// Draws many pictures in one go.
+struct BatchCommand {
+    std::string jobs;   ///< a TOML file
+    std::string report; ///< .json
+    uint32_t shard = 1; ///< of the jobs, which are dealt out in runs
+    uint32_t shards = 1;
+    RendererOptions device;
+};
+
+using Command = std::variant<BatchCommand, BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand,
+                             DevicesCommand, StylesCommand, StyleManualCommand, TamCommand, BakeCommand>;
 
 /// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or
 /// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file
 /// that cannot be read.
-[[nodiscard]] std::optional<Command> read_command_line(int argc, char** argv);
+[[nodiscard]] std::optional<Command> read_command_line(int argc, const char* const* argv);
 
 } // namespace estampe::app

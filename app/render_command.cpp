@@ -17,6 +17,7 @@
 #include "picture_output.hpp"
 #include "quick_compile.hpp"
 #include "report.hpp"
+#include "single_picture.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
 
@@ -118,6 +119,21 @@ void write_strokes(Renderer& renderer, const Camera& camera, Index animation, co
 }
 
 } // namespace
+
+void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand& command)
+{
+    warn_of_idle_time(command.draw, scene);
+    const Index animation = choose_animation(command.draw, scene);
+    const Camera camera = choose_camera(command.draw, scene, animation);
+    if (command.picture.format == PictureFormat::svg) {
+        write_strokes(renderer, camera, animation, command);
+        return;
+    }
+    DrawnPicture picture =
+        draw_picture(renderer, camera, command, render_settings(command, scene, animation));
+    print_notes(renderer.notes());
+    write_pictures(picture, renderer, command);
+}
 
 void run(const RenderCommand& command)
 {

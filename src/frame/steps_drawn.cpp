@@ -136,6 +136,7 @@ paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene, 
             .sky_ink = colors.sky_ink,
             .has_sky = making.plan.page.has_sky,
             .light = light,
+            .page_px = making.plan.page_px,
             .size_px = making.sample.size_px};
 }
 
