@@ -65,7 +65,15 @@ Entries with_defaults(const WordTable& job, const Entries& defaults)
         check_entry(entry);
         entries.insert_or_assign(entry.key, entry);
     }
-    entries.insert(defaults.begin(), defaults.end());
+    // A size in pixels and a page stand for each other.
+    const bool has_size = entries.contains("size");
+    const bool has_page = entries.contains("page");
+    for (const auto& [key, entry] : defaults) {
+        const bool is_of_page = key == "page" || key == "dpi" || key == "landscape";
+        if (!(has_page && key == "size") && !(has_size && is_of_page)) {
+            entries.emplace(key, entry);
+        }
+    }
     return entries;
 }
 
@@ -221,6 +229,7 @@ RenderCommand command_of(const BatchJob& job, const RendererOptions& device)
             throw Error("a job of a batch writes a file", "output");
         }
         render.draw.device = device;
+        render.is_quiet = true;
         return render;
     } catch (const UsageError& problem) {
         throw Error(problem.what(), job.where);

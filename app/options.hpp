@@ -68,6 +68,7 @@ struct RenderCommand {
     uint32_t repeat = 1;
     bool timings = false;
     bool json = false;
+    bool is_quiet = false; ///< what it has to tell goes to stderr
 };
 
 struct GraphCommand {

@@ -63,7 +63,7 @@ std::string in_meters(double mm)
 /// Prints what was asked for; beside a picture on standard output, to stderr.
 void tell(const RenderCommand& command, const std::string& text)
 {
-    if (command.draw.output == standard_output) {
+    if (command.draw.output == standard_output || command.is_quiet) {
         say(text);
     } else {
         fmt::print("{}", text);

@@ -158,8 +158,8 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
     const shared::FrameGlobals globals = frame::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
         {.size_px = plan.page_px,
-         .part = job.part,
-         .shrink = job.shrink,
+         .tile = job.tile,
+         .survey = job.survey,
          .jitter_px = frame::jitter(accumulation.sample_index, accumulation.sample_count),
          .page_height_mm = style.paper.height_mm,
          .nearby_m = unit_m * frame::nearby(loaded->layout.stroke_coordinates, eye_anchor / unit_m)});
@@ -167,10 +167,10 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
     const frame::SamplePlan sample{.accumulation = accumulation,
                                    .is_first = job.is_first,
                                    .size_px = globals.size_px,
-                                   .clip_from_anchor = globals.clip_from_anchor,
+                                   .clip_from_anchor = frame::drawn_clip(globals),
                                    .pose_moved = loaded->pose_moved,
                                    .sun_map = sun_map.provide(device, plan.sun.map),
-                                   .line_step_px = frame::line_step_px(job.shrink)};
+                                   .line_step_px = frame::line_step_px(job.survey ? job.survey->shrink : 1)};
     frame::FrameResources resources{.device = device,
                                     .meshes = loaded->meshes,
                                     .materials = loaded->materials,

@@ -28,8 +28,8 @@ namespace estampe {
 struct FrameJob {
     paper::Accumulation accumulation;
     bool is_first = true;                 ///< of the picture's frames
-    std::optional<frame::PixelRect> part; ///< of the page; else all of it
-    uint32_t shrink = 1;                  ///< see frame::ViewSettings
+    std::optional<frame::PixelRect> tile; ///< of the page; else all of it
+    std::optional<frame::Survey> survey;  ///< the page in fewer pixels
     frame::StrokeLists* lists = nullptr;  ///< strokes as paths in place of pixels
     frame::DeepPage* deep = nullptr;      ///< floats beside bytes
     std::optional<frame::StrungPart> strung = {};

@@ -72,8 +72,7 @@ std::vector<contour::StrungLines> Renderer::Impl::survey_page(const Camera& came
         draw_frame(camera, style, survey_plan,
                    {.accumulation = {.sample_index = sample, .sample_count = samples},
                     .is_first = sample == 0,
-                    .part = survey.part,
-                    .shrink = survey.shrink,
+                    .survey = survey,
                     .to_string = &found});
         if (has_chains) {
             lines.push_back(contour::shrunk(device, executor, std::move(found)));
@@ -108,7 +107,7 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
         for (uint32_t sample = 0; sample < settings.samples; ++sample) {
             FrameJob job{.accumulation = {.sample_index = sample, .sample_count = settings.samples},
                          .is_first = is_first,
-                         .part = tile.drawn};
+                         .tile = tile.drawn};
             if (!lines.empty()) {
                 const contour::PartOfPage part{.from_px = glm::vec2(tile.drawn.from_px),
                                                .scale = static_cast<float>(survey.shrink)};

@@ -9,7 +9,7 @@ namespace estampe::shared {
 #endif
 
 struct FrameGlobals {
-    mat4 clip_from_anchor; // jittered; reversed z
+    mat4 clip_from_anchor; // of the whole page; jittered; reversed z
     mat4 anchor_from_clip;
     vec3 eye_anchor;
     float pixels_per_mm;
@@ -20,11 +20,12 @@ struct FrameGlobals {
     float scene_radius_m;
     float nearby_m;     // from the eye: nearer is what stands in front
     float pixel_m;      // what a pixel spans at a distance of one; in parallel projection at any
-    uvec2 tile_from_px; // where on the page the first pixel of what is drawn lies
+    uvec2 page_px;      // the whole page
+    uvec2 tile_from_px; // where on it the first pixel of what is drawn lies
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameGlobals) == 192);
+static_assert(sizeof(FrameGlobals) == 200);
 } // namespace estampe::shared
 #endif
 
