@@ -21,7 +21,7 @@ expect() {
     shift 2
     "$estampe" batch "$@" --device cpu >out 2>err || status=$?
     [[ $status -eq $wanted ]] || wrong "batch $*: status $status instead of $wanted: $(cat err)"
-    tail -1 err | grep -q -- "$pattern" || wrong "batch $*: no '$pattern' in: $(cat err)"
+    [[ -z $pattern ]] || tail -1 err | grep -q -- "$pattern" || wrong "batch $*: no '$pattern' in: $(cat err)"
     [[ ! -s out ]] || wrong "batch $*: printed on stdout: $(cat out)"
     [[ -z "$(find . -name '.*.part-*')" ]] || wrong "batch $*: left $(find . -name '.*.part-*')"
 }
@@ -110,7 +110,7 @@ expect 1 'nowhere.toml' nowhere.toml
 # A wrong option is the job's own failure
 printf '[[job]]\nscene = "scene.glb"\noutput = "a.png"\nsize = "huge"\n\n[[job]]\nscene = "scene.glb"\noutput = "b.png"\nsize = "32x20"\n' >mixed.toml
 expect 1 '1 of 2 jobs failed' mixed.toml
-report mixed.report.json 'mixed.toml:1:1: --size: "huge" is not a size'
+report mixed.report.json 'mixed.toml:1:1: --size: .*huge.* is not a size'
 [[ -s b.png && ! -e a.png ]] || wrong "not b.png alone"
 
 # Ctrl-C: the job in hand is finished, the report says what was not begun
