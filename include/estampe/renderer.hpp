@@ -99,12 +99,20 @@ struct PassTiming {
     double gpu_ms = 0.0;
 };
 
-/// Draws scenes. One renderer owns one device; it is not thread-safe, but several may live side by side.
+struct VulkanHost;    // see estampe/vulkan.hpp
+struct VulkanPicture; // see estampe/vulkan.hpp
+
+/// Draws scenes. One renderer owns one device, or borrows one; it is not thread-safe, but several may live
+/// side by side.
 class Renderer {
 public:
     /// Throws Error when no usable device matches, naming what there is and what it lacks, and when the
     /// device cannot draw by the raster path asked for.
     explicit Renderer(const RendererOptions& options = {});
+
+    /// Draws on a device of the host application's. Of `options` the raster path counts; validation is the
+    /// host's affair. Throws Error when the device cannot be drawn on, saying what it lacks.
+    explicit Renderer(const VulkanHost& host, const RendererOptions& options = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
@@ -133,6 +141,12 @@ public:
     /// does, and what the sink throws. Memory: one band of `tile_px`, and what the device takes for a tile.
     void render_bands(const Camera& camera, const Style& style, const RenderSettings& settings,
                       const BandSink& sink);
+
+    /// The picture of render() in an image of the device that this renderer borrows, without a way over the
+    /// host's memory. Returns when the device is done. Throws Error as render() does, and when the device is
+    /// the renderer's own. Cost: as render(), less one copy of the picture to the host and one there.
+    void render_to(const VulkanPicture& picture, const Camera& camera, const Style& style,
+                   const RenderSettings& settings);
 
     /// The picture of render() before it is rounded to bytes: opaque, and as fine as it was composed, some
     /// 11 bits where ink is thin.

@@ -24,6 +24,7 @@ enum class StrokeKind : uint8_t {
     boundary,     ///< between materials
     border,       ///< where a surface ends
     outline,      ///< where a surface turns away
+    focus,        ///< points at what matters
     frame,        ///< around the picture, at its margin
 };
 

@@ -31,14 +31,15 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const hatch::HatchInputs hatching = hatch_inputs(making, scene, surface, lit, screen);
     const contour::ContourInputs outlining = contour_inputs(making, scene, visibility, surface, lit, screen);
     if (resources.lists != nullptr) {
-        declare_stroke_lists(graph, hatching, outlining, resources.line_mesh, style, *resources.lists);
+        declare_stroke_lists(graph, {hatching, hatch_looks(making)}, {outlining, resources.line_mesh},
+                             plan.looks, *resources.lists);
         return;
     }
     if (resources.to_string != nullptr) {
         add_strung_lines(making, outlining);
         return;
     }
-    const gpu::ImageId strokes = hatch::add_hatch(graph, hatching, style.hatch);
+    const gpu::ImageId strokes = hatch::add_hatch(graph, hatching, hatch_looks(making));
     const gpu::ImageId lines = add_lines(making, outlining);
     const gpu::ImageId ink = bleed::add_bleed(graph,
                                               {.hatch = strokes,
@@ -49,7 +50,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
 
     // What colour lies under it, and all of it on paper.
     const Colors colors = add_colors(making, scene, surface, lit.light, screen);
-    const paper::ComposeInputs layers = page_layers(making, scene, colors, ink, lines, lit.light);
+    const paper::ComposeInputs layers =
+        page_layers(making, scene, colors, ink, add_focus_lines(making, lines), lit.light);
     add_picture(making, layers);
     add_deep_picture(making, layers, surface, lit);
 }

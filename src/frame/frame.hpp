@@ -5,6 +5,7 @@
 #include "frame/local_maps.hpp"
 #include "frame/plan.hpp"
 #include "frame/style_tables.hpp"
+#include "frame/tonal_maps.hpp"
 #include "frame/vectors.hpp"
 #include "gpu/graph/graph.hpp"
 #include "techniques/contour/chains/brushes.hpp"
@@ -44,9 +45,12 @@ struct FrameResources {
     gpu::Buffer& stroke_kinds;       ///< one a draw
     gpu::Buffer& form_coordinates;   ///< three a triangle, where strokes follow the form
     lightmap::MapBuffers* lightmaps; ///< where the scene has any
-    hatch::MapImages* map;           ///< where strokes come from a map
+    TonalMaps& maps;                 ///< one a look
+    gpu::Buffer& look_of_draw;       ///< where surfaces differ, as LookPlan has it
+    gpu::Buffer& line_looks;         ///< then, contour's LineLook of each look
     contour::LineMesh* line_mesh;    ///< where lines are chains
     contour::LineHistory& line_history;
+    gpu::Buffer& focus_lines;              ///< of the plan
     contour::BrushImages* brushes;         ///< where lines have others than the pen
     gpu::Image& sums;                      ///< of a picture of several samples
     gpu::Buffer& pixels;                   ///< the picture, four bytes a pixel, for reading back
@@ -56,6 +60,7 @@ struct FrameResources {
     std::optional<StrungPart> strung = {}; ///< where lines are strung already
     /// Where what tiles share is wanted in place of a picture: lines, and how bright the page is.
     contour::StrungLines* to_string = nullptr;
+    const VulkanPicture* target = nullptr; ///< of the host's, where the picture goes in place of `pixels`
 };
 
 /// Declares one sample of a picture, top to bottom; or where there are lists, what fills those in its place.

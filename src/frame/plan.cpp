@@ -71,6 +71,16 @@ EdgePlan plan_edges(const StyleTables& style, const SunPlan& sun, const StrokePl
             .variant = shadow::shadow_variant(style.shadow, lines)};
 }
 
+FocusPlan plan_focus(const PlanInputs& in, const PagePlan& page)
+{
+    const float width_mm = static_cast<float>(page.size_px.x) / page.pixels_per_mm;
+    const paper::Window window_mm = paper::window_of(in.style.paper, width_mm);
+    const focus::Window window{.min_px = page.pixels_per_mm * window_mm.min_mm,
+                               .max_px = page.pixels_per_mm * window_mm.max_mm};
+    return {.lines = focus::focus_lines(in.style.focus, window, page.pixels_per_mm, in.settings.time_s),
+            .middle_px = focus::middle_px(in.style.focus, window)};
+}
+
 bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& map)
 {
     return style.drawn && style.lines == contour::Lines::chains &&
@@ -92,20 +102,23 @@ FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px
 FramePlan plan_frame(const PlanInputs& in)
 {
     const PagePlan page = plan_page(in);
-    StrokePlan strokes = plan_strokes(in.loaded.layout, in.loaded.scene.materials, in.style.hatch);
+    LookPlan looks = plan_looks(in.loaded.layout, in.loaded.scene, in.style);
+    StrokePlan strokes = plan_strokes(in.loaded.layout, in.loaded.scene.materials, looks);
     const LightPlan light = plan_light(in, strokes);
     SunPlan sun = plan_sun(in, page);
     const EdgePlan edges = plan_edges(in.style, sun, strokes, page.pixels_per_mm);
-    const LinePlan lines{.of_shadows = draws_shadow_lines(in.style.contour, sun.map)};
+    const LinePlan lines{.of_shadows = draws_shadow_lines(looks.lines, sun.map)};
     return {.page_px = page.size_px,
             .page = page,
             .raster = plan_raster(in),
             .needs = in.loaded.needs,
+            .looks = std::move(looks),
             .strokes = std::move(strokes),
             .sun = std::move(sun),
             .light = light,
             .shadow_edges = edges,
-            .lines = lines};
+            .lines = lines,
+            .focus = plan_focus(in, page)};
 }
 
 } // namespace estampe::frame

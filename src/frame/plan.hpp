@@ -10,6 +10,7 @@
 
 #include "frame/loaded_scene.hpp"
 #include "frame/local_shadows.hpp"
+#include "frame/looks.hpp"
 #include "frame/motion.hpp"
 #include "frame/strokes.hpp"
 #include "frame/style_tables.hpp"
@@ -66,18 +67,26 @@ struct LinePlan {
     bool are_remembered = false; ///< the picture goes on from one before, or another may from this
 };
 
+/// Lines that point at what matters.
+struct FocusPlan {
+    std::vector<shared::FocusLine> lines;
+    glm::vec2 middle_px{0.0F};
+};
+
 /// A picture, all of its samples alike.
 struct FramePlan {
     glm::uvec2 page_px{0}; ///< of the whole page, also where `page` has it smaller
     PagePlan page;
     RasterPlan raster;
     surface::SceneNeeds needs;
+    LookPlan looks;
     StrokePlan strokes;
     SunPlan sun;
     LightPlan light;
     EdgePlan shadow_edges;
     LocalMapPlan local_shadows;
     LinePlan lines;
+    FocusPlan focus;
     std::optional<MotionPlan> motion;
 };
 
@@ -87,6 +96,7 @@ struct SamplePlan {
     paper::Accumulation accumulation;
     bool is_first = true;             ///< nothing of the picture has been drawn yet
     glm::uvec2 size_px{0};            ///< of what is drawn: the page, or a tile
+    glm::vec2 from_px{0.0F};          ///< where on the page that begins
     glm::mat4 clip_from_anchor{1.0F}; ///< shifted within a pixel
     bool pose_moved = true;           ///< the posed vertices are not yet those of this moment
     SunMapWork sun_map;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include "gpu/upload.hpp"
 #include "scene/extent.hpp"
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/contour/chains/chains.hpp"
 #include "techniques/light/daylight.hpp"
 
 namespace estampe {
@@ -32,6 +34,11 @@ gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const T* items,
 } // namespace
 
 Renderer::Renderer(const RendererOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+
+Renderer::Renderer(const VulkanHost& host, const RendererOptions& options)
+    : impl_(std::make_unique<Impl>(host, options))
+{
+}
 
 Renderer::~Renderer() = default;
 
@@ -134,18 +141,15 @@ void Renderer::Impl::provide_strokes(const frame::StrokePlan& strokes)
     loaded->stroke_kinds = strokes.kind_of_draw;
 }
 
-void Renderer::Impl::provide_map(const frame::StyleTables& style)
+void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
 {
-    if (!style.hatch.drawn || style.hatch.strokes != hatch::Strokes::map) {
-        map.reset();
-        map_choice.reset();
-        return;
+    tonal_maps.provide(device, plan.looks.styles);
+    if (!plan.focus.lines.empty()) {
+        focus_lines = mapped_buffer(device, "focus lines", plan.focus.lines.data(), plan.focus.lines.size());
     }
-    frame::MapChoice choice = frame::map_choice(style);
-    if (map_choice != choice) {
-        map_choice.reset();
-        map = hatch::upload_map(device, frame::load_map(choice), choice.tone, choice.contrast);
-        map_choice = std::move(choice);
+    if (plan.looks.has_several()) {
+        const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
+        look_of_draw = mapped_buffer(device, "looks", looks.data(), looks.size());
     }
 }
 
@@ -167,6 +171,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
     const frame::SamplePlan sample{.accumulation = accumulation,
                                    .is_first = job.is_first,
                                    .size_px = globals.size_px,
+                                   .from_px = glm::vec2(globals.tile_from_px),
                                    .clip_from_anchor = frame::drawn_clip(globals),
                                    .pose_moved = loaded->pose_moved,
                                    .sun_map = sun_map.provide(device, plan.sun.map),
@@ -185,18 +190,22 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .stroke_kinds = stroke_kinds,
                                     .form_coordinates = form_coordinates,
                                     .lightmaps = loaded->baked ? &loaded->baked->maps : nullptr,
-                                    .map = map ? &*map : nullptr,
+                                    .maps = tonal_maps,
+                                    .look_of_draw = look_of_draw,
+                                    .line_looks = line_looks,
                                     .line_mesh =
-                                        loaded->line_meshes.provide(device, loaded->layout, style.contour),
+                                        loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines),
                                     .line_history = line_history,
-                                    .brushes = line_brushes.provide(device, style.contour),
+                                    .focus_lines = focus_lines,
+                                    .brushes = line_brushes.provide(device, plan.looks.lines),
                                     .sums = page.sums,
                                     .pixels = page.pixels,
                                     .motion = motion_pixels,
                                     .lists = job.lists,
                                     .deep = job.deep,
                                     .strung = job.strung,
-                                    .to_string = job.to_string};
+                                    .to_string = job.to_string,
+                                    .target = job.target};
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, sample, style);
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
@@ -232,11 +241,18 @@ Camera page_camera(const Camera& camera, const paper::PaperStyle& style, const R
     return frame::seen_within(camera, window_share(style, settings));
 }
 
-void Renderer::Impl::provide_shadow_looks(const frame::FramePlan& plan, const frame::StyleTables& tables)
+void Renderer::Impl::provide_pixel_sizes(const frame::FramePlan& plan, const frame::StyleTables& tables)
 {
     edge_look = mapped_buffer(device, "edges", &plan.shadow_edges.look, 1);
     const shared::SunShadow sun = frame::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
     sun_shadow = mapped_buffer(device, "sun", &sun, 1);
+    if (plan.looks.has_several()) {
+        std::vector<shared::LineLook> lines;
+        for (const frame::StyleTables& style : plan.looks.styles) {
+            lines.push_back(contour::line_look(style.contour, plan.page.pixels_per_mm));
+        }
+        line_looks = mapped_buffer(device, "line looks", lines.data(), lines.size());
+    }
 }
 
 void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
@@ -254,7 +270,7 @@ void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light:
                                        .paling = paling.share_per_m,
                                        .paling_at_anchor = paling.share_at_anchor};
     light_globals = mapped_buffer(device, "lighting", &globals, 1);
-    provide_shadow_looks(plan, tables);
+    provide_pixel_sizes(plan, tables);
     lights = mapped_buffer(device, "lights", lighting.records.data(), lighting.records.size());
 }
 
@@ -286,6 +302,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     }
     const float lightmap_scale = frame::make_room(lighting, loaded->baked, tables.lightmap);
     notes = loaded->notes;
+    std::ranges::copy(frame::idle_overrides(loaded->scene, tables), std::back_inserter(notes));
     if (lighting.indoors) {
         notes.emplace_back("the scene has no light and the sun does not reach it: a lamp hangs in the room");
     }
@@ -301,8 +318,8 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     if (settings.motion_since) {
         plan.motion = plan_motion(camera, settings);
     }
-    provide_map(tables);
     provide_strokes(plan.strokes);
+    provide_looks(plan);
     plan.local_shadows = provide_local_shadows(plan.page, lighting, camera, tables);
     provide_lighting(plan, lighting, tables);
     plan.light.adapt_stops = exposure.prepare(device, tables.light, settings.time_s);
@@ -310,7 +327,8 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
 }
 
 Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
-                                   frame::DeepPage* deep, const std::function<void()>& after_sample)
+                                   frame::DeepPage* deep, const std::function<void()>& after_sample,
+                                   const VulkanPicture* target)
 {
     const frame::StyleTables& tables = style.tables();
     const Camera seen_by = page_camera(camera, tables.paper, settings);
@@ -331,13 +349,17 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
         draw_frame(seen_by, tables, plan,
                    {.accumulation = {.sample_index = sample, .sample_count = settings.samples},
                     .is_first = sample == 0,
-                    .deep = deep});
+                    .deep = deep,
+                    .target = target});
         if (after_sample) {
             after_sample();
         }
     }
     if (settings.motion_since) {
         motion = frame::read_motion(motion_pixels, settings);
+    }
+    if (target != nullptr) {
+        return {};
     }
     const auto bytes = page.pixels.mapped();
     Image image{.width = settings.width, .height = settings.height};
@@ -372,15 +394,25 @@ void Renderer::render_bands(const Camera& camera, const Style& style, const Rend
     }
 }
 
+void Renderer::render_to(const VulkanPicture& picture, const Camera& camera, const Style& style,
+                         const RenderSettings& settings)
+{
+    if (!impl_->device.is_borrowed()) {
+        throw Error("the picture is of another device than the renderer's", "render_to",
+                    "make the renderer with the host's");
+    }
+    std::ignore = impl_->draw_picture(camera, style, settings, nullptr, {}, &picture);
+}
+
 VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, const RenderSettings& settings,
                                      HiddenLines hidden)
 {
     Impl& impl = *impl_;
     const frame::StyleTables& tables = style.tables();
-    frame::check_has_paths(tables);
     frame::check_size(impl.device, settings);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     frame::FramePlan plan = impl.prepare(seen_by, tables, settings);
+    frame::check_has_paths(plan.looks);
     plan.motion.reset();
     if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.width_mm > 0.0F) {
         impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs");
@@ -395,7 +427,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
                               .layout = impl.loaded->layout,
                               .edges = impl.loaded->line_meshes.edges(),
                               .size_px = plan.page.size_px},
-                             tables, hidden == HiddenLines::kept);
+                             plan, hidden == HiddenLines::kept);
 }
 
 const Motion& Renderer::motion() const

@@ -34,6 +34,7 @@ struct FrameJob {
     frame::DeepPage* deep = nullptr;      ///< floats beside bytes
     std::optional<frame::StrungPart> strung = {};
     contour::StrungLines* to_string = nullptr; ///< what tiles share in place of pixels
+    const VulkanPicture* target = nullptr;     ///< of the host's, in place of bytes
 };
 
 struct Renderer::Impl {
@@ -45,6 +46,12 @@ struct Renderer::Impl {
         if (device.info().software && !options.validation) {
             ahead = std::make_unique<gpu::CompileAhead>(options);
         }
+    }
+
+    Impl(const VulkanHost& host, RendererOptions renderer_options)
+        : options(std::move(renderer_options)), device(host), executor(device),
+          raster_path(raster::choose_path(device, executor, options.raster))
+    {
     }
 
     void update_pose(const ScenePose& scene_pose);
@@ -60,10 +67,10 @@ struct Renderer::Impl {
     /// Hands the device what the light's shaders read.
     void provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
                           const frame::StyleTables& tables);
-    /// What of that hangs on how large a pixel is.
-    void provide_shadow_looks(const frame::FramePlan& plan, const frame::StyleTables& tables);
-    void provide_map(const frame::StyleTables& style);
+    /// What of that, and of lines, hangs on how large a pixel is.
+    void provide_pixel_sizes(const frame::FramePlan& plan, const frame::StyleTables& tables);
     void provide_strokes(const frame::StrokePlan& strokes);
+    void provide_looks(const frame::FramePlan& plan);
     /// All that comes before the first sample. Throws Error as Renderer::render() does.
     [[nodiscard]] frame::FramePlan prepare(const Camera& camera, const frame::StyleTables& tables,
                                            const RenderSettings& settings);
@@ -79,10 +86,12 @@ struct Renderer::Impl {
     [[nodiscard]] std::vector<contour::StrungLines>
     survey_page(const Camera& camera, const frame::StyleTables& style, const frame::FramePlan& plan,
                 const frame::Survey& survey, uint32_t samples);
-    /// All samples of a picture. `after_sample` is called after each.
+    /// All samples of a picture, which is empty where it goes into a `target`. `after_sample` is called after
+    /// each.
     [[nodiscard]] Image draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
                                      frame::DeepPage* deep = nullptr,
-                                     const std::function<void()>& after_sample = {});
+                                     const std::function<void()>& after_sample = {},
+                                     const VulkanPicture* target = nullptr);
 
     RendererOptions options;
     gpu::Device device;
@@ -102,8 +111,10 @@ struct Renderer::Impl {
     std::vector<Bounds> moved; ///< since the local shadows were planned last
     gpu::Buffer stroke_kinds;
     gpu::Buffer form_coordinates;
-    std::optional<hatch::MapImages> map;
-    std::optional<frame::MapChoice> map_choice; ///< of what `map` holds
+    frame::TonalMaps tonal_maps;
+    gpu::Buffer look_of_draw;
+    gpu::Buffer line_looks;
+    gpu::Buffer focus_lines;
     contour::LineHistory line_history;
     frame::LineBrushes line_brushes;
     frame::Page page;

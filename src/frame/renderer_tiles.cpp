@@ -62,10 +62,10 @@ std::vector<contour::StrungLines> Renderer::Impl::survey_page(const Camera& came
                                                               const frame::FramePlan& plan,
                                                               const frame::Survey& survey, uint32_t samples)
 {
-    const bool has_chains = loaded->line_meshes.provide(device, loaded->layout, style.contour) != nullptr;
+    const bool has_chains = loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines) != nullptr;
     const uint32_t survey_count = has_chains ? samples : plan.light.meters_page ? 1 : 0;
     const frame::FramePlan survey_plan = frame::shrunk_plan(plan, survey.shrink, survey.size_px(), style);
-    provide_shadow_looks(survey_plan, style);
+    provide_pixel_sizes(survey_plan, style);
     std::vector<contour::StrungLines> lines;
     for (uint32_t sample = 0; sample < survey_count; ++sample) {
         contour::StrungLines found;
@@ -78,7 +78,7 @@ std::vector<contour::StrungLines> Renderer::Impl::survey_page(const Camera& came
             lines.push_back(contour::shrunk(device, executor, std::move(found)));
         }
     }
-    provide_shadow_looks(plan, style);
+    provide_pixel_sizes(plan, style);
     return lines;
 }
 
@@ -89,7 +89,10 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     const frame::FramePlan plan = prepare(seen_by, tables, settings);
     const frame::PageLimits limits = frame::page_limits(device);
-    const uint32_t overlap = frame::overlap_px(tables, plan.page.pixels_per_mm);
+    uint32_t overlap = frame::overlap_px(tables, plan.page.pixels_per_mm);
+    for (const frame::StyleTables& look : plan.looks.styles) {
+        overlap = std::max(overlap, frame::overlap_px(look, plan.page.pixels_per_mm));
+    }
     const uint32_t tile_px = settings.tile_px > 0 ? std::min(settings.tile_px, limits.side_px)
                                                   : automatic_tile_px(limits, overlap);
     const std::vector<frame::Tile> tiles = frame::tiles_of(plan.page_px, tile_px, overlap);

@@ -76,6 +76,8 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
                                          const std::optional<gpu::ImageId>& known);
 
 /// What strokes are drawn from.
+[[nodiscard]] std::vector<hatch::LookHatch> hatch_looks(const Making& making);
+
 [[nodiscard]] hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
                                               const surface::Surface& surface, const light::LitPixels& lit,
                                               const SeenThrough& screen);
@@ -91,6 +93,9 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
 
 /// Strings the lines of the whole page, for its tiles.
 void add_strung_lines(const Making& making, const contour::ContourInputs& in);
+
+/// Focus lines over those of the scene.
+[[nodiscard]] gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines);
 
 /// Colour, flat, and the sky behind it.
 [[nodiscard]] Colors add_colors(const Making& making, const PosedScene& scene,

@@ -1,17 +1,50 @@
 // SPDX-License-Identifier: MIT
 // From light to ink, colour and paper.
 #include "frame/steps.hpp"
+#include "gpu/imports.hpp"
 #include "gpu/read_back.hpp"
 #include "techniques/contour/chains/chains.hpp"
 
 namespace estampe::frame {
+namespace {
+
+std::optional<gpu::BufferId> look_of_draw(const Making& making)
+{
+    if (!making.plan.looks.has_several()) {
+        return std::nullopt;
+    }
+    return gpu::import_whole(making.graph, "looks", making.resources.look_of_draw);
+}
+
+std::vector<wash::LookWash> wash_looks(const LookPlan& plan)
+{
+    std::vector<wash::LookWash> looks;
+    for (const StyleTables& style : plan.styles) {
+        looks.push_back({.style = style.wash, .tone = light::tone_constants(style.tone)});
+    }
+    return looks;
+}
+
+} // namespace
+
+std::vector<hatch::LookHatch> hatch_looks(const Making& making)
+{
+    std::vector<hatch::LookHatch> looks;
+    for (const StyleTables& style : making.plan.looks.styles) {
+        hatch::MapImages* const map = making.resources.maps.of_look(looks.size());
+        looks.push_back(
+            {.style = style.hatch,
+             .tone = light::tone_constants(style.tone),
+             .map = map != nullptr ? std::optional(hatch::import_map(making.graph, *map)) : std::nullopt});
+    }
+    return looks;
+}
 
 hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
                                 const surface::Surface& surface, const light::LitPixels& lit,
                                 const SeenThrough& screen)
 {
     const FramePlan& plan = making.plan;
-    hatch::MapImages* const map = making.resources.map;
     return {.frame = scene.frame,
             .draw = surface.draw,
             .depth = surface.depth,
@@ -22,13 +55,14 @@ hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
             .light = lit.light,
             .screen = screen.images.color,
             .has_screen = screen.is_there,
-            .tone = light::tone_constants(making.style.tone),
+            .tone = {},
             .strokes_present = plan.strokes.present,
             .strongest_light = plan.light.leads_strokes ? std::optional(lit.strongest) : std::nullopt,
             .towards_light = plan.sun.towards,
-            .map = map != nullptr ? std::optional(hatch::import_map(making.graph, *map)) : std::nullopt,
             .pixels_per_mm = plan.page.pixels_per_mm,
-            .size_px = making.sample.size_px};
+            .size_px = making.sample.size_px,
+            .look_of_draw = look_of_draw(making),
+            .draws = scene.meshes.draws};
 }
 
 contour::ContourInputs contour_inputs(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
@@ -62,26 +96,31 @@ contour::ContourInputs contour_inputs(const Making& making, const PosedScene& sc
             .pixels_per_mm = plan.page.pixels_per_mm,
             .line_step_px = making.sample.line_step_px,
             .pixel_m_at_one = plan.page.pixel.at_one_m,
-            .size_px = making.sample.size_px};
+            .size_px = making.sample.size_px,
+            .look_of_draw = look_of_draw(making),
+            .line_looks = plan.looks.has_several()
+                              ? std::optional(gpu::import_whole(making.graph, "line looks",
+                                                                making.resources.line_looks))
+                              : std::nullopt};
 }
 
 gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in)
 {
     FrameResources& resources = making.resources;
     if (resources.line_mesh == nullptr) {
-        return contour::add_contours(making.graph, in, making.style.contour);
+        return contour::add_contours(making.graph, in, making.plan.looks.lines);
     }
     const std::optional<gpu::ImageId> of_cuts =
         making.layout.masked.count > 0
-            ? std::optional(contour::add_contours(making.graph, in, making.style.contour))
+            ? std::optional(contour::add_contours(making.graph, in, making.plan.looks.lines))
             : std::nullopt;
     if (resources.strung) {
         return contour::add_strung_contours(making.graph, in, resources.strung->lines, resources.strung->part,
-                                            making.style.contour, of_cuts);
+                                            making.plan.looks.lines, of_cuts);
     }
     const bool remembers = making.plan.lines.are_remembered && making.sample.is_first;
     return contour::add_chain_contours(making.graph, in, *resources.line_mesh,
-                                       remembers ? &resources.line_history : nullptr, making.style.contour,
+                                       remembers ? &resources.line_history : nullptr, making.plan.looks.lines,
                                        of_cuts);
 }
 
@@ -90,10 +129,25 @@ void add_strung_lines(const Making& making, const contour::ContourInputs& in)
     FrameResources& resources = making.resources;
     if (resources.line_mesh != nullptr) {
         const contour::ShapedStrokes shaped = contour::add_shaped_strokes(
-            making.graph, in, *resources.line_mesh, nullptr, making.style.contour);
+            making.graph, in, *resources.line_mesh, nullptr, making.plan.looks.lines);
         contour::add_keeping(making.graph, resources.device, shaped, making.sample.size_px,
                              *resources.to_string);
     }
+}
+
+gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
+{
+    const FocusPlan& plan = making.plan.focus;
+    if (plan.lines.empty()) {
+        return lines;
+    }
+    return focus::add_focus(
+        making.graph,
+        {.lines = gpu::import_whole(making.graph, "focus lines", making.resources.focus_lines),
+         .line_count = static_cast<uint32_t>(plan.lines.size()),
+         .middle_px = plan.middle_px - making.sample.from_px,
+         .size_px = making.sample.size_px},
+        making.style.focus, lines);
 }
 
 Colors add_colors(const Making& making, const PosedScene& scene, const surface::Surface& surface,
@@ -120,9 +174,9 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                               .has_screen = screen.is_there,
                                               .background = sky.wash,
                                               .has_background = plan.page.has_sky,
-                                              .tone = light::tone_constants(making.style.tone),
-                                              .size_px = making.sample.size_px},
-                                             making.style.wash);
+                                              .size_px = making.sample.size_px,
+                                              .look_of_draw = look_of_draw(making)},
+                                             wash_looks(plan.looks));
     return {.wash = wash, .sky_ink = sky.ink};
 }
 
@@ -150,7 +204,11 @@ void add_picture(const Making& making, const paper::ComposeInputs& layers)
     const paper::Developed developed =
         paper::add_develop(graph, composed, paper::import_sums(graph, making.resources.sums, accumulation),
                            pixels, size_px, accumulation);
-    gpu::add_read_back(graph, "read back", developed.pixels, making.resources.pixels);
+    if (const VulkanPicture* target = making.resources.target) {
+        gpu::add_hand_over(graph, developed.pixels, *target, size_px);
+    } else {
+        gpu::add_read_back(graph, "read back", developed.pixels, making.resources.pixels);
+    }
 }
 
 void add_deep_picture(const Making& making, const paper::ComposeInputs& layers,

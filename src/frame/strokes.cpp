@@ -70,17 +70,25 @@ uint32_t possible(uint32_t wanted, const shared::DrawRecord& draw, bool is_groun
     }
 }
 
+const StyleTables& look_of(const LookPlan& looks, size_t draw)
+{
+    return looks.has_several() ? looks.styles[looks.look_of_draw[draw]] : looks.styles.front();
+}
+
 } // namespace
 
 StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
-                        const hatch::HatchStyle& style)
+                        const LookPlan& looks)
 {
-    const std::map<Index, uint32_t> kinds = kinds_of_materials(materials, style.materials);
+    const std::map<Index, uint32_t> kinds =
+        kinds_of_materials(materials, looks.styles.front().hatch.materials);
     StrokePlan plan;
     plan.kind_of_draw.reserve(meshes.draws.size());
     for (const shared::DrawRecord& draw : meshes.draws) {
         const auto own = kinds.find(draw.material);
-        const uint32_t wanted = own != kinds.end() ? own->second : static_cast<uint32_t>(style.coordinates);
+        const auto of_look =
+            static_cast<uint32_t>(look_of(looks, plan.kind_of_draw.size()).hatch.coordinates);
+        const uint32_t wanted = own != kinds.end() ? own->second : of_look;
         const bool is_ground = plan.kind_of_draw.size() == meshes.sources.size();
         const uint32_t kind = possible(wanted, draw, is_ground);
         plan.kind_of_draw.push_back(kind);

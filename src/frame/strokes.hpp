@@ -8,9 +8,8 @@
 
 #include <estampe/scene.hpp>
 
+#include "frame/looks.hpp"
 #include "shaders/stroke_kind.glsl.h"
-#include "techniques/hatch/hatch.hpp"
-#include "techniques/pose/mesh_data.hpp"
 
 namespace estampe::frame {
 
@@ -27,10 +26,10 @@ struct StrokePlan {
     }
 };
 
-/// The style's wish, or that for a single material by `hatch.materials`. UVs are followed only where there
-/// are any; the ground keeps to the solid where the form or UVs are wanted. Throws Error when
+/// The wish of each surface's look, or that for a single material by `hatch.materials`. UVs are followed only
+/// where there are any; the ground keeps to the solid where the form or UVs are wanted. Throws Error when
 /// `hatch.materials` cannot be read, or names what is not there. Cost: linear in draws.
 [[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
-                                      const hatch::HatchStyle& style);
+                                      const LookPlan& looks);
 
 } // namespace estampe::frame

@@ -33,10 +33,10 @@ protected:
     [[nodiscard]] std::vector<uint32_t> kinds(hatch::Coordinates coordinates,
                                               const std::string& materials) const
     {
-        hatch::HatchStyle style;
-        style.coordinates = coordinates;
-        style.materials = materials;
-        return plan_strokes(meshes_, scene_.materials, style).kind_of_draw;
+        StyleTables style;
+        style.hatch.coordinates = coordinates;
+        style.hatch.materials = materials;
+        return plan_strokes(meshes_, scene_.materials, {.styles = {style}}).kind_of_draw;
     }
 
     [[nodiscard]] std::string error_of(const std::string& materials) const
@@ -81,10 +81,10 @@ TEST_F(Strokes, OfMaterialsThatAreNotThereAreAnError)
 
 TEST_F(Strokes, AlongTheFormHaveCoordinatesForTheirTrianglesAlone)
 {
-    hatch::HatchStyle style;
-    style.coordinates = hatch::Coordinates::solid;
-    style.materials = "Sea=form";
-    const StrokePlan plan = plan_strokes(meshes_, scene_.materials, style);
+    StyleTables style;
+    style.hatch.coordinates = hatch::Coordinates::solid;
+    style.hatch.materials = "Sea=form";
+    const StrokePlan plan = plan_strokes(meshes_, scene_.materials, {.styles = {style}});
     const std::vector<glm::vec2> coordinates = form_coordinates(meshes_, plan);
     ASSERT_EQ(coordinates.size(), 3 * meshes_.triangles.size());
     for (size_t i = 0; i < meshes_.triangles.size(); ++i) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "style/sheet.hpp"
 #include "techniques/bleed/bleed.hpp"
 #include "techniques/contour/contour.hpp"
+#include "techniques/focus/focus.hpp"
 #include "techniques/hatch/hatch.hpp"
 #include "techniques/light/light_style.hpp"
 #include "techniques/light/sun_style.hpp"
@@ -48,9 +51,11 @@ struct StyleTables {
     tam::TamStyle tam;
     contour::ContourStyle contour;
     bleed::BleedStyle bleed;
+    focus::FocusStyle focus;
     wash::WashStyle wash;
     sky::SkyStyle sky;
     paper::PaperStyle paper;
+    std::vector<style::Override> overrides; ///< what single materials and objects have otherwise
 };
 
 /// The readers and writers of `tables`, which must outlive the sheet.
@@ -68,9 +73,11 @@ struct StyleTables {
     sheet.bind(tam::tam_table(), tables.tam);
     sheet.bind(contour::contour_table(), tables.contour);
     sheet.bind(bleed::bleed_table(), tables.bleed);
+    sheet.bind(focus::focus_table(), tables.focus);
     sheet.bind(wash::wash_table(), tables.wash);
     sheet.bind(sky::sky_table(), tables.sky);
     sheet.bind(paper::paper_table(), tables.paper);
+    sheet.bind_overrides(tables.overrides);
     return sheet;
 }
 

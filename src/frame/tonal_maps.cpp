@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/tonal_maps.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <system_error>
 
@@ -73,6 +74,34 @@ hatch::MapData load_map(const MapChoice& choice)
     return {.size_px = map.size_px,
             .level_of_tone = std::move(map.level_of_tone),
             .threshold_of_level = std::move(thresholds)};
+}
+
+void TonalMaps::provide(gpu::Device& device, const std::vector<StyleTables>& looks)
+{
+    place_of_look_.assign(looks.size(), std::nullopt);
+    std::vector<Loaded> wanted;
+    for (size_t look = 0; look < looks.size(); ++look) {
+        const hatch::HatchStyle& hatch = looks[look].hatch;
+        if (!hatch.drawn || hatch.strokes != hatch::Strokes::map) {
+            continue;
+        }
+        MapChoice choice = map_choice(looks[look]);
+        const auto is_choice = [&](const Loaded& loaded) { return loaded.choice == choice; };
+        const auto ready = std::ranges::find_if(wanted, is_choice);
+        place_of_look_[look] = static_cast<size_t>(ready - wanted.begin());
+        if (ready != wanted.end()) {
+            continue;
+        }
+        if (const auto kept = std::ranges::find_if(maps_, is_choice); kept != maps_.end()) {
+            wanted.push_back(std::move(*kept));
+            maps_.erase(kept);
+        } else {
+            hatch::MapImages images =
+                hatch::upload_map(device, load_map(choice), choice.tone, choice.contrast);
+            wanted.push_back({std::move(choice), std::move(images)});
+        }
+    }
+    maps_ = std::move(wanted);
 }
 
 } // namespace estampe::frame

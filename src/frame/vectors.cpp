@@ -71,8 +71,25 @@ public:
         for (const auto& point : points) {
             stroke.points.push_back({mm_per_px_ * point.page_px, mm_per_px_ * point.width_px});
         }
-        const std::vector<VectorStroke> parts = clipped(stroke, window_);
-        drawing_.strokes.insert(drawing_.strokes.end(), parts.begin(), parts.end());
+        add_parts(stroke);
+    }
+
+    void add_focus(const FocusPlan& plan, const glm::vec3& ink)
+    {
+        if (plan.lines.empty()) {
+            return;
+        }
+        const auto object = static_cast<uint32_t>(drawing_.objects.size());
+        drawing_.objects.emplace_back("focus");
+        for (const shared::FocusLine& line : plan.lines) {
+            const glm::vec2 tip_px = plan.middle_px + line.tip_px * line.outwards;
+            const glm::vec2 end_px = plan.middle_px + line.end_px * line.outwards;
+            add_parts({.kind = StrokeKind::focus,
+                       .object = object,
+                       .ink = number_of(ink),
+                       .points = {{mm_per_px_ * tip_px, 0.0F},
+                                  {mm_per_px_ * end_px, 2.0F * mm_per_px_ * line.half_width_px}}});
+        }
     }
 
     /// The lines around the window, side by side as along a ruler.
@@ -96,6 +113,12 @@ public:
     [[nodiscard]] VectorDrawing take() { return std::move(drawing_); }
 
 private:
+    void add_parts(const VectorStroke& stroke)
+    {
+        const std::vector<VectorStroke> parts = clipped(stroke, window_);
+        drawing_.strokes.insert(drawing_.strokes.end(), parts.begin(), parts.end());
+    }
+
     uint32_t object_of(uint32_t draw)
     {
         const bool is_ground = draw >= drawn_.layout.sources.size();
@@ -156,11 +179,21 @@ contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float
     return widths;
 }
 
-void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn,
-               const StyleTables& style, bool with_hidden_lines)
+/// Of a line, by LinePoint::ink.
+glm::vec3 ink_of(uint32_t number, const Scene& scene, const LookPlan& looks)
 {
-    const contour::ContourStyle& contour = style.contour;
-    const float px_per_mm = pixels_per_mm(drawn.size_px.y, style.paper.height_mm);
+    if ((number & shared::ink_of_look) != 0) {
+        return looks.styles.at(number & ~shared::ink_of_look).contour.ink;
+    }
+    return number > 0 && scene.materials.at(number - 1).toon ? scene.materials[number - 1].toon->outline_color
+                                                             : looks.lines.ink;
+}
+
+void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn, const LookPlan& looks,
+               bool with_hidden_lines)
+{
+    const contour::ContourStyle& contour = looks.lines;
+    const float px_per_mm = pixels_per_mm(drawn.size_px.y, looks.styles.front().paper.height_mm);
     bool with_hidden = with_hidden_lines || contour.hidden != contour::Hidden::none;
     std::vector<contour::LinePath> paths;
     for (const gpu::Buffer& line_points : lists.line_points) {
@@ -180,46 +213,45 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
     }
     for (const contour::LinePath& path : paths) {
         const uint32_t draw = drawn.layout.triangles[path.triangle].w & shared::triangle_draw_mask;
-        const glm::vec3 ink = path.ink > 0 && drawn.scene.materials.at(path.ink - 1).toon
-                                  ? drawn.scene.materials[path.ink - 1].toon->outline_color
-                                  : contour.ink;
         const bool has_width = std::ranges::any_of(
             path.points, [](const contour::PathPoint& point) { return point.width_px > 0.0F; });
         if (has_width) {
             gathering.add(
                 {.kind = kind_of_line(path.kind), .is_hidden = path.is_hidden, .is_closed = path.is_closed},
-                draw, ink, path.points);
+                draw, ink_of(path.ink, drawn.scene, looks), path.points);
         }
     }
 }
 
 } // namespace
 
-void check_has_paths(const StyleTables& style)
+void check_has_paths(const LookPlan& looks)
 {
-    if (style.hatch.drawn && style.hatch.strokes == hatch::Strokes::map) {
-        throw Error("the strokes of a tonal art map have no paths", "hatch.strokes",
+    const auto is_no_line = [](const StyleTables& style) {
+        return style.hatch.drawn && style.hatch.strokes != hatch::Strokes::lines;
+    };
+    if (std::ranges::any_of(looks.styles, is_no_line)) {
+        throw Error("the strokes of a tonal art map have no paths, nor have dots", "hatch.strokes",
                     "--set hatch.strokes=lines draws others, --set hatch.drawn=false none");
     }
-    if (style.contour.drawn && style.contour.lines == contour::Lines::page) {
+    if (looks.lines.drawn && looks.lines.lines == contour::Lines::page) {
         throw Error("lines that are found between pixels have no paths", "contour.lines",
                     "--set contour.lines=chains draws others, --set contour.drawn=false none");
     }
 }
 
-void declare_stroke_lists(gpu::Graph& graph, const hatch::HatchInputs& hatch,
-                          const contour::ContourInputs& contour, contour::LineMesh* line_mesh,
-                          const StyleTables& style, StrokeLists& lists)
+void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const LineStrokes& lines,
+                          const LookPlan& looks, StrokeLists& lists)
 {
     gpu::Device& device = lists.device;
-    if (style.hatch.drawn) {
+    if (std::ranges::any_of(looks.styles, [](const StyleTables& style) { return style.hatch.drawn; })) {
         read_back(graph, device,
-                  hatch::add_trace(graph, hatch, style.hatch, device.limits().maxStorageBufferRange),
+                  hatch::add_trace(graph, hatch.inputs, hatch.looks, device.limits().maxStorageBufferRange),
                   lists.crossings);
     }
-    if (line_mesh != nullptr) {
+    if (lines.mesh != nullptr) {
         const contour::ShapedStrokes shaped =
-            contour::add_shaped_strokes(graph, contour, *line_mesh, nullptr, style.contour);
+            contour::add_shaped_strokes(graph, lines.inputs, *lines.mesh, nullptr, looks.lines);
         read_back(graph, device, shaped.strokes.sizes, lists.line_sizes);
         read_back(graph, device, shaped.strokes.samples, lists.line_samples);
         read_back(graph, device, shaped.strokes.samples_before, lists.line_samples_before);
@@ -232,16 +264,18 @@ void declare_stroke_lists(gpu::Graph& graph, const hatch::HatchInputs& hatch,
     }
 }
 
-VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn, const StyleTables& style,
+VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn, const FramePlan& plan,
                          bool with_hidden_lines)
 {
+    const StyleTables& style = plan.looks.styles.front();
     Gathering gathering(drawn, style);
     if (!lists.crossings.empty()) {
         add_hatching(gathering, lists, drawn, style);
     }
     if (!lists.line_sizes.empty()) {
-        add_lines(gathering, lists, drawn, style, with_hidden_lines);
+        add_lines(gathering, lists, drawn, plan.looks, with_hidden_lines);
     }
+    gathering.add_focus(plan.focus, style.focus.ink);
     if (style.paper.border_mm > 0.0F) {
         gathering.add_border(style.paper);
     }

@@ -8,7 +8,7 @@
 #include <estampe/scene.hpp>
 #include <estampe/vector_drawing.hpp>
 
-#include "frame/style_tables.hpp"
+#include "frame/plan.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/contour/chains/edge_mesh.hpp"
 #include "techniques/contour/chains/line_mesh.hpp"
@@ -30,14 +30,25 @@ struct StrokeLists {
     gpu::Buffer crossings; ///< as hatch::add_trace() writes them
 };
 
-/// Throws Error when a style draws strokes that have no paths: those of a tonal art map, and lines that are
-/// found between pixels.
-void check_has_paths(const StyleTables& style);
+/// Throws Error when a look has strokes without paths: those of a tonal art map, and lines that are found
+/// between pixels.
+void check_has_paths(const LookPlan& looks);
+
+/// What the strokes of hatching come from.
+struct HatchStrokes {
+    hatch::HatchInputs inputs;
+    std::vector<hatch::LookHatch> looks;
+};
+
+/// What those of lines come from.
+struct LineStrokes {
+    contour::ContourInputs inputs;
+    contour::LineMesh* mesh; ///< null where there are none
+};
 
 /// Declares what fills `lists` in place of a picture. The lists must outlive the graph.
-void declare_stroke_lists(gpu::Graph& graph, const hatch::HatchInputs& hatch,
-                          const contour::ContourInputs& contour, contour::LineMesh* line_mesh,
-                          const StyleTables& style, StrokeLists& lists);
+void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const LineStrokes& chains,
+                          const LookPlan& looks, StrokeLists& lists);
 
 /// What strokes belong to.
 struct DrawnScene {
@@ -49,6 +60,6 @@ struct DrawnScene {
 
 /// The strokes of `lists` on the page. Throws Error when there was no room for all of the hatching.
 [[nodiscard]] VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn,
-                                       const StyleTables& style, bool with_hidden_lines);
+                                       const FramePlan& plan, bool with_hidden_lines);
 
 } // namespace estampe::frame

@@ -164,6 +164,28 @@ TEST(Vectors, TheMarginIsLeftBlankAndTheBorderIsRuled)
     EXPECT_NEAR(ruled_mm, 2.0F * (drawing.width_mm - 10.0F + 40.0F), 1e-3F);
 }
 
+TEST(Vectors, FocusLinesLieWhereThePictureHasThem)
+{
+    const Style style = bare({"hatch.drawn=false", "contour.drawn=false", "focus.drawn=true",
+                              "focus.clear=0.4", "focus.ink=#000", "paper.margin_mm=5"});
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    const VectorDrawing drawing = renderer.draw_strokes(camera, style, small);
+    const Image picture = renderer.render(camera, style, small);
+    const float px_per_mm = static_cast<float>(small.height) / drawing.height_mm;
+    ASSERT_GT(drawing.strokes.size(), 20U);
+    for (const VectorStroke& stroke : drawing.strokes) {
+        ASSERT_EQ(stroke.kind, StrokeKind::focus);
+        EXPECT_EQ(drawing.objects[stroke.object], "focus");
+        const VectorPoint& end = stroke.points.back();
+        const glm::vec2 inwards = glm::normalize(stroke.points.front().page_mm - end.page_mm);
+        const glm::ivec2 pixel((end.page_mm + 0.5F * inwards) * px_per_mm);
+        const auto at = 4 * static_cast<size_t>(pixel.y * static_cast<int>(small.width) + pixel.x);
+        const float is_wide = end.width_mm * px_per_mm;
+        EXPECT_TRUE(is_wide < 1.5F || picture.rgba[at] < 128) << pixel.x << ", " << pixel.y;
+    }
+}
+
 TEST(Vectors, LinesLieWhereThePictureHasThem)
 {
     expect_alike(both_ways(still_life(), camera, bare(only_lines), small), 0.99);
@@ -341,8 +363,9 @@ TEST(Vectors, WhatHasNoPathsIsAnErrorThatNamesTheKey)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(still_life());
-    for (const auto& [assignment, key] : {std::pair("hatch.strokes=map", "hatch.strokes"),
-                                          std::pair("contour.lines=page", "contour.lines")}) {
+    for (const auto& [assignment, key] :
+         {std::pair("hatch.strokes=map", "hatch.strokes"), std::pair("hatch.strokes=dots", "hatch.strokes"),
+          std::pair("contour.lines=page", "contour.lines")}) {
         try {
             static_cast<void>(renderer.draw_strokes(camera, bare({assignment}), small));
             ADD_FAILURE() << assignment;

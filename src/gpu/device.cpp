@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <estampe/error.hpp>
+#include <estampe/vulkan.hpp>
 
 #include "gpu/device_choice.hpp"
 #include "gpu/driver_threads.hpp"
@@ -80,8 +81,22 @@ Device::Device(const RendererOptions& options)
     memory_ = std::make_unique<MemoryAllocator>(physical_, device_);
 }
 
+Device::Device(const VulkanHost& host)
+    : instance_(host.instance), device_(host.device), queue_(host.queue), queue_family_(host.queue_family),
+      is_borrowed_(true)
+{
+    const Candidate candidate = host_candidate(host);
+    take_physical(candidate.physical, candidate.info);
+    create_fence();
+    memory_ = std::make_unique<MemoryAllocator>(physical_, device_);
+}
+
 Device::~Device()
 {
+    if (is_borrowed_) {
+        vkDestroyFence(device_, fence_, nullptr);
+        return;
+    }
     if (device_ != VK_NULL_HANDLE) {
         vkDeviceWaitIdle(device_);
         vkDestroyFence(device_, fence_, nullptr);
@@ -126,8 +141,13 @@ void Device::pick_physical(const std::string& choice)
 {
     const std::vector<Candidate> candidates = list_candidates(instance_);
     const Candidate& chosen = choose(candidates, choice);
-    physical_ = chosen.physical;
-    info_ = chosen.info;
+    take_physical(chosen.physical, chosen.info);
+}
+
+void Device::take_physical(VkPhysicalDevice physical, const DeviceInfo& info)
+{
+    physical_ = physical;
+    info_ = info;
     VkPhysicalDeviceProperties properties{};
     vkGetPhysicalDeviceProperties(physical_, &properties);
     limits_ = properties.limits;
@@ -152,15 +172,7 @@ void Device::create_device()
     queue_family_ = static_cast<uint32_t>(family - families.begin());
 
     Features features;
-    features.v13.synchronization2 = VK_TRUE;
-    features.v13.dynamicRendering = VK_TRUE;
-    features.v13.maintenance4 = VK_TRUE;
-    features.v12.scalarBlockLayout = VK_TRUE;
-    features.v12.shaderBufferInt64Atomics = info_.compute_raster ? VK_TRUE : VK_FALSE;
-    features.v12.hostQueryReset = VK_TRUE;
-    features.core.features.shaderInt64 = info_.compute_raster ? VK_TRUE : VK_FALSE;
-    features.core.features.shaderStorageImageExtendedFormats = VK_TRUE;
-    features.core.features.shaderClipDistance = VK_TRUE;
+    enable_features(features.core.features, features.v12, features.v13, info_.compute_raster);
     const float priority = 1.0F;
     const VkDeviceQueueCreateInfo queue_info{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
                                              .queueFamilyIndex = queue_family_,
@@ -172,6 +184,11 @@ void Device::create_device()
                                   .pQueueCreateInfos = &queue_info};
     vk_check(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
+    create_fence();
+}
+
+void Device::create_fence()
+{
     const VkFenceCreateInfo fence_info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
     vk_check(vkCreateFence(device_, &fence_info, nullptr, &fence_), "vkCreateFence");
 }
@@ -214,6 +231,17 @@ std::vector<DeviceInfo> list_devices()
     }
     vkDestroyInstance(instance, nullptr);
     return infos;
+}
+
+VulkanFeatures::VulkanFeatures(const VulkanHost& host)
+{
+    const gpu::Candidate candidate = gpu::host_candidate(host);
+    v13_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    v12_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    v12_.pNext = &v13_;
+    core_.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    core_.pNext = &v12_;
+    gpu::enable_features(core_.features, v12_, v13_, candidate.info.compute_raster);
 }
 
 } // namespace estampe

@@ -19,6 +19,7 @@ namespace estampe::gpu {
 class Device {
 public:
     explicit Device(const RendererOptions& options);
+    explicit Device(const VulkanHost& host);
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -41,6 +42,9 @@ public:
 
     [[nodiscard]] const MemoryAllocator& memory() const { return *memory_; }
 
+    /// Whether it is a host application's.
+    [[nodiscard]] bool is_borrowed() const { return is_borrowed_; }
+
     /// Runs `commands` and waits until the GPU is done. Throws Error when the device is lost.
     void submit_and_wait(VkCommandBuffer commands);
 
@@ -51,6 +55,8 @@ private:
     void create_instance(bool validation);
     void pick_physical(const std::string& choice);
     void create_device();
+    void create_fence();
+    void take_physical(VkPhysicalDevice physical, const DeviceInfo& info);
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
@@ -59,6 +65,7 @@ private:
     VkQueue queue_ = VK_NULL_HANDLE;
     VkFence fence_ = VK_NULL_HANDLE;
     uint32_t queue_family_ = 0;
+    bool is_borrowed_ = false;
     DeviceInfo info_;
     VkPhysicalDeviceLimits limits_{};
     std::unique_ptr<std::function<void(const std::string&)>>

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <estampe/error.hpp>
+#include <estampe/vulkan.hpp>
 
 namespace estampe::gpu {
 namespace {
@@ -92,6 +93,39 @@ std::string missing_features(const Features& have)
 bool offers_compute_raster(const Features& have)
 {
     return have.v12.shaderBufferInt64Atomics == VK_TRUE && have.core.features.shaderInt64 == VK_TRUE;
+}
+
+void enable_features(VkPhysicalDeviceFeatures& core, VkPhysicalDeviceVulkan12Features& v12,
+                     VkPhysicalDeviceVulkan13Features& v13, bool compute_raster)
+{
+    v13.synchronization2 = VK_TRUE;
+    v13.dynamicRendering = VK_TRUE;
+    v13.maintenance4 = VK_TRUE;
+    v12.scalarBlockLayout = VK_TRUE;
+    v12.shaderBufferInt64Atomics = compute_raster ? VK_TRUE : VK_FALSE;
+    v12.hostQueryReset = VK_TRUE;
+    core.shaderInt64 = compute_raster ? VK_TRUE : VK_FALSE;
+    core.shaderStorageImageExtendedFormats = VK_TRUE;
+    core.shaderClipDistance = VK_TRUE;
+}
+
+Candidate host_candidate(const VulkanHost& host)
+{
+    if (host.instance == VK_NULL_HANDLE || host.physical_device == VK_NULL_HANDLE) {
+        throw Error("the host has no Vulkan instance or physical device", "VulkanHost");
+    }
+    if (host.get_instance_proc_addr != nullptr) {
+        volkInitializeCustom(host.get_instance_proc_addr);
+    } else {
+        load_vulkan();
+    }
+    volkLoadInstance(host.instance);
+    Candidate candidate = judge(host.physical_device, 0);
+    if (!candidate.info.usable) {
+        throw Error("the host's graphics device cannot be drawn on", candidate.info.name,
+                    "it " + candidate.info.why_not);
+    }
+    return candidate;
 }
 
 void load_vulkan()

@@ -38,6 +38,13 @@ struct Features {
     VkPhysicalDeviceFeatures2 core{};
 };
 
+/// Enables what drawing needs, and what raster in compute does.
+void enable_features(VkPhysicalDeviceFeatures& core, VkPhysicalDeviceVulkan12Features& v12,
+                     VkPhysicalDeviceVulkan13Features& v13, bool compute_raster);
+
+/// Loads Vulkan as the host has it, and judges its physical device. Throws Error saying what that lacks.
+[[nodiscard]] Candidate host_candidate(const VulkanHost& host);
+
 /// Names of the features that drawing cannot do without and `have` lacks; empty when it lacks none.
 [[nodiscard]] std::string missing_features(const Features& have);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/read_back.hpp"
 
+#include <estampe/vulkan.hpp>
+
 #include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
 
@@ -18,7 +20,47 @@ void add_copy(Graph& graph, const std::string& name, Id from, Buffer& to, const 
     graph.custom(name + "/host").touch(copied, Access::host_read).keep();
 }
 
+void change_layout(VkCommandBuffer commands, const VkImageMemoryBarrier2& change)
+{
+    const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                      .imageMemoryBarrierCount = 1,
+                                      .pImageMemoryBarriers = &change};
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
 } // namespace
+
+void add_hand_over(Graph& graph, BufferId pixels, const VulkanPicture& picture, glm::uvec2 size_px)
+{
+    auto pass = graph.custom("hand over");
+    pass.touch(pixels, Access::transfer_read);
+    pass.keep();
+    pass.execute([=](Recorder& recorder) {
+        VkImageMemoryBarrier2 change{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+                                     .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                     .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+                                     .dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
+                                     .dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                     .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+                                     .newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                     .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                     .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                     .image = picture.image,
+                                     .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+        change_layout(recorder.commands(), change);
+        const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                                       .imageExtent = {size_px.x, size_px.y, 1}};
+        vkCmdCopyBufferToImage(recorder.commands(), recorder.buffer(pixels).handle(), picture.image,
+                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+        change.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+        change.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+        change.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+        change.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT;
+        change.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+        change.newLayout = picture.layout_after;
+        change_layout(recorder.commands(), change);
+    });
+}
 
 void add_read_back(Graph& graph, const std::string& name, BufferId from, Buffer& to)
 {

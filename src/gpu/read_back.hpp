@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include <glm/glm.hpp>
+
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
 
@@ -30,5 +32,9 @@ template <class T>
     const auto bytes = buffer.mapped().subspan(offset_bytes);
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
 }
+
+/// Copies `pixels`, four bytes each, into an image of the host application's, which no graph knows of: its
+/// layout is changed here.
+void add_hand_over(Graph& graph, BufferId pixels, const VulkanPicture& picture, glm::uvec2 size_px);
 
 } // namespace estampe::gpu

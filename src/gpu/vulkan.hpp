@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The one place that includes Vulkan: volk loads it at run time, so no binary of ours links a loader.
+// The one place that includes Vulkan: volk loads it at run time, so no binary of ours links a loader, and an
+// application that does so itself shares no symbol with us.
+
+#include "gpu/volk_names.hpp"
 
 #define VK_NO_PROTOTYPES
 #include <volk.h>

@@ -91,9 +91,67 @@ Json describe(const Parameter& parameter)
 
 } // namespace
 
+namespace {
+
+std::string_view word_of(Surfaces::By by)
+{
+    return by == Surfaces::By::material ? "material" : "object";
+}
+
+/// The sections whose parameters single surfaces may have otherwise.
+Json describe_surface(std::span<const Sheet::Section> sections)
+{
+    Json properties = Json::object();
+    for (const Sheet::Section& section : sections) {
+        Json keys = Json::object();
+        for (const Parameter& parameter : section.parameters) {
+            if (parameter.by_surface) {
+                keys[parameter.key] = describe(parameter);
+                keys[parameter.key].erase("default");
+            }
+        }
+        if (!keys.empty()) {
+            properties[section.name] = {{"description", section.help},
+                                        {"type", "object"},
+                                        {"properties", keys},
+                                        {"additionalProperties", false}};
+        }
+    }
+    return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+}
+
+/// Which parameters those are, in words.
+std::string surface_help(std::span<const Sheet::Section> sections)
+{
+    std::string text = "By material or object, below a line such as [material.\"brick*\".hatch]:\n";
+    for (const Sheet::Section& section : sections) {
+        std::vector<std::string> keys;
+        for (const Parameter& parameter : section.parameters) {
+            if (parameter.by_surface) {
+                keys.push_back(parameter.key);
+            }
+        }
+        if (keys.size() == section.parameters.size()) {
+            text += fmt::format("  {}: all\n", section.name);
+        } else if (!keys.empty()) {
+            text += fmt::format("  {}: {}\n", section.name, fmt::join(keys, ", "));
+        }
+    }
+    return text;
+}
+
+} // namespace
+
 std::string Sheet::to_toml() const
 {
     std::string text;
+    // Before all sections, where keys of several levels may stand in any order.
+    for (size_t i = 0; overrides_ != nullptr && i < overrides_->size(); ++i) {
+        const Override& change = (*overrides_)[i];
+        text += fmt::format("{}.{}.{}.{} = {}\n", word_of(change.surfaces.by),
+                            format_value(change.surfaces.pattern), change.section, change.key,
+                            format_value(change.value));
+    }
     for (const Section& section : sections_) {
         text += fmt::format("{}# {}\n[{}]\n", text.empty() ? "" : "\n", section.help, section.name);
         for (const Parameter& parameter : section.parameters) {
@@ -128,6 +186,9 @@ std::string Sheet::help() const
                             range_width, default_column(parameter), default_width, parameter.help);
         }
     }
+    if (overrides_ != nullptr) {
+        text += "\n" + surface_help(sections_);
+    }
     return text;
 }
 
@@ -146,11 +207,19 @@ std::string Sheet::json_schema() const
                                     {"properties", keys},
                                     {"additionalProperties", false}};
     }
-    const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                         {"title", "Estampe style"},
-                         {"type", "object"},
-                         {"properties", properties},
-                         {"additionalProperties", false}};
+    Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                   {"title", "Estampe style"},
+                   {"type", "object"},
+                   {"properties", properties},
+                   {"additionalProperties", false}};
+    if (overrides_ != nullptr) {
+        schema["$defs"]["surface"] = describe_surface(sections_);
+        const Json patterns = {{"type", "object"}, {"additionalProperties", {{"$ref", "#/$defs/surface"}}}};
+        schema["properties"]["material"] = patterns;
+        schema["properties"]["material"]["description"] = "Sections by the names of materials, as brick*";
+        schema["properties"]["object"] = patterns;
+        schema["properties"]["object"]["description"] = "Sections by the names of objects, as tower*";
+    }
     return schema.dump(2) + "\n";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -43,6 +44,7 @@ struct Parameter {
                                       ///< in its place
     std::string unit;                 ///< "mm", "px", "deg"; empty for none
     std::string help;                 ///< one line
+    bool by_surface = false;          ///< may differ from material to material and from object to object
     Value default_value;
     std::function<Value(const void*)> get;
     std::function<void(void*, const Value&)> set;
@@ -162,6 +164,24 @@ public:
         Parameter& parameter = add(std::move(key), Kind::file, {}, std::move(help));
         parameter.choices = std::move(names);
         connect<std::string>(parameter, member);
+        return *this;
+    }
+
+    /// The parameters of these keys may differ from material to material and from object to object.
+    Table& by_surface(const std::vector<std::string>& keys)
+    {
+        for (Parameter& parameter : parameters_) {
+            parameter.by_surface |= std::ranges::find(keys, parameter.key) != keys.end();
+        }
+        return *this;
+    }
+
+    /// All but those may.
+    Table& by_surface_but(const std::vector<std::string>& keys)
+    {
+        for (Parameter& parameter : parameters_) {
+            parameter.by_surface |= std::ranges::find(keys, parameter.key) == keys.end();
+        }
         return *this;
     }
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "style/parameter.hpp"
+#include "style/surfaces.hpp"
 
 namespace estampe::style {
 
@@ -20,6 +20,7 @@ struct Raw {
 
 /// One line of a style text. A value outside any section has an empty `section`.
 struct Entry {
+    Surfaces surfaces;
     std::string section;
     std::string key;
     Raw raw;
@@ -30,6 +31,7 @@ struct Entry {
 /// A TOML text in the order of its lines. `sections` names every table, the empty ones too.
 struct Document {
     struct Header {
+        Surfaces surfaces;
         std::string name;
         std::string where;
     };
@@ -38,7 +40,8 @@ struct Document {
     std::vector<Entry> entries;
 };
 
-/// Parses a TOML text. Throws Error with name:line:column when it is not TOML, or holds a key twice.
+/// Parses a TOML text. Below `material` and `object` stand patterns, and below those sections. Throws Error
+/// with name:line:column when it is not TOML, or holds a key twice.
 [[nodiscard]] Document parse_toml(std::string_view text, const std::string& name);
 
 /// The value of the TOML expression `text`; nothing when it is not one.

@@ -46,18 +46,21 @@ struct Change {
     Value value;
 };
 
-void apply(const std::vector<Change>& changes)
+/// Of several values for the same the last stays.
+void append(std::vector<Override>& overrides, const Override& change)
 {
-    for (const Change& change : changes) {
-        change.parameter->set(change.values, change.value);
-    }
+    std::erase_if(overrides, [&](const Override& before) {
+        return before.surfaces == change.surfaces && before.section == change.section &&
+               before.key == change.key;
+    });
+    overrides.push_back(change);
 }
 
 /// Turns entries of texts into changes; whatever a text may get wrong is found here.
 class Reader {
 public:
-    Reader(std::span<const Sheet::Section> sections, const Resolver& resolver)
-        : sections_(sections), resolver_(resolver)
+    Reader(std::span<const Sheet::Section> sections, bool takes_overrides, const Resolver& resolver)
+        : sections_(sections), takes_overrides_(takes_overrides), resolver_(resolver)
     {
     }
 
@@ -90,7 +93,38 @@ public:
             const bool is_name = std::ranges::find(parameter->choices, text) != parameter->choices.end();
             value = is_name ? text : beside(chain_.back(), text);
         }
-        changes_.push_back({parameter, section->values, std::move(value)});
+        if (entry.surfaces.by == Surfaces::By::all) {
+            changes_.push_back({parameter, section->values, std::move(value)});
+            return;
+        }
+        if (!parameter->by_surface) {
+            throw Error(
+                fmt::format("{} is the same all over the picture", in_quotes(full_key(*section, *parameter))),
+                entry.key_where, fmt::format("put it below a line [{}]", section->name));
+        }
+        overrides_.push_back({entry.surfaces, section->name, parameter->key, std::move(value)});
+    }
+
+    void require_section(const Document::Header& header) const
+    {
+        std::vector<std::string> names;
+        for (const Sheet::Section& section : sections_) {
+            names.push_back(section.name);
+        }
+        if (header.surfaces.by != Surfaces::By::all && !takes_overrides_) {
+            throw Error("nothing here differs from surface to surface", header.where,
+                        fmt::format("sections are {}", fmt::join(names, ", ")));
+        }
+        if (std::find(names.begin(), names.end(), header.name) != names.end()) {
+            return;
+        }
+        if (takes_overrides_ && header.surfaces.by == Surfaces::By::all) {
+            names.insert(names.end(), {"material", "object"});
+        }
+        const std::string meant = nearest(header.name, names);
+        throw Error(fmt::format("unknown section {}", in_quotes(header.name)), header.where,
+                    meant.empty() ? fmt::format("sections are {}", fmt::join(names, ", "))
+                                  : fmt::format("did you mean {}?", in_quotes(meant)));
     }
 
     [[nodiscard]] std::pair<const Sheet::Section*, const Parameter*>
@@ -106,7 +140,16 @@ public:
         unknown(section_name, key, where);
     }
 
-    [[nodiscard]] const std::vector<Change>& changes() const { return changes_; }
+    /// Only now, when nothing was wrong.
+    void apply(std::vector<Override>* overrides) const
+    {
+        for (const Change& change : changes_) {
+            change.parameter->set(change.values, change.value);
+        }
+        for (const Override& change : overrides_) {
+            append(*overrides, change);
+        }
+    }
 
 private:
     [[noreturn]] void unknown(const std::string& section_name, const std::string& key,
@@ -147,21 +190,6 @@ private:
         return misplaced.empty() ? std::string() : misplaced.front();
     }
 
-    void require_section(const Document::Header& header) const
-    {
-        std::vector<std::string> names;
-        for (const Sheet::Section& section : sections_) {
-            names.push_back(section.name);
-        }
-        if (std::find(names.begin(), names.end(), header.name) != names.end()) {
-            return;
-        }
-        const std::string meant = nearest(header.name, names);
-        throw Error(fmt::format("unknown section {}", in_quotes(header.name)), header.where,
-                    meant.empty() ? fmt::format("sections are {}", fmt::join(names, ", "))
-                                  : fmt::format("did you mean {}?", in_quotes(meant)));
-    }
-
     void extend(const Entry& entry)
     {
         constexpr size_t deepest = 16;
@@ -185,10 +213,38 @@ private:
     }
 
     std::span<const Sheet::Section> sections_;
+    bool takes_overrides_;
     const Resolver& resolver_;
     std::vector<std::string> chain_; ///< names of the texts being read, outermost first
     std::vector<Change> changes_;
+    std::vector<Override> overrides_;
 };
+
+/// What "section.key", "material.pattern.section.key" or "object.pattern.section.key" names; the pattern may
+/// stand in quotes, and hold dots.
+Entry named_entry(std::string_view name, const std::string& where)
+{
+    Entry entry;
+    entry.key_where = where;
+    for (const auto& [word, by] : {std::pair(std::string_view("material."), Surfaces::By::material),
+                                   std::pair(std::string_view("object."), Surfaces::By::object)}) {
+        const size_t last = name.rfind('.');
+        const size_t before = last == std::string_view::npos ? last : name.rfind('.', last - 1);
+        if (name.starts_with(word) && before != std::string_view::npos && before > word.size()) {
+            std::string_view pattern = name.substr(word.size(), before - word.size());
+            if (pattern.size() > 1 && pattern.front() == '"' && pattern.back() == '"') {
+                pattern = pattern.substr(1, pattern.size() - 2);
+            }
+            entry.surfaces = {by, std::string(pattern)};
+            name.remove_prefix(before + 1);
+        }
+    }
+    const size_t dot = name.find('.');
+    const bool has_section = dot != std::string_view::npos;
+    entry.section = has_section ? name.substr(0, dot) : std::string_view();
+    entry.key = has_section ? name.substr(dot + 1) : name;
+    return entry;
+}
 
 } // namespace
 
@@ -211,23 +267,23 @@ void Sheet::add(Section section)
 
 void Sheet::read(const std::string& preset_or_file, const Resolver& resolver)
 {
-    Reader reader(sections_, resolver);
+    Reader reader(sections_, overrides_ != nullptr, resolver);
     reader.read(resolver(preset_or_file, {}));
-    apply(reader.changes());
+    reader.apply(overrides_);
 }
 
 void Sheet::read_toml_file(const std::filesystem::path& path, const Resolver& resolver)
 {
-    Reader reader(sections_, resolver);
+    Reader reader(sections_, overrides_ != nullptr, resolver);
     reader.read(load_source(path));
-    apply(reader.changes());
+    reader.apply(overrides_);
 }
 
 void Sheet::read_toml_text(std::string_view text, const std::string& where, const Resolver& resolver)
 {
-    Reader reader(sections_, resolver);
+    Reader reader(sections_, overrides_ != nullptr, resolver);
     reader.read({where, std::string(text)});
-    apply(reader.changes());
+    reader.apply(overrides_);
 }
 
 void Sheet::set(std::string_view assignment, const std::string& where)
@@ -238,15 +294,10 @@ void Sheet::set(std::string_view assignment, const std::string& where)
         throw Error(fmt::format("{} is not an assignment", in_quotes(assignment)), where,
                     "write section.key=value, such as hatch.width_mm=0.5");
     }
-    const size_t dot = name.find('.');
-    const bool has_section = dot != std::string_view::npos;
-    Entry entry;
-    entry.section = has_section ? name.substr(0, dot) : std::string_view();
-    entry.key = has_section ? name.substr(dot + 1) : name;
-    entry.key_where = where;
+    Entry entry = named_entry(name, where);
     entry.value_where = where;
 
-    Reader reader(sections_, resolve);
+    Reader reader(sections_, overrides_ != nullptr, resolve);
     const Parameter& parameter = *reader.find(entry.section, entry.key, where).second;
     const std::string_view value = trimmed(assignment.substr(equals + 1));
     const bool one_line = value.find_first_of("\r\n") == std::string_view::npos;
@@ -257,8 +308,22 @@ void Sheet::set(std::string_view assignment, const std::string& where)
     if (is_word && !value.starts_with('"') && !value.starts_with('\'')) {
         entry.raw = raw_word(value);
     }
+    if (entry.surfaces.by != Surfaces::By::all) {
+        reader.require_section({entry.surfaces, entry.section, where});
+    }
     reader.assign(entry);
-    apply(reader.changes());
+    reader.apply(overrides_);
+}
+
+void Sheet::apply(const Override& change) const
+{
+    for (const Section& section : sections_) {
+        for (const Parameter& parameter : section.parameters) {
+            if (section.name == change.section && parameter.key == change.key) {
+                parameter.set(section.values, change.value);
+            }
+        }
+    }
 }
 
 } // namespace estampe::style

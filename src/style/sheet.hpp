@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "style/parameter.hpp"
+#include "style/surfaces.hpp"
 
 namespace estampe::style {
 
@@ -48,6 +49,10 @@ public:
         add({table.section(), table.help(), table.parameters(), &values});
     }
 
+    /// What single surfaces have otherwise goes there, which must outlive the sheet too; without it a text
+    /// that says so is in error.
+    void bind_overrides(std::vector<Override>& overrides) { overrides_ = &overrides; }
+
     /// Reads the preset or the file of that name.
     void read(const std::string& preset_or_file, const Resolver& resolver = resolve);
 
@@ -57,7 +62,8 @@ public:
     /// Reads a TOML text; `where` names it in errors.
     void read_toml_text(std::string_view text, const std::string& where, const Resolver& resolver = resolve);
 
-    /// Applies "hatch.width_mm=0.5". The value is written as in TOML, but names and colours need no quotes.
+    /// Applies "hatch.width_mm=0.5" or "material.brick*.hatch.width_mm=0.5". The value is written as in TOML,
+    /// but names and colours need no quotes.
     void set(std::string_view assignment, const std::string& where = "--set");
 
     /// Every parameter with its value, as a TOML text that reads back to equal values.
@@ -79,10 +85,14 @@ public:
 
     [[nodiscard]] std::span<const Section> sections() const { return sections_; }
 
+    /// Gives the parameter the value that single surfaces have.
+    void apply(const Override& change) const;
+
 private:
     void add(Section section);
 
     std::vector<Section> sections_;
+    std::vector<Override>* overrides_ = nullptr;
 };
 
 } // namespace estampe::style

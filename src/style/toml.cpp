@@ -139,13 +139,88 @@ toml::source_position nameless_header(std::string_view text)
     return position;
 }
 
-void append(Document& document, const std::string& section, const toml::table& table, const std::string& name)
-{
-    for (const auto& [key, node] : in_order(table)) {
-        document.entries.push_back({section, std::string(key->str()), raw_from(*node),
-                                    place(name, key->source().begin), place(name, node->source().begin)});
+/// Gathers what a text holds, whatever order its tables have.
+class Gathering {
+public:
+    explicit Gathering(std::string name) : name_(std::move(name)) {}
+
+    void add_text(const toml::table& root)
+    {
+        for (const auto& [key, node] : in_order(root)) {
+            const std::string word(key->str());
+            const toml::table* table = node->as_table();
+            if (table != nullptr && word == "material") {
+                add_patterns(*table, Surfaces::By::material);
+            } else if (table != nullptr && word == "object") {
+                add_patterns(*table, Surfaces::By::object);
+            } else if (table != nullptr) {
+                add_section({}, *key, *table);
+            } else {
+                add_entry({}, {}, *key, *node);
+            }
+        }
     }
-}
+
+    /// In the order of the text.
+    [[nodiscard]] Document take()
+    {
+        std::ranges::stable_sort(
+            entries_, [](const auto& a, const auto& b) { return a < b; },
+            [](const auto& placed) { return placed.first; });
+        for (auto& [position, entry] : entries_) {
+            document_.entries.push_back(std::move(entry));
+        }
+        return std::move(document_);
+    }
+
+private:
+    void add_patterns(const toml::table& patterns, Surfaces::By by)
+    {
+        for (const auto& [pattern, sections] : in_order(patterns)) {
+            const Surfaces surfaces{by, std::string(pattern->str())};
+            const toml::table* table = sections->as_table();
+            if (table == nullptr) {
+                fail_bare(surfaces, *pattern);
+            }
+            for (const auto& [key, node] : in_order(*table)) {
+                const toml::table* section = node->as_table();
+                if (section == nullptr) {
+                    fail_bare(surfaces, *key);
+                }
+                add_section(surfaces, *key, *section);
+            }
+        }
+    }
+
+    [[noreturn]] void fail_bare(const Surfaces& surfaces, const toml::key& key) const
+    {
+        const char* kind = surfaces.by == Surfaces::By::material ? "material" : "object";
+        throw Error(fmt::format("{} stands in no section", in_quotes(key.str())),
+                    place(name_, key.source().begin),
+                    fmt::format("put keys below a line such as [{}.\"brick*\".hatch]", kind));
+    }
+
+    void add_section(const Surfaces& surfaces, const toml::key& section, const toml::table& table)
+    {
+        document_.sections.push_back(
+            {surfaces, std::string(section.str()), place(name_, section.source().begin)});
+        for (const auto& [key, node] : in_order(table)) {
+            add_entry(surfaces, std::string(section.str()), *key, *node);
+        }
+    }
+
+    void add_entry(const Surfaces& surfaces, const std::string& section, const toml::key& key,
+                   const toml::node& node)
+    {
+        entries_.emplace_back(key.source().begin,
+                              Entry{surfaces, section, std::string(key.str()), raw_from(node),
+                                    place(name_, key.source().begin), place(name_, node.source().begin)});
+    }
+
+    std::string name_;
+    Document document_;
+    std::vector<std::pair<toml::source_position, Entry>> entries_;
+};
 
 toml::table parsed(std::string_view text, const std::string& name)
 {
@@ -195,19 +270,9 @@ WordTable word_table(std::string table_name, const toml::table& table, const std
 
 Document parse_toml(std::string_view text, const std::string& name)
 {
-    Document document;
-    const toml::table root = parsed(text, name);
-    for (const auto& [key, node] : in_order(root)) {
-        const std::string where = place(name, key->source().begin);
-        if (const toml::table* section = node->as_table()) {
-            document.sections.push_back({std::string(key->str()), where});
-            append(document, document.sections.back().name, *section, name);
-        } else {
-            document.entries.push_back(
-                {{}, std::string(key->str()), raw_from(*node), where, place(name, node->source().begin)});
-        }
-    }
-    return document;
+    Gathering gathering(name);
+    gathering.add_text(parsed(text, name));
+    return gathering.take();
 }
 
 std::vector<WordTable> parse_toml_words(std::string_view text, const std::string& name)

@@ -56,7 +56,7 @@ Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, doub
       frame_(gpu::upload_buffer(shared_device(), "frame", std::vector{globals}))
 {
     (void)pose::upload_pose(shared_device(), meshes_, layout, pose);
-    const frame::StrokePlan strokes = frame::plan_strokes(layout, scene.materials, {});
+    const frame::StrokePlan strokes = frame::plan_strokes(layout, scene.materials, {.styles = {{}}});
     strokes_present_ = strokes.present;
     stroke_kinds_ = gpu::upload_buffer(shared_device(), "stroke kinds", strokes.kind_of_draw);
     form_coordinates_ = gpu::Buffer(shared_device(), "form coordinates", 0, gpu::MemoryUse::device);

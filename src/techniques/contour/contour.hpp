@@ -35,6 +35,8 @@ struct ContourInputs {
     float line_step_px = 3.0F;     ///< between samples of chains, about
     float pixel_m_at_one = 0.001F; ///< what a pixel spans at a distance of one; in parallel projection at any
     glm::uvec2 size_px{0};
+    std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels
+    std::optional<gpu::BufferId> line_looks;   ///< then, LineLook of each look; chains alone heed them
 };
 
 /// How far off the seeds lie that the lines at a pixel hang on, where lines are found between pixels.

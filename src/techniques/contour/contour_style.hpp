@@ -272,6 +272,10 @@ inline const ContourTable& contour_table()
         add_hand_keys(made);
         add_hidden_keys(made);
         made.integer("seed", &ContourStyle::seed, {0, 1000000}, "", "Another hand for another number");
+        made.by_surface({"drawn", "ink"});
+        for (const LineKindKeys& keys : line_kind_keys) {
+            made.by_surface({fmt::format("{}_mm", keys.name), fmt::format("{}_m", keys.name)});
+        }
         return made;
     }();
     return table;

@@ -33,6 +33,8 @@ layout(binding = 7, r16f) writeonly uniform image2D out_ink;
 #define TILES_ACCESS
 #include "techniques/hatch/dark_tiles.glsl"
 
+layout(binding = 9) uniform usamplerBuffer look_texels; // one a draw
+
 layout(push_constant, scalar) uniform Constants
 {
     DarknessConstants constants;
@@ -41,6 +43,8 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_fade = (variant & darkness_has_fade) != 0u;
 const bool has_screen = (variant & darkness_has_screen) != 0u;
+const bool has_looks = (variant & darkness_has_looks) != 0u;
+const bool keeps_ink = (variant & darkness_keeps_ink) != 0u;
 
 float darkness_at(ivec2 pixel)
 {
@@ -60,6 +64,9 @@ float darkness_at(ivec2 pixel)
         float own = 0.6 * (1.0 - luminance(screen.rgb * screen.rgb));
         dark = sees_draw(word) ? mix(dark, own, 0.7 * screen.a) : 0.0;
     }
+    if (has_looks && sees_draw(word)) {
+        dark = texelFetch(look_texels, int(draw_of(word))).x == constants.look ? dark : 0.0;
+    }
     return dark;
 }
 
@@ -76,6 +83,8 @@ void main()
     }
     if (on_page) {
         imageStore(out_darkness, pixel, vec4(dark));
-        imageStore(out_ink, pixel, vec4(0.0));
+        if (!keeps_ink) {
+            imageStore(out_ink, pixel, vec4(0.0));
+        }
     }
 }

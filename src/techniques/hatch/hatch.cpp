@@ -10,6 +10,7 @@
 #include "gpu/fills.hpp"
 #include "gpu/imports.hpp"
 #include "shaders/darkness_comp.hpp"
+#include "shaders/dots_comp.hpp"
 #include "shaders/lines_comp.hpp"
 #include "shaders/map_comp.hpp"
 #include "shaders/overrun_comp.hpp"
@@ -113,7 +114,7 @@ uint32_t line_variant(const HatchInputs& in, const HatchStyle& style)
     return (style.growth > 0.0F ? shared::lines_has_growth : 0U) |
            (style.overrun_mm > 0.0F ? shared::lines_has_overrun : 0U) |
            (in.strongest_light ? shared::lines_has_local_light : 0U) |
-           in.strokes_present << shared::lines_kinds_shift;
+           (in.ink_before ? shared::lines_has_ink : 0U) | in.strokes_present << shared::lines_kinds_shift;
 }
 
 MapInputs import_map(gpu::Graph& graph, MapImages& map)
@@ -134,12 +135,17 @@ Darkness add_darkness(gpu::Graph& graph, const HatchInputs& in, const HatchStyle
     pass.sample(in.screen);
     const gpu::ImageId darkness = pass.write(graph.image(
         "hatch/darkness", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
-    const gpu::ImageId blank = pass.write(ink_image(graph, in.size_px));
+    const gpu::ImageId blank =
+        in.ink_before ? pass.modify(*in.ink_before) : pass.write(ink_image(graph, in.size_px));
     const gpu::BufferId tiles = pass.modify(none);
+    pass.sample(in.look_of_draw.value_or(in.frame), gpu::Format::r32ui);
     pass.variant((style.fade < 1.0F ? shared::darkness_has_fade : 0U) |
-                 (in.has_screen ? shared::darkness_has_screen : 0U));
-    pass.push(shared::DarknessConstants{
-                  .tone = in.tone, .fade = style.fade, .fade_distance_m = style.fade_distance_m})
+                 (in.has_screen ? shared::darkness_has_screen : 0U) |
+                 (in.look_of_draw ? shared::darkness_has_looks : 0U) |
+                 (in.ink_before ? shared::darkness_keeps_ink : 0U));
+    pass
+        .push(shared::DarknessConstants{
+            .tone = in.tone, .fade = style.fade, .fade_distance_m = style.fade_distance_m, .look = in.look})
         .dispatch_over(in.size_px.x, in.size_px.y);
     return {darkness, blank, tiles};
 }
@@ -165,16 +171,18 @@ gpu::ImageId add_lines(gpu::Graph& graph, const HatchInputs& in, const Darkness&
     return ink;
 }
 
-gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness, const HatchStyle& style)
+gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
+                     const HatchStyle& style)
 {
     const float overrun_px = style.overrun_mm * in.pixels_per_mm;
-    const gpu::ImageId source = add_overrun(graph, in, darkness, style);
+    const gpu::ImageId source = add_overrun(graph, in, darkness.image, style);
     auto pass = graph.compute("hatch/map", shaders::map_comp);
-    pass.sample(darkness).sample(in.draw).sample(in.coordinate).sample(in.footprint);
+    pass.sample(darkness.image).sample(in.draw).sample(in.coordinate).sample(in.footprint);
     pass.sample(in.map->tones, gpu::Sampling::linear_repeat);
     pass.sample(in.map->thresholds, gpu::Sampling::linear_repeat).read(in.map->ramp).sample(source);
-    const gpu::ImageId ink = pass.write(ink_image(graph, in.size_px));
-    pass.variant(static_cast<uint32_t>(style.map_tone) | (overrun_px > 0.0F ? shared::map_has_overrun : 0U));
+    const gpu::ImageId ink = pass.modify(darkness.blank);
+    pass.variant(static_cast<uint32_t>(style.map_tone) | (overrun_px > 0.0F ? shared::map_has_overrun : 0U) |
+                 (in.ink_before ? shared::map_has_ink : 0U));
     pass.push(shared::MapConstants{.size_px = in.size_px,
                                    .map_size_texels = in.map->size_px,
                                    .tone_count = in.map->tone_count,
@@ -187,11 +195,54 @@ gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId dark
     return ink;
 }
 
-gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
+gpu::ImageId add_dots(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
+                      const HatchStyle& style)
+{
+    auto pass = graph.compute("hatch/dots", shaders::dots_comp);
+    pass.uniform(in.frame).sample(darkness.image).sample(in.draw).sample(in.draws.value());
+    const gpu::ImageId ink = pass.modify(darkness.blank);
+    const glm::vec2 across = turned(style.dots_deg);
+    pass.variant(in.ink_before ? shared::dots_has_ink : 0U);
+    pass.push(shared::DotConstants{.pitch_px = style.dots_mm * in.pixels_per_mm,
+                                   .axis = {across.y, across.x},
+                                   .steps = static_cast<uint32_t>(style.dots_tones),
+                                   .black_above = style.black_above})
+        .dispatch_over(in.size_px.x, in.size_px.y);
+    return ink;
+}
+
+namespace {
+
+gpu::ImageId add_look(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style)
 {
     const Darkness darkness = add_darkness(graph, in, style);
-    const bool by_map = in.map && style.drawn && style.strokes == Strokes::map;
-    return by_map ? add_map(graph, in, darkness.image, style) : add_lines(graph, in, darkness, style);
+    if (in.map && style.drawn && style.strokes == Strokes::map) {
+        return add_map(graph, in, darkness, style);
+    }
+    return style.drawn && style.strokes == Strokes::dots ? add_dots(graph, in, darkness, style)
+                                                         : add_lines(graph, in, darkness, style);
+}
+
+} // namespace
+
+HatchInputs inputs_of_look(const HatchInputs& in, const std::vector<LookHatch>& looks, uint32_t number,
+                           std::optional<gpu::ImageId> ink_before)
+{
+    HatchInputs of_look = in;
+    of_look.tone = looks[number].tone;
+    of_look.map = looks[number].map;
+    of_look.look = number;
+    of_look.ink_before = ink_before;
+    return of_look;
+}
+
+gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const std::vector<LookHatch>& looks)
+{
+    std::optional<gpu::ImageId> ink;
+    for (uint32_t look = 0; look < looks.size(); ++look) {
+        ink = add_look(graph, inputs_of_look(in, looks, look, ink), looks[look].style);
+    }
+    return ink.value();
 }
 
 } // namespace estampe::hatch

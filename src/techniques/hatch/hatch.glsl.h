@@ -20,6 +20,8 @@ SHARED_CONSTANT uint ramp_steps = 8U;
 // Variant bits of darkness.comp.
 SHARED_CONSTANT uint darkness_has_fade = 1U << 0U;   // with distance
 SHARED_CONSTANT uint darkness_has_screen = 1U << 1U; // there are see-through surfaces
+SHARED_CONSTANT uint darkness_has_looks = 1U << 2U;  // surfaces differ, and one look is drawn
+SHARED_CONSTANT uint darkness_keeps_ink = 1U << 3U;  // of looks drawn before
 
 // Of overrun.comp.
 SHARED_CONSTANT uint overrun_is_first = 1U << 0U; // of its steps: pixels are their own sources
@@ -29,6 +31,7 @@ SHARED_CONSTANT uint lines_has_growth = 1U << 0U;      // newborn strokes grow i
 SHARED_CONSTANT uint lines_has_overrun = 1U << 1U;     // strokes run over silhouettes
 SHARED_CONSTANT uint lines_has_all_tiles = 1U << 2U;   // a workgroup for every tile, blank or not
 SHARED_CONSTANT uint lines_has_local_light = 1U << 3U; // the one that rules leads strokes along the light
+SHARED_CONSTANT uint lines_has_ink = 1U << 4U;         // of looks drawn before
 SHARED_CONSTANT uint lines_kinds_shift = 8U; // a bit for each kind that is there, see stroke_kind.glsl.h
 
 // Of map.comp.
@@ -37,11 +40,16 @@ SHARED_CONSTANT uint map_in_order = 0U;  // stroke by stroke, by the thresholds
 SHARED_CONSTANT uint map_in_blends = 1U; // between two tones
 SHARED_CONSTANT uint map_in_steps = 2U;  // one tone or the next
 SHARED_CONSTANT uint map_has_overrun = 1U << 2U;
+SHARED_CONSTANT uint map_has_ink = 1U << 3U; // of looks drawn before
+
+// Of dots.comp.
+SHARED_CONSTANT uint dots_has_ink = 1U << 0U; // of looks drawn before
 
 struct DarknessConstants {
     ToneConstants tone;
     float fade; // darkness left at infinity, 1 for no fade
     float fade_distance_m;
+    uint look; // that is drawn
 };
 
 struct LineConstants {
@@ -88,6 +96,13 @@ struct MapConstants {
     float contrast;      // of the tones about their middle; 1 for none
     float black_above;
     float overrun_px;
+};
+
+struct DotConstants {
+    float pitch_px;
+    vec2 axis;  // of the lattice on the page
+    uint steps; // tones that darkness is rounded to, 0 for all there are
+    float black_above;
 };
 
 #ifdef __cplusplus

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gpu/graph/graph.hpp"
 #include "shaders/stroke_kind.glsl.h"
@@ -24,7 +25,7 @@ enum class Coordinates : uint8_t {
     automatic = shared::strokes_automatic
 };
 
-enum class Strokes : uint8_t { lines, map };
+enum class Strokes : uint8_t { lines, map, dots };
 
 struct HatchStyle {
     bool drawn = true;
@@ -49,6 +50,9 @@ struct HatchStyle {
     MapTone map_tone = MapTone::order;
     float map_contrast = 12.0F;
     float map_texel_mm = 0.13F;
+    float dots_mm = 1.0F;
+    float dots_deg = 45.0F;
+    int dots_tones = 4;
     int seed = 1;
 };
 
@@ -57,8 +61,9 @@ inline const style::Table<HatchStyle>& hatch_table()
     static const auto table =
         style::Table<HatchStyle>("hatch", "Pen strokes that carry the tone")
             .toggle("drawn", &HatchStyle::drawn, "Whether there are strokes at all")
-            .choice("strokes", &HatchStyle::strokes, {{"lines", Strokes::lines}, {"map", Strokes::map}},
-                    "Lines of exact tone, or the strokes of a tonal art map")
+            .choice("strokes", &HatchStyle::strokes,
+                    {{"lines", Strokes::lines}, {"map", Strokes::map}, {"dots", Strokes::dots}},
+                    "Lines of exact tone, the strokes of a tonal art map, or the dots of a screentone")
             .number("width_mm", &HatchStyle::width_mm, {0.02F, 10.0F}, "mm", "Width of a stroke on the page")
             .integer("layers", &HatchStyle::layers, {1, 3}, "",
                      "Layers of strokes that cross as tones deepen")
@@ -108,7 +113,13 @@ inline const style::Table<HatchStyle>& hatch_table()
                     "Contrast of a map about its middle; 1 leaves its greys")
             .number("map_texel_mm", &HatchStyle::map_texel_mm, {0.01F, 5.0F}, "mm",
                     "Size of a texel of the map on the page")
-            .integer("seed", &HatchStyle::seed, {0, 1000000}, "", "Another number, another hand");
+            .number("dots_mm", &HatchStyle::dots_mm, {0.1F, 20.0F}, "mm", "From dot to dot of a screentone")
+            .number("dots_deg", &HatchStyle::dots_deg, {-90.0F, 90.0F}, "deg",
+                    "Turn of a screentone on the page")
+            .integer("dots_tones", &HatchStyle::dots_tones, {0, 32}, "",
+                     "Tones of which screentones are cut, black among them; 0 for as many as there are")
+            .integer("seed", &HatchStyle::seed, {0, 1000000}, "", "Another number, another hand")
+            .by_surface_but({"materials"});
     return table;
 }
 
@@ -157,12 +168,27 @@ struct HatchInputs {
     std::optional<MapInputs> map; ///< where the style asks for one
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
+    std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels
+    std::optional<gpu::BufferId> draws;        ///< needed by dots
+    uint32_t look = 0;                         ///< which of them is drawn, then
+    std::optional<gpu::ImageId> ink_before;    ///< of looks that are drawn already
 };
+
+/// How the surfaces of one look are hatched.
+struct LookHatch {
+    HatchStyle style;
+    shared::ToneConstants tone;
+    std::optional<MapInputs> map; ///< where the style asks for one
+};
+
+/// `in` for one of several looks, over what was drawn before.
+[[nodiscard]] HatchInputs inputs_of_look(const HatchInputs& in, const std::vector<LookHatch>& looks,
+                                         uint32_t number, std::optional<gpu::ImageId> ink_before);
 
 /// How dark the strokes have to be, and where there are none to draw.
 struct Darkness {
     gpu::ImageId image;  ///< r16f: 0 paper to 1 ink
-    gpu::ImageId blank;  ///< ink before any stroke is drawn
+    gpu::ImageId blank;  ///< ink before any stroke of the look is drawn
     gpu::BufferId tiles; ///< those that are not blank, see dark_tiles.glsl
 };
 
@@ -185,13 +211,23 @@ struct Darkness {
 /// Cost    one full-screen dispatch, five texels a pixel
 /// Source  Praun et al., "Real-Time Hatching", SIGGRAPH 2001; thresholds: Webb et al., "Fine Tone Control in
 /// Hardware Hatching", NPAR 2002
-[[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
+[[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                    const HatchStyle& style);
 
 /// How far off the strokes lie that run over into a pixel.
 [[nodiscard]] uint32_t reach_px(const HatchStyle& style, float pixels_per_mm);
 
-/// The ink of all strokes.
-[[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style);
+/// Dots of a screentone, whose ink on average is the darkness wanted, or the tone nearest to it. They lie on
+/// the page and go along with the place of the object that they shade.
+///
+/// Writes  r16f: coverage, 0 paper to 1 ink
+/// Cost    one full-screen dispatch
+[[nodiscard]] gpu::ImageId add_dots(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
+                                    const HatchStyle& style);
+
+/// The ink of all strokes; tone, map and look of `in` are left aside. Cost: for each look a full-screen
+/// dispatch, and what its strokes cost.
+[[nodiscard]] gpu::ImageId add_hatch(gpu::Graph& graph, const HatchInputs& in,
+                                     const std::vector<LookHatch>& looks);
 
 } // namespace estampe::hatch

@@ -114,13 +114,13 @@ public:
         gpu::Graph graph;
         hatch::HatchInputs in = stroke_inputs(graph, size_px_, draw_, normal_, coordinate_, footprint_);
         const gpu::ImageId darkness = darkness_.in(graph);
+        PaperToInk paper(size_px_);
         if (map == nullptr) {
-            PaperToInk paper(size_px_);
             return run_and_read_coverage(graph,
                                          hatch::add_lines(graph, in, paper.in(graph, darkness), style));
         }
         in.map = hatch::import_map(graph, *map);
-        return run_and_read_coverage(graph, hatch::add_map(graph, in, darkness, style));
+        return run_and_read_coverage(graph, hatch::add_map(graph, in, paper.in(graph, darkness), style));
     }
 
 private:

@@ -23,7 +23,7 @@ layout(binding = 6) uniform usampler2D strongest_image; // directions towards lo
 
 layout(binding = 7) uniform usamplerBuffer dark_tile_texels; // as in dark_tiles.glsl, two words a texel
 
-layout(binding = 8, r16f) writeonly uniform image2D out_ink;
+layout(binding = 8, r16f) uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -31,6 +31,8 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/hatch/line_families.glsl"
+
+const bool has_ink = (variant & lines_has_ink) != 0u;
 
 float strokes(vec3 p, Footprint f, vec3 normal, uint kind, float dark)
 {
@@ -71,5 +73,8 @@ void main()
     float ink = strokes(p, f, normal, kind, dark);
     ink = max(ink,
               source == pixel ? smoothstep(constants.black_above, constants.black_above + 0.02, dark) : 0.0);
+    if (has_ink) {
+        ink = max(ink, imageLoad(out_ink, pixel).x);
+    }
     imageStore(out_ink, pixel, vec4(ink));
 }

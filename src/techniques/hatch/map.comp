@@ -25,7 +25,7 @@ layout(scalar, binding = 6) readonly buffer Ramp
 };
 
 layout(binding = 7) uniform usampler2D source_image; // see overrun.comp
-layout(binding = 8, r16f) writeonly uniform image2D out_ink;
+layout(binding = 8, r16f) uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -36,6 +36,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool in_order = (variant & map_tone_mask) == map_in_order;
 const bool in_steps = (variant & map_tone_mask) == map_in_steps;
 const bool has_overrun = (variant & map_has_overrun) != 0u;
+const bool has_ink = (variant & map_has_ink) != 0u;
 
 #define OVERRUN_PX constants.overrun_px
 #include "techniques/hatch/overrun_source.glsl"
@@ -181,5 +182,8 @@ void main()
     ink = dark > 0.002 ? ink : 0.0;
     ink = max(ink,
               source == pixel ? smoothstep(constants.black_above, constants.black_above + 0.02, dark) : 0.0);
+    if (has_ink) {
+        ink = max(ink, imageLoad(out_ink, pixel).x);
+    }
     imageStore(out_ink, pixel, vec4(ink));
 }

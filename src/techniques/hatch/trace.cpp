@@ -172,30 +172,46 @@ private:
     std::vector<Corner> corners_;
 };
 
-} // namespace
-
-gpu::BufferId add_trace(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style,
-                        uint64_t most_bytes)
+/// Adds those of one look.
+gpu::BufferId add_crossings(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style,
+                            gpu::BufferId before)
 {
     const Darkness darkness = add_darkness(graph, in, style);
     const gpu::ImageId source = add_overrun(graph, in, darkness.image, style);
-    const float width_px = style.width_mm * in.pixels_per_mm;
+    auto pass = graph.compute("hatch/trace", shaders::trace_comp);
+    pass.sample(darkness.image).sample(in.draw).sample(in.normal).sample(in.coordinate).sample(in.footprint);
+    pass.sample(source).sample(in.strongest_light.value_or(in.draw));
+    const gpu::BufferId crossings = pass.modify(before);
+    pass.variant(line_variant(in, style));
+    pass.push(line_constants(in, style)).dispatch_over(in.size_px.x, in.size_px.y);
+    return crossings;
+}
+
+} // namespace
+
+gpu::BufferId add_trace(gpu::Graph& graph, const HatchInputs& in, const std::vector<LookHatch>& looks,
+                        uint64_t most_bytes)
+{
+    float width_px = looks.front().style.width_mm * in.pixels_per_mm;
+    for (const LookHatch& look : looks) {
+        width_px = std::min(width_px, look.style.width_mm * in.pixels_per_mm);
+    }
     const double per_pixel = std::clamp(crossings_per_width / width_px, 2.0F, 64.0F);
     const uint64_t room = std::min(static_cast<uint64_t>(per_pixel * in.size_px.x * in.size_px.y),
                                    (most_bytes - sizeof(uint32_t)) / sizeof(shared::Crossing));
     auto clear = graph.custom("hatch/clear crossings");
-    const gpu::BufferId none_yet = clear.touch_write(
+    gpu::BufferId crossings = clear.touch_write(
         graph.buffer("hatch/crossings", {.size_bytes = sizeof(uint32_t) + room * sizeof(shared::Crossing)}),
         gpu::Access::transfer_write);
-    clear.execute([none_yet](gpu::Recorder& recorder) {
-        vkCmdFillBuffer(recorder.commands(), recorder.buffer(none_yet).handle(), 0, sizeof(uint32_t), 0);
+    clear.execute([crossings](gpu::Recorder& recorder) {
+        vkCmdFillBuffer(recorder.commands(), recorder.buffer(crossings).handle(), 0, sizeof(uint32_t), 0);
     });
-    auto pass = graph.compute("hatch/trace", shaders::trace_comp);
-    pass.sample(darkness.image).sample(in.draw).sample(in.normal).sample(in.coordinate).sample(in.footprint);
-    pass.sample(source).sample(in.strongest_light.value_or(in.draw));
-    const gpu::BufferId crossings = pass.modify(none_yet);
-    pass.variant(line_variant(in, style));
-    pass.push(line_constants(in, style)).dispatch_over(in.size_px.x, in.size_px.y);
+    for (uint32_t look = 0; look < looks.size(); ++look) {
+        if (looks[look].style.drawn) {
+            crossings =
+                add_crossings(graph, inputs_of_look(in, looks, look, {}), looks[look].style, crossings);
+        }
+    }
     return crossings;
 }
 

@@ -14,14 +14,15 @@
 
 namespace estampe::hatch {
 
-/// Finds where the lines that add_lines() draws pass between neighbouring pixels.
+/// Finds where the lines that add_hatch() draws pass between neighbouring pixels.
 ///
 /// Writes  how many crossings there are, then shared::Crossing as far as they have room, in no order
-/// Cost    one full-screen dispatch; some 60 bytes a pixel, more where strokes are finer than a pixel, and at
+/// Cost    two full-screen dispatches for each look; some 60 bytes a pixel, more where strokes are finer than
+/// a pixel, and at
 ///         most `most_bytes`
 /// Source  marching squares: Lorensen and Cline, "Marching Cubes", SIGGRAPH 1987
-[[nodiscard]] gpu::BufferId add_trace(gpu::Graph& graph, const HatchInputs& in, const HatchStyle& style,
-                                      uint64_t most_bytes);
+[[nodiscard]] gpu::BufferId add_trace(gpu::Graph& graph, const HatchInputs& in,
+                                      const std::vector<LookHatch>& looks, uint64_t most_bytes);
 
 struct TracedPoint {
     glm::vec2 page_px{0.0F};

@@ -119,7 +119,8 @@ inline const style::Table<ToneStyle>& tone_table()
             .number("local_value", &ToneStyle::local_value, {0.0F, 1.0F}, "",
                     "How much a dark material is drawn darker than a pale one in the same light")
             .number("occlusion", &ToneStyle::occlusion, {0.0F, 1.0F}, "",
-                    "How much the materials' occlusion textures darken what they cover");
+                    "How much the materials' occlusion textures darken what they cover")
+            .by_surface_but({});
     return table;
 }
 

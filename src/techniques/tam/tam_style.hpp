@@ -88,7 +88,8 @@ inline const style::Table<TamStyle>& tam_table()
                     "Turn of the third layer against the first")
             .integer("candidates", &TamStyle::candidates, {1, 1000}, "",
                      "Strokes tried for each that is kept; more are more even and take longer")
-            .integer("seed", &TamStyle::seed, {0, 1000000}, "", "Another number, another hand");
+            .integer("seed", &TamStyle::seed, {0, 1000000}, "", "Another number, another hand")
+            .by_surface_but({});
     return table;
 }
 

@@ -35,6 +35,7 @@ layout(binding = 4) uniform sampler2D light_image;
 layout(binding = 7) uniform sampler2D background_image;
 layout(binding = 8) uniform sampler2D screen_image;
 layout(binding = 9, rgba16f) writeonly uniform image2D out_wash;
+layout(binding = 10) uniform usamplerBuffer look_texels; // one a draw
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -45,6 +46,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_air = (variant & wash_has_air) != 0u;
 const bool has_screen = (variant & wash_has_screen) != 0u;
 const bool has_background = (variant & wash_has_background) != 0u;
+const bool is_of_one_look = (variant & wash_is_of_one_look) != 0u;
 
 void main()
 {
@@ -53,6 +55,10 @@ void main()
         return;
     }
     uint word = texelFetch(draw_image, pixel, 0).x;
+    if (is_of_one_look &&
+        (!sees_draw(word) || texelFetch(look_texels, int(draw_of(word))).x != constants.look)) {
+        return;
+    }
     vec3 through = vec3(1.0);
     if (has_background) {
         through = texelFetch(background_image, min(pixel, textureSize(background_image, 0) - 1), 0).rgb;

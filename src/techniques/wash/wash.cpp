@@ -6,17 +6,26 @@
 
 namespace estampe::wash {
 
-gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const WashStyle& style)
+namespace {
+
+/// Paints the surfaces of a look over what was painted before.
+gpu::ImageId add_look(gpu::Graph& graph, const WashInputs& in, const LookWash& look, uint32_t number,
+                      std::optional<gpu::ImageId> before)
 {
+    const WashStyle& style = look.style;
     auto pass = graph.compute("wash", shaders::wash_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.color).sample(in.light);
     pass.sample(in.draws).sample(in.materials).sample(in.background).sample(in.screen);
-    const gpu::ImageId wash = pass.write(
-        graph.image("wash", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
-    pass.variant((style.air > 0.0F ? shared::wash_has_air : 0U) |
-                 (in.has_screen ? shared::wash_has_screen : 0U) |
-                 (in.has_background ? shared::wash_has_background : 0U));
-    pass.push(shared::WashConstants{.tone = in.tone,
+    const gpu::ImageId wash =
+        before
+            ? pass.modify(*before)
+            : pass.write(graph.image(
+                  "wash", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
+    pass.sample(in.look_of_draw.value_or(in.draws), gpu::Format::r32ui);
+    pass.variant(
+        (style.air > 0.0F ? shared::wash_has_air : 0U) | (in.has_screen ? shared::wash_has_screen : 0U) |
+        (in.has_background ? shared::wash_has_background : 0U) | (before ? shared::wash_is_of_one_look : 0U));
+    pass.push(shared::WashConstants{.tone = look.tone,
                                     .shadow_tint = style.shadow_tint,
                                     .shadow_from = style.shadow_from,
                                     .softness = style.softness,
@@ -28,9 +37,21 @@ gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const WashStyle& 
                                     .light_tint = style.light_tint,
                                     .air = style.air,
                                     .air_color = style.air_color,
-                                    .air_distance_m = style.air_distance_m})
+                                    .air_distance_m = style.air_distance_m,
+                                    .look = number})
         .dispatch_over(in.size_px.x, in.size_px.y);
     return wash;
+}
+
+} // namespace
+
+gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const std::vector<LookWash>& looks)
+{
+    std::optional<gpu::ImageId> wash;
+    for (uint32_t look = 0; look < looks.size(); ++look) {
+        wash = add_look(graph, in, looks[look], look, wash);
+    }
+    return wash.value();
 }
 
 } // namespace estampe::wash

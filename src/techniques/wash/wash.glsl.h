@@ -13,6 +13,7 @@ namespace estampe::shared {
 SHARED_CONSTANT uint wash_has_air = 1U << 0U;    // colours pale with distance
 SHARED_CONSTANT uint wash_has_screen = 1U << 1U; // there are see-through surfaces
 SHARED_CONSTANT uint wash_has_background = 1U << 2U;
+SHARED_CONSTANT uint wash_is_of_one_look = 1U << 3U; // others are painted already
 
 struct WashConstants {
     ToneConstants tone;
@@ -28,6 +29,7 @@ struct WashConstants {
     float air;         // share of the horizon's colour at the far end
     vec3 air_color;
     float air_distance_m;
+    uint look; // that is painted
 };
 
 #ifdef __cplusplus

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "gpu/graph/graph.hpp"
 #include "shaders/tone.glsl.h"
 #include "style/parameter.hpp"
@@ -47,7 +50,8 @@ inline const style::Table<WashStyle>& wash_table()
             .number("air", &WashStyle::air, {0.0F, 1.0F}, "", "Share of the air's colour in the far distance")
             .color("air_color", &WashStyle::air_color, "Colour of the air")
             .number("air_distance_m", &WashStyle::air_distance_m, {0.001F, 1e6F}, "m",
-                    "Distance by which half of the air's colour is reached");
+                    "Distance by which half of the air's colour is reached")
+            .by_surface_but({});
     return table;
 }
 
@@ -63,14 +67,21 @@ struct WashInputs {
     bool has_screen = false;
     gpu::ImageId background;    ///< the wash where nothing is
     bool has_background = true; ///< else it is bare paper
-    shared::ToneConstants tone;
     glm::uvec2 size_px{0};
+    std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels
+};
+
+/// How the surfaces of one look are painted.
+struct LookWash {
+    WashStyle style;
+    shared::ToneConstants tone;
 };
 
 /// Paints flat colours.
 ///
 /// Writes  rgba16f: what the paint lets through (1: bare paper); alpha 1 where there is a surface
-/// Cost    one full-screen dispatch
-[[nodiscard]] gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in, const WashStyle& style);
+/// Cost    one full-screen dispatch for each look
+[[nodiscard]] gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in,
+                                    const std::vector<LookWash>& looks);
 
 } // namespace estampe::wash

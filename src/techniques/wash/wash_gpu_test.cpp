@@ -82,9 +82,8 @@ std::vector<glm::vec4> paint(const Page& page, const WashStyle& style,
                                 .has_screen = page.has_screen,
                                 .background = background.in(graph),
                                 .has_background = page.has_background,
-                                .tone = tone,
                                 .size_px = size_px},
-                               style);
+                               {{.style = style, .tone = tone}});
     return test::run_and_read_colors(graph, wash);
 }
 

@@ -161,7 +161,7 @@ struct RecallConstants {
 struct LinePoint {
     vec2 page_px;
     float half_width_px;
-    uint ink; // material that brings its own, + 1
+    uint ink; // see ink_of_look
 };
 
 // Uses of a touch.
@@ -257,6 +257,17 @@ struct PartConstants {
     uint has_touches;
 };
 
+// How wide the lines of a look are, and of what ink: four texels of 16 bytes.
+struct LineLook {
+    float width_of_kind[line_kind_count]; // whole ones, in pixels or metres
+    uint metre_kinds;                     // a bit a kind
+    vec3 ink;
+    uvec2 unused;
+};
+
+// Inks of LinePoint: 0 that of the style, a material + 1, or a look with this bit.
+SHARED_CONSTANT uint ink_of_look = 0x8000U;
+
 struct InkConstants {
     uint width;
     uint height;
@@ -284,6 +295,7 @@ static_assert(sizeof(VertexBending) == 32);
 static_assert(sizeof(LineSample) == 32);
 static_assert(sizeof(Stroke) == 24);
 static_assert(sizeof(DrawnSample) == 28);
+static_assert(sizeof(LineLook) == 64);
 static_assert(sizeof(ShapeConstants) <= 128);
 static_assert(sizeof(BrushConstants) <= 128);
 } // namespace estampe::shared

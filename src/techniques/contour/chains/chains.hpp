@@ -105,6 +105,9 @@ struct ChainInputs {
 [[nodiscard]] ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferId grid,
                                        glm::uvec2 size_px, LineClass wanted = LineClass::seen);
 
+/// What the lines of a look are, for ContourInputs::line_looks.
+[[nodiscard]] shared::LineLook line_look(const ContourStyle& style, float pixels_per_mm);
+
 /// Strings lines together and shapes their strokes: all that comes before the ink. With a `history`, strokes
 /// go on from the frame it holds and are remembered for the next; it must outlive the graph's run.
 [[nodiscard]] ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,

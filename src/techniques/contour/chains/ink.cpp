@@ -137,8 +137,10 @@ gpu::ImageId add_ink_layer(gpu::Graph& graph, const ContourInputs& in, const Sha
     layer.read(inked.pixels)
         .sample(in.materials)
         .read(inked.tiles)
-        .variant(in.own_outlines ? shared::ink_layer_has_own_outlines : 0U);
+        .variant((in.own_outlines ? shared::ink_layer_has_own_outlines : 0U) |
+                 (in.line_looks ? shared::ink_layer_has_looks : 0U));
     const gpu::ImageId ink = layer.modify(below);
+    layer.sample(in.line_looks.value_or(in.materials), gpu::Format::r32ui);
     layer.push(constants).dispatch_indirect(inked.tiles);
     return ink;
 }

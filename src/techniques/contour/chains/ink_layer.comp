@@ -24,6 +24,9 @@ layout(scalar, binding = 0) readonly buffer Inked
 
 layout(binding = 3, rgba8) uniform image2D ink_image; // square root of linear colour; coverage
 
+#define LINE_LOOKS_BINDING 4
+#include "techniques/contour/chains/line_looks.glsl"
+
 layout(push_constant, scalar) uniform Constants
 {
     InkConstants constants;
@@ -31,6 +34,7 @@ layout(push_constant, scalar) uniform Constants
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_own_outlines = (variant & ink_layer_has_own_outlines) != 0u;
+const bool has_looks = (variant & ink_layer_has_looks) != 0u;
 
 void main()
 {
@@ -43,7 +47,9 @@ void main()
     uint word = inked[pixel.y * constants.width + pixel.x];
     vec3 color = constants.ink_color;
     uint ink = word & 0xffffu;
-    if (has_own_outlines && ink != 0u) {
+    if (has_looks && (ink & ink_of_look) != 0u) {
+        color = ink_of(ink & ~ink_of_look);
+    } else if (has_own_outlines && ink != 0u) {
         color = outline_color_of(ink - 1u);
     }
     // Where other lines are, the darker ink stands.

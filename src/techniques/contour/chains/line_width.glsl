@@ -22,12 +22,30 @@ float thinning_at(vec3 anchor)
     return mix(1.0, thinned_at(frame, away), constants.distance_thinning);
 }
 
+// The draw that a line belongs to, by the source of a sample.
+uint drawn_by(uint source)
+{
+    return texelFetch(triangle_texels, int((source & 0x0fffffffu) >> 2)).w & triangle_draw_mask;
+}
+
+uint look_of(uint source)
+{
+    return texelFetch(look_texels, int(drawn_by(source))).x;
+}
+
 float width_at(uint index)
 {
     LineSample point = sample_at(index);
     uint kind = kind_now(point.source);
     float width = constants.width_of_kind[kind];
-    if (has_widths_m && (constants.metre_kinds >> kind & 1u) != 0u) {
+    bool in_metres = (constants.metre_kinds >> kind & 1u) != 0u;
+    if (has_looks) {
+        uint look = look_of(point.source);
+        float own = look_width_of(look, kind);
+        width = !is_hidden ? own : own > 0.0 ? width : 0.0;
+        in_metres = !is_hidden && is_in_metres(look, kind);
+    }
+    if (has_widths_m && in_metres) {
         // Thinned with the rest by and by, of which distance has done its part here.
         width /= pixel_size_m(frame, point.anchor) * thinning_at(point.anchor);
     }
@@ -85,9 +103,11 @@ float full_width(uint index, Stroke stroke, out uint ink)
     vec2 outwards_px = page_position(outside) - point.page_px;
     float width = even_width(index, stroke) * pressure_at(index, stroke, -2.5 * outwards_px);
     ink = 0u;
+    if (has_looks) {
+        ink = ink_of_look | look_of(point.source);
+    }
     if (has_own_outlines) {
-        uint triangle = (point.source & 0x0fffffffu) >> 2;
-        uint material = draw_at(texelFetch(triangle_texels, int(triangle)).w & triangle_draw_mask).material;
+        uint material = draw_at(drawn_by(point.source)).material;
         float own_m = outline_width_m_of(material);
         if (own_m > 0.0) {
             width = own_m / pixel_m;

@@ -71,6 +71,11 @@ layout(scalar, binding = 14) writeonly buffer LineTouches
     LineTouch touches[];
 };
 
+layout(binding = 15) uniform usamplerBuffer look_texels; // one a draw
+
+#define LINE_LOOKS_BINDING 16
+#include "techniques/contour/chains/line_looks.glsl"
+
 layout(push_constant, scalar) uniform Constants
 {
     ShapeConstants constants;
@@ -88,6 +93,7 @@ const bool swells_in_turns = (variant & shape_swells_in_turns) != 0u;
 const bool swells_in_shade = (variant & shape_is_even_in_shade) == 0u;
 const bool is_hidden = (variant & shape_is_hidden) != 0u;
 const bool stretches = (variant & shape_stretches) != 0u;
+const bool has_looks = (variant & shape_has_looks) != 0u;
 
 #include "techniques/contour/chains/stroke_lengths.glsl"
 #include "techniques/contour/chains/stroke_past.glsl"

@@ -70,7 +70,8 @@ uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
     const uint32_t basic = (recalls_frame ? shared::shape_recalls_frame : 0U) |
                            (is_remembered ? shared::shape_is_remembered : 0U) |
                            (in.page.brushes != nullptr ? shared::shape_has_brushes : 0U) |
-                           (style.wobble_mm > 0.0F ? shared::shape_has_sway : 0U);
+                           (style.wobble_mm > 0.0F ? shared::shape_has_sway : 0U) |
+                           (in.page.look_of_draw ? shared::shape_has_looks : 0U);
     if (is_hidden) {
         return basic | shared::shape_is_hidden;
     }
@@ -85,19 +86,24 @@ uint32_t shape_variant(const ShapeInputs& in, const ContourStyle& style)
            (style.pressure_from == PressureFrom::turn ? shared::shape_is_even_in_shade : 0U);
 }
 
+/// `To` has widths as shared::ShapeConstants.
+template <class To>
+void set_width(const ContourStyle& style, uint32_t kind, float pixels_per_mm, To& to)
+{
+    const LineKindKeys& keys = line_kind_keys.at(kind);
+    const float width_m = style.*keys.width_m;
+    to.width_of_kind[kind] = width_m > 0.0F ? width_m : style.*keys.width_mm * pixels_per_mm;
+    to.metre_kinds |= width_m > 0.0F ? 1U << kind : 0U;
+}
+
 void set_widths(const ShapeInputs& in, const ContourStyle& style, shared::ShapeConstants& constants)
 {
     for (uint32_t kind = 0; kind < shared::line_kind_count && style.drawn; ++kind) {
-        const LineKindKeys& keys = line_kind_keys.at(kind);
-        const float width_m = style.*keys.width_m;
-        float& width = constants.width_of_kind[kind];
         if (in.lines == LineClass::hidden) {
-            width = has_lines(style, kind) ? style.hidden_mm * in.page.pixels_per_mm : 0.0F;
-        } else if (width_m > 0.0F) {
-            width = width_m;
-            constants.metre_kinds |= 1U << kind;
+            constants.width_of_kind[kind] =
+                has_lines(style, kind) ? style.hidden_mm * in.page.pixels_per_mm : 0.0F;
         } else {
-            width = style.*keys.width_mm * in.page.pixels_per_mm;
+            set_width(style, kind, in.page.pixels_per_mm, constants);
         }
     }
 }
@@ -146,6 +152,8 @@ HandDrawn add_shape(gpu::Graph& graph, const ShapeInputs& in, const ContourStyle
     static_cast<void>(remembered);
     const gpu::BufferId touches = shape.write(graph.buffer(
         "contour/touches", list_of(page.brushes != nullptr ? points_most : 1, sizeof(shared::LineTouch))));
+    shape.sample(page.look_of_draw.value_or(page.draws), gpu::Format::r32ui);
+    shape.sample(page.line_looks.value_or(page.draws), gpu::Format::r32ui);
     shape.variant(shape_variant(in, style))
         .push(shape_constants(in, style))
         .dispatch_indirect(in.strokes.sizes, indirect_offset(shared::list_samples));
@@ -185,6 +193,15 @@ std::pair<ChainStrokes, std::vector<HandDrawn>> add_class(gpu::Graph& graph, con
 }
 
 } // namespace
+
+shared::LineLook line_look(const ContourStyle& style, float pixels_per_mm)
+{
+    shared::LineLook look{.ink = style.ink};
+    for (uint32_t kind = 0; kind < shared::line_kind_count && style.drawn; ++kind) {
+        set_width(style, kind, pixels_per_mm, look);
+    }
+    return look;
+}
 
 ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
                                  LineHistory* history, const ContourStyle& style)

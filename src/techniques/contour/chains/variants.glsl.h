@@ -31,10 +31,12 @@ SHARED_CONSTANT uint shape_swells_in_turns = 1U << 7U;
 SHARED_CONSTANT uint shape_is_even_in_shade = 1U << 8U; // strokes do not swell where it is dark
 SHARED_CONSTANT uint shape_is_hidden = 1U << 9U;        // these are hidden lines
 SHARED_CONSTANT uint shape_stretches = 1U << 10U;       // brushes go from end to end of a stroke
+SHARED_CONSTANT uint shape_has_looks = 1U << 11U;       // surfaces differ
 
 SHARED_CONSTANT uint joints_has_brushes = 1U << 0U; // whose corners stay as they are
 
 SHARED_CONSTANT uint ink_layer_has_own_outlines = 1U << 0U; // that some material brings
+SHARED_CONSTANT uint ink_layer_has_looks = 1U << 1U;        // surfaces differ
 
 #ifdef __cplusplus
 } // namespace estampe::shared

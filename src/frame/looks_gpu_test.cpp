@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// Pictures in which things are drawn in styles of their own.
+#include <estampe/renderer.hpp>
+
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+#include "scene/shapes.hpp"
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe {
+namespace {
+
+const Camera camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}};
+constexpr RenderSettings small{.width = 160, .height = 120};
+
+/// A box and a ball apart on a floor, in the sun.
+Scene still_life()
+{
+    Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
+    scene.nodes[0].name = "floor";
+    scene.materials[0].name = "stone";
+    const Index box = test::add_object(scene, shapes::box({1.0F, 1.5F, 1.0F}), {0.8F, 0.3F, 0.2F},
+                                       glm::dvec3(-1.0, 0.0, 0.0));
+    scene.nodes[box].name = "box";
+    const Index ball =
+        test::add_object(scene, shapes::sphere(0.6F), {0.2F, 0.4F, 0.7F}, glm::dvec3(1.0, 0.6, 0.5));
+    scene.nodes[ball].name = "ball";
+    test::add_sun(scene, {1.0, 2.0, 1.5});
+    return scene;
+}
+
+Style style_with(const std::vector<std::string>& assignments)
+{
+    Style style;
+    for (const std::string& assignment : assignments) {
+        style.set(assignment);
+    }
+    return style;
+}
+
+Image draw(const Style& style)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    return renderer.render(camera, style, small);
+}
+
+/// Where the only thing that is painted has colour.
+std::vector<bool> pixels_of(const std::string& object)
+{
+    const Image image =
+        draw(style_with({"hatch.drawn=false", "contour.drawn=false", "paper.grain=0", "paper.granulation=0",
+                         "paper.color=#fff", "wash.strength=0", "object." + object + ".wash.strength=1"}));
+    std::vector<bool> pixels;
+    for (size_t i = 0; i < image.rgba.size(); i += 4) {
+        pixels.push_back(image.rgba[i] != image.rgba[i + 2]);
+    }
+    return pixels;
+}
+
+using Assignments = std::vector<std::string>;
+
+struct Otherwise {
+    std::string name;
+    Assignments base;
+    std::vector<std::string> keys; ///< with values, without what they are of
+};
+
+void PrintTo(const Otherwise& tested, std::ostream* to)
+{
+    *to << tested.name;
+}
+
+class OtherStyles : public testing::TestWithParam<Otherwise> {};
+
+TEST_P(OtherStyles, OfAThingAreThoseOfThePictureThere)
+{
+    // Whatever looks beyond its own pixel is left out.
+    Assignments base{"contour.drawn=false", "bleed.width_mm=0", "paper.ink_break=0"};
+    base.insert(base.end(), GetParam().base.begin(), GetParam().base.end());
+    Assignments all = base;
+    Assignments of_ball = base;
+    for (const std::string& key : GetParam().keys) {
+        all.push_back(key);
+        of_ball.push_back("object.ball." + key);
+    }
+    const std::vector<bool> is_ball = pixels_of("ball");
+    const Image plain = draw(style_with(base));
+    const Image other = draw(style_with(all));
+    const Image mixed = draw(style_with(of_ball));
+    size_t wrong = 0;
+    size_t changed = 0;
+    for (size_t i = 0; i < is_ball.size(); ++i) {
+        const Image& wanted = is_ball[i] ? other : plain;
+        const auto at = static_cast<std::ptrdiff_t>(4 * i);
+        wrong += std::equal(mixed.rgba.begin() + at, mixed.rgba.begin() + at + 4, wanted.rgba.begin() + at)
+                     ? 0
+                     : 1;
+        changed +=
+            std::equal(mixed.rgba.begin() + at, mixed.rgba.begin() + at + 4, plain.rgba.begin() + at) ? 0 : 1;
+    }
+    EXPECT_EQ(wrong, 0U);
+    EXPECT_GT(changed, 100U);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Styles, OtherStyles,
+    testing::Values(Otherwise{"Wash", {}, {"wash.strength=0.2", "wash.shadow_tint=#ff0000"}},
+                    Otherwise{"Lines", {}, {"hatch.width_mm=0.8", "hatch.coordinates=page"}},
+                    Otherwise{"Tone", {}, {"tone.exposure=0.3"}},
+                    Otherwise{"Blank", {}, {"hatch.drawn=false"}},
+                    Otherwise{"Map", {}, {"hatch.strokes=map", "tam.size_px=64", "tam.tones=4"}},
+                    Otherwise{"LinesOnMap",
+                              {"hatch.strokes=map", "tam.size_px=64", "tam.tones=4"},
+                              {"hatch.strokes=lines"}},
+                    Otherwise{"AnotherMap",
+                              {"hatch.strokes=map", "tam.size_px=64", "tam.tones=4"},
+                              {"tam.angle_deg=70", "hatch.map_tone=blend"}}),
+    [](const auto& tested) { return tested.param.name; });
+
+/// Widths and inks of an object's strokes, as far as they are outlines.
+struct Outlines {
+    float widest_mm = 0.0F;
+    glm::vec3 ink_srgb{0.0F};
+    size_t hatching = 0;
+};
+
+Outlines outlines_of(const VectorDrawing& drawing, const std::string& object)
+{
+    Outlines outlines;
+    for (const VectorStroke& stroke : drawing.strokes) {
+        if (drawing.objects[stroke.object] != object) {
+            continue;
+        }
+        outlines.hatching += stroke.kind == StrokeKind::hatch ? 1 : 0;
+        if (stroke.kind == StrokeKind::outline || stroke.kind == StrokeKind::border) {
+            outlines.ink_srgb = drawing.inks_srgb[stroke.ink];
+            for (const auto& point : stroke.points) {
+                outlines.widest_mm = std::max(outlines.widest_mm, point.width_mm);
+            }
+        }
+    }
+    return outlines;
+}
+
+TEST(Looks, LinesHaveTheInkAndTheWidthOfTheirObject)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    const Assignments even{"contour.pressure=0", "contour.distance_thinning=0", "contour.outline_mm=0.4",
+                           "contour.ink=#000000"};
+    Assignments mixed = even;
+    mixed.insert(mixed.end(), {"object.ball.contour.outline_mm=1.2", "object.ball.contour.ink=#ff0000",
+                               "object.box.contour.drawn=false", "object.box.hatch.drawn=false"});
+    const VectorDrawing plain = renderer.draw_strokes(camera, style_with(even), small);
+    const VectorDrawing drawing = renderer.draw_strokes(camera, style_with(mixed), small);
+    EXPECT_NEAR(outlines_of(plain, "ball").widest_mm, 0.4F, 0.01F);
+    EXPECT_NEAR(outlines_of(drawing, "ball").widest_mm, 1.2F, 0.01F);
+    EXPECT_EQ(outlines_of(drawing, "ball").ink_srgb, glm::vec3(1.0F, 0.0F, 0.0F));
+    EXPECT_NEAR(outlines_of(drawing, "floor").widest_mm, 0.4F, 0.01F);
+    EXPECT_EQ(outlines_of(drawing, "floor").ink_srgb, glm::vec3(0.0F));
+    EXPECT_GT(outlines_of(plain, "box").widest_mm, 0.0F);
+    EXPECT_EQ(outlines_of(drawing, "box").widest_mm, 0.0F);
+    EXPECT_GT(outlines_of(plain, "box").hatching, 0U);
+    EXPECT_EQ(outlines_of(drawing, "box").hatching, 0U);
+    EXPECT_GT(outlines_of(drawing, "ball").hatching, 0U);
+}
+
+TEST(Looks, LinesInThePictureHaveTheInkOfTheirObject)
+{
+    const Image image =
+        draw(style_with({"hatch.drawn=false", "wash.strength=0", "paper.grain=0", "contour.ink=#000000",
+                         "contour.outline_mm=4", "object.ball.contour.ink=#ff0000"}));
+    size_t red = 0;
+    size_t black = 0;
+    for (size_t i = 0; i < image.rgba.size(); i += 4) {
+        red += image.rgba[i] > 200 && image.rgba[i + 1] < 80 ? 1 : 0;
+        black += image.rgba[i] < 60 ? 1 : 0;
+    }
+    EXPECT_GT(red, 50U);
+    EXPECT_GT(black, 50U);
+}
+
+TEST(Looks, PathsOfAMapAreAnErrorWhicheverLookHasIt)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    EXPECT_THROW((void)renderer.draw_strokes(camera, style_with({"object.ball.hatch.strokes=map"}), small),
+                 Error);
+    EXPECT_NO_THROW(
+        (void)renderer.draw_strokes(camera, style_with({"object.bell.hatch.strokes=map"}), small));
+    EXPECT_NE(renderer.notes().front().find("\"bell\""), std::string::npos);
+}
+
+} // namespace
+} // namespace estampe

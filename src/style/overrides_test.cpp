@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// What single materials and objects have otherwise.
+#include "style/style_test_support.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace estampe::style {
+namespace {
+
+using By = Surfaces::By;
+
+/// A style whose strokes and washes may differ from surface to surface, and whose lines' width.
+struct Sample {
+    test::HatchStyle hatch;
+    test::LineStyle line;
+    std::vector<Override> overrides;
+
+    [[nodiscard]] Sheet sheet()
+    {
+        static const Table<test::HatchStyle> hatch_table = [] {
+            Table<test::HatchStyle> table = test::hatch_table();
+            return table.by_surface_but({"seed"});
+        }();
+        static const Table<test::LineStyle> line_table = [] {
+            Table<test::LineStyle> table = test::line_table();
+            return table.by_surface({"width_mm"});
+        }();
+        Sheet bound;
+        bound.bind(hatch_table, hatch);
+        bound.bind(line_table, line);
+        bound.bind_overrides(overrides);
+        return bound;
+    }
+
+    void read(const std::string& text) { sheet().read_toml_text(text, "a.toml"); }
+
+    [[nodiscard]] std::string error_of(const std::string& text)
+    {
+        return test::message_of([&] { read(text); });
+    }
+};
+
+Override hatch_width(By by, const std::string& pattern, float width_mm)
+{
+    return {{by, pattern}, "hatch", "width_mm", width_mm};
+}
+
+TEST(StyleOverrides, ComeInTheOrderOfTheTextWhateverItsTables)
+{
+    Sample sample;
+    sample.read("[object.\"tower*\".hatch]\nwidth_mm = 1\n"
+                "[hatch]\nwidth_mm = 2\n"
+                "[material.brick.hatch]\nwidth_mm = 3\ncross = false\n"
+                "[object.\"*\".line]\nwidth_mm = 4\n");
+    const std::vector<Override> expected{hatch_width(By::object, "tower*", 1.0F),
+                                         hatch_width(By::material, "brick", 3.0F),
+                                         {{By::material, "brick"}, "hatch", "cross", false},
+                                         {{By::object, "*"}, "line", "width_mm", 4.0F}};
+    EXPECT_EQ(sample.overrides, expected);
+    EXPECT_EQ(sample.hatch.width_mm, 2.0F);
+}
+
+TEST(StyleOverrides, OfTheSameTheLastHolds)
+{
+    Sample sample;
+    sample.read("material.a.hatch.width_mm = 1\nmaterial.b.hatch.width_mm = 2\n");
+    sample.sheet().set("material.a.hatch.width_mm=3");
+    const std::vector<Override> expected{hatch_width(By::material, "b", 2.0F),
+                                         hatch_width(By::material, "a", 3.0F)};
+    EXPECT_EQ(sample.overrides, expected);
+}
+
+TEST(StyleOverrides, AreSetByPatternsWithDotsAndQuotesToo)
+{
+    Sample sample;
+    sample.sheet().set("object.wall.001.hatch.width_mm=1");
+    sample.sheet().set("object.\"a b\".hatch.width_mm = 2");
+    const std::vector<Override> expected{hatch_width(By::object, "wall.001", 1.0F),
+                                         hatch_width(By::object, "a b", 2.0F)};
+    EXPECT_EQ(sample.overrides, expected);
+}
+
+TEST(StyleOverrides, AreWrittenSoThatTheyReadBackInTheirOrder)
+{
+    Sample sample;
+    sample.read("material.\"a \\\"b\\\".*\".hatch.width_mm = 1\nobject.c.line.width_mm = 2\n"
+                "material.\"a \\\"b\\\".*\".hatch.ink = \"#102030\"\n");
+    ASSERT_EQ(sample.overrides.size(), 3U);
+    Sample again;
+    again.read(sample.sheet().to_toml());
+    EXPECT_EQ(again.overrides, sample.overrides);
+    EXPECT_EQ(again.hatch, sample.hatch);
+}
+
+TEST(StyleOverrides, GoToTheirParameter)
+{
+    Sample sample;
+    sample.sheet().apply(hatch_width(By::all, "", 1.5F));
+    EXPECT_EQ(sample.hatch.width_mm, 1.5F);
+    EXPECT_EQ(sample.line, test::LineStyle());
+}
+
+TEST(StyleOverrides, MistakesSayWhereAndWhat)
+{
+    Sample sample;
+    EXPECT_EQ(sample.error_of("[material.\"brick*\".hatch]\nwidth = 1\n"),
+              "a.toml:2:1: unknown key \"hatch.width\"; did you mean \"hatch.width_mm\"?");
+    EXPECT_EQ(sample.error_of("[material.brick.hatch]\nwidth_mm = 99\n"),
+              "a.toml:2:12: hatch.width_mm = 99 is out of range; allowed: 0.02 to 10 mm");
+    EXPECT_EQ(sample.error_of("[material.brick.hatsh]\n"),
+              "a.toml:1:17: unknown section \"hatsh\"; did you mean \"hatch\"?");
+    EXPECT_EQ(sample.error_of("[matrial.brick.hatch]\n"),
+              "a.toml:1:2: unknown section \"matrial\"; did you mean \"material\"?");
+    EXPECT_EQ(sample.error_of("[object.tower]\nwidth_mm = 1\n"),
+              "a.toml:2:1: \"width_mm\" stands in no section; put keys below a line such as "
+              "[object.\"brick*\".hatch]");
+    EXPECT_EQ(sample.error_of("[object.tower.hatch]\nseed = 1\n"),
+              "a.toml:2:1: \"hatch.seed\" is the same all over the picture; put it below a line [hatch]");
+    EXPECT_EQ(test::message_of([&] { sample.sheet().set("material.a.line.wobble=0.5"); }),
+              "--set: \"line.wobble\" is the same all over the picture; put it below a line [line]");
+    EXPECT_TRUE(sample.overrides.empty());
+}
+
+TEST(StyleOverrides, AreAnErrorWhereNothingDiffers)
+{
+    test::Styles plain;
+    EXPECT_EQ(test::message_of(
+                  [&] { plain.sheet().read_toml_text("[material.a.hatch]\nwidth_mm = 1\n", "a.toml"); }),
+              "a.toml:1:13: nothing here differs from surface to surface; sections are hatch, line");
+}
+
+TEST(StyleOverrides, AreInTheSchemaAndTheManual)
+{
+    Sample sample;
+    const auto schema = nlohmann::json::parse(sample.sheet().json_schema());
+    const auto& sections = schema["$defs"]["surface"]["properties"];
+    EXPECT_TRUE(sections["hatch"]["properties"].contains("width_mm"));
+    EXPECT_FALSE(sections["hatch"]["properties"].contains("seed"));
+    EXPECT_FALSE(sections["line"]["properties"].contains("wobble"));
+    for (const char* by : {"material", "object"}) {
+        EXPECT_EQ(schema["properties"][by]["additionalProperties"]["$ref"], "#/$defs/surface");
+    }
+    EXPECT_NE(sample.sheet().help().find("\n  line: width_mm\n"), std::string::npos);
+}
+
+TEST(StyleOverrides, PatternsAreThoseOfFileNames)
+{
+    EXPECT_TRUE(matches("brick*", "brick_01"));
+    EXPECT_FALSE(matches("brick*", "a brick"));
+    EXPECT_TRUE(matches("pane_?", "pane_7"));
+    EXPECT_TRUE(matches("[AB]*", "Beam"));
+    EXPECT_FALSE(matches("", "Beam"));
+}
+
+} // namespace
+} // namespace estampe::style

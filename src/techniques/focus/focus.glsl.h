@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_FOCUS_GLSL_H
+#define ESTAMPE_FOCUS_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#endif
+
+// A wedge that points at the middle. The n-th of N lies within the n-th of N equal turns about it, from +x
+// towards +y, which is down the page.
+struct FocusLine {
+    vec2 outwards; // direction on the page
+    float tip_px;  // from the middle
+    float end_px;
+    float half_width_px; // at its end
+};
+
+struct FocusConstants {
+    uvec2 size_px;
+    vec2 middle_px;
+    uint line_count;
+    vec3 ink;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(FocusLine) == 20);
+} // namespace estampe::shared
+#endif
+
+#endif
