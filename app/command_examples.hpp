@@ -17,6 +17,7 @@ inline constexpr const char* examples = R"(Examples:
   estampe render temple.glb -o temple.ora                          (layers, for Krita and GIMP)
   estampe render temple.glb -o temple.exr --depth 32 --layers layers.exr
   estampe render temple.glb -o - --format jpg --quality 85 | lp
+  estampe render temple.glb -o temple.png --page A4 --dpi 600
   estampe render fox.glb -o fox.png --time 0.4 --motion fox.exr --since 0.36
   estampe view helmet.gltf
   estampe info helmet.gltf --json

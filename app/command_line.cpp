@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "bake_options.hpp"
+#include "batch_options.hpp"
 #include "command_examples.hpp"
 #include "core/file.hpp"
 #include "option_values.hpp"
@@ -22,7 +23,8 @@ namespace {
 struct Typed {
     std::string scene;
     std::string output;
-    std::string size = "1280x720";
+    std::string size = "1280x720"; // of benches
+    PageOptions page;
     std::string camera;
     std::string style;
     std::vector<std::string> assignments;
@@ -35,6 +37,7 @@ struct Typed {
     double time_s = 0.0;
     uint32_t samples = 1;
     uint32_t repeat = 1;
+    uint32_t tile_px = 0;
     bool timings = false;
     bool json = false;
     bool hidden = false;
@@ -61,9 +64,7 @@ void add_set_option(CLI::App& command, Typed& typed, const char* help)
 /// What a picture is of and how it is drawn, wherever it goes.
 void add_look_options(CLI::App& command, Typed& typed)
 {
-    command.add_option("--size", typed.size, "Width and height in pixels")
-        ->type_name("WxH")
-        ->capture_default_str();
+    typed.page.add_to(command, command.get_name() == "render");
     command
         .add_option("--camera", typed.camera,
                     "A camera of the file by name or index, auto (frame the whole scene), or\n"
@@ -139,6 +140,9 @@ void add_render(CLI::App& app, Typed& typed, PictureOptions& picture, FilmOption
     command.add_option("--repeat", typed.repeat, "Draw N times and time the median of all after the first")
         ->type_name("N")
         ->capture_default_str();
+    command
+        .add_option("--tile", typed.tile_px, "Draw in parts of at most N pixels a side [what the device can]")
+        ->type_name("N");
     command.add_flag("--hidden", typed.hidden, "SVG: lines behind something too, dashed");
     command.add_flag(
         "--plotter", typed.plotter,
@@ -226,6 +230,7 @@ void refuse_empty_values(CLI::App& app)
 /// Options of single commands.
 struct OwnOptions {
     BakeOptions bake;
+    BatchOptions batch;
     PictureOptions picture;
     FilmOptions film;
 };
@@ -237,6 +242,7 @@ void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
     add_view(app, typed);
     add_tam(app, typed);
     own.bake.add_to(app);
+    own.batch.add_to(app);
     CLI::App& info = *app.add_subcommand("info", "Tell what a scene file holds");
     info.add_option("SCENE", typed.scene, "Scene file")->required()->type_name("FILE");
     info.add_flag("--json", typed.json, "Print JSON");
@@ -250,13 +256,23 @@ void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
     app.add_flag("--help-style", typed.style_manual, "Print the manual of all style parameters and exit");
 }
 
+/// A page has one height.
+void check_page_is_free(const std::vector<std::string>& assignments)
+{
+    for (const std::string& assignment : assignments) {
+        if (assignment.starts_with("paper.height_mm")) {
+            throw UsageError("says itself how high the page is", "--page", "leave out --set " + assignment);
+        }
+    }
+}
+
 DrawOptions read_draw_options(const Typed& typed)
 {
     DrawOptions draw;
     draw.scene = typed.scene;
     draw.output = typed.output;
     draw.lightmap = typed.lightmap;
-    std::tie(draw.width, draw.height) = parse_size(typed.size);
+    draw.page = typed.page.read();
     draw.time_s = typed.time_s;
     if (!std::isfinite(typed.time_s)) {
         throw UsageError("is not a finite number", "--time");
@@ -269,6 +285,16 @@ DrawOptions read_draw_options(const Typed& typed)
     draw.device.device = typed.device;
     draw.device.raster = parse_raster_path(typed.raster);
     draw.style = read_style(typed.style, typed.assignments);
+    if (draw.page.height_mm) {
+        check_page_is_free(typed.assignments);
+        draw.style.set(fmt::format("paper.height_mm={}", *draw.page.height_mm));
+    }
+    constexpr uint32_t least_tile_px = 64;
+    if (typed.tile_px > 0 && typed.tile_px < least_tile_px) {
+        throw UsageError(fmt::format("{} is out of range", typed.tile_px), "--tile",
+                         fmt::format("allowed: {} or more", least_tile_px));
+    }
+    draw.tile_px = typed.tile_px;
     return draw;
 }
 
@@ -280,7 +306,8 @@ void check_strokes(const Typed& typed, const PictureChoice& picture)
         throw UsageError("goes with strokes alone", typed.hidden ? "--hidden" : "--plotter",
                          "the name of the output must end in .svg");
     }
-    const std::array<std::pair<const char*, bool>, 6> of_pictures{{{"--samples", typed.samples > 1},
+    const std::array<std::pair<const char*, bool>, 7> of_pictures{{{"--samples", typed.samples > 1},
+                                                                   {"--tile", typed.tile_px > 0},
                                                                    {"--repeat", typed.repeat > 1},
                                                                    {"--timings", typed.timings},
                                                                    {"--motion", !typed.motion.empty()},
@@ -314,11 +341,12 @@ void read_motion(const Typed& typed, RenderCommand& render)
 /// Some options go with single pictures alone.
 void check_film(const Typed& typed, const RenderCommand& command)
 {
-    if (command.film && (typed.repeat > 1 || typed.json || !typed.motion.empty())) {
+    if (command.film && (typed.repeat > 1 || typed.json || typed.tile_px > 0 || !typed.motion.empty())) {
         throw UsageError("does not go with films",
-                         typed.repeat > 1 ? "--repeat"
-                         : typed.json     ? "--json"
-                                          : "--motion",
+                         typed.repeat > 1    ? "--repeat"
+                         : typed.json        ? "--json"
+                         : typed.tile_px > 0 ? "--tile"
+                                             : "--motion",
                          "leave it out, or write a .png");
     }
 }
@@ -391,6 +419,9 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
     if (app.got_subcommand("tam")) {
         return read_tam(typed);
     }
+    if (app.got_subcommand("batch")) {
+        return own.batch.read();
+    }
     if (app.got_subcommand("bake")) {
         return own.bake.read();
     }
@@ -414,7 +445,7 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
         check_count("--repeat", typed.repeat, most_frames);
         const std::optional<FilmChoice> film = own.film.read(draw.output);
         const PictureChoice picture =
-            film ? own.picture.of_film() : own.picture.read(draw.output, draw.width, draw.height);
+            film ? own.picture.of_film() : own.picture.read(draw.output, draw.page.width, draw.page.height);
         check_strokes(typed, picture);
         RenderCommand command{.draw = std::move(draw),
                               .picture = picture,
@@ -437,7 +468,7 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
 
 } // namespace
 
-std::optional<Command> read_command_line(int argc, char** argv)
+std::optional<Command> read_command_line(int argc, const char* const* argv)
 {
     Typed typed;
     OwnOptions own;

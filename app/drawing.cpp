@@ -42,7 +42,7 @@ Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animatio
     if (has_camera_of_file(draw, scene)) {
         return scene_camera(scene, pose, std::to_string(first_placed_camera(scene)));
     }
-    return framing_camera(scene, pose, draw.style.window_aspect(draw.width, draw.height),
+    return framing_camera(scene, pose, draw.style.window_aspect(draw.page.width, draw.page.height),
                           draw.style.sun_bearing());
 }
 
@@ -70,11 +70,12 @@ Index choose_animation(const DrawOptions& draw, const Scene& scene)
 
 RenderSettings settings_of(const DrawOptions& draw, Index animation)
 {
-    return {.width = draw.width,
-            .height = draw.height,
+    return {.width = draw.page.width,
+            .height = draw.page.height,
             .samples = draw.samples,
             .time_s = draw.time_s,
-            .animation = animation};
+            .animation = animation,
+            .tile_px = draw.tile_px};
 }
 
 void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw)

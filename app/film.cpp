@@ -56,8 +56,8 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
             hash.add(std::filesystem::last_write_time(file).time_since_epoch().count());
         }
     }
-    hash.add(draw.width);
-    hash.add(draw.height);
+    hash.add(draw.page.width);
+    hash.add(draw.page.height);
     hash.add(draw.samples);
     hash.add(draw.time_s);
     hash.add_text(draw.animation);
@@ -87,7 +87,7 @@ public:
           frames_(draw_.output, fingerprint(draw_, film, scene, renderer))
     {
         if (is_film(draw_.output)) {
-            writer_.emplace(draw_.output, draw_.width, draw_.height, film.frames_per_s);
+            writer_.emplace(draw_.output, draw_.page.width, draw_.page.height, film.frames_per_s);
         }
     }
 

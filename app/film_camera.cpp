@@ -87,7 +87,8 @@ FilmCamera::FilmCamera(const DrawOptions& draw, const Scene& scene, Index animat
         boxes.push_back(scene_bounds(scene, pose_scene(scene, time_s, animation)));
     }
     if (!boxes.front().empty()) {
-        still_ = far_enough(*still_, boxes, sides, draw.style.window_aspect(draw.width, draw.height));
+        still_ =
+            far_enough(*still_, boxes, sides, draw.style.window_aspect(draw.page.width, draw.page.height));
     }
 }
 

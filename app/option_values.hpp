@@ -10,7 +10,7 @@
 
 namespace estampe::app {
 
-inline constexpr uint32_t largest_side_px = 16384;
+inline constexpr uint32_t largest_side_px = 65535;
 
 /// "1920x1080". Throws UsageError when it is none, or a side is 0 or beyond largest_side_px.
 [[nodiscard]] std::pair<uint32_t, uint32_t> parse_size(const std::string& text);

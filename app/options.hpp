@@ -12,6 +12,7 @@
 #include <estampe/scene.hpp>
 
 #include "film_options.hpp"
+#include "page_options.hpp"
 
 namespace estampe::app {
 
@@ -33,12 +34,12 @@ struct DrawOptions {
     std::string scene;
     std::string output;
     std::string lightmap; ///< what `estampe bake` wrote; empty: what the scene's file names
-    uint32_t width = 1280;
-    uint32_t height = 720;
+    PageSize page;
     CameraChoice camera;
     double time_s = 0.0;
     std::string animation; ///< a name or an index; empty: the first
     uint32_t samples = 1;
+    uint32_t tile_px = 0; ///< see RenderSettings
     Style style;
     RendererOptions device;
 };
@@ -67,6 +68,7 @@ struct RenderCommand {
     uint32_t repeat = 1;
     bool timings = false;
     bool json = false;
+    bool is_quiet = false; ///< what it has to tell goes to stderr
 };
 
 /// Opens a window.
@@ -130,12 +132,22 @@ struct BakeCommand {
     bool resume = true;
 };
 
-using Command = std::variant<BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
-                             StylesCommand, StyleManualCommand, TamCommand, BakeCommand, ViewCommand>;
+/// Draws many pictures in one go.
+struct BatchCommand {
+    std::string jobs;   ///< a TOML file
+    std::string report; ///< .json
+    uint32_t shard = 1; ///< of the jobs, which are dealt out in runs
+    uint32_t shards = 1;
+    RendererOptions device;
+};
+
+using Command =
+    std::variant<BatchCommand, BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
+                 StylesCommand, StyleManualCommand, TamCommand, BakeCommand, ViewCommand>;
 
 /// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or
 /// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file
 /// that cannot be read.
-[[nodiscard]] std::optional<Command> read_command_line(int argc, char** argv);
+[[nodiscard]] std::optional<Command> read_command_line(int argc, const char* const* argv);
 
 } // namespace estampe::app

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -10,11 +11,13 @@
 #include <fmt/format.h>
 
 #include "core/file.hpp"
+#include "core/free_memory.hpp"
 #include "core/image_codec.hpp"
 #include "core/pending.hpp"
 #include "film_frames.hpp"
 #include "output/layer_files.hpp"
 #include "output/pictures.hpp"
+#include "progress.hpp"
 #include "text.hpp"
 
 namespace estampe::app {
@@ -32,11 +35,57 @@ bool is_layers_exr(const PictureChoice& choice)
     return lower_extension(choice.layers) == ".exr";
 }
 
-std::vector<std::byte> encode(const DrawnPicture& picture, const PictureChoice& choice)
+/// 0 for a picture that is no page.
+uint32_t dots_per_m(const PageSize& page)
+{
+    constexpr double inches_a_m = 1000.0 / 25.4;
+    return static_cast<uint32_t>(std::lround(page.dots_per_inch.value_or(0.0) * inches_a_m));
+}
+
+uint64_t pixels_of(const RenderSettings& settings)
+{
+    return uint64_t{settings.width} * settings.height;
+}
+
+/// Whether the picture goes to its file as it is drawn, since it is large, and that is all that is wanted.
+bool is_written_as_drawn(const RenderCommand& command, const RenderSettings& settings)
+{
+    constexpr uint64_t most_in_memory = uint64_t{1} << 24U;
+    const PictureChoice& choice = command.picture;
+    return choice.format == PictureFormat::png && choice.depth == 8 && choice.layers.empty() &&
+           command.motion.empty() && command.repeat == 1 && command.draw.output != standard_output &&
+           pixels_of(settings) > most_in_memory;
+}
+
+/// Draws, and where it takes long says how far it is.
+void draw_bands(Renderer& renderer, const Camera& camera, const Style& style, const RenderSettings& settings,
+                const std::function<void(const Image&)>& take)
+{
+    Progress progress("picture", 0.0);
+    renderer.render_bands(camera, style, settings,
+                          {.take = take, .progress = [&](double share) { progress.show(share); }});
+    progress.clear();
+}
+
+Image draw_in_memory(Renderer& renderer, const Camera& camera, const Style& style,
+                     const RenderSettings& settings)
+{
+    require_memory(4 * pixels_of(settings),
+                   fmt::format("a picture of {} x {} pixels", settings.width, settings.height), "--size",
+                   "write a PNG file, which is written as it is drawn, or draw a smaller picture");
+    Image image{.width = settings.width, .height = settings.height};
+    draw_bands(renderer, camera, style, settings, [&](const Image& rows) {
+        image.rgba.reserve(4 * pixels_of(settings));
+        image.rgba.insert(image.rgba.end(), rows.rgba.begin(), rows.rgba.end());
+    });
+    return image;
+}
+
+std::vector<std::byte> encode(const DrawnPicture& picture, const PictureChoice& choice, uint32_t dots_per_m)
 {
     switch (choice.format) {
     case PictureFormat::jpeg:
-        return output::encode_jpeg(picture.bytes, choice.quality.value_or(usual_quality));
+        return output::encode_jpeg(picture.bytes, choice.quality.value_or(usual_quality), dots_per_m);
     case PictureFormat::webp:
         return output::encode_webp(picture.bytes, choice.quality);
     case PictureFormat::openraster:
@@ -44,7 +93,8 @@ std::vector<std::byte> encode(const DrawnPicture& picture, const PictureChoice& 
     case PictureFormat::exr:
         return output::encode_picture_exr(picture.floats.value(), exr_numbers(choice));
     default:
-        return picture.floats ? output::encode_deep_png(*picture.floats) : encode_png(picture.bytes);
+        return picture.floats ? output::encode_deep_png(*picture.floats, dots_per_m)
+                              : encode_png(picture.bytes, dots_per_m);
     }
 }
 
@@ -68,7 +118,7 @@ void check_new_folder(std::filesystem::path folder)
 std::vector<std::byte> encode_named(const DrawnPicture& picture, const RenderCommand& command)
 {
     try {
-        return encode(picture, command.picture);
+        return encode(picture, command.picture, dots_per_m(command.draw.page));
     } catch (const Error& error) {
         throw Error(error.what(), command.draw.output);
     }
@@ -99,8 +149,13 @@ DrawnPicture draw_picture(Renderer& renderer, const Camera& camera, const Render
         }
     } else if (is_deep) {
         picture.floats = renderer.render_linear(camera, style, settings);
+    } else if (is_written_as_drawn(command, settings)) {
+        picture.file = std::make_unique<PngFile>(command.draw.output, settings.width, settings.height,
+                                                 dots_per_m(command.draw.page));
+        draw_bands(renderer, camera, style, settings,
+                   [&](const Image& rows) { picture.file->add_rows(rows.rgba); });
     } else {
-        picture.bytes = renderer.render(camera, style, settings);
+        picture.bytes = draw_in_memory(renderer, camera, style, settings);
     }
     return picture;
 }
@@ -136,8 +191,12 @@ void write_output(const std::string& output, std::span<const std::byte> bytes)
     }
 }
 
-void write_pictures(const DrawnPicture& picture, const Renderer& renderer, const RenderCommand& command)
+void write_pictures(DrawnPicture& picture, const Renderer& renderer, const RenderCommand& command)
 {
+    if (picture.file) {
+        picture.file->publish();
+        return;
+    }
     const std::vector<std::byte> bytes = encode_named(picture, command);
     const PictureChoice& choice = command.picture;
     std::vector<Pending> files;

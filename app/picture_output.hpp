@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 
+#include "core/png_file.hpp"
 #include "options.hpp"
 
 namespace estampe::app {
@@ -12,6 +14,7 @@ namespace estampe::app {
 /// A picture in what forms its format asks for.
 struct DrawnPicture {
     Image bytes;
+    std::unique_ptr<PngFile> file; ///< in place of bytes, where these are many
     std::optional<LinearImage> floats;
     std::optional<LayeredImage> layers;
 };
@@ -25,7 +28,7 @@ void check_outputs(const RenderCommand& command);
 
 /// Writes all files of a command, or none, and at last standard output. Throws Error naming what cannot be
 /// written.
-void write_pictures(const DrawnPicture& picture, const Renderer& renderer, const RenderCommand& command);
+void write_pictures(DrawnPicture& picture, const Renderer& renderer, const RenderCommand& command);
 
 /// Writes to a file, or to standard output where `output` says so.
 void write_output(const std::string& output, std::span<const std::byte> bytes);

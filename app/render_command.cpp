@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <future>
 #include <span>
@@ -15,6 +17,7 @@
 #include "picture_output.hpp"
 #include "quick_compile.hpp"
 #include "report.hpp"
+#include "single_picture.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
 
@@ -60,7 +63,7 @@ std::string in_meters(double mm)
 /// Prints what was asked for; beside a picture on standard output, to stderr.
 void tell(const RenderCommand& command, const std::string& text)
 {
-    if (command.draw.output == standard_output) {
+    if (command.draw.output == standard_output || command.is_quiet) {
         say(text);
     } else {
         fmt::print("{}", text);
@@ -79,10 +82,25 @@ RenderSettings render_settings(const RenderCommand& command, const Scene& scene,
     return settings;
 }
 
+/// Paths are as fine as the page on which they are found: of a large page one that can be drawn at once.
+RenderSettings settings_of_strokes(const DrawOptions& draw, Index animation)
+{
+    constexpr double most_pixels = 16e6;
+    constexpr double most_px = 16384.0;
+    RenderSettings settings = settings_of(draw, animation);
+    const double share = std::min({1.0, most_px / std::max(settings.width, settings.height),
+                                   std::sqrt(most_pixels / settings.width / settings.height)});
+    if (draw.page.height_mm) {
+        settings.width = static_cast<uint32_t>(std::max(share * settings.width, 1.0));
+        settings.height = static_cast<uint32_t>(std::max(share * settings.height, 1.0));
+    }
+    return settings;
+}
+
 void write_strokes(Renderer& renderer, const Camera& camera, Index animation, const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
-    VectorDrawing drawing = renderer.draw_strokes(camera, draw.style, settings_of(draw, animation),
+    VectorDrawing drawing = renderer.draw_strokes(camera, draw.style, settings_of_strokes(draw, animation),
                                                   command.hidden ? HiddenLines::kept : HiddenLines::left_out);
     print_notes(renderer.notes());
     if (command.plotter) {
@@ -101,6 +119,21 @@ void write_strokes(Renderer& renderer, const Camera& camera, Index animation, co
 }
 
 } // namespace
+
+void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand& command)
+{
+    warn_of_idle_time(command.draw, scene);
+    const Index animation = choose_animation(command.draw, scene);
+    const Camera camera = choose_camera(command.draw, scene, animation);
+    if (command.picture.format == PictureFormat::svg) {
+        write_strokes(renderer, camera, animation, command);
+        return;
+    }
+    DrawnPicture picture =
+        draw_picture(renderer, camera, command, render_settings(command, scene, animation));
+    print_notes(renderer.notes());
+    write_pictures(picture, renderer, command);
+}
 
 void run(const RenderCommand& command)
 {

@@ -77,6 +77,17 @@ struct RenderSettings {
     Index animation = 0;
     Continuity continuity = Continuity::still;
     std::optional<Moment> motion_since; ///< also work out Renderer::motion(), from there to this picture
+    /// Longest side of the parts that a page is drawn in, which overlap; 0: in one go where the device can, or
+    /// else in parts of its choosing. Of render() and render_bands() alone.
+    uint32_t tile_px = 0;
+};
+
+/// Who takes a picture that is handed over in parts.
+struct BandSink {
+    /// Is given all rows from the top down, some at a time, as wide as the picture.
+    std::function<void(const Image& rows)> take;
+    /// Is told how much has been drawn, 0 to 1; may be empty.
+    std::function<void(double share)> progress = {};
 };
 
 /// Whether lines behind something come along.
@@ -120,8 +131,16 @@ public:
 
     /// Draws the scene. The same scene, camera, style and settings give the same bytes on the same device by
     /// the same raster path; so do the frames of a film that follow one another.
-    /// Throws Error when the size is zero or beyond the device's limits, or when no scene was set.
+    /// Pages that are too large for the device are drawn in tiles, which leave no seams: lines are strung for
+    /// the whole page, in up to 16.7 megapixels. Each side may have 65535 pixels.
+    /// Throws Error when the size is zero or too large, or larger than the device's limits where tiles will
+    /// not do: with motion_since, and in films; when no scene was set, and when memory runs out.
     [[nodiscard]] Image render(const Camera& camera, const Style& style, const RenderSettings& settings);
+
+    /// The picture of render() in bands of rows, for pages that memory does not hold. Throws Error as render()
+    /// does, and what the sink throws. Memory: one band of `tile_px`, and what the device takes for a tile.
+    void render_bands(const Camera& camera, const Style& style, const RenderSettings& settings,
+                      const BandSink& sink);
 
     /// The picture of render() in an image of the device that this renderer borrows, without a way over the
     /// host's memory. Returns when the device is done. Throws Error as render() does, and when the device is

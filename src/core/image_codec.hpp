@@ -24,11 +24,11 @@ inline constexpr uint64_t max_image_pixels = uint64_t{1} << 26;
 [[nodiscard]] Image decode_image(std::span<const std::byte> data, const std::string& name);
 
 /// Encodes as PNG that says to be sRGB, for speed rather than size. Throws Error when the image is empty or
-/// its size and bytes disagree.
-[[nodiscard]] std::vector<std::byte> encode_png(const Image& image);
+/// its size and bytes disagree. `dots_per_m` is how finely it is to be printed; 0 says nothing of that.
+[[nodiscard]] std::vector<std::byte> encode_png(const Image& image, uint32_t dots_per_m = 0);
 
 /// The same of 16 bits a channel, red, green, blue and with four channels alpha.
 [[nodiscard]] std::vector<std::byte> encode_png(uint32_t width, uint32_t height, uint32_t channels,
-                                                std::span<const uint16_t> values);
+                                                std::span<const uint16_t> values, uint32_t dots_per_m = 0);
 
 } // namespace estampe

@@ -9,6 +9,7 @@
 
 #include "core/codec_failure.hpp"
 #include "core/image_codec.hpp"
+#include "core/png_head.hpp"
 
 namespace estampe {
 namespace {
@@ -20,6 +21,7 @@ struct Samples {
     uint32_t channels = 4;
     uint32_t bits = 8;
     std::span<const std::byte> bytes;
+    uint32_t dots_per_m = 0;
 
     [[nodiscard]] uint64_t row_bytes() const { return uint64_t{width} * channels * bits / 8; }
 };
@@ -46,13 +48,12 @@ bool write(PngWriter& writer, const Samples& samples)
         return false;
     }
     png_set_write_fn(writer.png, &writer.bytes, append, nullptr);
-    png_set_compression_level(writer.png, 3);
-    png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-    png_set_IHDR(writer.png, writer.info, samples.width, samples.height, static_cast<int>(samples.bits),
-                 samples.channels == 4 ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
-    png_write_info(writer.png, writer.info);
+    png_write_head(writer.png, writer.info,
+                   {.width = samples.width,
+                    .height = samples.height,
+                    .channels = samples.channels,
+                    .bits = samples.bits,
+                    .dots_per_m = samples.dots_per_m});
     if (samples.bits == 16 && std::endian::native == std::endian::little) {
         png_set_swap(writer.png);
     }
@@ -85,17 +86,23 @@ std::vector<std::byte> encode(const Samples& samples)
 
 } // namespace
 
-std::vector<std::byte> encode_png(const Image& image)
+std::vector<std::byte> encode_png(const Image& image, uint32_t dots_per_m)
 {
-    return encode(
-        {.width = image.width, .height = image.height, .bytes = std::as_bytes(std::span(image.rgba))});
+    return encode({.width = image.width,
+                   .height = image.height,
+                   .bytes = std::as_bytes(std::span(image.rgba)),
+                   .dots_per_m = dots_per_m});
 }
 
 std::vector<std::byte> encode_png(uint32_t width, uint32_t height, uint32_t channels,
-                                  std::span<const uint16_t> values)
+                                  std::span<const uint16_t> values, uint32_t dots_per_m)
 {
-    return encode(
-        {.width = width, .height = height, .channels = channels, .bits = 16, .bytes = std::as_bytes(values)});
+    return encode({.width = width,
+                   .height = height,
+                   .channels = channels,
+                   .bits = 16,
+                   .bytes = std::as_bytes(values),
+                   .dots_per_m = dots_per_m});
 }
 
 } // namespace estampe

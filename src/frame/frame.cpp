@@ -35,13 +35,17 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                              plan.looks, *resources.lists);
         return;
     }
+    if (resources.to_string != nullptr) {
+        add_strung_lines(making, outlining);
+        return;
+    }
     const gpu::ImageId strokes = hatch::add_hatch(graph, hatching, hatch_looks(making));
     const gpu::ImageId lines = add_lines(making, outlining);
     const gpu::ImageId ink = bleed::add_bleed(graph,
                                               {.hatch = strokes,
                                                .lines = lines,
                                                .pixels_per_mm = plan.page.pixels_per_mm,
-                                               .size_px = plan.page.size_px},
+                                               .size_px = sample.size_px},
                                               style.bleed);
 
     // What colour lies under it, and all of it on paper.

@@ -11,14 +11,27 @@
 #include "techniques/contour/chains/brushes.hpp"
 #include "techniques/contour/chains/line_history.hpp"
 #include "techniques/contour/chains/line_mesh.hpp"
+#include "techniques/contour/chains/strung_lines.hpp"
 #include "techniques/lightmap/lightmap.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
 
 namespace estampe::frame {
 
+/// Lines that were strung for the whole page, and the part of it that is inked.
+struct StrungPart {
+    StrungPart(contour::StrungLines& strung_lines, const contour::PartOfPage& part_of_page)
+        : lines(strung_lines), part(part_of_page)
+    {
+    }
+
+    contour::StrungLines& lines;
+    contour::PartOfPage part;
+};
+
 /// The buffers of the outside world that a frame reads and writes.
 struct FrameResources {
+    gpu::Device& device;
     pose::MeshBuffers& meshes;
     surface::MaterialBuffers& materials;
     gpu::Buffer& frame_globals;
@@ -44,6 +57,9 @@ struct FrameResources {
     gpu::Buffer& motion;                   ///< read back where the plan asks for it
     StrokeLists* lists = nullptr;          ///< where strokes are wanted in place of a picture
     DeepPage* deep = nullptr;              ///< where the picture is wanted in floats too
+    std::optional<StrungPart> strung = {}; ///< where lines are strung already
+    /// Where what tiles share is wanted in place of a picture: lines, and how bright the page is.
+    contour::StrungLines* to_string = nullptr;
     const VulkanPicture* target = nullptr; ///< of the host's, where the picture goes in place of `pixels`
 };
 

@@ -9,33 +9,53 @@
 
 namespace estampe::frame {
 
-void check_size(const gpu::Device& device, const RenderSettings& settings)
+void check_page(const RenderSettings& settings)
 {
-    const uint32_t limit = std::min(device.limits().maxImageDimension2D, 16384U);
-    if (settings.width == 0 || settings.height == 0 || settings.width > limit || settings.height > limit) {
+    if (std::min(settings.width, settings.height) == 0 ||
+        std::max(settings.width, settings.height) > longest_page_px) {
         throw Error(
             fmt::format("a picture of {} x {} pixels cannot be drawn", settings.width, settings.height),
-            "size", fmt::format("{} draws from 1 x 1 to {} x {}", device.info().name, limit, limit));
-    }
-    const uint64_t most_pixels = std::min<uint64_t>(device.limits().maxStorageBufferRange / sizeof(uint64_t),
-                                                    device.limits().maxTexelBufferElements);
-    if (static_cast<uint64_t>(settings.width) * settings.height > most_pixels) {
-        throw Error(fmt::format("a picture of {} x {} pixels is too large", settings.width, settings.height),
-                    "size",
-                    fmt::format("{} draws at most {:.1f} megapixels", device.info().name,
-                                static_cast<double>(most_pixels) * 1e-6));
+            "size", fmt::format("each side may have 1 to {} pixels", longest_page_px));
     }
     if (settings.samples == 0) {
         throw Error("a picture needs at least one sample", "samples");
     }
 }
 
-void provide_page(gpu::Device& device, Page& page, const RenderSettings& settings)
+PageLimits page_limits(const gpu::Device& device)
 {
-    const uint64_t count = static_cast<uint64_t>(settings.width) * settings.height;
-    const bool has_sums = settings.samples > 1;
-    const gpu::ImageDesc sum_desc{.width = has_sums ? settings.width : 1,
-                                  .height = has_sums ? settings.height : 1,
+    const VkPhysicalDeviceLimits& limits = device.limits();
+    return {.side_px = std::min(limits.maxImageDimension2D, 16384U),
+            .pixels = std::min<uint64_t>(limits.maxStorageBufferRange / sizeof(uint64_t),
+                                         limits.maxTexelBufferElements)};
+}
+
+void check_size(const gpu::Device& device, const RenderSettings& settings)
+{
+    check_page(settings);
+    const PageLimits limits = page_limits(device);
+    if (std::max(settings.width, settings.height) > limits.side_px) {
+        throw Error(fmt::format("a picture of {} x {} pixels cannot be drawn in one go", settings.width,
+                                settings.height),
+                    "size",
+                    fmt::format("{} draws from 1 x 1 to {} x {} so", device.info().name, limits.side_px,
+                                limits.side_px));
+    }
+    if (static_cast<uint64_t>(settings.width) * settings.height > limits.pixels) {
+        throw Error(fmt::format("a picture of {} x {} pixels is too large to be drawn in one go",
+                                settings.width, settings.height),
+                    "size",
+                    fmt::format("{} draws at most {:.1f} megapixels so", device.info().name,
+                                static_cast<double>(limits.pixels) * 1e-6));
+    }
+}
+
+void provide_page(gpu::Device& device, Page& page, glm::uvec2 size_px, uint32_t samples)
+{
+    const uint64_t count = uint64_t{size_px.x} * size_px.y;
+    const bool has_sums = samples > 1;
+    const gpu::ImageDesc sum_desc{.width = has_sums ? size_px.x : 1,
+                                  .height = has_sums ? size_px.y : 1,
                                   .format = gpu::Format::rgba32f};
     if (page.sums.empty() || page.sums.desc() != sum_desc) {
         page.sums = gpu::Image(device, "sums", sum_desc);

@@ -89,6 +89,16 @@ bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& ma
 
 } // namespace
 
+FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px, const StyleTables& style)
+{
+    FramePlan shrunk = plan;
+    shrunk.page.size_px = size_px;
+    shrunk.page.pixels_per_mm /= static_cast<float>(shrink);
+    shrunk.page.pixel.at_one_m *= static_cast<float>(shrink);
+    shrunk.shadow_edges = plan_edges(style, plan.sun, plan.strokes, shrunk.page.pixels_per_mm);
+    return shrunk;
+}
+
 FramePlan plan_frame(const PlanInputs& in)
 {
     const PagePlan page = plan_page(in);
@@ -98,7 +108,8 @@ FramePlan plan_frame(const PlanInputs& in)
     SunPlan sun = plan_sun(in, page);
     const EdgePlan edges = plan_edges(in.style, sun, strokes, page.pixels_per_mm);
     const LinePlan lines{.of_shadows = draws_shadow_lines(looks.lines, sun.map)};
-    return {.page = page,
+    return {.page_px = page.size_px,
+            .page = page,
             .raster = plan_raster(in),
             .needs = in.loaded.needs,
             .looks = std::move(looks),

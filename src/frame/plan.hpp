@@ -3,6 +3,7 @@
 
 // What is decided on the processor before a picture is declared, in parts.
 
+#include <algorithm>
 #include <optional>
 
 #include <estampe/renderer.hpp>
@@ -74,6 +75,7 @@ struct FocusPlan {
 
 /// A picture, all of its samples alike.
 struct FramePlan {
+    glm::uvec2 page_px{0}; ///< of the whole page, also where `page` has it smaller
     PagePlan page;
     RasterPlan raster;
     surface::SceneNeeds needs;
@@ -88,15 +90,17 @@ struct FramePlan {
     std::optional<MotionPlan> motion;
 };
 
-/// What of a picture differs from sample to sample. The first one leaves on the device what the others find
-/// there.
+/// What of a picture differs from sample to sample, and from tile to tile. The first one leaves on the device
+/// what the others find there.
 struct SamplePlan {
     paper::Accumulation accumulation;
+    bool is_first = true;             ///< nothing of the picture has been drawn yet
+    glm::uvec2 size_px{0};            ///< of what is drawn: the page, or a tile
+    glm::vec2 from_px{0.0F};          ///< where on the page that begins
     glm::mat4 clip_from_anchor{1.0F}; ///< shifted within a pixel
     bool pose_moved = true;           ///< the posed vertices are not yet those of this moment
     SunMapWork sun_map;
-
-    [[nodiscard]] bool is_first() const { return accumulation.sample_index == 0; }
+    float line_step_px = 3.0F; ///< between samples of lines, about
 };
 
 /// What a plan is made from.
@@ -110,6 +114,17 @@ struct PlanInputs {
     const gpu::Device& device;
     RasterPath raster_path = RasterPath::compute; ///< never automatic
 };
+
+/// The plan of the same page in pixels `shrink` times as large each way, of which `size_px` hold it: what its
+/// shadows and lights are stays as it was.
+[[nodiscard]] FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px,
+                                    const StyleTables& style);
+
+/// Between samples of lines, about, so that they bend as finely on a page that is `shrink` times as large.
+[[nodiscard]] inline float line_step_px(uint32_t shrink)
+{
+    return std::max(3.0F / static_cast<float>(shrink), 1.0F);
+}
 
 /// Plans all that needs no room on the device: shadows of local lights, motion, what the eye is used to and
 /// what lines remember are left as they are by default. Throws Error as plan_strokes(). Cost: linear in

@@ -10,6 +10,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/free_memory.hpp"
 #include "frame/baked_lights.hpp"
 #include "frame/form_strokes.hpp"
 #include "gpu/upload.hpp"
@@ -146,37 +147,37 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
     if (!plan.focus.lines.empty()) {
         focus_lines = mapped_buffer(device, "focus lines", plan.focus.lines.data(), plan.focus.lines.size());
     }
-    if (!plan.looks.has_several()) {
-        return;
+    if (plan.looks.has_several()) {
+        const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
+        look_of_draw = mapped_buffer(device, "looks", looks.data(), looks.size());
     }
-    std::vector<shared::LineLook> lines;
-    for (const frame::StyleTables& style : plan.looks.styles) {
-        lines.push_back(contour::line_look(style.contour, plan.page.pixels_per_mm));
-    }
-    const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
-    look_of_draw = mapped_buffer(device, "looks", looks.data(), looks.size());
-    line_looks = mapped_buffer(device, "line looks", lines.data(), lines.size());
 }
 
-void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables& style,
-                                 const frame::FramePlan& plan, const paper::Accumulation& accumulation,
-                                 frame::StrokeLists* lists, frame::DeepPage* deep,
-                                 const VulkanPicture* target)
+void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& style,
+                                const frame::FramePlan& plan, const FrameJob& job)
 {
     const auto unit_m = static_cast<float>(loaded->layout.stroke_unit_m);
     const glm::vec3 eye_anchor(camera.eye - loaded->layout.anchor);
+    const paper::Accumulation& accumulation = job.accumulation;
     const shared::FrameGlobals globals = frame::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
-        {.size_px = plan.page.size_px,
+        {.size_px = plan.page_px,
+         .tile = job.tile,
+         .survey = job.survey,
          .jitter_px = frame::jitter(accumulation.sample_index, accumulation.sample_count),
          .page_height_mm = style.paper.height_mm,
          .nearby_m = unit_m * frame::nearby(loaded->layout.stroke_coordinates, eye_anchor / unit_m)});
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
     const frame::SamplePlan sample{.accumulation = accumulation,
-                                   .clip_from_anchor = globals.clip_from_anchor,
+                                   .is_first = job.is_first,
+                                   .size_px = globals.size_px,
+                                   .from_px = glm::vec2(globals.tile_from_px),
+                                   .clip_from_anchor = frame::drawn_clip(globals),
                                    .pose_moved = loaded->pose_moved,
-                                   .sun_map = sun_map.provide(device, plan.sun.map)};
-    frame::FrameResources resources{.meshes = loaded->meshes,
+                                   .sun_map = sun_map.provide(device, plan.sun.map),
+                                   .line_step_px = frame::line_step_px(job.survey ? job.survey->shrink : 1)};
+    frame::FrameResources resources{.device = device,
+                                    .meshes = loaded->meshes,
                                     .materials = loaded->materials,
                                     .frame_globals = frame_globals,
                                     .light_globals = light_globals,
@@ -200,9 +201,11 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
                                     .sums = page.sums,
                                     .pixels = page.pixels,
                                     .motion = motion_pixels,
-                                    .lists = lists,
-                                    .deep = deep,
-                                    .target = target};
+                                    .lists = job.lists,
+                                    .deep = job.deep,
+                                    .strung = job.strung,
+                                    .to_string = job.to_string,
+                                    .target = job.target};
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, sample, style);
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
@@ -211,7 +214,7 @@ void Renderer::Impl::draw_sample(const Camera& camera, const frame::StyleTables&
     }
     executor.run(graph);
     loaded->pose_moved = false;
-    if (plan.lines.are_remembered && sample.is_first()) {
+    if (plan.lines.are_remembered && sample.is_first) {
         line_history.end_frame(sample.clip_from_anchor);
     }
     sun_map.drawn(plan.sun.map);
@@ -230,15 +233,27 @@ double window_share(const paper::PaperStyle& style, const RenderSettings& settin
     return static_cast<double>(window.max_mm.y - window.min_mm.y) / style.height_mm;
 }
 
-/// The camera of the whole page, whose window shows what `camera` does. Throws Error for one that nothing can
-/// be seen by.
+} // namespace
+
 Camera page_camera(const Camera& camera, const paper::PaperStyle& style, const RenderSettings& settings)
 {
     check_camera(camera);
     return frame::seen_within(camera, window_share(style, settings));
 }
 
-} // namespace
+void Renderer::Impl::provide_pixel_sizes(const frame::FramePlan& plan, const frame::StyleTables& tables)
+{
+    edge_look = mapped_buffer(device, "edges", &plan.shadow_edges.look, 1);
+    const shared::SunShadow sun = frame::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
+    sun_shadow = mapped_buffer(device, "sun", &sun, 1);
+    if (plan.looks.has_several()) {
+        std::vector<shared::LineLook> lines;
+        for (const frame::StyleTables& style : plan.looks.styles) {
+            lines.push_back(contour::line_look(style.contour, plan.page.pixels_per_mm));
+        }
+        line_looks = mapped_buffer(device, "line looks", lines.data(), lines.size());
+    }
+}
 
 void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
                                       const frame::StyleTables& tables)
@@ -255,9 +270,7 @@ void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light:
                                        .paling = paling.share_per_m,
                                        .paling_at_anchor = paling.share_at_anchor};
     light_globals = mapped_buffer(device, "lighting", &globals, 1);
-    edge_look = mapped_buffer(device, "edges", &plan.shadow_edges.look, 1);
-    const shared::SunShadow sun = frame::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
-    sun_shadow = mapped_buffer(device, "sun", &sun, 1);
+    provide_pixel_sizes(plan, tables);
     lights = mapped_buffer(device, "lights", lighting.records.data(), lighting.records.size());
 }
 
@@ -267,8 +280,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     if (!loaded) {
         throw Error("there is no scene to draw", "", "call set_scene first");
     }
-    frame::check_size(device, settings);
-    frame::provide_page(device, page, settings);
+    frame::check_page(settings);
     if (frame::style_lighting(device, *loaded, tables.light)) {
         sun_map.forget();
         local_shadows.forget();
@@ -326,6 +338,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
             page_camera(settings.motion_since->camera, tables.paper, settings);
     }
     frame::FramePlan plan = prepare(seen_by, tables, page_settings);
+    frame::provide_page(device, page, plan.page_px, settings.samples);
     // Later samples of a picture of several go their own way by a pixel at most.
     plan.lines.are_remembered = settings.continuity != Continuity::still;
     if (plan.lines.are_remembered) {
@@ -333,8 +346,11 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
                                  tables.contour.hidden != contour::Hidden::none);
     }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
-        draw_sample(seen_by, tables, plan, {.sample_index = sample, .sample_count = settings.samples},
-                    nullptr, deep, target);
+        draw_frame(seen_by, tables, plan,
+                   {.accumulation = {.sample_index = sample, .sample_count = settings.samples},
+                    .is_first = sample == 0,
+                    .deep = deep,
+                    .target = target});
         if (after_sample) {
             after_sample();
         }
@@ -354,7 +370,28 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
 
 Image Renderer::render(const Camera& camera, const Style& style, const RenderSettings& settings)
 {
-    return impl_->draw_picture(camera, style, settings);
+    if (!impl_->is_tiled(settings)) {
+        return impl_->draw_picture(camera, style, settings);
+    }
+    const uint64_t size_bytes = uint64_t{4} * settings.width * settings.height;
+    require_memory(size_bytes, fmt::format("a picture of {} x {} pixels", settings.width, settings.height),
+                   "size", "draw a smaller one");
+    Image image{.width = settings.width, .height = settings.height};
+    image.rgba.reserve(size_bytes);
+    impl_->draw_tiles(camera, style, settings, {.take = [&](const Image& band) {
+                          image.rgba.insert(image.rgba.end(), band.rgba.begin(), band.rgba.end());
+                      }});
+    return image;
+}
+
+void Renderer::render_bands(const Camera& camera, const Style& style, const RenderSettings& settings,
+                            const BandSink& sink)
+{
+    if (impl_->is_tiled(settings)) {
+        impl_->draw_tiles(camera, style, settings, sink);
+    } else {
+        sink.take(impl_->draw_picture(camera, style, settings));
+    }
 }
 
 void Renderer::render_to(const VulkanPicture& picture, const Camera& camera, const Style& style,
@@ -372,6 +409,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
 {
     Impl& impl = *impl_;
     const frame::StyleTables& tables = style.tables();
+    frame::check_size(impl.device, settings);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     frame::FramePlan plan = impl.prepare(seen_by, tables, settings);
     frame::check_has_paths(plan.looks);
@@ -383,7 +421,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
         impl.notes.emplace_back("a drawing of strokes has lines of the pen in place of other brushes");
     }
     frame::StrokeLists lists(impl.device);
-    impl.draw_sample(seen_by, tables, plan, {}, &lists);
+    impl.draw_frame(seen_by, tables, plan, {.lists = &lists});
     return frame::drawing_of(lists,
                              {.scene = impl.loaded->scene,
                               .layout = impl.loaded->layout,

@@ -24,6 +24,19 @@
 
 namespace estampe {
 
+/// One frame of a picture: which sample, of which part of the page, and what is wanted of it.
+struct FrameJob {
+    paper::Accumulation accumulation;
+    bool is_first = true;                 ///< of the picture's frames
+    std::optional<frame::PixelRect> tile; ///< of the page; else all of it
+    std::optional<frame::Survey> survey;  ///< the page in fewer pixels
+    frame::StrokeLists* lists = nullptr;  ///< strokes as paths in place of pixels
+    frame::DeepPage* deep = nullptr;      ///< floats beside bytes
+    std::optional<frame::StrungPart> strung = {};
+    contour::StrungLines* to_string = nullptr; ///< what tiles share in place of pixels
+    const VulkanPicture* target = nullptr;     ///< of the host's, in place of bytes
+};
+
 struct Renderer::Impl {
     explicit Impl(RendererOptions renderer_options)
         : options(std::move(renderer_options)), device(options), executor(device),
@@ -54,16 +67,25 @@ struct Renderer::Impl {
     /// Hands the device what the light's shaders read.
     void provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
                           const frame::StyleTables& tables);
+    /// What of that, and of lines, hangs on how large a pixel is.
+    void provide_pixel_sizes(const frame::FramePlan& plan, const frame::StyleTables& tables);
     void provide_strokes(const frame::StrokePlan& strokes);
     void provide_looks(const frame::FramePlan& plan);
     /// All that comes before the first sample. Throws Error as Renderer::render() does.
     [[nodiscard]] frame::FramePlan prepare(const Camera& camera, const frame::StyleTables& tables,
                                            const RenderSettings& settings);
-    /// Draws into the page, and the `deep` one where there is one; or where there are `lists`, what the
-    /// strokes are into those.
-    void draw_sample(const Camera& camera, const frame::StyleTables& style, const frame::FramePlan& plan,
-                     const paper::Accumulation& accumulation, frame::StrokeLists* lists = nullptr,
-                     frame::DeepPage* deep = nullptr, const VulkanPicture* target = nullptr);
+    /// Draws into the page, and what else the job asks for.
+    void draw_frame(const Camera& camera, const frame::StyleTables& style, const frame::FramePlan& plan,
+                    const FrameJob& job);
+    /// Whether a picture is to be drawn in tiles: it is wanted so, or too large for the device.
+    [[nodiscard]] bool is_tiled(const RenderSettings& settings) const;
+    /// The same picture as draw_picture() makes, tile by tile.
+    void draw_tiles(const Camera& camera, const Style& style, const RenderSettings& settings,
+                    const BandSink& sink);
+    /// What tiles share: the lines of each sample, and how bright the page is.
+    [[nodiscard]] std::vector<contour::StrungLines>
+    survey_page(const Camera& camera, const frame::StyleTables& style, const frame::FramePlan& plan,
+                const frame::Survey& survey, uint32_t samples);
     /// All samples of a picture, which is empty where it goes into a `target`. `after_sample` is called after
     /// each.
     [[nodiscard]] Image draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
@@ -101,5 +123,10 @@ struct Renderer::Impl {
     gpu::Graph drawn; ///< the last frame, to look at; its resources may be gone
     std::vector<std::string> notes;
 };
+
+/// The camera of the whole page, whose window shows what `camera` does. Throws Error for one that nothing can
+/// be seen by.
+[[nodiscard]] Camera page_camera(const Camera& camera, const paper::PaperStyle& style,
+                                 const RenderSettings& settings);
 
 } // namespace estampe

@@ -91,6 +91,9 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
 /// a texture cuts gets its own.
 [[nodiscard]] gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in);
 
+/// Strings the lines of the whole page, for its tiles.
+void add_strung_lines(const Making& making, const contour::ContourInputs& in);
+
 /// Focus lines over those of the scene.
 [[nodiscard]] gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines);
 

@@ -60,7 +60,7 @@ hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
             .strongest_light = plan.light.leads_strokes ? std::optional(lit.strongest) : std::nullopt,
             .towards_light = plan.sun.towards,
             .pixels_per_mm = plan.page.pixels_per_mm,
-            .size_px = plan.page.size_px,
+            .size_px = making.sample.size_px,
             .look_of_draw = look_of_draw(making),
             .draws = scene.meshes.draws};
 }
@@ -94,8 +94,9 @@ contour::ContourInputs contour_inputs(const Making& making, const PosedScene& sc
             .is_moving = is_moving,
             .brushes = resources.brushes,
             .pixels_per_mm = plan.page.pixels_per_mm,
+            .line_step_px = making.sample.line_step_px,
             .pixel_m_at_one = plan.page.pixel.at_one_m,
-            .size_px = plan.page.size_px,
+            .size_px = making.sample.size_px,
             .look_of_draw = look_of_draw(making),
             .line_looks = plan.looks.has_several()
                               ? std::optional(gpu::import_whole(making.graph, "line looks",
@@ -113,10 +114,25 @@ gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in)
         making.layout.masked.count > 0
             ? std::optional(contour::add_contours(making.graph, in, making.plan.looks.lines))
             : std::nullopt;
-    const bool remembers = making.plan.lines.are_remembered && making.sample.is_first();
+    if (resources.strung) {
+        return contour::add_strung_contours(making.graph, in, resources.strung->lines, resources.strung->part,
+                                            making.plan.looks.lines, of_cuts);
+    }
+    const bool remembers = making.plan.lines.are_remembered && making.sample.is_first;
     return contour::add_chain_contours(making.graph, in, *resources.line_mesh,
                                        remembers ? &resources.line_history : nullptr, making.plan.looks.lines,
                                        of_cuts);
+}
+
+void add_strung_lines(const Making& making, const contour::ContourInputs& in)
+{
+    FrameResources& resources = making.resources;
+    if (resources.line_mesh != nullptr) {
+        const contour::ShapedStrokes shaped = contour::add_shaped_strokes(
+            making.graph, in, *resources.line_mesh, nullptr, making.plan.looks.lines);
+        contour::add_keeping(making.graph, resources.device, shaped, making.sample.size_px,
+                             *resources.to_string);
+    }
 }
 
 gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
@@ -129,8 +145,8 @@ gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
         making.graph,
         {.lines = gpu::import_whole(making.graph, "focus lines", making.resources.focus_lines),
          .line_count = static_cast<uint32_t>(plan.lines.size()),
-         .middle_px = plan.middle_px,
-         .size_px = making.plan.page.size_px},
+         .middle_px = plan.middle_px - making.sample.from_px,
+         .size_px = making.sample.size_px},
         making.style.focus, lines);
 }
 
@@ -144,7 +160,7 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                        .daylight_rad = plan.sun.daylight_rad,
                                        .pixels_per_mm = plan.page.pixels_per_mm,
                                        .drawn = plan.page.has_sky,
-                                       .size_px = plan.page.size_px},
+                                       .size_px = making.sample.size_px},
                                       making.style.sky);
     const gpu::ImageId wash = wash::add_wash(making.graph,
                                              {.frame = scene.frame,
@@ -158,7 +174,7 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                               .has_screen = screen.is_there,
                                               .background = sky.wash,
                                               .has_background = plan.page.has_sky,
-                                              .size_px = plan.page.size_px,
+                                              .size_px = making.sample.size_px,
                                               .look_of_draw = look_of_draw(making)},
                                              wash_looks(plan.looks));
     return {.wash = wash, .sky_ink = sky.ink};
@@ -174,21 +190,22 @@ paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene, 
             .sky_ink = colors.sky_ink,
             .has_sky = making.plan.page.has_sky,
             .light = light,
-            .size_px = making.plan.page.size_px};
+            .page_px = making.plan.page_px,
+            .size_px = making.sample.size_px};
 }
 
 void add_picture(const Making& making, const paper::ComposeInputs& layers)
 {
     gpu::Graph& graph = making.graph;
-    const PagePlan& page = making.plan.page;
+    const glm::uvec2 size_px = making.sample.size_px;
     const paper::Accumulation& accumulation = making.sample.accumulation;
     const auto composed = paper::add_compose(graph, layers, making.style.paper);
-    const auto pixels = graph.buffer("pixels", {.size_bytes = 4ULL * page.size_px.x * page.size_px.y});
+    const auto pixels = graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y});
     const paper::Developed developed =
         paper::add_develop(graph, composed, paper::import_sums(graph, making.resources.sums, accumulation),
-                           pixels, page.size_px, accumulation);
+                           pixels, size_px, accumulation);
     if (const VulkanPicture* target = making.resources.target) {
-        gpu::add_hand_over(graph, developed.pixels, *target, page.size_px);
+        gpu::add_hand_over(graph, developed.pixels, *target, size_px);
     } else {
         gpu::add_read_back(graph, "read back", developed.pixels, making.resources.pixels);
     }

@@ -30,7 +30,7 @@ gpu::BufferId local_maps_of(const Making& making, const PosedScene& scene)
     return add_local_maps(making.graph,
                           {.raster = scene.meshes,
                            .layout = making.layout,
-                           .views = making.sample.is_first() ? plan.local_shadows.views : none,
+                           .views = making.sample.is_first ? plan.local_shadows.views : none,
                            .path = plan.raster.path,
                            .tuning = plan.raster.tuning},
                           making.resources.local_shadows);
@@ -42,10 +42,10 @@ gpu::ImageId add_exposed(const Making& making, gpu::ImageId light, gpu::ImageId 
                making.graph, {.light = light,
                               .draw = draw,
                               .state = gpu::import_whole(making.graph, "exposure", making.resources.exposure),
-                              .adapts = making.sample.is_first(),
+                              .adapts = making.sample.is_first,
                               .compensation_stops = making.style.light.exposure_stops,
                               .most_change_stops = making.plan.light.adapt_stops,
-                              .size_px = making.plan.page.size_px})
+                              .size_px = making.sample.size_px})
         .light;
 }
 
@@ -69,7 +69,7 @@ std::optional<gpu::ImageId> add_known_light(const Making& making, const PosedSce
                                    .triangles = scene.meshes.triangles,
                                    .posed_vertices = scene.meshes.posed_vertices,
                                    .scale = making.plan.light.lightmap_scale,
-                                   .size_px = making.plan.page.size_px},
+                                   .size_px = making.sample.size_px},
                                   *making.resources.lightmaps);
 }
 
@@ -105,7 +105,7 @@ light::LitPixels add_light(const Making& making, const PosedScene& scene, const 
          .keeps_strongest = plan.light.leads_strokes,
          .keeps_sun = plan.lines.of_shadows || (resources.deep != nullptr && resources.deep->has_layers()),
          .has_links = plan.light.has_links,
-         .size_px = plan.page.size_px});
+         .size_px = making.sample.size_px});
     if (plan.light.meters_page) {
         lit.light = add_exposed(making, lit.light, surface.draw);
     }

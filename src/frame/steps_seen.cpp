@@ -27,7 +27,7 @@ std::vector<raster::Batch> solid_batches(const pose::MeshData& layout, bool with
 raster::View eye_view(const Making& making)
 {
     return {.clip_from_anchor = making.sample.clip_from_anchor,
-            .size_px = making.plan.page.size_px,
+            .size_px = making.sample.size_px,
             .path = making.plan.raster.path,
             .tuning = making.plan.raster.tuning};
 }
@@ -81,13 +81,13 @@ surface::Surface add_surface(const Making& making, const PosedScene& scene, gpu:
                 .needs = making.plan.needs,
                 .strokes_present = making.plan.strokes.present,
                 .strokes_per_m = static_cast<float>(1.0 / making.layout.stroke_unit_m),
-                .size_px = making.plan.page.size_px});
+                .size_px = making.sample.size_px});
 }
 
 void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
 {
     const std::optional<MotionPlan>& motion = making.plan.motion;
-    if (!motion || !making.sample.is_first()) {
+    if (!motion || !making.sample.is_first) {
         return;
     }
     const auto vertices_before =
@@ -102,7 +102,7 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
                     .posed_vertices_before = vertices_before,
                     .clip_from_anchor = motion->clip_from_anchor,
                     .clip_from_anchor_before = motion->clip_from_anchor_before,
-                    .size_px = making.plan.page.size_px},
+                    .size_px = making.sample.size_px},
                    making.resources.motion);
 }
 
@@ -126,7 +126,7 @@ SeenThrough add_screen(const Making& making, const PosedScene& scene, gpu::Buffe
                                                         .materials = scene.meshes.materials,
                                                         .textures = scene.meshes.textures,
                                                         .texture_classes = scene.meshes.texture_classes,
-                                                        .size_px = making.plan.page.size_px}),
+                                                        .size_px = making.sample.size_px}),
             .is_there = true};
 }
 

@@ -59,18 +59,31 @@ shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds, c
         is_parallel ? parallel(camera, aspect, bounds) : perspective(camera, aspect);
     const glm::dmat4 view_from_anchor = glm::lookAt(camera.eye - anchor, camera.target - anchor, camera.up);
     const glm::dvec3 shift(2.0 * settings.jitter_px / glm::dvec2(settings.size_px), 0.0);
-    const glm::dmat4 clip_from_anchor =
-        glm::translate(glm::dmat4(1.0), shift) * clip_from_view * view_from_anchor;
+    const Survey page = settings.survey.value_or(Survey{.part = whole_page(settings.size_px).drawn});
+    const PixelRect tile = settings.tile.value_or(whole_page(page.size_px()).drawn);
+    const glm::dmat4 clip_from_anchor = crop_of(page.part, settings.size_px) *
+                                        glm::translate(glm::dmat4(1.0), shift) * clip_from_view *
+                                        view_from_anchor;
+    const auto shrink = static_cast<float>(page.shrink);
     return {.clip_from_anchor = glm::mat4(clip_from_anchor),
             .anchor_from_clip = glm::mat4(glm::inverse(clip_from_anchor)),
             .eye_anchor = glm::vec3(camera.eye - anchor),
-            .pixels_per_mm = pixels_per_mm(settings.size_px.y, settings.page_height_mm),
+            .pixels_per_mm = pixels_per_mm(settings.size_px.y, settings.page_height_mm) / shrink,
             .view_forward = glm::vec3(glm::normalize(camera.target - camera.eye)),
             .is_orthographic = is_parallel ? 1U : 0U,
-            .size_px = settings.size_px,
+            .size_px = tile.size_px,
             .near_m = is_parallel ? 0.0F : static_cast<float>(camera.near_m),
             .scene_radius_m = static_cast<float>(std::max(bounds.radius(), 1e-9)),
-            .nearby_m = settings.nearby_m};
+            .nearby_m = settings.nearby_m,
+            .pixel_m = pixel_size(camera, settings.size_px.y).at_one_m * shrink,
+            .page_px = page.size_px(),
+            .tile_from_px = tile.from_px};
+}
+
+glm::mat4 drawn_clip(const shared::FrameGlobals& globals)
+{
+    const PixelRect drawn{.from_px = globals.tile_from_px, .size_px = globals.size_px};
+    return {crop_of(drawn, globals.page_px) * glm::dmat4(globals.clip_from_anchor)};
 }
 
 float nearby(std::span<const glm::vec3> places, const glm::vec3& eye)

@@ -2,18 +2,22 @@
 #pragma once
 
 #include <concepts>
+#include <optional>
 #include <span>
 
 #include <estampe/scene.hpp>
 
+#include "frame/tile.hpp"
 #include "shaders/frame.glsl.h"
 
 namespace estampe::frame {
 
 /// What a picture looks like from where: all that the shaders' FrameGlobals hold.
 struct ViewSettings {
-    glm::uvec2 size_px{0};
-    glm::dvec2 jitter_px{0.0}; ///< shift of the picture, within half a pixel
+    glm::uvec2 size_px{0};         ///< of the whole page
+    std::optional<PixelRect> tile; ///< of the page that is drawn; else all of it
+    std::optional<Survey> survey;  ///< the page in fewer pixels, which it then is
+    glm::dvec2 jitter_px{0.0};     ///< shift of the picture, within half a pixel
     double page_height_mm = 150.0;
     float nearby_m = 1.0F; ///< see FrameGlobals
 };
@@ -22,6 +26,9 @@ struct ViewSettings {
 /// holds `bounds`. Positions are taken relative to `anchor` in double precision before they become floats.
 [[nodiscard]] shared::FrameGlobals frame_globals(const Camera& camera, const Bounds& bounds,
                                                  const glm::dvec3& anchor, const ViewSettings& settings);
+
+/// From anchor space to the clip space of what is drawn: of the page, or of a tile.
+[[nodiscard]] glm::mat4 drawn_clip(const shared::FrameGlobals& globals);
 
 /// How far from the eye the nearest fifth of some thousand of `places` is, in their unit; 0 if there are
 /// none. It changes smoothly as the eye moves.

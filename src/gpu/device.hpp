@@ -40,6 +40,8 @@ public:
 
     [[nodiscard]] MemoryAllocator& memory() { return *memory_; }
 
+    [[nodiscard]] const MemoryAllocator& memory() const { return *memory_; }
+
     /// Whether it is a host application's.
     [[nodiscard]] bool is_borrowed() const { return is_borrowed_; }
 

@@ -81,6 +81,12 @@ void MemoryAllocator::require_of_type(VkDeviceSize bytes, uint32_t memory_type) 
     }
 }
 
+VkDeviceSize MemoryAllocator::whole_bytes() const
+{
+    const uint32_t type = pick_type(UINT32_MAX, MemoryUse::device);
+    return properties_.memoryHeaps[properties_.memoryTypes[type].heapIndex].size;
+}
+
 void MemoryAllocator::require(VkDeviceSize bytes) const
 {
     require_of_type(bytes, pick_type(UINT32_MAX, MemoryUse::device));

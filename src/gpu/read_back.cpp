@@ -82,4 +82,17 @@ void add_read_back(Graph& graph, const std::string& name, ImageId from, Buffer& 
     });
 }
 
+void add_copy_out(Graph& graph, const std::string& name, BufferId from, Buffer& to)
+{
+    const uint64_t size_bytes = to.size_bytes();
+    auto pass = graph.custom(name);
+    pass.touch(from, Access::transfer_read);
+    const BufferId copied = pass.touch_write(import_whole(graph, name, to), Access::transfer_write);
+    pass.execute([=](Recorder& recorder) {
+        const VkBufferCopy region{.size = size_bytes};
+        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(from).handle(), recorder.buffer(copied).handle(),
+                        1, &region);
+    });
+}
+
 } // namespace estampe::gpu

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Passes that copy what a graph has made into memory that the host reads after the run.
+// Passes that copy what a graph has made to where it is after the run: memory that the host reads, or buffers
+// of the device.
 
 #include <span>
 #include <string>
@@ -19,6 +20,10 @@ void add_read_back(Graph& graph, const std::string& name, BufferId from, Buffer&
 
 /// The same of an image, its first layer and mip, row by row without gaps.
 void add_read_back(Graph& graph, const std::string& name, ImageId from, Buffer& to);
+
+/// Copies the start of `from`, as much as `to` holds, for graphs that run later; `to` is no larger, and
+/// outlives the run of `graph`.
+void add_copy_out(Graph& graph, const std::string& name, BufferId from, Buffer& to);
 
 /// What lies in a buffer of mapped memory, from an offset on.
 template <class T>

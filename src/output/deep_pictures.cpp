@@ -21,7 +21,7 @@ void check_pixels(const LinearImage& image)
     }
 }
 
-std::vector<std::byte> encode_deep_png(const LinearImage& image)
+std::vector<std::byte> encode_deep_png(const LinearImage& image, uint32_t dots_per_m)
 {
     check_pixels(image);
     std::vector<uint16_t> values;
@@ -32,7 +32,7 @@ std::vector<std::byte> encode_deep_png(const LinearImage& image)
             values.push_back(static_cast<uint16_t>(std::lround(65535.0F * encoded)));
         }
     }
-    return encode_png(image.width, image.height, 3, values);
+    return encode_png(image.width, image.height, 3, values, dots_per_m);
 }
 
 std::vector<std::byte> encode_picture_exr(const LinearImage& image, ExrNumbers numbers)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>
@@ -40,7 +41,8 @@ struct JpegWriter {
 
 void warned(j_common_ptr /*jpeg*/, int /*level*/) {}
 
-bool write(JpegWriter& writer, const Image& image, int quality, std::span<const std::byte> profile)
+bool write(JpegWriter& writer, const Image& image, int quality, uint32_t dots_per_m,
+           std::span<const std::byte> profile)
 {
     if (setjmp(writer.jump) != 0) {
         return false;
@@ -60,6 +62,11 @@ bool write(JpegWriter& writer, const Image& image, int quality, std::span<const 
     // Coloured ink is thin: colour at half the size would bleed out of its lines.
     jpeg.comp_info[0].h_samp_factor = 1;
     jpeg.comp_info[0].v_samp_factor = 1;
+    if (dots_per_m > 0) {
+        constexpr double inches_a_m = 1000.0 / 25.4;
+        jpeg.density_unit = 1; // an inch
+        jpeg.X_density = jpeg.Y_density = static_cast<UINT16>(std::lround(dots_per_m / inches_a_m));
+    }
     jpeg_start_compress(&jpeg, TRUE);
     jpeg_write_icc_profile(&jpeg, reinterpret_cast<const JOCTET*>(profile.data()),
                            static_cast<unsigned int>(profile.size()));
@@ -73,7 +80,7 @@ bool write(JpegWriter& writer, const Image& image, int quality, std::span<const 
 
 } // namespace
 
-std::vector<std::byte> encode_jpeg(const Image& image, int quality)
+std::vector<std::byte> encode_jpeg(const Image& image, int quality, uint32_t dots_per_m)
 {
     constexpr uint32_t longest_side = JPEG_MAX_DIMENSION; // of the library; the format's own is 65535
     if (image.empty() || image.rgba.size() != uint64_t{image.width} * image.height * 4) {
@@ -92,7 +99,7 @@ std::vector<std::byte> encode_jpeg(const Image& image, int quality)
     writer.jpeg.err = jpeg_std_error(&writer.errors);
     writer.errors.error_exit = failed;
     writer.errors.emit_message = warned;
-    if (!write(writer, image, quality, srgb_profile())) {
+    if (!write(writer, image, quality, dots_per_m, srgb_profile())) {
         throw Error(fmt::format("cannot encode JPEG: {}", writer.message));
     }
     const auto* first = reinterpret_cast<const std::byte*>(writer.data);

@@ -17,9 +17,10 @@ namespace estampe::output {
 
 /// As save_jpeg(), save_webp(), save_png() and save_exr() write them. Throw Error as those do, but name no
 /// file.
-[[nodiscard]] std::vector<std::byte> encode_jpeg(const Image& image, int quality);
+/// `dots_per_m` is how finely a picture is to be printed, where the format can tell; 0 says nothing of that.
+[[nodiscard]] std::vector<std::byte> encode_jpeg(const Image& image, int quality, uint32_t dots_per_m = 0);
 [[nodiscard]] std::vector<std::byte> encode_webp(const Image& image, std::optional<int> quality);
-[[nodiscard]] std::vector<std::byte> encode_deep_png(const LinearImage& image);
+[[nodiscard]] std::vector<std::byte> encode_deep_png(const LinearImage& image, uint32_t dots_per_m = 0);
 [[nodiscard]] std::vector<std::byte> encode_picture_exr(const LinearImage& image, ExrNumbers numbers);
 
 /// Throws Error when the picture is empty, or its size and number of pixels disagree.

@@ -11,10 +11,16 @@ vec2 ndc_at(vec2 position_px, uvec2 size_px)
     return 2.0 * position_px / vec2(size_px) - 1.0;
 }
 
+// The place on the page of a place of what is drawn, which may be a tile of the page.
+vec2 page_place(FrameGlobals frame, vec2 position_px)
+{
+    return position_px + vec2(frame.tile_from_px);
+}
+
 // The point seen at `position_px` with reversed depth `depth` (0 at infinity: pass something above).
 vec3 anchor_at(FrameGlobals frame, vec2 position_px, float depth)
 {
-    vec4 p = frame.anchor_from_clip * vec4(ndc_at(position_px, frame.size_px), depth, 1.0);
+    vec4 p = frame.anchor_from_clip * vec4(ndc_at(page_place(frame, position_px), frame.page_px), depth, 1.0);
     return p.xyz / p.w;
 }
 
@@ -33,9 +39,7 @@ float thinned_at(FrameGlobals frame, float away_m)
 // What a pixel spans, in metres, of a plane through the point that faces as the page does.
 float pixel_size_m(FrameGlobals frame, vec3 point_anchor)
 {
-    float w = (frame.clip_from_anchor * vec4(point_anchor, 1.0)).w;
-    vec3 up = vec3(frame.clip_from_anchor[0].y, frame.clip_from_anchor[1].y, frame.clip_from_anchor[2].y);
-    return 2.0 * w / (float(frame.size_px.y) * max(size_of(up), 1e-20));
+    return frame.pixel_m * (frame.clip_from_anchor * vec4(point_anchor, 1.0)).w;
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "style/toml_words.hpp"
 #include "style/utf8.hpp"
 
 namespace estampe::style {
@@ -221,21 +222,90 @@ private:
     std::vector<std::pair<toml::source_position, Entry>> entries_;
 };
 
-} // namespace
-
-Document parse_toml(std::string_view text, const std::string& name)
+toml::table parsed(std::string_view text, const std::string& name)
 {
     check_characters(text, name);
-    Gathering gathering(name);
     try {
-        const toml::table root = toml::parse(text);
-        gathering.add_text(root);
+        return toml::parse(text);
     } catch (const toml::parse_error& problem) {
         throw Error(fmt::format("not TOML: {}", problem.description()), place(name, problem.source().begin));
     } catch (const ParserLost&) {
         throw Error("not TOML: a table header without a name", place(name, nameless_header(text)));
     }
+}
+
+std::string word_of(const toml::node& node, const std::string& name)
+{
+    if (const auto* text = node.as_string()) {
+        return text->get();
+    }
+    if (node.is_number() || node.is_boolean()) {
+        return raw_from(node).shown;
+    }
+    throw Error(fmt::format("{} is no word, number or switch", raw_from(node).shown),
+                place(name, node.source().begin));
+}
+
+WordTable word_table(std::string table_name, const toml::table& table, const std::string& name)
+{
+    WordTable words{.name = std::move(table_name)};
+    for (const auto& [key, node] : in_order(table)) {
+        WordEntry entry{.key = std::string(key->str()),
+                        .is_list = node->is_array(),
+                        .is_switch = node->is_boolean(),
+                        .where = place(name, key->source().begin)};
+        if (const toml::array* list = node->as_array()) {
+            for (const toml::node& item : *list) {
+                entry.words.push_back(word_of(item, name));
+            }
+        } else {
+            entry.words.push_back(word_of(*node, name));
+        }
+        words.entries.push_back(std::move(entry));
+    }
+    return words;
+}
+
+} // namespace
+
+Document parse_toml(std::string_view text, const std::string& name)
+{
+    Gathering gathering(name);
+    gathering.add_text(parsed(text, name));
     return gathering.take();
+}
+
+std::vector<WordTable> parse_toml_words(std::string_view text, const std::string& name)
+{
+    const toml::table root = parsed(text, name);
+    std::vector<std::pair<toml::source_position, WordTable>> found;
+    const auto add = [&](const toml::key& key, const toml::node& node) {
+        const toml::table* table = node.as_table();
+        const std::string where = place(name, node.source().begin);
+        if (table == nullptr) {
+            throw Error(fmt::format("{} stands outside of a table", in_quotes(key.str())),
+                        place(name, key.source().begin), "put it below a line such as [name]");
+        }
+        found.emplace_back(node.source().begin, word_table(std::string(key.str()), *table, name));
+        found.back().second.where = where;
+    };
+    for (const auto& [key, node] : root) {
+        const toml::array* list = node.as_array();
+        if (list == nullptr || !list->is_array_of_tables()) {
+            add(key, node);
+            continue;
+        }
+        for (const toml::node& item : *list) {
+            add(key, item);
+        }
+    }
+    std::ranges::stable_sort(found, {},
+                             [](const auto& pair) { return std::pair(pair.first.line, pair.first.column); });
+    std::vector<WordTable> tables;
+    for (auto& [position, table] : found) {
+        tables.push_back(std::move(table));
+    }
+    return tables;
 }
 
 std::optional<Raw> parse_toml_value(std::string_view text)

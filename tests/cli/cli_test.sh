@@ -75,7 +75,7 @@ expect_error 2 'rendr' rendr
 expect_error 2 'SCENE is required' render
 expect_error 2 'output is required' render scene.glb
 expect_error 2 'bogus' render scene.glb -o a.png --bogus
-for size in 0x0 banana 16385x1 1x 10x10x10 -1x5 99999999999x1 '' 3.5x2 '1 x 1'; do
+for size in 0x0 banana 65536x1 1x 10x10x10 -1x5 99999999999x1 '' 3.5x2 '1 x 1'; do
     expect_error 2 '--size: ' render scene.glb -o a.png --size "$size"
 done
 expect_error 2 '--samples' render scene.glb -o a.png --samples 0
@@ -113,6 +113,25 @@ expect_error 2 '--depth: 0 is no depth of SVG' render scene.glb -o a.svg --depth
 expect_error 2 '--quality: goes with JPEG and WebP alone' render scene.glb -o a.png --quality 90
 expect_error 2 '--quality: 0 is out of range; of JPEG it is 1 to 100' render scene.glb -o a.jpg --quality 0
 expect_error 2 '--quality: 101 is out of range' render scene.glb -o a.webp --quality 101
+# Pages
+expect_error 2 '--page: "A9" is not a page' render scene.glb -o a.png --page A9
+expect_error 2 '--page: 2x3mm is out of range' render scene.glb -o a.png --page 2x3mm
+expect_error 2 '--page: does not go with --size' render scene.glb -o a.png --page A4 --size 10x10
+expect_error 2 '--dpi: goes with --page alone' render scene.glb -o a.png --dpi 300
+expect_error 2 '--dpi: A0 has .* each side may have 1 to 65535' render scene.glb -o a.png --page A0 --dpi 9000
+expect_error 2 '--page: says itself how high' render scene.glb -o a.png --page A4 --set paper.height_mm=100
+expect_error 2 '--tile: 5 is out of range' render scene.glb -o a.png --tile 5
+expect_error 2 '--tile: does not go with films' render scene.glb -o a.mp4 --turntable --tile 100
+expect_error 1 'cannot be drawn in one go; .* draws from' render scene.glb -o a.exr --size 20000x10 --device cpu
+expect_success render scene.glb -o page.png --page 20x30mm --landscape --dpi 72 --device cpu
+[[ "$(od -An -tx1 -j16 -N8 page.png | tr -d ' ')" == 0000005500000039 ]] || wrong "a page of 30 x 20 mm is not 85 x 57 pixels"
+tail -c +"$(($(grep -obUa pHYs page.png | head -1 | cut -d: -f1) + 5))" page.png | head -c 4 | od -An -tu1 | grep -q ' 0 *0 *11 *19' ||
+    wrong "no 2835 dots a metre in page.png"
+expect_success render scene.glb -o tiled.png --page 30x20mm --dpi 72 --tile 64 --device cpu
+[[ -s tiled.png ]] || wrong "no page in tiles"
+expect_success render scene.glb -o page.svg --page A5 --dpi 72 --device cpu
+grep -q 'width="148' page.svg || wrong "page.svg is not as wide as A5"
+rm -f page.png tiled.png page.svg
 expect_error 2 '--size: WebP holds no side of more than 16383 pixels' render scene.glb -o a.webp --size 16384x1
 expect_error 2 '--layers: goes with pictures alone' render scene.glb -o a.svg --layers layers
 expect_error 2 '--layers: needs a place of its own' render scene.glb -o a.exr --layers a.exr

@@ -11,17 +11,22 @@
 namespace estampe::bleed {
 namespace {
 
-constexpr float largest_radius_px = 24.0F;
+constexpr float largest_radius_px = 96.0F; // 3 mm at 600 dots an inch
 constexpr float sigmas_taken_in = 2.5F;
+
+float sigma_px(const BleedStyle& style, float pixels_per_mm)
+{
+    // Under a third of a pixel a blur would do nothing, and its exponent grow without bound.
+    return std::clamp(0.5F * style.width_mm * pixels_per_mm, 0.3F, largest_radius_px / sigmas_taken_in);
+}
 
 shared::BleedConstants constants_of(const BleedInputs& in, const BleedStyle& style)
 {
     const float width_px = style.width_mm * in.pixels_per_mm;
-    // Under a third of a pixel a blur would do nothing, and its exponent grow without bound.
-    const float sigma_px = std::clamp(0.5F * width_px, 0.3F, largest_radius_px / sigmas_taken_in);
+    const float sigma = sigma_px(style, in.pixels_per_mm);
     return {.size_px = in.size_px,
-            .radius_px = static_cast<uint32_t>(std::ceil(sigmas_taken_in * sigma_px)),
-            .falloff = 0.5F / (sigma_px * sigma_px),
+            .radius_px = reach_px(style, in.pixels_per_mm),
+            .falloff = 0.5F / (sigma * sigma),
             .level = style.level,
             // What runs less than the page's pixels can show fades out: contrast alone would blacken tones.
             .reach = std::min(0.5F * width_px, 1.0F),
@@ -30,6 +35,12 @@ shared::BleedConstants constants_of(const BleedInputs& in, const BleedStyle& sty
 }
 
 } // namespace
+
+uint32_t reach_px(const BleedStyle& style, float pixels_per_mm)
+{
+    const float radius_px = std::ceil(sigmas_taken_in * sigma_px(style, pixels_per_mm));
+    return style.width_mm > 0.0F ? static_cast<uint32_t>(radius_px) : 0U;
+}
 
 gpu::ImageId add_bleed(gpu::Graph& graph, const BleedInputs& in, const BleedStyle& style)
 {

@@ -77,16 +77,31 @@ gpu::ImageId add_flood(gpu::Graph& graph, gpu::ImageId nearest, glm::uvec2 size_
     return flooded;
 }
 
+/// Half of the widest line, and a pixel.
+float half_widest_px(const ContourStyle& style, float pixels_per_mm)
+{
+    const float widest_mm = std::max({style.outline_mm, style.boundary_mm, style.crease_mm});
+    return 0.5F * widest_mm * pixels_per_mm * most_swelling + 1.0F;
+}
+
+/// Of the flood. Steps s, s/2, ..., 1 carry a seed 2s - 1 pixels far.
+uint32_t first_step_px(float reach)
+{
+    return std::bit_ceil((static_cast<uint32_t>(std::ceil(reach)) + 2) / 2);
+}
+
 } // namespace
+
+uint32_t reach_px(const ContourStyle& style, float pixels_per_mm)
+{
+    return style.drawn ? 2 * first_step_px(half_widest_px(style, pixels_per_mm)) : 0;
+}
 
 gpu::ImageId add_contours(gpu::Graph& graph, const ContourInputs& in, const ContourStyle& style)
 {
     Seeds seeds = add_seeds(graph, in, style);
-    const float widest = std::max({style.outline_mm, style.boundary_mm, style.crease_mm}) * in.pixels_per_mm;
-    const float reach = 0.5F * widest * most_swelling + 1.0F;
-    // Steps s, s/2, ..., 1 carry a seed 2s - 1 pixels far.
-    const auto farthest = static_cast<uint32_t>(std::ceil(reach));
-    for (uint32_t step = std::bit_ceil((farthest + 2) / 2); step > 0; step /= 2) {
+    const float reach = half_widest_px(style, in.pixels_per_mm);
+    for (uint32_t step = first_step_px(reach); step > 0; step /= 2) {
         seeds.nearest = add_flood(graph, seeds.nearest, in.size_px, step);
     }
     auto pass = graph.compute("contour/stroke", shaders::stroke_comp);

@@ -32,11 +32,15 @@ struct ContourInputs {
     bool is_moving = false;         ///< it, or the camera, since the frame before
     BrushImages* brushes = nullptr; ///< of chains; none for the pen alone
     float pixels_per_mm = 1.0F;
+    float line_step_px = 3.0F;     ///< between samples of chains, about
     float pixel_m_at_one = 0.001F; ///< what a pixel spans at a distance of one; in parallel projection at any
     glm::uvec2 size_px{0};
     std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels
     std::optional<gpu::BufferId> line_looks;   ///< then, LineLook of each look; chains alone heed them
 };
+
+/// How far off the seeds lie that the lines at a pixel hang on, where lines are found between pixels.
+[[nodiscard]] uint32_t reach_px(const ContourStyle& style, float pixels_per_mm);
 
 /// Draws lines in screen space: breaks of identity, depth and normal become seeds, placed where the front
 /// triangle ends; jump flooding gives every pixel its nearest seed, and with it an antialiased line of any

@@ -63,7 +63,7 @@ const bool has_own_outlines = (variant & seeds_has_own_outlines) != 0u;
 
 vec2 page_position(vec4 clip)
 {
-    return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.size_px);
+    return (0.5 * clip.xy / clip.w + 0.5) * vec2(frame.page_px) - vec2(frame.tile_from_px);
 }
 
 // Where the way from pixel `from` to its neighbour `to` leaves the triangle seen at `from`: the share of the

@@ -48,7 +48,7 @@ float radius_for(float share) {
 vec2 place_of(uint draw) {
   vec4 clip = frame.clip_from_anchor *
               vec4(draw_pose_at(draw).anchor_from_object[3].xyz, 1.0);
-  vec2 place = (0.5 + 0.5 * clip.xy / clip.w) * vec2(frame.size_px);
+  vec2 place = (0.5 + 0.5 * clip.xy / clip.w) * vec2(frame.page_px);
   return clip.w > 0.0 ? place : vec2(0.0);
 }
 
@@ -88,7 +88,7 @@ void main() {
     // As sheets are cut: none under half a step.
     tone = round(dark * float(constants.steps)) / float(constants.steps);
   }
-  float ink = tone > 0.0 ? dot_ink(vec2(pixel) + 0.5 - place_of(draw_of(word)),
+  float ink = tone > 0.0 ? dot_ink(page_place(frame, vec2(pixel) + 0.5) - place_of(draw_of(word)),
                                    min(tone, 1.0))
                          : 0.0;
   ink = dark >= constants.black_above || tone >= 1.0 ? 1.0 : ink;

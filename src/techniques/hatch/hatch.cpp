@@ -43,6 +43,13 @@ gpu::ImageId ink_image(gpu::Graph& graph, glm::uvec2 size_px)
 
 } // namespace
 
+uint32_t reach_px(const HatchStyle& style, float pixels_per_mm)
+{
+    const float overrun_px = style.overrun_mm * pixels_per_mm;
+    // Steps s, s/2, ..., 1 carry a source 2s - 1 pixels far.
+    return overrun_px > 0.0F ? 2U * std::bit_ceil(static_cast<uint32_t>(std::ceil(overrun_px))) : 0U;
+}
+
 gpu::ImageId add_overrun(gpu::Graph& graph, const HatchInputs& in, gpu::ImageId darkness,
                          const HatchStyle& style)
 {

@@ -214,6 +214,9 @@ struct Darkness {
 [[nodiscard]] gpu::ImageId add_map(gpu::Graph& graph, const HatchInputs& in, const Darkness& darkness,
                                    const HatchStyle& style);
 
+/// How far off the strokes lie that run over into a pixel.
+[[nodiscard]] uint32_t reach_px(const HatchStyle& style, float pixels_per_mm);
+
 /// Dots of a screentone, whose ink on average is the darkness wanted, or the tone nearest to it. They lie on
 /// the page and go along with the place of the object that they shade.
 ///

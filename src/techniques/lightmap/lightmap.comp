@@ -58,9 +58,9 @@ vec4 light_at(ivec2 pixel)
     vec3 a = posed_vertex_at(corners.x).position;
     vec3 b = posed_vertex_at(corners.y).position;
     vec3 c = posed_vertex_at(corners.z).position;
-    Barycentric at =
-        barycentric_at(frame.clip_from_anchor * vec4(a, 1.0), frame.clip_from_anchor * vec4(b, 1.0),
-                       frame.clip_from_anchor * vec4(c, 1.0), vec2(pixel) + 0.5, frame.size_px);
+    Barycentric at = barycentric_at(
+        frame.clip_from_anchor * vec4(a, 1.0), frame.clip_from_anchor * vec4(b, 1.0),
+        frame.clip_from_anchor * vec4(c, 1.0), page_place(frame, vec2(pixel) + 0.5), frame.page_px);
     vec3 eye = towards_eye(frame, mat3(a, b, c) * at.weight);
     float facing = dot(cross(b - a, c - a), eye) * ((corners.w & triangle_mirrored) != 0u ? -1.0 : 1.0);
     if (facing < 0.0) {

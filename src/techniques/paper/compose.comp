@@ -5,8 +5,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/camera.glsl"
 #include "shaders/color.glsl"
-#include "shaders/frame.glsl.h"
 #include "shaders/noise.glsl"
 #include "shaders/rounds.glsl"
 #include "techniques/paper/paper.glsl.h"
@@ -110,7 +110,7 @@ void main()
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }
-    vec2 page_mm = (vec2(pixel) + 0.5) / frame.pixels_per_mm;
+    vec2 page_mm = page_place(frame, vec2(pixel) + 0.5) / frame.pixels_per_mm;
     Paper paper = paper_at(page_mm, rounds(has_margin ? 7 : 5, pixel.x));
     float relief = paper.relief;
     float beyond_mm = has_margin ? from_window_mm(page_mm) + edge_stray_mm * paper.stray : -1.0;

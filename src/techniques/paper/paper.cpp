@@ -48,8 +48,8 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
     };
     const gpu::ImageId picture = write("picture", gpu::Format::rgba16f, !stage);
     const gpu::ImageId staged = write("stage", gpu::Format::rgba32f, stage.has_value());
-    const Window window = window_of(style, style.height_mm * static_cast<float>(in.size_px.x) /
-                                               static_cast<float>(in.size_px.y));
+    const Window window = window_of(style, style.height_mm * static_cast<float>(in.page_px.x) /
+                                               static_cast<float>(in.page_px.y));
     pass.push(shared::PaperConstants{.paper_color = style.color,
                                      .grain = style.grain,
                                      .ink_color = style.ink,

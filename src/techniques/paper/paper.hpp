@@ -66,7 +66,8 @@ struct ComposeInputs {
     gpu::ImageId sky_ink;
     bool has_sky = true; ///< else there is no such ink
     gpu::ImageId light;  ///< read where the style tints the ink
-    glm::uvec2 size_px{0};
+    glm::uvec2 page_px{0}; ///< of the whole page
+    glm::uvec2 size_px{0}; ///< of what is drawn of it
 };
 
 /// Lays the layers on paper. Writes rgba16f, linear colour. Cost: one full-screen dispatch.

@@ -53,6 +53,7 @@ std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, gl
                                .sky_ink = sky_ink.in(graph),
                                .has_sky = layers.has_sky,
                                .light = light.in(graph),
+                               .page_px = size_px,
                                .size_px = size_px};
     if (stage) {
         return test::run_and_read_as<glm::vec4>(graph, add_compose_stage(graph, inputs, style, *stage));

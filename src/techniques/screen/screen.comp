@@ -6,8 +6,8 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/barycentric.glsl"
+#include "shaders/camera.glsl"
 #include "shaders/color.glsl"
-#include "shaders/frame.glsl.h"
 #include "shaders/hash.glsl"
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
@@ -98,7 +98,7 @@ Layer layer_at(uvec2 seen, ivec2 pixel)
     Barycentric at = barycentric_at(frame.clip_from_anchor * vec4(posed_vertex_at(corners.x).position, 1.0),
                                     frame.clip_from_anchor * vec4(posed_vertex_at(corners.y).position, 1.0),
                                     frame.clip_from_anchor * vec4(posed_vertex_at(corners.z).position, 1.0),
-                                    vec2(pixel) + 0.5, frame.size_px);
+                                    page_place(frame, vec2(pixel) + 0.5), frame.page_px);
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
     mat3x4 vertex_colors =
         mat3x4(vertex_color(rest_vertices[rest.x].color), vertex_color(rest_vertices[rest.y].color),

@@ -133,7 +133,7 @@ void main()
     PosedVertex c = posed_vertex_at(corners.z);
     Barycentric at = barycentric_at(
         frame.clip_from_anchor * vec4(a.position, 1.0), frame.clip_from_anchor * vec4(b.position, 1.0),
-        frame.clip_from_anchor * vec4(c.position, 1.0), vec2(pixel) + 0.5, frame.size_px);
+        frame.clip_from_anchor * vec4(c.position, 1.0), page_place(frame, vec2(pixel) + 0.5), frame.page_px);
     mat3 positions = mat3(a.position, b.position, c.position);
     mat3 normals = mat3(unpack_normal(a.normal), unpack_normal(b.normal), unpack_normal(c.normal));
     vec3 smooth_normal = unit(normals * at.weight + 1e-12);
@@ -199,7 +199,7 @@ void main()
     }
     if (has_page_strokes && strokes == strokes_page) {
         float mm_per_px = 1.0 / frame.pixels_per_mm;
-        coordinate = vec3((vec2(pixel) + 0.5) * mm_per_px, 0.0);
+        coordinate = vec3(page_place(frame, vec2(pixel) + 0.5) * mm_per_px, 0.0);
         footprint = Footprint(vec3(mm_per_px, 0.0, 0.0), vec3(0.0, mm_per_px, 0.0));
     }
     uint flags = flags_of(draw.material);

@@ -78,7 +78,8 @@ void main()
         vec4 light = texelFetch(light_image, pixel, 0);
         float dark = darkness(constants.tone, occluded(constants.tone, light.a, stored.a), 1.0);
         // The edge of the second wash wanders a little, as a loaded brush does.
-        float waver = 0.05 * (value_noise(vec2(pixel) / (0.9 * frame.pixels_per_mm), 5u) - 0.5);
+        float waver =
+            0.05 * (value_noise(page_place(frame, vec2(pixel)) / (0.9 * frame.pixels_per_mm), 5u) - 0.5);
         float shadow = smoothstep(constants.shadow_from - constants.softness,
                                   constants.shadow_from + constants.softness, dark + waver);
         vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // darkness has none

@@ -114,6 +114,7 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                        .suggestive_cut = {style.suggestive_growth, style.suggestive_deg},
                        .meetings = has_lines(style, shared::line_intersection) && mesh.shell_count > 1,
                        .sun = {},
+                       .step_px = in.line_step_px,
                        .size_px = in.size_px};
     if (in.sun) {
         inputs.sun = SunPixels{.share = *in.sun, .draw = in.draw, .depth = in.depth, .normal = in.normal};
@@ -135,7 +136,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
                                            .segment_capacity = segments_most,
                                            .point_capacity = 2 * segments_most + mesh.feature_point_count,
                                            .sample_capacity = sample_capacity(in.size_px),
-                                           .step_px = 3.0F};
+                                           .step_px = in.step_px};
     const auto loose_edges = gpu::import_whole(graph, "loose edges", mesh.loose_edges);
     std::optional<gpu::BufferId> view_bends;
     if (mesh.bending_count > 0) {

@@ -251,6 +251,12 @@ struct ShapeConstants {
     float jitter_width;
 };
 
+struct PartConstants {
+    vec2 from_px; // where the part begins, in its own pixels
+    float scale;  // of those to pixels of the page that lines were strung on
+    uint has_touches;
+};
+
 // How wide the lines of a look are, and of what ink: four texels of 16 bytes.
 struct LineLook {
     float width_of_kind[line_kind_count]; // whole ones, in pixels or metres
@@ -277,6 +283,7 @@ SHARED_CONSTANT uint no_brush = 0xffffffffU;
 struct BrushConstants {
     uint width;
     uint height;
+    uvec2 grid_page_px; // of the page whose grid knows the samples
     float period_px[brush_use_count];   // of each use, along the stroke; 0 from end to end
     uint layer_of_use[brush_use_count]; // in the image of brushes; no_brush for the pen
 };

@@ -79,6 +79,7 @@ struct ChainInputs {
     SuggestiveCut suggestive_cut; ///< of no use where the line mesh has no bendings
     bool meetings = false;        ///< lines are wanted where shells run into each other
     std::optional<SunPixels> sun; ///< edges of its shadow are wanted
+    float step_px = 3.0F;         ///< between samples, about
     glm::uvec2 size_px{0};
 };
 

@@ -11,6 +11,7 @@
 #include "techniques/contour/chains/brushes.hpp"
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/contour/chains/scan.hpp"
+#include "techniques/contour/chains/strung_lines.hpp"
 #include "techniques/contour/chains/variants.glsl.h"
 
 namespace estampe::contour {
@@ -35,9 +36,12 @@ float period_mm(const BrushImages& brushes, uint32_t use, const ContourStyle& st
     return style.brush_mm > 0.0F ? style.brush_mm : std::max(own_mm, 0.1F);
 }
 
-shared::BrushConstants brush_constants(const ContourInputs& in, const ContourStyle& style)
+/// Of samples that lie in a grid of `grid_page_px`.
+shared::BrushConstants brush_constants(const ContourInputs& in, const ContourStyle& style,
+                                       glm::uvec2 grid_page_px)
 {
-    shared::BrushConstants constants{.width = in.size_px.x, .height = in.size_px.y};
+    shared::BrushConstants constants{
+        .width = in.size_px.x, .height = in.size_px.y, .grid_page_px = grid_page_px};
     for (uint32_t use = 0; use < shared::brush_use_count; ++use) {
         const bool has_brushes = in.brushes != nullptr;
         constants.period_px[use] = has_brushes ? in.pixels_per_mm * period_mm(*in.brushes, use, style) : 0.0F;
@@ -63,7 +67,7 @@ void add_pieces(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& 
     inked.pixels = ink.modify(inked.pixels);
     inked.tiles = ink.modify(inked.tiles);
     if (has_brushes) {
-        ink.push(brush_constants(in, style));
+        ink.push(brush_constants(in, style, in.size_px));
     } else {
         ink.push(shared::InkConstants{.width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink});
     }
@@ -72,7 +76,7 @@ void add_pieces(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& 
 
 /// Fills the outer sides of corners.
 void add_joints(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& strokes,
-                const HandDrawn& hand, const ContourStyle& style, Inked& inked)
+                const HandDrawn& hand, const ContourStyle& style, glm::uvec2 grid_page_px, Inked& inked)
 {
     auto joints = graph.compute("contour/joints", shaders::joints_comp);
     joints.read(strokes.sizes).sample(strokes.samples);
@@ -80,12 +84,13 @@ void add_joints(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& 
     joints.read(hand.line_points).read(hand.touches).read(strokes.grid);
     inked.pixels = joints.modify(inked.pixels);
     inked.tiles = joints.modify(inked.tiles);
-    joints.variant(in.brushes != nullptr ? shared::joints_has_brushes : 0U).push(brush_constants(in, style));
+    joints.variant(in.brushes != nullptr ? shared::joints_has_brushes : 0U)
+        .push(brush_constants(in, style, grid_page_px));
     joints.dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
 }
 
 Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& shaped,
-              const ContourStyle& style)
+              const ContourStyle& style, glm::uvec2 grid_page_px)
 {
     const uint64_t tiles = uint64_t{(in.size_px.x + 7) / 8} * ((in.size_px.y + 7) / 8);
     Inked inked{gpu::add_zeros(graph, "contour/inked", sizeof(uint32_t) * in.size_px.x * in.size_px.y + 16),
@@ -95,7 +100,7 @@ Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& s
     for (const HandDrawn& hand : shaped.hands) {
         add_pieces(graph, seen, shaped.strokes, hand, style, inked);
         if (style.joints == Joints::mitre) {
-            add_joints(graph, seen, shaped.strokes, hand, style, inked);
+            add_joints(graph, seen, shaped.strokes, hand, style, grid_page_px, inked);
         }
     }
     if (shaped.hidden) {
@@ -119,16 +124,14 @@ gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& cons
                                  glm::vec4(glm::sqrt(constants.ink_color), 0.0F));
 }
 
-} // namespace
-
-gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
-                                LineHistory* history, const ContourStyle& style,
-                                std::optional<gpu::ImageId> under)
+/// Inks strokes whose samples lie in a grid of `grid_page_px`.
+gpu::ImageId add_ink_layer(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& shaped,
+                           const ContourStyle& style, glm::uvec2 grid_page_px,
+                           const std::optional<gpu::ImageId>& under)
 {
-    const ShapedStrokes shaped = add_shaped_strokes(graph, in, mesh, history, style);
     const shared::InkConstants constants{
         .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};
-    const Inked inked = add_ink(graph, in, shaped, style);
+    const Inked inked = add_ink(graph, in, shaped, style, grid_page_px);
     const gpu::ImageId below = under ? *under : add_blank_layer(graph, constants, in.on_processor);
     auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
     layer.read(inked.pixels)
@@ -140,6 +143,23 @@ gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, Line
     layer.sample(in.line_looks.value_or(in.materials), gpu::Format::r32ui);
     layer.push(constants).dispatch_indirect(inked.tiles);
     return ink;
+}
+
+} // namespace
+
+gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
+                                LineHistory* history, const ContourStyle& style,
+                                std::optional<gpu::ImageId> under)
+{
+    const ShapedStrokes shaped = add_shaped_strokes(graph, in, mesh, history, style);
+    return add_ink_layer(graph, in, shaped, style, in.size_px, under);
+}
+
+gpu::ImageId add_strung_contours(gpu::Graph& graph, const ContourInputs& in, StrungLines& lines,
+                                 const PartOfPage& part, const ContourStyle& style,
+                                 std::optional<gpu::ImageId> under)
+{
+    return add_ink_layer(graph, in, take_part(graph, lines, part), style, lines.page_px, under);
 }
 
 } // namespace estampe::contour

@@ -119,7 +119,7 @@ void look_at(End other, End own, inout Around around)
 // all around.
 End partner_of(End end, vec2 sample_px, uint own)
 {
-    uvec2 size_px = uvec2(constants.width, constants.height);
+    uvec2 size_px = constants.grid_page_px;
     End none = End(LinePoint(vec2(0.0), 0.0, 0u), vec2(0.0), false);
     Around around = Around(none, none, 0.0, 0.0);
     Cells cells = cells_around(sample_px, size_px);

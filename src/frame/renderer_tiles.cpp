@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// What the renderer does for pages that are drawn in tiles, see docs/decisions/0016.
+#include "frame/renderer_impl.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "core/free_memory.hpp"
+#include "frame/tile.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr uint32_t usual_tile_px = 2048;
+constexpr uint64_t most_survey_pixels = uint64_t{1} << 24U;
+
+/// About what the device holds of a picture while it is drawn.
+constexpr uint64_t bytes_a_pixel = 160;
+
+uint32_t automatic_tile_px(const frame::PageLimits& limits, uint32_t overlap)
+{
+    // At least half of what is drawn is kept.
+    return std::min(std::max(usual_tile_px, 7 * overlap), limits.side_px);
+}
+
+/// Copies the kept part of a tile to where it lies in a band of rows.
+void copy_kept(const gpu::Buffer& pixels, const frame::Tile& tile, Image& band)
+{
+    const glm::uvec2 skipped = tile.kept.from_px - tile.drawn.from_px;
+    const auto* const source = reinterpret_cast<const uint8_t*>(pixels.mapped().data());
+    for (uint32_t y = 0; y < tile.kept.size_px.y; ++y) {
+        const size_t from = size_t{skipped.y + y} * tile.drawn.size_px.x + skipped.x;
+        const size_t to = size_t{y} * band.width + tile.kept.from_px.x;
+        std::memcpy(band.rgba.data() + 4 * to, source + 4 * from, size_t{4} * tile.kept.size_px.x);
+    }
+}
+
+} // namespace
+
+bool Renderer::Impl::is_tiled(const RenderSettings& settings) const
+{
+    frame::check_page(settings);
+    const frame::PageLimits limits = frame::page_limits(device);
+    const uint32_t longest_px = std::max(settings.width, settings.height);
+    const uint64_t pixels = uint64_t{settings.width} * settings.height;
+    const bool is_wanted = settings.tile_px > 0 && longest_px > settings.tile_px;
+    const bool fits = longest_px <= limits.side_px && pixels <= limits.pixels &&
+                      bytes_a_pixel * pixels <= device.memory().whole_bytes();
+    const bool is_alone = settings.continuity == Continuity::still && !settings.motion_since;
+    if (!is_alone && !fits) {
+        frame::check_size(device, settings);
+    }
+    return is_alone && (is_wanted || !fits);
+}
+
+std::vector<contour::StrungLines> Renderer::Impl::survey_page(const Camera& camera,
+                                                              const frame::StyleTables& style,
+                                                              const frame::FramePlan& plan,
+                                                              const frame::Survey& survey, uint32_t samples)
+{
+    const bool has_chains = loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines) != nullptr;
+    const uint32_t survey_count = has_chains ? samples : plan.light.meters_page ? 1 : 0;
+    const frame::FramePlan survey_plan = frame::shrunk_plan(plan, survey.shrink, survey.size_px(), style);
+    provide_pixel_sizes(survey_plan, style);
+    std::vector<contour::StrungLines> lines;
+    for (uint32_t sample = 0; sample < survey_count; ++sample) {
+        contour::StrungLines found;
+        draw_frame(camera, style, survey_plan,
+                   {.accumulation = {.sample_index = sample, .sample_count = samples},
+                    .is_first = sample == 0,
+                    .survey = survey,
+                    .to_string = &found});
+        if (has_chains) {
+            lines.push_back(contour::shrunk(device, executor, std::move(found)));
+        }
+    }
+    provide_pixel_sizes(plan, style);
+    return lines;
+}
+
+void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const RenderSettings& settings,
+                                const BandSink& sink)
+{
+    const frame::StyleTables& tables = style.tables();
+    const Camera seen_by = page_camera(camera, tables.paper, settings);
+    const frame::FramePlan plan = prepare(seen_by, tables, settings);
+    const frame::PageLimits limits = frame::page_limits(device);
+    uint32_t overlap = frame::overlap_px(tables, plan.page.pixels_per_mm);
+    for (const frame::StyleTables& look : plan.looks.styles) {
+        overlap = std::max(overlap, frame::overlap_px(look, plan.page.pixels_per_mm));
+    }
+    const uint32_t tile_px = settings.tile_px > 0 ? std::min(settings.tile_px, limits.side_px)
+                                                  : automatic_tile_px(limits, overlap);
+    const std::vector<frame::Tile> tiles = frame::tiles_of(plan.page_px, tile_px, overlap);
+    const frame::Survey survey =
+        frame::survey_of(plan.page_px, limits.side_px, std::min(limits.pixels, most_survey_pixels));
+    std::vector<contour::StrungLines> lines = survey_page(seen_by, tables, plan, survey, settings.samples);
+    bool is_first = lines.empty() && !plan.light.meters_page;
+    frame::provide_page(device, page, tiles.front().drawn.size_px, settings.samples);
+    Image band{.width = settings.width};
+    double drawn_pixels = 0.0;
+    for (const frame::Tile& tile : tiles) {
+        if (sink.progress) {
+            sink.progress(drawn_pixels / (static_cast<double>(settings.width) * settings.height));
+        }
+        for (uint32_t sample = 0; sample < settings.samples; ++sample) {
+            FrameJob job{.accumulation = {.sample_index = sample, .sample_count = settings.samples},
+                         .is_first = is_first,
+                         .tile = tile.drawn};
+            if (!lines.empty()) {
+                const contour::PartOfPage part{.from_px = glm::vec2(tile.drawn.from_px),
+                                               .scale = static_cast<float>(survey.shrink)};
+                job.strung.emplace(lines.at(sample), part);
+            }
+            draw_frame(seen_by, tables, plan, job);
+            is_first = false;
+        }
+        band.height = tile.kept.size_px.y;
+        band.rgba.resize(size_t{4} * band.width * band.height);
+        copy_kept(page.pixels, tile, band);
+        drawn_pixels += static_cast<double>(tile.kept.size_px.x) * tile.kept.size_px.y;
+        if (tile.kept.from_px.x + tile.kept.size_px.x == settings.width) {
+            sink.take(band);
+        }
+    }
+}
+
+} // namespace estampe
