@@ -43,8 +43,8 @@ bool same(const Sight& a, const Sight& b)
 Viewer::Viewer(const app::ViewCommand& command)
     : command_(command), studio_(command.style_name, command.draw.style),
       pictures_(std::in_place, command.draw.device, &Window::wake), loader_(std::in_place, &Window::wake),
-      window_(command.draw.width, command.draw.height), screen_(window_.handle(), command.draw.device.device),
-      painter_(screen_)
+      window_(command.draw.page.width, command.draw.page.height),
+      screen_(window_.handle(), command.draw.device.device), painter_(screen_)
 {
     studio_.samples = command.draw.samples;
     requests_ = {.act = [this](Action action) { act(action); },
@@ -57,7 +57,8 @@ Viewer::Viewer(const app::ViewCommand& command)
     if (!command.shaders.empty()) {
         shaders_.emplace(command.shaders, &Window::wake);
     }
-    report(fmt::format("window {} x {}, scale {}", command.draw.width, command.draw.height, ui_scale_));
+    report(fmt::format("window {} x {}, scale {}", command.draw.page.width, command.draw.page.height,
+                       ui_scale_));
     if (!command.draw.scene.empty()) {
         open_scene(command.draw.scene);
     }
@@ -128,8 +129,8 @@ void Viewer::open_scene(const std::string& path)
     glfwGetWindowSize(window_.handle(), &width, &height);
     ImGui::GetIO().DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     const Area view = picture_area(studio_, ui_scale_);
-    draw.width = static_cast<uint32_t>(view.width);
-    draw.height = static_cast<uint32_t>(view.height);
+    draw.page.width = static_cast<uint32_t>(view.width);
+    draw.page.height = static_cast<uint32_t>(view.height);
     draw.style = studio_.look.style();
     loader_->load(std::move(draw));
     studio_.work = Work{"Reading " + std::filesystem::path(path).filename().string(), -1.0};
