@@ -19,6 +19,7 @@ inline constexpr const char* examples = R"(Examples:
   estampe render temple.glb -o - --format jpg --quality 85 | lp
   estampe render temple.glb -o temple.png --page A4 --dpi 600
   estampe render fox.glb -o fox.png --time 0.4 --motion fox.exr --since 0.36
+  estampe view helmet.gltf
   estampe info helmet.gltf --json
   estampe tam -o pen.tam --preview pen.png
   estampe bake room.glb -o room.exr
@@ -43,5 +44,12 @@ inline constexpr const char* bench_examples = R"(Examples:
 
 Each count is measured in turn with frames without local lights, so that the ratio of the two does not hang
 on how busy the machine is.)";
+
+inline constexpr const char* view_examples = R"(Examples:
+  estampe view helmet.gltf
+  estampe view fox.glb --animation Run --style comic
+  estampe view                                    (and drop a scene on the window)
+
+Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
 
 } // namespace estampe::app

@@ -16,6 +16,7 @@
 #include "picture_options.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
+#include "viewer/keys.hpp"
 
 namespace estampe::app {
 namespace {
@@ -55,6 +56,8 @@ struct Typed {
     std::string lightmap;
     std::string motion;
     std::optional<double> since_s;
+    std::string shaders;
+    bool verbose = false;
 };
 
 void add_set_option(CLI::App& command, Typed& typed, const char* help)
@@ -62,12 +65,9 @@ void add_set_option(CLI::App& command, Typed& typed, const char* help)
     command.add_option("--set", typed.assignments, help)->type_name("KEY=VALUE")->allow_extra_args(false);
 }
 
-void add_draw_options(CLI::App& command, Typed& typed)
+/// What a picture is of and how it is drawn, wherever it goes.
+void add_look_options(CLI::App& command, Typed& typed)
 {
-    command.add_option("SCENE", typed.scene, "Scene: .gltf .glb .obj .ply .stl .fbx .dae")
-        ->required()
-        ->type_name("FILE");
-    command.add_option("-o,--output", typed.output, "File to write")->required()->type_name("FILE");
     typed.page.add_to(command, command.get_name() == "render");
     command
         .add_option("--camera", typed.camera,
@@ -98,6 +98,37 @@ void add_draw_options(CLI::App& command, Typed& typed)
                     "on this device")
         ->type_name("PATH")
         ->capture_default_str();
+}
+
+CLI::Option& add_scene(CLI::App& command, Typed& typed)
+{
+    return *command.add_option("SCENE", typed.scene, "Scene: .gltf .glb .obj .ply .stl .fbx .dae")
+                ->type_name("FILE");
+}
+
+void add_draw_options(CLI::App& command, Typed& typed)
+{
+    add_scene(command, typed).required();
+    command.add_option("-o,--output", typed.output, "File to write")->required()->type_name("FILE");
+    add_look_options(command, typed);
+}
+
+void add_view(CLI::App& app, Typed& typed)
+{
+    CLI::App& command = *app.add_subcommand("view", "Open a window on a scene and its style");
+    command.footer(viewer::keys_text() + "\n" + view_examples);
+    add_scene(command, typed);
+    add_look_options(command, typed);
+    command
+        .add_option("--samples", typed.samples, "Jittered frames to accumulate once the view stands still")
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--shaders", typed.shaders,
+            "Folder of Estampe's sources: shaders saved there are drawn with\nat once, for developers")
+        ->type_name("DIR");
+    command.add_flag("--verbose", typed.verbose, "Tell on stderr what happens, with times");
 }
 
 void add_render(CLI::App& app, Typed& typed, PictureOptions& picture, FilmOptions& film)
@@ -212,6 +243,7 @@ void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
 {
     add_bench(app, typed);
     add_render(app, typed, own.picture, own.film);
+    add_view(app, typed);
     add_tam(app, typed);
     own.bake.add_to(app);
     own.batch.add_to(app);
@@ -400,12 +432,19 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
         return own.bake.read();
     }
     const bool render = app.got_subcommand("render");
-    if (!render && !app.got_subcommand("graph")) {
+    const bool view = app.got_subcommand("view");
+    if (!render && !view && !app.got_subcommand("graph")) {
         throw UsageError("a command is missing", {}, "estampe --help lists them");
     }
     DrawOptions draw = read_draw_options(typed);
     if (app.get_subcommands().front()->count("--camera") > 0) {
         draw.camera = parse_camera(typed.camera);
+    }
+    if (view) {
+        return ViewCommand{.draw = std::move(draw),
+                           .style_name = typed.style,
+                           .shaders = typed.shaders,
+                           .verbose = typed.verbose};
     }
     if (render) {
         constexpr uint32_t most_frames = 100000;

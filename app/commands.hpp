@@ -16,6 +16,7 @@ void run(const StyleManualCommand& command);
 void run(const TamCommand& command);
 void run(const BenchLightsCommand& command);
 void run(const BakeCommand& command);
+void run(const ViewCommand& command);
 void run(const BatchCommand& command);
 
 } // namespace estampe::app

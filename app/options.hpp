@@ -71,6 +71,14 @@ struct RenderCommand {
     bool is_quiet = false; ///< what it has to tell goes to stderr
 };
 
+/// Opens a window.
+struct ViewCommand {
+    DrawOptions draw;       ///< size is the window's; without a scene one is dropped on it
+    std::string style_name; ///< that --style gave; empty: built-in values
+    std::string shaders;    ///< folder whose shaders take the place of those built in; empty: none
+    bool verbose = false;
+};
+
 struct GraphCommand {
     DrawOptions draw;
 };
@@ -133,8 +141,9 @@ struct BatchCommand {
     RendererOptions device;
 };
 
-using Command = std::variant<BatchCommand, BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand,
-                             DevicesCommand, StylesCommand, StyleManualCommand, TamCommand, BakeCommand>;
+using Command =
+    std::variant<BatchCommand, BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
+                 StylesCommand, StyleManualCommand, TamCommand, BakeCommand, ViewCommand>;
 
 /// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or
 /// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file

@@ -19,9 +19,7 @@ install(FILES ${told}/estampe.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMP
 install(FILES ${told}/estampe DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
 install(FILES ${desktop}/estampe.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT program)
 install(FILES ${desktop}/estampe.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT program)
-if(EXISTS ${PROJECT_SOURCE_DIR}/app/view_command.cpp) # which it opens
-  install(FILES ${desktop}/estampe.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
-endif()
+install(FILES ${desktop}/estampe.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
 
 set(library_package libestampe${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 add_custom_command(OUTPUT ${told}/changelog.Debian.gz

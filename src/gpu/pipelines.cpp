@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "gpu/shader_replacements.hpp"
+
 namespace estampe::gpu {
 namespace {
 
@@ -128,9 +130,10 @@ void PipelineCache::destroy(const Pipeline& pipeline) const
     vkDestroyDescriptorSetLayout(device_.handle(), pipeline.set_layout, nullptr);
 }
 
-const Pipeline& PipelineCache::get(const Shader& shader, std::span<const VkDescriptorType> bindings,
+const Pipeline& PipelineCache::get(const Shader& built_in, std::span<const VkDescriptorType> bindings,
                                    uint32_t push_bytes, uint32_t variant)
 {
+    const Shader shader = current_build(built_in);
     const Key key{shader.spirv.data(), variant, {bindings.begin(), bindings.end()}};
     const auto found = pipelines_.find(key);
     if (found != pipelines_.end()) {
@@ -139,9 +142,15 @@ const Pipeline& PipelineCache::get(const Shader& shader, std::span<const VkDescr
     return pipelines_.emplace(key, make(shader, bindings, push_bytes, variant)).first->second;
 }
 
-const Pipeline& PipelineCache::get(const DrawState& state, std::span<const VkDescriptorType> bindings,
+const Pipeline& PipelineCache::get(const DrawState& built_in, std::span<const VkDescriptorType> bindings,
                                    uint32_t push_bytes, uint32_t variant)
 {
+    const Shader vertex = current_build(*built_in.vertex);
+    const Shader fragment_shader =
+        built_in.fragment != nullptr ? current_build(*built_in.fragment) : Shader{};
+    DrawState state = built_in;
+    state.vertex = &vertex;
+    state.fragment = built_in.fragment != nullptr ? &fragment_shader : nullptr;
     const uint32_t* const fragment = state.fragment != nullptr ? state.fragment->spirv.data() : nullptr;
     const DrawKey key{state.vertex->spirv.data(),
                       fragment,

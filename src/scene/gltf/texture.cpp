@@ -3,15 +3,19 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <system_error>
 #include <thread>
 
 #include "core/image_codec.hpp"
+#include "core/progress_watch.hpp"
 
 namespace estampe::gltf {
 namespace {
 
 constexpr unsigned max_threads = 4;
+constexpr double textures_from = 0.1; ///< share of a file's reading that is done when they begin
+constexpr double textures_to = 0.75;
 constexpr uint64_t max_total_pixels = uint64_t{1} << 29;
 
 Wrap wrap_of(int mode)
@@ -31,9 +35,10 @@ Image white_pixel()
     return {.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
 }
 
-/// Calls `work(i)` for i below `count` on up to four threads, or as many as the machine starts.
-template <typename Work>
-void for_each_in_parallel(size_t count, const Work& work)
+/// Calls `work(i)` for i below `count` on up to four threads, or as many as the machine starts, and here
+/// `tell(done)` from time to time, which may throw to end it.
+template <typename Work, typename Tell>
+void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
 {
     std::atomic<size_t> next = 0;
     const auto loop = [&] {
@@ -51,7 +56,15 @@ void for_each_in_parallel(size_t count, const Work& work)
     } catch (const std::system_error&) {
         // Those that there are, and this one, do it all.
     }
-    loop();
+    for (size_t i = next++; i < count; i = next++) {
+        work(i);
+        try {
+            tell(i + 1);
+        } catch (...) {
+            next = count;
+            throw;
+        }
+    }
 }
 
 } // namespace
@@ -112,7 +125,7 @@ std::vector<Texture> TextureTable::decode()
     std::vector<Image> decoded(images.size());
     std::vector<std::string> failures(images.size());
     std::atomic<uint64_t> total_pixels = 0;
-    for_each_in_parallel(images.size(), [&](size_t i) {
+    const auto decode_next = [&](size_t i) {
         decoded[i] = decode_one(images[i], failures[i]);
         total_pixels += uint64_t{decoded[i].width} * decoded[i].height;
         if (total_pixels > max_total_pixels) {
@@ -120,6 +133,10 @@ std::vector<Texture> TextureTable::decode()
                 "the textures together are beyond the limit of 512 megapixels; this one is drawn white";
             decoded[i] = white_pixel();
         }
+    };
+    for_each_in_parallel(images.size(), decode_next, [&](size_t done) {
+        const double share = static_cast<double>(done) / static_cast<double>(images.size());
+        report_progress(std::lerp(textures_from, textures_to, share));
     });
     for (size_t i = 0; i < images.size(); ++i) {
         if (!failures[i].empty()) {

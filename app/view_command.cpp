@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <cstdlib>
+
+#include "commands.hpp"
+#include "viewer/viewer.hpp"
+
+namespace estampe::app {
+
+void run(const ViewCommand& command)
+{
+    bool is_reading = false;
+    {
+        viewer::Viewer viewer(command);
+        viewer.run();
+        is_reading = viewer.is_reading();
+        if (is_reading) {
+            // A large file that nobody waits for: threads end with the program.
+            std::fflush(nullptr);
+            std::_Exit(0);
+        }
+    }
+}
+
+} // namespace estampe::app

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace estampe::viewer {
+
+/// What something was, step by step, to go back and forth in.
+template <typename State>
+class History {
+public:
+    explicit History(State first) { states_.push_back(std::move(first)); }
+
+    /// A step on; what was undone is forgotten, and so is the oldest of very many.
+    void push(State state)
+    {
+        constexpr size_t most = 500;
+        states_.erase(states_.begin() + static_cast<std::ptrdiff_t>(now_) + 1, states_.end());
+        states_.push_back(std::move(state));
+        if (states_.size() > most) {
+            states_.erase(states_.begin());
+        }
+        now_ = states_.size() - 1;
+    }
+
+    [[nodiscard]] bool can_undo() const { return now_ > 0; }
+
+    [[nodiscard]] bool can_redo() const { return now_ + 1 < states_.size(); }
+
+    /// To be called where one can.
+    const State& undo() { return states_[--now_]; }
+
+    const State& redo() { return states_[++now_]; }
+
+    [[nodiscard]] const State& now() const { return states_[now_]; }
+
+private:
+    std::vector<State> states_;
+    size_t now_ = 0;
+};
+
+} // namespace estampe::viewer

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/jobs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "clock.hpp"
+
+namespace estampe::viewer {
+namespace {
+
+constexpr double frames_per_s = 24.0;
+
+} // namespace
+
+std::string free_name(const std::string& scene, const std::string& extension)
+{
+    const std::string stem = std::filesystem::path(scene).stem().string();
+    for (int number = 1;; ++number) {
+        std::string name = fmt::format("{}-{:03}{}", stem, number, extension);
+        std::error_code problem;
+        if (!std::filesystem::exists(name, problem)) {
+            return name;
+        }
+    }
+}
+
+bool ScreenshotJob::step(Renderer& renderer, const std::function<void(PictureNews)>& tell)
+{
+    const Image image = renderer.render(request_.camera, request_.style, request_.settings);
+    save_png(image, path_);
+    tell(JobNews{fmt::format("wrote {}, {} x {}", path_, image.width, image.height)});
+    return false;
+}
+
+FilmJob::FilmJob(Take take, RenderSettings settings, std::string path)
+    : take_(std::move(take)), settings_(settings), path_(std::move(path)),
+      count_(std::max(1U, static_cast<uint32_t>(std::lround(take_.length_s() * frames_per_s))))
+{
+}
+
+bool FilmJob::step(Renderer& renderer, const std::function<void(PictureNews)>& tell)
+{
+    if (!writer_) {
+        writer_.emplace(path_, settings_.width, settings_.height, frames_per_s);
+    }
+    const Take::Sample sample = take_.at(next_ / frames_per_s);
+    settings_.time_s = sample.time_s;
+    settings_.animation = sample.animation;
+    settings_.continuity = next_ == 0 ? Continuity::starts : Continuity::follows;
+    const app::Clock::time_point start = app::Clock::now();
+    Image image = renderer.render(sample.camera, *sample.style, settings_);
+    const double drawn_s = app::seconds_since(start);
+    writer_->add(image);
+    ++next_;
+    tell(JobNews{fmt::format("Drawing frame {} of {}", next_, count_), static_cast<double>(next_) / count_,
+                 false});
+    tell(Picture{.image = std::move(image), .continuity = settings_.continuity, .seconds = drawn_s});
+    if (next_ < count_) {
+        return true;
+    }
+    writer_->finish();
+    tell(JobNews{fmt::format("wrote {}, {} frames", path_, count_)});
+    return false;
+}
+
+} // namespace estampe::viewer

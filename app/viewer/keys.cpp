@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/keys.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "viewer/vulkan_functions.hpp"
+
+namespace estampe::viewer {
+namespace {
+
+constexpr int letter = -1; // of `modifiers`: the key is typed, whatever it takes to type it
+
+constexpr std::array pointer_keys{
+    KeyHelp{Action::none, 0, 0, "Left drag", "go around; look about when flying and walking"},
+    KeyHelp{Action::none, 0, 0, "Shift+drag, middle drag", "shift the view"},
+    KeyHelp{Action::none, 0, 0, "Wheel, right drag", "nearer and farther"},
+    KeyHelp{Action::none, 0, 0, "L+drag", "turn the sun"},
+    KeyHelp{Action::none, 0, 0, "Files dropped", "a scene, a style, a folder or file of a tonal art map"}};
+
+constexpr std::array camera_keys{
+    KeyHelp{Action::orbit, 'o', letter, "O", "orbit: go around the model"},
+    KeyHelp{Action::fly, 'f', letter, "F", "fly: W A S D, E up, C down, Shift faster"},
+    KeyHelp{Action::walk, 'g', letter, "G", "walk on the ground: W A S D, Shift faster"},
+    KeyHelp{Action::home, GLFW_KEY_ENTER, 0, "Enter", "the view it began with"},
+    KeyHelp{Action::front, '1', letter, "1", "from the front"},
+    KeyHelp{Action::right, '3', letter, "3", "from the right"},
+    KeyHelp{Action::top, '7', letter, "7", "from above"},
+    KeyHelp{Action::isometric, '9', letter, "9", "from a corner"},
+    KeyHelp{Action::projection, '5', letter, "5", "parallel projection, and back"},
+    KeyHelp{Action::roll_left, '4', letter, "4", "roll to the left"},
+    KeyHelp{Action::roll_right, '6', letter, "6", "roll to the right"},
+    KeyHelp{Action::add_bookmark, 'm', letter, "M", "keep this view as a bookmark"},
+    KeyHelp{Action::bookmark_back, GLFW_KEY_PAGE_UP, 0, "Page up", "the bookmark before"},
+    KeyHelp{Action::bookmark_on, GLFW_KEY_PAGE_DOWN, 0, "Page down", "the next bookmark"}};
+
+constexpr std::array style_keys{
+    KeyHelp{Action::toggle_panel, GLFW_KEY_TAB, 0, "Tab", "panel of style, light, layers, views, timings"},
+    KeyHelp{Action::search, GLFW_KEY_F, GLFW_MOD_CONTROL, "Ctrl+F", "search the style"},
+    KeyHelp{Action::undo, GLFW_KEY_Z, GLFW_MOD_CONTROL, "Ctrl+Z", "undo"},
+    KeyHelp{Action::redo, GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT, "Ctrl+Shift+Z", "redo"},
+    KeyHelp{Action::save_style, GLFW_KEY_S, GLFW_MOD_CONTROL, "Ctrl+S", "save the style"},
+    KeyHelp{Action::style_back, '[', letter, "[", "the preset before"},
+    KeyHelp{Action::style_on, ']', letter, "]", "the next preset"},
+    KeyHelp{Action::compare, 'b', letter, "B", "compare with the style as it is now, and back"}};
+
+constexpr std::array time_keys{
+    KeyHelp{Action::play, GLFW_KEY_SPACE, 0, "Space", "play, pause"},
+    KeyHelp{Action::frame_back, GLFW_KEY_LEFT, 0, "Left", "a frame back"},
+    KeyHelp{Action::frame_on, GLFW_KEY_RIGHT, 0, "Right", "a frame on"},
+    KeyHelp{Action::next_animation, 'w', letter, "W", "the next animation, while going around"}};
+
+constexpr std::array program_keys{
+    KeyHelp{Action::show_keys, '?', letter, "?", "this list"},
+    KeyHelp{Action::screenshot, GLFW_KEY_F12, 0, "F12", "write the picture as PNG"},
+    KeyHelp{Action::record, GLFW_KEY_F10, 0, "F10", "record; again: draw the film of it"},
+    KeyHelp{Action::timings, 't', letter, "T", "timings by pass"},
+    KeyHelp{Action::reload, GLFW_KEY_UP, 0, "Up", "read the scene again"},
+    KeyHelp{Action::toggle_bars, 'u', letter, "U", "the picture alone"},
+    KeyHelp{Action::toggle_full_screen, GLFW_KEY_F11, 0, "F11", "full screen"},
+    KeyHelp{Action::back, GLFW_KEY_ESCAPE, 0, "Escape", "close what is open, cancel; else quit"},
+    KeyHelp{Action::quit, 'q', letter, "Q", "quit"}};
+
+constexpr std::array groups{KeyGroup{"Pointer", pointer_keys}, KeyGroup{"Camera", camera_keys},
+                            KeyGroup{"Style", style_keys}, KeyGroup{"Time", time_keys},
+                            KeyGroup{"Program", program_keys}};
+
+} // namespace
+
+std::span<const KeyGroup> key_groups()
+{
+    return groups;
+}
+
+std::optional<Action> action_of_key(int key, int modifiers)
+{
+    constexpr int counted = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT;
+    if (key == GLFW_KEY_Y && (modifiers & counted) == GLFW_MOD_CONTROL) {
+        return Action::redo;
+    }
+    if (key == GLFW_KEY_KP_ENTER) {
+        return Action::home;
+    }
+    for (const KeyGroup& group : groups) {
+        for (const KeyHelp& help : group.keys) {
+            if (help.action != Action::none && help.modifiers != letter && help.key == key &&
+                help.modifiers == (modifiers & counted)) {
+                return help.action;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Action> action_of_letter(char32_t typed)
+{
+    const char32_t small = typed >= U'A' && typed <= U'Z' ? typed + (U'a' - U'A') : typed;
+    for (const KeyGroup& group : groups) {
+        for (const KeyHelp& help : group.keys) {
+            if (help.modifiers == letter && static_cast<char32_t>(help.key) == small) {
+                return help.action;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+std::string keys_text()
+{
+    std::string text;
+    for (const KeyGroup& group : groups) {
+        text += fmt::format("{}{}:\n", text.empty() ? "" : "\n", group.title);
+        for (const KeyHelp& help : group.keys) {
+            text += fmt::format("  {:<30}{}\n", help.name, help.help);
+        }
+    }
+    return text;
+}
+
+} // namespace estampe::viewer

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/picture_thread.hpp"
+
+#include <utility>
+
+#include <estampe/error.hpp>
+
+#include "clock.hpp"
+#include "drawing.hpp"
+
+namespace estampe::viewer {
+
+PictureThread::PictureThread(RendererOptions options, std::function<void()> wake)
+    : options_(std::move(options)), wake_(std::move(wake)), thread_([this] { work(); })
+{
+}
+
+PictureThread::~PictureThread()
+{
+    {
+        const std::lock_guard lock(guard_);
+        is_closing_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void PictureThread::set_scene(std::shared_ptr<const LoadedFile> file)
+{
+    const std::lock_guard lock(guard_);
+    next_scene_ = std::move(file);
+    requests_ = {}; // of the scene before
+    changed_.notify_all();
+}
+
+void PictureThread::draw(size_t slot, std::optional<PictureRequest> request)
+{
+    const std::lock_guard lock(guard_);
+    requests_.at(slot) = std::move(request);
+    changed_.notify_all();
+}
+
+void PictureThread::do_job(std::unique_ptr<PictureJob> job)
+{
+    const std::lock_guard lock(guard_);
+    job_ = std::move(job);
+    is_job_cancelled_ = false;
+    changed_.notify_all();
+}
+
+void PictureThread::cancel_job()
+{
+    const std::lock_guard lock(guard_);
+    is_job_cancelled_ = true;
+}
+
+std::vector<PictureNews> PictureThread::take_news()
+{
+    const std::lock_guard lock(guard_);
+    return std::exchange(news_, {});
+}
+
+void PictureThread::tell(PictureNews news)
+{
+    {
+        const std::lock_guard lock(guard_);
+        news_.push_back(std::move(news));
+    }
+    wake_();
+}
+
+void PictureThread::work()
+{
+    try {
+        Renderer renderer(options_);
+        tell(DeviceOpened{renderer.device().name});
+        work_on(renderer);
+    } catch (const std::exception& problem) {
+        tell(Failure{Failure::Of::device, problem.what()});
+    }
+}
+
+void PictureThread::work_on(Renderer& renderer)
+{
+    std::unique_lock lock(guard_);
+    while (!is_closing_) {
+        if (next_scene_) {
+            const auto file = std::exchange(next_scene_, nullptr);
+            lock.unlock();
+            take_scene(renderer, file);
+            lock.lock();
+        } else if (job_) {
+            lock.unlock();
+            do_step(renderer);
+            lock.lock();
+        } else if (requests_[0] || requests_[1]) {
+            const size_t slot = requests_.at(next_slot_) ? next_slot_ : 1 - next_slot_;
+            next_slot_ = 1 - slot;
+            const PictureRequest request = *std::exchange(requests_.at(slot), std::nullopt);
+            lock.unlock();
+            draw_picture(renderer, slot, request);
+            lock.lock();
+        } else {
+            changed_.wait(lock);
+        }
+    }
+    job_.reset();
+}
+
+void PictureThread::take_scene(Renderer& renderer, const std::shared_ptr<const LoadedFile>& file)
+{
+    film_size_px_ = glm::uvec2(0);
+    try {
+        app::set_scene(renderer, file->scene, file->draw);
+        scene_ = file;
+        tell(SceneTaken{file});
+    } catch (const std::exception& problem) {
+        tell(Failure{Failure::Of::scene, problem.what()});
+        if (scene_) {
+            app::set_scene(renderer, scene_->scene, scene_->draw);
+        }
+    }
+}
+
+void PictureThread::draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request)
+{
+    try {
+        const app::Clock::time_point start = app::Clock::now();
+        RenderSettings settings = request.settings;
+        const glm::uvec2 size_px(settings.width, settings.height);
+        const bool is_film = settings.continuity != Continuity::still;
+        if (is_film && size_px != film_size_px_) {
+            settings.continuity = Continuity::starts;
+        }
+        film_size_px_ = glm::uvec2(0);
+        Picture picture{.slot = slot,
+                        .image = renderer.render(request.camera, request.style, settings),
+                        .scale = request.scale,
+                        .view = request.view,
+                        .continuity = settings.continuity};
+        film_size_px_ = is_film ? size_px : glm::uvec2(0);
+        picture.seconds = app::seconds_since(start);
+        picture.timings = renderer.timings();
+        picture.notes = renderer.notes();
+        tell(std::move(picture));
+    } catch (const std::exception& problem) {
+        tell(Failure{Failure::Of::picture, problem.what()});
+    }
+}
+
+void PictureThread::do_step(Renderer& renderer)
+{
+    bool goes_on = false;
+    film_size_px_ = glm::uvec2(0);
+    try {
+        goes_on = job_->step(renderer, [this](PictureNews news) { tell(std::move(news)); });
+    } catch (const std::exception& problem) {
+        tell(Failure{Failure::Of::job, problem.what()});
+    }
+    std::unique_lock lock(guard_);
+    if (!goes_on || is_job_cancelled_) {
+        const bool was_cancelled = goes_on;
+        const std::unique_ptr<PictureJob> ended = std::move(job_);
+        lock.unlock();
+        if (was_cancelled) {
+            tell(JobNews{"cancelled, nothing was written"});
+        }
+    }
+}
+
+} // namespace estampe::viewer

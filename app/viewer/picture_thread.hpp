@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+
+#include "viewer/scene_loader.hpp"
+
+namespace estampe::viewer {
+
+/// One picture to be drawn.
+struct PictureRequest {
+    Camera camera;
+    Style style;
+    RenderSettings settings;
+    double scale = 1.0; ///< share of the view's sides that the settings' size is
+    uint64_t view = 0;  ///< number of what is to be seen, for whoever asks
+};
+
+/// One that was.
+struct Picture {
+    size_t slot = 0;
+    Image image;
+    double scale = 1.0;
+    uint64_t view = 0;
+    Continuity continuity = Continuity::still;
+    double seconds = 0.0;
+    std::vector<PassTiming> timings;
+    std::vector<std::string> notes;
+};
+
+/// The renderer has another scene.
+struct SceneTaken {
+    std::shared_ptr<const LoadedFile> file;
+};
+
+struct DeviceOpened {
+    std::string name;
+};
+
+/// Something went wrong; all is as it was before.
+struct Failure {
+    enum class Of : uint8_t { device, scene, picture, job };
+    Of what = Of::picture;
+    std::string message;
+};
+
+/// What a job reports, such as a film how far it is.
+struct JobNews {
+    std::string text;
+    double share = 1.0;
+    bool is_done = true;
+};
+
+using PictureNews = std::variant<Picture, SceneTaken, DeviceOpened, Failure, JobNews>;
+
+/// Something longer than a picture, in steps: the renderer draws nothing else until its step says false.
+/// What a step throws ends it and is news.
+class PictureJob {
+public:
+    PictureJob() = default;
+    virtual ~PictureJob() = default;
+    PictureJob(const PictureJob&) = delete;
+    PictureJob& operator=(const PictureJob&) = delete;
+    /// Does a part. Returns whether there is more.
+    virtual bool step(Renderer& renderer, const std::function<void(PictureNews)>& tell) = 0;
+};
+
+/// Draws in a thread of its own, so that nothing waits for pictures: of those asked for the newest is drawn,
+/// one of two slots after the other.
+class PictureThread {
+public:
+    /// Opens the renderer. `wake` is called from the thread when there is news.
+    PictureThread(RendererOptions options, std::function<void()> wake);
+    /// Waits for the picture in hand.
+    ~PictureThread();
+    PictureThread(const PictureThread&) = delete;
+    PictureThread& operator=(const PictureThread&) = delete;
+
+    void set_scene(std::shared_ptr<const LoadedFile> file);
+    /// In place of what was asked for in that slot and is not begun. Nothing: no more.
+    void draw(size_t slot, std::optional<PictureRequest> request);
+    void do_job(std::unique_ptr<PictureJob> job);
+    /// Ends the job in hand after its step.
+    void cancel_job();
+    [[nodiscard]] std::vector<PictureNews> take_news();
+
+private:
+    void work();
+    void work_on(Renderer& renderer);
+    void tell(PictureNews news);
+    void take_scene(Renderer& renderer, const std::shared_ptr<const LoadedFile>& file);
+    void draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request);
+    void do_step(Renderer& renderer);
+
+    RendererOptions options_;
+    std::function<void()> wake_;
+    mutable std::mutex guard_;
+    std::condition_variable changed_;
+    std::shared_ptr<const LoadedFile> next_scene_;
+    std::array<std::optional<PictureRequest>, 2> requests_;
+    size_t next_slot_ = 0;
+    std::unique_ptr<PictureJob> job_;
+    glm::uvec2 film_size_px_{0}; ///< of the last picture, if one can follow it; the thread's own
+    bool is_job_cancelled_ = false;
+    bool is_closing_ = false;
+    std::vector<PictureNews> news_;
+    std::shared_ptr<const LoadedFile> scene_; ///< that the renderer holds; the thread's own
+    std::thread thread_;
+};
+
+} // namespace estampe::viewer

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/vulkan_functions.hpp"
+
+namespace estampe::viewer {
+
+/// Memory of its own for one buffer or image of the window's few.
+struct Allocation {
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    void* mapped = nullptr; ///< host-visible memory only
+};
+
+/// The window's device and its swapchain: what is painted on it is bytes of sRGB, as they are.
+class Screen {
+public:
+    /// Of the device that `choice` names as --device does, if it can show pictures in this window, else of
+    /// the best one that can. Throws Error when there is none.
+    Screen(GLFWwindow* window, const std::string& choice);
+    ~Screen();
+    Screen(const Screen&) = delete;
+    Screen& operator=(const Screen&) = delete;
+
+    /// A picture of the window being recorded.
+    struct Frame {
+        VkCommandBuffer commands = VK_NULL_HANDLE;
+        VkExtent2D size_px{};
+        uint32_t image = 0;
+    };
+
+    /// Begins one; nothing while the window has no size. Copies to textures come next.
+    [[nodiscard]] std::optional<Frame> begin();
+    /// From here on one draws.
+    void begin_drawing(const Frame& frame) const;
+    /// Shows it.
+    void end(const Frame& frame);
+
+    /// Waits until nothing of the last frame is in use.
+    void wait() const;
+
+    [[nodiscard]] const DeviceFunctions& vk() const { return vk_; }
+
+    [[nodiscard]] VkDevice device() const { return device_; }
+
+    [[nodiscard]] VkFormat format() const { return format_.format; }
+
+    /// Memory for a buffer or image, bound to it. Throws Error when there is none left.
+    [[nodiscard]] Allocation allocate(VkBuffer buffer) const;
+    [[nodiscard]] Allocation allocate(VkImage image) const;
+
+private:
+    void create_instance();
+    void pick_physical(const std::string& choice);
+    void create_device();
+    void create_swapchain();
+    void destroy_swapchain();
+    [[nodiscard]] VkDeviceMemory allocate(const VkMemoryRequirements& needs,
+                                          VkMemoryPropertyFlags wanted) const;
+
+    GLFWwindow* window_;
+    VkInstance instance_ = VK_NULL_HANDLE;
+    InstanceFunctions instance_vk_;
+    VkSurfaceKHR surface_ = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+    uint32_t queue_family_ = 0;
+    VkDevice device_ = VK_NULL_HANDLE;
+    DeviceFunctions vk_;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    VkSurfaceFormatKHR format_{};
+    VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;
+    VkExtent2D size_px_{};
+    bool is_outdated_ = true;
+    std::vector<VkImage> images_;
+    std::vector<VkImageView> views_;
+    std::vector<VkSemaphore> drawn_; ///< one an image
+    VkSemaphore acquired_ = VK_NULL_HANDLE;
+    VkFence done_ = VK_NULL_HANDLE;
+    VkCommandPool pool_ = VK_NULL_HANDLE;
+    VkCommandBuffer commands_ = VK_NULL_HANDLE;
+};
+
+} // namespace estampe::viewer

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "viewer/file_watch.hpp"
+#include "viewer/panels.hpp"
+#include "viewer/picture_thread.hpp"
+#include "viewer/scene_loader.hpp"
+#include "viewer/shader_reload.hpp"
+#include "viewer/studio.hpp"
+#include "viewer/take.hpp"
+#include "viewer/ui_painter.hpp"
+#include "viewer/window.hpp"
+
+namespace estampe::viewer {
+
+/// What a picture is of: another one is wanted when it differs.
+struct Sight {
+    Camera camera;
+    uint64_t style = 0; ///< Look::revision()
+    double time_s = 0.0;
+    Index animation = 0;
+    glm::uvec2 size_px{0};
+    uint64_t scene = 0;
+    bool has_other = false; ///< compared with another style
+};
+
+/// The window on a studio: hands it what keys and pointer say, and shows what is drawn of it.
+class Viewer {
+public:
+    /// Opens a window and begins to read the scene, if one is named. Throws Error when there is no display or
+    /// no device.
+    explicit Viewer(const app::ViewCommand& command);
+    ~Viewer();
+    Viewer(const Viewer&) = delete;
+    Viewer& operator=(const Viewer&) = delete;
+
+    /// Until the window is closed. Throws Error when the first scene cannot be read, or the device is lost.
+    void run();
+
+    /// Whether a scene that is not wanted any more is still being read, which cannot be hurried.
+    [[nodiscard]] bool is_reading() const { return loader_->is_busy(); }
+
+private:
+    void act(Action action);
+    bool act_on_view(Action action);
+    bool act_on_look(Action action);
+    void go_back();
+    void open(const std::string& path);
+    void open_scene(const std::string& path);
+    void open_style(const std::string& name);
+    void read_scene_again();
+    void take_loaded();
+    void take_news();
+    void take(Picture& picture);
+    void take(const Failure& failure);
+    void take(const SceneTaken& taken);
+    void ask_for_pictures();
+    void request(size_t slot, const Sight& sight, bool is_moving);
+    [[nodiscard]] Sight sight() const;
+    void move_by_keys(double seconds);
+    void follow_pointer(const std::vector<PointerEvent>& events);
+    void press(const PointerEvent& event, const Area& area);
+    void drag(const glm::dvec2& way, const PointerEvent& event, const Area& area);
+    void look_at_files();
+    void take_shaders();
+    void take_screenshot();
+    void toggle_recording();
+    void record();
+    void lay_out();
+    void paint_pictures(const Area& area);
+    void paint();
+    void apply_scale();
+    void report(const std::string& text) const;
+
+    const app::ViewCommand& command_;
+    app::Clock::time_point start_ = app::Clock::now();
+    Studio studio_;
+    std::optional<PictureThread> pictures_; ///< goes before the window that it wakes, as the next two do
+    std::optional<SceneLoader> loader_;
+    std::optional<ShaderReload> shaders_;
+    Window window_;
+    Screen screen_;
+    UiPainter painter_;
+    std::array<std::unique_ptr<Texture>, 2> textures_;
+    PanelRequests requests_;
+    float ui_scale_ = 0.0F;
+
+    Sight asked_;
+    uint64_t view_ = 0;                        ///< number of `asked_`
+    std::array<uint64_t, 2> requested_view_{}; ///< by slot
+    std::array<bool, 2> requested_whole_{};
+    std::array<uint64_t, 2> shown_view_{};
+    app::Clock::time_point changed_ = start_; ///< when the sight last changed
+    uint64_t scene_number_ = 0;
+    uint64_t style_drawn_ = 0;
+    bool is_moving_ = false;
+    bool has_painted_picture_ = false;
+
+    enum class Drag : uint8_t { none, turn, pan, zoom, sun, split };
+    Drag drag_ = Drag::none;
+    glm::dvec2 pointer_{0.0};
+    FileWatch scene_watch_;
+    FileWatch style_watch_;
+    std::string watched_style_;
+    app::Clock::time_point looked_at_files_ = start_;
+    Take take_;
+    app::Clock::time_point take_start_ = start_;
+    std::shared_ptr<const Style> take_style_;
+    uint64_t take_revision_ = 0;
+    int frames_to_paint_ = 3; ///< panels settle in a few
+};
+
+} // namespace estampe::viewer

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "viewer/keys.hpp"
+#include "viewer/vulkan_functions.hpp"
+
+namespace estampe::viewer {
+
+/// What the pointer did, in the order it did it: several may come between two looks.
+struct PointerEvent {
+    enum class Kind : uint8_t { press, release, move, wheel };
+    Kind kind = Kind::move;
+    int button = 0;    ///< GLFW_MOUSE_BUTTON_*
+    int modifiers = 0; ///< GLFW_MOD_*
+    glm::dvec2 place{0.0};
+    double wheel = 0.0;
+};
+
+/// What happened since one looked last.
+struct WindowEvents {
+    std::vector<Action> actions; ///< of keys that no text field took
+    std::vector<std::string> dropped;
+    std::vector<PointerEvent> pointer;
+    bool any = false; ///< something that may change what is painted
+};
+
+/// A window, its keys and pointer, and Dear ImGui's share of them. There is one at a time.
+class Window {
+public:
+    /// Throws Error when there is no display.
+    Window(uint32_t width, uint32_t height);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    [[nodiscard]] GLFWwindow* handle() const { return handle_; }
+
+    [[nodiscard]] bool is_closing() const;
+    void close();
+    void set_title(const std::string& title);
+
+    /// Waits for events at most so long; 0 does not wait.
+    [[nodiscard]] WindowEvents wait(double seconds);
+    /// Ends a wait(), from any thread.
+    static void wake();
+
+    /// Pixels of the display to a point that text is measured in.
+    [[nodiscard]] float content_scale() const { return content_scale_; }
+
+    [[nodiscard]] bool is_down(int key) const;
+    /// On the monitor that holds most of the window, and back.
+    void toggle_full_screen();
+
+private:
+    static Window& of(GLFWwindow* handle);
+    void watch_keys();
+    void watch_rest();
+
+    GLFWwindow* handle_ = nullptr;
+    WindowEvents events_;
+    glm::dvec2 pointer_{0.0}; ///< by the events so far; where it is by now may be elsewhere
+    float content_scale_ = 1.0F;
+    glm::ivec4 place_px_{0}; ///< x, y, width, height before full screen
+};
+
+} // namespace estampe::viewer

@@ -1,0 +1,308 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The viewer as a person uses it: real keys and pointer on a virtual display, and screenshots that are compared.
+# Usage: viewer_test.sh ESTAMPE MAKE_EXAMPLE SOURCES     the program, the one that writes the example scene, the tree
+set -euo pipefail
+estampe="$(realpath "$1")"
+make_example="$(realpath "$2")"
+sources="$(realpath "$3")"
+folder="$(mktemp -d)"
+cd "$folder"
+failures=0
+viewer=
+
+# shellcheck disable=SC2317 # the trap calls it
+clean_up() {
+    [[ -z $viewer ]] || kill "$viewer" 2>/dev/null || true
+    kill "$server" 2>/dev/null || true
+    rm -rf "$folder"
+}
+
+wrong() {
+    echo "FAILED: $*" >&2
+    failures=$((failures + 1))
+}
+
+# Without a display it says so.
+status=0
+env -u DISPLAY -u WAYLAND_DISPLAY "$estampe" view 2>said || status=$?
+[[ $status -eq 1 ]] || wrong "no display: $status"
+grep -q '^estampe: error: there is no display' said || wrong "no display: $(cat said)"
+status=0
+"$estampe" view --no-such-option 2>said || status=$?
+[[ $status -eq 2 ]] || wrong "wrong usage: $status"
+
+exec 3>display
+Xvfb -displayfd 3 -screen 0 1000x700x24 -nolisten tcp 2>/dev/null &
+server=$!
+trap clean_up EXIT
+until [[ -s display ]]; do sleep 0.02; done
+DISPLAY=":$(tr -d '\n' <display)"
+export DISPLAY
+
+seen=0
+# await PATTERN: until the viewer says it, after what was awaited before
+await() {
+    local line end=$((SECONDS + 40))
+    while ((SECONDS < end)); do
+        line="$(tail -n +$((seen + 1)) log | grep -n -m 1 -- "$1" || true)"
+        if [[ -n $line ]]; then
+            seen=$((seen + ${line%%:*}))
+            return
+        fi
+        kill -0 "$viewer" 2>/dev/null || break
+        sleep 0.02
+    done
+    wrong "'$1' does not come after line $seen: $(tail -5 log)"
+}
+# skip: what comes from now on is awaited
+skip() { seen="$(wc -l <log)"; }
+
+# open_viewer ARGUMENT...: opens a window of 640 x 400 and waits for its picture
+open_viewer() {
+    : >log
+    seen=0
+    "$estampe" view --size 640x400 --device cpu --verbose "$@" >printed 2>log &
+    viewer=$!
+    await 'refined'
+    window="$(xdotool search --onlyvisible --name Estampe | head -1)"
+    xdotool windowfocus --sync "$window"
+}
+# close_viewer: by its key; it ends well and in silence
+close_viewer() {
+    xdotool key q
+    status=0
+    wait "$viewer" || status=$?
+    viewer=
+    [[ $status -eq 0 ]] || wrong "closed with $status: $(tail -3 log)"
+    [[ ! -s printed ]] || wrong "printed: $(head -5 printed)"
+}
+
+# shot NAME: what the window shows, once it has stood for two looks
+shot() {
+    local last='' now
+    for ((i = 0; i < 40; ++i)); do
+        import -window "$window" "$1.png"
+        now="$(identify -format '%#' "$1.png")"
+        [[ $now != "$last" ]] || return 0
+        last="$now"
+        sleep 0.08
+    done
+}
+# differing A B [GEOMETRY]: how many pixels differ
+differing() {
+    local area="${3:-640x366+0+0}"
+    compare -metric AE \( "$1.png" -crop "$area" +repage \) \( "$2.png" -crop "$area" +repage \) null: 2>&1 || true
+}
+same() { [[ "$(differing "$@")" -eq 0 ]] || wrong "$1 and $2 are not the same: $(differing "$@") pixels"; }
+others() { [[ "$(differing "$@")" -gt 2000 ]] || wrong "$1 and $2 are nearly the same: $(differing "$@") pixels"; }
+# key NAME...: and the picture that comes of it
+key_then_picture() {
+    skip
+    xdotool key "$1"
+    await 'refined'
+}
+
+"$make_example" scene.glb >/dev/null
+cp "$sources/presets/comic.toml" mine.toml
+open_viewer scene.glb --style mine.toml
+shot first
+
+# The picture is that of the program, byte by byte, in the window and in the file.
+"$estampe" render scene.glb --style mine.toml --device cpu --size 640x366 -o program.png
+skip
+xdotool key F12
+await 'wrote scene-001.png'
+cmp scene-001.png program.png || wrong "a screenshot is another picture than that of estampe render"
+same first program
+
+# Pointer and keys
+skip
+xdotool mousemove --window "$window" 300 180 mousedown 1 mousemove --window "$window" 360 200 mouseup 1
+await 'refined'
+shot turned
+others first turned
+key_then_picture Return
+shot home
+same first home 640x320+0+46
+skip
+xdotool mousemove --window "$window" 300 180 click 4 click 4
+await 'refined'
+shot nearer
+others first nearer
+key_then_picture 7
+shot top
+others nearer top
+xdotool key question
+shot keys
+others top keys
+xdotool key Escape
+shot no_keys
+same top no_keys
+key_then_picture Return
+
+# Walking goes on for as long as a key is held.
+xdotool key f
+skip
+xdotool keydown w
+await 'picture 0'
+await 'picture 0'
+xdotool keyup w
+await 'refined'
+shot flown
+others first flown
+xdotool key Escape
+key_then_picture Return
+
+# Bookmarks beside the scene
+xdotool key m
+key_then_picture 1
+key_then_picture Next
+shot bookmark
+grep -q '"name": "View 1"' scene.glb.views.json || wrong "no bookmark was written"
+
+# The style: search, change, undo; the panel takes its place from the picture
+skip
+xdotool key ctrl+f
+await 'refined'
+xdotool type --delay 5 'hatch.drawn'
+shot panel
+skip
+xdotool mousemove --window "$window" 448 152 click 1
+await 'refined'
+shot no_hatch
+others panel no_hatch 290x366+0+0
+skip
+xdotool mousemove --window "$window" 140 300 key ctrl+z
+await 'refined'
+shot undone
+same panel undone 290x300+0+66
+skip
+xdotool mousemove --window "$window" 400 102 click --repeat 3 1
+xdotool type --delay 5 'paper.height'
+shot slider
+skip
+xdotool mousemove --window "$window" 470 152 mousedown 1
+for x in 480 500 520; do
+    xdotool mousemove --window "$window" $x 152
+    await 'picture 0'
+done
+xdotool mouseup 1
+await 'refined'
+shot finer
+others undone finer 290x300+0+66
+skip
+xdotool mousemove --window "$window" 140 300 key ctrl+z
+await 'refined'
+shot undone_drag
+same undone undone_drag 290x300+0+66
+skip
+xdotool key bracketright
+await 'refined'
+shot other_preset
+others panel other_preset 290x300+0+66
+skip
+xdotool key ctrl+z
+await 'refined'
+key_then_picture Tab
+
+# A|B: the right half stays
+xdotool key b
+key_then_picture bracketright
+shot compared
+same first compared 200x250+420+110
+others first compared 300x250+0+110
+key_then_picture b
+skip
+xdotool key ctrl+z
+await 'refined'
+
+# Files that change are read again; a broken one keeps the last good and says why.
+skip
+echo 'this is no style' >mine.toml
+await 'style changed'
+shot broken
+same first broken 300x200+320+120
+skip
+sed 's/^width_mm = .*/width_mm = 2.0/' "$sources/presets/comic.toml" >mine.toml
+await 'refined'
+cp scene.glb whole.glb
+skip
+head -c 5000 whole.glb >scene.glb
+await 'failure: .*scene.glb'
+skip
+mv whole.glb scene.glb
+await 'refined'
+
+# Sizes
+skip
+xdotool windowsize "$window" 500 320
+await '500 x 286, 100 %.*refined'
+close_viewer
+
+# Shaders that are saved are drawn with; the moving view becomes a film; the layers of Vulkan have nothing to say.
+mkdir -p tree/src
+(cd "$sources" && find src -name '*.comp' -o -name '*.vert' -o -name '*.frag' -o -name '*.glsl' -o -name '*.glsl.h') |
+    (cd "$sources" && xargs cp --parents -t "$folder/tree")
+export VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation
+export VK_LAYER_ENABLES=VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT
+open_viewer scene.glb --shaders tree
+unset VK_INSTANCE_LAYERS VK_LAYER_ENABLES
+shot before
+shader=tree/src/techniques/paper/compose.comp
+cp "$shader" kept
+skip
+echo 'broken' >>"$shader"
+await 'shader compose_comp: .*compose.comp:[0-9]'
+skip
+sed '$d; ' kept >"$shader"
+sed -i 's/^void main()/void main_of_before()/' "$shader"
+tail -n 1 kept >>"$shader"
+cat >>"$shader" <<'END'
+
+void main() { main_of_before(); }
+END
+await 'shader compose_comp compiled'
+await 'refined'
+skip
+xdotool key F10 mousemove --window "$window" 300 180 mousedown 1 mousemove --window "$window" 340 180
+await 'picture 0'
+xdotool mouseup 1 key F10
+await 'wrote scene-001.mp4'
+[[ "$(ffprobe -v error -show_entries stream=width,height -of csv=p=0 scene-001.mp4)" == 640,366 ]] ||
+    wrong "the film has another size"
+close_viewer
+! grep -i 'validation\|VUID\|SYNC-' log || wrong "the validation layers have something to say"
+
+# What takes long to read can be cancelled, and the window closed meanwhile.
+awk 'BEGIN { n = 400
+    for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) print "v", i / n, 0.01 * (i * j % 7), j / n
+    for (i = 0; i < n; ++i) for (j = 1; j <= n; ++j) { a = i * (n + 1) + j; b = a + n + 1
+        print "f", a, a + 1, b + 1; print "f", a, b + 1, b } }' >large.obj
+for way in cancel close; do
+    : >log
+    seen=0
+    "$estampe" view large.obj --size 640x400 --device cpu --verbose >printed 2>log &
+    viewer=$!
+    await 'reads large.obj'
+    window="$(xdotool search --sync --onlyvisible --name Estampe | head -1)"
+    xdotool windowfocus --sync "$window"
+    if [[ $way == cancel ]]; then
+        xdotool key Escape
+        await 'cancelled'
+    fi
+    close_viewer
+    ! grep -q 'shows' log || wrong "what was cancelled is shown"
+done
+
+# A scene that cannot be read ends it before it begins.
+status=0
+"$estampe" view nowhere.glb --device cpu 2>said || status=$?
+[[ $status -eq 1 ]] || wrong "a missing scene: $status"
+grep -q 'nowhere.glb' said || wrong "a missing scene: $(cat said)"
+
+if [[ $failures -gt 0 ]]; then
+    [[ -z ${ESTAMPE_KEEP:-} ]] || cp -r "$folder" "$ESTAMPE_KEEP"
+    exit 1
+fi
+echo "The viewer does what it is asked."
