@@ -8,7 +8,9 @@
 #include "bake_options.hpp"
 #include "batch_options.hpp"
 #include "command_examples.hpp"
+#include "completion.hpp"
 #include "core/file.hpp"
+#include "manual_page.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
 #include "picture_options.hpp"
@@ -44,6 +46,8 @@ struct Typed {
     bool plotter = false;
     bool style_manual = false;
     bool schema = false;
+    bool manual_page = false;
+    bool completion = false;
     std::vector<uint32_t> light_counts;
     uint32_t shadowed = 0;
     uint32_t frames = 9;
@@ -254,6 +258,8 @@ void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
     styles.add_option("style", typed.style, "Preset or TOML file")->type_name("STYLE");
     styles.add_flag("--schema", typed.schema, "Print a JSON schema of style files, for editors");
     app.add_flag("--help-style", typed.style_manual, "Print the manual of all style parameters and exit");
+    app.add_flag("--man", typed.manual_page, "Print the manual page, for man -l -, and exit");
+    app.add_flag("--completion", typed.completion, "Print what makes bash complete commands, and exit");
 }
 
 /// A page has one height.
@@ -490,6 +496,10 @@ std::optional<Command> read_command_line(int argc, const char* const* argv)
         throw UsageError(one_line(problem.what()), {},
                          fmt::format("see estampe {}--help",
                                      command ? app.get_subcommands().front()->get_name() + " " : ""));
+    }
+    if (typed.manual_page || typed.completion) {
+        fmt::print("{}", typed.manual_page ? manual_page(app) : bash_completion(app));
+        return std::nullopt;
     }
     return to_command(app, typed, own);
 }

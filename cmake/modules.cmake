@@ -6,7 +6,8 @@
 add_library(estampe_usage INTERFACE)
 target_compile_features(estampe_usage INTERFACE cxx_std_20)
 target_compile_definitions(estampe_usage INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_XYZW_ONLY)
-target_include_directories(estampe_usage INTERFACE ${PROJECT_SOURCE_DIR}/include)
+target_include_directories(estampe_usage INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+  $<INSTALL_INTERFACE:include>)
 target_link_libraries(estampe_usage INTERFACE glm::glm)
 
 # What Estampe's own sources are compiled with, and nobody else's.
@@ -23,6 +24,12 @@ if(ESTAMPE_SANITIZE)
 endif()
 target_include_directories(estampe_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 
+# What a shared library can be made of, see cmake/install.cmake; within it no function is replaced by another's.
+function(estampe_shareable target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+endfunction()
+
 function(estampe_module name)
   cmake_parse_arguments(PARSE_ARGV 1 module "" "" "DEPENDS;LINK;EXCEPT")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -31,6 +38,8 @@ function(estampe_module name)
     list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${source})
   endforeach()
   add_library(estampe_${name} STATIC ${sources})
+  estampe_shareable(estampe_${name})
+  set_property(GLOBAL APPEND PROPERTY estampe_modules estampe_${name})
   target_link_libraries(estampe_${name} PRIVATE estampe_flags PUBLIC estampe_usage ${module_LINK})
   foreach(dependency ${module_DEPENDS})
     target_link_libraries(estampe_${name} PUBLIC estampe_${dependency})

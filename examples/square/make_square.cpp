@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes Estampe's own scene, a square after de Chirico, as binary glTF.
+// Writes Estampe's own scene, a square after de Chirico, or one thing of it, as binary glTF.
 #include <cstdio>
 #include <exception>
 
@@ -7,12 +7,12 @@
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) {
-        std::fputs("usage: make_square FILE.glb\n", stderr);
+    if (argc != 2 && argc != 3) {
+        std::fputs("usage: make_square FILE.glb [statue|engine|tower]\n", stderr);
         return 2;
     }
     try {
-        square::write_glb(square::build_square(), argv[1]);
+        square::write_glb(argc == 2 ? square::build_square() : square::build_thing(argv[2]), argv[1]);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

@@ -4,6 +4,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <estampe/error.hpp>
+
 #include "scene/shapes.hpp"
 
 namespace square {
@@ -112,6 +114,21 @@ Scene build_square()
     stage.put("person in red", build_person(true), {2.0F, 0.0F, -41.4F}, -30.0);
     stage.light(80.0, 17.0);
     stage.view({0.0, 3.8, 0.0}, 6.0, -2.5, 46.0);
+    return stage.take();
+}
+
+Scene build_thing(const std::string& name)
+{
+    Stage stage;
+    if (name == "statue") {
+        stage.put(name, build_statue(), {});
+    } else if (name == "engine") {
+        stage.put(name, build_train(), {});
+    } else if (name == "tower") {
+        stage.put(name, build_tower(), {});
+    } else {
+        throw estampe::Error("no thing is named " + name + "; there are statue, engine and tower");
+    }
     return stage.take();
 }
 

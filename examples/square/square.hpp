@@ -4,6 +4,7 @@
 // The things that stand on the square, each on y = 0 at the origin, and the square itself.
 
 #include <filesystem>
+#include <string>
 
 #include <estampe/scene.hpp>
 
@@ -46,6 +47,10 @@ struct Arcade {
 
 /// The whole picture: things, sun and the camera "square".
 [[nodiscard]] estampe::Scene build_square();
+
+/// One of its things by itself, without light or camera: "statue", "engine", "tower". Throws estampe::Error
+/// for a name of none.
+[[nodiscard]] estampe::Scene build_thing(const std::string& name);
 
 /// Writes the meshes, materials, nodes, lights and cameras of `scene` as binary glTF, the same bytes for the
 /// same scene. Throws estampe::Error when the file cannot be written.

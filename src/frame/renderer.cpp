@@ -401,6 +401,7 @@ void Renderer::render_to(const VulkanPicture& picture, const Camera& camera, con
         throw Error("the picture is of another device than the renderer's", "render_to",
                     "make the renderer with the host's");
     }
+    frame::check_size(impl_->device, settings);
     std::ignore = impl_->draw_picture(camera, style, settings, nullptr, {}, &picture);
 }
 

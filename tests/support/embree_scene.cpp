@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <embree3/rtcore.h>
+#include "techniques/bake/embree.hpp"
 
 namespace estampe::test {
 
@@ -95,10 +95,8 @@ EmbreeScene::~EmbreeScene() = default;
 
 bool EmbreeScene::is_blocked(const glm::dvec3& from, const glm::dvec3& direction, double far_m) const
 {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRay ray = make_ray(from, direction, far_m);
-    rtcOccluded1(impl_->scene, &context, &ray);
+    bake::occlude(impl_->scene, ray);
     return ray.tfar < 0.0F;
 }
 
@@ -111,10 +109,8 @@ bool EmbreeScene::is_between(const glm::dvec3& from, const glm::dvec3& to) const
 std::optional<EmbreeScene::Hit> EmbreeScene::first_hit(const glm::dvec3& from, const glm::dvec3& direction,
                                                        double far_m) const
 {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRayHit found{.ray = make_ray(from, direction, far_m), .hit = {.geomID = RTC_INVALID_GEOMETRY_ID}};
-    rtcIntersect1(impl_->scene, &context, &found);
+    bake::intersect(impl_->scene, found);
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return std::nullopt;
     }

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-#include <embree3/rtcore.h>
 #include <estampe/error.hpp>
 
 #include "core/luminance.hpp"
 #include "scene/lamp_light.hpp"
+#include "techniques/bake/embree.hpp"
 
 namespace estampe::bake {
 namespace {
@@ -150,14 +150,12 @@ std::optional<Tracer::Hit> Tracer::nearest(const glm::vec3& from, const glm::vec
 {
     constexpr int most_passed = 64;
     constexpr float step_on = 1.0F + 1e-6F;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRayHit found{};
     found.ray = ray_of(from, direction, reach_m);
     for (int passed = 0; passed < most_passed; ++passed) {
         found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(static_cast<RTCScene>(rays_.get()), &context, &found);
+        intersect(static_cast<RTCScene>(rays_.get()), found);
         if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
             return std::nullopt;
         }
@@ -182,10 +180,8 @@ bool Tracer::blocked(const glm::vec3& from, const glm::vec3& direction, float re
     if (surfaces_.lets_rays_pass() || (casters && surfaces_.has_links())) {
         return nearest(from, direction, reach_m, random, casters).has_value();
     }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRay ray = ray_of(from, direction, reach_m);
-    rtcOccluded1(static_cast<RTCScene>(rays_.get()), &context, &ray);
+    occlude(static_cast<RTCScene>(rays_.get()), ray);
     return ray.tfar < 0.0F;
 }
 

@@ -12,7 +12,10 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, binding = 0) uniform Frame { FrameGlobals frame; };
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
 
 layout(binding = 1) uniform sampler2D darkness_image;
 layout(binding = 2) uniform usampler2D draw_image;
@@ -22,7 +25,10 @@ layout(binding = 2) uniform usampler2D draw_image;
 
 layout(binding = 4, r16f) uniform image2D out_ink;
 
-layout(push_constant, scalar) uniform Constants { DotConstants constants; };
+layout(push_constant, scalar) uniform Constants
+{
+    DotConstants constants;
+};
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_ink = (variant & dots_has_ink) != 0u;
@@ -30,70 +36,70 @@ const bool has_ink = (variant & dots_has_ink) != 0u;
 // Radius of dots, in spacings, that cover a share of the page. Beyond pi / 4
 // they run into each other: what four segments take from each is found by
 // Newton's method.
-float radius_for(float share) {
-  float radius = sqrt(share / 3.14159265);
-  for (int i = 0; i < 3; ++i) {
-    float away = max(radius * radius - 0.25, 0.0);
-    float segment = acos(clamp(0.5 / max(radius, 1e-3), 0.0, 1.0));
-    float area =
-        radius * radius * (3.14159265 - 4.0 * segment) + 2.0 * sqrt(away);
-    float rate = radius * (6.2831853 - 8.0 * segment);
-    radius += (share - area) / max(rate, 0.5);
-  }
-  return radius;
+float radius_for(float share)
+{
+    float radius = sqrt(share / 3.14159265);
+    for (int i = 0; i < 3; ++i) {
+        float away = max(radius * radius - 0.25, 0.0);
+        float segment = acos(clamp(0.5 / max(radius, 1e-3), 0.0, 1.0));
+        float area = radius * radius * (3.14159265 - 4.0 * segment) + 2.0 * sqrt(away);
+        float rate = radius * (6.2831853 - 8.0 * segment);
+        radius += (share - area) / max(rate, 0.5);
+    }
+    return radius;
 }
 
 // Where an object is on the page, in pixels; the page's corner where it is not
 // before the eye.
-vec2 place_of(uint draw) {
-  vec4 clip = frame.clip_from_anchor *
-              vec4(draw_pose_at(draw).anchor_from_object[3].xyz, 1.0);
-  vec2 place = (0.5 + 0.5 * clip.xy / clip.w) * vec2(frame.page_px);
-  return clip.w > 0.0 ? place : vec2(0.0);
+vec2 place_of(uint draw)
+{
+    vec4 clip = frame.clip_from_anchor * vec4(draw_pose_at(draw).anchor_from_object[3].xyz, 1.0);
+    vec2 place = (0.5 + 0.5 * clip.xy / clip.w) * vec2(frame.page_px);
+    return clip.w > 0.0 ? place : vec2(0.0);
 }
 
-float dot_ink(vec2 from_object_px, float dark) {
-  vec2 across = constants.axis * from_object_px.x +
-                vec2(-constants.axis.y, constants.axis.x) * from_object_px.y;
-  vec2 place = across / constants.pitch_px;
-  float radius_px = radius_for(dark) * constants.pitch_px;
-  // What the soft edge of a pixel's breadth adds to a disc, in squares of its
-  // radius.
-  const float soft = 1.0 / 12.0;
-  // A dot smaller than a pixel keeps its size and loses darkness.
-  float drawn_px = max(sqrt(max(radius_px * radius_px - soft, 0.0)), 0.6);
-  float ink = 0.0;
-  // Of a pixel between several dots each takes its own side.
-  for (int i = 0; i < 4; ++i) {
-    vec2 corner = floor(place) + vec2(i & 1, i >> 1);
-    ink += clamp(drawn_px - length(place - corner) * constants.pitch_px + 0.5,
-                 0.0, 1.0);
-  }
-  return min(ink, 1.0) *
-         min(radius_px * radius_px / (drawn_px * drawn_px + soft), 1.0);
+float dot_ink(vec2 from_object_px, float dark)
+{
+    vec2 across =
+        constants.axis * from_object_px.x + vec2(-constants.axis.y, constants.axis.x) * from_object_px.y;
+    vec2 place = across / constants.pitch_px;
+    float radius_px = radius_for(dark) * constants.pitch_px;
+    // What the soft edge of a pixel's breadth adds to a disc, in squares of its
+    // radius.
+    const float soft = 1.0 / 12.0;
+    // A dot smaller than a pixel keeps its size and loses darkness.
+    float drawn_px = max(sqrt(max(radius_px * radius_px - soft, 0.0)), 0.6);
+    float ink = 0.0;
+    // Of a pixel between several dots each takes its own side.
+    for (int i = 0; i < 4; ++i) {
+        vec2 corner = floor(place) + vec2(i & 1, i >> 1);
+        ink += clamp(drawn_px - length(place - corner) * constants.pitch_px + 0.5, 0.0, 1.0);
+    }
+    return min(ink, 1.0) * min(radius_px * radius_px / (drawn_px * drawn_px + soft), 1.0);
 }
 
-void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
-    return;
-  }
-  float dark = texelFetch(darkness_image, pixel, 0).x;
-  uint word = texelFetch(draw_image, pixel, 0).x;
-  if (dark <= 0.0 || !sees_draw(word)) {
-    return;
-  }
-  float tone = dark;
-  if (constants.steps > 0u) {
-    // As sheets are cut: none under half a step.
-    tone = round(dark * float(constants.steps)) / float(constants.steps);
-  }
-  float ink = tone > 0.0 ? dot_ink(page_place(frame, vec2(pixel) + 0.5) - place_of(draw_of(word)),
-                                   min(tone, 1.0))
-                         : 0.0;
-  ink = dark >= constants.black_above || tone >= 1.0 ? 1.0 : ink;
-  if (has_ink) {
-    ink = max(ink, imageLoad(out_ink, pixel).x);
-  }
-  imageStore(out_ink, pixel, vec4(ink));
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
+        return;
+    }
+    float dark = texelFetch(darkness_image, pixel, 0).x;
+    uint word = texelFetch(draw_image, pixel, 0).x;
+    if (dark <= 0.0 || !sees_draw(word)) {
+        return;
+    }
+    float tone = dark;
+    if (constants.steps > 0u) {
+        // As sheets are cut: none under half a step.
+        tone = round(dark * float(constants.steps)) / float(constants.steps);
+    }
+    float ink = tone > 0.0
+                    ? dot_ink(page_place(frame, vec2(pixel) + 0.5) - place_of(draw_of(word)), min(tone, 1.0))
+                    : 0.0;
+    ink = dark >= constants.black_above || tone >= 1.0 ? 1.0 : ink;
+    if (has_ink) {
+        ink = max(ink, imageLoad(out_ink, pixel).x);
+    }
+    imageStore(out_ink, pixel, vec4(ink));
 }
