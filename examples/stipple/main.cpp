@@ -40,7 +40,7 @@ std::vector<std::byte> darkness_of(const estampe::Image& picture)
 estampe::Image dotted(const estampe::Image& picture, const estampe::stipple::StippleStyle& style)
 {
     namespace gpu = estampe::gpu;
-    gpu::Device device({});
+    gpu::Device device(estampe::RendererOptions{});
     gpu::Executor executor(device);
     gpu::Image darkness(device, "darkness",
                         {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r16f});
