@@ -77,8 +77,8 @@ struct RenderSettings {
     Index animation = 0;
     Continuity continuity = Continuity::still;
     std::optional<Moment> motion_since; ///< also work out Renderer::motion(), from there to this picture
-    /// Longest side of the parts that a page is drawn in, which overlap; 0: in one go where the device can, or
-    /// else in parts of its choosing. Of render() and render_bands() alone.
+    /// Longest side of the parts that a page is drawn in, which overlap; 0: in one go where the device can,
+    /// or else in parts of its choosing. Of render() and render_bands() alone.
     uint32_t tile_px = 0;
 };
 
@@ -137,8 +137,9 @@ public:
     /// not do: with motion_since, and in films; when no scene was set, and when memory runs out.
     [[nodiscard]] Image render(const Camera& camera, const Style& style, const RenderSettings& settings);
 
-    /// The picture of render() in bands of rows, for pages that memory does not hold. Throws Error as render()
-    /// does, and what the sink throws. Memory: one band of `tile_px`, and what the device takes for a tile.
+    /// The picture of render() in bands of rows, for pages that memory does not hold. Throws Error as
+    /// render() does, and what the sink throws. Memory: one band of `tile_px`, and what the device takes for
+    /// a tile.
     void render_bands(const Camera& camera, const Style& style, const RenderSettings& settings,
                       const BandSink& sink);
 

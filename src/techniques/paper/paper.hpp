@@ -64,8 +64,8 @@ struct ComposeInputs {
     gpu::ImageId hatch;
     gpu::ImageId lines;
     gpu::ImageId sky_ink;
-    bool has_sky = true; ///< else there is no such ink
-    gpu::ImageId light;  ///< read where the style tints the ink
+    bool has_sky = true;   ///< else there is no such ink
+    gpu::ImageId light;    ///< read where the style tints the ink
     glm::uvec2 page_px{0}; ///< of the whole page
     glm::uvec2 size_px{0}; ///< of what is drawn of it
 };

@@ -283,7 +283,7 @@ SHARED_CONSTANT uint no_brush = 0xffffffffU;
 struct BrushConstants {
     uint width;
     uint height;
-    uvec2 grid_page_px; // of the page whose grid knows the samples
+    uvec2 grid_page_px;                 // of the page whose grid knows the samples
     float period_px[brush_use_count];   // of each use, along the stroke; 0 from end to end
     uint layer_of_use[brush_use_count]; // in the image of brushes; no_brush for the pen
 };
