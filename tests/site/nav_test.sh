@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$1"
 failures=0
 named="$(grep -oE '[A-Za-z0-9_/.-]+\.md$' docs/mkdocs.yml | sort)"
-pages="$(find README.md docs examples src -name '*.md' | sort)"
+pages="$(find README.md app docs examples src -name '*.md' | sort)"
 only_named="$(comm -23 <(echo "$named") <(echo "$pages"))"
 only_there="$(comm -13 <(echo "$named") <(echo "$pages"))"
 [[ -z "$only_named" ]] || { echo "FAILED: docs/mkdocs.yml names what is not there: $only_named" >&2; failures=1; }
@@ -15,7 +15,7 @@ for decision in docs/decisions/0*.md; do
 done
 # links FILE: what it links to, from the root of the project
 links() {
-    { grep -oE '\]\([^)#: ]+' "$1" || true; } | cut -c 3- | while read -r link; do
+    { grep -oE '\]\([^)# ]+' "$1" | cut -c 3- | grep -v '://' || true; } | while read -r link; do
         realpath --canonicalize-missing --relative-to=. "$(dirname "$1")/$link"
     done
 }
