@@ -187,7 +187,7 @@ std::string Sheet::help() const
         }
     }
     if (overrides_ != nullptr) {
-        text += "\n" + surface_help(sections_);
+        text += fmt::format("\n{}", surface_help(sections_));
     }
     return text;
 }
