@@ -25,11 +25,9 @@ void check_page(const RenderSettings& settings)
 PageLimits page_limits(const gpu::Device& device)
 {
     const VkPhysicalDeviceLimits& limits = device.limits();
-    // The largest buffers of a frame have some 31 bytes a pixel, and are read as texels of 16.
-    constexpr uint32_t texels_a_pixel = 4;
     return {.side_px = std::min(limits.maxImageDimension2D, 16384U),
             .pixels = std::min<uint64_t>(limits.maxStorageBufferRange / sizeof(uint64_t),
-                                         limits.maxTexelBufferElements / texels_a_pixel)};
+                                         limits.maxTexelBufferElements)};
 }
 
 void check_size(const gpu::Device& device, const RenderSettings& settings)
