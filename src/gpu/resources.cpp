@@ -157,12 +157,13 @@ VkBufferView Buffer::texels(Format format) const
     if (view != VK_NULL_HANDLE) {
         return view;
     }
-    const uint64_t count = storage_size(size_bytes_) / texel_bytes(format);
-    if (count > device_->limits().maxTexelBufferElements) {
-        throw Error(fmt::format("the scene has a list of {} entries, {} reads at most {}", count,
-                                device_->info().name, device_->limits().maxTexelBufferElements),
+    const uint64_t most = device_->limits().maxTexelBufferElements;
+    if (size_bytes_ / texel_bytes(format) > most) {
+        throw Error(fmt::format("the scene has a list of {} entries, {} reads at most {}",
+                                size_bytes_ / texel_bytes(format), device_->info().name, most),
                     {}, "use a lighter scene or another --device");
     }
+    const uint64_t count = std::min(storage_size(size_bytes_) / texel_bytes(format), most);
     const VkBufferViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO,
                                       .buffer = buffer_,
                                       .format = vulkan_format(format),
