@@ -24,9 +24,10 @@ layout(push_constant, scalar) uniform Constants
     SkyConstants constants;
 };
 
+// By a point far off: of one near the eye, what the two places have in common would use up the digits.
 vec3 direction_at(vec2 position_px)
 {
-    return -towards_eye(frame, anchor_at(frame, position_px, 0.5));
+    return -towards_eye(frame, anchor_at(frame, position_px, 1e-5));
 }
 
 // Height above the horizon, bent so that the strokes bow like a vault.
