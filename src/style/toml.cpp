@@ -302,6 +302,7 @@ std::vector<WordTable> parse_toml_words(std::string_view text, const std::string
     std::ranges::stable_sort(found, {},
                              [](const auto& pair) { return std::pair(pair.first.line, pair.first.column); });
     std::vector<WordTable> tables;
+    tables.reserve(found.size());
     for (auto& [position, table] : found) {
         tables.push_back(std::move(table));
     }

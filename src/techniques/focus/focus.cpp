@@ -57,7 +57,7 @@ std::vector<shared::FocusLine> focus_lines(const FocusStyle& style, const Window
     const float end_px = reach_px(middle, window);
     // Spacing is counted where the picture ends, halfway between its sides and its corners.
     const float edge_px = 0.5F * (std::max(half_size.x, half_size.y) + glm::length(half_size));
-    const float turn = glm::two_pi<float>();
+    const auto turn = glm::two_pi<float>();
     const auto count =
         static_cast<size_t>(std::clamp(turn * edge_px / (style.spacing_mm * pixels_per_mm),
                                        static_cast<float>(least_lines), static_cast<float>(most_lines)));
