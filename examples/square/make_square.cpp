@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv)
 {
-    if (argc != 2 && argc != 3) {
+    if ((argc != 2 && argc != 3) || argv[1][0] == '-') {
         std::fputs("usage: make_square FILE.glb [statue|engine|tower]\n", stderr);
         return 2;
     }

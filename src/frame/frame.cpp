@@ -35,7 +35,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                              plan.looks, *resources.lists);
         return;
     }
-    if (resources.to_string != nullptr) {
+    if (resources.strung_into != nullptr) {
         add_strung_lines(making, outlining);
         return;
     }

@@ -59,7 +59,7 @@ struct FrameResources {
     DeepPage* deep = nullptr;              ///< where the picture is wanted in floats too
     std::optional<StrungPart> strung = {}; ///< where lines are strung already
     /// Where what tiles share is wanted in place of a picture: lines, and how bright the page is.
-    contour::StrungLines* to_string = nullptr;
+    contour::StrungLines* strung_into = nullptr;
     const VulkanPicture* target = nullptr; ///< of the host's, where the picture goes in place of `pixels`
 };
 

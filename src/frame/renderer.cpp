@@ -204,7 +204,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .lists = job.lists,
                                     .deep = job.deep,
                                     .strung = job.strung,
-                                    .to_string = job.to_string,
+                                    .strung_into = job.strung_into,
                                     .target = job.target};
     gpu::Graph graph;
     frame::declare_frame(graph, loaded->layout, resources, plan, sample, style);

@@ -33,8 +33,8 @@ struct FrameJob {
     frame::StrokeLists* lists = nullptr;  ///< strokes as paths in place of pixels
     frame::DeepPage* deep = nullptr;      ///< floats beside bytes
     std::optional<frame::StrungPart> strung = {};
-    contour::StrungLines* to_string = nullptr; ///< what tiles share in place of pixels
-    const VulkanPicture* target = nullptr;     ///< of the host's, in place of bytes
+    contour::StrungLines* strung_into = nullptr; ///< what tiles share in place of pixels
+    const VulkanPicture* target = nullptr;       ///< of the host's, in place of bytes
 };
 
 struct Renderer::Impl {

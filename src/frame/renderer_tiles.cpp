@@ -73,7 +73,7 @@ std::vector<contour::StrungLines> Renderer::Impl::survey_page(const Camera& came
                    {.accumulation = {.sample_index = sample, .sample_count = samples},
                     .is_first = sample == 0,
                     .survey = survey,
-                    .to_string = &found});
+                    .strung_into = &found});
         if (has_chains) {
             lines.push_back(contour::shrunk(device, executor, std::move(found)));
         }
@@ -89,7 +89,7 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     const frame::FramePlan plan = prepare(seen_by, tables, settings);
     const frame::PageLimits limits = frame::page_limits(device);
-    uint32_t overlap = frame::overlap_px(tables, plan.page.pixels_per_mm);
+    uint32_t overlap = 0;
     for (const frame::StyleTables& look : plan.looks.styles) {
         overlap = std::max(overlap, frame::overlap_px(look, plan.page.pixels_per_mm));
     }

@@ -131,7 +131,7 @@ void add_strung_lines(const Making& making, const contour::ContourInputs& in)
         const contour::ShapedStrokes shaped = contour::add_shaped_strokes(
             making.graph, in, *resources.line_mesh, nullptr, making.plan.looks.lines);
         contour::add_keeping(making.graph, resources.device, shaped, making.sample.size_px,
-                             *resources.to_string);
+                             *resources.strung_into);
     }
 }
 

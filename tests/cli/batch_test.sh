@@ -5,15 +5,9 @@
 set -euo pipefail
 estampe="$(realpath "$1")"
 make_example="$(realpath "$2")"
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
+# shellcheck source=tests/support/harness.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/harness.sh"
 cd "$folder"
-failures=0
-
-wrong() {
-    echo "FAILED: $*" >&2
-    failures=$((failures + 1))
-}
 
 # expect STATUS PATTERN ARGUMENT...: `estampe batch ARGUMENT...` ends with STATUS, and the last line of stderr matches
 expect() {
@@ -103,6 +97,9 @@ bad 'bad.toml:1:1: jobs 1 and 2 both write a.png' '[[job]]\nscene = "scene.glb"\
 bad 'bad.toml:1:7: not TOML' '[[job]\n'
 bad 'bad.toml:2:9: a date or time is no word' '[[job]]\nscene = 2020-01-01\n'
 bad 'bad.toml:2:1: "size" takes no list' '[[job]]\nsize = ["1x1"]\n'
+words="$(seq -s ', ' 1001 | sed 's/[0-9]\+/"&"/g')"
+printf '[[job]]\nscene = "scene.glb"\noutput = "{n}.png"\ncamera = [%s]\nstyle = [%s]\n' "$words" "$words" >many.toml
+expect 1 'many.toml:1:1: stands for more than 1000000 pictures' many.toml
 expect 2 'shard.* write 1/4' jobs.toml --shard 4/3
 expect 1 'nowhere.toml' nowhere.toml
 [[ -z "$(ls ./*.png 2>/dev/null)" ]] || wrong "a mistake drew $(ls ./*.png)"

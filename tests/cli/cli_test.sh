@@ -5,16 +5,11 @@
 set -euo pipefail
 estampe="$(realpath "$1")"
 make_example="$(realpath "$2")"
-folder="$(mktemp -d)"
+# shellcheck source=tests/support/harness.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/harness.sh"
 name="$(basename "$folder")"
 trap 'chmod -R u+w "$folder"; rm -rf "$folder" "$folder".out "$folder".err' EXIT
 cd "$folder"
-failures=0
-
-wrong() {
-    echo "FAILED: $*" >&2
-    failures=$((failures + 1))
-}
 
 # expect_error STATUS PATTERN ARGUMENT...: ends with STATUS, says one line on stderr that matches PATTERN and nothing on
 # stdout, and leaves the folder as it was.

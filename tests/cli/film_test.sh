@@ -5,15 +5,9 @@
 set -euo pipefail
 estampe="$(realpath "$1")"
 make_example="$(realpath "$2")"
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
+# shellcheck source=tests/support/harness.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/harness.sh"
 cd "$folder"
-failures=0
-
-wrong() {
-    echo "FAILED: $*" >&2
-    failures=$((failures + 1))
-}
 
 # draw ARGUMENT...: a film of the example scene; status in $status, what it says in said
 draw() {

@@ -3,13 +3,8 @@
 # The manual page and the completion of bash have every command and option that the program has. Usage: manual_test.sh ESTAMPE
 set -euo pipefail
 estampe="$1"
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
-failures=0
-wrong() {
-    echo "FAILED: $*" >&2
-    failures=$((failures + 1))
-}
+# shellcheck source=tests/support/harness.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/harness.sh"
 
 "$estampe" --man >"$folder/estampe.1"
 groff -man -ww -Tascii -P-bcou "$folder/estampe.1" >"$folder/page" 2>"$folder/warnings"

@@ -8,15 +8,10 @@ set -euo pipefail
 estampe="$(realpath "$1")"
 make_example="$(realpath "$2")"
 layer="$(realpath "$3")"
-folder="$(mktemp -d)"
+# shellcheck source=tests/support/harness.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/harness.sh"
 trap 'rm -rf "$folder" "$folder".err' EXIT
 cd "$folder"
-failures=0
-
-wrong() {
-    echo "FAILED: $*" >&2
-    failures=$((failures + 1))
-}
 
 # expect_files NAME...: nothing else lies in the folder, hidden or not
 expect_files() {

@@ -6,9 +6,9 @@ set -euo pipefail
 estampe="$(realpath "$1")"
 make_example="$(realpath "$2")"
 sources="$(realpath "$3")"
-folder="$(mktemp -d)"
+# shellcheck source=tests/support/harness.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/harness.sh"
 cd "$folder"
-failures=0
 viewer=
 
 # shellcheck disable=SC2317 # the trap calls it
@@ -16,11 +16,6 @@ clean_up() {
     [[ -z $viewer ]] || kill "$viewer" 2>/dev/null || true
     kill "$server" 2>/dev/null || true
     rm -rf "$folder"
-}
-
-wrong() {
-    echo "FAILED: $*" >&2
-    failures=$((failures + 1))
 }
 
 # Without a display it says so.

@@ -6,13 +6,8 @@ set -euo pipefail
 cmake="$1"
 build="$2"
 root="$3"
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
-failures=0
-wrong() {
-    echo "FAILED: $*" >&2
-    failures=$((failures + 1))
-}
+# shellcheck source=tests/support/harness.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/harness.sh"
 # quietly COMMAND...: its output is shown where it fails
 quietly() {
     "$@" >"$folder/log" 2>&1 || { cat "$folder/log" >&2; wrong "$*"; exit 1; }

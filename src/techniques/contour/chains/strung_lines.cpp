@@ -12,9 +12,9 @@
 namespace estampe::contour {
 namespace {
 
-/// Copies all of `from` into a buffer of its own.
-gpu::Buffer keep(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from,
-                 gpu::MemoryUse use = gpu::MemoryUse::device)
+/// A buffer as large as `from`, to copy it into.
+gpu::Buffer room_for(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from,
+                     gpu::MemoryUse use = gpu::MemoryUse::device)
 {
     return {device, "strung lines", graph.describe(from).size_bytes, use};
 }
@@ -36,7 +36,7 @@ void list_copies(const ChainStrokes& from, const std::vector<HandDrawn>& hands, 
     }
 }
 
-/// The first `count` items of a list.
+/// Leaves of a list no more than its start.
 void shrink(gpu::Graph& graph, gpu::Device& device, gpu::Buffer& list, uint64_t size_bytes,
             std::vector<gpu::Buffer>& outgrown)
 {
@@ -89,10 +89,10 @@ void add_keeping(gpu::Graph& graph, gpu::Device& device, const ShapedStrokes& sh
         list_copies(shaped.hidden->first, {shaped.hidden->second}, *lines.hidden, copies);
     }
     for (const auto& [from, to] : copies) {
-        *to = keep(graph, device, from);
+        *to = room_for(graph, device, from);
         gpu::add_copy_out(graph, "keep", from, *to);
     }
-    lines.sizes = keep(graph, device, shaped.strokes.sizes, gpu::MemoryUse::readback);
+    lines.sizes = room_for(graph, device, shaped.strokes.sizes, gpu::MemoryUse::readback);
     gpu::add_read_back(graph, "keep sizes", shaped.strokes.sizes, lines.sizes);
 }
 

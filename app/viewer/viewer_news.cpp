@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// What the window hears of its threads and of files that are saved.
+#include "viewer/viewer.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+
+#include "gpu/shader_replacements.hpp"
+#include "viewer/ground.hpp"
+
+namespace estampe::viewer {
+
+void Viewer::take_loaded()
+{
+    const std::optional<SceneLoader::Result> result = loader_->take();
+    if (!result) {
+        if (loader_->is_loading() && studio_.work) {
+            studio_.work->share = loader_->share().value_or(-1.0);
+        }
+        return;
+    }
+    studio_.work.reset();
+    if (const auto* problem = std::get_if<std::string>(&*result)) {
+        take(Failure{Failure::Of::scene, *problem});
+        return;
+    }
+    const auto& file = std::get<std::shared_ptr<const LoadedFile>>(*result);
+    pictures_->set_scene(file);
+    report("has read " + file->draw.scene);
+}
+
+void Viewer::take(const Failure& failure)
+{
+    report("failure: " + failure.message);
+    if (failure.what == Failure::Of::device ||
+        (failure.what == Failure::Of::scene && !studio_.file && !command_.draw.scene.empty())) {
+        throw Error(failure.message);
+    }
+    const char* topic = failure.what == Failure::Of::scene ? "scene"
+                        : failure.what == Failure::Of::job ? "job"
+                                                           : "picture";
+    if (failure.what == Failure::Of::job) {
+        studio_.work.reset();
+    }
+    if (failure.what != Failure::Of::picture) {
+        asked_ = {}; // what was asked for meanwhile is gone
+    }
+    studio_.say(Message::Kind::problem, topic, failure.message);
+}
+
+void Viewer::take(const SceneTaken& taken)
+{
+    const bool is_same = studio_.file && studio_.file->draw.scene == taken.file->draw.scene;
+    studio_.file = taken.file;
+    studio_.settle("scene");
+    ++scene_number_;
+    const Scene& scene = taken.file->scene;
+    const std::string name = std::filesystem::path(taken.file->draw.scene).filename().string();
+    scene_watch_.watch(files_of_scene(taken.file->draw.scene));
+    if (!is_same) {
+        // Made when someone walks; a scene that stands still is enough.
+        auto ground = std::make_shared<std::optional<Ground>>();
+        studio_.rig.set_scene(taken.file->home, taken.file->bounds,
+                              [file = taken.file, ground](const glm::dvec3& place) {
+                                  if (!*ground) {
+                                      ground->emplace(file->scene);
+                                  }
+                                  return (*ground)->height_under(place);
+                              });
+        studio_.time = {.time_s = taken.file->draw.time_s, .animation = taken.file->animation};
+        studio_.bookmark.reset();
+        studio_.attempt("bookmarks",
+                        [&] { studio_.bookmarks = load_bookmarks(bookmarks_path(taken.file->draw.scene)); });
+        window_.set_title(name + " - Estampe");
+    } else if (studio_.time.animation >= scene.animations.size()) {
+        studio_.time.animation = taken.file->animation;
+    }
+    studio_.time.length_s =
+        scene.animations.empty() ? 0.0 : scene.animations.at(studio_.time.animation).duration_s;
+    if (!scene.warnings.empty()) {
+        studio_.say(Message::Kind::note, "warnings", scene.warnings.front());
+    }
+    report("shows " + taken.file->draw.scene);
+}
+
+void Viewer::take(Picture& picture)
+{
+    textures_.at(picture.slot)->set(picture.image.width, picture.image.height, picture.image.rgba);
+    shown_view_.at(picture.slot) = picture.view;
+    const bool is_whole = picture.scale == 1.0 && picture.continuity == Continuity::still;
+    if (picture.slot == 0) {
+        studio_.shown_scale = picture.scale;
+        studio_.shown_px = {picture.image.width, picture.image.height};
+        studio_.shown_s = picture.seconds;
+        studio_.is_refined = is_whole && picture.view == view_;
+        studio_.passes = std::move(picture.timings);
+        constexpr size_t most_times = 120;
+        studio_.frame_ms.push_back(static_cast<float>(1e3 * picture.seconds));
+        if (studio_.frame_ms.size() > most_times) {
+            studio_.frame_ms.pop_front();
+        }
+        if (picture.view > 0 && (!is_whole || studio_.resolution.scale() == 1.0)) {
+            studio_.resolution.drawn(picture.scale, picture.seconds);
+        }
+    }
+    studio_.settle("picture");
+    report(fmt::format("picture {} of view {}: {} x {}, {:.0f} %, {:.0f} ms{}", picture.slot, picture.view,
+                       picture.image.width, picture.image.height, 100.0 * picture.scale,
+                       1e3 * picture.seconds, is_whole && picture.view == view_ ? ", refined" : ""));
+}
+
+void Viewer::take_news()
+{
+    for (PictureNews& news : pictures_->take_news()) {
+        frames_to_paint_ = std::max(frames_to_paint_, 1);
+        if (auto* picture = std::get_if<Picture>(&news)) {
+            take(*picture);
+        } else if (const auto* failure = std::get_if<Failure>(&news)) {
+            take(*failure);
+        } else if (const auto* taken = std::get_if<SceneTaken>(&news)) {
+            take(*taken);
+        } else if (const auto* device = std::get_if<DeviceOpened>(&news)) {
+            studio_.device = device->name;
+        } else if (const auto* job = std::get_if<JobNews>(&news)) {
+            if (job->is_done) {
+                studio_.work.reset();
+                asked_ = {}; // what is seen is drawn again
+                studio_.say(Message::Kind::note, "job", job->text);
+                report(job->text);
+            } else {
+                studio_.work = Work{job->text, job->share};
+            }
+        }
+    }
+}
+
+void Viewer::look_at_files()
+{
+    constexpr double between_looks_s = 0.1;
+    if (app::seconds_since(looked_at_files_) < between_looks_s) {
+        return;
+    }
+    looked_at_files_ = app::Clock::now();
+    if (studio_.look.name() != watched_style_) {
+        watched_style_ = studio_.look.name();
+        style_watch_.watch(watched_style_.ends_with(".toml")
+                               ? std::vector<std::filesystem::path>{watched_style_}
+                               : std::vector<std::filesystem::path>{});
+    }
+    if (!style_watch_.changed().empty()) {
+        report("style changed: " + watched_style_);
+        studio_.attempt("style", [this] {
+            // What was saved from here is in hand already.
+            if (Style::load(watched_style_).to_toml() != studio_.look.base().to_toml()) {
+                studio_.look.load(watched_style_);
+            }
+        });
+    }
+    if (!scene_watch_.changed().empty() && studio_.file) {
+        report("scene changed");
+        read_scene_again();
+    }
+}
+
+void Viewer::take_shaders()
+{
+    if (!shaders_) {
+        return;
+    }
+    for (ShaderNews& news : shaders_->take()) {
+        const std::string topic = "shader " + news.name;
+        if (news.problem.empty()) {
+            gpu::replace_shader(news.name, std::move(news.spirv));
+            studio_.settle(topic);
+            studio_.settle("picture");
+            studio_.look.changed(); // all is drawn anew
+            report(topic + " compiled");
+        } else {
+            studio_.say(Message::Kind::problem, topic, news.problem);
+            report(topic + ": " + news.problem);
+        }
+    }
+}
+
+} // namespace estampe::viewer
