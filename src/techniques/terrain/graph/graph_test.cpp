@@ -12,7 +12,7 @@
 namespace estampe {
 namespace {
 
-using terrain::test::all_graphs;
+using test::all_graphs;
 
 Terrain made_of(const std::string& height, const std::string& rest = {})
 {
@@ -88,7 +88,7 @@ TEST(HeightGraph, DerivativesAreExact)
 /// Where periods go into it, the pattern 10^6 m away is the one at the origin, in the numbers of the GPU.
 TEST(HeightGraph, IsTheSameAMillionMetresAway)
 {
-    const Terrain terrain(parse_terrain(terrain::test::periodic_graph, "periodic.toml"));
+    const Terrain terrain(parse_terrain(test::periodic_graph, "periodic.toml"));
     const auto here = terrain::place_words(terrain.program(), {0.0, 0.0}, 0.0);
     const auto there = terrain::place_words(terrain.program(), {1e6, -1e6}, 0.0);
     for (int i = 0; i < 500; ++i) {

@@ -457,8 +457,8 @@ Real4 leaf_ridged(Place p, uint first, Real spacing_m)
     return sum;
 }
 
-// Parameters: seed. How far the nearest of points is, one a cell (Worley, "A cellular texture basis function",
-// SIGGRAPH 1996), in cells.
+// Parameters: seed. How far the nearest of points is, one a cell (Worley, "A cellular texture basis
+// function", SIGGRAPH 1996), in cells.
 Real4 leaf_cellular(Place p, uint first, Real spacing_m)
 {
     uint seed = uint(height_number(first));
@@ -508,7 +508,8 @@ Real4 texel_weights(Real t, bool is_cubic)
     if (!is_cubic) {
         return Real4(Real(0), Real(1) - t, t, Real(0));
     }
-    return Real4(t * (t * (Real(1) - Real(0.5) * t) - Real(0.5)), t * t * (Real(1.5) * t - Real(2.5)) + Real(1),
+    return Real4(t * (t * (Real(1) - Real(0.5) * t) - Real(0.5)),
+                 t * t * (Real(1.5) * t - Real(2.5)) + Real(1),
                  t * (t * (Real(2) - Real(1.5) * t) + Real(0.5)), t * t * (Real(0.5) * t - Real(0.5)));
 }
 

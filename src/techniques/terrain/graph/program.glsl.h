@@ -40,8 +40,8 @@ SHARED_CONSTANT uint height_no_register = 0xffffffffU;
 SHARED_CONSTANT uint height_register_count = 32U;
 SHARED_CONSTANT uint height_place_words = 16U;
 
-// What an instruction does, and where its result goes. Registers `inputs` and `warp`, the last two of which are
-// height_no_register where the place is not warped; `parameter` begins the parameters.
+// What an instruction does, and where its result goes. Registers `inputs` and `warp`, the last two of which
+// are height_no_register where the place is not warped; `parameter` begins the parameters.
 struct HeightInstruction {
     uint op;
     uint target;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace estampe::terrain::test {
+namespace estampe::test {
 
 /// Repeats every 8 m, with everything that can.
 inline const std::string periodic_graph = R"toml([terrain]
@@ -47,4 +47,4 @@ direction_deg = 25
     };
 }
 
-} // namespace estampe::terrain::test
+} // namespace estampe::test

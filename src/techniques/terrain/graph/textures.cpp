@@ -13,12 +13,12 @@
 namespace estampe::terrain {
 namespace {
 
-constexpr size_t most_texels = size_t{1} << 26;
+constexpr size_t most_texels = size_t{1} << 24;
 
 void check_room(const Program& program, size_t added)
 {
     if (program.texels.size() + added > most_texels) {
-        throw Error("textures of more than 67 million texels in all", {}, "make them smaller");
+        throw Error("textures of more than 16.7 million texels in all", {}, "make them smaller");
     }
 }
 

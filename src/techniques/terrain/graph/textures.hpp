@@ -20,7 +20,7 @@ struct TextureInProgram {
 };
 
 /// The texture in `program`, put there if it is not yet. Throws Error for a file that cannot be read, for a
-/// mask that is asked for in two sizes, and where all of them hold more than 2^26 texels. `folder` is what
+/// mask that is asked for in two sizes, and where all of them hold more than 2^24 texels. `folder` is what
 /// files are looked up in.
 [[nodiscard]] TextureInProgram texture_in(Program& program, const TextureRequest& request,
                                           const std::filesystem::path& folder);

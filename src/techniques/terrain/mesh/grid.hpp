@@ -5,8 +5,8 @@
 
 namespace estampe::terrain {
 
-/// One even grid that goes with the eye in steps of its own cell, three quarters of it ahead; it turns with the
-/// eye by right angles alone, so that no vertex ever leaves the lattice.
+/// One even grid that goes with the eye in steps of its own cell, three quarters of it ahead; it turns with
+/// the eye by right angles alone, so that no vertex ever leaves the lattice.
 class Grid : public MeshMethod {
 public:
     explicit Grid(const TerrainMeshing& meshing);

@@ -36,8 +36,8 @@ glm::vec2 vertex_place(uint32_t vertex, const std::vector<shared::TerrainLevel>&
     if (part == shared::terrain_part_trim_column) {
         index += level.hole_first + glm::uvec2(level.hole_shift.x == 1 ? 0 : level.hole_count, 0);
     } else if (part == shared::terrain_part_trim_row) {
-        index += level.hole_first +
-                 glm::uvec2(level.hole_shift.x, level.hole_shift.y == 1 ? 0 : level.hole_count);
+        index +=
+            level.hole_first + glm::uvec2(level.hole_shift.x, level.hole_shift.y == 1 ? 0 : level.hole_count);
     }
     return level.origin_m + level.cell_m * glm::vec2(index);
 }

@@ -16,7 +16,7 @@ namespace estampe::terrain {
 /// Vertices, which a level's place turns into points of the plane, and triangles between them, which run
 /// counter-clockwise from above.
 struct MeshTopology {
-    std::vector<uint32_t> vertices;      ///< words of terrain_mesh.glsl.h
+    std::vector<uint32_t> vertices; ///< words of terrain_mesh.glsl.h
     std::vector<glm::uvec3> triangles;
 };
 
@@ -33,14 +33,15 @@ public:
     /// Cost: linear in vertices.
     [[nodiscard]] virtual MeshTopology topology() const = 0;
 
-    /// Where the levels stand about an eye, relative to an anchor whose coordinates are whole multiples of 64 m.
+    /// Where the levels stand about an eye, relative to an anchor whose coordinates are whole multiples of 64
+    /// m.
     [[nodiscard]] virtual std::vector<shared::TerrainLevel> place(const EyePlace& eye,
                                                                   const glm::dvec2& anchor_m) const = 0;
 };
 
-/// The method that `meshing` names. Source of the rings: Losasso and Hoppe, "Geometry Clipmaps", SIGGRAPH 2004,
-/// whose neighbours here share vertices, so that nothing lies between them; of the grid: Zanuttini, "Recherches
-/// en rendu non réaliste temps réel", 2008, chapter 5.
+/// The method that `meshing` names. Source of the rings: Losasso and Hoppe, "Geometry Clipmaps", SIGGRAPH
+/// 2004, whose neighbours here share vertices, so that nothing lies between them; of the grid: Zanuttini,
+/// "Recherches en rendu non réaliste temps réel", 2008, chapter 5.
 [[nodiscard]] std::unique_ptr<MeshMethod> mesh_method(const TerrainMeshing& meshing);
 
 /// The place of a vertex in the plane, from the anchor in metres; as vertices.comp finds it.

@@ -29,13 +29,13 @@ struct TerrainLevel {
 
 // What all vertices share.
 struct TerrainGlobals {
-    vec2 eye_m;           // from the anchor
-    float anchor_y_m;     // of the anchor, in the world
-    float stroke_unit_m;  // of stroke coordinates
+    vec2 eye_m;            // from the anchor
+    float anchor_y_m;      // of the anchor, in the world
+    float stroke_unit_m;   // of stroke coordinates
     float planet_radius_m; // 0: flat
-    float before_s;       // how long ago the frame before was
+    float before_s;        // how long ago the frame before was
     uint vertex_count;
-    uint first_vertex; // of the posed ones
+    uint first_vertex;    // of the posed ones
     uint first_parameter; // in the words of the program
     uint first_instruction;
     uint instruction_count;
