@@ -121,4 +121,10 @@ private:
     std::shared_ptr<const terrain::Program> program_;
 };
 
+struct Camera;
+
+/// A view over the ground, from the height of a rider's eye on the highest place near the origin, across the
+/// wind. Cost: about a thousand samples.
+[[nodiscard]] Camera terrain_camera(const Terrain& terrain, double time_s = 0.0);
+
 } // namespace estampe
