@@ -129,6 +129,12 @@ public:
     /// scene's.
     void set_scene(const Scene& scene, const Lightmap* lightmap = nullptr);
 
+    /// Gives the scene's terrain another graph, other numbers or painted masks while it is drawn; the rest of
+    /// the scene stays. With `at_once` the next pictures are drawn by a graph that is interpreted, until its
+    /// own shader has been compiled beside them; without, the next picture waits for that. Throws Error when
+    /// the scene has no terrain, or the new one does not fit the device.
+    void set_terrain(const Terrain& terrain, bool at_once = false);
+
     /// Draws the scene. The same scene, camera, style and settings give the same bytes on the same device by
     /// the same raster path; so do the frames of a film that follow one another.
     /// Pages that are too large for the device are drawn in tiles, which leave no seams: lines are strung for

@@ -35,11 +35,21 @@ struct TerrainWind {
 /// How the plane is cut into triangles.
 enum class TerrainMesh : uint8_t {
     rings, ///< nested grids about the eye, each twice as coarse as the one within; vertices stand still
-    grid   ///< one even grid, snapped by its own cell, laid before the eye and turned by right angles
+    grid,  ///< one even grid, snapped by its own cell, laid before the eye and turned by right angles
+    object ///< a mesh of the scene, raised by the heights
+};
+
+/// When the vertices are found anew.
+enum class TerrainUpdate : uint8_t {
+    moved,  ///< when the eye or the time have gone on
+    always, ///< in every picture, for measuring
+    still   ///< time stands still for the ground
 };
 
 struct TerrainMeshing {
     TerrainMesh method = TerrainMesh::rings;
+    std::string object; ///< the name of a node, for the method of that name
+    TerrainUpdate update = TerrainUpdate::moved;
     float cell_m = 0.25F;         ///< between vertices, nearest to the eye; rounded to a power of two
     int cells = 128;              ///< along a side of a ring or grid; rounded up to a multiple of 4
     float reach_m = 20000.0F;     ///< how far the ground goes at least (rings)

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "frame/ground_mesh.hpp"
 
-#include "techniques/terrain/mesh/mesh_method.hpp"
+#include <algorithm>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
 
 namespace estampe::frame {
 
@@ -19,18 +22,50 @@ Scene with_terrain_node(const Scene& scene)
     return result;
 }
 
+terrain::ObjectTriangles raised_object(const Scene& scene)
+{
+    const TerrainMeshing& meshing = scene.terrain->description().meshing;
+    if (meshing.method != TerrainMesh::object) {
+        return {};
+    }
+    const auto node = std::ranges::find_if(scene.nodes, [&](const Node& candidate) {
+        return candidate.name == meshing.object && candidate.mesh != no_index;
+    });
+    if (node == scene.nodes.end()) {
+        throw Error(fmt::format("the scene has no object \"{}\" for the ground to raise", meshing.object),
+                    scene.terrain->description().name, "name one by mesh.object, or use the rings");
+    }
+    const ScenePose pose = pose_scene(scene, 0.0, no_index);
+    const glm::dmat4& place = pose.world_from_node[static_cast<size_t>(node - scene.nodes.begin())];
+    terrain::ObjectTriangles object;
+    for (const Primitive& primitive : scene.meshes[node->mesh].primitives) {
+        const auto first = static_cast<uint32_t>(object.places.size());
+        for (const glm::vec3& position : primitive.positions) {
+            object.places.emplace_back(place * glm::dvec4(position, 1.0));
+        }
+        for (size_t i = 0; primitive.topology == Topology::triangles && i + 2 < primitive.indices.size();
+             i += 3) {
+            object.triangles.emplace_back(first + primitive.indices[i], first + primitive.indices[i + 1],
+                                          first + primitive.indices[i + 2]);
+        }
+    }
+    return object;
+}
+
 pose::ForeignMesh ground_mesh(const Scene& scene)
 {
-    const auto method = terrain::mesh_method(scene.terrain->description().meshing);
+    const auto method = terrain::mesh_method(scene.terrain->description().meshing, raised_object(scene));
     terrain::MeshTopology topology = method->topology();
     const std::vector<shared::TerrainLevel> levels = method->place({}, {});
     pose::ForeignMesh mesh{.node = static_cast<Index>(scene.nodes.size() - 1),
                            .material = static_cast<Index>(scene.materials.size() - 1),
+                           .places = std::move(topology.places),
                            .triangles = std::move(topology.triangles)};
+    const bool stands_in_grids = mesh.places.empty();
     const double height_m = scene.terrain->sample(0.0, 0.0).height_m;
     mesh.places.reserve(topology.vertices.size());
-    for (const uint32_t vertex : topology.vertices) {
-        const glm::dvec2 place(terrain::vertex_place(vertex, levels));
+    for (size_t i = 0; stands_in_grids && i < topology.vertices.size(); ++i) {
+        const glm::dvec2 place(terrain::vertex_place(topology.vertices[i], levels));
         mesh.places.emplace_back(place.x, height_m, place.y);
     }
     mesh.near.extend({-20.0, height_m - 5.0, -20.0});

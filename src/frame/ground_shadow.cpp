@@ -10,7 +10,7 @@ GroundShadowPlan plan_ground_shadow(const Camera& camera, const glm::dvec3& anch
                                     const shadow::ShadowStyle& style, const gpu::Device& device)
 {
     constexpr double texel_m = 0.5;
-    const uint32_t size = device.info().software ? 256 : 512;
+    constexpr uint32_t size = 512;
     return {.is_thrown = is_thrown,
             .towards_sun = towards_sun,
             .sun_radius_rad = glm::radians(style.sun_radius_deg),

@@ -49,7 +49,8 @@ void lay_out(gpu::Device& device, LoadedScene& loaded)
         loaded.terrain = std::make_unique<terrain::TerrainBuffers>(
             device, *loaded.scene.terrain,
             terrain::TerrainTarget{.first_vertex = *loaded.layout.foreign_vertex,
-                                   .stroke_unit_m = loaded.layout.stroke_unit_m});
+                                   .stroke_unit_m = loaded.layout.stroke_unit_m},
+            raised_object(loaded.scene));
     } else {
         loaded.layout = pose::build_meshes(loaded.scene, ground_material);
     }

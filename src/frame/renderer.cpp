@@ -23,12 +23,18 @@ namespace estampe {
 
 namespace {
 
-/// Places of the rest pose that stand for how near the scene is: of all but a terrain, which is everywhere.
-std::span<const glm::vec3> own_places(const pose::MeshData& layout)
+/// How far from the eye what stands in front is; a terrain, which is everywhere, keeps it near.
+float nearby_m(const pose::MeshData& layout, const glm::dvec3& eye)
 {
+    constexpr float near_ground_m = 20.0F;
+    const auto unit_m = static_cast<float>(layout.stroke_unit_m);
+    const glm::vec3 eye_rest(eye - layout.rest_anchor);
     const std::span places(layout.stroke_coordinates);
-    return layout.foreign_vertex && *layout.foreign_vertex > 0 ? places.first(*layout.foreign_vertex)
-                                                               : places;
+    if (!layout.foreign_vertex) {
+        return unit_m * frame::nearby(places, eye_rest / unit_m);
+    }
+    const float objects_m = unit_m * frame::nearby(places.first(*layout.foreign_vertex), eye_rest / unit_m);
+    return objects_m > 0.0F ? std::min(objects_m, near_ground_m) : near_ground_m;
 }
 
 template <class T>
@@ -92,6 +98,38 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     loaded->pose = std::move(now);
     loaded->pose_moved = true;
     sun_map.forget();
+}
+
+void Renderer::set_terrain(const Terrain& terrain, bool at_once)
+{
+    if (!impl_->loaded || !impl_->loaded->terrain) {
+        throw Error("the scene has no terrain", "", "give it one before set_scene");
+    }
+    frame::LoadedScene& loaded = *impl_->loaded;
+    if (terrain.description().meshing != loaded.scene.terrain->description().meshing) {
+        throw Error("the terrain has another mesh", terrain.description().name, "load the scene anew");
+    }
+    loaded.terrain->set_graph(impl_->device, terrain);
+    loaded.terrain->set_source(at_once ? terrain::HeightSource::compiled_meanwhile
+                                       : terrain::HeightSource::compiled);
+    loaded.scene.terrain = terrain;
+}
+
+void Renderer::Impl::follow_eye(const Camera& camera)
+{
+    constexpr double far_m = 4096.0;
+    const glm::dvec3 away = camera.eye - loaded->layout.anchor;
+    if (!loaded->terrain || std::max(std::abs(away.x), std::abs(away.z)) <= far_m) {
+        return;
+    }
+    const glm::dvec3 nearest = 64.0 * glm::round(camera.eye / 64.0);
+    loaded->layout.anchor.x = nearest.x;
+    loaded->layout.anchor.z = nearest.z;
+    loaded->pose.reset();
+    sun_map.forget();
+    ground_shadow.forget();
+    local_shadows.forget();
+    line_history.forget();
 }
 
 void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& settings)
@@ -180,8 +218,6 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
 void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& style,
                                 const frame::FramePlan& plan, const FrameJob& job)
 {
-    const auto unit_m = static_cast<float>(loaded->layout.stroke_unit_m);
-    const glm::vec3 eye_anchor(camera.eye - loaded->layout.anchor);
     const paper::Accumulation& accumulation = job.accumulation;
     const shared::FrameGlobals globals = frame::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
@@ -190,7 +226,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
          .survey = job.survey,
          .jitter_px = frame::jitter(accumulation.sample_index, accumulation.sample_count),
          .page_height_mm = style.paper.height_mm,
-         .nearby_m = unit_m * frame::nearby(own_places(loaded->layout), eye_anchor / unit_m)});
+         .nearby_m = nearby_m(loaded->layout, camera.eye)});
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
     const frame::SamplePlan sample{.accumulation = accumulation,
                                    .is_first = job.is_first,
@@ -320,6 +356,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         local_shadows.forget();
     }
     motion = {};
+    follow_eye(camera);
     const pose::MeshData& layout = loaded->layout;
     const ScenePose scene_pose = pose_scene(loaded->scene, settings.time_s, settings.animation);
     check_places(loaded->scene, scene_pose);
@@ -337,6 +374,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     }
     const float lightmap_scale = frame::make_room(lighting, loaded->baked, tables.lightmap);
     notes = loaded->notes;
+    if (loaded->terrain && !loaded->terrain->problem().empty()) {
+        notes.push_back(fmt::format("the ground is drawn slowly: {}", loaded->terrain->problem()));
+    }
     std::ranges::copy(frame::idle_overrides(loaded->scene, tables), std::back_inserter(notes));
     if (lighting.indoors) {
         notes.emplace_back("the scene has no light and the sun does not reach it: a lamp hangs in the room");

@@ -55,6 +55,8 @@ struct Renderer::Impl {
     }
 
     void update_pose(const ScenePose& scene_pose);
+    /// Takes the anchor along with an eye that has gone far over the ground, so that floats stay fine there.
+    void follow_eye(const Camera& camera);
     /// Brings the ground to where the eye is.
     void update_terrain(const Camera& camera, const RenderSettings& settings);
     /// Poses the scene on the device as it was at another moment, so that the next update_pose() keeps that

@@ -89,6 +89,7 @@ public:
         if (foreign != nullptr) {
             data_.anchor = 64.0 * glm::round(data_.anchor / 64.0);
         }
+        data_.rest_anchor = data_.anchor;
         data_.stroke_unit_m = std::exp2(std::ceil(std::log2(std::max(data_.bounds.radius(), 1e-9))));
         for (Index node = 0; node < scene_.nodes.size(); ++node) {
             const bool is_foreign = foreign != nullptr && foreign->node == node;

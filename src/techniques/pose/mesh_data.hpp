@@ -71,6 +71,8 @@ struct MeshData {
     std::optional<uint32_t> foreign_vertex; ///< the first of the mesh that is posed by somebody else
     glm::dvec3 anchor{
         0.0}; ///< origin of anchor space in the world; whole multiples of 64 m beside such a mesh
+    glm::dvec3 rest_anchor{0.0}; ///< the same when strokes got their coordinates; beside such a mesh the
+                                 ///< anchor may go along with the eye
     double stroke_unit_m = 1.0;
     Bounds bounds; ///< of the rest pose
 };

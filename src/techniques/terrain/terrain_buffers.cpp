@@ -2,7 +2,10 @@
 #include "techniques/terrain/terrain_buffers.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
+
+#include <estampe/error.hpp>
 
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
@@ -31,14 +34,30 @@ bool same(const std::vector<shared::TerrainLevel>& a, const std::vector<shared::
     });
 }
 
+CompiledShaders shaders_of(const Terrain& terrain)
+{
+    try {
+        return {.vertices = &compiled_with(terrain.program(), "terrain_vertices_written",
+                                           shaders::terrain_vertices_text),
+                .heights = &compiled_with(terrain.program(), "terrain_heights_written",
+                                          shaders::terrain_heights_text)};
+    } catch (const Error& error) {
+        return {.problem = error.what()};
+    }
+}
+
 } // namespace
 
-TerrainBuffers::TerrainBuffers(gpu::Device& device, const Terrain& terrain, const TerrainTarget& target)
-    : terrain_(terrain), target_(target), method_(mesh_method(terrain.description().meshing))
+TerrainBuffers::TerrainBuffers(gpu::Device& device, const Terrain& terrain, const TerrainTarget& target,
+                               const ObjectTriangles& object)
+    : terrain_(terrain), target_(target), method_(mesh_method(terrain.description().meshing, object))
 {
-    const std::vector<uint32_t> vertices = method_->topology().vertices;
-    vertex_count_ = static_cast<uint32_t>(vertices.size());
-    vertices_ = gpu::upload_buffer(device, "terrain vertices", vertices);
+    const MeshTopology mesh = method_->topology();
+    vertex_count_ = static_cast<uint32_t>(mesh.vertices.size());
+    vertices_ = gpu::upload_buffer(device, "terrain vertices", mesh.vertices);
+    has_places_ = !mesh.places.empty();
+    places_ = gpu::upload_buffer(device, "terrain places",
+                                 std::vector<glm::vec3>(mesh.places.begin(), mesh.places.end()));
     set_graph(device, terrain);
 }
 
@@ -48,17 +67,36 @@ void TerrainBuffers::set_graph(gpu::Device& device, const Terrain& terrain)
     const std::vector<float>& texels = terrain.program().texels;
     texels_ = gpu::upload_buffer(device, "terrain texels", texels.empty() ? std::vector<float>(4) : texels);
     words_now_.clear();
+    compiled_.reset();
+    set_source(source_);
+}
+
+void TerrainBuffers::set_source(HeightSource source)
+{
+    source_ = source;
+    if (source == HeightSource::compiled_meanwhile && !compiled_) {
+        compiling_ = std::async(std::launch::async, shaders_of, terrain_);
+    }
+}
+
+const std::string& TerrainBuffers::problem() const
+{
+    static const std::string none;
+    return compiled_ ? compiled_->problem : none;
 }
 
 bool TerrainBuffers::prepare(gpu::Device& device, const TerrainMoment& moment)
 {
+    const TerrainMeshing& meshing = terrain_.description().meshing;
     const glm::dvec2 anchor_m(moment.anchor_m.x, moment.anchor_m.z);
     const std::vector<shared::TerrainLevel> levels = method_->place(moment.eye, anchor_m);
-    ProgramWords program = program_words(terrain_.program(), anchor_m, moment.time_s);
-    if (program.words == words_now_ && same(levels, levels_now_)) {
+    ProgramWords program = program_words(terrain_.program(), anchor_m,
+                                         meshing.update == TerrainUpdate::still ? 0.0 : moment.time_s);
+    const bool has_compiled = finish_compiling();
+    if (program.words == words_now_ && same(levels, levels_now_) && !has_compiled &&
+        meshing.update != TerrainUpdate::always) {
         return false;
     }
-    const TerrainMeshing& meshing = terrain_.description().meshing;
     const shared::TerrainGlobals globals{.eye_m = glm::vec2(moment.eye.eye_m - anchor_m),
                                          .anchor_y_m = static_cast<float>(moment.anchor_m.y),
                                          .stroke_unit_m = static_cast<float>(target_.stroke_unit_m),
@@ -79,17 +117,29 @@ bool TerrainBuffers::prepare(gpu::Device& device, const TerrainMoment& moment)
     return true;
 }
 
-const gpu::Shader& TerrainBuffers::shader(Task task) const
+/// Takes what the compiler has made, if it has done so since the last time.
+bool TerrainBuffers::finish_compiling()
 {
-    const bool is_interpreted = source_ == HeightSource::interpreted;
-    if (task == Task::vertices) {
-        return is_interpreted ? shaders::terrain_vertices_comp
-                              : compiled_with(terrain_.program(), "terrain_vertices_written",
-                                              shaders::terrain_vertices_text);
+    if (!compiling_.valid() || compiling_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+        return false;
     }
-    return is_interpreted
-               ? shaders::terrain_heights_comp
-               : compiled_with(terrain_.program(), "terrain_heights_written", shaders::terrain_heights_text);
+    compiled_ = compiling_.get();
+    return true;
+}
+
+const gpu::Shader& TerrainBuffers::shader(Task task)
+{
+    if (source_ == HeightSource::compiled && !compiled_) {
+        compiled_ = compiling_.valid() ? compiling_.get() : shaders_of(terrain_);
+    }
+    const gpu::Shader* own = nullptr;
+    if (source_ != HeightSource::interpreted && compiled_) {
+        own = task == Task::vertices ? compiled_->vertices : compiled_->heights;
+    }
+    if (own != nullptr) {
+        return *own;
+    }
+    return task == Task::vertices ? shaders::terrain_vertices_comp : shaders::terrain_heights_comp;
 }
 
 TerrainBuffers::Posed TerrainBuffers::add_vertices(gpu::Graph& graph, const Posed& meshes)
@@ -103,6 +153,8 @@ TerrainBuffers::Posed TerrainBuffers::add_vertices(gpu::Graph& graph, const Pose
     const Posed posed{.vertices = pass.modify(meshes.vertices),
                       .before = pass.modify(meshes.before),
                       .stroke_coordinates = pass.modify(meshes.stroke_coordinates)};
+    pass.read(gpu::import_whole(graph, "terrain places", places_));
+    pass.variant(has_places_ ? shared::terrain_has_places : 0U);
     pass.dispatch_items(vertex_count_);
     return posed;
 }

@@ -3,6 +3,7 @@
 
 // A terrain on the device: what poses the vertices of its mesh about the eye.
 
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -16,8 +17,16 @@ namespace estampe::terrain {
 
 /// Who runs the graph on the GPU.
 enum class HeightSource : uint8_t {
-    compiled,   ///< a shader of its own
-    interpreted ///< the one that takes any graph: slower, but there at once
+    compiled,          ///< a shader of its own; interpreted where there is no compiler
+    interpreted,       ///< the one that takes any graph: slower, but there at once
+    compiled_meanwhile ///< interpreted until the compiler, in a thread of its own, has done
+};
+
+/// Shaders with a graph in them; null where they could not be made.
+struct CompiledShaders {
+    const gpu::Shader* vertices = nullptr;
+    const gpu::Shader* heights = nullptr;
+    std::string problem; ///< why not
 };
 
 /// When and from where the ground is looked at.
@@ -37,13 +46,16 @@ struct TerrainTarget {
 class TerrainBuffers {
 public:
     /// Uploads what does not change. Throws Error when it does not fit the device.
-    TerrainBuffers(gpu::Device& device, const Terrain& terrain, const TerrainTarget& target);
+    TerrainBuffers(gpu::Device& device, const Terrain& terrain, const TerrainTarget& target,
+                   const ObjectTriangles& object = {});
 
     /// Takes another graph, or other numbers in it, for the same mesh. Throws Error when it does not fit.
     void set_graph(gpu::Device& device, const Terrain& terrain);
 
     /// Says who runs the graph from now on.
-    void set_source(HeightSource source) { source_ = source; }
+    void set_source(HeightSource source);
+
+    [[nodiscard]] const Terrain& terrain() const { return terrain_; }
 
     /// Brings levels and places to a moment; returns whether any vertex may have changed since the last.
     bool prepare(gpu::Device& device, const TerrainMoment& moment);
@@ -67,13 +79,17 @@ public:
     /// Cost    one dispatch, one thread a texel
     [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const shared::TerrainFieldConstants& field);
 
+    /// Why the graph is interpreted where it should have been compiled; empty when it is not.
+    [[nodiscard]] const std::string& problem() const;
+
     /// Counts up whenever the ground takes another form, be it that time has gone on.
     [[nodiscard]] uint64_t form() const { return form_; }
 
 private:
     enum class Task : uint8_t { vertices, heights };
 
-    [[nodiscard]] const gpu::Shader& shader(Task task) const;
+    [[nodiscard]] bool finish_compiling();
+    [[nodiscard]] const gpu::Shader& shader(Task task);
 
     Terrain terrain_;
     TerrainTarget target_;
@@ -81,6 +97,10 @@ private:
     HeightSource source_ = HeightSource::compiled;
     uint32_t vertex_count_ = 0;
     gpu::Buffer vertices_;
+    gpu::Buffer places_; ///< of vertices in no grid
+    bool has_places_ = false;
+    std::future<CompiledShaders> compiling_;
+    std::optional<CompiledShaders> compiled_; ///< of this graph
     gpu::Buffer texels_;
     gpu::Buffer words_;
     gpu::Buffer levels_;

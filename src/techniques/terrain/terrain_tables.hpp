@@ -30,10 +30,18 @@ inline const style::Table<TerrainMeshing>& mesh_table()
 {
     static const auto table =
         style::Table<TerrainMeshing>("mesh", "How the ground is cut into triangles")
-            .choice("method", &TerrainMeshing::method,
-                    {{"rings", TerrainMesh::rings}, {"grid", TerrainMesh::grid}},
-                    "Nested grids about the eye, each twice as coarse as the one within; or one even grid "
-                    "before the eye, turned by right angles")
+            .choice(
+                "method", &TerrainMeshing::method,
+                {{"rings", TerrainMesh::rings}, {"grid", TerrainMesh::grid}, {"object", TerrainMesh::object}},
+                "Nested grids about the eye, each twice as coarse as the one within; one even grid "
+                "before the eye, turned by right angles; or an object of the scene, raised by the heights")
+            .text("object", &TerrainMeshing::object, "The name of that object")
+            .choice("update", &TerrainMeshing::update,
+                    {{"moved", TerrainUpdate::moved},
+                     {"always", TerrainUpdate::always},
+                     {"still", TerrainUpdate::still}},
+                    "When vertices are found anew: when eye or time have gone on, in every picture, or as if "
+                    "time stood still")
             .number("cell_m", &TerrainMeshing::cell_m, {0.01F, 64.0F}, "m",
                     "Between vertices nearest to the eye; rounded to a power of two")
             .integer("cells", &TerrainMeshing::cells, {16, 2048}, "",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_GROUND_SHADOW_GLSL_H
 #define ESTAMPE_GROUND_SHADOW_GLSL_H
-// Fields of heights and horizons about the eye, each four times as coarse as the one before.
+// Fields of heights and horizons about the eye, each three times as coarse as the one before.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {

@@ -30,7 +30,8 @@ vec2 kept_at(uint level, ivec2 texel)
     return unpackHalf2x16(texelFetch(kept, int(first) + texel.y * int(constants.size) + texel.x).x);
 }
 
-// Height and horizon, between texels, of the finest level that holds the place. Beyond all of them: no horizon.
+// Height and horizon, between texels, of the finest level that holds the place. Beyond all of them: no
+// horizon.
 vec2 ground_at(vec2 place)
 {
     vec2 result = vec2(-1e4, -1.0);
@@ -41,8 +42,8 @@ vec2 ground_at(vec2 place)
             ivec2 texel = ivec2(at);
             vec2 f = at - vec2(texel);
             result = mix(mix(kept_at(uint(level), texel), kept_at(uint(level), texel + ivec2(1, 0)), f.x),
-                         mix(kept_at(uint(level), texel + ivec2(0, 1)), kept_at(uint(level), texel + ivec2(1, 1)),
-                             f.x),
+                         mix(kept_at(uint(level), texel + ivec2(0, 1)),
+                             kept_at(uint(level), texel + ivec2(1, 1)), f.x),
                          f.y);
         }
     }

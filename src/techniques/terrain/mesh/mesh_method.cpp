@@ -5,12 +5,16 @@
 
 #include "techniques/terrain/mesh/cell_size.hpp"
 #include "techniques/terrain/mesh/grid.hpp"
+#include "techniques/terrain/mesh/raised.hpp"
 #include "techniques/terrain/mesh/rings.hpp"
 
 namespace estampe::terrain {
 
-std::unique_ptr<MeshMethod> mesh_method(const TerrainMeshing& meshing)
+std::unique_ptr<MeshMethod> mesh_method(const TerrainMeshing& meshing, const ObjectTriangles& object)
 {
+    if (meshing.method == TerrainMesh::object) {
+        return std::make_unique<Raised>(object);
+    }
     if (meshing.method == TerrainMesh::grid) {
         return std::make_unique<Grid>(meshing);
     }

@@ -16,6 +16,7 @@ namespace estampe::terrain {
 /// Vertices, which a level's place turns into points of the plane, and triangles between them, which run
 /// counter-clockwise from above.
 struct MeshTopology {
+    std::vector<glm::dvec3> places; ///< in the world, of vertices that are in no grid; else none
     std::vector<uint32_t> vertices; ///< words of terrain_mesh.glsl.h
     std::vector<glm::uvec3> triangles;
 };
@@ -39,10 +40,17 @@ public:
                                                                   const glm::dvec2& anchor_m) const = 0;
 };
 
-/// The method that `meshing` names. Source of the rings: Losasso and Hoppe, "Geometry Clipmaps", SIGGRAPH
-/// 2004, whose neighbours here share vertices, so that nothing lies between them; of the grid: Zanuttini,
-/// "Recherches en rendu non réaliste temps réel", 2008, chapter 5.
-[[nodiscard]] std::unique_ptr<MeshMethod> mesh_method(const TerrainMeshing& meshing);
+/// A mesh of the scene, in the world.
+struct ObjectTriangles {
+    std::vector<glm::dvec3> places;
+    std::vector<glm::uvec3> triangles;
+};
+
+/// The method that `meshing` names; `object` is for the method that raises one. Source of the rings: Losasso
+/// and Hoppe, "Geometry Clipmaps", SIGGRAPH 2004, whose neighbours here share vertices, so that nothing lies
+/// between them; of the grid: Zanuttini, "Recherches en rendu non réaliste temps réel", 2008, chapter 5.
+[[nodiscard]] std::unique_ptr<MeshMethod> mesh_method(const TerrainMeshing& meshing,
+                                                      const ObjectTriangles& object = {});
 
 /// The place of a vertex in the plane, from the anchor in metres; as vertices.comp finds it.
 [[nodiscard]] glm::vec2 vertex_place(uint32_t vertex, const std::vector<shared::TerrainLevel>& levels);

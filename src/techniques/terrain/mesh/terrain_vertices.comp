@@ -49,6 +49,14 @@ layout(scalar, binding = 7) writeonly buffer StrokeCoordinates
     vec3 stroke_coordinates[];
 };
 
+layout(scalar, binding = 8) readonly buffer Places
+{
+    vec3 places[]; // of vertices that stand in no grid, from the first anchor
+};
+
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_places = (variant & terrain_has_places) != 0u;
+
 #include "techniques/terrain/graph/height_program.glsl"
 
 uvec2 index_of(uint vertex, TerrainLevel level)
@@ -125,7 +133,14 @@ void main()
     TerrainLevel level = levels[vertex >> 28];
     uvec2 index = index_of(vertex, level);
     vec2 place = level.origin_m + level.cell_m * vec2(index);
-    vec4 height = height_of(index, level);
+    vec4 height = vec4(0.0);
+    if (has_places) {
+        vec3 own = places[number];
+        place = own.xz + level.origin_m;
+        height = height_at(place, level.cell_m) + vec4(own.y, 0.0, 0.0, 0.0);
+    } else {
+        height = height_of(index, level);
+    }
     vec3 sea = vec3(0.0, terrain.anchor_y_m, 0.0);
     uint normal = pack_normal(bent_normal(place, normalize(vec3(-height.y, 1.0, -height.z))));
     uint at = terrain.first_vertex + number;
