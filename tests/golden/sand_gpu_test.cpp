@@ -3,6 +3,8 @@
 // shows it.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -68,17 +70,43 @@ void add_tile(Image& sheet, int tile, const Ground& ground)
     }
 }
 
-Ground dunes(const terrain::SlabStyle& style, uint32_t steps)
+constexpr uint32_t field_side = 256;
+
+Ground dunes(const std::function<double(glm::dvec2)>& start, uint32_t steps)
 {
-    constexpr uint32_t side = 128;
-    constexpr uint32_t at_once = 20;
-    terrain::SlabField field(test::shared_device(), style, side);
+    constexpr terrain::SlabStyle style{.slides = 4};
     std::vector<float> heights_m;
+    for (uint32_t i = 0; i < field_side * field_side; ++i) {
+        heights_m.push_back(static_cast<float>(start({i % field_side, i / field_side})));
+    }
+    terrain::SlabField field(test::shared_device(), style, field_side, heights_m);
+    constexpr uint32_t at_once = 25;
     for (uint32_t i = 0; i < steps; i += at_once) {
         gpu::Graph graph;
         heights_m = test::run_and_read_as<float>(graph, field.add_steps(graph, style, at_once));
     }
-    return {.side = side, .texel_m = style.cell_m, .heights_m = heights_m};
+    return {.side = field_side, .texel_m = style.cell_m, .heights_m = heights_m};
+}
+
+/// Waves across the wind, which bend and fork.
+double waves(glm::dvec2 p)
+{
+    const glm::dvec2 turn = 2.0 * std::numbers::pi / field_side * p;
+    const double bend = 1.3 * std::sin(turn.y + 0.6) + 0.8 * std::sin(3.0 * turn.y + turn.x);
+    return 4.0 + 2.2 * std::sin(5.0 * turn.x + bend) + 1.6 * std::sin(6.0 * turn.x - 2.0 * turn.y + bend);
+}
+
+/// Heaps on bare rock.
+double heaps(glm::dvec2 p)
+{
+    double height = 0.0;
+    for (int i = 0; i < 16; ++i) {
+        const auto place = [&](double step) { return std::fmod(step * (i + 1), 1.0) * field_side; };
+        const glm::dvec2 away = glm::abs(p - glm::dvec2(place(0.7549), place(0.5698)));
+        const double distance = glm::length(glm::min(away, static_cast<double>(field_side) - away));
+        height += std::max(4.0 + i % 5 - distance / 2.5, 0.0);
+    }
+    return height;
 }
 
 /// A barefoot walk in a bend, something dragged, a ball that fell; and a walk across them a minute and a half
@@ -124,8 +152,8 @@ TEST(SandGolden, DunesAndTrailsInALowSun)
 {
     Image sheet{.width = 3 * tile_px, .height = tile_px};
     sheet.rgba.assign(4ULL * sheet.width * sheet.height, 255);
-    add_tile(sheet, 0, dunes({}, 1800));
-    add_tile(sheet, 1, dunes({.depth_m = 1.2F}, 1200));
+    add_tile(sheet, 0, dunes(waves, 300));
+    add_tile(sheet, 1, dunes(heaps, 300));
     add_tile(sheet, 2, trails());
     test::expect_matches_golden(sheet, "sand");
 }
