@@ -15,6 +15,7 @@
 #include "techniques/lightmap/lightmap.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
+#include "techniques/terrain/terrain_buffers.hpp"
 
 namespace estampe::frame {
 
@@ -42,13 +43,14 @@ struct FrameResources {
     gpu::Buffer& edge_look;  ///< EdgeLook, see shadow/edge.glsl.h
     gpu::Buffer& sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
     LocalShadowBuffers& local_shadows;
-    gpu::Buffer& stroke_kinds;       ///< one a draw
-    gpu::Buffer& form_coordinates;   ///< three a triangle, where strokes follow the form
-    lightmap::MapBuffers* lightmaps; ///< where the scene has any
-    TonalMaps& maps;                 ///< one a look
-    gpu::Buffer& look_of_draw;       ///< where surfaces differ, as LookPlan has it
-    gpu::Buffer& line_looks;         ///< then, contour's LineLook of each look
-    contour::LineMesh* line_mesh;    ///< where lines are chains
+    gpu::Buffer& stroke_kinds;        ///< one a draw
+    gpu::Buffer& form_coordinates;    ///< three a triangle, where strokes follow the form
+    lightmap::MapBuffers* lightmaps;  ///< where the scene has any
+    TonalMaps& maps;                  ///< one a look
+    gpu::Buffer& look_of_draw;        ///< where surfaces differ, as LookPlan has it
+    gpu::Buffer& line_looks;          ///< then, contour's LineLook of each look
+    terrain::TerrainBuffers* terrain; ///< where the scene has one
+    contour::LineMesh* line_mesh;     ///< where lines are chains
     contour::LineHistory& line_history;
     gpu::Buffer& focus_lines;              ///< of the plan
     contour::BrushImages* brushes;         ///< where lines have others than the pen

@@ -19,9 +19,11 @@ PagePlan plan_page(const PlanInputs& in)
     return {.size_px = {in.settings.width, in.settings.height},
             .pixels_per_mm = pixels_per_mm(in.settings.height, in.style.paper.height_mm),
             .pixel = pixel_size(in.camera, in.settings.height),
-            .has_ground = ground == Ground::drawn ||
-                          (ground == Ground::automatic && !is_composed && !in.lighting.indoors),
-            .has_sky = sky == sky::SkyMode::drawn || (sky == sky::SkyMode::automatic && is_outdoors)};
+            .has_ground =
+                !scene.terrain && (ground == Ground::drawn ||
+                                   (ground == Ground::automatic && !is_composed && !in.lighting.indoors)),
+            .has_sky = sky == sky::SkyMode::drawn ||
+                       (sky == sky::SkyMode::automatic && (is_outdoors || scene.terrain.has_value()))};
 }
 
 RasterPlan plan_raster(const PlanInputs& in)

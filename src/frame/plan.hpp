@@ -99,6 +99,7 @@ struct SamplePlan {
     glm::vec2 from_px{0.0F};          ///< where on the page that begins
     glm::mat4 clip_from_anchor{1.0F}; ///< shifted within a pixel
     bool pose_moved = true;           ///< the posed vertices are not yet those of this moment
+    bool terrain_moved = false;       ///< nor are the ground's
     SunMapWork sun_map;
     float line_step_px = 3.0F; ///< between samples of lines, about
 };

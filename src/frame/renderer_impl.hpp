@@ -55,6 +55,8 @@ struct Renderer::Impl {
     }
 
     void update_pose(const ScenePose& scene_pose);
+    /// Brings the ground to where the eye is.
+    void update_terrain(const Camera& camera, const RenderSettings& settings);
     /// Poses the scene on the device as it was at another moment, so that the next update_pose() keeps that
     /// beside it.
     void pose_before(const ScenePose& scene_pose);
