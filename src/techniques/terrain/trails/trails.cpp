@@ -20,14 +20,15 @@ namespace {
 
 constexpr uint32_t ticks_a_step = 4;
 constexpr double steps_a_second = 30.0;
-constexpr uint32_t most_steps = 30 * 3600; ///< at once: an hour
-constexpr uint32_t steps_a_dispatch = 16384;
-constexpr double farthest_m = 1e12; ///< from the origin: texels can still be counted
+constexpr uint32_t most_steps = 30 * 3600;   ///< at once: an hour
+constexpr uint32_t steps_a_dispatch = 16384; ///< lavapipe stops a thread after 65535 rounds of its loops
+constexpr double farthest_m = 1e12;          ///< from the origin: texels can still be counted
 
-std::vector<float> even_ground(uint32_t side)
+std::vector<float> even_ground(uint32_t side, double extent_m)
 {
-    if (!std::has_single_bit(side) || side < 16 || side > 4096) {
-        throw std::logic_error("a field of trails has a side of 16 to 4096 texels, a power of two");
+    if (!std::has_single_bit(side) || side < 16 || side > 1024 || !(extent_m > 0.0)) {
+        throw std::logic_error(
+            "a field of trails has a side of 16 to 1024 texels, a power of two, and an extent");
     }
     return std::vector<float>(static_cast<size_t>(side) * side);
 }
@@ -111,7 +112,7 @@ TrailStamp TrailStamp::foot(glm::dvec2 place_m, glm::dvec2 towards, float length
 }
 
 TrailField::TrailField(gpu::Device& device, uint32_t side, double extent_m)
-    : heights_(gpu::upload_buffer(device, "trails", even_ground(side))), side_(side),
+    : heights_(gpu::upload_buffer(device, "trails", even_ground(side, extent_m))), side_(side),
       texel_m_(extent_m / side)
 {
 }
@@ -189,12 +190,14 @@ TrailImage TrailField::add_step(gpu::Graph& graph, const TrailStyle& style, uint
                                 glm::dvec2 centre_m)
 {
     gpu::BufferId heights = gpu::import_whole(graph, "trails", heights_);
-    const glm::dvec2 middle = glm::clamp(centre_m, -farthest_m, farthest_m) / texel_m_;
-    const glm::i64vec2 first = glm::i64vec2(glm::round(middle)) - static_cast<int64_t>(side_ / 2);
-    if (first != first_) {
-        const glm::i64vec2 moved = first - first_;
-        first_ = first;
-        heights = add_fill(graph, style, moved, 0, heights);
+    if (std::isfinite(centre_m.x + centre_m.y)) {
+        const glm::dvec2 middle = glm::clamp(centre_m, -farthest_m, farthest_m) / texel_m_;
+        const glm::i64vec2 moved =
+            glm::i64vec2(glm::round(middle)) - static_cast<int64_t>(side_ / 2) - first_;
+        first_ += moved;
+        if (moved != glm::i64vec2(0)) {
+            heights = add_fill(graph, style, moved, 0, heights);
+        }
     }
     heights = add_presses(graph, heights);
     if (slumps_left_ < 0) {

@@ -63,18 +63,18 @@ struct TrailImage {
 /// frames does not matter.
 class TrailField {
 public:
-    /// `side` is in texels: a power of two, 16 to 4096; anything else is an std::logic_error.
+    /// `side` is in texels: a power of two, 16 to 1024; anything else is an std::logic_error.
     TrailField(gpu::Device& device, uint32_t side = 512, double extent_m = 32.0);
 
     /// Things to press in, one after the other, at the next add_step(). Those that touch nothing of the
     /// window, are not finite, or are longer than 100 m, are left out.
     void press(std::span<const TrailStamp> stamps);
 
-    /// Lets `ticks` of 1/120 s pass with the window about `centre_m`, and hands out the heights. What waits
-    /// is pressed in first, at most most_presses() a graph; the rest waits on. The graph must be run, and
-    /// graphs in the order in which they were given to the field, which must outlive their runs. Once a
-    /// graph. Cost    a dispatch for the image; where steps pass or the window moves one more, for each stamp
-    /// one of
+    /// Lets `ticks` of 1/120 s pass with the window about `centre_m` (where that is not finite it stays), and
+    /// hands out the heights. What waits is pressed in first, at most most_presses() a graph; the rest waits
+    /// on. The graph must be run, and graphs in the order in which they were given to the field, which must
+    /// outlive their runs. Once a graph. Cost    a dispatch for the image; where steps pass or the window
+    /// moves one more, for each stamp one of
     ///         one workgroup, for each step that slumps four of a quarter of the threads
     [[nodiscard]] TrailImage add_step(gpu::Graph& graph, const TrailStyle& style, uint32_t ticks,
                                       glm::dvec2 centre_m);

@@ -256,6 +256,8 @@ TEST(Trails, WhatCannotBePressedIsLeftOut)
     walked.field.press(bad);
     static_cast<void>(walked.after(8));
     EXPECT_EQ(depth_sum_of(walked.kept()), 0.0);
+    const glm::dvec2 corner_m = walked.after(0, {1.0, 2.0}).corner_m;
+    EXPECT_EQ(walked.after(0, {nan, 2.0}).corner_m, corner_m);
     // More than a graph takes waits for the next.
     const std::vector<TrailStamp> many(TrailField::most_presses(), TrailStamp::disc({0.0, 0.0}, 0.3F, 0.1F));
     const TrailStamp last = TrailStamp::disc({2.0, 2.0}, 0.3F, 0.1F);
@@ -266,9 +268,10 @@ TEST(Trails, WhatCannotBePressedIsLeftOut)
     EXPECT_EQ(height_of(walked.kept(), there), 0.0F);
     static_cast<void>(walked.after(0));
     EXPECT_EQ(height_of(walked.kept(), there), -0.1F);
-    for (const uint32_t wrong : {0U, 8U, 100U, 8192U}) {
+    for (const uint32_t wrong : {0U, 8U, 100U, 2048U}) {
         EXPECT_THROW(TrailField(test::shared_device(), wrong), std::logic_error) << wrong;
     }
+    EXPECT_THROW(TrailField(test::shared_device(), 64, nan), std::logic_error);
 }
 
 } // namespace
