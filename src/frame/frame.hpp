@@ -43,12 +43,13 @@ struct FrameResources {
     gpu::Buffer& edge_look;  ///< EdgeLook, see shadow/edge.glsl.h
     gpu::Buffer& sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
     LocalShadowBuffers& local_shadows;
-    gpu::Buffer& stroke_kinds;        ///< one a draw
-    gpu::Buffer& form_coordinates;    ///< three a triangle, where strokes follow the form
-    lightmap::MapBuffers* lightmaps;  ///< where the scene has any
-    TonalMaps& maps;                  ///< one a look
-    gpu::Buffer& look_of_draw;        ///< where surfaces differ, as LookPlan has it
-    gpu::Buffer& line_looks;          ///< then, contour's LineLook of each look
+    gpu::Buffer& stroke_kinds;       ///< one a draw
+    gpu::Buffer& form_coordinates;   ///< three a triangle, where strokes follow the form
+    lightmap::MapBuffers* lightmaps; ///< where the scene has any
+    TonalMaps& maps;                 ///< one a look
+    gpu::Buffer& look_of_draw;       ///< where surfaces differ, as LookPlan has it
+    gpu::Buffer& line_looks;         ///< then, contour's LineLook of each look
+    GroundShadow& ground_shadow;
     terrain::TerrainBuffers* terrain; ///< where the scene has one
     contour::LineMesh* line_mesh;     ///< where lines are chains
     contour::LineHistory& line_history;

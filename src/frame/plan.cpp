@@ -52,7 +52,11 @@ SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
             .daylight_rad =
                 in.daylight ? std::optional(static_cast<float>(in.daylight->elevation_rad)) : std::nullopt,
             .casters = lighting.sun_casters,
-            .map = plan_sun_map(scene, in.camera, page.size_px, page.pixel, in.style)};
+            .map = plan_sun_map(scene, in.camera, page.size_px, page.pixel, in.style),
+            .ground = in.loaded.terrain == nullptr
+                          ? GroundShadowPlan{}
+                          : plan_ground_shadow(in.camera, layout.anchor, lighting.towards_sun,
+                                               scene.throws_shadow, in.style.shadow, in.device)};
 }
 
 LightPlan plan_light(const PlanInputs& in, const StrokePlan& strokes)

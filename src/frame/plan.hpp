@@ -8,6 +8,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "frame/ground_shadow.hpp"
 #include "frame/loaded_scene.hpp"
 #include "frame/local_shadows.hpp"
 #include "frame/looks.hpp"
@@ -44,6 +45,7 @@ struct SunPlan {
     std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
     Groups casters = all_groups;       ///< whose shadows it throws
     SunMapPlan map;
+    GroundShadowPlan ground;
 };
 
 /// The light but for the sun's place.

@@ -68,6 +68,7 @@ void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
 {
     impl_->loaded.reset();
     impl_->sun_map.forget();
+    impl_->ground_shadow.forget();
     impl_->local_shadows.forget();
     impl_->exposure.forget();
     impl_->line_history.forget();
@@ -200,6 +201,9 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                    .terrain_moved = loaded->terrain_moved,
                                    .sun_map = sun_map.provide(device, plan.sun.map),
                                    .line_step_px = frame::line_step_px(job.survey ? job.survey->shrink : 1)};
+    if (plan.sun.ground.is_thrown) {
+        ground_shadow.provide(device, plan.sun.ground);
+    }
     frame::FrameResources resources{.device = device,
                                     .meshes = loaded->meshes,
                                     .materials = loaded->materials,
@@ -217,6 +221,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .maps = tonal_maps,
                                     .look_of_draw = look_of_draw,
                                     .line_looks = line_looks,
+                                    .ground_shadow = ground_shadow,
                                     .terrain = loaded->terrain.get(),
                                     .line_mesh =
                                         loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines),
@@ -244,6 +249,9 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
         line_history.end_frame(sample.clip_from_anchor);
     }
     sun_map.drawn(plan.sun.map);
+    if (plan.sun.ground.is_thrown) {
+        ground_shadow.drawn(plan.sun.ground, *loaded->terrain);
+    }
     compiling.reset(); // it reads the graph
     drawn = std::move(graph);
 }

@@ -106,6 +106,7 @@ struct Renderer::Impl {
     gpu::Buffer lights;
     light::ExposureMemory exposure;
     frame::SunMap sun_map;
+    frame::GroundShadow ground_shadow;
     gpu::Buffer edge_look;
     gpu::Buffer sun_shadow;
     frame::LocalShadows local_shadows;

@@ -6,6 +6,8 @@
 
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
+#include "shaders/terrain_heights_comp.hpp"
+#include "shaders/terrain_heights_text.hpp"
 #include "shaders/terrain_vertices_comp.hpp"
 #include "shaders/terrain_vertices_text.hpp"
 #include "techniques/terrain/graph/glsl.hpp"
@@ -71,22 +73,28 @@ bool TerrainBuffers::prepare(gpu::Device& device, const TerrainMoment& moment)
     globals_ = mapped_buffer(device, "terrain", std::vector{globals});
     levels_ = mapped_buffer(device, "terrain levels", levels);
     words_ = mapped_buffer(device, "terrain program", program.words);
+    form_ += program.words == words_now_ ? 0 : 1;
     words_now_ = std::move(program.words);
     levels_now_ = levels;
     return true;
 }
 
-const gpu::Shader& TerrainBuffers::shader() const
+const gpu::Shader& TerrainBuffers::shader(Task task) const
 {
-    if (source_ == HeightSource::interpreted) {
-        return shaders::terrain_vertices_comp;
+    const bool is_interpreted = source_ == HeightSource::interpreted;
+    if (task == Task::vertices) {
+        return is_interpreted ? shaders::terrain_vertices_comp
+                              : compiled_with(terrain_.program(), "terrain_vertices_written",
+                                              shaders::terrain_vertices_text);
     }
-    return compiled_with(terrain_.program(), "terrain_vertices_written", shaders::terrain_vertices_text);
+    return is_interpreted
+               ? shaders::terrain_heights_comp
+               : compiled_with(terrain_.program(), "terrain_heights_written", shaders::terrain_heights_text);
 }
 
 TerrainBuffers::Posed TerrainBuffers::add_vertices(gpu::Graph& graph, const Posed& meshes)
 {
-    auto pass = graph.compute("terrain", shader());
+    auto pass = graph.compute("terrain", shader(Task::vertices));
     pass.uniform(gpu::import_whole(graph, "terrain", globals_))
         .read(gpu::import_whole(graph, "terrain levels", levels_))
         .read(gpu::import_whole(graph, "terrain vertices", vertices_))
@@ -97,6 +105,18 @@ TerrainBuffers::Posed TerrainBuffers::add_vertices(gpu::Graph& graph, const Pose
                       .stroke_coordinates = pass.modify(meshes.stroke_coordinates)};
     pass.dispatch_items(vertex_count_);
     return posed;
+}
+
+gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const shared::TerrainFieldConstants& field)
+{
+    auto pass = graph.compute("terrain/heights", shader(Task::heights));
+    pass.uniform(gpu::import_whole(graph, "terrain", globals_))
+        .read(gpu::import_whole(graph, "terrain program", words_))
+        .sample(gpu::import_whole(graph, "terrain texels", texels_), gpu::Format::r32f);
+    const gpu::ImageId height = pass.write(graph.image(
+        "terrain/heights", {.width = field.size.x, .height = field.size.y, .format = gpu::Format::r32f}));
+    pass.push(field).dispatch_over(field.size.x, field.size.y);
+    return height;
 }
 
 } // namespace estampe::terrain

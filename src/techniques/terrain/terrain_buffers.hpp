@@ -62,8 +62,18 @@ public:
 
     [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes);
 
+    /// Heights above the anchor on a lattice, r32f, `size` texels; what the lattice cannot show is left out.
+    ///
+    /// Cost    one dispatch, one thread a texel
+    [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const shared::TerrainFieldConstants& field);
+
+    /// Counts up whenever the ground takes another form, be it that time has gone on.
+    [[nodiscard]] uint64_t form() const { return form_; }
+
 private:
-    const gpu::Shader& shader() const;
+    enum class Task : uint8_t { vertices, heights };
+
+    [[nodiscard]] const gpu::Shader& shader(Task task) const;
 
     Terrain terrain_;
     TerrainTarget target_;
@@ -76,6 +86,7 @@ private:
     gpu::Buffer levels_;
     gpu::Buffer globals_;
     std::vector<uint32_t> words_now_;
+    uint64_t form_ = 0;
     std::vector<shared::TerrainLevel> levels_now_;
 };
 

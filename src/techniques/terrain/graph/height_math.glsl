@@ -578,7 +578,7 @@ Real4 row_noise(int cell, Real t, int row, uint seed)
 
 // One dune of a train, `row`: a rise of `windward_m` to the brink, then sand at its angle of repose. Below 0
 // where it is not.
-Real4 one_dune(Place p, int row, uint first)
+Real4 one_dune(Place p, int row, uint first, Real spacing_m)
 {
     uint seed = uint(height_number(first));
     Real height_m = height_number(first + 1u);
@@ -612,7 +612,8 @@ Real4 one_dune(Place p, int row, uint first)
     if (climb.x >= Real(1)) {
         rise = dual(Real(1));
     }
-    return dual_min(dual_mul(crest, rise), lee);
+    // A grid would turn a sharp brink into teeth: there it is as round as that shows it straight.
+    return -dual_smooth_max(-dual_mul(crest, rise), -lee, Real(1.5) * repose * spacing_m + Real(1e-9));
 }
 
 // Parameters: seed, height, wavelength, slope of the slip face, length of the rise, meander (in wavelengths),
@@ -630,7 +631,7 @@ Real4 leaf_dunes(Place p, uint first, Real spacing_m)
     Real foot_m = height_number(first + 8u);
     Real4 height = dual(Real(0));
     for (int row = -1; row <= 2; ++row) {
-        height = dual_smooth_max(height, one_dune(p, row, first), foot_m);
+        height = dual_smooth_max(height, one_dune(p, row, first, spacing_m), foot_m);
     }
     return height * shown;
 }

@@ -41,6 +41,13 @@ struct TerrainGlobals {
     uint instruction_count;
 };
 
+// A field of heights: origin is the middle of the first texel, from the anchor.
+struct TerrainFieldConstants {
+    vec2 origin_m;
+    float texel_m;
+    uvec2 size;
+};
+
 #ifdef __cplusplus
 } // namespace estampe::shared
 #endif
