@@ -120,7 +120,7 @@ Slopes slopes_of(const Ground& ground)
     return slopes;
 }
 
-TEST(Dunes, GrowWithSlipFacesAndCrestsAcrossTheWindAndWanderWithIt)
+TEST(SlabDunes, GrowWithSlipFacesAndCrestsAcrossTheWindAndWanderWithIt)
 {
     Growing growing({.depth_m = 4.0F, .speedup_per_m = 0.02F, .smooth_cells = 0});
     const Ground young = growing.after(100);
@@ -181,7 +181,7 @@ Ridge wandering_ridge(float crest_m)
     return ridge;
 }
 
-TEST(Dunes, HighOnesWanderSlowlierAsTheirFluxSays)
+TEST(SlabDunes, HighOnesWanderSlowlierAsTheirFluxSays)
 {
     // Sand that a crest is reached by: what is lifted and hops on and on until it stays.
     const double flux_m2 = 0.4 * 0.1 * 5.0 / 0.6;
