@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// What grows of slabs are dunes: their slopes, their crests, and how they wander.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/gpu_device.hpp"
+#include "techniques/terrain/slabs/slabs.hpp"
+
+namespace estampe::terrain {
+namespace {
+
+constexpr int side = 128;
+
+/// Heights in metres, a metre a cell, of a field that repeats.
+class Ground {
+public:
+    explicit Ground(std::vector<float> heights_m)
+        : heights_m_(std::move(heights_m)),
+          mean_m_(std::accumulate(heights_m_.begin(), heights_m_.end(), 0.0) / (side * side))
+    {
+    }
+
+    [[nodiscard]] double at(int x, int y) const
+    {
+        return static_cast<double>(
+            heights_m_[static_cast<size_t>((y & (side - 1)) * side + (x & (side - 1)))]);
+    }
+
+    [[nodiscard]] glm::dvec2 gradient(int x, int y) const
+    {
+        return 0.5 * glm::dvec2(at(x + 1, y) - at(x - 1, y), at(x, y + 1) - at(x, y - 1));
+    }
+
+    /// Mean product of heights about their mean with those of `other` so many cells away.
+    [[nodiscard]] double correlation(const Ground& other, glm::ivec2 away) const
+    {
+        double sum = 0.0;
+        for (int i = 0; i < side * side; ++i) {
+            const glm::ivec2 there = glm::ivec2(i % side, i / side) + away;
+            sum += (at(i % side, i / side) - mean_m_) * (other.at(there.x, there.y) - other.mean_m_);
+        }
+        return sum / (side * side);
+    }
+
+private:
+    std::vector<float> heights_m_;
+    double mean_m_;
+};
+
+/// A field whose steps are let pass one after the other.
+class Growing {
+public:
+    explicit Growing(const SlabStyle& style) : style_(style), field_(test::shared_device(), style, side) {}
+
+    Growing(const SlabStyle& style, const std::vector<float>& start)
+        : style_(style), field_(test::shared_device(), style, side, start)
+    {
+    }
+
+    Ground after(uint32_t steps)
+    {
+        constexpr uint32_t at_once = 20;
+        for (; steps > at_once; steps -= at_once) {
+            gpu::Graph graph;
+            static_cast<void>(test::run_and_read_as<float>(graph, field_.add_steps(graph, style_, at_once)));
+        }
+        gpu::Graph graph;
+        return Ground(test::run_and_read_as<float>(graph, field_.add_steps(graph, style_, steps)));
+    }
+
+private:
+    SlabStyle style_;
+    SlabField field_;
+};
+
+/// Cells after which the correlation with itself has halved.
+int correlation_length(const Ground& ground, glm::ivec2 towards)
+{
+    const double half = 0.5 * ground.correlation(ground, {0, 0});
+    int cells = 1;
+    while (cells < side / 2 && ground.correlation(ground, cells * towards) > half) {
+        ++cells;
+    }
+    return cells;
+}
+
+/// Where `later` is most like `ground`, within so many cells.
+glm::ivec2 moved_between(const Ground& ground, const Ground& later, int reach)
+{
+    glm::ivec2 best(0);
+    for (int i = 0; i < (2 * reach + 1) * (2 * reach + 1); ++i) {
+        const glm::ivec2 cells(i % (2 * reach + 1) - reach, i / (2 * reach + 1) - reach);
+        if (ground.correlation(later, cells) > ground.correlation(later, best)) {
+            best = cells;
+        }
+    }
+    return best;
+}
+
+struct Slopes {
+    std::vector<int> lee = std::vector<int>(91); ///< cells that fall with the wind, by whole degrees
+    double too_steep = 0.0;                      ///< share of all cells, beyond 34 degrees
+};
+
+Slopes slopes_of(const Ground& ground)
+{
+    Slopes slopes;
+    for (int i = 0; i < side * side; ++i) {
+        const glm::dvec2 gradient = ground.gradient(i % side, i / side);
+        const double deg = glm::degrees(std::atan(glm::length(gradient)));
+        slopes.too_steep += deg > 34.0 ? 1.0 / (side * side) : 0.0;
+        slopes.lee[static_cast<size_t>(deg)] += gradient.x < 0.0 ? 1 : 0;
+    }
+    return slopes;
+}
+
+TEST(SlabDunes, GrowWithSlipFacesAndCrestsAcrossTheWindAndWanderWithIt)
+{
+    Growing growing({.depth_m = 4.0F, .speedup_per_m = 0.02F, .smooth_cells = 0});
+    const Ground young = growing.after(100);
+    const Ground grown = growing.after(1100);
+    const double roughness_m = std::sqrt(grown.correlation(grown, {0, 0}));
+    EXPECT_GT(roughness_m, 5.0 * std::sqrt(young.correlation(young, {0, 0})));
+    EXPECT_GT(roughness_m, 1.5);
+    EXPECT_GT(correlation_length(grown, {0, 1}), 1.3 * correlation_length(grown, {1, 0}));
+
+    const Slopes slopes = slopes_of(grown);
+    EXPECT_LE(slopes.too_steep, 0.01);
+    const auto most = std::max_element(slopes.lee.begin(), slopes.lee.end());
+    EXPECT_GE(most - slopes.lee.begin(), 30);
+    EXPECT_LT(most - slopes.lee.begin(), 34);
+    const int slip_face = std::accumulate(slopes.lee.begin() + 30, slopes.lee.begin() + 34, 0);
+    EXPECT_GT(slip_face, 2 * std::accumulate(slopes.lee.begin() + 20, slopes.lee.begin() + 24, 0));
+
+    const glm::ivec2 moved = moved_between(grown, growing.after(60), 8);
+    EXPECT_GE(moved.x, 2);
+    EXPECT_LE(moved.x, 7);
+    EXPECT_LE(std::abs(moved.y), 1);
+}
+
+/// Of a ridge across the wind, its crest so high at first.
+struct Ridge {
+    double crest_m = 0.0;
+    double celerity_m = 0.0; ///< in a step
+};
+
+Ridge wandering_ridge(float crest_m)
+{
+    const SlabStyle style{.wind_spread_deg = 0.0F, .speedup_per_m = 0.0F, .stay_on_rock = 0.6F};
+    std::vector<float> start;
+    for (int i = 0; i < side * side; ++i) {
+        const float x = static_cast<float>(i % side) - 3.0F * crest_m;
+        start.push_back(std::max(x < 0.0F ? crest_m + x / 3.0F : crest_m - x / 1.5F, 0.0F));
+    }
+    Growing growing(style, start);
+    Ridge ridge;
+    // The wave of the field's length is the ridge's place, finer than a cell.
+    const auto place = [&](const Ground& ground) {
+        glm::dvec2 wave(0.0);
+        ridge.crest_m = 0.0;
+        for (int x = 0; x < side; ++x) {
+            double height = 0.0;
+            for (int y = 0; y < side; ++y) {
+                height += ground.at(x, y) / side;
+            }
+            const double angle = 2.0 * std::numbers::pi * x / side;
+            wave += height * glm::dvec2(std::cos(angle), std::sin(angle));
+            ridge.crest_m = std::max(ridge.crest_m, height);
+        }
+        return std::atan2(wave.y, wave.x) * side / (2.0 * std::numbers::pi);
+    };
+    constexpr int steps = 200;
+    const double before = place(growing.after(200));
+    ridge.celerity_m = std::fmod(place(growing.after(steps)) - before + side, side) / steps;
+    return ridge;
+}
+
+TEST(SlabDunes, HighOnesWanderSlowlierAsTheirFluxSays)
+{
+    // Sand that a crest is reached by: what is lifted and hops on and on until it stays.
+    const double flux_m2 = 0.4 * 0.1 * 5.0 / 0.6;
+    const Ridge low = wandering_ridge(6.0F);
+    const Ridge high = wandering_ridge(9.0F);
+    EXPECT_GT(high.crest_m, 1.5 * low.crest_m);
+    EXPECT_NEAR(low.celerity_m * low.crest_m / flux_m2, 0.9, 0.1);
+    EXPECT_NEAR(high.celerity_m * high.crest_m / flux_m2, 0.9, 0.1);
+    EXPECT_NEAR(low.celerity_m / high.celerity_m, high.crest_m / low.crest_m,
+                0.15 * high.crest_m / low.crest_m);
+}
+
+} // namespace
+} // namespace estampe::terrain

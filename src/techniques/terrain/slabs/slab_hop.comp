@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// One thread a cell: the wind may lift a slab from it, which hops until it stays. What it meets is the ground
+// before the step, and slabs are counted by whole numbers, so that order does not matter.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/hash.glsl"
+#include "techniques/terrain/slabs/slabs.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform usamplerBuffer last_slabs;
+layout(binding = 1) uniform usamplerBuffer ground;
+
+layout(scalar, binding = 2) buffer Next
+{
+    uint next_slabs[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    SlabConstants slab;
+};
+
+#include "techniques/terrain/slabs/slab_lines.glsl"
+#include "techniques/terrain/slabs/slab_hop.glsl"
+
+void main()
+{
+    ivec2 place = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(place, ivec2(slab.side)))) {
+        return;
+    }
+    uint cell = slab_cell(place);
+    uint bits = hash(cell, slab.step, slab.seed);
+    if ((bits >> 16u) >= slab.lift || texelFetch(ground, int(cell)).x != slab_open_sand) {
+        return;
+    }
+    int reach = reach_of_hop(int(texelFetch(last_slabs, int(cell)).x));
+    uint lands = cell;
+    for (uint hop = 0u; hop < slab_most_hops; ++hop) {
+        bits = hash(bits + hop);
+        place += cells_of_hop(reach, bits);
+        lands = slab_cell(place);
+        bits = hash(bits);
+        if (stays(texelFetch(ground, int(lands)).x, bits)) {
+            break;
+        }
+    }
+    if (lands != cell) {
+        atomicAdd(next_slabs[cell], 0xffffffffu); // less one
+        atomicAdd(next_slabs[lands], 1u);
+    }
+}

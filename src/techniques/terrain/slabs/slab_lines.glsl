@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_SLAB_LINES
+#define ESTAMPE_SLAB_LINES
+
+// Where lines along the wind meet a field without edge: so many steps as the field has cells visit each cell
+// once, and go on as another line. What is in the lee lies under a roof that falls from every crest upwind.
+// Needs `slab`, a SlabConstants, and last_slabs.
+
+const int no_roof = -0x40000000;
+
+uint slab_cell(ivec2 place)
+{
+    ivec2 wrapped = place & (int(slab.side) - 1);
+    return uint(wrapped.y) * slab.side + uint(wrapped.x);
+}
+
+uint cell_of_line(int line, int step)
+{
+    int along = slab.sign * step;
+    int across = line + ((slab.slope * step + slab.phase) >> 16);
+    return slab_cell(slab.along_y != 0u ? ivec2(across, along) : ivec2(along, across));
+}
+
+// The line that goes on as `line`.
+int line_upwind(int line)
+{
+    return (line - ((slab.slope * int(slab.side)) >> 16)) & (int(slab.side) - 1);
+}
+
+int steps_of_piece()
+{
+    return int(slab.side / slab_pieces);
+}
+
+uint number_of_piece(int line, int piece)
+{
+    return uint(line) * slab_pieces + uint(piece);
+}
+
+// In 1/256 slab, as all that roofs are compared with.
+int height_of(uint slabs)
+{
+    return int(slabs) << 8;
+}
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// One thread a piece of a line along the wind: how high a roof it leaves at its end.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/terrain/slabs/slabs.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform usamplerBuffer last_slabs;
+
+layout(scalar, binding = 1) writeonly buffer Roofs
+{
+    int roof_after[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    SlabConstants slab;
+};
+
+#include "techniques/terrain/slabs/slab_lines.glsl"
+
+void main()
+{
+    ivec2 id = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(id, ivec2(slab_pieces, slab.side)))) {
+        return;
+    }
+    int steps = steps_of_piece();
+    int roof = no_roof;
+    for (int i = 0; i < steps; ++i) {
+        uint slabs = texelFetch(last_slabs, int(cell_of_line(id.y, id.x * steps + i))).x;
+        roof = max(roof, height_of(slabs)) - slab.drop;
+    }
+    roof_after[number_of_piece(id.y, id.x)] = roof;
+}

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/terrain/slabs/slabs.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "core/hash.hpp"
+#include "gpu/imports.hpp"
+#include "gpu/upload.hpp"
+#include "shaders/slab_across_comp.hpp"
+#include "shaders/slab_down_comp.hpp"
+#include "shaders/slab_hop_comp.hpp"
+#include "shaders/slab_roofs_comp.hpp"
+#include "shaders/slab_shade_comp.hpp"
+#include "shaders/slab_slide_comp.hpp"
+#include "techniques/terrain/slabs/slab_constants.hpp"
+
+namespace estampe::terrain {
+namespace {
+
+constexpr uint32_t most_passes = 240;  ///< of steps, in a graph; others need some too
+constexpr double most_slabs = 1 << 20; ///< on a cell at the start
+
+void check_side(uint32_t side)
+{
+    if (!std::has_single_bit(side) || side < 64 || side > 1024) {
+        throw std::logic_error("a field of slabs has a side of 64, 128, 256, 512 or 1024 cells");
+    }
+}
+
+uint32_t slabs_of(double height_m, const SlabStyle& style)
+{
+    const double slabs = height_m / static_cast<double>(style.slab_m);
+    return slabs > 0.0 ? static_cast<uint32_t>(std::lround(std::min(slabs, most_slabs))) : 0U;
+}
+
+std::vector<uint32_t> flat_start(const SlabStyle& style, uint32_t side)
+{
+    constexpr double unevenness_m = 1.0;
+    check_side(side);
+    std::vector<uint32_t> slabs;
+    for (uint64_t i = 0; i < static_cast<uint64_t>(side) * side; ++i) {
+        Hash hash;
+        hash.add(style.seed);
+        hash.add(i);
+        const double random = static_cast<double>(hash.value() >> 32U) / 2147483648.0 - 1.0;
+        slabs.push_back(slabs_of(static_cast<double>(style.depth_m) + unevenness_m * random, style));
+    }
+    return slabs;
+}
+
+std::vector<uint32_t> start_from(const SlabStyle& style, uint32_t side, std::span<const float> heights_m)
+{
+    check_side(side);
+    if (heights_m.size() != static_cast<size_t>(side) * side) {
+        throw std::logic_error("a field of slabs wants a height for each of its cells");
+    }
+    std::vector<uint32_t> slabs;
+    for (const float height_m : heights_m) {
+        slabs.push_back(slabs_of(static_cast<double>(height_m), style));
+    }
+    return slabs;
+}
+
+gpu::BufferId add_step(gpu::Graph& graph, const SlabStyle& style, const shared::SlabConstants& slab,
+                       gpu::BufferId last, gpu::BufferId next)
+{
+    const uint64_t size_bytes = sizeof(uint32_t) * uint64_t{slab.side} * slab.side;
+    auto piece = graph.compute("slabs/roofs", shaders::slab_roofs_comp);
+    piece.sample(last, gpu::Format::r32ui);
+    const gpu::BufferId roofs = piece.write(graph.buffer(
+        "slabs/roofs", {.size_bytes = sizeof(int32_t) * uint64_t{slab.side} * shared::slab_pieces}));
+    piece.push(slab).dispatch_over(shared::slab_pieces, slab.side);
+    auto shade = graph.compute("slabs/shade", shaders::slab_shade_comp);
+    shade.sample(last, gpu::Format::r32ui).read(roofs);
+    next = shade.write(next);
+    const gpu::BufferId ground = shade.write(graph.buffer("slabs/ground", {.size_bytes = size_bytes}));
+    shade.push(slab).dispatch_over(shared::slab_pieces, slab.side);
+    auto hop = graph.compute("slabs/hop", shaders::slab_hop_comp);
+    hop.sample(last, gpu::Format::r32ui).sample(ground, gpu::Format::r32ui);
+    next = hop.modify(next);
+    hop.push(slab).dispatch_over(slab.side, slab.side);
+    for (int i = 0; i < style.slides; ++i) {
+        auto slide = graph.compute("slabs/slide", shaders::slab_slide_comp);
+        next = slide.modify(next);
+        slide.push(slide_constants(style, slab.side, i)).dispatch_over(slab.side / 2, slab.side / 2);
+    }
+    return next;
+}
+
+gpu::ImageId add_height(gpu::Graph& graph, const shared::SlabHeightConstants& height, gpu::BufferId last,
+                        gpu::BufferId next)
+{
+    const gpu::ImageDesc desc{.width = height.side, .height = height.side, .format = gpu::Format::r32f};
+    auto across = graph.compute("slabs/across", shaders::slab_across_comp);
+    across.sample(last, gpu::Format::r32ui).sample(next, gpu::Format::r32ui);
+    const gpu::ImageId half = across.write(graph.image("slabs/across", desc));
+    across.push(height).dispatch_over(height.side, height.side);
+    auto down = graph.compute("slabs/down", shaders::slab_down_comp);
+    down.sample(half);
+    const gpu::ImageId image = down.write(graph.image("slabs/height", desc));
+    down.push(height).dispatch_over(height.side, height.side);
+    return image;
+}
+
+} // namespace
+
+SlabField::SlabField(gpu::Device& device, const SlabStyle& style, uint32_t side)
+    : SlabField(device, side, flat_start(style, side))
+{
+}
+
+SlabField::SlabField(gpu::Device& device, const SlabStyle& style, uint32_t side,
+                     std::span<const float> heights_m)
+    : SlabField(device, side, start_from(style, side, heights_m))
+{
+}
+
+SlabField::SlabField(gpu::Device& device, uint32_t side, const std::vector<uint32_t>& slabs)
+    : states_{gpu::upload_buffer(device, "slabs", slabs), gpu::upload_buffer(device, "slabs", slabs)},
+      side_(side)
+{
+}
+
+uint32_t SlabField::most_steps(const SlabStyle& style)
+{
+    return most_passes / (3U + static_cast<uint32_t>(style.slides));
+}
+
+gpu::ImageId SlabField::add_steps(gpu::Graph& graph, const SlabStyle& style, uint32_t count, float fraction)
+{
+    if (count > most_steps(style)) {
+        throw std::logic_error("more steps of slabs than one graph takes");
+    }
+    std::array<gpu::BufferId, 2> states{gpu::import_whole(graph, "slabs/even", states_[0]),
+                                        gpu::import_whole(graph, "slabs/odd", states_[1])};
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t last = newest_;
+        newest_ = 1 - newest_;
+        states[newest_] =
+            add_step(graph, style, slab_constants(style, side_, steps_++), states[last], states[newest_]);
+    }
+    return add_height(graph,
+                      {.side = side_,
+                       .radius = static_cast<uint32_t>(style.smooth_cells),
+                       .slab_m = style.slab_m,
+                       .fraction = fraction > 0.0F ? std::min(fraction, 1.0F) : 0.0F},
+                      states[1 - newest_], states[newest_]);
+}
+
+gpu::ImageId SlabField::add_moment(gpu::Graph& graph, const SlabStyle& style, double moment, uint32_t most)
+{
+    const double missing = std::ceil(moment) - static_cast<double>(steps_);
+    const uint32_t possible = std::min(most, most_steps(style));
+    const uint32_t count =
+        missing > 0.0 ? static_cast<uint32_t>(std::min(missing, static_cast<double>(possible))) : 0;
+    const double before = static_cast<double>(steps_ + count) - 1.0;
+    return add_steps(graph, style, count, static_cast<float>(moment - before));
+}
+
+} // namespace estampe::terrain

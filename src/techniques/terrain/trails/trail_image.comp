@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// One thread a texel: the window's heights as an image that begins at its corner, level at its edge.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/terrain/trails/trails.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform samplerBuffer height_m;
+layout(binding = 1, r32f) writeonly uniform image2D out_height;
+
+layout(push_constant, scalar) uniform Constants
+{
+    TrailImageConstants image;
+};
+
+#include "techniques/terrain/trails/trail_texels.glsl"
+
+void main()
+{
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_within(image.window, texel)) {
+        return;
+    }
+    ivec2 inwards = min(texel, int(image.window.side) - 1 - texel);
+    float fade = clamp(float(min(inwards.x, inwards.y)) / float(image.edge), 0.0, 1.0);
+    float height = texelFetch(height_m, int(kept_at(image.window, texel))).x;
+    imageStore(out_height, texel, vec4(fade * height));
+}

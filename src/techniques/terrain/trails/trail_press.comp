@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// One workgroup presses something into the ground: a bar with round ends, which may be of two sizes. What it
+// displaces becomes a rim around it, spread by weights that are summed first, in one order.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/terrain/trails/trails.glsl.h"
+
+const uint threads = 64u;
+layout(local_size_x = threads) in;
+
+layout(scalar, binding = 0) buffer Heights
+{
+    float height_m[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    TrailPress press;
+};
+
+#include "techniques/terrain/trails/trail_texels.glsl"
+
+shared float displaced_by[threads];
+shared float weight_of[threads];
+
+// Of a texel from the bar's edge, negative within.
+float distance_m(ivec2 texel)
+{
+    vec2 place = press.texel_m * vec2(texel);
+    vec2 along = press.to - press.from;
+    float share = clamp(dot(place - press.from, along) / max(dot(along, along), 1e-12), 0.0, 1.0);
+    return distance(place, press.from + share * along) - mix(press.from_radius_m, press.to_radius_m, share);
+}
+
+// Deep but for an edge as steep as sand stands.
+float sole_m(float distance)
+{
+    return -min(press.depth_m, max(-distance, 0.0));
+}
+
+// What is low already takes little.
+float rim_weight(float distance, float height)
+{
+    float across = clamp(distance / press.rim_m, 0.0, 1.0);
+    float bump = distance < 0.0 ? 0.0 : (1.0 - across) * (1.0 - across) * (0.25 + across);
+    return bump * (0.01 + clamp(1.0 + 2.0 * height / press.depth_m, 0.0, 1.0));
+}
+
+void main()
+{
+    ivec2 low = ivec2(press.low_x, press.low_y);
+    ivec2 size = ivec2(press.high_x, press.high_y) - low + 1;
+    ivec2 base = ivec2(press.base_x, press.base_y);
+    uint id = gl_LocalInvocationID.x;
+    uint count = uint(size.x * size.y);
+    float displaced = 0.0;
+    float weight = 0.0;
+    for (uint i = id; i < count; i += threads) {
+        ivec2 texel = low + ivec2(int(i) % size.x, int(i) / size.x);
+        float height = height_m[kept_at(press.window, base + texel)];
+        float away = distance_m(texel);
+        displaced += away < 0.0 ? max(height - sole_m(away), 0.0) : 0.0;
+        weight += rim_weight(away, height);
+    }
+    displaced_by[id] = displaced;
+    weight_of[id] = weight;
+    barrier();
+    displaced = 0.0;
+    weight = 0.0;
+    for (uint i = 0u; i < threads; ++i) {
+        displaced += displaced_by[i];
+        weight += weight_of[i];
+    }
+    if (weight <= 0.0) {
+        return;
+    }
+    for (uint i = id; i < count; i += threads) {
+        ivec2 texel = low + ivec2(int(i) % size.x, int(i) / size.x);
+        uint at = kept_at(press.window, base + texel);
+        float height = height_m[at];
+        float away = distance_m(texel);
+        height_m[at] =
+            away < 0.0 ? min(height, sole_m(away)) : height + displaced / weight * rim_weight(away, height);
+    }
+}
