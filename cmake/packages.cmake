@@ -61,13 +61,13 @@ of Vulkan 1.3, or on the processor by Mesa's lavapipe.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 # What is opened at run time, where dpkg-shlibdeps does not see it.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS libvulkan1)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd, ffmpeg")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd, ffmpeg, glslc")
 
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
 "The shared libraries that programs which draw with Estampe are linked to.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS libvulkan1)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd, ffmpeg")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd, ffmpeg, glslc")
 
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
 "Headers, and what CMake and pkg-config find the libraries by.")

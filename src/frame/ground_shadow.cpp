@@ -7,7 +7,7 @@ namespace estampe::frame {
 
 GroundShadowPlan plan_ground_shadow(const Camera& camera, const glm::dvec3& anchor,
                                     const glm::dvec3& towards_sun, bool is_thrown,
-                                    const shadow::ShadowStyle& style, const gpu::Device& device)
+                                    const shadow::ShadowStyle& style)
 {
     constexpr double texel_m = 0.5;
     constexpr uint32_t size = 512;

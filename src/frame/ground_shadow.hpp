@@ -26,8 +26,7 @@ struct GroundShadowPlan {
 /// Plans the fields about the camera.
 [[nodiscard]] GroundShadowPlan plan_ground_shadow(const Camera& camera, const glm::dvec3& anchor,
                                                   const glm::dvec3& towards_sun, bool is_thrown,
-                                                  const shadow::ShadowStyle& style,
-                                                  const gpu::Device& device);
+                                                  const shadow::ShadowStyle& style);
 
 struct GroundShadowInputs {
     const GroundShadowPlan& plan;

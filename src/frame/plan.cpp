@@ -56,7 +56,7 @@ SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
             .ground = in.loaded.terrain == nullptr
                           ? GroundShadowPlan{}
                           : plan_ground_shadow(in.camera, layout.anchor, lighting.towards_sun,
-                                               scene.throws_shadow, in.style.shadow, in.device)};
+                                               scene.throws_shadow, in.style.shadow)};
 }
 
 LightPlan plan_light(const PlanInputs& in, const StrokePlan& strokes)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures of a terrain: the same a million metres away, without a gap below the horizon, and with its shadow.
+// Pictures of a terrain: the same a million metres away, without a gap below the horizon, with its shadow,
+// and without swimming.
 #include <cmath>
 #include <numbers>
 
@@ -7,8 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "scene/shapes.hpp"
-#include "support/crawl.hpp"
-#include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 
@@ -16,6 +15,7 @@ namespace estampe {
 namespace {
 
 constexpr RenderSettings small{.width = 160, .height = 90};
+const std::string waves = "[terrain]\nheight = '2 * sine(32) + rotate(sine(16), 90)'\n[mesh]\ncells = 32\n";
 
 Scene ground(const std::string& toml)
 {
@@ -24,63 +24,158 @@ Scene ground(const std::string& toml)
     return scene;
 }
 
-const std::string waves = "[terrain]\nheight = '2 * sine(32) + rotate(sine(16), 90)'\n[mesh]\ncells = 32\n";
-
-Image draw(const Scene& scene, const Camera& camera, const std::vector<std::string>& settings = {},
-           const RenderSettings& size = small)
-{
-    Renderer renderer(test::validated());
-    renderer.set_scene(scene);
-    return renderer.render(camera, test::style_of(settings), size);
-}
-
 Camera looking(const glm::dvec3& eye, double yaw_rad, double pitch)
 {
     return {.eye = eye, .target = eye + glm::dvec3(std::cos(yaw_rad), pitch, std::sin(yaw_rad))};
 }
 
-/// Ground that repeats looks the same 1000 km on, to the byte, and steps of a millimetre do there what they do
+/// Ground that lies in shade or in the sun, and nothing else on the page.
+Style light_alone(float elevation_deg)
+{
+    Style style;
+    for (const char* const setting :
+         {"hatch.drawn=false", "contour.drawn=false", "sky.mode=paper", "paper.margin_mm=0", "paper.grain=0",
+          "paper.granulation=0", "light.sun_azimuth_deg=90", "light.source=sun"}) {
+        style.set(setting);
+    }
+    style.set("light.sun_elevation_deg=" + std::to_string(elevation_deg));
+    return style;
+}
+
+double brightness(const Image& image, uint32_t x, uint32_t y)
+{
+    return image.rgba[(size_t{y} * image.width + x) * 4] / 255.0;
+}
+
+/// Ground that repeats looks the same 2^20 m on, to the byte, and steps of a millimetre do there what they do
 /// here.
-TEST(Terrain, DoesNotShakeAMillionMetresAway)
+TEST(TerrainPictures, DoNotShakeAMillionMetresAway)
 {
     const Scene scene = ground(waves);
-    const glm::dvec3 far(1e6, 0.0, -2e6);
+    const glm::dvec3 far(1048576.0, 0.0, -2097152.0);
     Renderer here(test::validated());
     Renderer there(test::validated());
     here.set_scene(scene);
     there.set_scene(scene);
-    const Style style = test::style_of({"sky.mode=paper"});
     for (int step = 0; step < 3; ++step) {
         const glm::dvec3 eye(3.0 + 0.001 * step, 5.0, 0.001 * step);
-        EXPECT_EQ(here.render(looking(eye, 0.3, -0.3), style, small),
-                  there.render(looking(eye + far, 0.3, -0.3), style, small))
-            << step;
+        const Image near_by = here.render(looking(eye, 0.3, -0.3), {}, small);
+        EXPECT_TRUE(near_by == there.render(looking(eye + far, 0.3, -0.3), {}, small)) << step;
     }
 }
 
-/// Below the horizon there is ground at every pixel, from whatever place and in whatever direction.
-TEST(Terrain, HasNoGaps)
+/// From above there is ground at every pixel, wherever the rings' seams run.
+TEST(TerrainPictures, HaveNoGaps)
 {
     const Scene scene =
-        ground("[terrain]\nheight = '8 * fbm(60) + dunes(40, 5)'\n[mesh]\ncells = 32\nreach_m = 4000\n");
-    Renderer renderer(test::validated());
+        ground("[terrain]\nheight = '8 * fbm(60) + dunes(40, 5)'\ncolor = '#000000'\n[mesh]\ncells = 32\n"
+               "reach_m = 4000\n");
+    Renderer& renderer = test::shared_renderer();
     renderer.set_scene(scene);
-    // Ground that is drawn flat and black on a white page.
-    const Style style = test::style_of({"sky.mode=paper", "hatch.drawn=false", "contour.drawn=false",
-                                        "wash.strength=1", "paper.grain=0", "paper.margin_mm=0",
-                                        "light.shadows=false", "light.ambient=0", "light.sun_lux=0"});
     for (int i = 0; i < 12; ++i) {
         const glm::dvec3 at(37.3 * i, 0.0, -91.7 * i);
         const double ground_m = scene.terrain->sample(at.x, at.z).height_m;
         const Image image =
-            renderer.render(looking({at.x, ground_m + 30.0, at.z}, 0.7 * i, -1.2), style, small);
-        const auto is_paper = [&](size_t pixel) { return image.rgba[pixel * 4] > 200; };
-        size_t gaps = 0;
-        for (size_t pixel = 0; pixel < size_t{small.width} * small.height; ++pixel) {
-            gaps += is_paper(pixel) ? 1 : 0;
+            renderer.render(looking({at.x, ground_m + 30.0, at.z}, 0.7 * i, -1.2), light_alone(60.0F), small);
+        double brightest = 0.0;
+        for (uint32_t pixel = 0; pixel < small.width * small.height; ++pixel) {
+            brightest = std::max(brightest, brightness(image, pixel % small.width, pixel / small.width));
         }
-        EXPECT_EQ(gaps, 0U) << i;
+        EXPECT_LT(brightest, 0.7) << i; // the page is 0.95
     }
+}
+
+/// A ridge throws the shadow that its height and the sun's say, on the ground and on what stands there.
+TEST(TerrainPictures, RidgesThrowTheirShadow)
+{
+    // A wall along z, 8 m high, with a foot of 1 m either way; the sun comes from +x.
+    Scene scene =
+        ground("[terrain]\nheight = '8 * smoothstep(2, 1, abs(x))'\n[mesh]\ncell_m = 0.25\ncells = 128\n");
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    const double elevation_deg = 30.0;
+    const double end_m = -1.0 - 8.0 / std::tan(elevation_deg * std::numbers::pi / 180.0);
+    Camera above{.eye = {-10.0, 60.0, 0.0}, .target = {-10.0, 0.0, 0.0}, .up = {0.0, 0.0, -1.0}};
+    above.orthographic_half_height_m = 9.0;
+    const Image image = renderer.render(above, light_alone(static_cast<float>(elevation_deg)), small);
+    // Across the picture lie 32 m, from x = -26 to 6.
+    const auto column = [](double x_m) { return static_cast<uint32_t>((x_m + 26.0) / 32.0 * 160.0); };
+    const double lit = brightness(image, column(end_m - 1.5), 45);
+    const double dark = brightness(image, column(end_m + 1.5), 45);
+    EXPECT_LT(dark, 0.85 * lit);
+    for (double x_m = -3.0; x_m > -24.0; x_m -= 0.2) {
+        if (std::abs(x_m - end_m) > 0.6) {
+            EXPECT_NEAR(brightness(image, column(x_m), 20), x_m > end_m ? dark : lit, 0.05) << x_m;
+        }
+    }
+}
+
+/// A million metres in one stride: what was kept from picture to picture is not what is seen there.
+TEST(TerrainPictures, NothingIsLeftOfWhereTheEyeWas)
+{
+    const Scene scene = ground(waves);
+    Renderer walked(test::validated());
+    walked.set_scene(scene);
+    const glm::dvec3 far(1048576.0 + 7.0, 6.0, 11.0);
+    const Image before = walked.render(looking({3.0, 6.0, 0.0}, 0.3, -0.2), {}, small);
+    const Image after = walked.render(looking(far, 0.9, -0.2), {}, small);
+    Renderer fresh(test::validated());
+    fresh.set_scene(scene);
+    EXPECT_TRUE(after == fresh.render(looking(far, 0.9, -0.2), {}, small));
+    EXPECT_FALSE(before == after);
+}
+
+/// Another graph while the scene stays: interpreted at once, then compiled, and the same picture either way.
+TEST(TerrainPictures, GraphsAreSwapped)
+{
+    Renderer swapped(test::validated());
+    swapped.set_scene(ground(waves));
+    const Camera camera = looking({3.0, 6.0, 0.0}, 0.3, -0.2);
+    const Image first = swapped.render(camera, {}, small);
+    const std::string other = "[terrain]\nheight = '1.5 * sine(20) + x * 0'\n[mesh]\ncells = 32\n";
+    const Terrain terrain(parse_terrain(other, "other.toml"));
+    swapped.set_terrain(terrain, true);
+    const Image at_once = swapped.render(camera, {}, small);
+    swapped.set_terrain(terrain);
+    const Image compiled = swapped.render(camera, {}, small);
+    EXPECT_FALSE(first == at_once);
+    size_t differing = 0;
+    for (size_t i = 0; i < compiled.rgba.size(); i += 4) {
+        differing += std::abs(compiled.rgba[i] - at_once.rgba[i]) > 8 ? 1U : 0U;
+    }
+    EXPECT_LE(differing, small.width * small.height / 200);
+    EXPECT_THROW(swapped.set_terrain(Terrain(parse_terrain("[terrain]\nheight='1'\n", "finer.toml"))), Error);
+    swapped.set_scene(test::scene_of(shapes::box({1.0F, 1.0F, 1.0F})));
+    EXPECT_THROW(swapped.set_terrain(terrain), Error);
+}
+
+/// An object of the scene is raised where it stands, and is not drawn besides.
+TEST(TerrainPictures, AnObjectIsRaised)
+{
+    Scene scene = test::scene_of(shapes::box({8.0F, 0.1F, 8.0F}));
+    scene.nodes[0].name = "Field";
+    scene.terrain = Terrain(parse_terrain(
+        "[terrain]\nheight = '3'\n[mesh]\nmethod = 'object'\nobject = 'Field'\n", "raised.toml"));
+    Scene lifted = test::scene_of(shapes::box({8.0F, 0.1F, 8.0F}));
+    lifted.materials[0].base_color = glm::vec4(scene.terrain->description().look.color, 1.0F);
+    lifted.nodes[0].transform.translation.y = 3.0;
+    const Camera camera{.eye = {12.0, 9.0, 14.0}, .target = {0.0, 3.0, 0.0}};
+    Style style = light_alone(60.0F);
+    style.set("picture.ground=none");
+    style.set("light.shadows=false");
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    const Image raised = renderer.render(camera, style, small);
+    renderer.set_scene(lifted);
+    const Image expected = renderer.render(camera, style, small);
+    size_t differing = 0;
+    for (size_t i = 0; i < raised.rgba.size(); i += 4) {
+        differing += std::abs(raised.rgba[i] - expected.rgba[i]) > 60 ? 1U : 0U;
+    }
+    EXPECT_LE(differing, 40U);
+    scene.terrain = Terrain(parse_terrain(
+        "[terrain]\nheight = '3'\n[mesh]\nmethod = 'object'\nobject = 'Sea'\n", "nowhere.toml"));
+    EXPECT_THROW(renderer.set_scene(scene), Error);
 }
 
 } // namespace
