@@ -45,7 +45,8 @@ gpu::ImageId GroundShadow::add_share(gpu::Graph& graph, terrain::TerrainBuffers&
         }
         const shared::GroundLevel& place = plan.levels[level];
         const gpu::ImageId height = terrain.add_heights(
-            graph, {.origin_m = place.origin_m, .texel_m = place.texel_m, .size = glm::uvec2(plan.size)});
+            graph, {.origin_m = place.origin_m, .texel_m = place.texel_m, .size = glm::uvec2(plan.size)},
+            in.texels);
         kept = shadow::add_ground_field(graph,
                                         {.height = height, .level = level, .place = place, .size = plan.size},
                                         plan.towards_sun, kept);

@@ -30,7 +30,8 @@ struct GroundShadowPlan {
 
 struct GroundShadowInputs {
     const GroundShadowPlan& plan;
-    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId texels; ///< of the terrain
+    gpu::BufferId frame;  ///< FrameGlobals
     gpu::ImageId depth;
     glm::uvec2 size_px{0};
 };

@@ -143,6 +143,11 @@ void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& 
                  .anchor_m = loaded->layout.anchor,
                  .time_s = settings.time_s,
                  .before_s = settings.motion_since ? settings.time_s - settings.motion_since->time_s : 0.0});
+    while (loaded->terrain->is_behind()) {
+        gpu::Graph graph;
+        loaded->terrain->add_catching_up(graph);
+        executor.run(graph);
+    }
     // What poses the rest writes over all.
     loaded->terrain_moved = loaded->terrain_moved || has_moved || loaded->pose_moved;
 }

@@ -29,7 +29,8 @@ struct Making {
 struct PosedScene {
     gpu::BufferId frame; ///< FrameGlobals
     gpu::BufferId stroke_coordinates;
-    gpu::BufferId vertices_before; ///< posed as they were in the frame before
+    gpu::BufferId vertices_before;               ///< posed as they were in the frame before
+    std::optional<gpu::BufferId> terrain_texels; ///< what a terrain's graph looks up
     raster::RasterInputs meshes;
 };
 

@@ -44,6 +44,7 @@ std::optional<gpu::ImageId> add_ground_shadow(const Making& making, const PosedS
     }
     return making.resources.ground_shadow.add_share(making.graph, *making.resources.terrain,
                                                     {.plan = making.plan.sun.ground,
+                                                     .texels = *scene.terrain_texels,
                                                      .frame = scene.frame,
                                                      .depth = surface.depth,
                                                      .size_px = making.sample.size_px});

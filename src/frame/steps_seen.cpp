@@ -46,13 +46,18 @@ PosedScene add_posed_scene(const Making& making)
                         : gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]),
         .before = gpu::import_whole(graph, "vertices before", meshes.posed_vertices[1]),
         .stroke_coordinates = gpu::import_whole(graph, "stroke coordinates", meshes.stroke_coordinates)};
+    std::optional<gpu::BufferId> terrain_texels;
+    if (making.resources.terrain != nullptr) {
+        terrain_texels = making.resources.terrain->add_texels(graph);
+    }
     if (making.sample.terrain_moved) {
-        posed = making.resources.terrain->add_vertices(graph, posed);
+        posed = making.resources.terrain->add_vertices(graph, posed, *terrain_texels);
     }
     return {
         .frame = gpu::import_whole(graph, "frame", making.resources.frame_globals),
         .stroke_coordinates = posed.stroke_coordinates,
         .vertices_before = posed.before,
+        .terrain_texels = terrain_texels,
         .meshes = {.triangles = gpu::import_whole(graph, "triangles", meshes.triangles),
                    .posed_vertices = posed.vertices,
                    .draws = draws,

@@ -149,6 +149,27 @@ TEST(TerrainPictures, GraphsAreSwapped)
     EXPECT_THROW(swapped.set_terrain(terrain), Error);
 }
 
+/// Simulated sand: dunes wander as time goes on, and a moment looks the same however it was come to.
+TEST(TerrainPictures, SandIsBlown)
+{
+    const Scene scene =
+        ground("[terrain]\nheight = 'sand(64, depth = 3, start = 30, rate = 2)'\n[mesh]\ncells = 32\n");
+    Renderer once(test::validated());
+    once.set_scene(scene);
+    const Camera camera = looking({3.0, 14.0, 0.0}, 0.3, -0.4);
+    RenderSettings at = small;
+    at.time_s = 10.25;
+    const Image later = once.render(camera, {}, at);
+    Renderer again(test::validated());
+    again.set_scene(scene);
+    const Image first = again.render(camera, {}, small);
+    at.time_s = 4.0;
+    EXPECT_FALSE(first == again.render(camera, {}, at));
+    at.time_s = 10.25;
+    EXPECT_TRUE(later == again.render(camera, {}, at));
+    EXPECT_TRUE(first == again.render(camera, {}, small)) << "back again";
+}
+
 /// An object of the scene is raised where it stands, and is not drawn besides.
 TEST(TerrainPictures, AnObjectIsRaised)
 {

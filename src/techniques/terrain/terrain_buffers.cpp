@@ -9,6 +9,7 @@
 
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
+#include "shaders/sand_texels_comp.hpp"
 #include "shaders/terrain_heights_comp.hpp"
 #include "shaders/terrain_heights_text.hpp"
 #include "shaders/terrain_vertices_comp.hpp"
@@ -18,6 +19,9 @@
 
 namespace estampe::terrain {
 namespace {
+
+/// Steps of sand that a picture waits for; what is missing besides is caught up with before.
+constexpr uint32_t steps_a_frame = 4;
 
 template <class T>
 gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const std::vector<T>& items)
@@ -67,8 +71,62 @@ void TerrainBuffers::set_graph(gpu::Device& device, const Terrain& terrain)
     const std::vector<float>& texels = terrain.program().texels;
     texels_ = gpu::upload_buffer(device, "terrain texels", texels.empty() ? std::vector<float>(4) : texels);
     words_now_.clear();
+    take_sand(device);
     compiled_.reset();
     set_source(source_);
+}
+
+/// Sand goes on where it was when the graph still asks for the same.
+void TerrainBuffers::take_sand(gpu::Device& device)
+{
+    const auto& textures = terrain_.program().textures;
+    const auto found =
+        std::ranges::find_if(textures, [](const HeightTexture& t) { return t.sand.has_value(); });
+    is_sand_stale_ = true;
+    if (found == textures.end()) {
+        sand_source_.reset();
+        sand_.reset();
+        return;
+    }
+    first_sand_texel_ = found->first_texel;
+    if (sand_source_ != found->sand || sand_->side() != found->columns) {
+        sand_source_ = found->sand;
+        sand_style_ = {.cell_m = static_cast<float>(sand_source_->cell_m),
+                       .slab_m = static_cast<float>(0.1 * sand_source_->cell_m),
+                       .depth_m = static_cast<float>(sand_source_->depth_m),
+                       .speedup_per_m = static_cast<float>(0.06 / sand_source_->cell_m),
+                       .seed = static_cast<int>(sand_source_->seed)};
+        sand_ = std::make_unique<SlabField>(device, sand_style_, found->columns);
+    }
+}
+
+bool TerrainBuffers::is_behind() const
+{
+    return sand_ && sand_moment_ > static_cast<double>(sand_->steps() + steps_a_frame);
+}
+
+void TerrainBuffers::add_catching_up(gpu::Graph& graph)
+{
+    const auto missing = static_cast<uint32_t>(sand_moment_ - static_cast<double>(sand_->steps()));
+    const gpu::ImageId passing =
+        sand_->add_steps(graph, sand_style_, std::min(missing, SlabField::most_steps(sand_style_)));
+    graph.custom("sand").touch(passing, gpu::Access::compute_sampled).keep();
+}
+
+gpu::BufferId TerrainBuffers::add_texels(gpu::Graph& graph)
+{
+    gpu::BufferId texels = gpu::import_whole(graph, "terrain texels", texels_);
+    if (!sand_ || !is_sand_stale_) {
+        return texels;
+    }
+    is_sand_stale_ = false;
+    const gpu::ImageId heights = sand_->add_moment(graph, sand_style_, sand_moment_, steps_a_frame);
+    auto pass = graph.compute("sand/texels", shaders::sand_texels_comp);
+    pass.sample(heights);
+    texels = pass.modify(texels);
+    pass.push(shared::SandConstants{.side = sand_->side(), .first_texel = first_sand_texel_})
+        .dispatch_over(sand_->side(), sand_->side());
+    return texels;
 }
 
 void TerrainBuffers::set_source(HeightSource source)
@@ -93,7 +151,17 @@ bool TerrainBuffers::prepare(gpu::Device& device, const TerrainMoment& moment)
     ProgramWords program = program_words(terrain_.program(), anchor_m,
                                          meshing.update == TerrainUpdate::still ? 0.0 : moment.time_s);
     const bool has_compiled = finish_compiling();
-    if (program.words == words_now_ && same(levels, levels_now_) && !has_compiled &&
+    if (sand_) {
+        const double time_s = meshing.update == TerrainUpdate::still ? 0.0 : moment.time_s;
+        const double steps = sand_source_->start_steps + sand_source_->steps_per_s * std::max(time_s, 0.0);
+        is_sand_stale_ = is_sand_stale_ || steps != sand_moment_;
+        sand_moment_ = steps;
+        if (steps + 1.0 < static_cast<double>(sand_->steps())) { // sand does not go backwards
+            sand_ = std::make_unique<SlabField>(device, sand_style_, sand_->side());
+        }
+        form_ += is_sand_stale_ ? 1 : 0;
+    }
+    if (!is_sand_stale_ && program.words == words_now_ && same(levels, levels_now_) && !has_compiled &&
         meshing.update != TerrainUpdate::always) {
         return false;
     }
@@ -142,14 +210,15 @@ const gpu::Shader& TerrainBuffers::shader(Task task)
     return task == Task::vertices ? shaders::terrain_vertices_comp : shaders::terrain_heights_comp;
 }
 
-TerrainBuffers::Posed TerrainBuffers::add_vertices(gpu::Graph& graph, const Posed& meshes)
+TerrainBuffers::Posed TerrainBuffers::add_vertices(gpu::Graph& graph, const Posed& meshes,
+                                                   gpu::BufferId texels)
 {
     auto pass = graph.compute("terrain", shader(Task::vertices));
     pass.uniform(gpu::import_whole(graph, "terrain", globals_))
         .read(gpu::import_whole(graph, "terrain levels", levels_))
         .read(gpu::import_whole(graph, "terrain vertices", vertices_))
         .read(gpu::import_whole(graph, "terrain program", words_))
-        .sample(gpu::import_whole(graph, "terrain texels", texels_), gpu::Format::r32f);
+        .sample(texels, gpu::Format::r32f);
     const Posed posed{.vertices = pass.modify(meshes.vertices),
                       .before = pass.modify(meshes.before),
                       .stroke_coordinates = pass.modify(meshes.stroke_coordinates)};
@@ -159,12 +228,13 @@ TerrainBuffers::Posed TerrainBuffers::add_vertices(gpu::Graph& graph, const Pose
     return posed;
 }
 
-gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const shared::TerrainFieldConstants& field)
+gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const shared::TerrainFieldConstants& field,
+                                         gpu::BufferId texels)
 {
     auto pass = graph.compute("terrain/heights", shader(Task::heights));
     pass.uniform(gpu::import_whole(graph, "terrain", globals_))
         .read(gpu::import_whole(graph, "terrain program", words_))
-        .sample(gpu::import_whole(graph, "terrain texels", texels_), gpu::Format::r32f);
+        .sample(texels, gpu::Format::r32f);
     const gpu::ImageId height = pass.write(graph.image(
         "terrain/heights", {.width = field.size.x, .height = field.size.y, .format = gpu::Format::r32f}));
     pass.push(field).dispatch_over(field.size.x, field.size.y);

@@ -11,7 +11,9 @@
 
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
+#include "techniques/terrain/graph/program.hpp"
 #include "techniques/terrain/mesh/mesh_method.hpp"
+#include "techniques/terrain/slabs/slabs.hpp"
 
 namespace estampe::terrain {
 
@@ -60,6 +62,15 @@ public:
     /// Brings levels and places to a moment; returns whether any vertex may have changed since the last.
     bool prepare(gpu::Device& device, const TerrainMoment& moment);
 
+    /// The texels of textures, masks and sand, the last brought to the moment. What add_vertices() and
+    /// add_heights() read; once a graph.
+    [[nodiscard]] gpu::BufferId add_texels(gpu::Graph& graph);
+
+    /// Whether sand is more steps behind its moment than one graph takes: then graphs with add_catching_up()
+    /// alone are to be run first.
+    [[nodiscard]] bool is_behind() const;
+    void add_catching_up(gpu::Graph& graph);
+
     /// Poses the vertices, into what poses `posed_vertices`, `before` and `stroke_coordinates` hold of the
     /// meshes besides.
     ///
@@ -72,12 +83,13 @@ public:
         gpu::BufferId stroke_coordinates;
     };
 
-    [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes);
+    [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes, gpu::BufferId texels);
 
     /// Heights above the anchor on a lattice, r32f, `size` texels; what the lattice cannot show is left out.
     ///
     /// Cost    one dispatch, one thread a texel
-    [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const shared::TerrainFieldConstants& field);
+    [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const shared::TerrainFieldConstants& field,
+                                           gpu::BufferId texels);
 
     /// Why the graph is interpreted where it should have been compiled; empty when it is not.
     [[nodiscard]] const std::string& problem() const;
@@ -88,6 +100,7 @@ public:
 private:
     enum class Task : uint8_t { vertices, heights };
 
+    void take_sand(gpu::Device& device);
     [[nodiscard]] bool finish_compiling();
     [[nodiscard]] const gpu::Shader& shader(Task task);
 
@@ -107,6 +120,12 @@ private:
     gpu::Buffer globals_;
     std::vector<uint32_t> words_now_;
     uint64_t form_ = 0;
+    std::optional<SandSource> sand_source_;
+    SlabStyle sand_style_;
+    std::unique_ptr<SlabField> sand_; ///< where the graph has any
+    uint32_t first_sand_texel_ = 0;
+    double sand_moment_ = 0.0; ///< in steps
+    bool is_sand_stale_ = false;
     std::vector<shared::TerrainLevel> levels_now_;
 };
 

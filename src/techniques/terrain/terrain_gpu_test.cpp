@@ -44,9 +44,11 @@ Made pose(const Terrain& terrain, const TerrainMoment& moment, HeightSource sour
     gpu::Buffer strokes = gpu::upload_buffer(device, "strokes", std::vector<glm::vec3>(count));
     gpu::Graph graph;
     const auto posed =
-        buffers.add_vertices(graph, {.vertices = gpu::import_whole(graph, "posed", vertices),
-                                     .before = gpu::import_whole(graph, "before", before),
-                                     .stroke_coordinates = gpu::import_whole(graph, "strokes", strokes)});
+        buffers.add_vertices(graph,
+                             {.vertices = gpu::import_whole(graph, "posed", vertices),
+                              .before = gpu::import_whole(graph, "before", before),
+                              .stroke_coordinates = gpu::import_whole(graph, "strokes", strokes)},
+                             buffers.add_texels(graph));
     const std::array wanted{posed.vertices, posed.before, posed.stroke_coordinates};
     const auto bytes = test::run_and_read(graph, wanted);
     return {test::items_of<shared::PosedVertex>(bytes[0]), test::items_of<shared::PosedVertex>(bytes[1]),

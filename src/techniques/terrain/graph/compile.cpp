@@ -2,6 +2,7 @@
 #include "techniques/terrain/graph/compile.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -182,6 +183,8 @@ private:
         case NodeForm::texture:
         case NodeForm::mask:
             return texture(at, *kind, arguments, frame);
+        case NodeForm::sand:
+            return sand(at, arguments, frame.turned(wind_rad()));
         case NodeForm::dunes:
             return dunes(arguments, frame.turned(wind_rad()));
         default:
@@ -409,6 +412,34 @@ private:
             placed = frame.moved({.constant = -0.5 * size_m}, {.constant = -0.5 * size_m});
         }
         return append_leaf(instruction, placed, {1.0 / size_m, 1.0 / height_m});
+    }
+
+    uint32_t sand(const Expression& at, const Arguments& arguments, const Frame& downwind)
+    {
+        const auto side = static_cast<uint32_t>(arguments.number("side"));
+        if (!std::has_single_bit(side) || arguments.number("side") != side) {
+            fail(at, "the side of sand is 64, 128, 256, 512 or 1024 cells");
+        }
+        if (std::ranges::any_of(program_.textures,
+                                [](const HeightTexture& t) { return t.sand.has_value(); })) {
+            fail(at, "a ground has one sand; give it a name among the nodes and use that twice");
+        }
+        const TextureInProgram found =
+            texture_in(program_,
+                       {.name = "sand",
+                        .texels = side,
+                        .sand = SandSource{.cell_m = arguments.number("cell"),
+                                           .depth_m = arguments.number("depth"),
+                                           .start_steps = arguments.number("start"),
+                                           .steps_per_s = arguments.number("rate"),
+                                           .seed = static_cast<uint32_t>(arguments.number("seed"))}},
+                       terrain_.folder);
+        const HeightTexture& held = program_.textures[found.index];
+        Instruction instruction = blank(shared::height_texture);
+        instruction.parameter = parameters({static_cast<double>(held.first_texel), static_cast<double>(side),
+                                            static_cast<double>(side), 0.0, 1.0, 0.0});
+        const double units_per_m = 1.0 / (arguments.number("cell") * side);
+        return append_leaf(instruction, downwind, {units_per_m, units_per_m});
     }
 
     uint32_t dunes(const Arguments& arguments, const Frame& downwind)

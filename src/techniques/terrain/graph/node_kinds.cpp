@@ -99,6 +99,15 @@ std::vector<NodeKind> made_kinds()
          {text("name"), number("size", {}, 0.001, 1e7), number("texels", 256.0, 2.0, 4096.0)},
          "What a program paints, by Terrain::paint_mask(); square, about the origin, 0 until then and "
          "beyond"},
+        {"sand",
+         sand,
+         height_texture,
+         {number("side", 256.0, 64.0, 1024.0), number("cell", 1.0, 0.05, 20.0),
+          number("depth", 4.0, 0.0, 100.0), number("start", 400.0, 0.0, 100000.0),
+          number("rate", 0.5, 0.0, 120.0), seed()},
+         "Sand that the wind moves in slabs, simulated on a square of so many cells that repeats: not a "
+         "grain is "
+         "lost. The depth is the mean; at time 0 `start` steps have passed, then `rate` a second"},
         {"dunes",
          dunes,
          height_dunes,

@@ -19,6 +19,7 @@ enum class NodeForm : uint8_t {
     leaf,       ///< looked up in the plane
     texture,
     mask,
+    sand,
     dunes,
     translate, ///< from here on: of the coordinates that what is inside is looked up by
     rotate,

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,12 +35,24 @@ struct PlaceSource {
     bool operator==(const PlaceSource&) const = default;
 };
 
-/// A texture or a mask: heights, row by row.
+/// Sand that is simulated on the device while the ground is drawn; see slabs/.
+struct SandSource {
+    double cell_m = 1.0;
+    double depth_m = 4.0;
+    double start_steps = 400.0; ///< that have passed at time 0
+    double steps_per_s = 0.5;
+    uint32_t seed = 1;
+
+    bool operator==(const SandSource&) const = default;
+};
+
+/// A texture, a mask or simulated sand: heights, row by row.
 struct HeightTexture {
     std::string name; ///< as it was written: a file, or a mask's name
     bool is_mask = false;
     uint32_t columns = 0, rows = 0;
-    uint32_t first_texel = 0; ///< in Program::texels
+    uint32_t first_texel = 0; ///< in Program::texels, where sand is 0
+    std::optional<SandSource> sand = {};
 };
 
 struct Program {

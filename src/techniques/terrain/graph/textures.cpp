@@ -58,17 +58,21 @@ TextureInProgram texture_in(Program& program, const TextureRequest& request,
                             const std::filesystem::path& folder)
 {
     const auto is_same = [&](const HeightTexture& texture) {
-        return texture.name == request.name && texture.is_mask == request.is_mask;
+        return texture.name == request.name && texture.is_mask == request.is_mask &&
+               texture.sand == request.sand;
     };
     auto found = std::ranges::find_if(program.textures, is_same);
     if (found == program.textures.end()) {
         const auto first = static_cast<uint32_t>(program.texels.size());
         HeightTexture texture;
-        if (request.is_mask) {
+        if (request.texels > 0) {
             check_room(program, size_t{request.texels} * request.texels);
             program.texels.resize(first + size_t{request.texels} * request.texels);
-            texture = {
-                .name = request.name, .is_mask = true, .columns = request.texels, .rows = request.texels};
+            texture = {.name = request.name,
+                       .is_mask = request.is_mask,
+                       .columns = request.texels,
+                       .rows = request.texels,
+                       .sand = request.sand};
         } else {
             texture = append_file(program, folder / request.name);
             texture.name = request.name;
@@ -84,7 +88,7 @@ TextureInProgram texture_in(Program& program, const TextureRequest& request,
     const size_t count = size_t{found->columns} * found->rows;
     const double sum = std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(count), 0.0);
     return {.index = static_cast<size_t>(found - program.textures.begin()),
-            .mean = request.is_mask ? 0.0 : sum / static_cast<double>(count)};
+            .mean = request.texels > 0 ? 0.0 : sum / static_cast<double>(count)};
 }
 
 } // namespace estampe::terrain

@@ -11,7 +11,8 @@ namespace estampe::terrain {
 struct TextureRequest {
     std::string name; ///< a file, or a mask's name
     bool is_mask = false;
-    uint32_t texels = 0; ///< of a mask, each way
+    uint32_t texels = 0; ///< of a mask or of sand, each way
+    std::optional<SandSource> sand = {};
 };
 
 struct TextureInProgram {

@@ -51,6 +51,12 @@ struct TerrainFieldConstants {
     uvec2 size;
 };
 
+// Where the heights of sand go among the texels.
+struct SandConstants {
+    uint side;
+    uint first_texel;
+};
+
 #ifdef __cplusplus
 } // namespace estampe::shared
 #endif
