@@ -82,8 +82,8 @@ void TerrainBuffers::take_sand(gpu::Device& device)
     const auto& textures = terrain_.program().textures;
     const auto found =
         std::ranges::find_if(textures, [](const HeightTexture& t) { return t.sand.has_value(); });
-    is_sand_stale_ = true;
-    if (found == textures.end()) {
+    is_sand_stale_ = found != textures.end();
+    if (!is_sand_stale_) {
         sand_source_.reset();
         sand_.reset();
         return;
