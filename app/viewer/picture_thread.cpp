@@ -73,7 +73,7 @@ void PictureThread::work()
 {
     try {
         Renderer renderer(options_);
-        tell(DeviceOpened{renderer.device().name});
+        tell(DeviceOpened{renderer.device().name, renderer.device().software});
         work_on(renderer);
     } catch (const std::exception& problem) {
         tell(Failure{Failure::Of::device, problem.what()});

@@ -48,6 +48,7 @@ struct SceneTaken {
 
 struct DeviceOpened {
     std::string name;
+    bool is_processor = false;
 };
 
 /// Something went wrong; all is as it was before.

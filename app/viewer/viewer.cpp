@@ -36,7 +36,7 @@ bool same(const Sight& a, const Sight& b)
 } // namespace
 
 Viewer::Viewer(const app::ViewCommand& command)
-    : command_(command), studio_(command.style_name, command.draw.style),
+    : command_(command), warm_up_(command), studio_(command.style_name, command.draw.style),
       pictures_(std::in_place, command.draw.device, &Window::wake), loader_(std::in_place, &Window::wake),
       window_(command.draw.page.width, command.draw.page.height),
       screen_(window_.handle(), command.draw.device.device), painter_(screen_)
@@ -54,6 +54,9 @@ Viewer::Viewer(const app::ViewCommand& command)
     }
     report(fmt::format("window {} x {}, scale {}", command.draw.page.width, command.draw.page.height,
                        ui_scale_));
+    if (warm_up_.is_quick()) {
+        report("shaders are compiled quickly");
+    }
     if (!command.draw.scene.empty()) {
         open_scene(command.draw.scene);
     }

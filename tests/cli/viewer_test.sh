@@ -100,8 +100,28 @@ key_then_picture() {
 
 "$make_example" scene.glb >/dev/null
 cp "$sources/presets/comic.toml" mine.toml
+
+# The first window of all compiles its shaders quickly, and has them compiled well for the next.
+mkdir cache
+export XDG_CACHE_HOME="$folder/cache"
+unset MESA_SHADER_CACHE_DIR GALLIVM_PERF
 open_viewer scene.glb --style mine.toml
+grep -q 'compiled quickly' log || wrong "the first window takes its time to compile"
+shot quick
+for ((i = 0; i < 1000; ++i)); do
+    [[ ! -s cache/estampe/compiled-well ]] || break
+    sleep 0.05
+done
+[[ -s cache/estampe/compiled-well ]] || wrong "nothing was compiled for the next window"
+close_viewer
+status=0
+"$estampe" view --warm-up 2>said || status=$?
+[[ $status -eq 2 ]] || wrong "nothing to warm up for: $status"
+
+open_viewer scene.glb --style mine.toml
+! grep -q 'compiled quickly' log || wrong "the second window compiles anew"
 shot first
+same quick first
 
 # The picture is that of the program, byte by byte, in the window and in the file.
 "$estampe" render scene.glb --style mine.toml --device cpu --size 640x366 -o program.png
