@@ -248,12 +248,14 @@ void Viewer::run()
     app::Clock::time_point last = app::Clock::now();
     app::Clock::time_point painted = last;
     while (!window_.is_closing()) {
+        const bool is_seen = !window_.is_minimised();
         const bool is_busy = is_moving_ || studio_.is_recording || studio_.work ||
                              !studio_.messages.empty() || frames_to_paint_ > 0;
         const double since_s = app::seconds_since(painted);
-        const double wait_s = frames_to_paint_ > 0 ? std::max(frame_s - since_s, 0.0)
-                              : is_busy            ? busy_s
-                                                   : idle_s;
+        const double wait_s = !is_seen               ? idle_s
+                              : frames_to_paint_ > 0 ? std::max(frame_s - since_s, 0.0)
+                              : is_busy              ? busy_s
+                                                     : idle_s;
         const WindowEvents events = window_.wait(wait_s);
         for (const Action action : events.actions) {
             act(action);
@@ -273,6 +275,9 @@ void Viewer::run()
         last = app::Clock::now();
         if (studio_.is_recording) {
             record();
+        }
+        if (!is_seen) {
+            continue;
         }
         ask_for_pictures();
         if (studio_.work || !studio_.messages.empty()) {

@@ -113,8 +113,8 @@ void WarmUp::begin(const std::string& scene)
 
 void warm_up(const app::ViewCommand& command)
 {
-    constexpr int least = 19;
-    std::ignore = nice(least);
+    constexpr int behind_others = 10;
+    std::ignore = nice(behind_others);
     app::compile_well();
     const app::DrawOptions& draw = command.draw;
     const Scene scene = load_scene(draw.scene);

@@ -11,7 +11,7 @@
 namespace estampe::viewer {
 
 /// Sees to it that the first window of a program just installed does not wait for shaders to be compiled
-/// well: it has them compiled quickly, and a process of the least priority compile them well for the next
+/// well: it has them compiled quickly, and a process of low priority compile them well for the next
 /// one. Which of the two it is stands in a file of the user's cache, see warmth_file().
 class WarmUp {
 public:
