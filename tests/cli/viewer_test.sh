@@ -385,6 +385,22 @@ for way in cancel close; do
     ! grep -q 'shows' log || wrong "what was cancelled is shown"
 done
 
+# A picture of many samples, which takes a minute, is given up for another, and for the end.
+: >log
+seen=0
+"$estampe" view statue.glb --size 640x400 --samples 2000 --device cpu --verbose >printed 2>log &
+viewer=$!
+await 'window with a picture'
+window="$(xdotool search --sync --onlyvisible --name Estampe | head -1)"
+xdotool windowfocus --sync "$window"
+sleep 0.5
+skip
+begun=$SECONDS
+xdotool key 7
+await 'picture 0 of view 2'
+close_viewer
+((SECONDS - begun < 15)) || wrong "a picture of many samples holds up the next: $((SECONDS - begun)) s"
+
 # A scene that cannot be read ends it before it begins.
 status=0
 "$estampe" view nowhere.glb --device cpu 2>said || status=$?
