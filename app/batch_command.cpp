@@ -35,7 +35,7 @@ public:
             return scene_;
         }
         is_there_ = false;
-        scene_ = load_scene(draw.scene);
+        scene_ = load_scene_of(draw);
         print_warnings(scene_.warnings);
         set_scene(renderer_, scene_, draw);
         file_ = draw.scene;

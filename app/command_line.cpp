@@ -53,6 +53,7 @@ struct Typed {
     uint32_t frames = 9;
     bool million = false;
     bool moving = false;
+    std::string terrain;
     std::string lightmap;
     std::string motion;
     std::optional<double> since_s;
@@ -86,6 +87,10 @@ void add_look_options(CLI::App& command, Typed& typed)
         command, typed,
         "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)");
     command
+        .add_option("--terrain", typed.terrain,
+                    "Ground without an end that the scene is put on, as a terrain's\nTOML describes it")
+        ->type_name("TOML");
+    command
         .add_option("--lightmap", typed.lightmap,
                     "Light worked out ahead, as estampe bake writes it for this\n"
                     "scene, in place of what the file itself names")
@@ -103,7 +108,9 @@ void add_look_options(CLI::App& command, Typed& typed)
 
 CLI::Option& add_scene(CLI::App& command, Typed& typed)
 {
-    return *command.add_option("SCENE", typed.scene, "Scene: .gltf .glb .obj .ply .stl .fbx .dae")
+    return *command
+                .add_option("SCENE", typed.scene,
+                            "Scene: .gltf .glb .obj .ply .stl .fbx .dae, or a terrain's .toml")
                 ->type_name("FILE");
 }
 
@@ -280,6 +287,7 @@ DrawOptions read_draw_options(const Typed& typed)
     DrawOptions draw;
     draw.scene = typed.scene;
     draw.output = typed.output;
+    draw.terrain = typed.terrain;
     draw.lightmap = typed.lightmap;
     draw.page = typed.page.read();
     draw.time_s = typed.time_s;

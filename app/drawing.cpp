@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/file.hpp"
 #include "text.hpp"
 
 namespace estampe::app {
@@ -22,7 +23,35 @@ Index first_placed_camera(const Scene& scene)
     return first;
 }
 
+/// Moves everything up by so much, under a node of its own.
+void lift(Scene& scene, double height_m)
+{
+    const auto lifted = static_cast<Index>(scene.nodes.size());
+    Node node{.name = "on the ground", .children = scene.roots};
+    node.transform.translation.y = height_m;
+    scene.nodes.push_back(node);
+    for (const Index root : scene.roots) {
+        scene.nodes[root].parent = lifted;
+    }
+    scene.roots = {lifted};
+}
+
 } // namespace
+
+Scene load_scene_of(const DrawOptions& draw)
+{
+    if (lower_extension(draw.scene) == ".toml") {
+        Scene scene{.name = draw.scene, .materials = {Material{}}};
+        scene.terrain = Terrain(load_terrain(draw.scene));
+        return scene;
+    }
+    Scene scene = load_scene(draw.scene);
+    if (!draw.terrain.empty()) {
+        scene.terrain = Terrain(load_terrain(draw.terrain));
+        lift(scene, scene.terrain->sample(0.0, 0.0, draw.time_s).height_m);
+    }
+    return scene;
+}
 
 bool has_camera_of_file(const DrawOptions& draw, const Scene& scene)
 {
@@ -41,6 +70,9 @@ Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animatio
     }
     if (has_camera_of_file(draw, scene)) {
         return scene_camera(scene, pose, std::to_string(first_placed_camera(scene)));
+    }
+    if (scene.terrain && scene.meshes.empty()) {
+        return terrain_camera(*scene.terrain, draw.time_s);
     }
     return framing_camera(scene, pose, draw.style.window_aspect(draw.page.width, draw.page.height),
                           draw.style.sun_bearing());

@@ -5,6 +5,10 @@
 
 namespace estampe::app {
 
+/// The scene that `draw` names, on its terrain where it names one; a terrain's own file is a scene of nothing
+/// else. Throws Error as load_scene() and load_terrain() do.
+[[nodiscard]] Scene load_scene_of(const DrawOptions& draw);
+
 /// The camera that `draw` asks for at its moment. Throws Error listing the file's cameras when it has none of
 /// that name.
 [[nodiscard]] Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animation);

@@ -191,7 +191,7 @@ void draw_film(const RenderCommand& command)
     const DrawOptions& draw = command.draw;
     const Clock::time_point start = Clock::now();
     std::future<Renderer> opening = std::async(at_once, [&draw] { return Renderer(draw.device); });
-    const Scene scene = load_scene(draw.scene);
+    const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
     const Index animation = choose_animation(draw, scene);
     const FilmChoice film = with_end(*command.film, draw, scene, animation);

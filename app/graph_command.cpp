@@ -13,7 +13,7 @@ void run(const GraphCommand& command)
 {
     const DrawOptions& draw = command.draw;
     check_output(draw.output, {draw.scene, draw.lightmap});
-    const Scene scene = load_scene(draw.scene);
+    const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
     const Index animation = choose_animation(draw, scene);
     const Camera camera = choose_camera(draw, scene, animation);

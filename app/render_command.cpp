@@ -148,7 +148,7 @@ void run(const RenderCommand& command)
     compile_quickly_if_soon_drawn(command);
     // Opened while the file is read; what is wrong with the file is said first.
     std::future<Renderer> opening = std::async(at_once, [&draw] { return Renderer(draw.device); });
-    const Scene scene = load_scene(draw.scene);
+    const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
     warn_of_idle_time(draw, scene);
     const Index animation = choose_animation(draw, scene);

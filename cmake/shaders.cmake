@@ -28,3 +28,23 @@ function(estampe_shaders name)
   endforeach()
   target_include_directories(estampe_${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()
+
+# estampe_shader_text(terrain mesh/terrain_vertices.comp DEFINITION) gives the target estampe_terrain a header
+# "shaders/terrain_vertices_text.hpp" with `estampe::shaders::terrain_vertices_text`: the shader's GLSL with all that it
+# includes, for programs that put a part of their own into it while they run.
+function(estampe_shader_text name shader)
+  get_filename_component(stem ${shader} NAME_WE)
+  set(source ${CMAKE_CURRENT_SOURCE_DIR}/${shader})
+  set(flat ${CMAKE_CURRENT_BINARY_DIR}/${stem}.flat)
+  set(header ${CMAKE_CURRENT_BINARY_DIR}/shaders/${stem}_text.hpp)
+  add_custom_command(
+    OUTPUT ${header}
+    COMMAND ${GLSLC} --target-env=vulkan1.3 -I ${PROJECT_SOURCE_DIR}/src -D${ARGV2} -E -MD -MF ${flat}.d -MT ${header}
+            -o ${flat} ${source}
+    COMMAND ${CMAKE_COMMAND} -D FLAT=${flat} -D SYMBOL=${stem}_text -D HEADER=${header}
+            -P ${PROJECT_SOURCE_DIR}/cmake/shader_text.cmake
+    DEPENDS ${source} ${PROJECT_SOURCE_DIR}/cmake/shader_text.cmake
+    DEPFILE ${flat}.d
+    COMMENT "Flattening ${shader}")
+  target_sources(estampe_${name} PRIVATE ${header})
+endfunction()

@@ -14,7 +14,7 @@ std::shared_ptr<const LoadedFile> load_file(const app::DrawOptions& draw)
 {
     auto file = std::make_shared<LoadedFile>();
     file->draw = draw;
-    file->scene = load_scene(draw.scene);
+    file->scene = load_scene_of(draw);
     file->animation = app::choose_animation(draw, file->scene);
     file->home = app::choose_camera(draw, file->scene, file->animation);
     file->bounds = scene_bounds(file->scene, pose_scene(file->scene, draw.time_s, file->animation));

@@ -16,6 +16,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <estampe/image.hpp>
+#include <estampe/terrain.hpp>
 
 namespace estampe {
 
@@ -233,6 +234,8 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<SceneCamera> cameras;
     std::vector<Animation> animations;
+    std::optional<Terrain>
+        terrain; ///< ground without an end; drawn as an object and a material named "terrain"
     std::vector<std::string> extensions_used;
     std::vector<std::string> extensions_ignored;
     std::vector<std::string> warnings; ///< what was repaired on the way in, one line each

@@ -15,6 +15,7 @@
 #include "techniques/lightmap/lightmap.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
+#include "techniques/terrain/terrain_buffers.hpp"
 
 namespace estampe::frame {
 
@@ -48,7 +49,9 @@ struct FrameResources {
     TonalMaps& maps;                 ///< one a look
     gpu::Buffer& look_of_draw;       ///< where surfaces differ, as LookPlan has it
     gpu::Buffer& line_looks;         ///< then, contour's LineLook of each look
-    contour::LineMesh* line_mesh;    ///< where lines are chains
+    GroundShadow& ground_shadow;
+    terrain::TerrainBuffers* terrain; ///< where the scene has one
+    contour::LineMesh* line_mesh;     ///< where lines are chains
     contour::LineHistory& line_history;
     gpu::Buffer& focus_lines;              ///< of the plan
     contour::BrushImages* brushes;         ///< where lines have others than the pen

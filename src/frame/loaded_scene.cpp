@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/loaded_scene.hpp"
 
+#include "frame/ground_mesh.hpp"
+
 #include "scene/drawn_size.hpp"
 
 namespace estampe::frame {
@@ -18,9 +20,11 @@ Scene without_images(const Scene& scene)
 
 } // namespace
 
-LoadedScene load_onto_device(gpu::Device& device, const Scene& scene, const Lightmap* lightmap)
+LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Lightmap* lightmap)
 {
-    check_drawn_size(scene);
+    check_drawn_size(given);
+    const Scene grounded = given.terrain ? with_terrain_node(given) : Scene{};
+    const Scene& scene = given.terrain ? grounded : given;
     LoadedScene loaded;
     if (lightmap != nullptr) {
         loaded.lightmap = *lightmap;
@@ -38,7 +42,17 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& scene, const Ligh
 
 void lay_out(gpu::Device& device, LoadedScene& loaded)
 {
-    loaded.layout = pose::build_meshes(loaded.scene, static_cast<Index>(loaded.scene.materials.size()));
+    const auto ground_material = static_cast<Index>(loaded.scene.materials.size());
+    if (loaded.scene.terrain) {
+        const pose::ForeignMesh ground = ground_mesh(loaded.scene);
+        loaded.layout = pose::build_meshes(loaded.scene, ground_material, &ground);
+        loaded.terrain = std::make_unique<terrain::TerrainBuffers>(
+            device, *loaded.scene.terrain,
+            terrain::TerrainTarget{.first_vertex = *loaded.layout.foreign_vertex,
+                                   .stroke_unit_m = loaded.layout.stroke_unit_m});
+    } else {
+        loaded.layout = pose::build_meshes(loaded.scene, ground_material);
+    }
     loaded.meshes = pose::upload_meshes(device, loaded.layout);
     loaded.baked =
         upload_baked(device, loaded.lightmap ? &*loaded.lightmap : nullptr, loaded.scene, loaded.layout);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "frame/line_meshes.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
+#include "techniques/terrain/terrain_buffers.hpp"
 
 namespace estampe::frame {
 
@@ -31,8 +33,10 @@ struct LoadedScene {
     std::optional<pose::PoseData> pose; ///< what the device holds now
     LineMeshes line_meshes;
     HouseLight house_light;
-    bool has_plain_links = true; ///< every object stands to all lights alike
-    bool pose_moved = true;      ///< the device has yet to pose its vertices by it
+    std::unique_ptr<terrain::TerrainBuffers> terrain; ///< where the scene has one
+    bool terrain_moved = false;                       ///< the device has yet to pose its vertices
+    bool has_plain_links = true;                      ///< every object stands to all lights alike
+    bool pose_moved = true;                           ///< the device has yet to pose its vertices by it
 };
 
 /// Uploads `scene`, with a lightmap unless that is null. Throws Error when it does not fit the device, or

@@ -19,9 +19,11 @@ PagePlan plan_page(const PlanInputs& in)
     return {.size_px = {in.settings.width, in.settings.height},
             .pixels_per_mm = pixels_per_mm(in.settings.height, in.style.paper.height_mm),
             .pixel = pixel_size(in.camera, in.settings.height),
-            .has_ground = ground == Ground::drawn ||
-                          (ground == Ground::automatic && !is_composed && !in.lighting.indoors),
-            .has_sky = sky == sky::SkyMode::drawn || (sky == sky::SkyMode::automatic && is_outdoors)};
+            .has_ground =
+                !scene.terrain && (ground == Ground::drawn ||
+                                   (ground == Ground::automatic && !is_composed && !in.lighting.indoors)),
+            .has_sky = sky == sky::SkyMode::drawn ||
+                       (sky == sky::SkyMode::automatic && (is_outdoors || scene.terrain.has_value()))};
 }
 
 RasterPlan plan_raster(const PlanInputs& in)
@@ -50,7 +52,11 @@ SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
             .daylight_rad =
                 in.daylight ? std::optional(static_cast<float>(in.daylight->elevation_rad)) : std::nullopt,
             .casters = lighting.sun_casters,
-            .map = plan_sun_map(scene, in.camera, page.size_px, page.pixel, in.style)};
+            .map = plan_sun_map(scene, in.camera, page.size_px, page.pixel, in.style),
+            .ground = in.loaded.terrain == nullptr
+                          ? GroundShadowPlan{}
+                          : plan_ground_shadow(in.camera, layout.anchor, lighting.towards_sun,
+                                               scene.throws_shadow, in.style.shadow, in.device)};
 }
 
 LightPlan plan_light(const PlanInputs& in, const StrokePlan& strokes)

@@ -8,6 +8,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "frame/ground_shadow.hpp"
 #include "frame/loaded_scene.hpp"
 #include "frame/local_shadows.hpp"
 #include "frame/looks.hpp"
@@ -44,6 +45,7 @@ struct SunPlan {
     std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
     Groups casters = all_groups;       ///< whose shadows it throws
     SunMapPlan map;
+    GroundShadowPlan ground;
 };
 
 /// The light but for the sun's place.
@@ -99,6 +101,7 @@ struct SamplePlan {
     glm::vec2 from_px{0.0F};          ///< where on the page that begins
     glm::mat4 clip_from_anchor{1.0F}; ///< shifted within a pixel
     bool pose_moved = true;           ///< the posed vertices are not yet those of this moment
+    bool terrain_moved = false;       ///< nor are the ground's
     SunMapWork sun_map;
     float line_step_px = 3.0F; ///< between samples of lines, about
 };

@@ -24,6 +24,14 @@ namespace estampe {
 
 namespace {
 
+/// Places of the rest pose that stand for how near the scene is: of all but a terrain, which is everywhere.
+std::span<const glm::vec3> own_places(const pose::MeshData& layout)
+{
+    const std::span places(layout.stroke_coordinates);
+    return layout.foreign_vertex && *layout.foreign_vertex > 0 ? places.first(*layout.foreign_vertex)
+                                                               : places;
+}
+
 template <class T>
 gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const T* items, size_t count)
 {
@@ -61,6 +69,7 @@ void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
 {
     impl_->loaded.reset();
     impl_->sun_map.forget();
+    impl_->ground_shadow.forget();
     impl_->local_shadows.forget();
     impl_->exposure.forget();
     impl_->line_history.forget();
@@ -84,6 +93,21 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     loaded->pose = std::move(now);
     loaded->pose_moved = true;
     sun_map.forget();
+}
+
+void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& settings)
+{
+    if (!loaded->terrain) {
+        return;
+    }
+    const glm::dvec3 view = camera.target - camera.eye;
+    const bool has_moved = loaded->terrain->prepare(
+        device, {.eye = {.eye_m = {camera.eye.x, camera.eye.z}, .ahead = {view.x, view.z}},
+                 .anchor_m = loaded->layout.anchor,
+                 .time_s = settings.time_s,
+                 .before_s = settings.motion_since ? settings.time_s - settings.motion_since->time_s : 0.0});
+    // What poses the rest writes over all.
+    loaded->terrain_moved = loaded->terrain_moved || has_moved || loaded->pose_moved;
 }
 
 frame::LocalMapPlan Renderer::Impl::provide_local_shadows(const frame::PagePlan& page_plan,
@@ -167,7 +191,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
          .survey = job.survey,
          .jitter_px = frame::jitter(accumulation.sample_index, accumulation.sample_count),
          .page_height_mm = style.paper.height_mm,
-         .nearby_m = unit_m * frame::nearby(loaded->layout.stroke_coordinates, eye_anchor / unit_m)});
+         .nearby_m = unit_m * frame::nearby(own_places(loaded->layout), eye_anchor / unit_m)});
     frame_globals = mapped_buffer(device, "frame", &globals, 1);
     const frame::SamplePlan sample{.accumulation = accumulation,
                                    .is_first = job.is_first,
@@ -175,8 +199,12 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                    .from_px = glm::vec2(globals.tile_from_px),
                                    .clip_from_anchor = frame::drawn_clip(globals),
                                    .pose_moved = loaded->pose_moved,
+                                   .terrain_moved = loaded->terrain_moved,
                                    .sun_map = sun_map.provide(device, plan.sun.map),
                                    .line_step_px = frame::line_step_px(job.survey ? job.survey->shrink : 1)};
+    if (plan.sun.ground.is_thrown) {
+        ground_shadow.provide(device, plan.sun.ground);
+    }
     frame::FrameResources resources{.device = device,
                                     .meshes = loaded->meshes,
                                     .materials = loaded->materials,
@@ -194,6 +222,8 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .maps = tonal_maps,
                                     .look_of_draw = look_of_draw,
                                     .line_looks = line_looks,
+                                    .ground_shadow = ground_shadow,
+                                    .terrain = loaded->terrain.get(),
                                     .line_mesh =
                                         loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines),
                                     .line_history = line_history,
@@ -215,10 +245,14 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
     }
     executor.run(graph);
     loaded->pose_moved = false;
+    loaded->terrain_moved = false;
     if (plan.lines.are_remembered && sample.is_first) {
         line_history.end_frame(sample.clip_from_anchor);
     }
     sun_map.drawn(plan.sun.map);
+    if (plan.sun.ground.is_thrown) {
+        ground_shadow.drawn(plan.sun.ground, *loaded->terrain);
+    }
     compiling.reset(); // it reads the graph
     drawn = std::move(graph);
 }
@@ -294,6 +328,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         pose_before(pose_scene(loaded->scene, settings.motion_since->time_s, settings.animation));
     }
     update_pose(scene_pose);
+    update_terrain(camera, settings);
     light::Lighting lighting =
         light::gather_lights(loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,
                              loaded->house_light.outlook(loaded->scene, tables.light, camera.eye));

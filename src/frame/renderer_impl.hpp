@@ -55,6 +55,8 @@ struct Renderer::Impl {
     }
 
     void update_pose(const ScenePose& scene_pose);
+    /// Brings the ground to where the eye is.
+    void update_terrain(const Camera& camera, const RenderSettings& settings);
     /// Poses the scene on the device as it was at another moment, so that the next update_pose() keeps that
     /// beside it.
     void pose_before(const ScenePose& scene_pose);
@@ -104,6 +106,7 @@ struct Renderer::Impl {
     gpu::Buffer lights;
     light::ExposureMemory exposure;
     frame::SunMap sun_map;
+    frame::GroundShadow ground_shadow;
     gpu::Buffer edge_look;
     gpu::Buffer sun_shadow;
     frame::LocalShadows local_shadows;

@@ -28,6 +28,8 @@ struct Making {
 /// The camera, and the scene as it stands at this moment.
 struct PosedScene {
     gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId stroke_coordinates;
+    gpu::BufferId vertices_before; ///< posed as they were in the frame before
     raster::RasterInputs meshes;
 };
 

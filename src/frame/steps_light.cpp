@@ -36,6 +36,19 @@ gpu::BufferId local_maps_of(const Making& making, const PosedScene& scene)
                           making.resources.local_shadows);
 }
 
+std::optional<gpu::ImageId> add_ground_shadow(const Making& making, const PosedScene& scene,
+                                              const surface::Surface& surface)
+{
+    if (making.resources.terrain == nullptr || !making.plan.sun.ground.is_thrown) {
+        return std::nullopt;
+    }
+    return making.resources.ground_shadow.add_share(making.graph, *making.resources.terrain,
+                                                    {.plan = making.plan.sun.ground,
+                                                     .frame = scene.frame,
+                                                     .depth = surface.depth,
+                                                     .size_px = making.sample.size_px});
+}
+
 gpu::ImageId add_exposed(const Making& making, gpu::ImageId light, gpu::ImageId draw)
 {
     return light::add_exposure(
@@ -99,6 +112,7 @@ light::LitPixels add_light(const Making& making, const PosedScene& scene, const 
          .local_maps = maps.local,
          .has_local_shadows = plan.local_shadows.is_there,
          .lightmap = known,
+         .ground_share = add_ground_shadow(making, scene, surface),
          .has_shadow = plan.sun.map.size > 0,
          .local_count = plan.light.local_count,
          .has_emissive = plan.needs.emissive,

@@ -40,13 +40,21 @@ PosedScene add_posed_scene(const Making& making)
     pose::MeshBuffers& meshes = making.resources.meshes;
     const auto draws = gpu::import_whole(graph, "draws", meshes.draws);
     const auto rest_vertices = gpu::import_whole(graph, "rest vertices", meshes.rest_vertices);
-    const auto posed_vertices = making.sample.pose_moved
-                                    ? pose::add_pose(graph, meshes, making.layout, draws, rest_vertices)
-                                    : gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]);
+    terrain::TerrainBuffers::Posed posed{
+        .vertices = making.sample.pose_moved
+                        ? pose::add_pose(graph, meshes, making.layout, draws, rest_vertices)
+                        : gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]),
+        .before = gpu::import_whole(graph, "vertices before", meshes.posed_vertices[1]),
+        .stroke_coordinates = gpu::import_whole(graph, "stroke coordinates", meshes.stroke_coordinates)};
+    if (making.sample.terrain_moved) {
+        posed = making.resources.terrain->add_vertices(graph, posed);
+    }
     return {
         .frame = gpu::import_whole(graph, "frame", making.resources.frame_globals),
+        .stroke_coordinates = posed.stroke_coordinates,
+        .vertices_before = posed.before,
         .meshes = {.triangles = gpu::import_whole(graph, "triangles", meshes.triangles),
-                   .posed_vertices = posed_vertices,
+                   .posed_vertices = posed.vertices,
                    .draws = draws,
                    .rest_vertices = rest_vertices,
                    .materials = gpu::import_whole(graph, "materials", making.resources.materials.materials),
@@ -72,8 +80,7 @@ surface::Surface add_surface(const Making& making, const PosedScene& scene, gpu:
                 .posed_vertices = scene.meshes.posed_vertices,
                 .draws = scene.meshes.draws,
                 .rest_vertices = scene.meshes.rest_vertices,
-                .stroke_coordinates =
-                    gpu::import_whole(graph, "stroke coordinates", resources.meshes.stroke_coordinates),
+                .stroke_coordinates = scene.stroke_coordinates,
                 .stroke_kinds = gpu::import_whole(graph, "stroke kinds", resources.stroke_kinds),
                 .form_coordinates = gpu::import_whole(graph, "form coordinates", resources.form_coordinates),
                 .materials = scene.meshes.materials,
@@ -90,10 +97,8 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
     if (!motion || !making.sample.is_first) {
         return;
     }
-    const auto vertices_before =
-        motion->pose_moved
-            ? gpu::import_whole(making.graph, "vertices before", making.resources.meshes.posed_vertices[1])
-            : scene.meshes.posed_vertices;
+    const bool has_moved = motion->pose_moved || making.resources.terrain != nullptr;
+    const auto vertices_before = has_moved ? scene.vertices_before : scene.meshes.posed_vertices;
     declare_motion(making.graph,
                    {.frame = scene.frame,
                     .visibility = visibility,

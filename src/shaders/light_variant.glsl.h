@@ -30,6 +30,8 @@ SHARED_CONSTANT uint light_has_sun_levels = 1U << 14U;
 SHARED_CONSTANT uint light_has_sun_warp = 1U << 15U;
 SHARED_CONSTANT uint light_has_soft_lamps = 1U << 16U;
 
+SHARED_CONSTANT uint light_has_ground_shadow = 1U << 17U; // known ahead, for each pixel
+
 #ifdef __cplusplus
 } // namespace estampe::shared
 #endif

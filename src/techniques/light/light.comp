@@ -73,6 +73,7 @@ layout(scalar, binding = 16) readonly buffer LocalShadows
 layout(binding = 17) uniform samplerBuffer local_maps;
 layout(binding = 18) uniform sampler2D lightmap_image;        // irradiance / pi, and whether it is known
 layout(binding = 19, r32f) writeonly uniform image2D out_sun; // see LitPixels
+layout(binding = 20) uniform sampler2D ground_share_image;    // of the sun, that a terrain leaves
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -98,6 +99,7 @@ const bool has_sun_warp = (variant & light_has_sun_warp) != 0u;
 const bool has_soft_lamps = (variant & light_has_soft_lamps) != 0u;
 const bool keeps_sun = (variant & light_keeps_sun) != 0u;
 const bool has_local_shadows = (variant & light_has_local_shadows) != 0u;
+const bool has_ground_shadow = (variant & light_has_ground_shadow) != 0u;
 
 const float most_light = 65504.0; // that half floats hold
 const uint lights_per_round = 256u;
@@ -239,6 +241,9 @@ void main()
         edge = edge_at(pixel, word, max(depth, 1e-9), point, smooth_normal);
     }
     float sun_visible = has_shadow ? sun_share(point, smooth_normal, light_at(0u).direction, edge) : 1.0;
+    if (has_ground_shadow) {
+        sun_visible *= texelFetch(ground_share_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
+    }
     sun_visible = takes_shadow ? sun_visible : 1.0;
     // Of what is not seen there is no light to sum; nor does lavapipe then compile a shader for each count.
     uint directional_count = sees_draw(word) ? lighting.directional_count : 0u;

@@ -55,6 +55,7 @@ uint32_t light_variant(const LightInputs& in, const Lists& lists)
            (in.keeps_strongest ? shared::light_keeps_strongest : 0U) |
            (in.looks_at_all ? shared::light_looks_at_all : 0U) |
            (in.has_local_shadows ? shared::light_has_local_shadows : 0U) |
+           (in.ground_share ? shared::light_has_ground_shadow : 0U) |
            (in.lightmap ? shared::light_has_lightmap : 0U) | (in.keeps_sun ? shared::light_keeps_sun : 0U);
 }
 
@@ -98,6 +99,7 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
     const glm::uvec2 sun_px = in.keeps_sun ? in.size_px : glm::uvec2(1);
     const gpu::ImageId sun = pass.write(
         graph.image("light/sun", {.width = sun_px.x, .height = sun_px.y, .format = gpu::Format::r32f}));
+    pass.sample(in.ground_share.value_or(in.depth));
     pass.variant(light_variant(in, lists));
     pass.push(lists.tiles);
     pass.dispatch_over(in.size_px.x, in.size_px.y);

@@ -78,6 +78,7 @@ struct LightInputs {
     gpu::BufferId local_maps;    ///< near distance over distance, of all maps of local lights
     bool has_local_shadows = false;
     std::optional<gpu::ImageId> lightmap; ///< light known ahead: takes the place of ambient where alpha is 1
+    std::optional<gpu::ImageId> ground_share; ///< how much of the sun a terrain leaves
     bool has_shadow = false;
     uint32_t local_count = 0; ///< point and spot lights, after the directional ones
     bool has_emissive = false;

@@ -77,17 +77,27 @@ public:
     {
     }
 
-    void run(Index ground_material)
+    void run(Index ground_material, const ForeignMesh* foreign)
     {
         check_places(scene_, rest_pose_);
         data_.bounds = scene_bounds(scene_, rest_pose_);
+        if (foreign != nullptr && data_.bounds.empty()) {
+            data_.bounds = foreign->near;
+        }
         check_extent(data_.bounds, scene_.name);
         data_.anchor = data_.bounds.center();
+        if (foreign != nullptr) {
+            data_.anchor = 64.0 * glm::round(data_.anchor / 64.0);
+        }
         data_.stroke_unit_m = std::exp2(std::ceil(std::log2(std::max(data_.bounds.radius(), 1e-9))));
         for (Index node = 0; node < scene_.nodes.size(); ++node) {
-            if (scene_.nodes[node].mesh != no_index) {
+            const bool is_foreign = foreign != nullptr && foreign->node == node;
+            if (scene_.nodes[node].mesh != no_index && !is_foreign) {
                 add_node(node);
             }
+        }
+        if (foreign != nullptr) {
+            add_foreign(*foreign);
         }
         data_.opaque = append_solid(opaque_, false);
         data_.masked = append_solid(masked_, true);
@@ -302,6 +312,34 @@ private:
         return {sum};
     }
 
+    void add_foreign(const ForeignMesh& mesh)
+    {
+        const auto index = static_cast<uint32_t>(data_.draws.size());
+        const auto first = static_cast<uint32_t>(data_.draw_of_vertex.size());
+        shared::DrawRecord draw{};
+        draw.first_posed_vertex = first;
+        draw.first_rest_vertex = static_cast<uint32_t>(data_.rest_vertices.size());
+        draw.vertex_count = static_cast<uint32_t>(mesh.places.size());
+        draw.material = mesh.material;
+        draw.first_skin_vertex = shared::no_skin;
+        draw.object = mesh.node;
+        draw.groups = packed_groups({.casts_for = 0});
+        for (const glm::dvec3& place : mesh.places) {
+            data_.rest_vertices.push_back({.position = glm::vec3(place),
+                                           .normal = pack_normal({0.0F, 1.0F, 0.0F}),
+                                           .color = 0xffffffffU});
+            data_.stroke_coordinates.emplace_back((place - data_.anchor) / data_.stroke_unit_m);
+        }
+        data_.draws.push_back(draw);
+        data_.sources.push_back({.node = mesh.node});
+        draw_moves_.push_back(true);
+        data_.draw_of_vertex.insert(data_.draw_of_vertex.end(), mesh.places.size(), index);
+        for (const glm::uvec3& corners : mesh.triangles) {
+            opaque_.emplace_back(corners + first, index);
+        }
+        data_.foreign_vertex = first;
+    }
+
     void add_ground(Index material)
     {
         const double radius = std::max(data_.bounds.radius(), 1e-6);
@@ -386,11 +424,11 @@ bool has_plain_links(const MeshData& meshes)
         });
 }
 
-MeshData build_meshes(const Scene& scene, Index ground_material)
+MeshData build_meshes(const Scene& scene, Index ground_material, const ForeignMesh* foreign)
 {
     check_drawn_size(scene);
     MeshData data;
-    Builder(scene, data).run(ground_material);
+    Builder(scene, data).run(ground_material, foreign);
     return data;
 }
 

@@ -5,6 +5,7 @@
 // one record for every place where a primitive is drawn.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <estampe/scene.hpp>
@@ -36,6 +37,16 @@ struct DrawSource {
     Bounds local_bounds;    ///< of the rest vertices, in object space
 };
 
+/// A mesh that is posed by somebody else: what is known of it before. It throws no shadow into maps and has
+/// no bounds.
+struct ForeignMesh {
+    Index node = 0; ///< whose mesh is one primitive without vertices
+    Index material = 0;
+    std::vector<glm::dvec3> places; ///< about where its vertices begin, in the world
+    std::vector<glm::uvec3> triangles;
+    Bounds near; ///< where a scene that has nothing else takes place
+};
+
 /// In MeshData::edge_marks: the triangle's primitive says of all its edges whether they are marked.
 inline constexpr uint8_t marks_edges = 8;
 
@@ -57,7 +68,9 @@ struct MeshData {
     std::vector<CasterRun> casters; ///< parts of `opaque` and `masked`; what throws no shadow is in none
     uint32_t joint_count = 0;
     uint32_t morph_weight_count = 0;
-    glm::dvec3 anchor{0.0}; ///< origin of anchor space in the world
+    std::optional<uint32_t> foreign_vertex; ///< the first of the mesh that is posed by somebody else
+    glm::dvec3 anchor{
+        0.0}; ///< origin of anchor space in the world; whole multiples of 64 m beside such a mesh
     double stroke_unit_m = 1.0;
     Bounds bounds; ///< of the rest pose
 };
@@ -79,8 +92,9 @@ struct MeshData {
 /// otherwise the place in the rest pose, so that they stick to skinned and morphing bodies. Draws a ground of
 /// material `ground_material` under the scene, as a range of its own. Throws Error when the scene is
 /// larger than `check_drawn_size` lets through, or has an extent or place that scene/extent.hpp refuses.
-/// Cost: linear in vertices drawn.
-[[nodiscard]] MeshData build_meshes(const Scene& scene, Index ground_material);
+/// `foreign`, where there is one, is the last of the opaque ones. Cost: linear in vertices drawn.
+[[nodiscard]] MeshData build_meshes(const Scene& scene, Index ground_material,
+                                    const ForeignMesh* foreign = nullptr);
 
 /// Lines as thin wires and points as small dots, in triangles, so that they are drawn, lit and shadowed like
 /// anything else. They keep the skin and morph targets of their vertices. Cost: 10 triangles a line, 8 a

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "frame/ground_shadow.hpp"
+
+#include "gpu/imports.hpp"
+
+namespace estampe::frame {
+
+GroundShadowPlan plan_ground_shadow(const Camera& camera, const glm::dvec3& anchor,
+                                    const glm::dvec3& towards_sun, bool is_thrown,
+                                    const shadow::ShadowStyle& style, const gpu::Device& device)
+{
+    constexpr double texel_m = 0.5;
+    const uint32_t size = device.info().software ? 256 : 512;
+    return {.is_thrown = is_thrown,
+            .towards_sun = towards_sun,
+            .sun_radius_rad = glm::radians(style.sun_radius_deg),
+            .size = size,
+            .levels = shadow::ground_levels_about({camera.eye.x, camera.eye.z}, {anchor.x, anchor.z},
+                                                  towards_sun, size, texel_m)};
+}
+
+void GroundShadow::provide(gpu::Device& device, const GroundShadowPlan& plan)
+{
+    const uint64_t size_bytes = sizeof(uint32_t) * shared::ground_levels * plan.size * plan.size;
+    if (kept_.empty() || kept_.size_bytes() != size_bytes) {
+        kept_ = gpu::Buffer(device, "ground shadow", size_bytes, gpu::MemoryUse::device);
+        held_.reset();
+    }
+}
+
+bool GroundShadow::is_held(const GroundShadowPlan& plan, uint32_t level, uint64_t form) const
+{
+    return held_ && held_->form == form && held_->plan.towards_sun == plan.towards_sun &&
+           held_->plan.levels[level].origin_m == plan.levels[level].origin_m;
+}
+
+gpu::ImageId GroundShadow::add_share(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
+                                     const GroundShadowInputs& in)
+{
+    const GroundShadowPlan& plan = in.plan;
+    gpu::BufferId kept = gpu::import_whole(graph, "ground shadow", kept_);
+    for (uint32_t level = 0; level < shared::ground_levels; ++level) {
+        if (is_held(plan, level, terrain.form())) {
+            continue;
+        }
+        const shared::GroundLevel& place = plan.levels[level];
+        const gpu::ImageId height = terrain.add_heights(
+            graph, {.origin_m = place.origin_m, .texel_m = place.texel_m, .size = glm::uvec2(plan.size)});
+        kept = shadow::add_ground_field(graph,
+                                        {.height = height, .level = level, .place = place, .size = plan.size},
+                                        plan.towards_sun, kept);
+    }
+    return shadow::add_ground_share(graph, {.frame = in.frame,
+                                            .depth = in.depth,
+                                            .kept = kept,
+                                            .levels = plan.levels,
+                                            .size = plan.size,
+                                            .towards_sun = plan.towards_sun,
+                                            .sun_radius_rad = plan.sun_radius_rad,
+                                            .size_px = in.size_px});
+}
+
+void GroundShadow::drawn(const GroundShadowPlan& plan, const terrain::TerrainBuffers& terrain)
+{
+    held_ = {.plan = plan, .form = terrain.form()};
+}
+
+} // namespace estampe::frame

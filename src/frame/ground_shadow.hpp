@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The sun's shadow of the terrain: what it is to be, and what of it is kept from picture to picture.
+
+#include <optional>
+
+#include <estampe/scene.hpp>
+
+#include "gpu/device.hpp"
+#include "gpu/resources.hpp"
+#include "techniques/shadow/ground/ground_shadow.hpp"
+#include "techniques/shadow/shadow_style.hpp"
+#include "techniques/terrain/terrain_buffers.hpp"
+
+namespace estampe::frame {
+
+struct GroundShadowPlan {
+    bool is_thrown = false;
+    glm::dvec3 towards_sun{0.0, 1.0, 0.0};
+    float sun_radius_rad = 0.0F;
+    uint32_t size = 0; ///< texels a side of each field
+    shadow::GroundLevels levels{};
+};
+
+/// Plans the fields about the camera.
+[[nodiscard]] GroundShadowPlan plan_ground_shadow(const Camera& camera, const glm::dvec3& anchor,
+                                                  const glm::dvec3& towards_sun, bool is_thrown,
+                                                  const shadow::ShadowStyle& style,
+                                                  const gpu::Device& device);
+
+struct GroundShadowInputs {
+    const GroundShadowPlan& plan;
+    gpu::BufferId frame; ///< FrameGlobals
+    gpu::ImageId depth;
+    glm::uvec2 size_px{0};
+};
+
+/// Fields of heights and horizons between pictures. A field is made anew when it has gone along with the eye,
+/// or when the sun or the ground have changed.
+class GroundShadow {
+public:
+    void forget() { held_.reset(); }
+
+    /// Makes room for what `plan` wants.
+    void provide(gpu::Device& device, const GroundShadowPlan& plan);
+    /// Brings the fields up to date, and looks every pixel up in them.
+    [[nodiscard]] gpu::ImageId add_share(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
+                                         const GroundShadowInputs& in);
+    /// That has been drawn.
+    void drawn(const GroundShadowPlan& plan, const terrain::TerrainBuffers& terrain);
+
+private:
+    struct Held {
+        GroundShadowPlan plan;
+        uint64_t form = 0; ///< of the terrain
+    };
+
+    [[nodiscard]] bool is_held(const GroundShadowPlan& plan, uint32_t level, uint64_t form) const;
+
+    gpu::Buffer kept_;
+    std::optional<Held> held_;
+};
+
+} // namespace estampe::frame

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Keeps the height and the horizon of a texel, two halves of a word, for the pictures to come.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/shadow/ground/ground_shadow.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform sampler2D height_image;
+layout(binding = 1) uniform sampler2D horizon_image;
+
+layout(scalar, binding = 2) writeonly buffer Kept
+{
+    uint kept[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    GroundKeepConstants constants;
+};
+
+void main()
+{
+    uvec2 texel = gl_GlobalInvocationID.xy;
+    if (any(greaterThanEqual(texel, uvec2(constants.size)))) {
+        return;
+    }
+    float height = texelFetch(height_image, ivec2(texel), 0).r;
+    float horizon = texelFetch(horizon_image, ivec2(texel), 0).r;
+    kept[constants.first_texel + texel.y * constants.size + texel.x] = packHalf2x16(vec2(height, horizon));
+}

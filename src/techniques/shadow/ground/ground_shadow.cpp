@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow/ground/ground_shadow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shaders/ground_keep_comp.hpp"
+#include "shaders/ground_share_comp.hpp"
+#include "techniques/shadow/heightfield/height_shadow.hpp"
+
+namespace estampe::shadow {
+
+GroundLevels ground_levels_about(const glm::dvec2& eye_m, const glm::dvec2& anchor_m,
+                                 const glm::dvec3& towards_sun, uint32_t size, double texel_m)
+{
+    const glm::dvec2 level_sun(towards_sun.x, towards_sun.z);
+    const double length = glm::length(level_sun);
+    const glm::dvec2 sunwards = length > 1e-9 ? level_sun / length : glm::dvec2(0.0);
+    GroundLevels levels;
+    for (uint32_t i = 0; i < levels.size(); ++i) {
+        const double own_texel_m = texel_m * std::exp2(2.0 * i);
+        const double extent_m = own_texel_m * size;
+        const double step_m = 16.0 * own_texel_m;
+        const glm::dvec2 middle = eye_m + 0.25 * extent_m * sunwards;
+        const glm::dvec2 corner = step_m * glm::floor((middle - 0.5 * extent_m) / step_m);
+        levels[i] = {.origin_m = glm::vec2(corner - anchor_m), .texel_m = static_cast<float>(own_texel_m)};
+    }
+    return levels;
+}
+
+gpu::BufferId add_ground_field(gpu::Graph& graph, const GroundField& field, const glm::dvec3& towards_sun,
+                               gpu::BufferId kept)
+{
+    const gpu::ImageId horizon = add_height_horizon(
+        graph, {.height = field.height, .texel_m = field.place.texel_m, .towards_sun = towards_sun});
+    auto pass = graph.compute("ground/keep", shaders::ground_keep_comp);
+    pass.sample(field.height).sample(horizon);
+    const gpu::BufferId result = pass.modify(kept);
+    pass.push(shared::GroundKeepConstants{.size = field.size,
+                                          .first_texel = field.level * field.size * field.size})
+        .dispatch_over(field.size, field.size);
+    return result;
+}
+
+gpu::ImageId add_ground_share(gpu::Graph& graph, const GroundShareInputs& in)
+{
+    shared::GroundShareConstants constants{.towards_sun = glm::vec3(in.towards_sun),
+                                           .radius_rad = std::max(in.sun_radius_rad, 1e-4F),
+                                           .size = in.size};
+    std::ranges::copy(in.levels, constants.levels);
+    auto pass = graph.compute("ground/share", shaders::ground_share_comp);
+    pass.uniform(in.frame).sample(in.depth).sample(in.kept, gpu::Format::r32ui);
+    const gpu::ImageId share = pass.write(graph.image(
+        "ground/share", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    return share;
+}
+
+} // namespace estampe::shadow

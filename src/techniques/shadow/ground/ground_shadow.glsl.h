@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_GROUND_SHADOW_GLSL_H
+#define ESTAMPE_GROUND_SHADOW_GLSL_H
+// Fields of heights and horizons about the eye, each four times as coarse as the one before.
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
+#endif
+
+SHARED_CONSTANT uint ground_levels = 4U;
+
+// Anchor space; origin is the middle of the first texel.
+struct GroundLevel {
+    vec2 origin_m;
+    float texel_m;
+};
+
+struct GroundKeepConstants {
+    uint size;
+    uint first_texel;
+};
+
+struct GroundShareConstants {
+    GroundLevel levels[4];
+    vec3 towards_sun;
+    float radius_rad;
+    uint size; // texels a side
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(GroundShareConstants) <= 128);
+} // namespace estampe::shared
+#endif
+
+#endif

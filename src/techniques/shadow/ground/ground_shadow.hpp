@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The sun's shadow of a ground without an end, on itself and on what stands on it: fields of heights about
+// the eye, with the horizon that each texel has towards the sun.
+
+#include <array>
+
+#include "gpu/graph/graph.hpp"
+#include "techniques/shadow/ground/ground_shadow.glsl.h"
+
+namespace estampe::shadow {
+
+/// Where the fields lie.
+using GroundLevels = std::array<shared::GroundLevel, shared::ground_levels>;
+
+/// Fields of `size` texels a side about an eye, the finest of `texel_m`. They are moved towards the sun,
+/// where what throws shadows stands, and go along with the eye in steps of 16 texels.
+[[nodiscard]] GroundLevels ground_levels_about(const glm::dvec2& eye_m, const glm::dvec2& anchor_m,
+                                               const glm::dvec3& towards_sun, uint32_t size, double texel_m);
+
+struct GroundField {
+    gpu::ImageId height; ///< r32f, metres above the anchor, `size` texels a side
+    uint32_t level = 0;
+    shared::GroundLevel place{};
+    uint32_t size = 0;
+};
+
+/// Brings one field of `kept`, a word a texel, level by level, up to date. Cost: that of add_height_horizon()
+/// by its sweep, and one small dispatch.
+[[nodiscard]] gpu::BufferId add_ground_field(gpu::Graph& graph, const GroundField& field,
+                                             const glm::dvec3& towards_sun, gpu::BufferId kept);
+
+struct GroundShareInputs {
+    gpu::BufferId frame; ///< FrameGlobals
+    gpu::ImageId depth;
+    gpu::BufferId kept;
+    GroundLevels levels;
+    uint32_t size = 0;
+    glm::dvec3 towards_sun{0.0, 1.0, 0.0};
+    float sun_radius_rad = 0.0F;
+    glm::uvec2 size_px{0};
+};
+
+/// How much of the sun's disc the ground leaves to what is seen at each pixel, r16f; 1 where nothing is seen.
+///
+/// Cost    one full-screen dispatch, twelve texels a pixel
+/// Source  Timonen and Westerholm, "Scalable Height Field Self-Shadowing", Eurographics 2010
+[[nodiscard]] gpu::ImageId add_ground_share(gpu::Graph& graph, const GroundShareInputs& in);
+
+} // namespace estampe::shadow

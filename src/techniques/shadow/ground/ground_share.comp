@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// One thread finds how much of the sun the ground leaves to what is seen at a pixel.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/camera.glsl"
+#include "shaders/sun_disc.glsl"
+#include "techniques/shadow/ground/ground_shadow.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(binding = 1) uniform sampler2D depth_image;
+layout(binding = 2) uniform usamplerBuffer kept; // see ground_keep.comp
+layout(binding = 3, r16f) writeonly uniform image2D out_share;
+
+layout(push_constant, scalar) uniform Constants
+{
+    GroundShareConstants constants;
+};
+
+vec2 kept_at(uint level, ivec2 texel)
+{
+    uint first = level * constants.size * constants.size;
+    return unpackHalf2x16(texelFetch(kept, int(first) + texel.y * int(constants.size) + texel.x).x);
+}
+
+// Height and horizon, between texels, of the finest level that holds the place. Beyond all of them: no horizon.
+vec2 ground_at(vec2 place)
+{
+    vec2 result = vec2(-1e4, -1.0);
+    for (int level = int(ground_levels) - 1; level >= 0; --level) {
+        GroundLevel field = constants.levels[level];
+        vec2 at = (place - field.origin_m) / field.texel_m;
+        if (all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, vec2(constants.size - 1u)))) {
+            ivec2 texel = ivec2(at);
+            vec2 f = at - vec2(texel);
+            result = mix(mix(kept_at(uint(level), texel), kept_at(uint(level), texel + ivec2(1, 0)), f.x),
+                         mix(kept_at(uint(level), texel + ivec2(0, 1)), kept_at(uint(level), texel + ivec2(1, 1)),
+                             f.x),
+                         f.y);
+        }
+    }
+    return result;
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
+        return;
+    }
+    float depth = texelFetch(depth_image, pixel, 0).x;
+    vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9));
+    vec3 sun = constants.towards_sun;
+    vec2 ground = ground_at(point.xz);
+    // What stands above the ground is in its shadow where the ground is that the same ray meets below.
+    vec2 back_per_m = sun.xz / max(sun.y, 0.01);
+    float above = max(point.y - ground.x - 0.1, 0.0);
+    for (int i = 0; i < 2; ++i) {
+        ground = ground_at(point.xz - back_per_m * above);
+        above = max(point.y - ground.x - 0.1, 0.0);
+    }
+    float share = sun.y > -constants.radius_rad ? share_of_disc(ground.y / constants.radius_rad) : 0.0;
+    imageStore(out_share, pixel, vec4(depth > 0.0 ? share : 1.0));
+}

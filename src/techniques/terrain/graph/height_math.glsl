@@ -1,0 +1,639 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_HEIGHT_MATH
+#define ESTAMPE_HEIGHT_MATH
+
+// The arithmetic of height graphs, read by GLSL and by C++ alike (there as members of HeightMath, with Real a
+// float or a double). A value is a dual number (value, d/dx, d/dz, d/dt): slopes and speeds are exact. Only
+// sums, products, quotients and roots are used, as the sines and powers of devices differ. Whoever includes
+// this says first what Real, Real2 and Real4 are, and gives
+//
+//     Real height_number(uint index)        a parameter of the graph
+//     Real height_place(uint index)         of the places, sixteen words each, see place_at()
+//     int height_cell(uint index)           the same, whole numbers
+//     Real height_texel(uint index)         of the textures, one behind the other
+
+#include "shaders/hash.glsl"
+
+// Where a leaf of the graph is looked up, in its own units: cells, and how far from them in each direction.
+// `period_m` is what a unit spans on the ground.
+struct Place {
+    int cell_u;
+    int cell_v;
+    Real4 u;
+    Real4 v;
+    Real period_m;
+};
+
+Real4 dual(Real value)
+{
+    return Real4(value, Real(0), Real(0), Real(0));
+}
+
+Real4 dual_mul(Real4 a, Real4 b)
+{
+    Real4 r = a * b.x + b * a.x;
+    r.x = a.x * b.x;
+    return r;
+}
+
+Real4 dual_div(Real4 a, Real4 b)
+{
+    Real inverse = Real(1) / b.x;
+    Real4 r = (a - b * (a.x * inverse)) * inverse;
+    r.x = a.x * inverse;
+    return r;
+}
+
+// f(a), given f and its derivative there.
+Real4 dual_chain(Real4 a, Real value, Real derivative)
+{
+    Real4 r = a * derivative;
+    r.x = value;
+    return r;
+}
+
+Real4 dual_min(Real4 a, Real4 b)
+{
+    if (a.x <= b.x) {
+        return a;
+    }
+    return b;
+}
+
+Real4 dual_max(Real4 a, Real4 b)
+{
+    if (a.x >= b.x) {
+        return a;
+    }
+    return b;
+}
+
+Real4 dual_abs(Real4 a)
+{
+    if (a.x >= Real(0)) {
+        return a;
+    }
+    return -a;
+}
+
+Real real_floor(Real x)
+{
+    return floor(x);
+}
+
+// sin(2 pi x), to 1e-7.
+Real sine_of_turns(Real x)
+{
+    Real t = x - real_floor(x + Real(0.5));
+    if (t > Real(0.25)) {
+        t = Real(0.5) - t;
+    }
+    if (t < Real(-0.25)) {
+        t = Real(-0.5) - t;
+    }
+    Real a = t * Real(6.283185307179586);
+    Real s = a * a;
+    Real sum = Real(1.0 / 6227020800.0);
+    sum = sum * s - Real(1.0 / 39916800.0);
+    sum = sum * s + Real(1.0 / 362880.0);
+    sum = sum * s - Real(1.0 / 5040.0);
+    sum = sum * s + Real(1.0 / 120.0);
+    sum = sum * s - Real(1.0 / 6.0);
+    return a + a * s * sum;
+}
+
+Real4 dual_sine_of_turns(Real4 a)
+{
+    return dual_chain(a, sine_of_turns(a.x),
+                      Real(6.283185307179586) * sine_of_turns(a.x - real_floor(a.x) + Real(0.25)));
+}
+
+Real4 dual_sin(Real4 a)
+{
+    return dual_sine_of_turns(a * Real(0.15915494309189535));
+}
+
+Real4 dual_cos(Real4 a)
+{
+    Real4 turns = a * Real(0.15915494309189535);
+    turns.x = turns.x - real_floor(turns.x) + Real(0.25);
+    return dual_sine_of_turns(turns);
+}
+
+// 0 for what is negative.
+Real4 dual_sqrt(Real4 a)
+{
+    if (a.x <= Real(0)) {
+        return dual(Real(0));
+    }
+    Real root = sqrt(a.x);
+    return dual_chain(a, root, Real(0.5) / root);
+}
+
+// log2 of what is positive, 0 otherwise, and 2^x: by series, to 1e-7.
+Real log2_of(Real x)
+{
+    if (x <= Real(0)) {
+        return Real(0);
+    }
+    Real exponent = Real(0);
+    for (int i = 0; i < 140 && x >= Real(1.4142135623730951); ++i) {
+        x = x * Real(0.5);
+        exponent = exponent + Real(1);
+    }
+    for (int j = 0; j < 140 && x < Real(0.7071067811865476); ++j) {
+        x = x * Real(2);
+        exponent = exponent - Real(1);
+    }
+    Real t = (x - Real(1)) / (x + Real(1));
+    Real s = t * t;
+    Real sum = Real(1.0 / 11.0);
+    sum = sum * s + Real(1.0 / 9.0);
+    sum = sum * s + Real(1.0 / 7.0);
+    sum = sum * s + Real(1.0 / 5.0);
+    sum = sum * s + Real(1.0 / 3.0);
+    return exponent + (t + t * s * sum) * Real(2.8853900817779268);
+}
+
+Real two_to(Real x)
+{
+    if (x < Real(-120)) {
+        return Real(0);
+    }
+    Real whole = real_floor(x + Real(0.5));
+    Real a = (x - whole) * Real(0.6931471805599453);
+    Real sum = Real(1.0 / 5040.0);
+    sum = sum * a + Real(1.0 / 720.0);
+    sum = sum * a + Real(1.0 / 120.0);
+    sum = sum * a + Real(1.0 / 24.0);
+    sum = sum * a + Real(1.0 / 6.0);
+    sum = sum * a + Real(0.5);
+    sum = sum * a + Real(1);
+    Real power = sum * a + Real(1);
+    for (int i = 0; i < 120 && whole > Real(0); ++i) {
+        power = power * Real(2);
+        whole = whole - Real(1);
+    }
+    for (int j = 0; j < 120 && whole < Real(0); ++j) {
+        power = power * Real(0.5);
+        whole = whole + Real(1);
+    }
+    return power;
+}
+
+// a^exponent; 0 for what is not positive.
+Real4 dual_pow(Real4 a, Real exponent)
+{
+    if (a.x <= Real(0)) {
+        return dual(Real(0));
+    }
+    Real power = two_to(exponent * log2_of(a.x));
+    return dual_chain(a, power, exponent * power / a.x);
+}
+
+Real4 dual_lerp(Real4 a, Real4 b, Real4 share)
+{
+    return a + dual_mul(b - a, share);
+}
+
+Real4 dual_smoothstep(Real4 low, Real4 high, Real4 a)
+{
+    Real4 t = dual_div(a - low, high - low);
+    if (t.x <= Real(0)) {
+        return dual(Real(0));
+    }
+    if (t.x >= Real(1)) {
+        return dual(Real(1));
+    }
+    return dual_chain(t, t.x * t.x * (Real(3) - Real(2) * t.x), Real(6) * t.x * (Real(1) - t.x));
+}
+
+// The greater of both, round where they meet within `width` of each other.
+Real4 dual_smooth_max(Real4 a, Real4 b, Real width)
+{
+    Real4 apart = dual_abs(a - b);
+    Real4 greater = dual_max(a, b);
+    if (apart.x >= width) {
+        return greater;
+    }
+    Real4 near = dual(Real(1)) - apart * (Real(1) / width);
+    return greater + dual_mul(near, near) * (Real(0.25) * width);
+}
+
+// The angle of (u, v) in radians.
+Real angle_of(Real u, Real v)
+{
+    Real across = u < Real(0) ? -u : u;
+    Real along = v < Real(0) ? -v : v;
+    bool is_steep = along > across;
+    Real small = is_steep ? across : along;
+    Real large = is_steep ? along : across;
+    Real t = large > Real(0) ? small / large : Real(0);
+    t = t / (Real(1) + sqrt(Real(1) + t * t));
+    t = t / (Real(1) + sqrt(Real(1) + t * t));
+    Real s = t * t;
+    Real sum = Real(1.0 / 9.0);
+    sum = sum * s - Real(1.0 / 7.0);
+    sum = sum * s + Real(1.0 / 5.0);
+    sum = sum * s - Real(1.0 / 3.0);
+    Real angle = Real(4) * (t + t * s * sum);
+    if (is_steep) {
+        angle = Real(1.5707963267948966) - angle;
+    }
+    if (u < Real(0)) {
+        angle = Real(3.141592653589793) - angle;
+    }
+    return v < Real(0) ? -angle : angle;
+}
+
+Real4 dual_angle(Real4 u, Real4 v)
+{
+    Real square = u.x * u.x + v.x * v.x;
+    if (square <= Real(0)) {
+        return dual(Real(0));
+    }
+    Real4 r = (v * u.x - u * v.x) * (Real(1) / square);
+    r.x = angle_of(u.x, v.x);
+    return r;
+}
+
+Real4 dual_radius(Real4 u, Real4 v)
+{
+    return dual_sqrt(dual_mul(u, u) + dual_mul(v, v));
+}
+
+// A curve through `count` points (x, y, slope) from `first` on; beyond its ends it is level.
+Real4 dual_curve(Real4 a, uint first, uint count)
+{
+    uint last = first + 3u * (count - 1u);
+    if (a.x <= height_number(first)) {
+        return dual(height_number(first + 1u));
+    }
+    if (a.x >= height_number(last)) {
+        return dual(height_number(last + 1u));
+    }
+    uint at = first;
+    for (uint i = 1u; i + 1u < count; ++i) {
+        if (a.x >= height_number(first + 3u * i)) {
+            at = first + 3u * i;
+        }
+    }
+    Real width = height_number(at + 3u) - height_number(at);
+    Real t = (a.x - height_number(at)) / width;
+    Real y0 = height_number(at + 1u);
+    Real y1 = height_number(at + 4u);
+    Real m0 = height_number(at + 2u) * width;
+    Real m1 = height_number(at + 5u) * width;
+    Real c2 = Real(3) * (y1 - y0) - Real(2) * m0 - m1;
+    Real c3 = Real(2) * (y0 - y1) + m0 + m1;
+    return dual_chain(a, y0 + t * (m0 + t * (c2 + t * c3)),
+                      (m0 + t * (Real(2) * c2 + t * Real(3) * c3)) / width);
+}
+
+// What is left of a form that repeats every `period_m` on a grid of `spacing_m`, which could not show it.
+Real share_shown(Real period_m, Real spacing_m)
+{
+    if (period_m >= Real(4) * spacing_m) {
+        return Real(1);
+    }
+    if (period_m <= Real(2) * spacing_m) {
+        return Real(0);
+    }
+    Real t = period_m / (Real(2) * spacing_m) - Real(1);
+    return t * t * (Real(3) - Real(2) * t);
+}
+
+Place place_at(uint place, Real x, Real z)
+{
+    Place p;
+    uint first = place * 16u;
+    Real ux = height_place(first);
+    Real uz = height_place(first + 1u);
+    Real vx = height_place(first + 2u);
+    Real vz = height_place(first + 3u);
+    p.u = Real4(height_place(first + 4u) + (ux * x + uz * z), ux, uz, height_place(first + 6u));
+    p.v = Real4(height_place(first + 5u) + (vx * x + vz * z), vx, vz, height_place(first + 7u));
+    p.cell_u = height_cell(first + 8u);
+    p.cell_v = height_cell(first + 9u);
+    p.period_m = height_place(first + 10u);
+    return p;
+}
+
+// The same place, moved by (u, v), which are in metres of the frame that the place stands in.
+Place place_warped(uint place, Real x, Real z, Real4 u, Real4 v)
+{
+    Place p = place_at(place, x, z);
+    p.u = p.u + u * height_place(place * 16u + 11u);
+    p.v = p.v + v * height_place(place * 16u + 12u);
+    return p;
+}
+
+// A coordinate of the frame, in metres.
+Real4 coordinate_u(Place p)
+{
+    Real4 r = p.u;
+    r.x = r.x + Real(p.cell_u);
+    return r;
+}
+
+Real4 coordinate_v(Place p)
+{
+    Real4 r = p.v;
+    r.x = r.x + Real(p.cell_v);
+    return r;
+}
+
+Real4 leaf_sine(Place p, Real spacing_m)
+{
+    return dual_sine_of_turns(p.u) * share_shown(p.period_m, spacing_m);
+}
+
+uint height_hash(int u, int v, uint seed)
+{
+    return hash(uint(u), uint(v), seed);
+}
+
+Real hashed_unit(uint bits)
+{
+    return Real(bits >> 8u) * Real(1.0 / 16777216.0);
+}
+
+// Gradient noise in about [-1, 1], one feature a unit (Perlin, "Improving noise", SIGGRAPH 2002, with any
+// gradients).
+Real4 gradient_noise(Place p, uint seed)
+{
+    Real base_u = real_floor(p.u.x);
+    Real base_v = real_floor(p.v.x);
+    int cell_u = p.cell_u + int(base_u);
+    int cell_v = p.cell_v + int(base_v);
+    Real fu = p.u.x - base_u;
+    Real fv = p.v.x - base_v;
+    Real wu = fu * fu * fu * (fu * (fu * Real(6) - Real(15)) + Real(10));
+    Real wv = fv * fv * fv * (fv * (fv * Real(6) - Real(15)) + Real(10));
+    Real du = Real(30) * fu * fu * (fu * (fu - Real(2)) + Real(1));
+    Real dv = Real(30) * fv * fv * (fv * (fv - Real(2)) + Real(1));
+    Real sum = Real(0);
+    Real sum_u = Real(0);
+    Real sum_v = Real(0);
+    for (int corner = 0; corner < 4; ++corner) {
+        int iu = corner & 1;
+        int iv = corner >> 1;
+        uint bits = height_hash(cell_u + iu, cell_v + iv, seed);
+        Real gu = Real(bits & 0xffffu) * Real(2.0 / 65535.0) - Real(1);
+        Real gv = Real(bits >> 16u) * Real(2.0 / 65535.0) - Real(1);
+        Real ramp = gu * (fu - Real(iu)) + gv * (fv - Real(iv));
+        Real share_u = iu == 1 ? wu : Real(1) - wu;
+        Real share_v = iv == 1 ? wv : Real(1) - wv;
+        sum = sum + share_u * share_v * ramp;
+        sum_u = sum_u + share_v * (share_u * gu + (iu == 1 ? du : -du) * ramp);
+        sum_v = sum_v + share_u * (share_v * gv + (iv == 1 ? dv : -dv) * ramp);
+    }
+    Real4 r = p.u * (sum_u * Real(1.5)) + p.v * (sum_v * Real(1.5));
+    r.x = sum * Real(1.5);
+    return r;
+}
+
+// Parameters: seed.
+Real4 leaf_noise(Place p, uint first, Real spacing_m)
+{
+    return gradient_noise(p, uint(height_number(first))) * share_shown(p.period_m, spacing_m);
+}
+
+// The next octave: turned by 26.6 degrees and finer by the root of five, which takes cells to cells, so that
+// no lattice shows and nothing is rounded.
+Place next_octave(Place p)
+{
+    Place q;
+    q.cell_u = 2 * p.cell_u - p.cell_v;
+    q.cell_v = p.cell_u + 2 * p.cell_v;
+    q.u = p.u * Real(2) - p.v;
+    q.v = p.u + p.v * Real(2);
+    Real whole_u = real_floor(q.u.x);
+    Real whole_v = real_floor(q.v.x);
+    q.cell_u = q.cell_u + int(whole_u);
+    q.cell_v = q.cell_v + int(whole_v);
+    q.u.x = q.u.x - whole_u;
+    q.v.x = q.v.x - whole_v;
+    q.period_m = p.period_m * Real(0.4472135954999579);
+    return q;
+}
+
+// Parameters: seed, octaves, gain.
+Real4 leaf_fbm(Place p, uint first, Real spacing_m)
+{
+    uint seed = uint(height_number(first));
+    int octaves = int(height_number(first + 1u));
+    Real gain = height_number(first + 2u);
+    Real4 sum = dual(Real(0));
+    Real weight = Real(1);
+    for (int octave = 0; octave < octaves; ++octave) {
+        Real shown = share_shown(p.period_m, spacing_m);
+        if (shown > Real(0)) {
+            sum = sum + gradient_noise(p, seed + uint(octave)) * (weight * shown);
+        }
+        weight = weight * gain;
+        p = next_octave(p);
+    }
+    return sum;
+}
+
+// Parameters: seed, octaves, gain. Crests where noise passes zero; in [0, 1] for one octave.
+Real4 leaf_ridged(Place p, uint first, Real spacing_m)
+{
+    uint seed = uint(height_number(first));
+    int octaves = int(height_number(first + 1u));
+    Real gain = height_number(first + 2u);
+    Real4 sum = dual(Real(0));
+    Real weight = Real(1);
+    for (int octave = 0; octave < octaves; ++octave) {
+        Real shown = share_shown(p.period_m, spacing_m);
+        if (shown > Real(0)) {
+            Real4 crest = dual(Real(1)) - dual_abs(gradient_noise(p, seed + uint(octave)));
+            sum = sum + dual_mul(crest, crest) * (weight * shown);
+        }
+        weight = weight * gain;
+        p = next_octave(p);
+    }
+    return sum;
+}
+
+// Parameters: seed. How far the nearest of points is, one a cell (Worley, "A cellular texture basis
+// function", SIGGRAPH 1996), in cells.
+Real4 leaf_cellular(Place p, uint first, Real spacing_m)
+{
+    uint seed = uint(height_number(first));
+    Real base_u = real_floor(p.u.x);
+    Real base_v = real_floor(p.v.x);
+    Real fu = p.u.x - base_u;
+    Real fv = p.v.x - base_v;
+    Real nearest = Real(8);
+    Real nearest_u = Real(0);
+    Real nearest_v = Real(0);
+    for (int neighbour = 0; neighbour < 9; ++neighbour) {
+        int iu = neighbour % 3 - 1;
+        int iv = neighbour / 3 - 1;
+        uint bits = height_hash(p.cell_u + int(base_u) + iu, p.cell_v + int(base_v) + iv, seed);
+        Real du = fu - Real(iu) - hashed_unit(bits);
+        Real dv = fv - Real(iv) - hashed_unit(hash(bits));
+        Real square = du * du + dv * dv;
+        if (square < nearest) {
+            nearest = square;
+            nearest_u = du;
+            nearest_v = dv;
+        }
+    }
+    Real far = sqrt(nearest);
+    Real inverse = far > Real(0) ? Real(1) / far : Real(0);
+    Real4 r = p.u * (nearest_u * inverse) + p.v * (nearest_v * inverse);
+    r.x = far;
+    return r * share_shown(p.period_m, spacing_m);
+}
+
+// Where texel `index` of a row of `count` is read; wrap: 0 repeats, 1 mirrors, 2 clamps.
+int wrapped_texel(int index, int count, int wrap)
+{
+    if (wrap == 2) {
+        return index < 0 ? 0 : (index >= count ? count - 1 : index);
+    }
+    int period = wrap == 1 ? 2 * count : count;
+    int at = index % period;
+    at = at < 0 ? at + period : at;
+    return at >= count ? period - 1 - at : at;
+}
+
+// Weights of four texels about t in [0, 1], and their derivatives: linear, or through the texels and smooth
+// (Catmull and Rom 1974).
+Real4 texel_weights(Real t, bool is_cubic)
+{
+    if (!is_cubic) {
+        return Real4(Real(0), Real(1) - t, t, Real(0));
+    }
+    return Real4(t * (t * (Real(1) - Real(0.5) * t) - Real(0.5)),
+                 t * t * (Real(1.5) * t - Real(2.5)) + Real(1),
+                 t * (t * (Real(2) - Real(1.5) * t) + Real(0.5)), t * t * (Real(0.5) * t - Real(0.5)));
+}
+
+Real4 texel_slopes(Real t, bool is_cubic)
+{
+    if (!is_cubic) {
+        return Real4(Real(0), Real(-1), Real(1), Real(0));
+    }
+    return Real4(t * (Real(2) - Real(1.5) * t) - Real(0.5), t * (Real(4.5) * t - Real(5)),
+                 t * (Real(4) - Real(4.5) * t) + Real(0.5), t * (Real(1.5) * t - Real(1)));
+}
+
+// Parameters: first texel, columns, rows, wrap, whether cubic, mean. A unit is the whole texture.
+Real4 leaf_texture(Place p, uint first, Real spacing_m)
+{
+    uint first_texel = uint(height_number(first));
+    int columns = int(height_number(first + 1u));
+    int rows = int(height_number(first + 2u));
+    int wrap = int(height_number(first + 3u));
+    bool is_cubic = height_number(first + 4u) > Real(0.5);
+    Real mean = height_number(first + 5u);
+    // Whole textures on the way there count for mirrors and ends alone.
+    int turn_u = wrap == 0 ? 0 : (wrap == 1 ? p.cell_u & 1 : clamp(p.cell_u, -2, 2));
+    int turn_v = wrap == 0 ? 0 : (wrap == 1 ? p.cell_v & 1 : clamp(p.cell_v, -2, 2));
+    Real u = p.u.x * Real(columns) - Real(0.5);
+    Real v = p.v.x * Real(rows) - Real(0.5);
+    Real base_u = real_floor(u);
+    Real base_v = real_floor(v);
+    Real4 weights_u = texel_weights(u - base_u, is_cubic);
+    Real4 weights_v = texel_weights(v - base_v, is_cubic);
+    Real4 slopes_u = texel_slopes(u - base_u, is_cubic);
+    Real4 slopes_v = texel_slopes(v - base_v, is_cubic);
+    Real sum = Real(0);
+    Real sum_u = Real(0);
+    Real sum_v = Real(0);
+    for (int j = 0; j < 4; ++j) {
+        int row = wrapped_texel(int(base_v) + j - 1 + turn_v * rows, rows, wrap);
+        for (int i = 0; i < 4; ++i) {
+            int column = wrapped_texel(int(base_u) + i - 1 + turn_u * columns, columns, wrap);
+            Real texel = height_texel(first_texel + uint(row * columns + column)) - mean;
+            sum = sum + weights_u[i] * weights_v[j] * texel;
+            sum_u = sum_u + slopes_u[i] * weights_v[j] * texel;
+            sum_v = sum_v + weights_u[i] * slopes_v[j] * texel;
+        }
+    }
+    Real4 r = p.u * (sum_u * Real(columns)) + p.v * (sum_v * Real(rows));
+    r.x = sum;
+    r = r * share_shown(p.period_m / Real(max(columns, rows)) * Real(2), spacing_m);
+    r.x = r.x + mean;
+    return r;
+}
+
+// Noise along a line of its own for each `row`, in [-1, 1], with its first and second derivative.
+Real4 row_noise(int cell, Real t, int row, uint seed)
+{
+    Real base = real_floor(t);
+    Real f = t - base;
+    int at = cell + int(base);
+    Real a = Real(2) * hashed_unit(height_hash(at, row, seed)) - Real(1);
+    Real b = Real(2) * hashed_unit(height_hash(at + 1, row, seed)) - Real(1);
+    Real weight = f * f * f * (f * (f * Real(6) - Real(15)) + Real(10));
+    Real slope = Real(30) * f * f * (f * (f - Real(2)) + Real(1));
+    Real bend = Real(60) * f * (f * (Real(2) * f - Real(3)) + Real(1));
+    return Real4(a + (b - a) * weight, (b - a) * slope, (b - a) * bend, Real(0));
+}
+
+// One dune of a train, `row`: a rise of `windward_m` to the brink, then sand at its angle of repose. Below 0
+// where it is not.
+Real4 one_dune(Place p, int row, uint first, Real spacing_m)
+{
+    uint seed = uint(height_number(first));
+    Real height_m = height_number(first + 1u);
+    Real wavelength_m = height_number(first + 2u);
+    Real repose = height_number(first + 3u);
+    Real windward_m = height_number(first + 4u);
+    Real meander = height_number(first + 5u);
+    Real variation = height_number(first + 6u);
+    Real crest_m = height_number(first + 7u);
+    int ridge = p.cell_u + row;
+    // Where the brink runs, in wavelengths, and how high it is.
+    Real4 shift = row_noise(p.cell_v, p.v.x, ridge, seed) * meander;
+    Real4 brink = dual_chain(p.v, Real(row) + shift.x, shift.y);
+    Real4 spread = row_noise(p.cell_v, p.v.x, ridge, seed + 1u);
+    Real4 crest = dual_chain(p.v, height_m * (Real(1) + variation * (spread.x - Real(0.4))),
+                             height_m * variation * spread.y);
+    Real4 behind_m = (p.u - brink) * wavelength_m;
+    // A meandering brink is nearer than along the wind.
+    Real tilt = shift.y * wavelength_m / crest_m;
+    Real tilt_slope = shift.z * wavelength_m / crest_m;
+    Real stretch = sqrt(Real(1) + tilt * tilt);
+    Real4 straight = dual_chain(p.v, Real(1) / stretch, -tilt * tilt_slope / (stretch * stretch * stretch));
+    Real4 lee = crest - dual_mul(behind_m, straight) * repose;
+    Real4 climb = dual(Real(1)) + behind_m * (Real(1) / windward_m);
+    // Level at the foot, steepest in the middle, still rising a little at the brink; below the ground before.
+    Real4 rise = dual_chain(climb, climb.x * climb.x * (Real(2.4) - Real(1.4) * climb.x),
+                            climb.x * (Real(4.8) - Real(4.2) * climb.x));
+    if (climb.x <= Real(0)) {
+        rise = dual_chain(climb, Real(-2.4) * climb.x * climb.x, Real(-4.8) * climb.x);
+    }
+    if (climb.x >= Real(1)) {
+        rise = dual(Real(1));
+    }
+    // A grid would turn a sharp brink into teeth: there it is as round as that shows it straight.
+    return -dual_smooth_max(-dual_mul(crest, rise), -lee, Real(1.5) * repose * spacing_m + Real(1e-9));
+}
+
+// Parameters: seed, height, wavelength, slope of the slip face, length of the rise, meander (in wavelengths),
+// variation of height, length of a bend of the crest, width of the round foot. A unit of u is a wavelength
+// downwind, one of v a bend of the crest.
+Real4 leaf_dunes(Place p, uint first, Real spacing_m)
+{
+    Real shown = share_shown(p.period_m * Real(0.5), spacing_m);
+    if (shown <= Real(0)) {
+        return dual(Real(0));
+    }
+    Real whole = real_floor(p.u.x);
+    p.cell_u = p.cell_u + int(whole);
+    p.u.x = p.u.x - whole;
+    Real foot_m = height_number(first + 8u);
+    Real4 height = dual(Real(0));
+    for (int row = -1; row <= 2; ++row) {
+        height = dual_smooth_max(height, one_dune(p, row, first, spacing_m), foot_m);
+    }
+    return height * shown;
+}
+
+#endif

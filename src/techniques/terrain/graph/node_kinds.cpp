@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/terrain/graph/node_kinds.hpp"
+
+#include <algorithm>
+
+#include "techniques/terrain/graph/program.glsl.h"
+
+namespace estampe::terrain {
+namespace {
+
+NodeParameter value(std::string_view name)
+{
+    return {.name = name};
+}
+
+NodeParameter number(std::string_view name, std::optional<double> by_default, double minimum, double maximum)
+{
+    return {.name = name,
+            .form = ParameterForm::number,
+            .default_number = by_default,
+            .minimum = minimum,
+            .maximum = maximum};
+}
+
+NodeParameter text(std::string_view name, std::string_view by_default = {},
+                   std::vector<std::string_view> words = {})
+{
+    return {.name = name, .form = ParameterForm::text, .default_text = by_default, .words = std::move(words)};
+}
+
+NodeParameter wavelength()
+{
+    return number("wavelength", {}, 0.001, 1e6);
+}
+
+NodeParameter seed()
+{
+    return number("seed", 0.0, 0.0, 65535.0);
+}
+
+std::vector<NodeParameter> octaves()
+{
+    return {wavelength(), number("octaves", 5.0, 1.0, 16.0), number("gain", 0.4472136, 0.0, 1.0), seed()};
+}
+
+std::vector<NodeKind> made_kinds()
+{
+    using namespace shared; // NOLINT(google-build-using-namespace): the names of the operations
+    using enum NodeForm;
+    return {
+        {"+", arithmetic, height_add, {value("a"), value("b")}, "a + b"},
+        {"-", arithmetic, height_subtract, {value("a"), value("b")}, "a - b, or -a"},
+        {"*", arithmetic, height_multiply, {value("a"), value("b")}, "a * b"},
+        {"/", arithmetic, height_divide, {value("a"), value("b")}, "a / b"},
+        {"^",
+         arithmetic,
+         height_power,
+         {value("a"), number("exponent", {}, -64.0, 64.0)},
+         "a to a number; 0 for what is not positive"},
+        {"min", arithmetic, height_minimum, {value("a"), value("b")}, "The lesser"},
+        {"max", arithmetic, height_maximum, {value("a"), value("b")}, "The greater"},
+        {"lerp",
+         arithmetic,
+         height_lerp,
+         {value("a"), value("b"), value("share")},
+         "a for share 0, b for 1, in between and beyond in proportion"},
+        {"smoothstep",
+         arithmetic,
+         height_smoothstep,
+         {value("low"), value("high"), value("a")},
+         "0 below low, 1 above high, smooth between"},
+        {"sin", arithmetic, height_sine, {value("a")}, "Sine of radians"},
+        {"cos", arithmetic, height_cosine, {value("a")}, "Cosine of radians"},
+        {"abs", arithmetic, height_absolute, {value("a")}, "Without its sign"},
+        {"sqrt", arithmetic, height_root, {value("a")}, "Square root; 0 for what is negative"},
+        {"curve",
+         curve,
+         height_curve,
+         {value("a")},
+         "A smooth curve through points x1, y1, x2, y2, ... that does not overshoot; level beyond its ends"},
+        {"sine", leaf, height_wave, {wavelength()}, "A wave in [-1, 1] along x"},
+        {"noise", leaf, height_noise, {wavelength(), seed()}, "Gradient noise in about [-1, 1]"},
+        {"fbm", leaf, height_fbm, octaves(), "Noise upon finer noise, each octave 2.24 times as fine"},
+        {"ridged", leaf, height_ridged, octaves(), "The same with sharp crests"},
+        {"cellular",
+         leaf,
+         height_cellular,
+         {wavelength(), seed()},
+         "How far the nearest of scattered points is, in wavelengths"},
+        {"texture",
+         texture,
+         height_texture,
+         {text("file"), number("size", {}, 0.001, 1e7), text("filter", "bicubic", {"bicubic", "bilinear"}),
+          text("wrap", "repeat", {"repeat", "mirror", "clamp"})},
+         "A picture, black 0 and white 1; so many metres wide"},
+        {"mask",
+         mask,
+         height_texture,
+         {text("name"), number("size", {}, 0.001, 1e7), number("texels", 256.0, 2.0, 4096.0)},
+         "What a program paints, by Terrain::paint_mask(); square, about the origin, 0 until then and "
+         "beyond"},
+        {"dunes",
+         dunes,
+         height_dunes,
+         {wavelength(), number("height", {}, 0.0, 1000.0), number("celerity", 0.0, -1000.0, 1000.0),
+          number("repose", 32.0, 5.0, 60.0), number("windward", 0.8, 0.05, 2.0),
+          number("meander", 0.25, 0.0, 0.45), number("variation", 0.6, 0.0, 1.0),
+          number("crest", 0.0, 0.0, 1e6), seed()},
+         "Dunes across the wind: a gentle rise, a brink, a slip face at the angle of repose in degrees; they "
+         "go with the wind at the celerity in metres a second"},
+        {"translate", translate, 0, {value("a"), value("x"), value("z")}, "Moved by x and z metres"},
+        {"rotate",
+         rotate,
+         0,
+         {value("a"), number("degrees", {}, -36000.0, 36000.0)},
+         "Turned about the origin, from x towards z"},
+        {"scale",
+         scale,
+         0,
+         {value("a"), number("x", {}, 1e-6, 1e6), number("z", 0.0, 0.0, 1e6)},
+         "So many times as large; z is x where it is not given"},
+        {"polar",
+         polar,
+         0,
+         {value("a"), number("x", 0.0, -1e7, 1e7), number("z", 0.0, -1e7, 1e7),
+          number("radius", 100.0, 0.001, 1e7)},
+         "About (x, z): x within is the distance from it, z the way round at the radius"},
+        {"warp", warp, 0, {value("a"), value("x"), value("z")}, "Looked up x and z metres further"},
+        {"downwind", downwind, 0, {value("a")}, "Turned so that x runs with the wind"},
+    };
+}
+
+} // namespace
+
+std::span<const NodeKind> node_kinds()
+{
+    static const std::vector<NodeKind> kinds = made_kinds();
+    return kinds;
+}
+
+const NodeKind* find_node_kind(std::string_view name)
+{
+    const auto kinds = node_kinds();
+    const auto found = std::ranges::find(kinds, name, &NodeKind::name);
+    return found == kinds.end() ? nullptr : &*found;
+}
+
+} // namespace estampe::terrain

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// One thread finds the height of one texel of a field.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/terrain/mesh/terrain_mesh.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) uniform Terrain
+{
+    TerrainGlobals terrain;
+};
+
+layout(scalar, binding = 1) readonly buffer Words
+{
+    uint words[]; // places, parameters, instructions
+};
+
+layout(binding = 2) uniform samplerBuffer texels;
+layout(binding = 3, r32f) writeonly uniform image2D out_height; // above the anchor
+
+layout(push_constant, scalar) uniform Constants
+{
+    TerrainFieldConstants field;
+};
+
+#include "techniques/terrain/graph/height_program.glsl"
+
+void main()
+{
+    uvec2 texel = gl_GlobalInvocationID.xy;
+    if (any(greaterThanEqual(texel, field.size))) {
+        return;
+    }
+    float height = height_at(field.origin_m + field.texel_m * vec2(texel), field.texel_m).x;
+    imageStore(out_height, ivec2(texel), vec4(height - terrain.anchor_y_m));
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// One thread finds one vertex of a terrain: its height, its normal, and where it was in the frame before.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/items.glsl"
+#include "shaders/mesh.glsl.h"
+#include "shaders/octahedral.glsl"
+#include "shaders/rounds.glsl"
+#include "techniques/terrain/mesh/terrain_mesh.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) uniform Terrain
+{
+    TerrainGlobals terrain;
+};
+
+layout(scalar, binding = 1) readonly buffer Levels
+{
+    TerrainLevel levels[];
+};
+
+layout(scalar, binding = 2) readonly buffer Vertices
+{
+    uint vertices[];
+};
+
+layout(scalar, binding = 3) readonly buffer Words
+{
+    uint words[]; // places, parameters, instructions
+};
+
+layout(binding = 4) uniform samplerBuffer texels;
+
+layout(scalar, binding = 5) writeonly buffer PosedVertices
+{
+    PosedVertex posed_vertices[];
+};
+
+layout(scalar, binding = 6) writeonly buffer PosedBefore
+{
+    PosedVertex posed_before[];
+};
+
+layout(scalar, binding = 7) writeonly buffer StrokeCoordinates
+{
+    vec3 stroke_coordinates[];
+};
+
+#include "techniques/terrain/graph/height_program.glsl"
+
+uvec2 index_of(uint vertex, TerrainLevel level)
+{
+    uint mask = (1u << terrain_index_bits) - 1u;
+    uvec2 index = uvec2(vertex & mask, (vertex >> terrain_index_bits) & mask);
+    uint part = (vertex >> 26) & 3u;
+    uvec2 trim = part == terrain_part_trim_column
+                     ? uvec2(level.hole_shift.x == 1u ? 0u : level.hole_count, 0u)
+                     : uvec2(level.hole_shift.x, level.hole_shift.y == 1u ? 0u : level.hole_count);
+    return part == terrain_part_grid ? index : index + level.hole_first + trim;
+}
+
+// Heights go over to those of the next level, which lie on the straight edges between even vertices: the
+// vertex itself, then one or two of those.
+vec4 height_of(uvec2 index, TerrainLevel level)
+{
+    vec2 from_eye = abs(vec2(index) - level.eye_cells);
+    float coarse =
+        clamp((max(from_eye.x, from_eye.y) - level.fade_from) / (level.fade_to - level.fade_from), 0.0, 1.0);
+    coarse = level.fade_to > 1e30 ? 0.0 : coarse;
+    vec2 place = level.origin_m + level.cell_m * vec2(index);
+    vec2 odd = level.cell_m * vec2(index & 1u);
+    bool is_even = odd == vec2(0.0);
+    int first = coarse < 1.0 ? 0 : 1;
+    int end = coarse > 0.0 ? (is_even ? 2 : 3) : 1;
+    vec4 sum = vec4(0.0);
+    for (int i = first; i < rounds(end, first); ++i) {
+        vec2 at = i == 0 ? place : (i == 1 ? place - odd : place + odd);
+        float weight = i == 0 ? 1.0 - coarse : (is_even ? coarse : 0.5 * coarse);
+        sum += weight * height_at(at, i == 0 ? level.cell_m : 2.0 * level.cell_m);
+    }
+    return sum;
+}
+
+// Onto a ball whose top at height 0 is below the eye, if the ground is one.
+vec3 bent(vec2 place, float height)
+{
+    vec2 away = place - terrain.eye_m;
+    float far = length(away);
+    if (terrain.planet_radius_m <= 0.0 || far <= 0.0) {
+        return vec3(place.x, height, place.y);
+    }
+    float angle = far / terrain.planet_radius_m;
+    float half_sine = sin(0.5 * angle);
+    vec2 across = away * ((terrain.planet_radius_m + height) * sin(angle) / far);
+    return vec3(terrain.eye_m.x + across.x,
+                height * cos(angle) - 2.0 * terrain.planet_radius_m * half_sine * half_sine,
+                terrain.eye_m.y + across.y);
+}
+
+vec3 bent_normal(vec2 place, vec3 normal)
+{
+    vec2 away = place - terrain.eye_m;
+    float far = length(away);
+    if (terrain.planet_radius_m <= 0.0 || far <= 0.0) {
+        return normal;
+    }
+    float angle = far / terrain.planet_radius_m;
+    vec3 ahead = vec3(away.x / far, 0.0, away.y / far);
+    float along = dot(normal, ahead);
+    vec3 rest = normal - along * ahead - vec3(0.0, normal.y, 0.0);
+    return rest + ahead * (along * cos(angle) + normal.y * sin(angle)) +
+           vec3(0.0, normal.y * cos(angle) - along * sin(angle), 0.0);
+}
+
+void main()
+{
+    uint number = item_index();
+    if (number >= terrain.vertex_count) {
+        return;
+    }
+    uint vertex = vertices[number];
+    TerrainLevel level = levels[vertex >> 28];
+    uvec2 index = index_of(vertex, level);
+    vec2 place = level.origin_m + level.cell_m * vec2(index);
+    vec4 height = height_of(index, level);
+    vec3 sea = vec3(0.0, terrain.anchor_y_m, 0.0);
+    uint normal = pack_normal(bent_normal(place, normalize(vec3(-height.y, 1.0, -height.z))));
+    uint at = terrain.first_vertex + number;
+    posed_vertices[at].position = bent(place, height.x) - sea;
+    posed_vertices[at].normal = normal;
+    posed_before[at].position = bent(place, height.x - terrain.before_s * height.w) - sea;
+    posed_before[at].normal = normal;
+    stroke_coordinates[at] = (vec3(place.x, height.x, place.y) - sea) / terrain.stroke_unit_m;
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A terrain on the device: what poses the vertices of its mesh about the eye.
+
+#include <memory>
+#include <optional>
+
+#include <estampe/terrain.hpp>
+
+#include "gpu/graph/graph.hpp"
+#include "gpu/resources.hpp"
+#include "techniques/terrain/mesh/mesh_method.hpp"
+
+namespace estampe::terrain {
+
+/// Who runs the graph on the GPU.
+enum class HeightSource : uint8_t {
+    compiled,   ///< a shader of its own
+    interpreted ///< the one that takes any graph: slower, but there at once
+};
+
+/// When and from where the ground is looked at.
+struct TerrainMoment {
+    EyePlace eye;
+    glm::dvec3 anchor_m{0.0}; ///< x and z whole multiples of 64
+    double time_s = 0.0;
+    double before_s = 0.0; ///< how long ago the frame before was
+};
+
+/// Where its vertices go: into those of all meshes, from `first_vertex` on.
+struct TerrainTarget {
+    uint32_t first_vertex = 0;
+    double stroke_unit_m = 1.0;
+};
+
+class TerrainBuffers {
+public:
+    /// Uploads what does not change. Throws Error when it does not fit the device.
+    TerrainBuffers(gpu::Device& device, const Terrain& terrain, const TerrainTarget& target);
+
+    /// Takes another graph, or other numbers in it, for the same mesh. Throws Error when it does not fit.
+    void set_graph(gpu::Device& device, const Terrain& terrain);
+
+    /// Says who runs the graph from now on.
+    void set_source(HeightSource source) { source_ = source; }
+
+    /// Brings levels and places to a moment; returns whether any vertex may have changed since the last.
+    bool prepare(gpu::Device& device, const TerrainMoment& moment);
+
+    /// Poses the vertices, into what poses `posed_vertices`, `before` and `stroke_coordinates` hold of the
+    /// meshes besides.
+    ///
+    /// Writes  posed vertices of this frame and of the one before, stroke coordinates
+    /// Cost    one dispatch, one thread a vertex; near the rim of a ring up to three times the graph
+    /// Source  Losasso and Hoppe, "Geometry Clipmaps", SIGGRAPH 2004, for the rings
+    struct Posed {
+        gpu::BufferId vertices;
+        gpu::BufferId before;
+        gpu::BufferId stroke_coordinates;
+    };
+
+    [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes);
+
+    /// Heights above the anchor on a lattice, r32f, `size` texels; what the lattice cannot show is left out.
+    ///
+    /// Cost    one dispatch, one thread a texel
+    [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const shared::TerrainFieldConstants& field);
+
+    /// Counts up whenever the ground takes another form, be it that time has gone on.
+    [[nodiscard]] uint64_t form() const { return form_; }
+
+private:
+    enum class Task : uint8_t { vertices, heights };
+
+    [[nodiscard]] const gpu::Shader& shader(Task task) const;
+
+    Terrain terrain_;
+    TerrainTarget target_;
+    std::unique_ptr<MeshMethod> method_;
+    HeightSource source_ = HeightSource::compiled;
+    uint32_t vertex_count_ = 0;
+    gpu::Buffer vertices_;
+    gpu::Buffer texels_;
+    gpu::Buffer words_;
+    gpu::Buffer levels_;
+    gpu::Buffer globals_;
+    std::vector<uint32_t> words_now_;
+    uint64_t form_ = 0;
+    std::vector<shared::TerrainLevel> levels_now_;
+};
+
+} // namespace estampe::terrain

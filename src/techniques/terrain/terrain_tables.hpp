@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a terrain's file may say besides its nodes, described once.
+
+#include <estampe/terrain.hpp>
+
+#include "style/parameter.hpp"
+
+namespace estampe::terrain {
+
+inline const style::Table<TerrainLook>& look_table()
+{
+    static const auto table =
+        style::Table<TerrainLook>("terrain", "The ground").color("color", &TerrainLook::color, "Of the sand");
+    return table;
+}
+
+inline const style::Table<TerrainWind>& wind_table()
+{
+    static const auto table = style::Table<TerrainWind>("wind", "What dunes go along with")
+                                  .number("direction_deg", &TerrainWind::direction_deg, {-360.0F, 360.0F},
+                                          "deg", "Where it blows to: 0 is +x, 90 is +z")
+                                  .number("speed_m_s", &TerrainWind::speed_m_s, {0.0F, 100.0F}, "m/s",
+                                          "How fast; `wind` in heights");
+    return table;
+}
+
+inline const style::Table<TerrainMeshing>& mesh_table()
+{
+    static const auto table =
+        style::Table<TerrainMeshing>("mesh", "How the ground is cut into triangles")
+            .choice("method", &TerrainMeshing::method,
+                    {{"rings", TerrainMesh::rings}, {"grid", TerrainMesh::grid}},
+                    "Nested grids about the eye, each twice as coarse as the one within; or one even grid "
+                    "before the eye, turned by right angles")
+            .number("cell_m", &TerrainMeshing::cell_m, {0.01F, 64.0F}, "m",
+                    "Between vertices nearest to the eye; rounded to a power of two")
+            .integer("cells", &TerrainMeshing::cells, {16, 2048}, "",
+                     "Along a side of a ring or grid; rounded up to a multiple of 4")
+            .number("reach_m", &TerrainMeshing::reach_m, {10.0F, 100000.0F}, "m",
+                    "How far the rings go at least")
+            .number("planet_radius_m", &TerrainMeshing::planet_radius_m, {0.0F, 1e7F}, "m",
+                    "Of a ground that closes round itself; 0: it is flat");
+    return table;
+}
+
+} // namespace estampe::terrain
