@@ -25,6 +25,7 @@ struct HeightNode {
     bool operator==(const HeightNode&) const = default;
 };
 
+/// The wind over the ground.
 struct TerrainWind {
     float direction_deg = 0.0F; ///< where it blows to: 0 is +x, 90 is +z
     float speed_m_s = 5.0F;
@@ -38,6 +39,7 @@ enum class TerrainMesh : uint8_t {
     grid   ///< one even grid, snapped by its own cell, laid before the eye and turned by right angles
 };
 
+/// How finely the plane is cut into triangles, and how far it goes.
 struct TerrainMeshing {
     TerrainMesh method = TerrainMesh::rings;
     float cell_m = 0.25F;         ///< between vertices, nearest to the eye; rounded to a power of two
@@ -48,6 +50,7 @@ struct TerrainMeshing {
     bool operator==(const TerrainMeshing&) const = default;
 };
 
+/// What the ground looks like.
 struct TerrainLook {
     glm::vec3 color{0.62F, 0.45F, 0.27F}; ///< of the sand, linear
 
