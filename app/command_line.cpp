@@ -59,6 +59,7 @@ struct Typed {
     std::optional<double> since_s;
     std::string shaders;
     bool verbose = false;
+    bool warm_up = false;
 };
 
 void add_set_option(CLI::App& command, Typed& typed, const char* help)
@@ -136,6 +137,8 @@ void add_view(CLI::App& app, Typed& typed)
             "Folder of Estampe's sources: shaders saved there are drawn with\nat once, for developers")
         ->type_name("DIR");
     command.add_flag("--verbose", typed.verbose, "Tell on stderr what happens, with times");
+    command.add_flag("--warm-up", typed.warm_up,
+                     "Open no window: compile the shaders of SCENE and its style,\nfor a window to come");
 }
 
 void add_render(CLI::App& app, Typed& typed, PictureOptions& picture, FilmOptions& film)
@@ -449,10 +452,14 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
         draw.camera = parse_camera(typed.camera);
     }
     if (view) {
+        if (typed.warm_up && typed.scene.empty()) {
+            throw UsageError("needs a scene", "--warm-up", "name the one to compile shaders for");
+        }
         return ViewCommand{.draw = std::move(draw),
                            .style_name = typed.style,
                            .shaders = typed.shaders,
-                           .verbose = typed.verbose};
+                           .verbose = typed.verbose,
+                           .warm_up = typed.warm_up};
     }
     if (render) {
         constexpr uint32_t most_frames = 100000;

@@ -9,6 +9,8 @@
 #include <estampe/style.hpp>
 #include <fmt/format.h>
 
+#include "frame/style_tables.hpp"
+
 namespace estampe::app {
 namespace {
 
@@ -69,15 +71,15 @@ std::string joined(const std::vector<std::string>& words)
     return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// "width_mm" of every "  hatch.width_mm   number ..." in the manual of styles, as "hatch.width_mm=".
+/// All parameters, as "hatch.width_mm=".
 std::vector<std::string> style_keys()
 {
+    frame::StyleTables tables;
     std::vector<std::string> keys;
-    std::istringstream manual(Style::help());
-    for (std::string line; std::getline(manual, line);) {
-        std::string key;
-        if (line.starts_with("  ") && std::istringstream(line) >> key && key.find('.') != std::string::npos) {
-            keys.push_back(key + "=");
+    const style::Sheet sheet = frame::sheet_of(tables);
+    for (const style::Sheet::Section& section : sheet.sections()) {
+        for (const style::Parameter& parameter : section.parameters) {
+            keys.push_back(fmt::format("{}.{}=", section.name, parameter.key));
         }
     }
     return keys;

@@ -78,6 +78,7 @@ struct ViewCommand {
     std::string style_name; ///< that --style gave; empty: built-in values
     std::string shaders;    ///< folder whose shaders take the place of those built in; empty: none
     bool verbose = false;
+    bool warm_up = false; ///< draws unseen, so that the next window finds its shaders compiled
 };
 
 struct GraphCommand {

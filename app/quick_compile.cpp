@@ -4,6 +4,21 @@
 #include <cstdlib>
 
 namespace estampe::app {
+namespace {
+
+constexpr const char* setting = "GALLIVM_PERF"; ///< Mesa's
+
+} // namespace
+
+bool compile_quickly()
+{
+    return std::getenv(setting) == nullptr && setenv(setting, "nopt", 1) == 0;
+}
+
+void compile_well()
+{
+    unsetenv(setting);
+}
 
 void compile_quickly_if_soon_drawn(const RenderCommand& command)
 {
@@ -11,7 +26,7 @@ void compile_quickly_if_soon_drawn(const RenderCommand& command)
     const DrawOptions& draw = command.draw;
     if (command.repeat == 1 && !command.film &&
         uint64_t{draw.page.width} * draw.page.height * draw.samples <= most_pixels) {
-        setenv("GALLIVM_PERF", "nopt", 0);
+        compile_quickly();
     }
 }
 

@@ -9,6 +9,10 @@ namespace estampe::app {
 
 void run(const ViewCommand& command)
 {
+    if (command.warm_up) {
+        viewer::warm_up(command);
+        return;
+    }
     bool is_reading = false;
     {
         viewer::Viewer viewer(command);

@@ -6,6 +6,7 @@
 #include <estampe/error.hpp>
 
 #include "clock.hpp"
+#include "core/progress_watch.hpp"
 #include "drawing.hpp"
 
 namespace estampe::viewer {
@@ -73,7 +74,7 @@ void PictureThread::work()
 {
     try {
         Renderer renderer(options_);
-        tell(DeviceOpened{renderer.device().name});
+        tell(DeviceOpened{renderer.device().name, renderer.device().software});
         work_on(renderer);
     } catch (const std::exception& problem) {
         tell(Failure{Failure::Of::device, problem.what()});
@@ -122,8 +123,20 @@ void PictureThread::take_scene(Renderer& renderer, const std::shared_ptr<const L
     }
 }
 
+bool PictureThread::is_wanted(size_t slot)
+{
+    const std::lock_guard lock(guard_);
+    return !is_closing_ && !next_scene_ && !requests_.at(slot);
+}
+
 void PictureThread::draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request)
 {
+    // One that is begun has its first sample: of what moves at least that is seen.
+    bool is_stopped = false;
+    const ProgressWatch watch([&](double share) {
+        is_stopped = share > 0.0 && !is_wanted(slot);
+        return !is_stopped;
+    });
     try {
         const app::Clock::time_point start = app::Clock::now();
         RenderSettings settings = request.settings;
@@ -144,7 +157,9 @@ void PictureThread::draw_picture(Renderer& renderer, size_t slot, const PictureR
         picture.notes = renderer.notes();
         tell(std::move(picture));
     } catch (const std::exception& problem) {
-        tell(Failure{Failure::Of::picture, problem.what()});
+        if (!is_stopped) {
+            tell(Failure{Failure::Of::picture, problem.what()});
+        }
     }
 }
 

@@ -48,6 +48,7 @@ struct SceneTaken {
 
 struct DeviceOpened {
     std::string name;
+    bool is_processor = false;
 };
 
 /// Something went wrong; all is as it was before.
@@ -84,13 +85,14 @@ class PictureThread {
 public:
     /// Opens the renderer. `wake` is called from the thread when there is news.
     PictureThread(RendererOptions options, std::function<void()> wake);
-    /// Waits for the picture in hand.
+    /// Waits for the sample in hand.
     ~PictureThread();
     PictureThread(const PictureThread&) = delete;
     PictureThread& operator=(const PictureThread&) = delete;
 
     void set_scene(std::shared_ptr<const LoadedFile> file);
-    /// In place of what was asked for in that slot and is not begun. Nothing: no more.
+    /// In place of what was asked for in that slot, even if it is begun and has samples to come. Nothing: no
+    /// more.
     void draw(size_t slot, std::optional<PictureRequest> request);
     void do_job(std::unique_ptr<PictureJob> job);
     /// Ends the job in hand after its step.
@@ -102,6 +104,8 @@ private:
     void work_on(Renderer& renderer);
     void tell(PictureNews news);
     void take_scene(Renderer& renderer, const std::shared_ptr<const LoadedFile>& file);
+    /// Whether a picture that is being drawn there is still what is asked for.
+    [[nodiscard]] bool is_wanted(size_t slot);
     void draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request);
     void do_step(Renderer& renderer);
 

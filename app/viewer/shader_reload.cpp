@@ -79,8 +79,8 @@ ShaderNews compile_shader(const fs::path& file, const fs::path& root)
     ShaderNews news{.name = name_of(file)};
     try {
         const Pending words = Pending::file(fs::temp_directory_path() / ("estampe-" + news.name + ".spv"));
-        output::Child compiler({"glslc", "--target-env=vulkan1.3", "-O", "-Werror", "-I", root.string(), "-o",
-                                words.path().string(), file.string()},
+        output::Child compiler({"glslc", "--target-env=vulkan1.3", "-O0", "-Werror", "-I", root.string(),
+                                "-o", words.path().string(), file.string()},
                                "install glslc");
         if (compiler.finish()) {
             const std::vector<std::byte> bytes = read_file(words.path());

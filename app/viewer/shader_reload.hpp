@@ -22,7 +22,9 @@ struct ShaderNews {
     std::string problem; ///< empty: it is right
 };
 
-/// Compiles one as the build does, by the program glslc. `root` is the folder that includes start from.
+/// Compiles one by the program glslc, as the build does but for what that optimises, which takes up to ten
+/// times as long as the rest and which drivers do again. The picture is the same. `root` is the folder that
+/// includes start from.
 [[nodiscard]] ShaderNews compile_shader(const std::filesystem::path& file, const std::filesystem::path& root);
 
 /// Watches the shaders of a source tree in a thread of its own, and compiles those that are saved, and all

@@ -58,6 +58,7 @@ struct Studio {
     std::optional<size_t> bookmark; ///< the one that was gone to last
     std::deque<Message> messages;
     std::string device;
+    bool is_on_processor = false;
     uint32_t samples = 1;
 
     // The picture that is shown, and how it came about.

@@ -36,7 +36,7 @@ bool same(const Sight& a, const Sight& b)
 } // namespace
 
 Viewer::Viewer(const app::ViewCommand& command)
-    : command_(command), studio_(command.style_name, command.draw.style),
+    : command_(command), warm_up_(command), studio_(command.style_name, command.draw.style),
       pictures_(std::in_place, command.draw.device, &Window::wake), loader_(std::in_place, &Window::wake),
       window_(command.draw.page.width, command.draw.page.height),
       screen_(window_.handle(), command.draw.device.device), painter_(screen_)
@@ -54,6 +54,9 @@ Viewer::Viewer(const app::ViewCommand& command)
     }
     report(fmt::format("window {} x {}, scale {}", command.draw.page.width, command.draw.page.height,
                        ui_scale_));
+    if (warm_up_.is_quick()) {
+        report("shaders are compiled quickly");
+    }
     if (!command.draw.scene.empty()) {
         open_scene(command.draw.scene);
     }
@@ -245,12 +248,14 @@ void Viewer::run()
     app::Clock::time_point last = app::Clock::now();
     app::Clock::time_point painted = last;
     while (!window_.is_closing()) {
+        const bool is_seen = !window_.is_minimised();
         const bool is_busy = is_moving_ || studio_.is_recording || studio_.work ||
                              !studio_.messages.empty() || frames_to_paint_ > 0;
         const double since_s = app::seconds_since(painted);
-        const double wait_s = frames_to_paint_ > 0 ? std::max(frame_s - since_s, 0.0)
-                              : is_busy            ? busy_s
-                                                   : idle_s;
+        const double wait_s = !is_seen               ? idle_s
+                              : frames_to_paint_ > 0 ? std::max(frame_s - since_s, 0.0)
+                              : is_busy              ? busy_s
+                                                     : idle_s;
         const WindowEvents events = window_.wait(wait_s);
         for (const Action action : events.actions) {
             act(action);
@@ -270,6 +275,9 @@ void Viewer::run()
         last = app::Clock::now();
         if (studio_.is_recording) {
             record();
+        }
+        if (!is_seen) {
+            continue;
         }
         ask_for_pictures();
         if (studio_.work || !studio_.messages.empty()) {

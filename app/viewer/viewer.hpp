@@ -13,6 +13,7 @@
 #include "viewer/studio.hpp"
 #include "viewer/take.hpp"
 #include "viewer/ui_painter.hpp"
+#include "viewer/warm_up.hpp"
 #include "viewer/window.hpp"
 
 namespace estampe::viewer {
@@ -77,6 +78,7 @@ private:
     void report(const std::string& text) const;
 
     const app::ViewCommand& command_;
+    WarmUp warm_up_;
     app::Clock::time_point start_ = app::Clock::now();
     Studio studio_;
     std::optional<PictureThread> pictures_; ///< goes before the window that it wakes, as the next two do

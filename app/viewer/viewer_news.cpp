@@ -107,6 +107,9 @@ void Viewer::take(Picture& picture)
         }
     }
     studio_.settle("picture");
+    if (studio_.is_refined && studio_.is_on_processor) {
+        warm_up_.begin(studio_.file->draw.scene);
+    }
     report(fmt::format("picture {} of view {}: {} x {}, {:.0f} %, {:.0f} ms{}", picture.slot, picture.view,
                        picture.image.width, picture.image.height, 100.0 * picture.scale,
                        1e3 * picture.seconds, is_whole && picture.view == view_ ? ", refined" : ""));
@@ -124,6 +127,7 @@ void Viewer::take_news()
             take(*taken);
         } else if (const auto* device = std::get_if<DeviceOpened>(&news)) {
             studio_.device = device->name;
+            studio_.is_on_processor = device->is_processor;
         } else if (const auto* job = std::get_if<JobNews>(&news)) {
             if (job->is_done) {
                 studio_.work.reset();

@@ -134,6 +134,11 @@ bool Window::is_closing() const
     return glfwWindowShouldClose(handle_) == GLFW_TRUE;
 }
 
+bool Window::is_minimised() const
+{
+    return glfwGetWindowAttrib(handle_, GLFW_ICONIFIED) == GLFW_TRUE;
+}
+
 void Window::close()
 {
     glfwSetWindowShouldClose(handle_, GLFW_TRUE);

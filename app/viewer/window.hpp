@@ -41,6 +41,7 @@ public:
     [[nodiscard]] GLFWwindow* handle() const { return handle_; }
 
     [[nodiscard]] bool is_closing() const;
+    [[nodiscard]] bool is_minimised() const;
     void close();
     void set_title(const std::string& title);
 

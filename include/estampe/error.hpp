@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+/// Draws 3D scenes as a hand would.
 namespace estampe {
 
 /// What failed, where, and what to do about it, in one line a person can act on.

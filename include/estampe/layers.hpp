@@ -17,6 +17,7 @@ namespace estampe {
 /// whose alpha is 1 throughout, colour * below.
 enum class LayerBlend : uint8_t { normal, multiply };
 
+/// One sheet of a drawing: paper, wash, hatching or lines.
 struct PictureLayer {
     std::string name;
     LayerBlend blend = LayerBlend::normal;
@@ -35,6 +36,7 @@ struct PictureMask {
     std::vector<float> cover; ///< width * height values of 0 to 1, rows from top to bottom
 };
 
+/// A picture, and what it is made of, see Renderer::render_layers().
 struct LayeredImage {
     Image picture;                    ///< the very bytes that Renderer::render() gives
     std::vector<PictureLayer> layers; ///< from the bottom, which is opaque, up

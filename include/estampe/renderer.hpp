@@ -31,6 +31,7 @@ enum class RasterPath : uint8_t {
 /// "auto", "hardware" or "compute".
 [[nodiscard]] const char* name_of(RasterPath path);
 
+/// A Vulkan device of this machine.
 struct DeviceInfo {
     uint32_t index = 0;         ///< what `--device N` takes
     std::string name;           ///< "NVIDIA H200", "llvmpipe (LLVM 15.0.6, 256 bits)"
@@ -44,6 +45,7 @@ struct DeviceInfo {
 /// The Vulkan devices of this machine, in the loader's order. Empty when there is no driver at all.
 [[nodiscard]] std::vector<DeviceInfo> list_devices();
 
+/// How a renderer is opened.
 struct RendererOptions {
     /// Which device draws: "auto" (a GPU if there is one, else the processor), "cpu", or an index of
     /// list_devices().
@@ -69,6 +71,7 @@ struct Moment {
     double time_s = 0.0;
 };
 
+/// What is wanted of one picture, besides where from and in which style.
 struct RenderSettings {
     uint32_t width = 1280;
     uint32_t height = 720;

@@ -22,11 +22,13 @@ namespace estampe {
 
 /// Index into one of the scene's arrays; `no_index` means "none".
 using Index = uint32_t;
+/// No such thing.
 inline constexpr Index no_index = std::numeric_limits<Index>::max();
 
 /// Sixteen groups, a bit each, tie lights to objects: a light lights what shares a group with it, and is
 /// blocked by what throws shadows for one of its groups.
 using Groups = uint16_t;
+/// What lights and objects are in unless told otherwise.
 inline constexpr Groups all_groups = 0xffff;
 
 /// How a surface stands to the lights. A node's and its material's hold together: groups that both name,
@@ -39,8 +41,10 @@ struct LightLinks {
     bool operator==(const LightLinks& other) const = default;
 };
 
+/// How a texture goes on beyond its edges.
 enum class Wrap : uint8_t { repeat, clamp, mirror };
 
+/// A picture that materials look up.
 struct Texture {
     std::string name;
     Image
@@ -56,6 +60,7 @@ struct TextureRef {
     glm::mat3 uv_transform{1.0F};
 };
 
+/// What alpha does: nothing; holes where it is below Material::alpha_cutoff; glass.
 enum class AlphaMode : uint8_t { opaque, mask, blend };
 
 /// What VRMC_materials_mtoon adds: a second colour for shade, and an outline of its own.
@@ -66,6 +71,7 @@ struct ToonShade {
     glm::vec3 outline_color{0.0F};
 };
 
+/// What a surface is made of, as in glTF 2.0: factors multiply what is looked up.
 struct Material {
     std::string name;
     glm::vec4 base_color{1.0F}; ///< linear, alpha straight
@@ -86,8 +92,10 @@ struct Material {
     LightLinks links;
 };
 
+/// What a primitive is a list of.
 enum class Topology : uint8_t { points, lines, triangles };
 
+/// One shape that a primitive can be bent towards: what is added to it, times the target's weight.
 struct MorphTarget {
     std::vector<glm::vec3> position_offsets; ///< empty, or one per vertex
     std::vector<glm::vec3> normal_offsets;   ///< empty, or one per vertex
@@ -112,12 +120,14 @@ struct Primitive {
     std::vector<MorphTarget> morph_targets;
 };
 
+/// A thing to be drawn, in its node's space; any number of nodes may show the same one.
 struct Mesh {
     std::string name;
     std::vector<Primitive> primitives;
     std::vector<float> morph_weights; ///< defaults, one per target
 };
 
+/// Where a node stands in its parent's space: scaled, then turned, then moved. In metres.
 struct Transform {
     glm::dvec3 translation{0.0};
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
@@ -125,6 +135,7 @@ struct Transform {
     [[nodiscard]] glm::dmat4 matrix() const;
 };
 
+/// A place in the scene, and what is there: a mesh, a camera, a light, or only other nodes.
 struct Node {
     std::string name;
     Index parent = no_index;
@@ -141,6 +152,7 @@ struct Node {
         instances; ///< EXT_mesh_gpu_instancing: node_from_instance; empty means one, identity
 };
 
+/// The joints that bend a primitive: its `joints_0` and `joints_1` count in this list.
 struct Skin {
     std::string name;
     std::vector<Index> joints;              ///< nodes
@@ -187,9 +199,12 @@ struct SceneCamera {
     double near_m = 0.01;
 };
 
+/// How a value goes from key to key.
 enum class Interpolation : uint8_t { step, linear, cubic_spline };
+/// Which property of a node a channel animates; `weights` are those of its morph targets.
 enum class AnimatedPath : uint8_t { translation, rotation, scale, weights };
 
+/// What one property of one node goes through, key by key.
 struct AnimationChannel {
     Index node = no_index;
     AnimatedPath path = AnimatedPath::translation;
@@ -199,12 +214,15 @@ struct AnimationChannel {
         values; ///< 3, 4 (x, y, z, w) or target-count floats a key; three times that for cubic splines
 };
 
+/// Channels that play together, from 0 s on.
 struct Animation {
     std::string name;
     std::vector<AnimationChannel> channels;
     float duration_s = 0.0F;
 };
 
+/// All that a file holds, in lists that refer to each other by index. It can be made by hand as well: the
+/// defaults of all members are those of glTF.
 struct Scene {
     std::string name;
     std::vector<Texture> textures;
@@ -240,6 +258,7 @@ struct ScenePose {
 /// pose). Cost: linear in nodes and channels.
 [[nodiscard]] ScenePose pose_scene(const Scene& scene, double time_s, Index animation = 0);
 
+/// A box along the axes; empty until it is extended.
 struct Bounds {
     glm::dvec3 min{std::numeric_limits<double>::infinity()};
     glm::dvec3 max{-std::numeric_limits<double>::infinity()};

@@ -25,6 +25,7 @@ struct HeightNode {
     bool operator==(const HeightNode&) const = default;
 };
 
+/// The wind over the ground.
 struct TerrainWind {
     float direction_deg = 0.0F; ///< where it blows to: 0 is +x, 90 is +z
     float speed_m_s = 5.0F;
@@ -46,6 +47,7 @@ enum class TerrainUpdate : uint8_t {
     still   ///< time stands still for the ground
 };
 
+/// How finely the plane is cut into triangles, and how far it goes.
 struct TerrainMeshing {
     TerrainMesh method = TerrainMesh::rings;
     std::string object; ///< the name of a node, for the method of that name
@@ -58,6 +60,7 @@ struct TerrainMeshing {
     bool operator==(const TerrainMeshing&) const = default;
 };
 
+/// What the ground looks like.
 struct TerrainLook {
     glm::vec3 color{0.62F, 0.45F, 0.27F}; ///< of the sand, linear
 

@@ -31,6 +31,7 @@ enum class StrokeKind : uint8_t {
 /// The same word: "hatch", "crease" and so on.
 [[nodiscard]] const char* name_of(StrokeKind kind);
 
+/// A point of a stroke.
 struct VectorPoint {
     glm::vec2 page_mm{0.0F}; ///< from the upper left corner, y down
     float width_mm = 0.0F;   ///< of the whole stroke
@@ -61,6 +62,7 @@ struct VectorDrawing {
     std::vector<VectorStroke> strokes;
 };
 
+/// How a drawing is written.
 struct SvgSettings {
     /// How far curves may stray from the points of a stroke.
     float tolerance_mm = 0.02F;

@@ -55,7 +55,9 @@ void declare_deep_page(gpu::Graph& graph, const DeepInputs& in, const paper::Pap
             paper::add_develop(graph, picture, paper::import_sums(graph, stage.sums, accumulation),
                                graph.buffer("deep pixels", {.size_bytes = size_bytes}), size_px, accumulation,
                                paper::PixelForm::linear_floats);
-        gpu::add_read_back(graph, "read back floats", developed.pixels, stage.pixels);
+        if (accumulation.is_last()) {
+            gpu::add_read_back(graph, "read back floats", developed.pixels, stage.pixels);
+        }
     }
     if (page.has_layers()) {
         gpu::add_read_back(graph, "read back draws", in.draw, page.draws);

@@ -11,6 +11,7 @@
 #include <estampe/error.hpp>
 
 #include "core/free_memory.hpp"
+#include "core/progress_watch.hpp"
 #include "frame/baked_lights.hpp"
 #include "frame/form_strokes.hpp"
 #include "gpu/upload.hpp"
@@ -426,6 +427,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
                                  tables.contour.hidden != contour::Hidden::none);
     }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
+        report_progress(static_cast<double>(sample) / settings.samples);
         draw_frame(seen_by, tables, plan,
                    {.accumulation = {.sample_index = sample, .sample_count = settings.samples},
                     .is_first = sample == 0,

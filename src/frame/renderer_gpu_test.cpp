@@ -10,6 +10,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/progress_watch.hpp"
 #include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/image_compare.hpp"
@@ -197,6 +198,30 @@ TEST(Renderer, SamplesAreTheMeanOfShiftedPictures)
     settings.samples = 16;
     const Image sixteen = draw(still_life(), camera, settings);
     EXPECT_LT(test::compare_images(four, sixteen).mean_abs, test::compare_images(one, sixteen).mean_abs);
+}
+
+TEST(Renderer, CanBeStoppedBetweenSamples)
+{
+    RenderSettings settings = small;
+    settings.samples = 8;
+    const Image whole = draw(still_life(), camera, settings);
+    Renderer& renderer = test::shared_renderer();
+    const auto is_read_back = [&] {
+        return std::ranges::any_of(renderer.timings(),
+                                   [](const PassTiming& pass) { return pass.name == "read back"; });
+    };
+    EXPECT_TRUE(is_read_back());
+    {
+        int samples = 0;
+        const ProgressWatch watch([&](double share) {
+            EXPECT_EQ(share, samples / 8.0);
+            return ++samples <= 3;
+        });
+        EXPECT_THROW(static_cast<void>(renderer.render(camera, {}, settings)), Error);
+        EXPECT_EQ(samples, 4) << "it was told to stop after three";
+    }
+    EXPECT_FALSE(is_read_back()) << "the third of eight samples is no picture";
+    EXPECT_EQ(whole, renderer.render(camera, {}, settings)) << "the next one begins anew";
 }
 
 TEST(Renderer, DrawsNearlyTheSameByEitherRasterPath)

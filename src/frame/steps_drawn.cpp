@@ -204,6 +204,9 @@ void add_picture(const Making& making, const paper::ComposeInputs& layers)
     const paper::Developed developed =
         paper::add_develop(graph, composed, paper::import_sums(graph, making.resources.sums, accumulation),
                            pixels, size_px, accumulation);
+    if (!accumulation.is_last()) {
+        return; // their sums go on, and nobody sees pixels yet
+    }
     if (const VulkanPicture* target = making.resources.target) {
         gpu::add_hand_over(graph, developed.pixels, *target, size_px);
     } else {

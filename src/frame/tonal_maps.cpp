@@ -10,6 +10,7 @@
 
 #include "core/hash.hpp"
 #include "style/sheet.hpp"
+#include "techniques/tam/folder.hpp"
 #include "techniques/tam/maker.hpp"
 #include "techniques/tam/tam_file.hpp"
 
@@ -69,7 +70,7 @@ std::filesystem::path kept_map(const tam::TamStyle& style)
 
 hatch::MapData load_map(const MapChoice& choice)
 {
-    tam::TonalArtMap map = choice.file.empty() ? drawn_or_kept(choice.drawn) : tam::load_tam(choice.file);
+    tam::TonalArtMap map = choice.file.empty() ? drawn_or_kept(choice.drawn) : tam::read_map(choice.file).map;
     std::vector<std::vector<uint8_t>> thresholds = tam::threshold_levels(map);
     return {.size_px = map.size_px,
             .level_of_tone = std::move(map.level_of_tone),

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The viewer as a person uses it: real keys and pointer on a virtual display, and screenshots that are compared.
-# Usage: viewer_test.sh ESTAMPE MAKE_EXAMPLE SOURCES     the program, the one that writes the example scene, the tree
+# Usage: viewer_test.sh ESTAMPE MAKE_EXAMPLE SOURCES HAND     the program, the one that writes the example scene, the tree,
+# the one that drops files
 set -euo pipefail
 estampe="$(realpath "$1")"
 make_example="$(realpath "$2")"
 sources="$(realpath "$3")"
+hand="$(realpath "$4")"
 # shellcheck source=tests/support/harness.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../support/harness.sh"
 cd "$folder"
@@ -89,7 +91,15 @@ differing() {
     local area="${3:-640x366+0+0}"
     compare -metric AE \( "$1.png" -crop "$area" +repage \) \( "$2.png" -crop "$area" +repage \) null: 2>&1 || true
 }
-same() { [[ "$(differing "$@")" -eq 0 ]] || wrong "$1 and $2 are not the same: $(differing "$@") pixels"; }
+# same A B [GEOMETRY]: B, the last shot, is or soon becomes what A is
+same() {
+    for ((try = 0; try < 50; ++try)); do
+        [[ "$(differing "$@")" -ne 0 ]] || return 0
+        sleep 0.1
+        shot "$2"
+    done
+    wrong "$1 and $2 are not the same: $(differing "$@") pixels"
+}
 others() { [[ "$(differing "$@")" -gt 2000 ]] || wrong "$1 and $2 are nearly the same: $(differing "$@") pixels"; }
 # key NAME...: and the picture that comes of it
 key_then_picture() {
@@ -100,8 +110,28 @@ key_then_picture() {
 
 "$make_example" scene.glb >/dev/null
 cp "$sources/presets/comic.toml" mine.toml
+
+# The first window of all compiles its shaders quickly, and has them compiled well for the next.
+mkdir cache
+export XDG_CACHE_HOME="$folder/cache"
+unset MESA_SHADER_CACHE_DIR GALLIVM_PERF
 open_viewer scene.glb --style mine.toml
+grep -q 'compiled quickly' log || wrong "the first window takes its time to compile"
+shot quick
+for ((i = 0; i < 2400; ++i)); do
+    [[ ! -s cache/estampe/compiled-well ]] || break
+    sleep 0.05
+done
+[[ -s cache/estampe/compiled-well ]] || wrong "nothing was compiled for the next window"
+close_viewer
+status=0
+"$estampe" view --warm-up 2>said || status=$?
+[[ $status -eq 2 ]] || wrong "nothing to warm up for: $status"
+
+open_viewer scene.glb --style mine.toml
+! grep -q 'compiled quickly' log || wrong "the second window compiles anew"
 shot first
+same quick first
 
 # The picture is that of the program, byte by byte, in the window and in the file.
 "$estampe" render scene.glb --style mine.toml --device cpu --size 640x366 -o program.png
@@ -109,7 +139,7 @@ skip
 xdotool key F12
 await 'wrote scene-001.png'
 cmp scene-001.png program.png || wrong "a screenshot is another picture than that of estampe render"
-same first program
+same program first
 
 # Pointer and keys
 skip
@@ -133,7 +163,7 @@ shot keys
 others top keys
 xdotool key Escape
 shot no_keys
-same top no_keys
+same top no_keys 640x320+0+46
 key_then_picture Return
 
 # Walking goes on for as long as a key is held.
@@ -229,6 +259,59 @@ skip
 mv whole.glb scene.glb
 await 'refined'
 
+# What is dropped: a scene, a style, a tonal art map, both at once; what is broken changes nothing.
+drop() { "$hand" "$window" drop "$@" || wrong "the window does not take $*"; }
+drop_then_picture() {
+    skip
+    drop "$@"
+    await 'refined'
+}
+"$make_example" statue.glb statue >/dev/null
+cp "$sources/presets/pencil.toml" 'my 1st style, 100%.toml'
+"$estampe" tam -o pen/ --set tam.size_px=64 --set tam.tones=4
+shot square
+drop_then_picture statue.glb
+shot statue
+others square statue
+drop_then_picture 'my 1st style, 100%.toml'
+shot pencil
+others statue pencil
+drop_then_picture pen
+shot mapped
+others pencil mapped
+skip
+head -c 3000 statue.glb >half.glb
+drop half.glb
+await 'failure: .*half.glb'
+skip
+echo 'no scene' >notes.txt
+drop notes.txt
+await 'failure: .*notes.txt'
+echo '[hatch]' >wrong.toml
+echo 'widht_mm = 1' >>wrong.toml
+drop wrong.toml
+shot kept
+same mapped kept 640x146+0+220
+skip
+drop scene.glb mine.toml
+await 'shows .*scene.glb'
+await 'refined'
+
+# Nothing is drawn for a window that is minimised; what changed meanwhile is there when it comes back.
+skip
+"$hand" "$window" minimise
+sleep 0.3
+cp "$sources/presets/pencil.toml" mine.toml
+await 'style changed'
+sleep 1
+! tail -n +$((seen + 1)) log | grep 'picture 0' || wrong "a picture is drawn that nobody sees"
+skip
+"$hand" "$window" restore
+await 'refined'
+shot restored
+"$estampe" render scene.glb --style mine.toml --device cpu --size 640x366 -o program.png
+same program restored
+
 # Sizes
 skip
 xdotool windowsize "$window" 500 320
@@ -244,6 +327,18 @@ export VK_LAYER_ENABLES=VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_
 open_viewer scene.glb --shaders tree
 unset VK_INSTANCE_LAYERS VK_LAYER_ENABLES
 shot before
+# A storm of sizes ends in the last one.
+for ((i = 0; i < 60; ++i)); do
+    xdotool windowsize "$window" $((330 + i * 37 % 500)) $((210 + i * 53 % 300))
+done
+skip
+xdotool windowsize "$window" 620 390
+await '620 x 356, 100 %.*refined'
+skip
+xdotool windowsize "$window" 640 400
+await '640 x 366, 100 %.*refined'
+shot after
+same before after
 shader=tree/src/techniques/paper/compose.comp
 cp "$shader" kept
 skip
@@ -289,6 +384,22 @@ for way in cancel close; do
     close_viewer
     ! grep -q 'shows' log || wrong "what was cancelled is shown"
 done
+
+# A picture of many samples, which takes a minute, is given up for another, and for the end.
+: >log
+seen=0
+"$estampe" view statue.glb --size 640x400 --samples 2000 --device cpu --verbose >printed 2>log &
+viewer=$!
+await 'window with a picture'
+window="$(xdotool search --sync --onlyvisible --name Estampe | head -1)"
+xdotool windowfocus --sync "$window"
+sleep 0.5
+skip
+begun=$SECONDS
+xdotool key 7
+await 'picture 0 of view 2'
+close_viewer
+((SECONDS - begun < 15)) || wrong "a picture of many samples holds up the next: $((SECONDS - begun)) s"
 
 # A scene that cannot be read ends it before it begins.
 status=0

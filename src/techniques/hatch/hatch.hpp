@@ -105,7 +105,8 @@ inline const style::Table<HatchStyle>& hatch_table()
                     "Distance by which half of the fading has happened")
             .number("black_above", &HatchStyle::black_above, {0.1F, 2.0F}, "",
                     "Darkness from which the paper is covered whole; above 1 never")
-            .file("map", &HatchStyle::map, "A .tam file; without one the map is drawn as [tam] says")
+            .file("map", &HatchStyle::map,
+                  "A .tam file, or a folder of PNG or DDS files; without one the map is drawn as [tam] says")
             .choice("map_tone", &HatchStyle::map_tone,
                     {{"order", MapTone::order}, {"blend", MapTone::blend}, {"step", MapTone::step}},
                     "How tones of a map come together: stroke by stroke, blended, or in hard steps")

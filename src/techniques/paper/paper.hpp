@@ -90,6 +90,8 @@ enum class Stage : uint8_t {
 struct Accumulation {
     uint32_t sample_index = 0;
     uint32_t sample_count = 1;
+
+    [[nodiscard]] bool is_last() const { return sample_index + 1 == sample_count; }
 };
 
 enum class PixelForm : uint8_t { srgb_bytes, linear_floats };
