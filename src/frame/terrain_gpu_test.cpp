@@ -157,17 +157,18 @@ TEST(TerrainPictures, SandIsBlown)
     Renderer once(test::validated());
     once.set_scene(scene);
     const Camera camera = looking({3.0, 14.0, 0.0}, 0.3, -0.4);
+    const Style raking = light_alone(6.0F);
     RenderSettings at = small;
     at.time_s = 10.25;
-    const Image later = once.render(camera, {}, at);
+    const Image later = once.render(camera, raking, at);
     Renderer again(test::validated());
     again.set_scene(scene);
-    const Image first = again.render(camera, {}, small);
+    const Image first = again.render(camera, raking, small);
     at.time_s = 4.0;
-    EXPECT_FALSE(first == again.render(camera, {}, at));
+    EXPECT_FALSE(first == again.render(camera, raking, at));
     at.time_s = 10.25;
-    EXPECT_TRUE(later == again.render(camera, {}, at));
-    EXPECT_TRUE(first == again.render(camera, {}, small)) << "back again";
+    EXPECT_TRUE(later == again.render(camera, raking, at));
+    EXPECT_TRUE(first == again.render(camera, raking, small)) << "back again";
 }
 
 /// An object of the scene is raised where it stands, and is not drawn besides.
