@@ -50,7 +50,7 @@ private:
 
 void warn_of_idle_time(const DrawOptions& draw, const Scene& scene)
 {
-    if (draw.time_s != 0.0 && scene.animations.empty()) {
+    if (draw.time_s != 0.0 && scene.animations.empty() && !scene.terrain) {
         print_warnings({fmt::format("{}: has no animation, so --time changes nothing", draw.scene)});
     }
 }

@@ -140,10 +140,12 @@ void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& 
     }
     const glm::dvec3 view = camera.target - camera.eye;
     const bool has_moved = loaded->terrain->prepare(
-        device, {.eye = {.eye_m = {camera.eye.x, camera.eye.z}, .ahead = {view.x, view.z}},
-                 .anchor_m = loaded->layout.anchor,
-                 .time_s = settings.time_s,
-                 .before_s = settings.motion_since ? settings.time_s - settings.motion_since->time_s : 0.0});
+        device,
+        {.eye = {.eye_m = {camera.eye.x, camera.eye.z}, .ahead = {view.x, view.z}},
+         .anchor_m = loaded->layout.anchor,
+         .time_s = settings.time_s,
+         .before_s = settings.motion_since ? std::optional(settings.time_s - settings.motion_since->time_s)
+                                           : std::nullopt});
     while (loaded->terrain->is_behind()) {
         gpu::Graph graph;
         loaded->terrain->add_catching_up(graph);

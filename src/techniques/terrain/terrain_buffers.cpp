@@ -161,21 +161,22 @@ bool TerrainBuffers::prepare(gpu::Device& device, const TerrainMoment& moment)
         }
         form_ += is_sand_stale_ ? 1 : 0;
     }
-    if (!is_sand_stale_ && program.words == words_now_ && same(levels, levels_now_) && !has_compiled &&
-        meshing.update != TerrainUpdate::always) {
+    if (!moment.before_s && !is_sand_stale_ && program.words == words_now_ && same(levels, levels_now_) &&
+        !has_compiled && meshing.update != TerrainUpdate::always) {
         return false;
     }
     const shared::TerrainGlobals globals{.eye_m = glm::vec2(moment.eye.eye_m - anchor_m),
                                          .anchor_y_m = static_cast<float>(moment.anchor_m.y),
                                          .stroke_unit_m = static_cast<float>(target_.stroke_unit_m),
                                          .planet_radius_m = meshing.planet_radius_m,
-                                         .before_s = static_cast<float>(moment.before_s),
+                                         .before_s = static_cast<float>(moment.before_s.value_or(0.0)),
                                          .vertex_count = vertex_count_,
                                          .first_vertex = target_.first_vertex,
                                          .first_parameter = program.first_parameter,
                                          .first_instruction = program.first_instruction,
                                          .instruction_count =
                                              static_cast<uint32_t>(terrain_.program().instructions.size())};
+    keeps_before_ = moment.before_s.has_value();
     globals_ = mapped_buffer(device, "terrain", std::vector{globals});
     levels_ = mapped_buffer(device, "terrain levels", levels);
     words_ = mapped_buffer(device, "terrain program", program.words);
@@ -223,7 +224,8 @@ TerrainBuffers::Posed TerrainBuffers::add_vertices(gpu::Graph& graph, const Pose
                       .before = pass.modify(meshes.before),
                       .stroke_coordinates = pass.modify(meshes.stroke_coordinates)};
     pass.read(gpu::import_whole(graph, "terrain places", places_));
-    pass.variant(has_places_ ? shared::terrain_has_places : 0U);
+    pass.variant((has_places_ ? shared::terrain_has_places : 0U) |
+                 (keeps_before_ ? shared::terrain_keeps_before : 0U));
     pass.dispatch_items(vertex_count_);
     return posed;
 }

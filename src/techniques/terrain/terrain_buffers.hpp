@@ -36,7 +36,7 @@ struct TerrainMoment {
     EyePlace eye;
     glm::dvec3 anchor_m{0.0}; ///< x and z whole multiples of 64
     double time_s = 0.0;
-    double before_s = 0.0; ///< how long ago the frame before was
+    std::optional<double> before_s; ///< how long ago the frame before was, where places then are wanted
 };
 
 /// Where its vertices go: into those of all meshes, from `first_vertex` on.
@@ -119,6 +119,7 @@ private:
     gpu::Buffer levels_;
     gpu::Buffer globals_;
     std::vector<uint32_t> words_now_;
+    bool keeps_before_ = false;
     uint64_t form_ = 0;
     std::optional<SandSource> sand_source_;
     SlabStyle sand_style_;

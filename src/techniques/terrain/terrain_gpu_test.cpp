@@ -38,7 +38,10 @@ Made pose(const Terrain& terrain, const TerrainMoment& moment, HeightSource sour
     TerrainBuffers buffers(device, terrain, {.first_vertex = 0, .stroke_unit_m = 2.0});
     buffers.set_source(source);
     EXPECT_TRUE(buffers.prepare(device, moment));
-    EXPECT_FALSE(buffers.prepare(device, moment)) << "nothing has moved";
+    TerrainMoment resting = moment;
+    resting.before_s.reset();
+    EXPECT_FALSE(buffers.prepare(device, resting)) << "nothing has moved";
+    EXPECT_TRUE(buffers.prepare(device, moment));
     gpu::Buffer vertices = gpu::upload_buffer(device, "posed", std::vector<shared::PosedVertex>(count));
     gpu::Buffer before = gpu::upload_buffer(device, "before", std::vector<shared::PosedVertex>(count));
     gpu::Buffer strokes = gpu::upload_buffer(device, "strokes", std::vector<glm::vec3>(count));

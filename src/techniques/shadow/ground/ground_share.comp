@@ -34,20 +34,22 @@ vec2 kept_at(uint level, ivec2 texel)
 // horizon.
 vec2 ground_at(vec2 place)
 {
-    vec2 result = vec2(-1e4, -1.0);
+    int chosen = -1;
+    vec2 at = vec2(0.0);
     for (int level = int(ground_levels) - 1; level >= 0; --level) {
         GroundLevel field = constants.levels[level];
-        vec2 at = (place - field.origin_m) / field.texel_m;
-        if (all(greaterThanEqual(at, vec2(0.0))) && all(lessThan(at, vec2(constants.size - 1u)))) {
-            ivec2 texel = ivec2(at);
-            vec2 f = at - vec2(texel);
-            result = mix(mix(kept_at(uint(level), texel), kept_at(uint(level), texel + ivec2(1, 0)), f.x),
-                         mix(kept_at(uint(level), texel + ivec2(0, 1)),
-                             kept_at(uint(level), texel + ivec2(1, 1)), f.x),
-                         f.y);
-        }
+        vec2 here = (place - field.origin_m) / field.texel_m;
+        bool is_inside =
+            all(greaterThanEqual(here, vec2(0.0))) && all(lessThan(here, vec2(constants.size - 1u)));
+        chosen = is_inside ? level : chosen;
+        at = is_inside ? here : at;
     }
-    return result;
+    uint level = uint(max(chosen, 0));
+    ivec2 texel = ivec2(at);
+    vec2 f = at - vec2(texel);
+    vec2 found = mix(mix(kept_at(level, texel), kept_at(level, texel + ivec2(1, 0)), f.x),
+                     mix(kept_at(level, texel + ivec2(0, 1)), kept_at(level, texel + ivec2(1, 1)), f.x), f.y);
+    return chosen < 0 ? vec2(-1e4, -1.0) : found;
 }
 
 void main()
@@ -63,7 +65,8 @@ void main()
     // What stands above the ground is in its shadow where the ground is that the same ray meets below.
     vec2 back_per_m = sun.xz / max(sun.y, 0.01);
     float above = max(point.y - ground.x - 0.1, 0.0);
-    for (int i = 0; i < 2; ++i) {
+    int tries = above > 0.0 && depth > 0.0 ? 2 : 0;
+    for (int i = 0; i < tries; ++i) {
         ground = ground_at(point.xz - back_per_m * above);
         above = max(point.y - ground.x - 0.1, 0.0);
     }

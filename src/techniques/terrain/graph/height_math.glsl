@@ -630,7 +630,13 @@ Real4 leaf_dunes(Place p, uint first, Real spacing_m)
     p.u.x = p.u.x - whole;
     Real foot_m = height_number(first + 8u);
     Real4 height = dual(Real(0));
-    for (int row = -1; row <= 2; ++row) {
+    // Those whose slip face or rise can reach here.
+    Real lee = height_number(first + 1u) * (Real(1) + Real(0.6) * height_number(first + 6u)) /
+               (height_number(first + 3u) * height_number(first + 2u));
+    Real meander = height_number(first + 5u);
+    int first_row = -int(real_floor(lee + meander));
+    int last_row = int(real_floor(Real(1) + height_number(first + 4u) / height_number(first + 2u) + meander));
+    for (int row = first_row; row <= last_row; ++row) {
         height = dual_smooth_max(height, one_dune(p, row, first, spacing_m), foot_m);
     }
     return height * shown;

@@ -16,8 +16,9 @@ SHARED_CONSTANT uint terrain_part_trim_column = 1U;
 SHARED_CONSTANT uint terrain_part_trim_row = 2U;
 SHARED_CONSTANT uint terrain_index_bits = 13U;
 
-// Where vertices stand in no grid: the bit of terrain_vertices.comp's variant.
+// Bits of terrain_vertices.comp's variant: vertices stand in no grid; where they were before is wanted.
 SHARED_CONSTANT uint terrain_has_places = 1U;
+SHARED_CONSTANT uint terrain_keeps_before = 2U;
 
 struct TerrainLevel {
     vec2 origin_m;    // of column 0 and row 0, from the anchor

@@ -55,6 +55,7 @@ layout(scalar, binding = 8) readonly buffer Places
 };
 
 layout(constant_id = 0) const uint variant = 0u;
+const bool keeps_before = (variant & terrain_keeps_before) != 0u;
 const bool has_places = (variant & terrain_has_places) != 0u;
 
 #include "techniques/terrain/graph/height_program.glsl"
@@ -146,7 +147,9 @@ void main()
     uint at = terrain.first_vertex + number;
     posed_vertices[at].position = bent(place, height.x) - sea;
     posed_vertices[at].normal = normal;
-    posed_before[at].position = bent(place, height.x - terrain.before_s * height.w) - sea;
-    posed_before[at].normal = normal;
+    if (keeps_before) {
+        posed_before[at].position = bent(place, height.x - terrain.before_s * height.w) - sea;
+        posed_before[at].normal = normal;
+    }
     stroke_coordinates[at] = (vec3(place.x, height.x, place.y) - sea) / terrain.stroke_unit_m;
 }
