@@ -67,6 +67,16 @@ struct TerrainLook {
     bool operator==(const TerrainLook&) const = default;
 };
 
+/// What the wind draws on sand, seen from near: normals alone, no heights.
+struct TerrainRipples {
+    float wavelength_m = 0.12F;
+    float height_m = 0.01F; ///< from trough to crest; 0: there are none
+    float meander = 0.5F;   ///< 0: straight and unbroken; 1: they wind, fork and end everywhere
+    float drift_m_s = 0.0005F;
+
+    bool operator==(const TerrainRipples&) const = default;
+};
+
 /// All that a terrain is, as a file has it.
 struct TerrainDescription {
     std::string name;              ///< of the file, for messages
@@ -75,10 +85,11 @@ struct TerrainDescription {
     TerrainWind wind;
     TerrainMeshing meshing;
     TerrainLook look;
+    TerrainRipples ripples;
 };
 
-/// Reads a terrain's TOML: [terrain] with `height` and `color`, [nodes], [wind], [mesh]. Throws Error with
-/// file, line and column for what is no such thing.
+/// Reads a terrain's TOML: [terrain] with `height` and `color`, [nodes], [wind], [mesh], [ripples].
+/// Throws Error with file, line and column for what is no such thing.
 [[nodiscard]] TerrainDescription parse_terrain(std::string_view text, const std::string& name,
                                                const std::filesystem::path& folder = {});
 

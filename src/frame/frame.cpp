@@ -32,7 +32,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const contour::ContourInputs outlining = contour_inputs(making, scene, visibility, surface, lit, screen);
     if (resources.lists != nullptr) {
         declare_stroke_lists(graph, {hatching, hatch_looks(making)}, {outlining, resources.line_mesh},
-                             plan.looks, *resources.lists);
+                             plan.looks, stroke_haze(making, scene, surface), *resources.lists);
         return;
     }
     if (resources.strung_into != nullptr) {
@@ -50,8 +50,10 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
 
     // What colour lies under it, and all of it on paper.
     const Colors colors = add_colors(making, scene, surface, lit.light, screen);
-    const paper::ComposeInputs layers =
-        page_layers(making, scene, colors, ink, add_focus_lines(making, lines), lit.light);
+    haze::HazeLayers faded = add_haze(making, scene, surface, colors.sky_wash,
+                                      {.wash = colors.wash, .hatch = ink, .lines = lines});
+    faded.lines = add_focus_lines(making, faded.lines);
+    const paper::ComposeInputs layers = page_layers(making, scene, faded, colors.sky_ink, lit.light);
     add_picture(making, layers);
     add_deep_picture(making, layers, surface, lit);
 }

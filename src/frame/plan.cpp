@@ -16,6 +16,7 @@ PagePlan plan_page(const PlanInputs& in)
     const bool is_outdoors = is_composed && in.lighting.directional_count > 0 && !scene.lights.empty();
     const Ground ground = in.style.picture.ground;
     const sky::SkyMode sky = in.style.sky.mode;
+    const haze::HazeMode haze = in.style.haze.mode;
     return {.size_px = {in.settings.width, in.settings.height},
             .pixels_per_mm = pixels_per_mm(in.settings.height, in.style.paper.height_mm),
             .pixel = pixel_size(in.camera, in.settings.height),
@@ -23,7 +24,9 @@ PagePlan plan_page(const PlanInputs& in)
                 !scene.terrain && (ground == Ground::drawn ||
                                    (ground == Ground::automatic && !is_composed && !in.lighting.indoors)),
             .has_sky = sky == sky::SkyMode::drawn ||
-                       (sky == sky::SkyMode::automatic && (is_outdoors || scene.terrain.has_value()))};
+                       (sky == sky::SkyMode::automatic && (is_outdoors || scene.terrain.has_value())),
+            .has_haze = haze == haze::HazeMode::drawn ||
+                        (haze == haze::HazeMode::automatic && scene.terrain.has_value())};
 }
 
 RasterPlan plan_raster(const PlanInputs& in)
@@ -87,6 +90,17 @@ FocusPlan plan_focus(const PlanInputs& in, const PagePlan& page)
             .middle_px = focus::middle_px(in.style.focus, window)};
 }
 
+std::optional<shared::RippleConstants> plan_ripples(const PlanInputs& in)
+{
+    const pose::MeshData& layout = in.loaded.layout;
+    if (!in.loaded.scene.terrain) {
+        return std::nullopt;
+    }
+    return terrain::ripples_at(in.loaded.scene.terrain->description(),
+                               layout.draw_of_vertex.at(*layout.foreign_vertex), layout.anchor,
+                               in.settings.time_s);
+}
+
 bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& map)
 {
     return style.drawn && style.lines == contour::Lines::chains &&
@@ -124,7 +138,8 @@ FramePlan plan_frame(const PlanInputs& in)
             .light = light,
             .shadow_edges = edges,
             .lines = lines,
-            .focus = plan_focus(in, page)};
+            .focus = plan_focus(in, page),
+            .ripples = plan_ripples(in)};
 }
 
 } // namespace estampe::frame

@@ -20,6 +20,7 @@
 #include "gpu/device.hpp"
 #include "techniques/light/daylight.hpp"
 #include "techniques/raster/raster.hpp"
+#include "techniques/terrain/ripples/ripples.hpp"
 
 namespace estampe::frame {
 
@@ -30,6 +31,7 @@ struct PagePlan {
     PixelSize pixel; ///< what one of them spans in the scene
     bool has_ground = false;
     bool has_sky = false;
+    bool has_haze = false;
 };
 
 /// How triangles become pixels.
@@ -89,6 +91,7 @@ struct FramePlan {
     LocalMapPlan local_shadows;
     LinePlan lines;
     FocusPlan focus;
+    std::optional<shared::RippleConstants> ripples; ///< of a terrain's sand
     std::optional<MotionPlan> motion;
 };
 

@@ -49,6 +49,7 @@ struct ShadowMaps {
 struct Colors {
     gpu::ImageId wash;
     gpu::ImageId sky_ink;
+    gpu::ImageId sky_wash;
 };
 
 /// Whatever moves writes vertices. In a scene that stands as it stood they are there already.
@@ -105,9 +106,22 @@ void add_strung_lines(const Making& making, const contour::ContourInputs& in);
                                 const surface::Surface& surface, gpu::ImageId light,
                                 const SeenThrough& screen);
 
+/// What haze is worked out from.
+[[nodiscard]] haze::HazeInputs haze_inputs(const Making& making, const PosedScene& scene,
+                                           const surface::Surface& surface);
+
+/// The same for strokes as paths, where there is any.
+[[nodiscard]] std::optional<StrokeHaze> stroke_haze(const Making& making, const PosedScene& scene,
+                                                    const surface::Surface& surface);
+
+/// Colour and ink with what distance leaves of them.
+[[nodiscard]] haze::HazeLayers add_haze(const Making& making, const PosedScene& scene,
+                                        const surface::Surface& surface, gpu::ImageId sky_wash,
+                                        const haze::HazeLayers& layers);
+
 /// What is laid on the paper.
 [[nodiscard]] paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
-                                               const Colors& colors, gpu::ImageId ink, gpu::ImageId lines,
+                                               const haze::HazeLayers& layers, gpu::ImageId sky_ink,
                                                gpu::ImageId light);
 
 /// The layers on paper, added to those of the samples before, and read back.

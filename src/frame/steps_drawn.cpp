@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From light to ink, colour and paper.
+#include <algorithm>
+
 #include "frame/steps.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/read_back.hpp"
@@ -177,17 +179,49 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                               .size_px = making.sample.size_px,
                                               .look_of_draw = look_of_draw(making)},
                                              wash_looks(plan.looks));
-    return {.wash = wash, .sky_ink = sky.ink};
+    return {.wash = wash, .sky_ink = sky.ink, .sky_wash = sky.wash};
 }
 
-paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene, const Colors& colors,
-                                 gpu::ImageId ink, gpu::ImageId lines, gpu::ImageId light)
+haze::HazeInputs haze_inputs(const Making& making, const PosedScene& scene, const surface::Surface& surface)
+{
+    const contour::ContourStyle& lines = making.plan.looks.lines;
+    float widest_mm = 0.0F;
+    for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
+        widest_mm = std::max(widest_mm, contour::width_on_page_mm(lines, kind));
+    }
+    return {.frame = scene.frame,
+            .depth = surface.depth,
+            .line_half_px = 0.5F * widest_mm * making.plan.page.pixels_per_mm,
+            .size_px = making.sample.size_px};
+}
+
+std::optional<StrokeHaze> stroke_haze(const Making& making, const PosedScene& scene,
+                                      const surface::Surface& surface)
+{
+    if (!making.plan.page.has_haze) {
+        return std::nullopt;
+    }
+    return StrokeHaze{.inputs = haze_inputs(making, scene, surface), .style = making.style.haze};
+}
+
+haze::HazeLayers add_haze(const Making& making, const PosedScene& scene, const surface::Surface& surface,
+                          gpu::ImageId sky_wash, const haze::HazeLayers& layers)
+{
+    if (!making.plan.page.has_haze) {
+        return layers;
+    }
+    return haze::add_haze(making.graph, haze_inputs(making, scene, surface), making.style.haze, sky_wash,
+                          layers);
+}
+
+paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
+                                 const haze::HazeLayers& layers, gpu::ImageId sky_ink, gpu::ImageId light)
 {
     return {.frame = scene.frame,
-            .wash = colors.wash,
-            .hatch = ink,
-            .lines = lines,
-            .sky_ink = colors.sky_ink,
+            .wash = layers.wash,
+            .hatch = layers.hatch,
+            .lines = layers.lines,
+            .sky_ink = sky_ink,
             .has_sky = making.plan.page.has_sky,
             .light = light,
             .page_px = making.plan.page_px,

@@ -78,7 +78,7 @@ surface::Surface add_surface(const Making& making, const PosedScene& scene, gpu:
 {
     gpu::Graph& graph = making.graph;
     FrameResources& resources = making.resources;
-    return surface::add_resolve(
+    surface::Surface surface = surface::add_resolve(
         graph, {.frame = scene.frame,
                 .visibility = visibility,
                 .triangles = scene.meshes.triangles,
@@ -94,6 +94,16 @@ surface::Surface add_surface(const Making& making, const PosedScene& scene, gpu:
                 .strokes_present = making.plan.strokes.present,
                 .strokes_per_m = static_cast<float>(1.0 / making.layout.stroke_unit_m),
                 .size_px = making.sample.size_px});
+    if (making.plan.ripples) {
+        surface.normal = terrain::add_ripples(graph,
+                                              {.frame = scene.frame,
+                                               .draw = surface.draw,
+                                               .depth = surface.depth,
+                                               .normal = surface.normal,
+                                               .size_px = making.sample.size_px},
+                                              *making.plan.ripples);
+    }
+    return surface;
 }
 
 void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId visibility)

@@ -8,6 +8,7 @@
 #include "techniques/contour/contour.hpp"
 #include "techniques/focus/focus.hpp"
 #include "techniques/hatch/hatch.hpp"
+#include "techniques/haze/haze.hpp"
 #include "techniques/light/light_style.hpp"
 #include "techniques/light/sun_style.hpp"
 #include "techniques/lightmap/lightmap.hpp"
@@ -53,6 +54,7 @@ struct StyleTables {
     bleed::BleedStyle bleed;
     focus::FocusStyle focus;
     wash::WashStyle wash;
+    haze::HazeStyle haze;
     sky::SkyStyle sky;
     paper::PaperStyle paper;
     std::vector<style::Override> overrides; ///< what single materials and objects have otherwise
@@ -75,6 +77,7 @@ struct StyleTables {
     sheet.bind(bleed::bleed_table(), tables.bleed);
     sheet.bind(focus::focus_table(), tables.focus);
     sheet.bind(wash::wash_table(), tables.wash);
+    sheet.bind(haze::haze_table(), tables.haze);
     sheet.bind(sky::sky_table(), tables.sky);
     sheet.bind(paper::paper_table(), tables.paper);
     sheet.bind_overrides(tables.overrides);

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
@@ -22,7 +23,8 @@
 namespace estampe::frame {
 namespace {
 
-constexpr float hidden_share = 0.6F; // of the width that a line would have if it were seen
+constexpr float hidden_share = 0.6F;     // of the width that a line would have if it were seen
+constexpr float least_ink_left = 0.125F; // thinner than by that haze leaves no stroke
 
 /// Copies what `from` holds into `to`.
 void read_back(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from, gpu::Buffer& to)
@@ -61,17 +63,36 @@ public:
         }
     }
 
+    /// Thins what is added from now on by what haze leaves: 0 of strokes, 1 of lines. Empty: by nothing.
+    void thin_by(std::span<const glm::vec2> ink_left, int of)
+    {
+        ink_left_ = ink_left;
+        ink_left_of_ = of;
+    }
+
     /// `Points` have a page_px and a width_px.
     template <class Points>
     void add(VectorStroke stroke, uint32_t draw, const glm::vec3& ink, const Points& points)
     {
+        if (std::ranges::none_of(points, [&](const auto& point) { return is_left(point.page_px); })) {
+            return;
+        }
         stroke.object = object_of(draw);
         stroke.ink = number_of(ink);
-        stroke.points.reserve(points.size());
+        bool is_whole = true;
+        VectorStroke part = stroke;
+        part.is_closed = false;
         for (const auto& point : points) {
-            stroke.points.push_back({mm_per_px_ * point.page_px, mm_per_px_ * point.width_px});
+            if (!is_left(point.page_px)) {
+                is_whole = false;
+                add_line(part);
+                continue;
+            }
+            const float width_mm = mm_per_px_ * ink_left_at(point.page_px) * point.width_px;
+            part.points.push_back({mm_per_px_ * point.page_px, width_mm});
         }
-        add_parts(stroke);
+        part.is_closed = stroke.is_closed && is_whole;
+        add_line(part);
     }
 
     void add_focus(const FocusPlan& plan, const glm::vec3& ink)
@@ -113,6 +134,29 @@ public:
     [[nodiscard]] VectorDrawing take() { return std::move(drawing_); }
 
 private:
+    [[nodiscard]] float ink_left_at(const glm::vec2& page_px) const
+    {
+        if (ink_left_.empty()) {
+            return 1.0F;
+        }
+        const glm::uvec2 pixel(glm::clamp(page_px, glm::vec2(0.0F), glm::vec2(drawn_.size_px) - 1.0F));
+        return ink_left_[size_t{pixel.y} * drawn_.size_px.x + pixel.x][ink_left_of_];
+    }
+
+    [[nodiscard]] bool is_left(const glm::vec2& page_px) const
+    {
+        return ink_left_at(page_px) >= least_ink_left;
+    }
+
+    /// What has two points; empties it.
+    void add_line(VectorStroke& stroke)
+    {
+        if (stroke.points.size() > 1) {
+            add_parts(stroke);
+        }
+        stroke.points.clear();
+    }
+
     void add_parts(const VectorStroke& stroke)
     {
         const std::vector<VectorStroke> parts = clipped(stroke, window_);
@@ -148,6 +192,8 @@ private:
     float mm_per_px_;
     VectorDrawing drawing_;
     paper::Window window_;
+    std::span<const glm::vec2> ink_left_;
+    int ink_left_of_ = 0;
     std::map<Index, uint32_t> objects_;
 };
 
@@ -241,9 +287,12 @@ void check_has_paths(const LookPlan& looks)
 }
 
 void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const LineStrokes& lines,
-                          const LookPlan& looks, StrokeLists& lists)
+                          const LookPlan& looks, const std::optional<StrokeHaze>& haze, StrokeLists& lists)
 {
     gpu::Device& device = lists.device;
+    if (haze) {
+        read_back(graph, device, haze::add_ink_left(graph, haze->inputs, haze->style), lists.ink_left);
+    }
     if (std::ranges::any_of(looks.styles, [](const StyleTables& style) { return style.hatch.drawn; })) {
         read_back(graph, device,
                   hatch::add_trace(graph, hatch.inputs, hatch.looks, device.limits().maxStorageBufferRange),
@@ -269,9 +318,13 @@ VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn, cons
 {
     const StyleTables& style = plan.looks.styles.front();
     Gathering gathering(drawn, style);
+    const auto ink_left =
+        lists.ink_left.empty() ? std::span<const glm::vec2>() : gpu::items_of<glm::vec2>(lists.ink_left);
+    gathering.thin_by(ink_left, 0);
     if (!lists.crossings.empty()) {
         add_hatching(gathering, lists, drawn, style);
     }
+    gathering.thin_by(ink_left, 1);
     if (!lists.line_sizes.empty()) {
         add_lines(gathering, lists, drawn, plan.looks, with_hidden_lines);
     }

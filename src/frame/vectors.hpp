@@ -3,6 +3,7 @@
 
 // A frame as strokes of the pen.
 
+#include <optional>
 #include <vector>
 
 #include <estampe/scene.hpp>
@@ -28,6 +29,7 @@ struct StrokeLists {
     std::vector<gpu::Buffer> line_points;
     gpu::Buffer line_facing;
     gpu::Buffer crossings; ///< as hatch::add_trace() writes them
+    gpu::Buffer ink_left;  ///< as haze::add_ink_left() writes it, where there is haze
 };
 
 /// Throws Error when a look has strokes without paths: those of a tonal art map, and lines that are found
@@ -46,9 +48,15 @@ struct LineStrokes {
     contour::LineMesh* mesh; ///< null where there are none
 };
 
+/// What thins them.
+struct StrokeHaze {
+    haze::HazeInputs inputs;
+    haze::HazeStyle style;
+};
+
 /// Declares what fills `lists` in place of a picture. The lists must outlive the graph.
 void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const LineStrokes& chains,
-                          const LookPlan& looks, StrokeLists& lists);
+                          const LookPlan& looks, const std::optional<StrokeHaze>& haze, StrokeLists& lists);
 
 /// What strokes belong to.
 struct DrawnScene {

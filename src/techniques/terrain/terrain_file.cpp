@@ -17,6 +17,8 @@ namespace {
 using style::Entry;
 using style::in_quotes;
 
+const std::vector<std::string> sections{"terrain", "nodes", "wind", "mesh", "ripples"};
+
 [[noreturn]] void fail_unknown(const std::string& word, const std::string& where,
                                const std::vector<std::string>& known)
 {
@@ -93,8 +95,8 @@ TerrainDescription parse_terrain(std::string_view text, const std::string& name,
     const style::Document document = style::parse_toml(text, name);
     for (const style::Document::Header& section : document.sections) {
         if (section.name != "terrain" && section.name != "nodes" && section.name != "wind" &&
-            section.name != "mesh") {
-            fail_unknown(section.name, section.where, {"terrain", "nodes", "wind", "mesh"});
+            section.name != "mesh" && section.name != "ripples") {
+            fail_unknown(section.name, section.where, sections);
         }
     }
     for (const Entry& entry : document.entries) {
@@ -106,8 +108,10 @@ TerrainDescription parse_terrain(std::string_view text, const std::string& name,
             set_by(terrain::wind_table(), entry, result.wind);
         } else if (entry.section == "mesh") {
             set_by(terrain::mesh_table(), entry, result.meshing);
+        } else if (entry.section == "ripples") {
+            set_by(terrain::ripples_table(), entry, result.ripples);
         } else {
-            fail_unknown(entry.key, entry.key_where, {"terrain", "nodes", "wind", "mesh"});
+            fail_unknown(entry.key, entry.key_where, sections);
         }
     }
     return result;
@@ -131,7 +135,8 @@ std::string terrain_toml(const TerrainDescription& terrain)
     std::string look = toml_of(terrain::look_table(), terrain.look);
     text += look.substr(look.find("]\n") + 2);
     return text + nodes + toml_of(terrain::wind_table(), terrain.wind) +
-           toml_of(terrain::mesh_table(), terrain.meshing);
+           toml_of(terrain::mesh_table(), terrain.meshing) +
+           toml_of(terrain::ripples_table(), terrain.ripples);
 }
 
 } // namespace estampe

@@ -53,4 +53,19 @@ inline const style::Table<TerrainMeshing>& mesh_table()
     return table;
 }
 
+inline const style::Table<TerrainRipples>& ripples_table()
+{
+    static const auto table =
+        style::Table<TerrainRipples>("ripples", "What the wind draws on sand, seen from near")
+            .number("wavelength_m", &TerrainRipples::wavelength_m, {0.005F, 100.0F}, "m",
+                    "From crest to crest")
+            .number("height_m", &TerrainRipples::height_m, {0.0F, 10.0F}, "m",
+                    "From trough to crest; 0: there are none")
+            .number("meander", &TerrainRipples::meander, {0.0F, 1.0F}, "",
+                    "0: straight and unbroken; 1: they wind, fork and end everywhere")
+            .number("drift_m_s", &TerrainRipples::drift_m_s, {-1.0F, 1.0F}, "m/s",
+                    "How fast they go with the wind");
+    return table;
+}
+
 } // namespace estampe::terrain

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/haze/haze.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shaders/haze_comp.hpp"
+#include "shaders/haze_left_comp.hpp"
+#include "techniques/haze/haze.glsl.h"
+
+namespace estampe::haze {
+namespace {
+
+shared::HazeConstants constants_of(const HazeInputs& in, const HazeStyle& style)
+{
+    return {.start_m = style.start_m,
+            .halves_per_m = 1.0F / style.reach_m,
+            .ink = style.ink,
+            .line_reach_px = static_cast<uint32_t>(std::ceil(std::max(in.line_half_px, 0.0F))) + 1U};
+}
+
+} // namespace
+
+HazeLayers add_haze(gpu::Graph& graph, const HazeInputs& in, const HazeStyle& style, gpu::ImageId sky,
+                    const HazeLayers& layers)
+{
+    auto pass = graph.compute("haze", shaders::haze_comp);
+    pass.uniform(in.frame).sample(in.depth).sample(sky);
+    const HazeLayers faded{.wash = pass.modify(layers.wash),
+                           .hatch = pass.modify(layers.hatch),
+                           .lines = pass.modify(layers.lines)};
+    pass.push(constants_of(in, style)).dispatch_over(in.size_px.x, in.size_px.y);
+    return faded;
+}
+
+gpu::BufferId add_ink_left(gpu::Graph& graph, const HazeInputs& in, const HazeStyle& style)
+{
+    auto pass = graph.compute("haze/left", shaders::haze_left_comp);
+    pass.uniform(in.frame).sample(in.depth);
+    const gpu::BufferId left = pass.write(
+        graph.buffer("haze/left", {.size_bytes = sizeof(glm::vec2) * in.size_px.x * in.size_px.y}));
+    pass.push(constants_of(in, style)).dispatch_over(in.size_px.x, in.size_px.y);
+    return left;
+}
+
+} // namespace estampe::haze

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_HAZE
+#define ESTAMPE_HAZE
+
+// What distance takes from a drawing. Whoever includes this has `frame`, `constants` of haze.glsl.h, and
+// defines HAZE_DEPTH_BINDING.
+
+#include "shaders/camera.glsl"
+
+layout(binding = HAZE_DEPTH_BINDING) uniform sampler2D depth_image;
+
+const int line_steps = 4; // to each side, at most, that a line's owner is looked for at
+
+float haze_depth(ivec2 pixel)
+{
+    return texelFetch(depth_image, clamp(pixel, ivec2(0), ivec2(frame.size_px) - 1), 0).x;
+}
+
+// How often half of what was left has gone at a pixel where something is seen at this depth.
+float halvings(ivec2 pixel, float depth)
+{
+    vec3 from_eye = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9)) - frame.eye_anchor;
+    float away = frame.is_orthographic != 0u ? dot(from_eye, frame.view_forward) : length(from_eye);
+    return max(away - constants.start_m, 0.0) * constants.halves_per_m;
+}
+
+float ink_left(ivec2 pixel, float depth)
+{
+    return exp2(-constants.ink * halvings(pixel, depth));
+}
+
+const ivec2 eight_ways[8] = ivec2[8](ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1), ivec2(1, 1),
+                                     ivec2(-1, 1), ivec2(-1, -1), ivec2(1, -1));
+
+// Half of a line lies beyond the edge of what it belongs to, on something farther or on nothing. Reversed
+// depth is linear over a plane of the scene, so what is seen a step aside, carried on as far back, is the
+// pixel's own depth where it is the same surface, and that of the line where a nearer one ends between the
+// two. Negative where nothing is near.
+float line_depth(ivec2 pixel, float own)
+{
+    float nearest = own > 0.0 ? own : -1.0;
+    int reach = int(constants.line_reach_px);
+    int steps = min(reach, line_steps);
+    for (int i = 0; i < 8 * steps; ++i) {
+        ivec2 aside = eight_ways[i & 7] * ((reach * (1 + i / 8) + steps - 1) / steps);
+        float there = haze_depth(pixel + aside);
+        if (there > 0.0) {
+            nearest = max(nearest, clamp(2.0 * there - haze_depth(pixel + 2 * aside), 0.0, there));
+        }
+    }
+    return nearest;
+}
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Air between the eye and what is far: colour fades into the sky's, strokes and lines into nothing.
+
+#include "gpu/graph/graph.hpp"
+#include "shaders/shared.hpp"
+#include "style/parameter.hpp"
+
+namespace estampe::haze {
+
+enum class HazeMode : uint8_t { automatic, drawn, none };
+
+struct HazeStyle {
+    HazeMode mode = HazeMode::automatic;
+    float start_m = 80.0F;
+    float reach_m = 700.0F;
+    float ink = 3.0F;
+};
+
+inline const style::Table<HazeStyle>& haze_table()
+{
+    static const auto table =
+        style::Table<HazeStyle>("haze", "What is far fades into the sky")
+            .choice("mode", &HazeStyle::mode,
+                    {{"auto", HazeMode::automatic}, {"drawn", HazeMode::drawn}, {"none", HazeMode::none}},
+                    "Drawn, none, or (auto) drawn where the scene has a terrain")
+            .number("start_m", &HazeStyle::start_m, {0.0F, 1e6F}, "m", "Nearer than this all is clear")
+            .number("reach_m", &HazeStyle::reach_m, {0.01F, 1e6F}, "m",
+                    "Farther than that by this, half is gone; by twice as much, three quarters")
+            .number("ink", &HazeStyle::ink, {0.0F, 16.0F}, "",
+                    "How many times as soon strokes and lines are gone; 0 keeps them");
+    return table;
+}
+
+struct HazeInputs {
+    gpu::BufferId frame;       ///< FrameGlobals
+    gpu::ImageId depth;        ///< r32f: reversed, 0 where nothing is
+    float line_half_px = 1.0F; ///< of the widest line: what of it lies beyond the edge it follows
+    glm::uvec2 size_px{0};
+};
+
+/// What fades.
+struct HazeLayers {
+    gpu::ImageId wash;  ///< rgba16f
+    gpu::ImageId hatch; ///< r16f
+    gpu::ImageId lines; ///< rgba8, coverage in alpha
+};
+
+/// Fades what is far, into `sky`, an rgba16f as large as the page or of one texel.
+///
+/// Writes  new versions of the three layers; where nothing is seen, they keep their bytes
+/// Cost    one full-screen dispatch; on pixels of lines 64 depths besides at most
+[[nodiscard]] HazeLayers add_haze(gpu::Graph& graph, const HazeInputs& in, const HazeStyle& style,
+                                  gpu::ImageId sky, const HazeLayers& layers);
+
+/// How much ink is left at each pixel of what is drawn, for strokes as paths.
+///
+/// Writes  two floats a pixel, row by row: of strokes, of lines; 1 where nothing is seen
+/// Cost    one full-screen dispatch of 64 depths a pixel at most
+[[nodiscard]] gpu::BufferId add_ink_left(gpu::Graph& graph, const HazeInputs& in, const HazeStyle& style);
+
+} // namespace estampe::haze
