@@ -23,12 +23,15 @@
 #include "techniques/pose/mesh_data.hpp"
 
 namespace estampe::terrain {
-namespace {
 
-namespace in_glsl {
+namespace ripples_drawn_in_glsl {
 using namespace test::glsl; // NOLINT(google-build-using-namespace): GLSL's names are the point
 #include "techniques/terrain/ripples/ripples.glsl"
-} // namespace in_glsl
+} // namespace ripples_drawn_in_glsl
+
+namespace {
+
+namespace in_glsl = ripples_drawn_in_glsl;
 
 constexpr glm::uvec2 size_px(128, 96);
 constexpr uint32_t sand = 5;
