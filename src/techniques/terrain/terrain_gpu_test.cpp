@@ -41,7 +41,7 @@ Made pose(const Terrain& terrain, const TerrainMoment& moment, HeightSource sour
     TerrainMoment resting = moment;
     resting.before_s.reset();
     EXPECT_FALSE(buffers.prepare(device, resting)) << "nothing has moved";
-    EXPECT_TRUE(buffers.prepare(device, moment));
+    EXPECT_EQ(buffers.prepare(device, moment), moment.before_s.has_value());
     gpu::Buffer vertices = gpu::upload_buffer(device, "posed", std::vector<shared::PosedVertex>(count));
     gpu::Buffer before = gpu::upload_buffer(device, "before", std::vector<shared::PosedVertex>(count));
     gpu::Buffer strokes = gpu::upload_buffer(device, "strokes", std::vector<glm::vec3>(count));

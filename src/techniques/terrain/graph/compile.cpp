@@ -61,7 +61,7 @@ public:
         const Expression root = reference("height");
         node_ = height->second.node;
         const uint32_t result = value_of(root, Frame{});
-        program_.instructions = with_registers(std::move(program_.instructions), result, terrain_.name);
+        program_.instructions = with_registers(program_.instructions, result, terrain_.name);
         return std::move(program_);
     }
 

@@ -59,7 +59,9 @@ std::string leaf_of(const Instruction& i)
 
 std::string value_of(const Instruction& i)
 {
-    const auto [a, b, c] = std::tuple(i.inputs.x, i.inputs.y, i.inputs.z);
+    const uint32_t a = i.inputs.x;
+    const uint32_t b = i.inputs.y;
+    const uint32_t c = i.inputs.z;
     const auto call = [&](const char* name) { return fmt::format("{}(r{})", name, a); };
     const auto call_two = [&](const char* name) { return fmt::format("{}(r{}, r{})", name, a, b); };
     const auto call_three = [&](const char* name) { return fmt::format("{}(r{}, r{}, r{})", name, a, b, c); };

@@ -80,8 +80,7 @@ void add_border(GridVertices& grid, uint32_t n)
 
 } // namespace
 
-Rings::Rings(const TerrainMeshing& meshing)
-    : cell_m_(cell_of(meshing)), cells_(cells_of(meshing, 32)), levels_(1)
+Rings::Rings(const TerrainMeshing& meshing) : cell_m_(cell_of(meshing)), cells_(cells_of(meshing, 32))
 {
     const auto reach_of = [&](uint32_t levels) {
         return cell_m_ * std::exp2(levels - 1) * (0.5 * cells_ - 2.0);

@@ -21,7 +21,7 @@ public:
 private:
     double cell_m_;
     uint32_t cells_;
-    uint32_t levels_;
+    uint32_t levels_ = 1;
 };
 
 } // namespace estampe::terrain

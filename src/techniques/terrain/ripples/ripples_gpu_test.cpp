@@ -23,12 +23,15 @@
 #include "techniques/pose/mesh_data.hpp"
 
 namespace estampe::terrain {
-namespace {
 
-namespace in_glsl {
+namespace ripples_drawn_in_glsl {
 using namespace test::glsl; // NOLINT(google-build-using-namespace): GLSL's names are the point
 #include "techniques/terrain/ripples/ripples.glsl"
-} // namespace in_glsl
+} // namespace ripples_drawn_in_glsl
+
+namespace {
+
+namespace in_glsl = ripples_drawn_in_glsl;
 
 constexpr glm::uvec2 size_px(128, 96);
 constexpr uint32_t sand = 5;
@@ -111,7 +114,10 @@ std::vector<glm::vec3> shading_of(const std::vector<Words>& words)
 
 TEST(Ripples, BendNormalsAsTheirFormLeans)
 {
-    const Ground ground{.eye = {1e6 + 3.0, 1.7, -2.0}, .anchor = {64.0 * 15625.0, 0.0, 0.0}, .time_s = 90.0};
+    const Ground ground{.eye = {1e6 + 3.0, 0.4, -2.0},
+                        .eye_height_m = 0.4,
+                        .anchor = {64.0 * 15625.0, 0.0, 0.0},
+                        .time_s = 90.0};
     const auto words = rippled(ground);
     const auto normals = shading_of(words);
     const auto ripples = ripples_at(dunes(), sand, ground.anchor, ground.time_s).value();
@@ -178,7 +184,7 @@ TEST(Ripples, StandStillUnderAMovingAnchor)
 
 TEST(Ripples, LeaveOtherDrawsAndTheSmoothNormalAsTheyAre)
 {
-    const auto words = rippled({}, true);
+    const auto words = rippled({.eye = {3.0, 0.6, -2.0}, .eye_height_m = 0.6}, true);
     const Words flat = words[size_px.x * (size_px.y - 1)];
     uint32_t bent = 0;
     for (uint32_t i = 0; i < words.size(); ++i) {

@@ -10,12 +10,15 @@
 #include "support/glsl.hpp"
 
 namespace estampe::terrain {
-namespace {
 
-namespace in_glsl {
+namespace ripples_in_glsl {
 using namespace test::glsl; // NOLINT(google-build-using-namespace): GLSL's names are the point
 #include "techniques/terrain/ripples/ripples.glsl"
-} // namespace in_glsl
+} // namespace ripples_in_glsl
+
+namespace {
+
+namespace in_glsl = ripples_in_glsl;
 
 const glm::vec2 cells(shared::ripple_cell_along, shared::ripple_cell_across);
 
