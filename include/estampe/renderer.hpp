@@ -138,6 +138,13 @@ public:
     /// the scene has no terrain, or the new one does not fit the device.
     void set_terrain(const Terrain& terrain, bool at_once = false);
 
+    /// Presses things into the scene's terrain, at the next picture's moment: footprints, and what is
+    /// dragged. They are seen as tone in a square before the eye, and the wind fills them, as TerrainTrails
+    /// says. Those that are not finite or longer than 100 m are left out; the last 4,096 are remembered;
+    /// going back in time forgets them. Throws Error when the scene has no terrain. Cost: a workgroup each on
+    /// the device.
+    void press(std::span<const TrailStamp> stamps);
+
     /// Draws the scene. The same scene, camera, style and settings give the same bytes on the same device by
     /// the same raster path; so do the frames of a film that follow one another.
     /// Pages that are too large for the device are drawn in tiles, which leave no seams: lines are strung for

@@ -14,6 +14,8 @@
 
 #include <glm/glm.hpp>
 
+#include <estampe/trails.hpp>
+
 namespace estampe {
 
 /// A named part of a height graph: `swell = "6 * fbm(400)"`.
@@ -86,9 +88,12 @@ struct TerrainDescription {
     TerrainMeshing meshing;
     TerrainLook look;
     TerrainRipples ripples;
+    TerrainTrails trails;
+    std::vector<TerrainTrack> tracks;
 };
 
-/// Reads a terrain's TOML: [terrain] with `height` and `color`, [nodes], [wind], [mesh], [ripples].
+/// Reads a terrain's TOML: [terrain] with `height` and `color`, [nodes], [wind], [mesh], [ripples],
+/// [trails], [tracks].
 /// Throws Error with file, line and column for what is no such thing.
 [[nodiscard]] TerrainDescription parse_terrain(std::string_view text, const std::string& name,
                                                const std::filesystem::path& folder = {});

@@ -52,6 +52,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const Colors colors = add_colors(making, scene, surface, lit.light, screen);
     haze::HazeLayers faded = add_haze(making, scene, surface, colors.sky_wash,
                                       {.wash = colors.wash, .hatch = ink, .lines = lines});
+    faded.lines = add_drift(making, scene, surface, faded.lines);
     faded.lines = add_focus_lines(making, faded.lines);
     const paper::ComposeInputs layers = page_layers(making, scene, faded, colors.sky_ink, lit.light);
     add_picture(making, layers);

@@ -16,6 +16,7 @@
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
+#include "techniques/terrain/trails/trodden.hpp"
 
 namespace estampe::frame {
 
@@ -51,6 +52,7 @@ struct FrameResources {
     gpu::Buffer& line_looks;         ///< then, contour's LineLook of each look
     GroundShadow& ground_shadow;
     terrain::TerrainBuffers* terrain; ///< where the scene has one
+    terrain::TroddenSand* trodden;    ///< then
     contour::LineMesh* line_mesh;     ///< where lines are chains
     contour::LineHistory& line_history;
     gpu::Buffer& focus_lines;              ///< of the plan

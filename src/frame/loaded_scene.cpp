@@ -51,6 +51,7 @@ void lay_out(gpu::Device& device, LoadedScene& loaded)
             terrain::TerrainTarget{.first_vertex = *loaded.layout.foreign_vertex,
                                    .stroke_unit_m = loaded.layout.stroke_unit_m},
             raised_object(loaded.scene));
+        loaded.trodden = std::make_unique<terrain::TroddenSand>(loaded.scene.terrain->description());
     } else {
         loaded.layout = pose::build_meshes(loaded.scene, ground_material);
     }

@@ -14,6 +14,7 @@
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
+#include "techniques/terrain/trails/trodden.hpp"
 
 namespace estampe::frame {
 
@@ -34,6 +35,7 @@ struct LoadedScene {
     LineMeshes line_meshes;
     HouseLight house_light;
     std::unique_ptr<terrain::TerrainBuffers> terrain; ///< where the scene has one
+    std::unique_ptr<terrain::TroddenSand> trodden;    ///< then
     bool terrain_moved = false;                       ///< the device has yet to pose its vertices
     bool has_plain_links = true;                      ///< every object stands to all lights alike
     bool pose_moved = true;                           ///< the device has yet to pose its vertices by it

@@ -101,6 +101,19 @@ std::optional<shared::RippleConstants> plan_ripples(const PlanInputs& in)
                                in.settings.time_s);
 }
 
+std::optional<terrain::DriftPlan> plan_drift(const PlanInputs& in, const PagePlan& page)
+{
+    if (!in.loaded.scene.terrain) {
+        return std::nullopt;
+    }
+    const glm::dvec3& anchor = in.loaded.layout.anchor;
+    return terrain::drift_at(in.loaded.scene.terrain->description().wind, in.style.drift,
+                             {.eye_m = {in.camera.eye.x, in.camera.eye.z},
+                              .anchor_m = {anchor.x, anchor.z},
+                              .time_s = in.settings.time_s,
+                              .pixels_per_mm = page.pixels_per_mm});
+}
+
 bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& map)
 {
     return style.drawn && style.lines == contour::Lines::chains &&
@@ -139,7 +152,8 @@ FramePlan plan_frame(const PlanInputs& in)
             .shadow_edges = edges,
             .lines = lines,
             .focus = plan_focus(in, page),
-            .ripples = plan_ripples(in)};
+            .ripples = plan_ripples(in),
+            .drift = plan_drift(in, page)};
 }
 
 } // namespace estampe::frame

@@ -20,6 +20,7 @@
 #include "gpu/device.hpp"
 #include "techniques/light/daylight.hpp"
 #include "techniques/raster/raster.hpp"
+#include "techniques/terrain/drift/drift.hpp"
 #include "techniques/terrain/ripples/ripples.hpp"
 
 namespace estampe::frame {
@@ -92,6 +93,7 @@ struct FramePlan {
     LinePlan lines;
     FocusPlan focus;
     std::optional<shared::RippleConstants> ripples; ///< of a terrain's sand
+    std::optional<terrain::DriftPlan> drift;        ///< of it in the air
     std::optional<MotionPlan> motion;
 };
 

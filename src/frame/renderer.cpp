@@ -113,7 +113,16 @@ void Renderer::set_terrain(const Terrain& terrain, bool at_once)
     loaded.terrain->set_graph(impl_->device, terrain);
     loaded.terrain->set_source(at_once ? terrain::HeightSource::compiled_meanwhile
                                        : terrain::HeightSource::compiled);
+    loaded.trodden->set(terrain.description());
     loaded.scene.terrain = terrain;
+}
+
+void Renderer::press(std::span<const TrailStamp> stamps)
+{
+    if (!impl_->loaded || !impl_->loaded->trodden) {
+        throw Error("the scene has no terrain", "", "give it one before set_scene");
+    }
+    impl_->loaded->trodden->press(stamps);
 }
 
 void Renderer::Impl::follow_eye(const Camera& camera)
@@ -151,6 +160,12 @@ void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& 
         loaded->terrain->add_catching_up(graph);
         executor.run(graph);
     }
+    constexpr double share_ahead = 0.35; // of the square that is seen, where its middle lies before the eye
+    const double level = std::max(std::hypot(view.x, view.z), 1e-9 + std::abs(view.y) * 0.1);
+    loaded->trodden->prepare(device, settings.time_s,
+                             glm::dvec2(camera.eye.x, camera.eye.z) + share_ahead *
+                                                                          loaded->trodden->extent_m() *
+                                                                          glm::dvec2(view.x, view.z) / level);
     // What poses the rest writes over all.
     loaded->terrain_moved = loaded->terrain_moved || has_moved || loaded->pose_moved;
 }
@@ -267,6 +282,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .line_looks = line_looks,
                                     .ground_shadow = ground_shadow,
                                     .terrain = loaded->terrain.get(),
+                                    .trodden = loaded->trodden.get(),
                                     .line_mesh =
                                         loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines),
                                     .line_history = line_history,

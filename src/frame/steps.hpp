@@ -98,6 +98,10 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
 /// Strings the lines of the whole page, for its tiles.
 void add_strung_lines(const Making& making, const contour::ContourInputs& in);
 
+/// Sand in the air over the lines of the scene.
+[[nodiscard]] gpu::ImageId add_drift(const Making& making, const PosedScene& scene,
+                                     const surface::Surface& surface, gpu::ImageId lines);
+
 /// Focus lines over those of the scene.
 [[nodiscard]] gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines);
 

@@ -137,6 +137,21 @@ void add_strung_lines(const Making& making, const contour::ContourInputs& in)
     }
 }
 
+gpu::ImageId add_drift(const Making& making, const PosedScene& scene, const surface::Surface& surface,
+                       gpu::ImageId lines)
+{
+    const std::optional<terrain::DriftPlan>& plan = making.plan.drift;
+    if (!plan) {
+        return lines;
+    }
+    const gpu::ImageId heights =
+        making.resources.terrain->add_heights(making.graph, plan->field, *scene.terrain_texels);
+    return terrain::add_drift(
+        making.graph,
+        {.frame = scene.frame, .heights = heights, .depth = surface.depth, .size_px = making.sample.size_px},
+        plan->streaks, making.style.drift.ink, lines);
+}
+
 gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
 {
     const FocusPlan& plan = making.plan.focus;

@@ -94,6 +94,21 @@ surface::Surface add_surface(const Making& making, const PosedScene& scene, gpu:
                 .strokes_present = making.plan.strokes.present,
                 .strokes_per_m = static_cast<float>(1.0 / making.layout.stroke_unit_m),
                 .size_px = making.sample.size_px});
+    const std::optional<terrain::TrailImage> trails =
+        making.resources.trodden != nullptr ? making.resources.trodden->add_image(graph) : std::nullopt;
+    if (trails) {
+        surface.normal = terrain::add_trail_relief(
+            graph,
+            {.frame = scene.frame,
+             .draw = surface.draw,
+             .depth = surface.depth,
+             .normal = surface.normal,
+             .size_px = making.sample.size_px,
+             .terrain_draw = making.layout.draw_of_vertex.at(*making.layout.foreign_vertex),
+             .anchor_m = {making.layout.anchor.x, making.layout.anchor.z},
+             .towards_sun = making.plan.sun.towards},
+            *trails);
+    }
     if (making.plan.ripples) {
         surface.normal = terrain::add_ripples(graph,
                                               {.frame = scene.frame,

@@ -17,6 +17,7 @@
 #include "techniques/shadow/shadow_style.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/tam/tam_style.hpp"
+#include "techniques/terrain/drift/drift.hpp"
 #include "techniques/wash/wash.hpp"
 
 namespace estampe::frame {
@@ -55,6 +56,7 @@ struct StyleTables {
     focus::FocusStyle focus;
     wash::WashStyle wash;
     haze::HazeStyle haze;
+    terrain::DriftStyle drift;
     sky::SkyStyle sky;
     paper::PaperStyle paper;
     std::vector<style::Override> overrides; ///< what single materials and objects have otherwise
@@ -78,6 +80,7 @@ struct StyleTables {
     sheet.bind(focus::focus_table(), tables.focus);
     sheet.bind(wash::wash_table(), tables.wash);
     sheet.bind(haze::haze_table(), tables.haze);
+    sheet.bind(terrain::drift_table(), tables.drift);
     sheet.bind(sky::sky_table(), tables.sky);
     sheet.bind(paper::paper_table(), tables.paper);
     sheet.bind_overrides(tables.overrides);

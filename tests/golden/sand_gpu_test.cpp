@@ -120,7 +120,7 @@ Ground trails()
         for (int i = 0; i < steps; ++i) {
             const glm::dvec2 ahead(std::cos(heading), std::sin(heading));
             const glm::dvec2 aside = (i % 2 == 0 ? 0.1 : -0.1) * glm::dvec2(-ahead.y, ahead.x);
-            const terrain::TrailStamp foot = terrain::TrailStamp::foot(from + aside, ahead);
+            const TrailStamp foot = TrailStamp::foot(from + aside, ahead);
             field.press({&foot, 1});
             from += 0.62 * ahead;
             heading += bend;
@@ -138,11 +138,11 @@ Ground trails()
         const auto place = [](double t) {
             return glm::dvec2(-2.3 + 4.6 * t, 2.2 + 0.25 * std::sin(7.0 * t));
         };
-        const auto drag = terrain::TrailStamp::drag(place(i / 40.0), place((i + 1) / 40.0), 0.12F, 0.06F);
+        const auto drag = TrailStamp::drag(place(i / 40.0), place((i + 1) / 40.0), 0.12F, 0.06F);
         field.press({&drag, 1});
         static_cast<void>(passed(4));
     }
-    const auto ball = terrain::TrailStamp::disc({0.4, 0.9}, 0.35F, 0.15F);
+    const auto ball = TrailStamp::disc({0.4, 0.9}, 0.35F, 0.15F);
     field.press({&ball, 1});
     static_cast<void>(passed(40));
     return {.side = side, .texel_m = static_cast<float>(extent_m / side), .heights_m = passed(40)};

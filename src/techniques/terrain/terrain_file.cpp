@@ -17,7 +17,7 @@ namespace {
 using style::Entry;
 using style::in_quotes;
 
-const std::vector<std::string> sections{"terrain", "nodes", "wind", "mesh", "ripples"};
+const std::vector<std::string> sections{"terrain", "nodes", "wind", "mesh", "ripples", "trails", "tracks"};
 
 [[noreturn]] void fail_unknown(const std::string& word, const std::string& where,
                                const std::vector<std::string>& known)
@@ -41,6 +41,12 @@ HeightNode node_of(const Entry& entry)
                     entry.value_where, "write it in quotes: height = \"6 * fbm(400)\"");
     }
     return node;
+}
+
+TerrainTrack track_of(const Entry& entry)
+{
+    const auto* const text = std::get_if<std::string>(&entry.raw.value);
+    return parse_track(text != nullptr ? *text : entry.raw.shown, entry.key, entry.value_where);
 }
 
 /// Sets what `entry` names in `target`, a struct of `table`.
@@ -94,8 +100,7 @@ TerrainDescription parse_terrain(std::string_view text, const std::string& name,
     result.folder = folder;
     const style::Document document = style::parse_toml(text, name);
     for (const style::Document::Header& section : document.sections) {
-        if (section.name != "terrain" && section.name != "nodes" && section.name != "wind" &&
-            section.name != "mesh" && section.name != "ripples") {
+        if (std::ranges::find(sections, section.name) == sections.end()) {
             fail_unknown(section.name, section.where, sections);
         }
     }
@@ -110,6 +115,10 @@ TerrainDescription parse_terrain(std::string_view text, const std::string& name,
             set_by(terrain::mesh_table(), entry, result.meshing);
         } else if (entry.section == "ripples") {
             set_by(terrain::ripples_table(), entry, result.ripples);
+        } else if (entry.section == "trails") {
+            set_by(terrain::trails_table(), entry, result.trails);
+        } else if (entry.section == "tracks") {
+            result.tracks.push_back(track_of(entry));
         } else {
             fail_unknown(entry.key, entry.key_where, sections);
         }
@@ -134,9 +143,14 @@ std::string terrain_toml(const TerrainDescription& terrain)
     }
     std::string look = toml_of(terrain::look_table(), terrain.look);
     text += look.substr(look.find("]\n") + 2);
+    std::string tracks = "\n[tracks]\n";
+    for (const TerrainTrack& track : terrain.tracks) {
+        tracks += fmt::format("{} = \"{}\"\n", track.name, track_text(track));
+    }
     return text + nodes + toml_of(terrain::wind_table(), terrain.wind) +
            toml_of(terrain::mesh_table(), terrain.meshing) +
-           toml_of(terrain::ripples_table(), terrain.ripples);
+           toml_of(terrain::ripples_table(), terrain.ripples) +
+           toml_of(terrain::trails_table(), terrain.trails) + tracks;
 }
 
 } // namespace estampe

@@ -68,4 +68,17 @@ inline const style::Table<TerrainRipples>& ripples_table()
     return table;
 }
 
+inline const style::Table<TerrainTrails>& trails_table()
+{
+    static const auto table =
+        style::Table<TerrainTrails>("trails", "Footprints, and what is dragged over sand")
+            .number("half_life_s", &TerrainTrails::half_life_s, {0.1F, 1e6F}, "s",
+                    "Time after which the wind has filled half of a trail's depth")
+            .number("repose_deg", &TerrainTrails::repose_deg, {5.0F, 80.0F}, "deg",
+                    "Angle beyond which a rim slumps; damp sand stands steeper")
+            .number("extent_m", &TerrainTrails::extent_m, {4.0F, 400.0F}, "m",
+                    "Side of the square before the eye in which trails are seen, in 1,024 texels");
+    return table;
+}
+
 } // namespace estampe::terrain

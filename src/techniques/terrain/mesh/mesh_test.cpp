@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -20,6 +21,20 @@ double area2(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c)
 {
     const glm::dvec2 p(b - a), q(c - a);
     return p.y * q.x - p.x * q.y;
+}
+
+/// A number of an edge that has the other sign the other way round.
+uint64_t signed_hash(const glm::ivec2& from, const glm::ivec2& to)
+{
+    const auto mixed = [](uint64_t bits) {
+        bits = (bits ^ (bits >> 31U)) * 0x9E3779B97F4A7C15U;
+        bits = (bits ^ (bits >> 29U)) * 0xBF58476D1CE4E5B9U;
+        return bits ^ (bits >> 32U);
+    };
+    const auto word = [](const glm::ivec2& p) {
+        return uint64_t{static_cast<uint32_t>(p.x)} << 32U | static_cast<uint32_t>(p.y);
+    };
+    return mixed(word(from) + mixed(word(to))) - mixed(word(to) + mixed(word(from)));
 }
 
 /// Every inner edge has a triangle on either side, corner for corner; what is left is one closed border.
@@ -55,6 +70,44 @@ TEST(Rings, HaveNoCracksWhereverTheEyeIs)
             open += std::abs(sum);
         }
         EXPECT_EQ(open, 4 * 32) << "only the outermost border is open";
+    }
+}
+
+/// The same from ten thousand eyes, by sums: edges that run both ways cancel, so that those of all triangles
+/// come to those of the outermost border. Places are whole numbers of half the finest cell.
+TEST(Rings, HaveNoCracksFromTenThousandEyes)
+{
+    const auto method = mesh_method({.cell_m = 0.25F, .cells = 32, .reach_m = 30.0F});
+    const MeshTopology mesh = method->topology();
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> anywhere(-1e6, 1e6);
+    std::vector<glm::ivec2> places(mesh.vertices.size());
+    for (int camera = 0; camera < 10000; ++camera) {
+        const glm::dvec2 eye(anywhere(random), anywhere(random));
+        const glm::dvec2 anchor = 64.0 * glm::round(eye / 64.0);
+        const auto levels = method->place({.eye_m = eye}, anchor);
+        std::ranges::transform(mesh.vertices, places.begin(), [&](uint32_t vertex) {
+            return glm::ivec2(glm::round(8.0F * vertex_place(vertex, levels)));
+        });
+        uint64_t sum = 0;
+        for (const glm::uvec3& triangle : mesh.triangles) {
+            for (int i = 0; i < 3; ++i) {
+                sum += signed_hash(places[triangle[i]], places[triangle[(i + 1) % 3]]);
+            }
+        }
+        const shared::TerrainLevel& last = levels.back();
+        const glm::ivec2 corner(glm::round(8.0F * last.origin_m));
+        const int cell = static_cast<int>(8.0F * last.cell_m);
+        for (int i = 0; i < 32; ++i) {
+            const auto border = [&](glm::ivec2 from, glm::ivec2 to) {
+                sum -= signed_hash(corner + cell * from, corner + cell * to);
+            };
+            border({i, 32}, {i + 1, 32}); // counter-clockwise from above, where z runs down
+            border({i + 1, 0}, {i, 0});
+            border({0, i}, {0, i + 1});
+            border({32, i + 1}, {32, i});
+        }
+        ASSERT_EQ(sum, 0U) << eye.x << " " << eye.y;
     }
 }
 

@@ -7,6 +7,7 @@
 #include "shaders/camera.glsl"
 #include "shaders/draw_word.glsl"
 #include "shaders/octahedral.glsl"
+#include "techniques/terrain/plane_step.glsl"
 #include "techniques/terrain/ripples/ripples.glsl"
 #include "techniques/terrain/ripples/ripples.glsl.h"
 
@@ -28,19 +29,6 @@ layout(push_constant, scalar) uniform Constants
 
 const vec2 resolved = vec2(0.15, 0.36); // waves a pixel: fewer are drawn whole, more not at all
 const vec2 sliding = vec2(0.35, 0.55);  // slopes: on steeper sand ripples do not last
-
-// From a place of a plane to where it is seen `aside_px` away.
-vec3 step_on_plane(vec2 position_px, float depth, vec3 place, vec3 normal, vec2 aside_px)
-{
-    vec3 there = anchor_at(frame, position_px + aside_px, depth);
-    if (frame.is_orthographic != 0u) {
-        vec3 step = there - place;
-        return step - frame.view_forward * (dot(normal, step) / dot(normal, frame.view_forward));
-    }
-    vec3 ray = there - frame.eye_anchor;
-    float along = dot(normal, place - frame.eye_anchor) / dot(normal, ray);
-    return (along > 0.0 ? along : 1e6) * ray - (place - frame.eye_anchor);
-}
 
 // Waves that a step goes over at most: they do not stand quite across the wind.
 float waves_over(vec3 step_m)
@@ -68,8 +56,9 @@ void main()
     }
     uvec2 packed = imageLoad(normal_image, pixel).xy;
     vec3 smooth_normal = unpack_normal(packed.y);
-    float waves = max(waves_over(step_on_plane(position_px, depth, place, smooth_normal, vec2(1.0, 0.0))),
-                      waves_over(step_on_plane(position_px, depth, place, smooth_normal, vec2(0.0, 1.0))));
+    float waves =
+        max(waves_over(step_on_plane(frame, position_px, depth, place, smooth_normal, vec2(1.0, 0.0))),
+            waves_over(step_on_plane(frame, position_px, depth, place, smooth_normal, vec2(0.0, 1.0))));
     float steepness = length(smooth_normal.xz) / max(smooth_normal.y, 1e-3);
     float height = constants.height_m / constants.wavelength_m;
     height *= 1.0 - smoothstep(resolved.x, resolved.y, waves);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One workgroup presses something into the ground: a bar with round ends, which may be of two sizes. What it
-// displaces becomes a rim around it, spread by weights that are summed first, in one order.
+// displaces becomes a rim around it, spread by weights that are summed first, in one order. What is known
+// from before is pressed into the texels alone that the window has come upon.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -34,10 +35,22 @@ float distance_m(ivec2 texel)
     return distance(place, press.from + share * along) - mix(press.from_radius_m, press.to_radius_m, share);
 }
 
-// Deep but for an edge as steep as sand stands.
+// Deep but for an edge that slants.
 float sole_m(float distance)
 {
-    return -min(press.depth_m, max(-distance, 0.0));
+    return -min(press.depth_m, press.steepness * max(-distance, 0.0));
+}
+
+float height_before(ivec2 texel)
+{
+    bool is_seen = press.is_known == 0u && is_within(press.window, texel);
+    return is_seen ? height_m[kept_at(press.window, texel)] : 0.0;
+}
+
+bool is_pressed(ivec2 texel)
+{
+    return is_within(press.window, texel) &&
+           (press.is_known == 0u || !is_within(press.window, texel + ivec2(press.moved_x, press.moved_y)));
 }
 
 // What is low already takes little.
@@ -59,7 +72,7 @@ void main()
     float weight = 0.0;
     for (uint i = id; i < count; i += threads) {
         ivec2 texel = low + ivec2(int(i) % size.x, int(i) / size.x);
-        float height = height_m[kept_at(press.window, base + texel)];
+        float height = height_before(base + texel);
         float away = distance_m(texel);
         displaced += away < 0.0 ? max(height - sole_m(away), 0.0) : 0.0;
         weight += rim_weight(away, height);
@@ -78,6 +91,9 @@ void main()
     }
     for (uint i = id; i < count; i += threads) {
         ivec2 texel = low + ivec2(int(i) % size.x, int(i) / size.x);
+        if (!is_pressed(base + texel)) {
+            continue;
+        }
         uint at = kept_at(press.window, base + texel);
         float height = height_m[at];
         float away = distance_m(texel);

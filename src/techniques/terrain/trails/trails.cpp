@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "gpu/imports.hpp"
@@ -22,7 +24,9 @@ constexpr uint32_t ticks_a_step = 4;
 constexpr double steps_a_second = 30.0;
 constexpr uint32_t most_steps = 30 * 3600;   ///< at once: an hour
 constexpr uint32_t steps_a_dispatch = 16384; ///< lavapipe stops a thread after 65535 rounds of its loops
-constexpr double farthest_m = 1e12;          ///< from the origin: texels can still be counted
+constexpr int slumps = 8;           ///< steps through which sand slumps after something was pressed in
+constexpr float least_m = 0.001F;   ///< depth that is remembered
+constexpr double farthest_m = 1e12; ///< from the origin: texels can still be counted
 
 std::vector<float> even_ground(uint32_t side, double extent_m)
 {
@@ -31,6 +35,16 @@ std::vector<float> even_ground(uint32_t side, double extent_m)
             "a field of trails has a side of 16 to 1024 texels, a power of two, and an extent");
     }
     return std::vector<float>(static_cast<size_t>(side) * side);
+}
+
+/// Whether all of it lay within the window before that moved.
+bool lay_within(const shared::TrailPress& press, glm::i64vec2 moved, uint32_t side)
+{
+    const glm::i64vec2 base = moved + glm::i64vec2(press.base_x, press.base_y);
+    const glm::i64vec2 low = base + glm::i64vec2(press.low_x, press.low_y);
+    const glm::i64vec2 high = base + glm::i64vec2(press.high_x, press.high_y);
+    return glm::all(glm::greaterThanEqual(low, glm::i64vec2(0))) &&
+           glm::all(glm::lessThan(high, glm::i64vec2(side)));
 }
 
 shared::TrailWindow window_at(uint32_t side, glm::i64vec2 first)
@@ -49,9 +63,11 @@ bool is_usable(const TrailStamp& stamp)
            is_size(stamp.depth_m, 1e-4F) && is_size(stamp.rim_m, 1e-3F);
 }
 
-/// Where a stamp meets a window. Places are counted from a texel of the ground near the stamp, so that they
-/// are the same wherever the window is.
-shared::TrailPress press_of(const TrailStamp& stamp, uint32_t side, double texel_m, glm::i64vec2 first)
+/// Where a stamp meets a window; of one longer than that, as far as a little beyond it. Places are counted
+/// from a texel of the ground near the stamp, so that they are the same wherever the window is. Nothing where
+/// it touches no texel.
+std::optional<shared::TrailPress> press_of(const TrailStamp& stamp, uint32_t side, double texel_m,
+                                           glm::i64vec2 first)
 {
     const glm::i64vec2 base(glm::floor(stamp.from_m / texel_m));
     const glm::dvec2 base_m = (glm::dvec2(base) + 0.5) * texel_m;
@@ -60,28 +76,40 @@ shared::TrailPress press_of(const TrailStamp& stamp, uint32_t side, double texel
     const double reach = static_cast<double>(std::max(stamp.from_radius_m, stamp.to_radius_m) +
                                              std::max(stamp.rim_m, static_cast<float>(2.0 * texel_m)));
     const glm::i64vec2 in_window = base - first;
-    const glm::i64vec2 low =
-        glm::max(glm::i64vec2(glm::floor((glm::min(from, to) - reach) / texel_m)), -in_window);
-    const glm::i64vec2 high = glm::min(glm::i64vec2(glm::ceil((glm::max(from, to) + reach) / texel_m)),
-                                       glm::i64vec2(side) - int64_t{1} - in_window);
-    const bool is_seen = low.x <= high.x && low.y <= high.y;
-    return {.window = window_at(side, first),
-            .base_x = is_seen ? static_cast<int>(in_window.x) : 0,
-            .base_y = is_seen ? static_cast<int>(in_window.y) : 0,
-            .low_x = is_seen ? static_cast<int>(low.x) : 0,
-            .low_y = is_seen ? static_cast<int>(low.y) : 0,
-            .high_x = is_seen ? static_cast<int>(high.x) : -1,
-            .high_y = is_seen ? static_cast<int>(high.y) : -1,
-            .from = glm::vec2(from),
-            .to = glm::vec2(to),
-            .from_radius_m = stamp.from_radius_m,
-            .to_radius_m = stamp.to_radius_m,
-            .depth_m = stamp.depth_m,
-            .rim_m = std::max(stamp.rim_m, static_cast<float>(2.0 * texel_m)),
-            .texel_m = static_cast<float>(texel_m)};
+    const glm::i64vec2 least(glm::floor((glm::min(from, to) - reach) / texel_m));
+    const glm::i64vec2 most(glm::ceil((glm::max(from, to) + reach) / texel_m));
+    const glm::i64vec2 last = glm::i64vec2(side) - int64_t{1} - in_window;
+    if (glm::any(glm::lessThan(most, -in_window)) || glm::any(glm::greaterThan(least, last))) {
+        return std::nullopt;
+    }
+    const auto beyond = static_cast<int64_t>(std::ceil(2.0 * reach / texel_m));
+    const bool is_long = glm::any(glm::greaterThan(most - least, glm::i64vec2(side)));
+    const glm::i64vec2 low = is_long ? glm::max(least, -in_window - beyond) : least;
+    const glm::i64vec2 high = is_long ? glm::min(most, last + beyond) : most;
+    return shared::TrailPress{.window = window_at(side, first),
+                              .base_x = static_cast<int>(in_window.x),
+                              .base_y = static_cast<int>(in_window.y),
+                              .low_x = static_cast<int>(low.x),
+                              .low_y = static_cast<int>(low.y),
+                              .high_x = static_cast<int>(high.x),
+                              .high_y = static_cast<int>(high.y),
+                              .from = glm::vec2(from),
+                              .to = glm::vec2(to),
+                              .from_radius_m = stamp.from_radius_m,
+                              .to_radius_m = stamp.to_radius_m,
+                              .depth_m = stamp.depth_m,
+                              .rim_m = std::max(stamp.rim_m, static_cast<float>(2.0 * texel_m)),
+                              .texel_m = static_cast<float>(texel_m),
+                              .steepness = 1.0F,
+                              .moved_x = 0,
+                              .moved_y = 0,
+                              .is_known = 0};
 }
 
 } // namespace
+} // namespace estampe::terrain
+
+namespace estampe {
 
 TrailStamp TrailStamp::disc(glm::dvec2 place_m, float radius_m, float depth_m)
 {
@@ -111,6 +139,10 @@ TrailStamp TrailStamp::foot(glm::dvec2 place_m, glm::dvec2 towards, float length
             .depth_m = depth_m};
 }
 
+} // namespace estampe
+
+namespace estampe::terrain {
+
 TrailField::TrailField(gpu::Device& device, uint32_t side, double extent_m)
     : heights_(gpu::upload_buffer(device, "trails", even_ground(side, extent_m))), side_(side),
       texel_m_(extent_m / side)
@@ -122,23 +154,84 @@ void TrailField::press(std::span<const TrailStamp> stamps)
     std::copy_if(stamps.begin(), stamps.end(), std::back_inserter(waiting_), is_usable);
 }
 
+void TrailField::remember(const TrailStamp& stamp, double age_s)
+{
+    if (is_usable(stamp) && age_s < static_cast<double>(most_steps) / steps_a_second) {
+        know({.stamp = stamp,
+              .pressed_ticks = now_ticks_ - static_cast<int64_t>(age_s * ticks_a_step * steps_a_second)});
+    }
+}
+
+void TrailField::pass(uint32_t ticks)
+{
+    now_ticks_ += ticks;
+    is_placed_ = false;
+}
+
+void TrailField::know(const Known& known)
+{
+    known_.push_back(known);
+    if (known_.size() > most_known()) {
+        known_.pop_front();
+    }
+}
+
+gpu::BufferId TrailField::add_press(gpu::Graph& graph, const shared::TrailPress& press, gpu::BufferId heights)
+{
+    auto pass = graph.compute("trails/press", shaders::trail_press_comp);
+    heights = pass.modify(heights);
+    pass.push(press).dispatch(1);
+    return heights;
+}
+
 gpu::BufferId TrailField::add_presses(gpu::Graph& graph, gpu::BufferId heights)
 {
     for (uint32_t i = 0; i < most_presses() && !waiting_.empty(); waiting_.pop_front()) {
-        const shared::TrailPress press = press_of(waiting_.front(), side_, texel_m_, first_);
-        if (press.low_x > press.high_x) {
-            continue;
+        know({.stamp = waiting_.front(), .pressed_ticks = now_ticks_});
+        if (const auto press = press_of(waiting_.front(), side_, texel_m_, first_)) {
+            heights = add_press(graph, *press, heights);
+            ++i;
+            slumps_left_ = slumps;
         }
-        auto pass = graph.compute("trails/press", shaders::trail_press_comp);
-        heights = pass.modify(heights);
-        pass.push(press).dispatch(1);
-        ++i;
-        slumps_left_ = -1;
     }
     return heights;
 }
 
-gpu::BufferId TrailField::add_slump(gpu::Graph& graph, const TrailStyle& style, gpu::BufferId heights)
+/// Moves the window's first texel, and presses what is known into those that come in.
+gpu::BufferId TrailField::add_move(gpu::Graph& graph, const TerrainTrails& style, glm::i64vec2 first,
+                                   gpu::BufferId heights)
+{
+    const glm::i64vec2 far(side_);
+    const glm::i64vec2 moved = is_placed_ ? glm::clamp(first - first_, -far, far) : far;
+    const glm::i64vec2 was = first_;
+    first_ = first;
+    if (moved == glm::i64vec2(0)) {
+        return heights;
+    }
+    const bool has_kept_any = std::exchange(is_placed_, true);
+    heights = add_fill(graph, style, moved, 0, heights);
+    for (const Known& known : known_) {
+        const double age_s =
+            static_cast<double>(now_ticks_ - known.pressed_ticks) / (ticks_a_step * steps_a_second);
+        TrailStamp faded = known.stamp;
+        faded.depth_m *= static_cast<float>(std::exp2(-age_s / static_cast<double>(style.half_life_s)));
+        auto press = faded.depth_m < least_m ? std::nullopt : press_of(faded, side_, texel_m_, first_);
+        if (!press || (has_kept_any && lay_within(*press, first_ - was, side_))) {
+            continue;
+        }
+        press->steepness = std::tan(glm::radians(style.repose_deg));
+        press->moved_x = static_cast<int>(moved.x);
+        press->moved_y = static_cast<int>(moved.y);
+        press->is_known = 1;
+        heights = add_press(graph, *press, heights);
+    }
+    for (int i = 0; !has_kept_any && !known_.empty() && i < slumps; ++i) {
+        heights = add_slump(graph, style, heights);
+    }
+    return heights;
+}
+
+gpu::BufferId TrailField::add_slump(gpu::Graph& graph, const TerrainTrails& style, gpu::BufferId heights)
 {
     const double beside_m = texel_m_ * std::tan(glm::radians(static_cast<double>(style.repose_deg)));
     for (uint32_t phase = 0; phase < 4; ++phase) {
@@ -156,7 +249,7 @@ gpu::BufferId TrailField::add_slump(gpu::Graph& graph, const TrailStyle& style, 
     return heights;
 }
 
-gpu::BufferId TrailField::add_fill(gpu::Graph& graph, const TrailStyle& style, glm::i64vec2 moved,
+gpu::BufferId TrailField::add_fill(gpu::Graph& graph, const TerrainTrails& style, glm::i64vec2 moved,
                                    uint32_t steps, gpu::BufferId heights) const
 {
     const auto far = static_cast<int64_t>(side_);
@@ -173,7 +266,7 @@ gpu::BufferId TrailField::add_fill(gpu::Graph& graph, const TrailStyle& style, g
     return heights;
 }
 
-gpu::BufferId TrailField::add_passing_steps(gpu::Graph& graph, const TrailStyle& style, uint32_t steps,
+gpu::BufferId TrailField::add_passing_steps(gpu::Graph& graph, const TerrainTrails& style, uint32_t steps,
                                             gpu::BufferId heights)
 {
     for (; slumps_left_ > 0 && steps > 0; --slumps_left_, --steps) {
@@ -186,23 +279,17 @@ gpu::BufferId TrailField::add_passing_steps(gpu::Graph& graph, const TrailStyle&
     return heights;
 }
 
-TrailImage TrailField::add_step(gpu::Graph& graph, const TrailStyle& style, uint32_t ticks,
+TrailImage TrailField::add_step(gpu::Graph& graph, const TerrainTrails& style, uint32_t ticks,
                                 glm::dvec2 centre_m)
 {
     gpu::BufferId heights = gpu::import_whole(graph, "trails", heights_);
     if (std::isfinite(centre_m.x + centre_m.y)) {
         const glm::dvec2 middle = glm::clamp(centre_m, -farthest_m, farthest_m) / texel_m_;
-        const glm::i64vec2 moved =
-            glm::i64vec2(glm::round(middle)) - static_cast<int64_t>(side_ / 2) - first_;
-        first_ += moved;
-        if (moved != glm::i64vec2(0)) {
-            heights = add_fill(graph, style, moved, 0, heights);
-        }
+        heights = add_move(graph, style, glm::i64vec2(glm::round(middle)) - static_cast<int64_t>(side_ / 2),
+                           heights);
     }
     heights = add_presses(graph, heights);
-    if (slumps_left_ < 0) {
-        slumps_left_ = style.slumps;
-    }
+    now_ticks_ += ticks;
     ticks_ += std::min(ticks, ticks_a_step * most_steps);
     const uint32_t steps = ticks_ / ticks_a_step;
     ticks_ %= ticks_a_step;

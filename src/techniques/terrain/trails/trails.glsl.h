@@ -31,6 +31,10 @@ struct TrailPress {
     float depth_m;
     float rim_m; // width of the rim
     float texel_m;
+    float steepness; // of the sole's edge
+    int moved_x;     // of the window: texels that it has kept are left, if what is pressed is known
+    int moved_y;
+    uint is_known; // pressed in before, on ground that was level
 };
 
 struct TrailSlump {
@@ -52,6 +56,13 @@ struct TrailFill {
 struct TrailImageConstants {
     TrailWindow window;
     uint edge; // texels over which trails fade towards the window's edge
+};
+
+struct TrailRelief {
+    vec2 corner_m; // of the image, from the anchor
+    float texel_m;
+    uint draw;        // whose surface is trodden
+    vec3 towards_sun; // unit; 0: there is none
 };
 
 #ifdef __cplusplus

@@ -9,47 +9,14 @@
 
 #include <glm/glm.hpp>
 
+#include <estampe/trails.hpp>
+
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
-#include "style/parameter.hpp"
+#include "techniques/terrain/trails/track.hpp"
+#include "techniques/terrain/trails/trails.glsl.h"
 
 namespace estampe::terrain {
-
-struct TrailStyle {
-    float half_life_s = 90.0F;
-    float repose_deg = 33.0F;
-    int slumps = 8;
-};
-
-inline const style::Table<TrailStyle>& trail_table()
-{
-    static const auto table =
-        style::Table<TrailStyle>("trails", "Footprints and trails in sand")
-            .number("half_life_s", &TrailStyle::half_life_s, {0.1F, 1e6F}, "s",
-                    "Time after which the wind has filled half of a trail's depth")
-            .number("repose_deg", &TrailStyle::repose_deg, {5.0F, 80.0F}, "deg",
-                    "Angle beyond which a rim slumps; damp sand stands steeper")
-            .integer("slumps", &TrailStyle::slumps, {0, 16}, "",
-                     "Steps of 1/30 s through which sand slumps after something was pressed in");
-    return table;
-}
-
-/// What is pressed into the ground: a bar from one place to another with round ends. Places are x and z of
-/// the world in metres.
-struct TrailStamp {
-    glm::dvec2 from_m{0.0};
-    glm::dvec2 to_m{0.0};
-    float from_radius_m = 0.1F;
-    float to_radius_m = 0.1F;
-    float depth_m = 0.04F; ///< of the sole under level ground; ground that is lower stays
-    float rim_m = 0.08F;   ///< width of the rim around it; its height follows from the sand displaced
-
-    [[nodiscard]] static TrailStamp disc(glm::dvec2 place_m, float radius_m, float depth_m);
-    [[nodiscard]] static TrailStamp drag(glm::dvec2 from_m, glm::dvec2 to_m, float radius_m, float depth_m);
-    /// A shoe so long with its middle at `place_m`, narrower at the heel; `towards` need not be of length 1.
-    [[nodiscard]] static TrailStamp foot(glm::dvec2 place_m, glm::dvec2 towards, float length_m = 0.3F,
-                                         float depth_m = 0.04F);
-};
 
 /// Heights to be added to those of the ground, and where they lie.
 struct TrailImage {
@@ -59,16 +26,24 @@ struct TrailImage {
 };
 
 /// A square window of texels that follows a point by whole texels: those that stay within keep their values
-/// bit for bit, wherever the window goes. Time passes in steps of 1/30 s, so that how it is split among
-/// frames does not matter.
+/// bit for bit, wherever the window goes, and what it comes upon is as it was pressed, as old as it is. Time
+/// passes in steps of 1/30 s, so that how it is split among frames does not matter.
 class TrailField {
 public:
     /// `side` is in texels: a power of two, 16 to 1024; anything else is an std::logic_error.
     TrailField(gpu::Device& device, uint32_t side = 512, double extent_m = 32.0);
 
-    /// Things to press in, one after the other, at the next add_step(). Those that touch nothing of the
-    /// window, are not finite, or are longer than 100 m, are left out.
+    /// Things to press in, one after the other, at the next add_step(). Those that are not finite, or longer
+    /// than 100 m, are left out. The last most_known() are remembered.
     void press(std::span<const TrailStamp> stamps);
+
+    /// Something that was pressed in so long ago, in seconds: seen where the window comes upon it from now
+    /// on.
+    void remember(const TrailStamp& stamp, double age_s);
+
+    /// Lets time pass at once: the next add_step() makes all texels anew, of what is remembered, as old as it
+    /// is then.
+    void pass(uint32_t ticks);
 
     /// Lets `ticks` of 1/120 s pass with the window about `centre_m` (where that is not finite it stays), and
     /// hands out the heights. What waits is pressed in first, at most most_presses() a graph; the rest waits
@@ -76,10 +51,15 @@ public:
     /// outlive their runs. Once a graph. Cost    a dispatch for the image; where steps pass or the window
     /// moves one more, for each stamp one of
     ///         one workgroup, for each step that slumps four of a quarter of the threads
-    [[nodiscard]] TrailImage add_step(gpu::Graph& graph, const TrailStyle& style, uint32_t ticks,
+    [[nodiscard]] TrailImage add_step(gpu::Graph& graph, const TerrainTrails& style, uint32_t ticks,
                                       glm::dvec2 centre_m);
 
     [[nodiscard]] static constexpr uint32_t most_presses() { return 32; }
+
+    [[nodiscard]] static constexpr size_t most_known() { return 4096; }
+
+    /// Whether anything was ever pressed in, or waits to be.
+    [[nodiscard]] bool is_trodden() const { return !known_.empty() || !waiting_.empty(); }
 
     [[nodiscard]] uint32_t side() const { return side_; }
 
@@ -89,20 +69,34 @@ public:
     [[nodiscard]] gpu::Buffer& heights() { return heights_; }
 
 private:
+    struct Known {
+        TrailStamp stamp;
+        int64_t pressed_ticks = 0; ///< on the clock of the field
+    };
+
+    [[nodiscard]] gpu::BufferId add_move(gpu::Graph& graph, const TerrainTrails& style, glm::i64vec2 first,
+                                         gpu::BufferId heights);
     [[nodiscard]] gpu::BufferId add_presses(gpu::Graph& graph, gpu::BufferId heights);
-    [[nodiscard]] gpu::BufferId add_passing_steps(gpu::Graph& graph, const TrailStyle& style, uint32_t steps,
-                                                  gpu::BufferId heights);
-    [[nodiscard]] gpu::BufferId add_slump(gpu::Graph& graph, const TrailStyle& style, gpu::BufferId heights);
-    [[nodiscard]] gpu::BufferId add_fill(gpu::Graph& graph, const TrailStyle& style, glm::i64vec2 moved,
+    [[nodiscard]] static gpu::BufferId add_press(gpu::Graph& graph, const shared::TrailPress& press,
+                                                 gpu::BufferId heights);
+    void know(const Known& known);
+    [[nodiscard]] gpu::BufferId add_passing_steps(gpu::Graph& graph, const TerrainTrails& style,
+                                                  uint32_t steps, gpu::BufferId heights);
+    [[nodiscard]] gpu::BufferId add_slump(gpu::Graph& graph, const TerrainTrails& style,
+                                          gpu::BufferId heights);
+    [[nodiscard]] gpu::BufferId add_fill(gpu::Graph& graph, const TerrainTrails& style, glm::i64vec2 moved,
                                          uint32_t steps, gpu::BufferId heights) const;
 
     gpu::Buffer heights_;
     uint32_t side_;
     double texel_m_;
-    glm::i64vec2 first_{0}; ///< number of the window's first texel on the ground
-    uint32_t ticks_ = 0;    ///< that have passed since the last step
+    glm::i64vec2 first_{0};  ///< number of the window's first texel on the ground
+    bool is_placed_ = false; ///< the window has been somewhere
+    uint32_t ticks_ = 0;     ///< that have passed since the last step
     int slumps_left_ = 0;
     std::deque<TrailStamp> waiting_;
+    std::deque<Known> known_; ///< the oldest first
+    int64_t now_ticks_ = 0;
 };
 
 } // namespace estampe::terrain

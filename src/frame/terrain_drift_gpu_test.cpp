@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Sand in the air and prints in the sand, as pictures show them.
+#include <array>
+
+#include <estampe/error.hpp>
+#include <gtest/gtest.h>
+
+#include "support/gpu_device.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr RenderSettings small{.width = 192, .height = 96};
+
+/// A ridge along z: a gentle rise for 40 m, a brink at x = 0, a slip face.
+Scene ridge(const std::string& rest)
+{
+    Scene scene{.materials = {Material{}}};
+    scene.terrain = Terrain(parse_terrain(
+        "[terrain]\nheight = 'max(0, min(0.2 * (x + 40), 8 - 0.62 * x))'\n[mesh]\ncells = 64\ncell_m = 1\n"
+        "[ripples]\nheight_m = 0\n" +
+            rest,
+        "test.toml"));
+    return scene;
+}
+
+Style plain(const char* setting = nullptr)
+{
+    Style style;
+    for (const char* const each :
+         {"hatch.drawn=false", "contour.drawn=false", "sky.mode=paper", "paper.margin_mm=0", "paper.grain=0",
+          "paper.granulation=0", "haze.mode=none", "paper.ink_break=0", "drift.width_mm=2"}) {
+        style.set(each);
+    }
+    if (setting != nullptr) {
+        style.set(setting);
+    }
+    return style;
+}
+
+/// Along z over the ridge: across the picture lie 48 m, from x = -24 to 24.
+Camera from_the_side(double z_m)
+{
+    Camera camera{.eye = {0.0, 9.0, z_m}, .target = {0.0, 9.0, z_m + 1.0}};
+    camera.orthographic_half_height_m = 12.0;
+    return camera;
+}
+
+double place_of(uint32_t column)
+{
+    return 24.0 - (column + 0.5) * 48.0 / small.width; // +x is to the left of who looks along +z
+}
+
+struct Difference {
+    size_t pixels = 0;
+    double least_x_m = 1e9;
+    double most_x_m = -1e9;
+};
+
+Difference between(const Image& a, const Image& b)
+{
+    Difference result;
+    for (uint32_t i = 0; i < a.width * a.height; ++i) {
+        if (std::abs(a.rgba[4 * i] - b.rgba[4 * i]) > 8) {
+            ++result.pixels;
+            result.least_x_m = std::min(result.least_x_m, place_of(i % a.width));
+            result.most_x_m = std::max(result.most_x_m, place_of(i % a.width));
+        }
+    }
+    return result;
+}
+
+Image drawn(const Scene& scene, const Camera& camera, const Style& style, double time_s = 0.0)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    RenderSettings settings = small;
+    settings.time_s = time_s;
+    return renderer.render(camera, style, settings);
+}
+
+/// Strokes begin at the brink and fly with the wind; there are none where the wind is weak, or blows up the
+/// slip face, or where they are not wanted.
+TEST(Drift, FliesOffTheBrinkWithTheWind)
+{
+    const Scene windy = ridge("[wind]\nspeed_m_s = 9\n");
+    const Image none = drawn(windy, from_the_side(-30.0), plain("drift.mode=none"));
+    const Image with = drawn(windy, from_the_side(-30.0), plain());
+    const Difference sand = between(with, none);
+    EXPECT_GT(sand.pixels, 150U);
+    EXPECT_GT(sand.least_x_m, -3.0);
+    EXPECT_GT(sand.most_x_m, 8.0);
+    EXPECT_TRUE(with == drawn(windy, from_the_side(-30.0), plain()));
+    EXPECT_GT(between(with, drawn(windy, from_the_side(-30.0), plain(), 0.3)).pixels, 100U);
+    const Image still = drawn(ridge("[wind]\nspeed_m_s = 5\n"), from_the_side(-30.0), plain());
+    EXPECT_TRUE(still == none);
+    const Scene wanted = ridge("[wind]\nspeed_m_s = 5\n");
+    EXPECT_GT(between(drawn(wanted, from_the_side(-30.0), plain("drift.mode=drawn")), none).pixels, 100U);
+    const Scene level = [] {
+        Scene scene{.materials = {Material{}}};
+        scene.terrain =
+            Terrain(parse_terrain("[terrain]\nheight = 'x * 0'\n[wind]\nspeed_m_s = 9\n", "level.toml"));
+        return scene;
+    }();
+    EXPECT_TRUE(drawn(level, from_the_side(-30.0), plain()) ==
+                drawn(level, from_the_side(-30.0), plain("drift.mode=none")));
+}
+
+/// What stands before it hides it: from under the slip face, which the eye is in, none is seen.
+TEST(Drift, IsHiddenByWhatStandsBefore)
+{
+    const Scene windy = ridge("[wind]\nspeed_m_s = 9\n");
+    Camera from_windward{.eye = {-60.0, 3.0, 0.0}, .target = {0.0, 3.0, 0.0}};
+    from_windward.orthographic_half_height_m = 2.5; // ground all over: the rise
+    EXPECT_TRUE(drawn(windy, from_windward, plain()) ==
+                drawn(windy, from_windward, plain("drift.mode=none")));
+}
+
+/// Streaks stay where they are when the eye goes by a whole number of cells of their field, and far away.
+TEST(Drift, StaysInItsPlace)
+{
+    const Scene windy = ridge("[wind]\nspeed_m_s = 9\n");
+    const Image here = drawn(windy, from_the_side(-30.0), plain());
+    // An orthographic eye sees the same from farther off, with the field about another place.
+    const Image farther = drawn(windy, from_the_side(-53.0), plain());
+    const Difference between_them = between(here, farther);
+    EXPECT_LT(between_them.pixels,
+              between(here, drawn(windy, from_the_side(-30.0), plain("drift.mode=none"))).pixels / 2);
+}
+
+/// A track of the terrain's file is seen, grows as time goes on, and is filled again by the wind; what a
+/// program presses in is seen beside it.
+TEST(TrailPictures, AreSeenAndFilled)
+{
+    const std::string level = "[terrain]\nheight = 'x * 0'\n[mesh]\ncells = 64\n[ripples]\nheight_m = 0\n"
+                              "[trails]\nhalf_life_s = 20\nextent_m = 24\n";
+    const auto scene_of = [](const std::string& toml) {
+        Scene scene{.materials = {Material{}}};
+        scene.terrain = Terrain(parse_terrain(toml, "test.toml"));
+        return scene;
+    };
+    const Camera camera{.eye = {0.0, 3.0, 0.0}, .target = {6.0, 0.0, 0.0}};
+    Style style = plain("light.source=sun");
+    style.set("light.sun_elevation_deg=20");
+    Renderer& renderer = test::shared_renderer();
+    const auto picture = [&](double time_s) {
+        RenderSettings settings = small;
+        settings.time_s = time_s;
+        return renderer.render(camera, style, settings);
+    };
+    renderer.set_scene(scene_of(level));
+    const Image blank = picture(0.0);
+    renderer.set_scene(scene_of(level + "[tracks]\nwalker = '3,-1 5,1 9,0 start=0 pace=1'\n"));
+    EXPECT_TRUE(picture(-1.0) == blank);
+    std::array<size_t, 4> seen{};
+    for (size_t i = 0; i < seen.size(); ++i) {
+        seen[i] = between(picture(2.0 * static_cast<double>(i) + 1.0), blank).pixels;
+    }
+    EXPECT_GT(seen[0], 10U);
+    EXPECT_GT(seen[1], seen[0]);
+    EXPECT_GT(seen[3], seen[1]);
+    EXPECT_TRUE(picture(400.0) == blank) << "filled";
+    const size_t jumped = between(picture(7.0), blank).pixels;
+    EXPECT_NEAR(static_cast<double>(jumped), static_cast<double>(seen[3]),
+                0.35 * static_cast<double>(seen[3]));
+    renderer.set_scene(scene_of(level));
+    const TrailStamp ball = TrailStamp::disc({6.0, 0.0}, 0.8F, 0.3F);
+    renderer.press({&ball, 1});
+    EXPECT_GT(between(picture(0.0), blank).pixels, 40U);
+    renderer.set_scene(Scene{.materials = {Material{}}});
+    EXPECT_THROW(renderer.press({&ball, 1}), Error);
+}
+
+} // namespace
+} // namespace estampe

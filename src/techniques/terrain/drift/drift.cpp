@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/terrain/drift/drift.hpp"
+
+#include <cmath>
+
+#include "gpu/fills.hpp"
+#include "shaders/drift_ink_comp.hpp"
+#include "shaders/drift_streaks_comp.hpp"
+
+namespace estampe::terrain {
+namespace {
+
+constexpr uint32_t side = 128;
+constexpr double least_wind_m_s = 6.0;
+constexpr double sand_by_wind = 0.6; ///< speed of sand in the air
+constexpr double life_s = static_cast<double>(shared::drift_life_s);
+
+/// Whole cells, which go round beyond what an integer holds.
+uint32_t wrapped(double whole)
+{
+    return static_cast<uint32_t>(static_cast<int64_t>(std::fmod(whole, 4294967296.0)));
+}
+
+} // namespace
+
+std::optional<DriftPlan> drift_at(const TerrainWind& wind, const DriftStyle& style, const DriftView& view)
+{
+    const auto speed_m_s = static_cast<double>(wind.speed_m_s);
+    const bool blows = style.mode == DriftMode::drawn
+                           ? speed_m_s > 0.0
+                           : style.mode == DriftMode::automatic && speed_m_s >= least_wind_m_s;
+    if (!blows || style.amount <= 0.0F) {
+        return std::nullopt;
+    }
+    const double cell_m = 2.0 * static_cast<double>(style.reach_m) / side;
+    const glm::dvec2 first = glm::round(view.eye_m / cell_m) - 0.5 * side;
+    const glm::vec2 corner_m(first * cell_m - view.anchor_m);
+    const double lives = view.time_s / life_s;
+    const double direction_rad = glm::radians(static_cast<double>(wind.direction_deg));
+    return DriftPlan{
+        .streaks = {.corner_m = corner_m,
+                    .cell_m = static_cast<float>(cell_m),
+                    .side = side,
+                    .first_x = wrapped(first.x),
+                    .first_y = wrapped(first.y),
+                    .wind = glm::vec2(std::cos(direction_rad), std::sin(direction_rad)),
+                    .speed_m_s = static_cast<float>(sand_by_wind * speed_m_s),
+                    .life = wrapped(std::floor(lives)),
+                    .life_share = static_cast<float>(lives - std::floor(lives)),
+                    .length_m = style.length_m,
+                    .lift_m = style.lift_m,
+                    .reach_m = style.reach_m,
+                    .half_width_px = 0.5F * style.width_mm * view.pixels_per_mm,
+                    .amount = style.amount},
+        .field = {.origin_m = corner_m, .texel_m = static_cast<float>(cell_m), .size = glm::uvec2(side)}};
+}
+
+gpu::ImageId add_drift(gpu::Graph& graph, const DriftInputs& in, const shared::DriftConstants& streaks,
+                       const glm::vec3& ink, gpu::ImageId lines)
+{
+    const gpu::BufferId blank = gpu::add_zeros(graph, "drift", uint64_t{4} * in.size_px.x * in.size_px.y);
+    auto drawing = graph.compute("drift/streaks", shaders::drift_streaks_comp);
+    drawing.uniform(in.frame).sample(in.heights, gpu::Sampling::linear).sample(in.depth);
+    const gpu::BufferId drawn = drawing.modify(blank);
+    drawing.push(streaks).dispatch_items(streaks.side * streaks.side * shared::drift_streaks_a_cell);
+
+    auto pass = graph.compute("drift/ink", shaders::drift_ink_comp);
+    pass.read(drawn);
+    const gpu::ImageId over = pass.modify(lines);
+    pass.push(shared::DriftInk{.ink = ink, .size_px = in.size_px}).dispatch_over(in.size_px.x, in.size_px.y);
+    return over;
+}
+
+} // namespace estampe::terrain

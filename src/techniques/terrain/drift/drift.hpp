@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Sand that the wind blows off the crests of dunes, as strokes.
+
+#include <optional>
+
+#include <estampe/terrain.hpp>
+
+#include "gpu/graph/graph.hpp"
+#include "style/parameter.hpp"
+#include "techniques/terrain/drift/drift.glsl.h"
+#include "techniques/terrain/mesh/terrain_mesh.glsl.h"
+
+namespace estampe::terrain {
+
+enum class DriftMode : uint8_t { automatic, drawn, none };
+
+struct DriftStyle {
+    DriftMode mode = DriftMode::automatic;
+    float amount = 0.8F;
+    float length_m = 5.0F;
+    float lift_m = 1.8F;
+    float width_mm = 0.22F;
+    float reach_m = 150.0F;
+    glm::vec3 ink = style::srgb(0x2a2320);
+};
+
+inline const style::Table<DriftStyle>& drift_table()
+{
+    static const auto table =
+        style::Table<DriftStyle>("drift", "Sand that the wind blows off the crests of a terrain")
+            .choice("mode", &DriftStyle::mode,
+                    {{"auto", DriftMode::automatic}, {"drawn", DriftMode::drawn}, {"none", DriftMode::none}},
+                    "Drawn, none, or (auto) drawn where the terrain's wind is of 6 m/s or more")
+            .number("amount", &DriftStyle::amount, {0.0F, 1.0F}, "", "How much of it")
+            .number("length_m", &DriftStyle::length_m, {0.05F, 20.0F}, "m", "Of a usual stroke")
+            .number("lift_m", &DriftStyle::lift_m, {0.0F, 20.0F}, "m", "How high it rises at most")
+            .number("width_mm", &DriftStyle::width_mm, {0.05F, 5.0F}, "mm", "Of a stroke in its middle")
+            .number("reach_m", &DriftStyle::reach_m, {5.0F, 1000.0F}, "m", "How far it is drawn")
+            .color("ink", &DriftStyle::ink, "Colour of the strokes");
+    return table;
+}
+
+/// The drift of a picture: what its streaks have in common, and the field of heights they need.
+struct DriftPlan {
+    shared::DriftConstants streaks;
+    shared::TerrainFieldConstants field;
+};
+
+struct DriftView {
+    glm::dvec2 eye_m{0.0};
+    glm::dvec2 anchor_m{0.0};
+    double time_s = 0.0;
+    float pixels_per_mm = 1.0F;
+};
+
+/// Nothing where no sand is drawn.
+[[nodiscard]] std::optional<DriftPlan> drift_at(const TerrainWind& wind, const DriftStyle& style,
+                                                const DriftView& view);
+
+struct DriftInputs {
+    gpu::BufferId frame;  ///< FrameGlobals
+    gpu::ImageId heights; ///< r32f, of the plan's field
+    gpu::ImageId depth;   ///< r32f: reversed, 0 where nothing is
+    glm::uvec2 size_px{0};
+};
+
+/// Draws streaks over `lines`, a layer as of contours: square root of linear colour, coverage in alpha.
+///
+/// Cost    one thread a streak there might be (100,000), one full-screen dispatch
+[[nodiscard]] gpu::ImageId add_drift(gpu::Graph& graph, const DriftInputs& in,
+                                     const shared::DriftConstants& streaks, const glm::vec3& ink,
+                                     gpu::ImageId lines);
+
+} // namespace estampe::terrain

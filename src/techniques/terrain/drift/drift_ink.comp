@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// One thread puts the streaks at one pixel over the lines there: where both are the darker stands.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/terrain/drift/drift.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) readonly buffer Ink
+{
+    uint ink_at[];
+};
+
+layout(binding = 1, rgba8) uniform image2D line_image; // square root of linear colour; coverage
+
+layout(push_constant, scalar) uniform Constants
+{
+    DriftInk drift;
+};
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), drift.size_px))) {
+        return;
+    }
+    float ink = float(ink_at[uint(pixel.y) * drift.size_px.x + uint(pixel.x)]) / 255.0;
+    vec4 before = imageLoad(line_image, pixel);
+    if (ink > before.a) {
+        imageStore(line_image, pixel, vec4(sqrt(drift.ink), ink));
+    }
+}
