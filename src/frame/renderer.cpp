@@ -166,6 +166,11 @@ void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& 
                              glm::dvec2(camera.eye.x, camera.eye.z) + share_ahead *
                                                                           loaded->trodden->extent_m() *
                                                                           glm::dvec2(view.x, view.z) / level);
+    while (loaded->trodden->is_behind()) {
+        gpu::Graph graph;
+        loaded->trodden->add_catching_up(graph);
+        executor.run(graph);
+    }
     // What poses the rest writes over all.
     loaded->terrain_moved = loaded->terrain_moved || has_moved || loaded->pose_moved;
 }

@@ -576,9 +576,14 @@ Real4 row_noise(int cell, Real t, int row, uint seed)
     return Real4(a + (b - a) * weight, (b - a) * slope, (b - a) * bend, Real(0));
 }
 
+// Before a rise the ground falls as that of a dune of this share of the usual height, at least: so that it is
+// lower by the width of a foot, a twentieth of the height, this share of the rise before it.
+const Real least_dune = Real(0.25);
+const Real before_rise = Real(0.29);
+
 // One dune of a train, `row`: a rise of `windward_m` to the brink, then sand at its angle of repose. Below 0
-// where it is not.
-Real4 one_dune(Place p, int row, uint first, Real spacing_m)
+// where it is not; by `foot_m` where it is far.
+Real4 one_dune(Place p, int row, uint first, Real foot_m, Real spacing_m)
 {
     uint seed = uint(height_number(first));
     Real height_m = height_number(first + 1u);
@@ -592,14 +597,19 @@ Real4 one_dune(Place p, int row, uint first, Real spacing_m)
     // Where the brink runs, in wavelengths, and how high it is.
     Real4 shift = row_noise(p.cell_v, p.v.x, ridge, seed) * meander;
     Real4 brink = dual_chain(p.v, Real(row) + shift.x, shift.y);
-    Real4 spread = row_noise(p.cell_v, p.v.x, ridge, seed + 1u);
-    Real4 crest = dual_chain(p.v, height_m * (Real(1) + variation * (spread.x - Real(0.4))),
-                             height_m * variation * spread.y);
     Real4 behind_m = (p.u - brink) * wavelength_m;
     // A meandering brink is nearer than along the wind.
     Real tilt = shift.y * wavelength_m / crest_m;
-    Real tilt_slope = shift.z * wavelength_m / crest_m;
     Real stretch = sqrt(Real(1) + tilt * tilt);
+    Real highest_m = height_m * (Real(1) + Real(0.6) * variation);
+    if (behind_m.x <= -windward_m * (Real(1) + before_rise) ||
+        behind_m.x * repose >= (highest_m + foot_m) * stretch) {
+        return dual(-foot_m);
+    }
+    Real4 spread = row_noise(p.cell_v, p.v.x, ridge, seed + 1u);
+    Real4 crest = dual_chain(p.v, height_m * (Real(1) + variation * (spread.x - Real(0.4))),
+                             height_m * variation * spread.y);
+    Real tilt_slope = shift.z * wavelength_m / crest_m;
     Real4 straight = dual_chain(p.v, Real(1) / stretch, -tilt * tilt_slope / (stretch * stretch * stretch));
     Real4 lee = crest - dual_mul(behind_m, straight) * repose;
     Real4 climb = dual(Real(1)) + behind_m * (Real(1) / windward_m);
@@ -608,6 +618,7 @@ Real4 one_dune(Place p, int row, uint first, Real spacing_m)
                             climb.x * (Real(4.8) - Real(4.2) * climb.x));
     if (climb.x <= Real(0)) {
         rise = dual_chain(climb, Real(-2.4) * climb.x * climb.x, Real(-4.8) * climb.x);
+        crest = dual_max(crest, dual(least_dune * height_m));
     }
     if (climb.x >= Real(1)) {
         rise = dual(Real(1));
@@ -635,9 +646,10 @@ Real4 leaf_dunes(Place p, uint first, Real spacing_m)
                (height_number(first + 3u) * height_number(first + 2u));
     Real meander = height_number(first + 5u);
     int first_row = -int(real_floor(lee + meander));
-    int last_row = int(real_floor(Real(1) + height_number(first + 4u) / height_number(first + 2u) + meander));
+    Real reach_m = height_number(first + 4u) * (Real(1) + before_rise);
+    int last_row = int(real_floor(Real(1) + reach_m / height_number(first + 2u) + meander));
     for (int row = first_row; row <= last_row; ++row) {
-        height = dual_smooth_max(height, one_dune(p, row, first, spacing_m), foot_m);
+        height = dual_smooth_max(height, one_dune(p, row, first, foot_m, spacing_m), foot_m);
     }
     return height * shown;
 }

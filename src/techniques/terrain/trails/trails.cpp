@@ -197,38 +197,65 @@ gpu::BufferId TrailField::add_presses(gpu::Graph& graph, gpu::BufferId heights)
     return heights;
 }
 
-/// Moves the window's first texel, and presses what is known into those that come in.
-gpu::BufferId TrailField::add_move(gpu::Graph& graph, const TerrainTrails& style, glm::i64vec2 first,
-                                   gpu::BufferId heights)
+void TrailField::go_to(const TerrainTrails& style, glm::dvec2 centre_m)
 {
-    const glm::i64vec2 far(side_);
-    const glm::i64vec2 moved = is_placed_ ? glm::clamp(first - first_, -far, far) : far;
-    const glm::i64vec2 was = first_;
-    first_ = first;
-    if (moved == glm::i64vec2(0)) {
-        return heights;
+    if (!std::isfinite(centre_m.x + centre_m.y)) {
+        return;
     }
-    const bool has_kept_any = std::exchange(is_placed_, true);
-    heights = add_fill(graph, style, moved, 0, heights);
+    const glm::dvec2 middle = glm::clamp(centre_m, -farthest_m, farthest_m) / texel_m_;
+    const glm::i64vec2 first = glm::i64vec2(glm::round(middle)) - static_cast<int64_t>(side_ / 2);
+    if (is_placed_ && first == first_) {
+        return;
+    }
+    // What has not arrived yet is found again.
+    const bool is_whole = !std::exchange(is_placed_, true) || !arriving_.empty();
+    const glm::i64vec2 far(side_);
+    const glm::i64vec2 moved = is_whole ? far : glm::clamp(first - first_ + moved_, -far, far);
+    arriving_.clear();
+    is_arriving_whole_ = is_whole;
+    moved_ = moved;
+    first_ = first;
     for (const Known& known : known_) {
         const double age_s =
             static_cast<double>(now_ticks_ - known.pressed_ticks) / (ticks_a_step * steps_a_second);
         TrailStamp faded = known.stamp;
         faded.depth_m *= static_cast<float>(std::exp2(-age_s / static_cast<double>(style.half_life_s)));
         auto press = faded.depth_m < least_m ? std::nullopt : press_of(faded, side_, texel_m_, first_);
-        if (!press || (has_kept_any && lay_within(*press, first_ - was, side_))) {
+        if (!press || (!is_whole && lay_within(*press, moved, side_))) {
             continue;
         }
         press->steepness = std::tan(glm::radians(style.repose_deg));
         press->moved_x = static_cast<int>(moved.x);
         press->moved_y = static_cast<int>(moved.y);
         press->is_known = 1;
-        heights = add_press(graph, *press, heights);
+        arriving_.push_back(*press);
     }
-    for (int i = 0; !has_kept_any && !known_.empty() && i < slumps; ++i) {
-        heights = add_slump(graph, style, heights);
+}
+
+/// Makes the texels that have come in even, and presses into them what is known.
+gpu::BufferId TrailField::add_arriving(gpu::Graph& graph, const TerrainTrails& style, size_t most,
+                                       gpu::BufferId heights)
+{
+    if (moved_ != glm::i64vec2(0)) {
+        heights = add_fill(graph, style, std::exchange(moved_, glm::i64vec2(0)), 0, heights);
+    }
+    for (size_t i = 0; i < most && !arriving_.empty(); ++i) {
+        heights = add_press(graph, arriving_.front(), heights);
+        arriving_.pop_front();
+    }
+    if (arriving_.empty() && std::exchange(is_arriving_whole_, false) && !known_.empty()) {
+        for (int i = 0; i < slumps; ++i) {
+            heights = add_slump(graph, style, heights);
+        }
     }
     return heights;
+}
+
+void TrailField::add_catching_up(gpu::Graph& graph, const TerrainTrails& style)
+{
+    const gpu::BufferId heights =
+        add_arriving(graph, style, 4 * most_presses(), gpu::import_whole(graph, "trails", heights_));
+    graph.custom("trails").touch(heights, gpu::Access::compute_storage_read).keep();
 }
 
 gpu::BufferId TrailField::add_slump(gpu::Graph& graph, const TerrainTrails& style, gpu::BufferId heights)
@@ -283,11 +310,9 @@ TrailImage TrailField::add_step(gpu::Graph& graph, const TerrainTrails& style, u
                                 glm::dvec2 centre_m)
 {
     gpu::BufferId heights = gpu::import_whole(graph, "trails", heights_);
-    if (std::isfinite(centre_m.x + centre_m.y)) {
-        const glm::dvec2 middle = glm::clamp(centre_m, -farthest_m, farthest_m) / texel_m_;
-        heights = add_move(graph, style, glm::i64vec2(glm::round(middle)) - static_cast<int64_t>(side_ / 2),
-                           heights);
-    }
+    go_to(style, centre_m);
+    heights = add_arriving(graph, style, arriving_.size(), heights);
+
     heights = add_presses(graph, heights);
     now_ticks_ += ticks;
     ticks_ += std::min(ticks, ticks_a_step * most_steps);

@@ -45,6 +45,15 @@ public:
     /// is then.
     void pass(uint32_t ticks);
 
+    /// Takes the window about a place; where that is not finite it stays.
+    void go_to(const TerrainTrails& style, glm::dvec2 centre_m);
+
+    /// Whether more of what is remembered comes into the window than one step takes: then graphs with
+    /// add_catching_up() alone are to be run first.
+    [[nodiscard]] bool is_behind() const { return arriving_.size() > most_presses(); }
+
+    void add_catching_up(gpu::Graph& graph, const TerrainTrails& style);
+
     /// Lets `ticks` of 1/120 s pass with the window about `centre_m` (where that is not finite it stays), and
     /// hands out the heights. What waits is pressed in first, at most most_presses() a graph; the rest waits
     /// on. The graph must be run, and graphs in the order in which they were given to the field, which must
@@ -74,8 +83,8 @@ private:
         int64_t pressed_ticks = 0; ///< on the clock of the field
     };
 
-    [[nodiscard]] gpu::BufferId add_move(gpu::Graph& graph, const TerrainTrails& style, glm::i64vec2 first,
-                                         gpu::BufferId heights);
+    [[nodiscard]] gpu::BufferId add_arriving(gpu::Graph& graph, const TerrainTrails& style, size_t most,
+                                             gpu::BufferId heights);
     [[nodiscard]] gpu::BufferId add_presses(gpu::Graph& graph, gpu::BufferId heights);
     [[nodiscard]] static gpu::BufferId add_press(gpu::Graph& graph, const shared::TrailPress& press,
                                                  gpu::BufferId heights);
@@ -95,7 +104,10 @@ private:
     uint32_t ticks_ = 0;     ///< that have passed since the last step
     int slumps_left_ = 0;
     std::deque<TrailStamp> waiting_;
-    std::deque<Known> known_; ///< the oldest first
+    std::deque<Known> known_;        ///< the oldest first
+    glm::i64vec2 moved_{0};          ///< texels that the window has moved by, which are yet to be made even
+    bool is_arriving_whole_ = false; ///< all texels are
+    std::deque<shared::TrailPress> arriving_; ///< what of the known lies in them
     int64_t now_ticks_ = 0;
 };
 

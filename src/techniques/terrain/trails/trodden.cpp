@@ -72,6 +72,7 @@ void TroddenSand::prepare(gpu::Device& device, double time_s, glm::dvec2 centre_
     moment_s_ = time_s;
     field_->press(pressed_);
     pressed_.clear();
+    field_->go_to(trails_, centre_m);
 }
 
 /// Presses in what tracks do until a moment; after a jump, as it is seen by then.

@@ -28,6 +28,11 @@ public:
     /// all else. `centre_m` is where trails are to be seen about.
     void prepare(gpu::Device& device, double time_s, glm::dvec2 centre_m);
 
+    /// See TrailField::is_behind().
+    [[nodiscard]] bool is_behind() const { return field_ && field_->is_behind(); }
+
+    void add_catching_up(gpu::Graph& graph) { field_->add_catching_up(graph, trails_); }
+
     /// What add_step() gives; nothing where nobody has walked. Once a graph.
     [[nodiscard]] std::optional<TrailImage> add_image(gpu::Graph& graph);
 
