@@ -92,6 +92,7 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
                                       .values = marks,
                                       .sizes_are_new = true,
                                       .value_capacity = words,
+                                      .is_spread = !in.on_processor,
                                       .constants = {.fixed_count = words,
                                                     .count_of = shared::no_list,
                                                     .total_to = shared::list_segments,
@@ -115,7 +116,8 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                        .meetings = has_lines(style, shared::line_intersection) && mesh.shell_count > 1,
                        .sun = {},
                        .step_px = in.line_step_px,
-                       .size_px = in.size_px};
+                       .size_px = in.size_px,
+                       .on_processor = in.on_processor};
     if (in.sun) {
         inputs.sun = SunPixels{.share = *in.sun, .draw = in.draw, .depth = in.depth, .normal = in.normal};
     }
@@ -211,6 +213,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
                                      {.sizes = marks.sizes,
                                       .values = points_of_slot,
                                       .value_capacity = slots_most,
+                                      .is_spread = !in.on_processor,
                                       .constants = {.fixed_count = 0,
                                                     .count_of = shared::list_slots,
                                                     .total_to = shared::list_points,

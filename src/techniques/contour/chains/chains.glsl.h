@@ -186,6 +186,9 @@ struct ListSize {
     uint groups_z;
 };
 
+// Stretches that a list is summed up in where workgroups run side by side; as many as one has threads.
+SHARED_CONSTANT uint scan_parts = 256U;
+
 struct ScanConstants {
     uint fixed_count; // how many values there are
     uint count_of;    // and the list that brings more, or no_list

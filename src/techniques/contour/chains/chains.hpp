@@ -36,6 +36,7 @@ struct ChainSamples {
     gpu::BufferId samples;  ///< LineSample
     gpu::BufferId states;   ///< each sample
     gpu::BufferId rotation; ///< each slot: where a closed chain is cut open
+    bool on_processor = false;
 };
 
 /// What of them is drawn together: where each stroke starts and ends.
@@ -81,6 +82,7 @@ struct ChainInputs {
     std::optional<SunPixels> sun; ///< edges of its shadow are wanted
     float step_px = 3.0F;         ///< between samples, about
     glm::uvec2 size_px{0};
+    bool on_processor = false; ///< the device is no GPU
 };
 
 /// What of a frame's inputs lines are strung together from.

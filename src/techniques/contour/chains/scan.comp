@@ -33,6 +33,8 @@ layout(push_constant, scalar) uniform Constants
     ScanConstants constants;
 };
 
+#include "techniques/contour/chains/list_total.glsl"
+
 shared uint sums[THREADS];
 
 uint value_at(uint i)
@@ -69,13 +71,6 @@ void main()
     }
     if (thread == THREADS - 1u) {
         before[count] = running;
-        uint kept = min(running, constants.capacity);
-        if (constants.total_to != no_list) {
-            sizes[constants.total_to] = ListSize(kept, (kept + 63u) / 64u, 1u, 1u);
-        }
-        if (constants.slots_before != no_list) {
-            uint slots = constants.slots_before + kept;
-            sizes[list_slots] = ListSize(slots, (slots + 63u) / 64u, 1u, 1u);
-        }
+        write_total(running);
     }
 }

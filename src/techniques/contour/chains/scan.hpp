@@ -13,6 +13,7 @@ struct ScanInputs {
     gpu::BufferId values;
     bool sizes_are_new = false; ///< nothing has been written there yet
     uint32_t value_capacity = 0;
+    bool is_spread = false; ///< over many workgroups: a GPU's run side by side
     shared::ScanConstants constants;
 };
 
@@ -21,7 +22,7 @@ struct Scanned {
     gpu::BufferId before; ///< sum of all values before each; the total at the end
 };
 
-/// Sums up a list whose length only the device knows. Cost: one workgroup.
+/// Sums up a list whose length only the device knows. Cost: one workgroup, or twice as many as scan_parts.
 [[nodiscard]] Scanned add_scan(gpu::Graph& graph, const std::string& name, const ScanInputs& in);
 
 /// Where the size of a list, as the arguments of a dispatch, lies in `sizes`.

@@ -60,6 +60,7 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
                                      {.sizes = chains.sizes,
                                       .values = chains.lengths,
                                       .value_capacity = constants.point_capacity,
+                                      .is_spread = !in.on_processor,
                                       .constants = scan_of(shared::list_points, shared::no_list, 0)});
 
     auto divide = graph.compute("contour/divide", shaders::divide_comp);
@@ -75,6 +76,7 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
                  {.sizes = lengths.sizes,
                   .values = samples_of_slot,
                   .value_capacity = slots_most,
+                  .is_spread = !in.on_processor,
                   .constants = scan_of(shared::list_slots, shared::list_samples, samples_most)});
 
     const uint64_t per_sample = indirect_offset(shared::list_samples);
@@ -103,7 +105,8 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
             .flags_of_slot = chains.flags_of_slot,
             .samples = samples,
             .states = states,
-            .rotation = rotation};
+            .rotation = rotation,
+            .on_processor = in.on_processor};
 }
 
 ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferId grid, glm::uvec2 size_px,
@@ -127,6 +130,7 @@ ChainStrokes add_strokes(gpu::Graph& graph, const ChainSamples& in, gpu::BufferI
                  {.sizes = in.sizes,
                   .values = starts,
                   .value_capacity = samples_most,
+                  .is_spread = !in.on_processor,
                   .constants = scan_of(shared::list_samples, shared::list_strokes, samples_most)});
 
     auto bounds = graph.compute("contour/strokes", shaders::strokes_comp);

@@ -139,7 +139,7 @@ std::vector<shared::TerrainLevel> Rings::place(const EyePlace& eye, const glm::d
         const glm::dvec2 shift = glm::floor(eye_cells) - 2.0 * glm::floor(0.5 * eye_cells);
         const bool is_last = level + 1 == levels_;
         const double fade_to = is_last ? std::numeric_limits<float>::max() : 0.5 * cells_ - 2.0;
-        const double fade_from = is_last ? fade_to : 0.9 * fade_to;
+        const double fade_from = is_last ? fade_to : 0.95 * fade_to;
         result.push_back({.origin_m = glm::vec2(origin * cell_m - anchor_m),
                           .eye_cells = glm::vec2(eye_cells - origin),
                           .cell_m = static_cast<float>(cell_m),
