@@ -179,7 +179,9 @@ bool TerrainBuffers::prepare(gpu::Device& device, const TerrainMoment& moment)
     keeps_before_ = moment.before_s.has_value();
     globals_ = mapped_buffer(device, "terrain", std::vector{globals});
     levels_ = mapped_buffer(device, "terrain levels", levels);
-    words_ = mapped_buffer(device, "terrain program", program.words);
+    std::vector<uint32_t> uniform_words = program.words;
+    uniform_words.resize(shared::height_words_most);
+    words_ = mapped_buffer(device, "terrain program", uniform_words);
     form_ += program.words == words_now_ ? 0 : 1;
     words_now_ = std::move(program.words);
     levels_now_ = levels;
@@ -218,7 +220,7 @@ TerrainBuffers::Posed TerrainBuffers::add_vertices(gpu::Graph& graph, const Pose
     pass.uniform(gpu::import_whole(graph, "terrain", globals_))
         .read(gpu::import_whole(graph, "terrain levels", levels_))
         .read(gpu::import_whole(graph, "terrain vertices", vertices_))
-        .read(gpu::import_whole(graph, "terrain program", words_))
+        .uniform(gpu::import_whole(graph, "terrain program", words_))
         .sample(texels, gpu::Format::r32f);
     const Posed posed{.vertices = pass.modify(meshes.vertices),
                       .before = pass.modify(meshes.before),
@@ -235,7 +237,7 @@ gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const shared::Terrai
 {
     auto pass = graph.compute("terrain/heights", shader(Task::heights));
     pass.uniform(gpu::import_whole(graph, "terrain", globals_))
-        .read(gpu::import_whole(graph, "terrain program", words_))
+        .uniform(gpu::import_whole(graph, "terrain program", words_))
         .sample(texels, gpu::Format::r32f);
     const gpu::ImageId height = pass.write(graph.image(
         "terrain/heights", {.width = field.size.x, .height = field.size.y, .format = gpu::Format::r32f}));

@@ -543,8 +543,11 @@ private:
         if (!is_new) {
             return found->second;
         }
-        if (program_.instructions.size() >= most_instructions) {
-            throw Error(fmt::format("the graph takes more than {} operations", most_instructions),
+        const size_t words = shared::height_words_a_place * program_.places.size() +
+                             program_.parameters.size() + 4 * (program_.instructions.size() + 1);
+        if (program_.instructions.size() >= most_instructions || words > shared::height_words_most) {
+            throw Error(fmt::format("the graph takes more than {} operations, or {} numbers",
+                                    most_instructions, shared::height_words_most),
                         node_->where, "make it simpler");
         }
         instruction.target = found->second;

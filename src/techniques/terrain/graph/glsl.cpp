@@ -130,7 +130,9 @@ std::vector<uint32_t> spirv_of(const std::string& text, const std::string& name)
 
 std::string height_glsl(const Program& program)
 {
-    std::string text = "vec4 height_at(vec2 local_m, float spacing_m)\n{\n    vec4 r0";
+    std::string text = fmt::format("uint first_parameter()\n{{\n    return {}u;\n}}\n\n",
+                                   shared::height_words_a_place * program.places.size());
+    text += "vec4 height_at(vec2 local_m, float spacing_m)\n{\n    vec4 r0";
     for (uint32_t i = 1; i < shared::height_register_count; ++i) {
         text += fmt::format(", r{}", i);
     }

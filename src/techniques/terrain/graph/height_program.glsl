@@ -13,9 +13,18 @@
 #define Real2 vec2
 #define Real4 vec4
 
+#ifdef ESTAMPE_HEIGHT_PROGRAM_IS_WRITTEN
+uint first_parameter(); // a constant, so that all words are read at places known ahead
+#else
+uint first_parameter()
+{
+    return terrain.first_parameter;
+}
+#endif
+
 Real height_number(uint index)
 {
-    return uintBitsToFloat(words[terrain.first_parameter + index]);
+    return uintBitsToFloat(words[first_parameter() + index]);
 }
 
 Real height_place(uint index)

@@ -68,7 +68,7 @@ struct Program {
 
 /// A place as height_math.glsl reads it, sixteen words, of which two are whole numbers.
 struct PlaceWords {
-    std::array<double, 16> numbers{};
+    std::array<double, shared::height_words_a_place> numbers{};
     std::array<int32_t, 2> cells{};
 };
 

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "techniques/terrain/graph/program.glsl.h"
 #include "techniques/terrain/mesh/terrain_mesh.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -13,9 +14,9 @@ layout(scalar, binding = 0) uniform Terrain
     TerrainGlobals terrain;
 };
 
-layout(scalar, binding = 1) readonly buffer Words
+layout(scalar, binding = 1) uniform Words
 {
-    uint words[]; // places, parameters, instructions
+    uint words[height_words_most]; // places, parameters, instructions
 };
 
 layout(binding = 2) uniform samplerBuffer texels;

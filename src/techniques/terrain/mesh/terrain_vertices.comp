@@ -8,6 +8,7 @@
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
 #include "shaders/rounds.glsl"
+#include "techniques/terrain/graph/program.glsl.h"
 #include "techniques/terrain/mesh/terrain_mesh.glsl.h"
 
 layout(local_size_x = 64) in;
@@ -27,9 +28,9 @@ layout(scalar, binding = 2) readonly buffer Vertices
     uint vertices[];
 };
 
-layout(scalar, binding = 3) readonly buffer Words
+layout(scalar, binding = 3) uniform Words
 {
-    uint words[]; // places, parameters, instructions
+    uint words[height_words_most]; // places, parameters, instructions
 };
 
 layout(binding = 4) uniform samplerBuffer texels;
