@@ -17,6 +17,7 @@ namespace estampe::viewer {
 namespace {
 
 constexpr float panel_points = 350.0F;
+constexpr float ground_points = 480.0F; ///< heights are long lines
 constexpr float bar_points = 34.0F;
 
 const char* title_of(PanelTab tab)
@@ -26,6 +27,8 @@ const char* title_of(PanelTab tab)
         return "Style";
     case PanelTab::light:
         return "Light";
+    case PanelTab::ground:
+        return "Ground";
     case PanelTab::layers:
         return "Layers";
     case PanelTab::views:
@@ -132,7 +135,8 @@ Area picture_area(const Studio& studio, float content_scale)
     if (studio.shows_bars) {
         area.height -= std::round(bar_points * content_scale);
         if (studio.shows_panel) {
-            area.width -= std::min(std::round(panel_points * content_scale), 0.6F * size.x);
+            const float points = studio.tab == PanelTab::ground ? ground_points : panel_points;
+            area.width -= std::min(std::round(points * content_scale), 0.6F * size.x);
         }
     }
     area.width = std::max(std::floor(area.width), 1.0F);
@@ -288,11 +292,15 @@ void show_panel(Studio& studio, const PanelRequests& requests, float content_sca
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     if (ImGui::BeginTabBar("tabs")) {
-        for (const PanelTab tab :
-             {PanelTab::style, PanelTab::light, PanelTab::layers, PanelTab::views, PanelTab::timings}) {
+        for (const PanelTab tab : {PanelTab::style, PanelTab::light, PanelTab::ground, PanelTab::layers,
+                                   PanelTab::views, PanelTab::timings}) {
             const bool is_chosen = studio.wants_tab && studio.tab == tab;
-            if (ImGui::BeginTabItem(title_of(tab), nullptr,
-                                    is_chosen ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None)) {
+            const ImVec2 padding = ImGui::GetStyle().FramePadding;
+            ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.6F * padding.x, padding.y}); // all are read
+            const bool is_open = ImGui::BeginTabItem(
+                title_of(tab), nullptr, is_chosen ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
+            ImGui::PopStyleVar();
+            if (is_open) {
                 if (!studio.wants_tab || is_chosen) {
                     studio.tab = tab;
                     studio.wants_tab = false;
@@ -304,6 +312,9 @@ void show_panel(Studio& studio, const PanelRequests& requests, float content_sca
                     break;
                 case PanelTab::light:
                     show_light_tab(studio);
+                    break;
+                case PanelTab::ground:
+                    show_ground_tab(studio, requests);
                     break;
                 case PanelTab::layers:
                     show_layers_tab(studio);
