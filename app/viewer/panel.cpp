@@ -115,6 +115,19 @@ void show_save_field(Studio& studio)
     ImGui::EndPopup();
 }
 
+/// Begins tabs so close together that all names are to be read.
+template <typename Begin>
+bool narrowly(const Begin& begin)
+{
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const ImVec2 spacing = ImGui::GetStyle().ItemInnerSpacing;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.6F * padding.x, padding.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.3F * spacing.x, spacing.y});
+    const bool is_open = begin();
+    ImGui::PopStyleVar(2);
+    return is_open;
+}
+
 /// A layer that a parameter turns off by another value than a toggle's: it comes back as it is in the base.
 template <typename T>
 void show_layer(Studio& studio, const char* name, T& value, const T& base, const T& off, const T& usual)
@@ -291,16 +304,15 @@ void show_panel(Studio& studio, const PanelRequests& requests, float content_sca
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    if (ImGui::BeginTabBar("tabs")) {
+    if (narrowly([] { return ImGui::BeginTabBar("tabs"); })) {
         for (const PanelTab tab : {PanelTab::style, PanelTab::light, PanelTab::ground, PanelTab::layers,
                                    PanelTab::views, PanelTab::timings}) {
             const bool is_chosen = studio.wants_tab && studio.tab == tab;
-            const ImVec2 padding = ImGui::GetStyle().FramePadding;
-            ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.6F * padding.x, padding.y}); // all are read
-            const bool is_open = ImGui::BeginTabItem(
-                title_of(tab), nullptr, is_chosen ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
-            ImGui::PopStyleVar();
-            if (is_open) {
+            if (narrowly([&] {
+                    return ImGui::BeginTabItem(title_of(tab), nullptr,
+                                               is_chosen ? ImGuiTabItemFlags_SetSelected
+                                                         : ImGuiTabItemFlags_None);
+                })) {
                 if (!studio.wants_tab || is_chosen) {
                     studio.tab = tab;
                     studio.wants_tab = false;

@@ -28,15 +28,13 @@ bool is_wide(const style::Range& range)
            range.maximum > 5.0F;
 }
 
-std::string digits_of(const Parameter& parameter)
+/// As many digits as steps of the slider are fine: of a wide one where it stands.
+std::string digits_of(const Parameter& parameter, float number)
 {
-    const float width = parameter.range.maximum - parameter.range.minimum;
-    return fmt::format("%.{}f{}",
-                       width > 500.0F  ? 1
-                       : width > 50.0F ? 1
-                       : width > 5.0F  ? 2
-                                       : 3,
-                       parameter.unit.empty() ? "" : " " + parameter.unit);
+    const float width =
+        is_wide(parameter.range) ? 10.0F * number : parameter.range.maximum - parameter.range.minimum;
+    const int digits = width > 50.0F ? 1 : width > 5.0F ? 2 : 3;
+    return fmt::format("%.{}f{}", digits, parameter.unit.empty() ? "" : " " + parameter.unit);
 }
 
 bool edit_number(const Parameter& parameter, Value& value)
@@ -44,8 +42,9 @@ bool edit_number(const Parameter& parameter, Value& value)
     float number = std::get<float>(value);
     const int flags =
         slider_flags | (is_wide(parameter.range) ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-    const bool changed = ImGui::SliderFloat("##value", &number, parameter.range.minimum,
-                                            parameter.range.maximum, digits_of(parameter).c_str(), flags);
+    const bool changed =
+        ImGui::SliderFloat("##value", &number, parameter.range.minimum, parameter.range.maximum,
+                           digits_of(parameter, number).c_str(), flags);
     value = number;
     return changed && std::isfinite(number);
 }
@@ -148,7 +147,8 @@ void show_help(const std::string& name, const Parameter& parameter)
 std::string label_of(const Parameter& parameter)
 {
     std::string label = parameter.key;
-    const std::string ending = "_" + parameter.unit;
+    std::string ending = "_" + parameter.unit;
+    std::ranges::replace(ending, '/', '_');
     if (!parameter.unit.empty() && label.ends_with(ending)) {
         label.resize(label.size() - ending.size());
     }
