@@ -168,8 +168,8 @@ void TerrainEdit::finish_change()
     if (holds_settings_) {
         take_draft();
     }
-    if (!problem_ && terrain_toml(draft_) != terrain_toml(history_.now())) {
-        history_.push(draft_);
+    if (terrain_toml(terrain_.description()) != terrain_toml(history_.now())) {
+        history_.push(terrain_.description());
     }
 }
 

@@ -42,7 +42,8 @@ public:
     /// Whether it is another than the file's.
     [[nodiscard]] bool is_changed() const;
 
-    // Changes count at once where they make sense; finish_change() makes a step of them that can be undone.
+    // Changes count at once where they make sense; finish_change() makes a step of the last that did, which
+    // can be undone.
 
     void set_expression(size_t node, const std::string& expression);
     /// Every node that asks for it asks by the new name. "height" keeps its own, and no other gets it.

@@ -96,10 +96,14 @@ TEST(TerrainEdit, ChangesAreUndoneStepByStep)
     it.edit->add_node();
     ASSERT_EQ(it.edit->draft().nodes.size(), 2U);
     EXPECT_EQ(it.edit->draft().nodes[1].name, "part1");
-    it.edit->set_expression(0, "part1 +");
+    it.edit->set_expression(0, "part1 + 5");
+    it.edit->set_expression(0, "part1 + 5 +");
     ASSERT_TRUE(it.edit->problem());
+    it.edit->finish_change();
     it.edit->undo(); // what makes no sense
     EXPECT_FALSE(it.edit->problem());
+    EXPECT_EQ(it.height(), 5.0);
+    it.edit->undo();
     EXPECT_EQ(it.height(), 123.0);
     it.edit->undo();
     EXPECT_EQ(it.edit->draft().nodes.size(), 1U);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -107,6 +108,14 @@ public:
         }
     }
 
+    /// Another key for the same value, in the same section.
+    void rename(const std::string& name, const std::string& key)
+    {
+        std::string& line = lines_.at(places_.at(name).line);
+        const size_t from = line.find_first_not_of(" \t");
+        line.replace(from, line.find('=') - from, key + " ");
+    }
+
     void remove(const std::string& name) { removed_.push_back(places_.at(name).line); }
 
     [[nodiscard]] std::string text() const
@@ -159,15 +168,20 @@ std::optional<std::string> changed_text(const std::string& before, const Values&
     try {
         const Values held = values_of(parse_terrain(before, "terrain"));
         Lines lines(before);
+        Values gone;
+        std::ranges::copy_if(held, std::back_inserter(gone),
+                             [&](const auto& entry) { return !value_of(wanted, entry.first); });
         for (const auto& [name, value] : wanted) {
-            if (value_of(held, name) != value) {
+            const auto known_as = std::ranges::find(gone, value, &Values::value_type::second);
+            if (!value_of(held, name) && known_as != gone.end()) {
+                lines.rename(known_as->first, name.substr(name.find('.') + 1));
+                gone.erase(known_as);
+            } else if (value_of(held, name) != value) {
                 lines.set(name, value);
             }
         }
-        for (const auto& [name, value] : held) {
-            if (!value_of(wanted, name)) {
-                lines.remove(name);
-            }
+        for (const auto& [name, value] : gone) {
+            lines.remove(name);
         }
         std::string text = lines.text();
         const bool is_as_wanted = sorted(values_of(parse_terrain(text, "terrain"))) == sorted(wanted);

@@ -71,6 +71,16 @@ TEST(TerrainText, NodesComeAndGo)
               replaced(commented, "small = 2\n", "crest = \"3\"\n") + "\n[ripples]\nheight_m = 0\n");
 }
 
+TEST(TerrainText, ANodeOfAnotherNameStaysInItsLine)
+{
+    const TerrainText text = changed(commented, [](TerrainDescription& terrain) {
+        terrain.nodes[0].expression = "rise + 'small'";
+        terrain.nodes[1].name = "rise";
+    });
+    EXPECT_EQ(text.text, replaced(replaced(commented, "swell = '6", "rise = '6"), "\"swell + 'small'\"",
+                                  "\"rise + 'small'\""));
+}
+
 TEST(TerrainText, WhatIsNoLineOfItsOwnIsWrittenAnew)
 {
     const std::string many = "[terrain]\nheight = \"\"\"\n2 +\n3\"\"\" # five\n";
