@@ -70,6 +70,8 @@ private:
     /// Lifts or lowers what stands on the terrain when that has changed below it.
     void stand_on_terrain();
     void raise_camera(double rise_m);
+    /// Out of a ground that has risen about it.
+    void unbury_camera();
     void ask_for_pictures();
     void request(size_t slot, const Sight& sight, bool is_moving);
     [[nodiscard]] Sight sight() const;

@@ -54,17 +54,22 @@ void Viewer::send_terrain()
     }
     if (studio_.terrain->revision() != terrain_sent_) {
         terrain_sent_ = studio_.terrain->revision();
-        const Terrain& terrain = studio_.terrain->terrain();
-        pictures_->set_terrain(terrain);
-        // Nobody is buried.
-        constexpr double least_m = 0.5;
-        const glm::dvec3& eye = studio_.rig.camera().eye;
-        const double height_m = terrain.sample(eye.x, eye.z, studio_.time.time_s).height_m;
-        raise_camera(std::max(height_m + least_m - eye.y, 0.0));
+        pictures_->set_terrain(studio_.terrain->terrain());
+        if (studio_.file->scene.meshes.empty()) {
+            unbury_camera();
+        }
     }
     if (!studio_.file->scene.meshes.empty() && !ImGui::IsAnyItemActive()) {
         stand_on_terrain();
     }
+}
+
+void Viewer::unbury_camera()
+{
+    constexpr double least_m = 0.5;
+    const glm::dvec3& eye = studio_.rig.camera().eye;
+    const double height_m = studio_.terrain->terrain().sample(eye.x, eye.z, studio_.time.time_s).height_m;
+    raise_camera(std::max(height_m + least_m - eye.y, 0.0));
 }
 
 void Viewer::stand_on_terrain()
