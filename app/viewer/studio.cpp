@@ -107,6 +107,10 @@ void Studio::toggle_comparison()
 
 void Studio::save_terrain(const std::string& path)
 {
+    if (terrain->problem()) {
+        say(Message::Kind::note, "saved", "not saved: " + terrain->problem()->text);
+        return;
+    }
     attempt("terrain file", [&] {
         const bool keeps_comments = terrain->save(path);
         say(Message::Kind::note, "saved",

@@ -78,7 +78,7 @@ red="$(convert wrong.png -crop 320x20+440+144 +repage -fill black +opaque 'srgb(
 [[ $red -gt 2000 ]] || wrong "what is wrong is not red: $red pixels"
 cp sea.toml before.toml
 xdotool key ctrl+s
-sleep 0.5
+sleep 5.5 # what is said of it goes
 cmp -s sea.toml before.toml || wrong "what makes no sense was saved"
 
 # It is undone, then what made sense; and both are done again.
