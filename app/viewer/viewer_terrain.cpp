@@ -108,6 +108,7 @@ void Viewer::look_at_terrain()
         return;
     }
     report("terrain changed: " + changed.front().string());
+    frames_to_paint_ = std::max(frames_to_paint_, 1); // what was wrong with it may be said no more
     studio_.attempt("terrain file", [&] {
         const bool is_text =
             std::ranges::find(changed, std::filesystem::path(terrain.name())) != changed.end();

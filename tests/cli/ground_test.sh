@@ -69,7 +69,7 @@ sed 's/celerity = 0.5)/& * 2/' sea.toml >higher.toml
 shows higher.toml
 
 # What makes no sense is said in red, and the last good ground stays. It cannot be saved.
-type_text ' + fmb(3)'
+type_text '+ fmb(3)'
 sleep 0.3
 shot wrong
 same drawn wrong "$picture"
@@ -133,13 +133,15 @@ click 640 258
 click 560 303
 sed 's/^cells = /method = "grid"\n&/' sea.toml >grid.toml
 shows grid.toml
+click 352 68
+shows sea.toml
 
 # Time goes on, and with it the dunes.
 xdotool mousemove --window "$window" 160 300
 shot before
 skip
 xdotool key space
-for ((i = 0; i < 3; ++i)); do
+for ((i = 0; i < 10; ++i)); do
     await 'picture 0'
 done
 skip
