@@ -204,8 +204,12 @@ void show_functions()
     }
     ImGui::TextWrapped(
         "Numbers, names of parts, x and z in metres, time in seconds, wind in metres a second, "
-        "pi, and:");
+        "pi, brackets, + - * / ^, and:");
     for (const terrain::NodeKind& kind : terrain::node_kinds()) {
+        const bool is_sign = kind.name.size() == 1;
+        if (is_sign) {
+            continue;
+        }
         ImGui::Spacing();
         ImGui::TextWrapped("%s", terrain::signature(kind).c_str());
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));

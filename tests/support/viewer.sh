@@ -1,4 +1,4 @@
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2154 # folder and estampe are the test's
 # SPDX-License-Identifier: MIT
 # A window of the viewer on a virtual display, for tests that play the person before it. To be sourced after harness.sh,
 # in the folder of the test, with `estampe` set.
