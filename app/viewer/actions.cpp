@@ -91,10 +91,10 @@ bool Viewer::act_on_look(Action action)
     };
     switch (action) {
     case Action::undo:
-        studio_.look.undo();
+        studio_.is_at_terrain() ? studio_.terrain->undo() : studio_.look.undo();
         return true;
     case Action::redo:
-        studio_.look.redo();
+        studio_.is_at_terrain() ? studio_.terrain->redo() : studio_.look.redo();
         return true;
     case Action::style_back:
         studio_.step_preset(-1);
@@ -110,6 +110,10 @@ bool Viewer::act_on_look(Action action)
         studio_.wants_search = true;
         return true;
     case Action::save_style:
+        if (studio_.is_at_terrain()) {
+            studio_.save_terrain(studio_.terrain->name());
+            return true;
+        }
         open_tab(PanelTab::style);
         studio_.wants_save = true;
         return true;

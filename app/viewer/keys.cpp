@@ -17,7 +17,7 @@ constexpr std::array pointer_keys{
     KeyHelp{Action::none, 0, 0, "Shift+drag, middle drag", "shift the view"},
     KeyHelp{Action::none, 0, 0, "Wheel, right drag", "nearer and farther"},
     KeyHelp{Action::none, 0, 0, "L+drag", "turn the sun"},
-    KeyHelp{Action::none, 0, 0, "Files dropped", "a scene, a style, a folder or file of a tonal art map"}};
+    KeyHelp{Action::none, 0, 0, "Files dropped", "a scene, a style, a terrain, a tonal art map"}};
 
 constexpr std::array camera_keys{
     KeyHelp{Action::orbit, 'o', letter, "O", "orbit: go around the model"},
@@ -36,11 +36,13 @@ constexpr std::array camera_keys{
     KeyHelp{Action::bookmark_on, GLFW_KEY_PAGE_DOWN, 0, "Page down", "the next bookmark"}};
 
 constexpr std::array style_keys{
-    KeyHelp{Action::toggle_panel, GLFW_KEY_TAB, 0, "Tab", "panel of style, light, layers, views, timings"},
+    KeyHelp{Action::toggle_panel, GLFW_KEY_TAB, 0, "Tab",
+            "panel of style, light, ground, layers, views, timings"},
     KeyHelp{Action::search, GLFW_KEY_F, GLFW_MOD_CONTROL, "Ctrl+F", "search the style"},
     KeyHelp{Action::undo, GLFW_KEY_Z, GLFW_MOD_CONTROL, "Ctrl+Z", "undo"},
     KeyHelp{Action::redo, GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT, "Ctrl+Shift+Z", "redo"},
-    KeyHelp{Action::save_style, GLFW_KEY_S, GLFW_MOD_CONTROL, "Ctrl+S", "save the style"},
+    KeyHelp{Action::save_style, GLFW_KEY_S, GLFW_MOD_CONTROL, "Ctrl+S",
+            "save the style; in the tab of the ground, that"},
     KeyHelp{Action::style_back, '[', letter, "[", "the preset before"},
     KeyHelp{Action::style_on, ']', letter, "]", "the next preset"},
     KeyHelp{Action::compare, 'b', letter, "B", "compare with the style as it is now, and back"}};

@@ -50,15 +50,20 @@ void show_timeline(Studio& studio, const PanelRequests& requests, float width)
     ImGui::SameLine();
     auto moment = static_cast<float>(time.time_s);
     ImGui::SetNextItemWidth(width);
-    const std::string shown = fmt::format("%.2f of {:.2f} s", time.length_s);
-    if (ImGui::SliderFloat("##time", &moment, 0.0F, static_cast<float>(time.length_s), shown.c_str(),
-                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
+    const std::string shown = time.is_endless ? "%.2f s" : fmt::format("%.2f of {:.2f} s", time.length_s);
+    constexpr float s_a_pixel = 0.05F;
+    constexpr auto flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+    if (time.is_endless ? ImGui::DragFloat("##time", &moment, s_a_pixel, 0.0F, 1e9F, shown.c_str(), flags)
+                        : ImGui::SliderFloat("##time", &moment, 0.0F, static_cast<float>(time.length_s),
+                                             shown.c_str(), flags)) {
         time.seek(moment);
         time.is_playing = false;
     }
     ImGui::SameLine();
-    ImGui::Checkbox("loop", &time.loops);
-    ImGui::SameLine();
+    if (!time.is_endless) {
+        ImGui::Checkbox("loop", &time.loops);
+        ImGui::SameLine();
+    }
     auto speed = static_cast<float>(time.speed);
     ImGui::SetNextItemWidth(5.5F * line);
     if (ImGui::SliderFloat("##speed", &speed, 0.1F, 4.0F, "%.2f x",

@@ -17,6 +17,7 @@ namespace estampe::viewer {
 namespace {
 
 constexpr float panel_points = 350.0F;
+constexpr float ground_points = 480.0F; ///< heights are long lines
 constexpr float bar_points = 34.0F;
 
 const char* title_of(PanelTab tab)
@@ -26,6 +27,8 @@ const char* title_of(PanelTab tab)
         return "Style";
     case PanelTab::light:
         return "Light";
+    case PanelTab::ground:
+        return "Ground";
     case PanelTab::layers:
         return "Layers";
     case PanelTab::views:
@@ -112,6 +115,19 @@ void show_save_field(Studio& studio)
     ImGui::EndPopup();
 }
 
+/// Begins tabs so close together that all names are to be read.
+template <typename Begin>
+bool narrowly(const Begin& begin)
+{
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const ImVec2 spacing = ImGui::GetStyle().ItemInnerSpacing;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.6F * padding.x, padding.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.3F * spacing.x, spacing.y});
+    const bool is_open = begin();
+    ImGui::PopStyleVar(2);
+    return is_open;
+}
+
 /// A layer that a parameter turns off by another value than a toggle's: it comes back as it is in the base.
 template <typename T>
 void show_layer(Studio& studio, const char* name, T& value, const T& base, const T& off, const T& usual)
@@ -132,7 +148,8 @@ Area picture_area(const Studio& studio, float content_scale)
     if (studio.shows_bars) {
         area.height -= std::round(bar_points * content_scale);
         if (studio.shows_panel) {
-            area.width -= std::min(std::round(panel_points * content_scale), 0.6F * size.x);
+            const float points = studio.tab == PanelTab::ground ? ground_points : panel_points;
+            area.width -= std::min(std::round(points * content_scale), 0.6F * size.x);
         }
     }
     area.width = std::max(std::floor(area.width), 1.0F);
@@ -287,12 +304,15 @@ void show_panel(Studio& studio, const PanelRequests& requests, float content_sca
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    if (ImGui::BeginTabBar("tabs")) {
-        for (const PanelTab tab :
-             {PanelTab::style, PanelTab::light, PanelTab::layers, PanelTab::views, PanelTab::timings}) {
+    if (narrowly([] { return ImGui::BeginTabBar("tabs"); })) {
+        for (const PanelTab tab : {PanelTab::style, PanelTab::light, PanelTab::ground, PanelTab::layers,
+                                   PanelTab::views, PanelTab::timings}) {
             const bool is_chosen = studio.wants_tab && studio.tab == tab;
-            if (ImGui::BeginTabItem(title_of(tab), nullptr,
-                                    is_chosen ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None)) {
+            if (narrowly([&] {
+                    return ImGui::BeginTabItem(title_of(tab), nullptr,
+                                               is_chosen ? ImGuiTabItemFlags_SetSelected
+                                                         : ImGuiTabItemFlags_None);
+                })) {
                 if (!studio.wants_tab || is_chosen) {
                     studio.tab = tab;
                     studio.wants_tab = false;
@@ -304,6 +324,9 @@ void show_panel(Studio& studio, const PanelRequests& requests, float content_sca
                     break;
                 case PanelTab::light:
                     show_light_tab(studio);
+                    break;
+                case PanelTab::ground:
+                    show_ground_tab(studio, requests);
                     break;
                 case PanelTab::layers:
                     show_layers_tab(studio);

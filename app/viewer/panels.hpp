@@ -38,6 +38,7 @@ void show_keys(Studio& studio, const Area& area, float content_scale);
 // The tabs of the panel.
 void show_style_tab(Studio& studio, const PanelRequests& requests);
 void show_light_tab(Studio& studio);
+void show_ground_tab(Studio& studio, const PanelRequests& requests);
 void show_layers_tab(Studio& studio);
 void show_views_tab(Studio& studio);
 void show_timings_tab(Studio& studio);

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Controls for the parameters of a style, made from their descriptions.
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include "frame/style_tables.hpp"
 #include "style/raw.hpp"
 #include "viewer/panels.hpp"
+#include "viewer/parameter_row.hpp"
 #include "viewer/parameter_search.hpp"
 
 namespace estampe::viewer {
@@ -19,144 +17,6 @@ namespace {
 using style::Kind;
 using style::Parameter;
 using style::Value;
-
-constexpr int slider_flags = ImGuiSliderFlags_AlwaysClamp;
-
-/// Wide ranges that begin near nothing are for steps of ten, not of one.
-bool is_wide(const style::Range& range)
-{
-    constexpr float wide = 200.0F;
-    return range.minimum >= 0.0F && range.maximum > wide * std::max(range.minimum, 0.01F) &&
-           range.maximum > 5.0F;
-}
-
-std::string digits_of(const Parameter& parameter)
-{
-    const float width = parameter.range.maximum - parameter.range.minimum;
-    return fmt::format("%.{}f{}",
-                       width > 500.0F  ? 1
-                       : width > 50.0F ? 1
-                       : width > 5.0F  ? 2
-                                       : 3,
-                       parameter.unit.empty() ? "" : " " + parameter.unit);
-}
-
-bool edit_number(const Parameter& parameter, Value& value)
-{
-    float number = std::get<float>(value);
-    const int flags =
-        slider_flags | (is_wide(parameter.range) ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-    const bool changed = ImGui::SliderFloat("##value", &number, parameter.range.minimum,
-                                            parameter.range.maximum, digits_of(parameter).c_str(), flags);
-    value = number;
-    return changed && std::isfinite(number);
-}
-
-bool edit_integer(const Parameter& parameter, Value& value)
-{
-    auto number = static_cast<int>(std::get<int64_t>(value));
-    const std::string format = "%d" + (parameter.unit.empty() ? "" : " " + parameter.unit);
-    const auto least = static_cast<int>(parameter.integers.minimum);
-    const auto most = static_cast<int>(parameter.integers.maximum);
-    const bool changed = ImGui::SliderInt("##value", &number, least, most, format.c_str(), slider_flags);
-    value = int64_t{number};
-    return changed;
-}
-
-bool edit_color(Value& value)
-{
-    const glm::dvec3 srgb = style::srgb_from_linear(std::get<glm::vec3>(value));
-    std::array<float, 3> parts{static_cast<float>(srgb.x), static_cast<float>(srgb.y),
-                               static_cast<float>(srgb.z)};
-    const bool changed = ImGui::ColorEdit3("##value", parts.data(),
-                                           ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel);
-    if (changed) {
-        // As --set has it: eight bits a channel.
-        const auto byte = [](float part) {
-            return static_cast<uint32_t>(std::lround(std::clamp(part, 0.0F, 1.0F) * 255.0F));
-        };
-        value = style::srgb(byte(parts[0]) << 16U | byte(parts[1]) << 8U | byte(parts[2]));
-    }
-    return changed;
-}
-
-bool edit_choice(const Parameter& parameter, Value& value)
-{
-    const std::string shown = std::get<std::string>(value);
-    bool changed = false;
-    if (ImGui::BeginCombo("##value", shown.c_str())) {
-        for (const std::string& choice : parameter.choices) {
-            if (ImGui::Selectable(choice.c_str(), choice == shown)) {
-                value = choice;
-                changed = choice != shown;
-            }
-        }
-        ImGui::EndCombo();
-    }
-    return changed;
-}
-
-/// Words and files count once they are typed to their end.
-bool edit_text(const Parameter& parameter, Value& value)
-{
-    const std::string held = std::get<std::string>(value);
-    std::string text = held;
-    const char* hint = parameter.kind == Kind::file ? "file" : "";
-    if (ImGui::InputTextWithHint("##value", hint, &text, ImGuiInputTextFlags_EnterReturnsTrue)) {
-        value = text;
-        return text != held;
-    }
-    return false;
-}
-
-bool edit(const Parameter& parameter, Value& value)
-{
-    switch (parameter.kind) {
-    case Kind::number:
-        return edit_number(parameter, value);
-    case Kind::integer:
-        return edit_integer(parameter, value);
-    case Kind::toggle: {
-        bool on = std::get<bool>(value);
-        const bool changed = ImGui::Checkbox("##value", &on);
-        value = on;
-        return changed;
-    }
-    case Kind::color:
-        return edit_color(value);
-    case Kind::choice:
-        return edit_choice(parameter, value);
-    case Kind::text:
-    case Kind::file:
-        return edit_text(parameter, value);
-    }
-    return false;
-}
-
-void show_help(const std::string& name, const Parameter& parameter)
-{
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26.0F);
-    ImGui::TextUnformatted(name.c_str());
-    ImGui::TextUnformatted(parameter.help.c_str());
-    const std::string facts = fmt::format("{}; {} by itself", style::allowed(parameter),
-                                          style::format_value(parameter.default_value));
-    ImGui::TextDisabled("%s", facts.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-}
-
-/// "width_mm" as "width".
-std::string label_of(const Parameter& parameter)
-{
-    std::string label = parameter.key;
-    const std::string ending = "_" + parameter.unit;
-    if (!parameter.unit.empty() && label.ends_with(ending)) {
-        label.resize(label.size() - ending.size());
-    }
-    std::ranges::replace(label, '_', ' ');
-    return label;
-}
 
 void set_value(Studio& studio, const std::string& section, const Parameter& parameter, void* values,
                const Value& value)
@@ -172,47 +32,18 @@ void set_value(Studio& studio, const std::string& section, const Parameter& para
     studio.settle("style");
 }
 
-/// One line. `base` are the values to go back to.
+/// `base` are the values to go back to.
 void show_row(Studio& studio, const style::Sheet::Section& section, const Parameter& parameter,
               const void* base)
 {
-    const std::string name = section.name + "." + parameter.key;
-    const float line = ImGui::GetFontSize();
-    const float width = ImGui::GetContentRegionAvail().x;
-    const Value base_value = parameter.get(base);
-    Value value = parameter.get(section.values);
-    const bool differs = value != base_value;
-    ImGui::PushID(name.c_str());
-    ImGui::AlignTextToFramePadding();
-    const std::string label = label_of(parameter);
-    ImGui::TextUnformatted(label.c_str());
-    if (ImGui::IsItemHovered()) {
-        show_help(name, parameter);
+    const RowEdit edit =
+        show_parameter_row(section.name, parameter, parameter.get(section.values), parameter.get(base));
+    if (edit.value) {
+        set_value(studio, section.name, parameter, section.values, *edit.value);
     }
-    ImGui::SameLine(0.42F * width);
-    ImGui::SetNextItemWidth(0.58F * width - 1.9F * line);
-    const bool is_changed = edit(parameter, value);
-    if (is_changed) {
-        set_value(studio, section.name, parameter, section.values, value);
-    }
-    const bool is_picked = parameter.kind == Kind::toggle || parameter.kind == Kind::choice;
-    if (ImGui::IsItemDeactivatedAfterEdit() || (is_changed && is_picked)) {
+    if (edit.is_finished) {
         studio.look.finish_change_if_any(); // of a drag once, at its end
     }
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-        show_help(name, parameter);
-    }
-    if (differs) {
-        ImGui::SameLine(width - 1.5F * line);
-        if (ImGui::Button("\u21ba", {1.5F * line, 0.0F})) {
-            parameter.set(section.values, base_value);
-            studio.look.finish_change();
-        }
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("back to %s", style::format_value(base_value).c_str());
-        }
-    }
-    ImGui::PopID();
 }
 
 bool is_wanted(std::span<const char* const> sections, const std::string& name)

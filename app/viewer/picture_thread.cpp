@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/picture_thread.hpp"
 
+#include <chrono>
 #include <utility>
 
 #include <estampe/error.hpp>
@@ -30,7 +31,15 @@ void PictureThread::set_scene(std::shared_ptr<const LoadedFile> file)
 {
     const std::lock_guard lock(guard_);
     next_scene_ = std::move(file);
+    next_terrain_.reset();
     requests_ = {}; // of the scene before
+    changed_.notify_all();
+}
+
+void PictureThread::set_terrain(const Terrain& terrain)
+{
+    const std::lock_guard lock(guard_);
+    next_terrain_ = terrain;
     changed_.notify_all();
 }
 
@@ -90,6 +99,11 @@ void PictureThread::work_on(Renderer& renderer)
             lock.unlock();
             take_scene(renderer, file);
             lock.lock();
+        } else if (next_terrain_) {
+            const Terrain terrain = *std::exchange(next_terrain_, std::nullopt);
+            lock.unlock();
+            take_terrain(renderer, terrain);
+            lock.lock();
         } else if (job_) {
             lock.unlock();
             do_step(renderer);
@@ -102,10 +116,26 @@ void PictureThread::work_on(Renderer& renderer)
             draw_picture(renderer, slot, request);
             lock.lock();
         } else {
-            changed_.wait(lock);
+            wait(renderer, lock);
         }
     }
     job_.reset();
+}
+
+void PictureThread::wait(Renderer& renderer, std::unique_lock<std::mutex>& lock)
+{
+    if (!is_compiling_) {
+        changed_.wait(lock);
+        return;
+    }
+    constexpr std::chrono::milliseconds between_looks(20);
+    changed_.wait_for(lock, between_looks);
+    lock.unlock();
+    if (!renderer.is_terrain_compiling()) {
+        is_compiling_ = false;
+        tell(TerrainTaken{.is_compiled = true});
+    }
+    lock.lock();
 }
 
 void PictureThread::take_scene(Renderer& renderer, const std::shared_ptr<const LoadedFile>& file)
@@ -114,12 +144,29 @@ void PictureThread::take_scene(Renderer& renderer, const std::shared_ptr<const L
     try {
         app::set_scene(renderer, file->scene, file->draw);
         scene_ = file;
+        terrain_.reset();
+        is_compiling_ = false;
         tell(SceneTaken{file});
     } catch (const std::exception& problem) {
         tell(Failure{Failure::Of::scene, problem.what()});
         if (scene_) {
             app::set_scene(renderer, scene_->scene, scene_->draw);
         }
+        if (terrain_) {
+            renderer.set_terrain(*terrain_);
+        }
+    }
+}
+
+void PictureThread::take_terrain(Renderer& renderer, const Terrain& terrain)
+{
+    try {
+        renderer.set_terrain(terrain, true);
+        terrain_ = terrain;
+        is_compiling_ = renderer.is_terrain_compiling();
+        tell(TerrainTaken{});
+    } catch (const std::exception& problem) {
+        tell(Failure{Failure::Of::terrain, problem.what()});
     }
 }
 
@@ -168,6 +215,10 @@ void PictureThread::do_step(Renderer& renderer)
     bool goes_on = false;
     film_size_px_ = glm::uvec2(0);
     try {
+        if (std::exchange(is_compiling_, false)) {
+            renderer.set_terrain(*terrain_); // waits for its shader
+            tell(TerrainTaken{.is_compiled = true});
+        }
         goes_on = job_->step(renderer, [this](PictureNews news) { tell(std::move(news)); });
     } catch (const std::exception& problem) {
         tell(Failure{Failure::Of::job, problem.what()});

@@ -46,6 +46,11 @@ struct SceneTaken {
     std::shared_ptr<const LoadedFile> file;
 };
 
+/// The renderer has another ground, or the shader of one that it had interpreted until then.
+struct TerrainTaken {
+    bool is_compiled = false;
+};
+
 struct DeviceOpened {
     std::string name;
     bool is_processor = false;
@@ -53,7 +58,7 @@ struct DeviceOpened {
 
 /// Something went wrong; all is as it was before.
 struct Failure {
-    enum class Of : uint8_t { device, scene, picture, job };
+    enum class Of : uint8_t { device, scene, terrain, picture, job };
     Of what = Of::picture;
     std::string message;
 };
@@ -65,7 +70,7 @@ struct JobNews {
     bool is_done = true;
 };
 
-using PictureNews = std::variant<Picture, SceneTaken, DeviceOpened, Failure, JobNews>;
+using PictureNews = std::variant<Picture, SceneTaken, TerrainTaken, DeviceOpened, Failure, JobNews>;
 
 /// Something longer than a picture, in steps: the renderer draws nothing else until its step says false.
 /// What a step throws ends it and is news.
@@ -91,6 +96,9 @@ public:
     PictureThread& operator=(const PictureThread&) = delete;
 
     void set_scene(std::shared_ptr<const LoadedFile> file);
+    /// Gives the scene another ground, from the next picture on; an interpreter draws it until its shader is
+    /// compiled. Of several the newest counts, for this scene alone.
+    void set_terrain(const Terrain& terrain);
     /// In place of what was asked for in that slot, even if it is begun and has samples to come. Nothing: no
     /// more.
     void draw(size_t slot, std::optional<PictureRequest> request);
@@ -104,6 +112,9 @@ private:
     void work_on(Renderer& renderer);
     void tell(PictureNews news);
     void take_scene(Renderer& renderer, const std::shared_ptr<const LoadedFile>& file);
+    void take_terrain(Renderer& renderer, const Terrain& terrain);
+    /// Until there is something to do.
+    void wait(Renderer& renderer, std::unique_lock<std::mutex>& lock);
     /// Whether a picture that is being drawn there is still what is asked for.
     [[nodiscard]] bool is_wanted(size_t slot);
     void draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request);
@@ -114,6 +125,7 @@ private:
     mutable std::mutex guard_;
     std::condition_variable changed_;
     std::shared_ptr<const LoadedFile> next_scene_;
+    std::optional<Terrain> next_terrain_;
     std::array<std::optional<PictureRequest>, 2> requests_;
     size_t next_slot_ = 0;
     std::unique_ptr<PictureJob> job_;
@@ -122,6 +134,8 @@ private:
     bool is_closing_ = false;
     std::vector<PictureNews> news_;
     std::shared_ptr<const LoadedFile> scene_; ///< that the renderer holds; the thread's own
+    std::optional<Terrain> terrain_;          ///< in place of the scene's; the thread's own
+    bool is_compiling_ = false;               ///< its shader; the thread's own
     std::thread thread_;
 };
 

@@ -18,6 +18,14 @@ std::shared_ptr<const LoadedFile> load_file(const app::DrawOptions& draw)
     file->animation = app::choose_animation(draw, file->scene);
     file->home = app::choose_camera(draw, file->scene, file->animation);
     file->bounds = scene_bounds(file->scene, pose_scene(file->scene, draw.time_s, file->animation));
+    if (file->scene.terrain) {
+        file->ground_m = file->scene.terrain->sample(0.0, 0.0, draw.time_s).height_m;
+    }
+    if (file->scene.terrain && file->bounds.empty()) {
+        constexpr glm::dvec3 near_m(20.0, 5.0, 20.0);
+        file->bounds.extend(file->home.eye - near_m);
+        file->bounds.extend(file->home.eye + near_m);
+    }
     return file;
 }
 

@@ -22,6 +22,7 @@ struct LoadedFile {
     Index animation = 0;
     Camera home;
     Bounds bounds;
+    double ground_m = 0.0; ///< what the scene was lifted by, to stand on its terrain
 };
 
 /// Reads scenes while the viewer goes on.

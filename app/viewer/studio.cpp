@@ -105,6 +105,24 @@ void Studio::toggle_comparison()
     }
 }
 
+void Studio::save_terrain(const std::string& path)
+{
+    if (terrain->problem()) {
+        say(Message::Kind::note, "saved", "not saved: " + terrain->problem()->text);
+        return;
+    }
+    attempt("terrain file", [&] {
+        const bool keeps_comments = terrain->save(path);
+        say(Message::Kind::note, "saved",
+            "wrote " + path + (keeps_comments ? "" : ", anew: its comments could not be kept"));
+    });
+}
+
+bool Studio::is_at_terrain() const
+{
+    return terrain && shows_bars && shows_panel && tab == PanelTab::ground;
+}
+
 void Studio::turn_sun(const glm::dvec2& drag)
 {
     light::LightStyle& light = look.style().tables().light;

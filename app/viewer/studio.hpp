@@ -18,6 +18,7 @@
 #include "viewer/look.hpp"
 #include "viewer/resolution.hpp"
 #include "viewer/scene_loader.hpp"
+#include "viewer/terrain_edit.hpp"
 #include "viewer/timeline.hpp"
 
 namespace estampe::viewer {
@@ -31,7 +32,7 @@ struct Message {
     app::Clock::time_point since = app::Clock::now();
 };
 
-enum class PanelTab : uint8_t { style, light, layers, views, timings };
+enum class PanelTab : uint8_t { style, light, ground, layers, views, timings };
 
 /// Two looks side by side.
 struct Comparison {
@@ -50,6 +51,7 @@ struct Studio {
 
     std::shared_ptr<const LoadedFile> file; ///< what is seen; none before the first is read
     Look look;
+    std::optional<TerrainEdit> terrain; ///< that the scene stands on, if it does
     CameraRig rig;
     Timeline time;
     Resolution resolution;
@@ -83,6 +85,7 @@ struct Studio {
     bool wants_save = false;   ///< the cursor goes to the name to save as
     std::string search;
     std::string save_name;
+    std::string terrain_save_name;
 
     /// Says something in place of what was said about `topic` before.
     void say(Message::Kind kind, const std::string& topic, const std::string& text);
@@ -101,6 +104,10 @@ struct Studio {
     void step_preset(int step);
     /// The style in hand becomes the right side, and is compared with what comes of it; or no more.
     void toggle_comparison();
+    /// Writes the terrain to that file, and says so.
+    void save_terrain(const std::string& path);
+    /// Whether keys are for the terrain: undo, redo, save.
+    [[nodiscard]] bool is_at_terrain() const;
     void turn_sun(const glm::dvec2& drag);
 
 private:

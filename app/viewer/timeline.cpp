@@ -12,7 +12,7 @@ void Timeline::advance(double seconds)
         return;
     }
     time_s += seconds * speed;
-    if (time_s >= 0.0 && time_s < length_s) {
+    if (is_endless || (time_s >= 0.0 && time_s < length_s)) {
         return;
     }
     if (loops) {
@@ -25,7 +25,9 @@ void Timeline::advance(double seconds)
 
 void Timeline::seek(double moment_s)
 {
-    time_s = moves() ? std::clamp(moment_s, 0.0, length_s) : time_s;
+    if (moves()) {
+        time_s = is_endless ? std::max(moment_s, 0.0) : std::clamp(moment_s, 0.0, length_s);
+    }
 }
 
 void Timeline::toggle_playing()
@@ -34,7 +36,7 @@ void Timeline::toggle_playing()
         return;
     }
     is_playing = !is_playing;
-    if (is_playing && !loops && time_s >= length_s) {
+    if (is_playing && !is_endless && !loops && time_s >= length_s) {
         time_s = 0.0;
     }
 }

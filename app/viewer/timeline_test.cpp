@@ -32,5 +32,20 @@ TEST(Timeline, StandsStillWhereNothingMovesOrPlays)
     EXPECT_EQ(time.time_s, 1.0);
 }
 
+TEST(Timeline, WhatHasNoEndIsNotRepeated)
+{
+    Timeline time{.is_endless = true};
+    time.toggle_playing();
+    for (int i = 0; i < 100; ++i) {
+        time.advance(0.25);
+    }
+    EXPECT_EQ(time.time_s, 25.0);
+    EXPECT_TRUE(time.is_playing);
+    time.seek(-1.0);
+    EXPECT_EQ(time.time_s, 0.0);
+    time.seek(1e6);
+    EXPECT_EQ(time.time_s, 1e6);
+}
+
 } // namespace
 } // namespace estampe::viewer

@@ -12,6 +12,7 @@
 #include "core/file.hpp"
 #include "text.hpp"
 #include "viewer/jobs.hpp"
+#include "viewer/terrain_text.hpp"
 
 namespace estampe::viewer {
 namespace {
@@ -30,7 +31,7 @@ bool same(const Sight& a, const Sight& b)
 {
     return same(a.camera, b.camera) && a.style == b.style && a.time_s == b.time_s &&
            a.animation == b.animation && a.size_px == b.size_px && a.scene == b.scene &&
-           a.has_other == b.has_other;
+           a.terrain == b.terrain && a.has_other == b.has_other;
 }
 
 } // namespace
@@ -58,7 +59,7 @@ Viewer::Viewer(const app::ViewCommand& command)
         report("shaders are compiled quickly");
     }
     if (!command.draw.scene.empty()) {
-        open_scene(command.draw.scene);
+        open_scene(command.draw.scene, command.draw.terrain);
     }
 }
 
@@ -81,7 +82,7 @@ void Viewer::open(const std::string& path)
     const std::string extension = lower_extension(path);
     std::error_code problem;
     if (extension == ".toml") {
-        open_style(path);
+        is_terrain(path) ? open_terrain(path) : open_style(path);
     } else if (extension == ".tam" || extension == ".dds" || std::filesystem::is_directory(path, problem)) {
         studio_.attempt("style", [&] {
             Style style = studio_.look.style();
@@ -91,13 +92,25 @@ void Viewer::open(const std::string& path)
             studio_.look.finish_change();
         });
     } else {
-        open_scene(path);
+        open_scene(path, studio_.file ? studio_.file->draw.terrain : command_.draw.terrain);
     }
 }
 
-void Viewer::open_scene(const std::string& path)
+void Viewer::open_terrain(const std::string& path)
+{
+    if (!studio_.file || studio_.file->scene.meshes.empty()) {
+        open_scene(path, "");
+    } else if (studio_.terrain) {
+        studio_.attempt("terrain file", [&] { studio_.terrain->load(path); });
+    } else {
+        open_scene(studio_.file->draw.scene, path);
+    }
+}
+
+void Viewer::open_scene(const std::string& path, const std::string& terrain)
 {
     app::DrawOptions draw = command_.draw;
+    draw.terrain = terrain;
     if (path != command_.draw.scene) {
         draw.scene = path;
         draw.lightmap.clear();
@@ -121,7 +134,9 @@ void Viewer::open_scene(const std::string& path)
 void Viewer::read_scene_again()
 {
     if (studio_.file) {
-        open_scene(studio_.file->draw.scene);
+        const app::DrawOptions& draw = studio_.file->draw;
+        open_scene(draw.scene,
+                   draw.terrain.empty() || !studio_.terrain ? draw.terrain : studio_.terrain->name());
     }
 }
 
@@ -138,6 +153,7 @@ Sight Viewer::sight() const
             .animation = studio_.time.animation,
             .size_px = studio_.view_px,
             .scene = scene_number_,
+            .terrain = terrain_sent_,
             .has_other = studio_.comparison.other.has_value()};
 }
 
@@ -271,6 +287,7 @@ void Viewer::run()
         take_news();
         take_shaders();
         look_at_files();
+        send_terrain();
         move_by_keys(app::seconds_since(last));
         last = app::Clock::now();
         if (studio_.is_recording) {
@@ -285,6 +302,7 @@ void Viewer::run()
         }
         if (frames_to_paint_ > 0 && app::seconds_since(painted) >= frame_s) {
             paint();
+            send_terrain();
             ask_for_pictures(); // what panels and pointer changed
             painted = app::Clock::now();
             --frames_to_paint_;

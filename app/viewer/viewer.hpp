@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "viewer/file_watch.hpp"
+#include "viewer/ground.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/picture_thread.hpp"
 #include "viewer/scene_loader.hpp"
@@ -26,6 +27,7 @@ struct Sight {
     Index animation = 0;
     glm::uvec2 size_px{0};
     uint64_t scene = 0;
+    uint64_t terrain = 0;   ///< TerrainEdit::revision()
     bool has_other = false; ///< compared with another style
 };
 
@@ -51,7 +53,9 @@ private:
     bool act_on_look(Action action);
     void go_back();
     void open(const std::string& path);
-    void open_scene(const std::string& path);
+    /// `terrain` is what it is put on, unless it is one itself.
+    void open_scene(const std::string& path, const std::string& terrain);
+    void open_terrain(const std::string& path);
     void open_style(const std::string& name);
     void read_scene_again();
     void take_loaded();
@@ -59,6 +63,15 @@ private:
     void take(Picture& picture);
     void take(const Failure& failure);
     void take(const SceneTaken& taken);
+    void take(const TerrainTaken& taken);
+    void take_terrain_of(const LoadedFile& file, bool is_same);
+    [[nodiscard]] std::optional<double> height_under(const Ground& models, const glm::dvec3& place) const;
+    void send_terrain();
+    /// Lifts or lowers what stands on the terrain when that has changed below it.
+    void stand_on_terrain();
+    void raise_camera(double rise_m);
+    /// Out of a ground that has risen about it.
+    void unbury_camera();
     void ask_for_pictures();
     void request(size_t slot, const Sight& sight, bool is_moving);
     [[nodiscard]] Sight sight() const;
@@ -67,6 +80,7 @@ private:
     void press(const PointerEvent& event, const Area& area);
     void drag(const glm::dvec2& way, const PointerEvent& event, const Area& area);
     void look_at_files();
+    void look_at_terrain();
     void take_shaders();
     void take_screenshot();
     void toggle_recording();
@@ -107,7 +121,11 @@ private:
     glm::dvec2 pointer_{0.0};
     FileWatch scene_watch_;
     FileWatch style_watch_;
+    FileWatch terrain_watch_;
     std::string watched_style_;
+    std::vector<std::filesystem::path> watched_terrain_;
+    uint64_t terrain_sent_ = 0; ///< TerrainEdit::revision()
+    double standing_m_ = 0.0;   ///< how high the scene was last put
     app::Clock::time_point looked_at_files_ = start_;
     Take take_;
     app::Clock::time_point take_start_ = start_;

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "gpu/shader_replacements.hpp"
-#include "viewer/ground.hpp"
 
 namespace estampe::viewer {
 
@@ -39,9 +38,10 @@ void Viewer::take(const Failure& failure)
         (failure.what == Failure::Of::scene && !studio_.file && !command_.draw.scene.empty())) {
         throw Error(failure.message);
     }
-    const char* topic = failure.what == Failure::Of::scene ? "scene"
-                        : failure.what == Failure::Of::job ? "job"
-                                                           : "picture";
+    const char* topic = failure.what == Failure::Of::scene     ? "scene"
+                        : failure.what == Failure::Of::terrain ? "terrain"
+                        : failure.what == Failure::Of::job     ? "job"
+                                                               : "picture";
     if (failure.what == Failure::Of::job) {
         studio_.work.reset();
     }
@@ -53,30 +53,40 @@ void Viewer::take(const Failure& failure)
 
 void Viewer::take(const SceneTaken& taken)
 {
-    const bool is_same = studio_.file && studio_.file->draw.scene == taken.file->draw.scene;
+    const std::shared_ptr<const LoadedFile> before = studio_.file;
+    const bool is_same = studio_.file && studio_.file->draw.scene == taken.file->draw.scene &&
+                         studio_.file->scene.terrain.has_value() == taken.file->scene.terrain.has_value();
     studio_.file = taken.file;
     studio_.settle("scene");
     ++scene_number_;
     const Scene& scene = taken.file->scene;
     const std::string name = std::filesystem::path(taken.file->draw.scene).filename().string();
-    scene_watch_.watch(files_of_scene(taken.file->draw.scene));
+    const bool is_terrain_alone = scene.terrain && scene.meshes.empty();
+    scene_watch_.watch(is_terrain_alone ? std::vector<std::filesystem::path>{}
+                                        : files_of_scene(taken.file->draw.scene));
+    take_terrain_of(*taken.file, is_same);
     if (!is_same) {
         // Made when someone walks; a scene that stands still is enough.
         auto ground = std::make_shared<std::optional<Ground>>();
         studio_.rig.set_scene(taken.file->home, taken.file->bounds,
-                              [file = taken.file, ground](const glm::dvec3& place) {
+                              [this, file = taken.file, ground](const glm::dvec3& place) {
                                   if (!*ground) {
                                       ground->emplace(file->scene);
                                   }
-                                  return (*ground)->height_under(place);
+                                  return height_under(**ground, place);
                               });
-        studio_.time = {.time_s = taken.file->draw.time_s, .animation = taken.file->animation};
+        studio_.time = {.time_s = taken.file->draw.time_s,
+                        .is_endless = scene.terrain && scene.animations.empty(),
+                        .animation = taken.file->animation};
         studio_.bookmark.reset();
         studio_.attempt("bookmarks",
                         [&] { studio_.bookmarks = load_bookmarks(bookmarks_path(taken.file->draw.scene)); });
         window_.set_title(name + " - Estampe");
-    } else if (studio_.time.animation >= scene.animations.size()) {
-        studio_.time.animation = taken.file->animation;
+    } else {
+        raise_camera(taken.file->ground_m - before->ground_m);
+        if (studio_.time.animation >= scene.animations.size()) {
+            studio_.time.animation = taken.file->animation;
+        }
     }
     studio_.time.length_s =
         scene.animations.empty() ? 0.0 : scene.animations.at(studio_.time.animation).duration_s;
@@ -125,6 +135,8 @@ void Viewer::take_news()
             take(*failure);
         } else if (const auto* taken = std::get_if<SceneTaken>(&news)) {
             take(*taken);
+        } else if (const auto* terrain = std::get_if<TerrainTaken>(&news)) {
+            take(*terrain);
         } else if (const auto* device = std::get_if<DeviceOpened>(&news)) {
             studio_.device = device->name;
             studio_.is_on_processor = device->is_processor;
@@ -166,6 +178,9 @@ void Viewer::look_at_files()
     if (!scene_watch_.changed().empty() && studio_.file) {
         report("scene changed");
         read_scene_again();
+    }
+    if (studio_.terrain) {
+        look_at_terrain();
     }
 }
 

@@ -117,7 +117,7 @@ void warm_up(const app::ViewCommand& command)
     std::ignore = nice(behind_others);
     app::compile_well();
     const app::DrawOptions& draw = command.draw;
-    const Scene scene = load_scene(draw.scene);
+    const Scene scene = app::load_scene_of(draw);
     const Index animation = app::choose_animation(draw, scene);
     const Camera camera = app::choose_camera(draw, scene, animation);
     Renderer renderer(draw.device);

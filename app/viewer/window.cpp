@@ -79,7 +79,8 @@ void Window::watch_keys()
     glfwSetKeyCallback(handle_, [](GLFWwindow* handle, int key, int /*code*/, int action, int modifiers) {
         Window& window = of(handle);
         const std::optional<Action> asked = action_of_key(key, modifiers);
-        if (action == GLFW_RELEASE || !asked || ImGui::GetIO().WantTextInput) {
+        const bool is_typing = ImGui::GetIO().WantTextInput && asked != Action::save_style;
+        if (action == GLFW_RELEASE || !asked || is_typing) {
             return;
         }
         const bool repeats = *asked == Action::frame_back || *asked == Action::frame_on ||

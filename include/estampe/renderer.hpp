@@ -132,10 +132,12 @@ public:
     /// scene's.
     void set_scene(const Scene& scene, const Lightmap* lightmap = nullptr);
 
-    /// Gives the scene's terrain another graph, other numbers or painted masks while it is drawn; the rest of
-    /// the scene stays. With `at_once` the next pictures are drawn by a graph that is interpreted, until its
-    /// own shader has been compiled beside them; without, the next picture waits for that. Throws Error when
-    /// the scene has no terrain, or the new one does not fit the device.
+    /// Gives the scene another terrain while it is drawn: its graph, numbers, painted masks, mesh, colour and
+    /// the rest; what else the scene has stays. With `at_once` the next pictures are drawn by a graph that is
+    /// interpreted, until its own shader has been compiled beside them; without, the next picture waits for
+    /// that. Throws Error when the scene has no terrain, or the new one does not fit the device, and the one
+    /// before stays. Cost: an upload of its textures; with another way of cutting it into triangles those of
+    /// the whole scene are made anew.
     void set_terrain(const Terrain& terrain, bool at_once = false);
 
     /// Presses things into the scene's terrain, at the next picture's moment: footprints, and what is
@@ -144,6 +146,10 @@ public:
     /// going back in time forgets them. Throws Error when the scene has no terrain. Cost: a workgroup each on
     /// the device.
     void press(std::span<const TrailStamp> stamps);
+
+    /// Whether a terrain that was set `at_once` is still interpreted because its shader is being compiled.
+    /// When it is not any more, the next picture is drawn by that.
+    [[nodiscard]] bool is_terrain_compiling() const;
 
     /// Draws the scene. The same scene, camera, style and settings give the same bytes on the same device by
     /// the same raster path; so do the frames of a film that follow one another.

@@ -8,6 +8,34 @@
 
 namespace estampe::frame {
 
+namespace {
+
+/// The object that a terrain raises; the end of the nodes where there is none.
+auto raised_node(const Scene& scene)
+{
+    return std::ranges::find_if(scene.nodes, [&](const Node& candidate) {
+        return candidate.name == scene.terrain->description().meshing.object && candidate.mesh != no_index;
+    });
+}
+
+/// Where a scene of nothing else takes place.
+Bounds near_origin(const Terrain& terrain)
+{
+    const double height_m = terrain.sample(0.0, 0.0).height_m;
+    Bounds near;
+    near.extend({-20.0, height_m - 5.0, -20.0});
+    near.extend({20.0, height_m + 5.0, 20.0});
+    return near;
+}
+
+bool same_triangles(const TerrainMeshing& a, const TerrainMeshing& b)
+{
+    return a.method == b.method && a.object == b.object && a.cell_m == b.cell_m && a.cells == b.cells &&
+           a.reach_m == b.reach_m;
+}
+
+} // namespace
+
 Scene with_terrain_node(const Scene& scene)
 {
     Scene result = scene;
@@ -28,9 +56,7 @@ terrain::ObjectTriangles raised_object(const Scene& scene)
     if (meshing.method != TerrainMesh::object) {
         return {};
     }
-    const auto node = std::ranges::find_if(scene.nodes, [&](const Node& candidate) {
-        return candidate.name == meshing.object && candidate.mesh != no_index;
-    });
+    const auto node = raised_node(scene);
     if (node == scene.nodes.end()) {
         throw Error(fmt::format("the scene has no object \"{}\" for the ground to raise", meshing.object),
                     scene.terrain->description().name, "name one by mesh.object, or use the rings");
@@ -60,7 +86,11 @@ pose::ForeignMesh ground_mesh(const Scene& scene)
     pose::ForeignMesh mesh{.node = static_cast<Index>(scene.nodes.size() - 1),
                            .material = static_cast<Index>(scene.materials.size() - 1),
                            .places = std::move(topology.places),
-                           .triangles = std::move(topology.triangles)};
+                           .triangles = std::move(topology.triangles),
+                           .near = near_origin(*scene.terrain)};
+    if (scene.terrain->description().meshing.method == TerrainMesh::object) {
+        mesh.instead_of = static_cast<Index>(raised_node(scene) - scene.nodes.begin());
+    }
     const bool stands_in_grids = mesh.places.empty();
     const double height_m = scene.terrain->sample(0.0, 0.0).height_m;
     mesh.places.reserve(topology.vertices.size());
@@ -68,9 +98,21 @@ pose::ForeignMesh ground_mesh(const Scene& scene)
         const glm::dvec2 place(terrain::vertex_place(topology.vertices[i], levels));
         mesh.places.emplace_back(place.x, height_m, place.y);
     }
-    mesh.near.extend({-20.0, height_m - 5.0, -20.0});
-    mesh.near.extend({20.0, height_m + 5.0, 20.0});
     return mesh;
+}
+
+TerrainChange change_of(const pose::MeshData& layout, const Terrain& own, const Terrain& other)
+{
+    TerrainChange change{.is_cut_otherwise =
+                             !same_triangles(own.description().meshing, other.description().meshing),
+                         .bounds = layout.bounds};
+    const Bounds near = near_origin(own);
+    if (layout.bounds.min == near.min && layout.bounds.max == near.max) {
+        change.bounds = near_origin(other);
+        change.is_cut_otherwise = change.is_cut_otherwise || pose::anchor_beside_foreign(change.bounds) !=
+                                                                 pose::anchor_beside_foreign(near);
+    }
+    return change;
 }
 
 } // namespace estampe::frame

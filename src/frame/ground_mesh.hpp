@@ -16,4 +16,13 @@ namespace estampe::frame {
 /// The mesh of the terrain of a scene with such a node, as it lies before any eye has looked.
 [[nodiscard]] pose::ForeignMesh ground_mesh(const Scene& scene);
 
+/// What another terrain in place of a scene's own asks for.
+struct TerrainChange {
+    bool is_cut_otherwise = false; ///< all is to be laid out anew: triangles differ, or the anchor would
+    Bounds bounds;                 ///< of the scene with it
+};
+
+/// `layout` is of the scene with its own terrain. Cost: two samples.
+[[nodiscard]] TerrainChange change_of(const pose::MeshData& layout, const Terrain& own, const Terrain& other);
+
 } // namespace estampe::frame

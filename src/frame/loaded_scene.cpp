@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame/loaded_scene.hpp"
 
-#include "frame/ground_mesh.hpp"
+#include <estampe/error.hpp>
 
+#include "frame/ground_mesh.hpp"
 #include "scene/drawn_size.hpp"
 
 namespace estampe::frame {
@@ -46,12 +47,15 @@ void lay_out(gpu::Device& device, LoadedScene& loaded)
     if (loaded.scene.terrain) {
         const pose::ForeignMesh ground = ground_mesh(loaded.scene);
         loaded.layout = pose::build_meshes(loaded.scene, ground_material, &ground);
-        loaded.terrain = std::make_unique<terrain::TerrainBuffers>(
-            device, *loaded.scene.terrain,
-            terrain::TerrainTarget{.first_vertex = *loaded.layout.foreign_vertex,
-                                   .stroke_unit_m = loaded.layout.stroke_unit_m},
-            raised_object(loaded.scene));
-        loaded.trodden = std::make_unique<terrain::TroddenSand>(loaded.scene.terrain->description());
+        const terrain::TerrainTarget target{.first_vertex = *loaded.layout.foreign_vertex,
+                                            .stroke_unit_m = loaded.layout.stroke_unit_m};
+        if (loaded.terrain) {
+            loaded.terrain->set_mesh(device, target, raised_object(loaded.scene));
+        } else {
+            loaded.terrain = std::make_unique<terrain::TerrainBuffers>(device, *loaded.scene.terrain, target,
+                                                                       raised_object(loaded.scene));
+            loaded.trodden = std::make_unique<terrain::TroddenSand>(loaded.scene.terrain->description());
+        }
     } else {
         loaded.layout = pose::build_meshes(loaded.scene, ground_material);
     }
@@ -63,6 +67,36 @@ void lay_out(gpu::Device& device, LoadedScene& loaded)
     loaded.line_meshes.forget();
     loaded.pose.reset();
     loaded.pose_moved = true;
+}
+
+bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terrain)
+{
+    const Terrain before = *loaded.scene.terrain;
+    const Bounds bounds_before = loaded.layout.bounds;
+    const TerrainChange change = change_of(loaded.layout, before, terrain);
+    const auto take = [&](const Terrain& taken, const Bounds& bounds) {
+        loaded.scene.terrain = taken;
+        loaded.terrain->set_graph(device, taken);
+        loaded.trodden->set(taken.description());
+        if (change.is_cut_otherwise) {
+            lay_out(device, loaded);
+        }
+        loaded.layout.bounds = bounds;
+        glm::vec4& color = loaded.scene.materials.back().base_color;
+        const glm::vec4 wanted(taken.description().look.color, 1.0F);
+        if (color != wanted) {
+            const auto material = static_cast<Index>(loaded.scene.materials.size() - 1);
+            surface::recolor(device, loaded.materials, material, taken.description().look.color);
+            color = wanted;
+        }
+    };
+    try {
+        take(terrain, change.bounds);
+    } catch (const Error&) {
+        take(before, bounds_before);
+        throw;
+    }
+    return change.is_cut_otherwise;
 }
 
 bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style)

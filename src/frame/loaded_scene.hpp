@@ -49,6 +49,10 @@ struct LoadedScene {
 /// before.
 void lay_out(gpu::Device& device, LoadedScene& loaded);
 
+/// Gives the loaded scene another terrain in place of its own, and lays out afresh when that is cut into
+/// other triangles. Returns whether it was. Throws Error when it does not fit, and the one before stays.
+[[nodiscard]] bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terrain);
+
 /// Brings lights and objects to what `style` says of them, and lays out afresh when an object stands
 /// otherwise to the lights than before. Returns whether anything changed. Throws Error as styled_lighting()
 /// does.

@@ -106,15 +106,17 @@ void Renderer::set_terrain(const Terrain& terrain, bool at_once)
     if (!impl_->loaded || !impl_->loaded->terrain) {
         throw Error("the scene has no terrain", "", "give it one before set_scene");
     }
-    frame::LoadedScene& loaded = *impl_->loaded;
-    if (terrain.description().meshing != loaded.scene.terrain->description().meshing) {
-        throw Error("the terrain has another mesh", terrain.description().name, "load the scene anew");
+    if (frame::swap_terrain(impl_->device, *impl_->loaded, terrain)) {
+        impl_->local_shadows.forget();
+        impl_->line_history.forget();
     }
-    loaded.terrain->set_graph(impl_->device, terrain);
-    loaded.terrain->set_source(at_once ? terrain::HeightSource::compiled_meanwhile
-                                       : terrain::HeightSource::compiled);
-    loaded.trodden->set(terrain.description());
-    loaded.scene.terrain = terrain;
+    impl_->loaded->terrain->set_source(at_once ? terrain::HeightSource::compiled_meanwhile
+                                               : terrain::HeightSource::compiled);
+}
+
+bool Renderer::is_terrain_compiling() const
+{
+    return impl_->loaded && impl_->loaded->terrain && impl_->loaded->terrain->is_compiling();
 }
 
 void Renderer::press(std::span<const TrailStamp> stamps)

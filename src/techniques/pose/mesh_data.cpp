@@ -87,12 +87,13 @@ public:
         check_extent(data_.bounds, scene_.name);
         data_.anchor = data_.bounds.center();
         if (foreign != nullptr) {
-            data_.anchor = 64.0 * glm::round(data_.anchor / 64.0);
+            data_.anchor = anchor_beside_foreign(data_.bounds);
         }
         data_.rest_anchor = data_.anchor;
         data_.stroke_unit_m = std::exp2(std::ceil(std::log2(std::max(data_.bounds.radius(), 1e-9))));
         for (Index node = 0; node < scene_.nodes.size(); ++node) {
-            const bool is_foreign = foreign != nullptr && foreign->node == node;
+            const bool is_foreign =
+                foreign != nullptr && (foreign->node == node || foreign->instead_of == node);
             if (scene_.nodes[node].mesh != no_index && !is_foreign) {
                 add_node(node);
             }
@@ -423,6 +424,11 @@ bool has_plain_links(const MeshData& meshes)
         std::span(meshes.draws).first(meshes.sources.size()), [](const shared::DrawRecord& draw) {
             return draw.groups == packed_groups({}) && (draw.flags & shared::draw_unshadowed) == 0;
         });
+}
+
+glm::dvec3 anchor_beside_foreign(const Bounds& bounds)
+{
+    return 64.0 * glm::round(bounds.center() / 64.0);
 }
 
 MeshData build_meshes(const Scene& scene, Index ground_material, const ForeignMesh* foreign)

@@ -42,6 +42,7 @@ struct DrawSource {
 struct ForeignMesh {
     Index node = 0; ///< whose mesh is one primitive without vertices
     Index material = 0;
+    Index instead_of = no_index;    ///< a node whose own mesh is left out for it
     std::vector<glm::dvec3> places; ///< about where its vertices begin, in the world
     std::vector<glm::uvec3> triangles;
     Bounds near; ///< where a scene that has nothing else takes place
@@ -89,6 +90,9 @@ struct MeshData {
 
 /// Whether every draw stands to all lights alike.
 [[nodiscard]] bool has_plain_links(const MeshData& meshes);
+
+/// Where the anchor is put in a scene of these bounds that has a foreign mesh.
+[[nodiscard]] glm::dvec3 anchor_beside_foreign(const Bounds& bounds);
 
 /// Builds the mesh data of `scene`. Strokes follow UVs where `uvs_are_usable` of a primitive says so,
 /// otherwise the place in the rest pose, so that they stick to skinned and morphing bodies. Draws a ground of

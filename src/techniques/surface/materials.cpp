@@ -199,7 +199,8 @@ std::vector<shared::MaterialRecord> material_records(const Scene& scene, const T
 MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene, const TexturePlan& plan)
 {
     MaterialBuffers buffers;
-    buffers.materials = gpu::upload_buffer(device, "materials", material_records(scene, plan));
+    buffers.records = material_records(scene, plan);
+    buffers.materials = gpu::upload_buffer(device, "materials", buffers.records);
     for (size_t size_class = 0; size_class < texture_class_px.size(); ++size_class) {
         const std::vector<Index>& layers = plan.layers[size_class];
         const uint32_t side = layers.empty() ? 1 : texture_class_px[size_class];
@@ -214,6 +215,14 @@ MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene, const 
         gpu::upload_layers(device, image, [&](uint32_t layer) { return queue.take(layer); });
     }
     return buffers;
+}
+
+void recolor(gpu::Device& device, MaterialBuffers& buffers, Index material, const glm::vec3& color)
+{
+    shared::MaterialRecord& record = buffers.records.at(material);
+    record.base_color = glm::vec4(color, record.base_color.w);
+    record.mean_color = color;
+    buffers.materials = gpu::upload_buffer(device, "materials", buffers.records);
 }
 
 std::array<gpu::ImageId, 5> import_textures(gpu::Graph& graph, MaterialBuffers& materials)

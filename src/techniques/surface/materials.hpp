@@ -19,7 +19,8 @@ namespace estampe::surface {
 inline constexpr std::array<uint32_t, 5> texture_class_px{256, 512, 1024, 2048, 4096};
 
 struct MaterialBuffers {
-    gpu::Buffer materials; ///< MaterialRecord, one a material, and the ground's last
+    std::vector<shared::MaterialRecord> records; ///< one a material, and the ground's last
+    gpu::Buffer materials;                       ///< the same on the device
     std::array<gpu::Image, 5> textures;
 };
 
@@ -48,6 +49,9 @@ struct TexturePlan {
 /// on two threads.
 [[nodiscard]] MaterialBuffers upload_materials(gpu::Device& device, const Scene& scene,
                                                const TexturePlan& plan);
+
+/// Gives a material without textures another colour, linear. Cost: an upload of all records.
+void recolor(gpu::Device& device, MaterialBuffers& buffers, Index material, const glm::vec3& color);
 
 /// What became of textures that are not drawn as they are, a line each.
 [[nodiscard]] std::vector<std::string> notes_of(const TexturePlan& plan);

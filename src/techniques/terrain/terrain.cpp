@@ -114,9 +114,11 @@ Camera terrain_camera(const Terrain& terrain, double time_s)
     }
     const double angle_rad =
         glm::radians(static_cast<double>(terrain.description().wind.direction_deg) + 120.0);
-    const glm::dvec3 ahead(std::cos(angle_rad), -0.1, std::sin(angle_rad));
+    const glm::dvec3 ahead = glm::normalize(glm::dvec3(std::cos(angle_rad), -0.1, std::sin(angle_rad)));
     const glm::dvec3 eye = highest + glm::dvec3(0.0, 3.0, 0.0);
-    return {.eye = eye, .target = eye + ahead, .vertical_fov_rad = 0.8};
+    constexpr double farthest_m = 100.0;
+    const std::optional<glm::dvec3> seen = terrain.hit(eye, ahead, farthest_m, time_s);
+    return {.eye = eye, .target = seen.value_or(eye + farthest_m * ahead), .vertical_fov_rad = 0.8};
 }
 
 } // namespace estampe

@@ -54,25 +54,37 @@ CompiledShaders shaders_of(const Terrain& terrain)
 
 TerrainBuffers::TerrainBuffers(gpu::Device& device, const Terrain& terrain, const TerrainTarget& target,
                                const ObjectTriangles& object)
-    : terrain_(terrain), target_(target), method_(mesh_method(terrain.description().meshing, object))
+    : terrain_(terrain)
 {
-    const MeshTopology mesh = method_->topology();
-    vertex_count_ = static_cast<uint32_t>(mesh.vertices.size());
-    vertices_ = gpu::upload_buffer(device, "terrain vertices", mesh.vertices);
-    has_places_ = !mesh.places.empty();
+    set_mesh(device, target, object);
+    set_graph(device, terrain);
+}
+
+void TerrainBuffers::set_mesh(gpu::Device& device, const TerrainTarget& target, const ObjectTriangles& object)
+{
+    auto method = mesh_method(terrain_.description().meshing, object);
+    const MeshTopology mesh = method->topology();
+    gpu::Buffer vertices = gpu::upload_buffer(device, "terrain vertices", mesh.vertices);
     places_ = gpu::upload_buffer(device, "terrain places",
                                  std::vector<glm::vec3>(mesh.places.begin(), mesh.places.end()));
-    set_graph(device, terrain);
+    vertices_ = std::move(vertices);
+    method_ = std::move(method);
+    target_ = target;
+    vertex_count_ = static_cast<uint32_t>(mesh.vertices.size());
+    has_places_ = !mesh.places.empty();
+    words_now_.clear();
 }
 
 void TerrainBuffers::set_graph(gpu::Device& device, const Terrain& terrain)
 {
-    terrain_ = terrain;
     const std::vector<float>& texels = terrain.program().texels;
     texels_ = gpu::upload_buffer(device, "terrain texels", texels.empty() ? std::vector<float>(4) : texels);
+    if (!terrain.program().has_form_of(terrain_.program())) {
+        compiled_.reset();
+    }
+    terrain_ = terrain;
     words_now_.clear();
     take_sand(device);
-    compiled_.reset();
     set_source(source_);
 }
 
@@ -132,9 +144,40 @@ gpu::BufferId TerrainBuffers::add_texels(gpu::Graph& graph)
 void TerrainBuffers::set_source(HeightSource source)
 {
     source_ = source;
-    if (source == HeightSource::compiled_meanwhile && !compiled_) {
-        compiling_ = std::async(std::launch::async, shaders_of, terrain_);
+    // One that is begun is not waited for; whose it was is seen when it is done.
+    if (source == HeightSource::compiled_meanwhile && !compiled_ && !compiling_.valid()) {
+        begin_compiling();
     }
+}
+
+void TerrainBuffers::begin_compiling()
+{
+    compiling_of_ = terrain_;
+    compiling_ = std::async(std::launch::async, shaders_of, terrain_);
+}
+
+/// Takes what the compiler has made, if it has done so since the last time.
+void TerrainBuffers::finish_compiling()
+{
+    if (!compiling_.valid() || compiling_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+        return;
+    }
+    CompiledShaders made = compiling_.get();
+    if (compiled_) {
+        return;
+    }
+    if (compiling_of_->program().has_form_of(terrain_.program())) {
+        compiled_ = std::move(made);
+        words_now_.clear();
+    } else if (source_ == HeightSource::compiled_meanwhile) {
+        begin_compiling();
+    }
+}
+
+bool TerrainBuffers::is_compiling()
+{
+    finish_compiling();
+    return source_ == HeightSource::compiled_meanwhile && !compiled_;
 }
 
 const std::string& TerrainBuffers::problem() const
@@ -150,7 +193,7 @@ bool TerrainBuffers::prepare(gpu::Device& device, const TerrainMoment& moment)
     const std::vector<shared::TerrainLevel> levels = method_->place(moment.eye, anchor_m);
     ProgramWords program = program_words(terrain_.program(), anchor_m,
                                          meshing.update == TerrainUpdate::still ? 0.0 : moment.time_s);
-    const bool has_compiled = finish_compiling();
+    finish_compiling();
     if (sand_) {
         const double time_s = meshing.update == TerrainUpdate::still ? 0.0 : moment.time_s;
         const double steps = sand_source_->start_steps + sand_source_->steps_per_s * std::max(time_s, 0.0);
@@ -162,7 +205,7 @@ bool TerrainBuffers::prepare(gpu::Device& device, const TerrainMoment& moment)
         form_ += is_sand_stale_ ? 1 : 0;
     }
     if (!moment.before_s && !is_sand_stale_ && program.words == words_now_ && same(levels, levels_now_) &&
-        !has_compiled && meshing.update != TerrainUpdate::always) {
+        meshing.update != TerrainUpdate::always) {
         return false;
     }
     const shared::TerrainGlobals globals{.eye_m = glm::vec2(moment.eye.eye_m - anchor_m),
@@ -188,20 +231,11 @@ bool TerrainBuffers::prepare(gpu::Device& device, const TerrainMoment& moment)
     return true;
 }
 
-/// Takes what the compiler has made, if it has done so since the last time.
-bool TerrainBuffers::finish_compiling()
-{
-    if (!compiling_.valid() || compiling_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-        return false;
-    }
-    compiled_ = compiling_.get();
-    return true;
-}
-
 const gpu::Shader& TerrainBuffers::shader(Task task)
 {
     if (source_ == HeightSource::compiled && !compiled_) {
-        compiled_ = compiling_.valid() ? compiling_.get() : shaders_of(terrain_);
+        const bool is_begun = compiling_.valid() && compiling_of_->program().has_form_of(terrain_.program());
+        compiled_ = is_begun ? compiling_.get() : shaders_of(terrain_);
     }
     const gpu::Shader* own = nullptr;
     if (source_ != HeightSource::interpreted && compiled_) {

@@ -51,8 +51,13 @@ public:
     TerrainBuffers(gpu::Device& device, const Terrain& terrain, const TerrainTarget& target,
                    const ObjectTriangles& object = {});
 
-    /// Takes another graph, or other numbers in it, for the same mesh. Throws Error when it does not fit.
+    /// Takes another graph, or other numbers in it, for the same mesh: what differs in the mesh has to be
+    /// handed to set_mesh(). Throws Error when it does not fit, and is then as before.
     void set_graph(gpu::Device& device, const Terrain& terrain);
+
+    /// Takes the mesh that the terrain asks for; heights, sand and compiled shaders stay. Throws Error when
+    /// it does not fit.
+    void set_mesh(gpu::Device& device, const TerrainTarget& target, const ObjectTriangles& object = {});
 
     /// Says who runs the graph from now on.
     void set_source(HeightSource source);
@@ -94,6 +99,9 @@ public:
     /// Why the graph is interpreted where it should have been compiled; empty when it is not.
     [[nodiscard]] const std::string& problem() const;
 
+    /// Whether the graph is interpreted until its shader is compiled. Once it is, vertices are posed anew.
+    [[nodiscard]] bool is_compiling();
+
     /// Counts up whenever the ground takes another form, be it that time has gone on.
     [[nodiscard]] uint64_t form() const { return form_; }
 
@@ -101,7 +109,8 @@ private:
     enum class Task : uint8_t { vertices, heights };
 
     void take_sand(gpu::Device& device);
-    [[nodiscard]] bool finish_compiling();
+    void begin_compiling();
+    void finish_compiling();
     [[nodiscard]] const gpu::Shader& shader(Task task);
 
     Terrain terrain_;
@@ -113,6 +122,7 @@ private:
     gpu::Buffer places_; ///< of vertices in no grid
     bool has_places_ = false;
     std::future<CompiledShaders> compiling_;
+    std::optional<Terrain> compiling_of_;     ///< whose graph that is, which may be one of before
     std::optional<CompiledShaders> compiled_; ///< of this graph
     gpu::Buffer texels_;
     gpu::Buffer words_;

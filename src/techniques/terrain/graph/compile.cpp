@@ -43,9 +43,11 @@ public:
                 throw Error(fmt::format("\"{}\" is a word of the language and cannot name a node", node.name),
                             node.where, "choose another name");
             }
-            if (!definitions_
-                     .try_emplace(node.name, Definition{&node, parse_expression(node.expression, node.where)})
-                     .second) {
+            if (!is_name(node.name)) {
+                throw Error(fmt::format("\"{}\" cannot name a node", node.name), node.where,
+                            "a name has letters, digits and _, and begins with no digit");
+            }
+            if (!definitions_.try_emplace(node.name, Definition{&node, parse_expression(node)}).second) {
                 throw Error(fmt::format("there are two nodes \"{}\"", node.name), node.where);
             }
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/terrain/graph/expression.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -28,7 +29,7 @@ bool continues_name(char c)
 /// Reads by recursive descent.
 class Reader {
 public:
-    Reader(std::string_view text, const std::string& where) : text_(text), where_(where) {}
+    explicit Reader(const HeightNode& node) : text_(node.expression), node_(node) {}
 
     std::unique_ptr<Expression> whole()
     {
@@ -59,7 +60,7 @@ private:
 
     [[noreturn]] void fail(const std::string& problem) const
     {
-        throw Error(fmt::format("{}, at character {} of the expression", problem, at_ + 1), where_);
+        throw Error(fmt::format("node \"{}\", character {}: {}", node_.name, at_ + 1, problem), node_.where);
     }
 
     void skip_blanks()
@@ -235,7 +236,7 @@ private:
     }
 
     std::string_view text_;
-    const std::string& where_;
+    const HeightNode& node_;
     size_t at_ = 0;
     size_t calls_ = 0;
     int level_ = 0;
@@ -243,13 +244,19 @@ private:
 
 } // namespace
 
-std::unique_ptr<Expression> parse_expression(std::string_view text, const std::string& where)
+bool is_name(std::string_view text)
 {
-    if (text.size() > longest_text) {
-        throw Error(fmt::format("an expression of more than {} characters", longest_text), where,
-                    "give its parts names of their own");
+    return !text.empty() && begins_name(text.front()) && std::ranges::all_of(text, continues_name);
+}
+
+std::unique_ptr<Expression> parse_expression(const HeightNode& node)
+{
+    if (node.expression.size() > longest_text) {
+        throw Error(
+            fmt::format("node \"{}\" has an expression of more than {} characters", node.name, longest_text),
+            node.where, "give its parts names of their own");
     }
-    return Reader(text, where).whole();
+    return Reader(node).whole();
 }
 
 } // namespace estampe::terrain

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include <estampe/terrain.hpp>
+
 namespace estampe::terrain {
 
 struct Expression;
@@ -31,8 +33,11 @@ struct Expression {
     size_t column = 1;               ///< where in the text it begins, counted from 1
 };
 
-/// Reads one expression. Throws Error whose place is `where` and whose message names the character, for what
+/// Whether a node may be called so: letters, digits and _, of which a digit is not the first.
+[[nodiscard]] bool is_name(std::string_view text);
+
+/// Reads the expression of a node. Throws Error with the node's place, its name and the character, for what
 /// is no expression, has more than 1,000 signs and calls, or is deeper than 200 levels.
-[[nodiscard]] std::unique_ptr<Expression> parse_expression(std::string_view text, const std::string& where);
+[[nodiscard]] std::unique_ptr<Expression> parse_expression(const HeightNode& node);
 
 } // namespace estampe::terrain

@@ -133,9 +133,13 @@ TEST(HeightGraph, SaysWhatIsWrong)
     const auto of = [](const std::string& height) {
         return problem_of("[terrain]\nheight = '" + height + "'\n");
     };
-    EXPECT_EQ(of("fbm(400"), "bad.toml:2:10: a comma or a closing bracket is missing, at character 8 of the "
-                             "expression");
-    EXPECT_EQ(of("2 $ 3"), "bad.toml:2:10: \"$\" was not expected here, at character 3 of the expression");
+    EXPECT_EQ(of("fbm(400"),
+              "bad.toml:2:10: node \"height\", character 8: a comma or a closing bracket is missing");
+    EXPECT_EQ(of("2 $ 3"), "bad.toml:2:10: node \"height\", character 3: \"$\" was not expected here");
+    EXPECT_EQ(
+        problem_of("[terrain]\nheight = '1'\n[nodes]\n'a b' = '1'\n"),
+        "bad.toml:4:9: \"a b\" cannot name a node; a name has letters, digits and _, and begins with no "
+        "digit");
     EXPECT_EQ(of("fmb(400)"), "bad.toml:2:10: node \"height\", character 1: there is no node or function "
                               "\"fmb\"; did you mean \"fbm\"?");
     EXPECT_EQ(of("fbm(400, octave = 3)"), "bad.toml:2:10: node \"height\", character 19: fbm takes no "

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "techniques/terrain/graph/program.glsl.h"
 
 namespace estampe::terrain {
@@ -139,12 +141,35 @@ std::vector<NodeKind> made_kinds()
     };
 }
 
+std::string shown(const NodeParameter& parameter)
+{
+    if (parameter.default_number) {
+        return fmt::format("{} = {:.3g}", parameter.name, *parameter.default_number);
+    }
+    if (!parameter.default_text.empty()) {
+        return fmt::format("{} = \"{}\"", parameter.name, parameter.default_text);
+    }
+    return std::string(parameter.name);
+}
+
 } // namespace
 
 std::span<const NodeKind> node_kinds()
 {
     static const std::vector<NodeKind> kinds = made_kinds();
     return kinds;
+}
+
+std::string signature(const NodeKind& kind)
+{
+    if (kind.name.size() == 1) {
+        return std::string(kind.name);
+    }
+    std::string arguments;
+    for (const NodeParameter& parameter : kind.parameters) {
+        arguments += (arguments.empty() ? "" : ", ") + shown(parameter);
+    }
+    return fmt::format("{}({})", kind.name, arguments);
 }
 
 const NodeKind* find_node_kind(std::string_view name)

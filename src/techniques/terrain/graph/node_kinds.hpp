@@ -52,6 +52,9 @@ struct NodeKind {
 /// All of them, in the order of the manual.
 [[nodiscard]] std::span<const NodeKind> node_kinds();
 
+/// "fbm(wavelength, octaves = 5, gain = 0.447, seed = 0)"; of a sign the sign.
+[[nodiscard]] std::string signature(const NodeKind& kind);
+
 /// Null where there is none of that name.
 [[nodiscard]] const NodeKind* find_node_kind(std::string_view name);
 
