@@ -168,7 +168,7 @@ TEST(TerrainPictures, WhatIsSwappedIsAsIfDrawnAfresh)
         head + "[mesh]\ncells = 32\nplanet_radius_m = 300\n",
         head + "[mesh]\ncells = 32\nupdate = 'still'\n",
         head + "[mesh]\ncells = 32\nupdate = 'always'\n",
-        head + "[mesh]\ncells = 32\n[ripples]\nwavelength_m = 2\nheight_m = 0.2\n",
+        head + "[mesh]\ncells = 32\n[ripples]\nwavelength_m = 3\nheight_m = 1\n",
         "[terrain]\nheight = '70 + 2 * sine(32)'\n[mesh]\ncells = 32\n",
         "[terrain]\nheight = '3'\n[mesh]\nmethod = 'object'\nobject = 'Field'\n",
         waves};

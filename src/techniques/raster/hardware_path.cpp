@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/graph/execute.hpp"
+#include "shaders/corner_listed_vert.hpp"
 #include "shaders/corner_vert.hpp"
+#include "shaders/cull_list_comp.hpp"
+#include "shaders/cull_triangles_comp.hpp"
 #include "shaders/draw_behind_frag.hpp"
 #include "shaders/draw_depth_frag.hpp"
 #include "shaders/draw_depth_masked_frag.hpp"
@@ -35,6 +38,57 @@ gpu::Pass begin_draw(gpu::Graph& graph, const std::string& name, bool masked, bo
                         masked ? shaders::draw_masked_frag : shaders::draw_ids_frag);
 }
 
+shared::DrawConstants constants_of(const Batch& batch, const View& view)
+{
+    return {.clip_from_anchor = view.clip_from_anchor,
+            .size_px = view.size_px,
+            .first_triangle = batch.first_triangle,
+            .triangle_count = batch.triangle_count};
+}
+
+/// The triangles of a batch that may be seen.
+struct Culled {
+    gpu::BufferId listed;
+    gpu::BufferId arguments;
+};
+
+Culled add_cull(gpu::Graph& graph, const std::string& name, const RasterInputs& in, const Batch& batch,
+                const View& view)
+{
+    const uint32_t words = (batch.triangle_count + 31) / 32;
+    auto asking = graph.compute(name + "/cull", shaders::cull_triangles_comp);
+    asking.sample(in.triangles).sample(in.posed_vertices);
+    const gpu::BufferId kept =
+        asking.write(graph.buffer(name + "/kept", {.size_bytes = uint64_t{words} * sizeof(uint32_t)}));
+    asking.push(constants_of(batch, view)).dispatch_items(words);
+
+    auto listing = graph.compute(name + "/list", shaders::cull_list_comp);
+    listing.read(kept);
+    const gpu::BufferId listed = listing.write(
+        graph.buffer(name + "/listed", {.size_bytes = uint64_t{batch.triangle_count} * sizeof(uint32_t)}));
+    const gpu::BufferId arguments =
+        listing.write(graph.buffer(name + "/arguments", {.size_bytes = 4 * sizeof(uint32_t)}));
+    listing.push(constants_of(batch, view)).dispatch(1);
+    return {listed, arguments};
+}
+
+/// A batch of many triangles without masks: drawn from a list of those that may be seen.
+void add_culled_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in, const Batch& batch,
+                      const View& view, Attachments& to)
+{
+    const Culled culled = add_cull(graph, name, in, batch, view);
+    const bool tests_sides = view.cull_back_faces && !batch.plain;
+    auto pass = graph.raster(name, shaders::corner_listed_vert, shaders::draw_ids_frag);
+    pass.sample(in.triangles).sample(in.posed_vertices).sample(culled.listed, gpu::Format::r32ui);
+    to.words = pass.color(to.words);
+    to.depth = pass.depth(to.depth);
+    if (view.cull_back_faces && !tests_sides) {
+        pass.cull_back_faces();
+    }
+    pass.variant(tests_sides ? shared::draw_tests_sides : 0U);
+    pass.push(constants_of(batch, view)).draw_indirect(culled.arguments);
+}
+
 void add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in, const Batch& batch,
                const View& view, bool depth_only, Attachments& to)
 {
@@ -55,10 +109,7 @@ void add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& i
         pass.cull_back_faces();
     }
     pass.variant((batch.masked ? in.texture_classes : 0U) | (tests_sides ? shared::draw_tests_sides : 0U));
-    pass.push(shared::DrawConstants{.clip_from_anchor = view.clip_from_anchor,
-                                    .size_px = view.size_px,
-                                    .first_triangle = batch.first_triangle})
-        .draw(3 * batch.triangle_count);
+    pass.push(constants_of(batch, view)).draw(3 * batch.triangle_count);
 }
 
 /// Parts of an image, row by row, into a buffer of such rows.
@@ -96,7 +147,11 @@ Attachments draw_batches(gpu::Graph& graph, const std::string& name, const Raste
     };
     Attachments to{image("/words", gpu::Format::rg32ui), image("/depth", gpu::Format::depth32f)};
     for (const Batch& batch : batches) {
-        if (batch.triangle_count > 0) {
+        const bool is_culled =
+            batch.triangle_count >= view.tuning.culled_from && !batch.masked && !depth_only && !view.behind;
+        if (is_culled) {
+            add_culled_batch(graph, name + "/draw", in, batch, view, to);
+        } else if (batch.triangle_count > 0) {
             add_batch(graph, name + (batch.masked ? "/masked/draw" : "/draw"), in, batch, view, depth_only,
                       to);
         }

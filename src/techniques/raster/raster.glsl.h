@@ -94,11 +94,12 @@ struct DrawConstants {
     mat4 clip_from_anchor;
     uvec2 size_px;
     uint first_triangle;
+    uint triangle_count;
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(DepthPartConstants) == 28);
-static_assert(sizeof(DrawConstants) == 76);
+static_assert(sizeof(DrawConstants) == 80);
 static_assert(sizeof(RasterConstants) == 96);
 static_assert(sizeof(RasterView) == 100);
 static_assert(sizeof(ClusterBounds) == 24);

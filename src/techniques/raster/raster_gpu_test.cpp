@@ -18,7 +18,7 @@ protected:
     [[nodiscard]] static std::vector<Way> ways()
     {
         if (GetParam() == RasterPath::hardware) {
-            return {{RasterPath::hardware, 1}};
+            return {{RasterPath::hardware, 1}, {RasterPath::hardware, 1, {.culled_from = 1}}};
         }
         return {{}, {.tuning = {0, 3}}, {.tuning = {64, 1}}, {.tuning = {2048, 32}}};
     }

@@ -40,7 +40,7 @@ SHARED_CONSTANT uint height_no_register = 0xffffffffU;
 SHARED_CONSTANT uint height_register_count = 32U;
 
 // A program in words: places, parameters, four words an instruction.
-SHARED_CONSTANT uint height_words_most = 16384U; // 64 KiB of uniforms
+SHARED_CONSTANT uint height_words_most = 16000U; // within 64 KiB of uniforms
 SHARED_CONSTANT uint height_words_a_place = 16U;
 SHARED_CONSTANT uint height_place_words = 16U;
 
