@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_FLUID_GLSL_H
+#define ESTAMPE_FLUID_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
+#endif
+
+// Bits of the shaders' variants. The first six say what bounds the grid, axis by axis: x, y, z.
+SHARED_CONSTANT uint fluid_bit_periodic = 1U;    // shifted by the axis
+SHARED_CONSTANT uint fluid_bit_free_slip = 8U;   // shifted by the axis
+SHARED_CONSTANT uint fluid_bit_volume = 64U;     // three dimensions
+SHARED_CONSTANT uint fluid_bit_solids = 128U;    // there are obstacles
+SHARED_CONSTANT uint fluid_bit_scalars = 256U;   // what is moved are quantities, not the velocity
+SHARED_CONSTANT uint fluid_bit_cubic = 512U;     // Catmull-Rom splines in place of linear weights
+SHARED_CONSTANT uint fluid_bit_confined = 2048U; // vortices are fed
+SHARED_CONSTANT uint fluid_bit_buoyant = 4096U;  // quantities weigh
+SHARED_CONSTANT uint fluid_bit_reversed = 1024U; // of a transform: back
+
+// Channels of quantities that do something; those after them are only carried.
+SHARED_CONSTANT int fluid_density = 0;
+SHARED_CONSTANT int fluid_temperature = 1; // above that of the surroundings
+SHARED_CONSTANT int fluid_fuel = 2;
+SHARED_CONSTANT int fluid_vapour = 3;
+SHARED_CONSTANT int fluid_cloud = 4; // water that condensed
+
+// Velocities are kept on faces: component i of cell c on the face between c and its lower neighbour along
+// axis i, in layer i * depth + z of an image array. Quantities are kept in the middle of cells, channel by
+// channel.
+struct FluidGrid {
+    uint width; // cells
+    uint height;
+    uint depth;     // 1 in two dimensions
+    float texel_x;  // 1 / width
+    float texel_y;  // 1 / height
+    vec3 lid_speed; // of the wall at the high end of y
+};
+
+// What is moved along the flow.
+struct FluidAdvect {
+    float cells_per_speed; // how far what moves at speed 1 goes in this step
+    uint channels;
+};
+
+// A stage of diffusion: weights of the states and of their rates of change.
+struct FluidDiffuse {
+    float of_last;
+    float of_before_last;
+    float of_start;
+    float of_last_rate; // per Laplacian of unit cells
+    float of_start_rate;
+};
+
+struct FluidForces {
+    vec3 speed_gain; // everywhere
+    float kept;      // of the speed, by friction
+    float lift;      // of y's speed by a unit of temperature
+    float weight;    // the same down, by a unit of density
+    float confinement;
+};
+
+// A level of the multigrid, or of what is laid out as one: cells of 2^level cells of the grid's. In buffers
+// of all levels, level after level from the finest, it begins at `first`.
+struct FluidLevel {
+    uint width;
+    uint height;
+    uint first;
+};
+
+struct FluidTile {
+    FluidLevel level;
+    FluidLevel coarse; // the next one
+    uint rounds;       // of Jacobi's iteration
+};
+
+struct FluidSmall {
+    FluidLevel level;
+    uint level_count; // from this one on, down to a handful of cells
+};
+
+struct FluidWeights {
+    uint level_count;
+    uint cell_count; // of all levels
+};
+
+// Tiles of the fused passes: a workgroup works on a square, and on so many cells about it.
+SHARED_CONSTANT uint fluid_tile = 32U;
+SHARED_CONSTANT uint fluid_halo = 5U;
+SHARED_CONSTANT uint fluid_most_rounds = 4U; // of Jacobi's iteration in one pass
+SHARED_CONSTANT uint fluid_small_cells =
+    1024U; // a level of so many goes into one workgroup, and all after it
+
+#ifdef __cplusplus
+static_assert(sizeof(FluidGrid) == 32);
+} // namespace estampe::shared
+#endif
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/fluid/pressure/projection.hpp"
+
+#include <bit>
+#include <stdexcept>
+
+#include "shaders/fluid_divergence_comp.hpp"
+#include "shaders/fluid_gradient_comp.hpp"
+#include "shaders/fluid_reflect_comp.hpp"
+#include "shaders/fluid_weights_comp.hpp"
+#include "techniques/fluid/pressure/levels.hpp"
+#include "techniques/fluid/pressure/solvers.hpp"
+
+namespace estampe::fluid {
+namespace {
+
+uint32_t bits_of(const Grid& grid, const Solids& solids)
+{
+    return grid_bits(grid) | (solids.are_any ? shared::fluid_bit_solids : 0U);
+}
+
+gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style, Solver solver,
+                           const Equation& equation)
+{
+    return solver == Solver::jacobi ? add_jacobi(graph, grid, equation, style.jacobi_rounds)
+                                    : add_v_cycle(graph, grid, equation);
+}
+
+gpu::ImageId add_gradient(gpu::Graph& graph, const Grid& grid, const Solids& solids, gpu::ImageId velocity,
+                          gpu::BufferId pressure, gpu::ImageId target)
+{
+    auto pass = graph.compute("fluid/gradient", shaders::fluid_gradient_comp);
+    pass.sample(velocity).sample(pressure, gpu::Format::r32f).sample(solids.cells, gpu::Format::r32ui);
+    const gpu::ImageId out = pass.write(target);
+    pass.push(grid_constants(grid)).variant(bits_of(grid, solids));
+    dispatch_over_cells(pass, grid);
+    return out;
+}
+
+Projected add_reflection(gpu::Graph& graph, const Grid& grid, const ProjectionInput& input,
+                         gpu::ImageId velocity, gpu::BufferId pressure)
+{
+    auto pass = graph.compute("fluid/reflect", shaders::fluid_reflect_comp);
+    pass.sample(velocity)
+        .sample(pressure, gpu::Format::r32f)
+        .sample(input.solids.cells, gpu::Format::r32ui)
+        .sample(input.velocity);
+    const gpu::ImageId out = pass.write(input.target);
+    const gpu::ImageId reflected = pass.write(graph.image("fluid/reflected", velocity_desc(grid)));
+    pass.push(grid_constants(grid)).variant(bits_of(grid, input.solids));
+    dispatch_over_cells(pass, grid);
+    return {out, reflected};
+}
+
+} // namespace
+
+Solver solver_for(const Grid& grid, Solver solver, bool has_solids)
+{
+    const bool is_spectral_possible = !grid.is_volume() && !has_solids && std::has_single_bit(grid.cells.x) &&
+                                      std::has_single_bit(grid.cells.y) && grid.cells.x < 4;
+    if (solver == Solver::spectral && !is_spectral_possible) {
+        throw std::logic_error(
+            "the spectral solver wants two dimensions, sizes that are powers of two, and no obstacles");
+    }
+    return solver != Solver::automatic ? solver : is_spectral_possible ? Solver::spectral : Solver::multigrid;
+}
+
+gpu::BufferId add_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids)
+{
+    const std::vector<shared::FluidLevel> levels = levels_of(grid);
+    const uint32_t count = levels.back().first + cell_count(levels.back());
+    auto pass = graph.compute("fluid/weights", shaders::fluid_weights_comp);
+    pass.sample(solids.cells, gpu::Format::r32ui);
+    const gpu::BufferId weights =
+        pass.write(graph.buffer("fluid/weights", {.size_bytes = sizeof(uint32_t) * uint64_t{count}}));
+    pass
+        .push(WithGrid<shared::FluidWeights>{
+            grid_constants(grid), {.level_count = static_cast<uint32_t>(levels.size()), .cell_count = count}})
+        .variant(bits_of(grid, solids))
+        .dispatch_items(count);
+    return weights;
+}
+
+gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity, const Solids& solids)
+{
+    auto pass = graph.compute("fluid/divergence", shaders::fluid_divergence_comp);
+    pass.sample(velocity).sample(solids.cells, gpu::Format::r32ui);
+    const gpu::BufferId divergence =
+        pass.write(graph.buffer("fluid/divergence", {.size_bytes = sizeof(float) * grid.cell_count()}));
+    pass.push(grid_constants(grid)).variant(bits_of(grid, solids));
+    dispatch_over_cells(pass, grid);
+    return divergence;
+}
+
+Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
+                         const ProjectionInput& input, bool reflects)
+{
+    const Solver solver = solver_for(grid, style.solver, input.solids.are_any);
+    const uint32_t usual = solver == Solver::multigrid ? 3 : 1;
+    const uint32_t count = style.projections > 0 ? style.projections : usual;
+    gpu::ImageId velocity = input.velocity;
+    for (uint32_t i = 0;; ++i) {
+        const Equation equation{add_divergence(graph, grid, velocity, input.solids), input.weights};
+        const gpu::BufferId pressure = add_pressure(graph, grid, style, solver, equation);
+        if (i + 1 < count) {
+            velocity = add_gradient(graph, grid, input.solids, velocity, pressure,
+                                    graph.image("fluid/projected", velocity_desc(grid)));
+        } else if (reflects) {
+            return add_reflection(graph, grid, input, velocity, pressure);
+        } else {
+            velocity = add_gradient(graph, grid, input.solids, velocity, pressure, input.target);
+            return {velocity, velocity};
+        }
+    }
+}
+
+} // namespace estampe::fluid
