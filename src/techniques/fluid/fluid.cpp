@@ -10,6 +10,7 @@
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "techniques/fluid/motion/diffusion.hpp"
+#include "techniques/fluid/pressure/solvers.hpp"
 
 namespace estampe::fluid {
 namespace {
@@ -53,7 +54,7 @@ struct Fluid::Handles {
     gpu::ImageId velocity;
     std::vector<gpu::ImageId> quantities; ///< both of quantities_, or none
     Solids solids;
-    gpu::BufferId weights;
+    SolverTables tables;
 };
 
 Fluid::Fluid(gpu::Device& device, const Grid& grid, uint32_t channels, std::span<const float> velocity,
@@ -70,6 +71,7 @@ Fluid::Fluid(gpu::Device& device, const Grid& grid, uint32_t channels, std::span
         }
     }
     solids_ = gpu::upload_buffer(device, "fluid solids", std::vector<uint32_t>(grid.cell_count()));
+    angles_ = upload_angles(device, grid);
 }
 
 void Fluid::add_step(gpu::Graph& graph, const FluidStyle& style, Handles& handles)
@@ -92,7 +94,7 @@ void Fluid::add_step(gpu::Graph& graph, const FluidStyle& style, Handles& handle
     };
     const auto projected = [&](gpu::ImageId velocity, gpu::ImageId target, bool is_reflected) {
         return add_projection(graph, grid_, style.projection,
-                              {velocity, handles.solids, handles.weights, target}, is_reflected);
+                              {velocity, handles.solids, handles.tables, target}, is_reflected);
     };
     gpu::ImageId carrier = handles.velocity;
     if (reflects) {
@@ -123,7 +125,7 @@ FluidFields Fluid::add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_
     Handles handles{gpu::import_uploaded(graph, "fluid/velocity", velocity_),
                     {},
                     solids,
-                    add_weights(graph, grid_, solids)};
+                    {add_weights(graph, grid_, solids), gpu::import_whole(graph, "fluid/angles", angles_)}};
     if (channels_ > 0) {
         for (gpu::Image& image : quantities_) {
             handles.quantities.push_back(gpu::import_uploaded(graph, "fluid/quantities", image));

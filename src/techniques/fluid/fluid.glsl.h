@@ -18,6 +18,8 @@ SHARED_CONSTANT uint fluid_bit_cubic = 512U;     // Catmull-Rom splines in place
 SHARED_CONSTANT uint fluid_bit_confined = 2048U; // vortices are fed
 SHARED_CONSTANT uint fluid_bit_buoyant = 4096U;  // quantities weigh
 SHARED_CONSTANT uint fluid_bit_reversed = 1024U; // of a transform: back
+SHARED_CONSTANT uint fluid_bit_long =
+    8192U; // of a transform: rows of more numbers than fluid_transform_pairs
 
 // Channels of quantities that do something; those after them are only carried.
 SHARED_CONSTANT int fluid_density = 0;
@@ -85,10 +87,23 @@ struct FluidWeights {
     uint cell_count; // of all levels
 };
 
+// Of a transform along rows or columns: the cosines of an axis that has walls, sines and cosines of one that
+// has none.
+struct FluidTransform {
+    uint width;
+    uint height;
+    uint log_length; // of what is transformed
+    uint log_pairs;  // of rows or columns in a workgroup
+    uint log_turn;   // of the angles in a full turn
+    float share;     // that numbers are multiplied by
+};
+
 // Tiles of the fused passes: a workgroup works on a square, and on so many cells about it.
 SHARED_CONSTANT uint fluid_tile = 32U;
 SHARED_CONSTANT uint fluid_halo = 5U;
 SHARED_CONSTANT uint fluid_most_rounds = 4U; // of Jacobi's iteration in one pass
+SHARED_CONSTANT uint fluid_transform_pairs =
+    2048U; // complex numbers in a workgroup's memory, but for longer rows
 SHARED_CONSTANT uint fluid_small_cells =
     1024U; // a level of so many goes into one workgroup, and all after it
 

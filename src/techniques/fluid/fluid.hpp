@@ -65,6 +65,7 @@ private:
     std::array<gpu::Image, 2> quantities_; ///< by turns, none without channels
     uint32_t newest_quantities_ = 0;
     gpu::Buffer solids_;
+    gpu::Buffer angles_;
 };
 
 } // namespace estampe::fluid

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/fluid/pressure/projection.hpp"
 
-#include <bit>
 #include <stdexcept>
 
 #include "shaders/fluid_divergence_comp.hpp"
@@ -17,13 +16,6 @@ namespace {
 uint32_t bits_of(const Grid& grid, const Solids& solids)
 {
     return grid_bits(grid) | (solids.are_any ? shared::fluid_bit_solids : 0U);
-}
-
-gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style, Solver solver,
-                           const Equation& equation)
-{
-    return solver == Solver::jacobi ? add_jacobi(graph, grid, equation, style.jacobi_rounds)
-                                    : add_v_cycle(graph, grid, equation);
 }
 
 gpu::ImageId add_gradient(gpu::Graph& graph, const Grid& grid, const Solids& solids, gpu::ImageId velocity,
@@ -56,13 +48,12 @@ Projected add_reflection(gpu::Graph& graph, const Grid& grid, const ProjectionIn
 
 Solver solver_for(const Grid& grid, Solver solver, bool has_solids)
 {
-    const bool is_spectral_possible = !grid.is_volume() && !has_solids && std::has_single_bit(grid.cells.x) &&
-                                      std::has_single_bit(grid.cells.y) && grid.cells.x < 4;
-    if (solver == Solver::spectral && !is_spectral_possible) {
+    const bool is_possible = is_spectral_possible(grid) && !has_solids;
+    if (solver == Solver::spectral && !is_possible) {
         throw std::logic_error(
             "the spectral solver wants two dimensions, sizes that are powers of two, and no obstacles");
     }
-    return solver != Solver::automatic ? solver : is_spectral_possible ? Solver::spectral : Solver::multigrid;
+    return solver != Solver::automatic ? solver : is_possible ? Solver::spectral : Solver::multigrid;
 }
 
 gpu::BufferId add_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids)
@@ -92,16 +83,31 @@ gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId v
     return divergence;
 }
 
+gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
+                           gpu::BufferId divergence, const SolverTables& tables)
+{
+    const Equation equation{divergence, tables.weights};
+    switch (style.solver) {
+    case Solver::jacobi:
+        return add_jacobi(graph, grid, equation, style.jacobi_rounds);
+    case Solver::spectral:
+        return add_spectral(graph, grid, equation, tables.angles);
+    default:
+        return add_v_cycle(graph, grid, equation);
+    }
+}
+
 Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                          const ProjectionInput& input, bool reflects)
 {
-    const Solver solver = solver_for(grid, style.solver, input.solids.are_any);
-    const uint32_t usual = solver == Solver::multigrid ? 3 : 1;
+    ProjectionStyle chosen = style;
+    chosen.solver = solver_for(grid, style.solver, input.solids.are_any);
+    const uint32_t usual = chosen.solver == Solver::multigrid ? 3 : 1;
     const uint32_t count = style.projections > 0 ? style.projections : usual;
     gpu::ImageId velocity = input.velocity;
     for (uint32_t i = 0;; ++i) {
-        const Equation equation{add_divergence(graph, grid, velocity, input.solids), input.weights};
-        const gpu::BufferId pressure = add_pressure(graph, grid, style, solver, equation);
+        const gpu::BufferId divergence = add_divergence(graph, grid, velocity, input.solids);
+        const gpu::BufferId pressure = add_pressure(graph, grid, chosen, divergence, input.tables);
         if (i + 1 < count) {
             velocity = add_gradient(graph, grid, input.solids, velocity, pressure,
                                     graph.image("fluid/projected", velocity_desc(grid)));

@@ -40,6 +40,12 @@ struct Projected {
 /// What `automatic` is for such a grid; throws std::logic_error when `solver` cannot do it.
 [[nodiscard]] Solver solver_for(const Grid& grid, Solver solver, bool has_solids);
 
+/// What solvers know of a grid whatever flows on it.
+struct SolverTables {
+    gpu::BufferId weights; ///< of add_weights
+    gpu::BufferId angles;  ///< of upload_angles
+};
+
 /// Openings of faces on all levels, which the iterating solvers want; they depend on walls and obstacles
 /// alone.
 [[nodiscard]] gpu::BufferId add_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids);
@@ -47,12 +53,16 @@ struct Projected {
 struct ProjectionInput {
     gpu::ImageId velocity;
     Solids solids;
-    gpu::BufferId weights; ///< of add_weights
-    gpu::ImageId target;   ///< is overwritten with the projected velocity
+    SolverTables tables;
+    gpu::ImageId target; ///< is overwritten with the projected velocity
 };
 
 [[nodiscard]] Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                                        const ProjectionInput& input, bool reflects);
+
+/// From what flows out of each cell the pressure of each.
+[[nodiscard]] gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
+                                         gpu::BufferId divergence, const SolverTables& tables);
 
 /// Of each cell, what flows out of it, in metres a second: divergence times the side of a cell.
 [[nodiscard]] gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity,

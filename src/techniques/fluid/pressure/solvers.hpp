@@ -4,6 +4,7 @@
 // The solvers of the pressure's equation: from what flows out of each cell the pressure of each cell, such
 // that the sum over a cell's open faces of pressure there less pressure here is what flows out.
 
+#include "gpu/resources.hpp"
 #include "techniques/fluid/grid.hpp"
 
 namespace estampe::fluid {
@@ -18,5 +19,15 @@ struct Equation {
 
 /// One V(2,2) cycle from zero.
 [[nodiscard]] gpu::BufferId add_v_cycle(gpu::Graph& graph, const Grid& grid, const Equation& equation);
+
+/// Two dimensions, sizes that are powers of two.
+[[nodiscard]] bool is_spectral_possible(const Grid& grid);
+
+/// Cosines and sines for the transforms of a grid; nothing of use when they are not possible.
+[[nodiscard]] gpu::Buffer upload_angles(gpu::Device& device, const Grid& grid);
+
+/// Directly, by transforms of rows and columns; there are no obstacles.
+[[nodiscard]] gpu::BufferId add_spectral(gpu::Graph& graph, const Grid& grid, const Equation& equation,
+                                         gpu::BufferId angles);
 
 } // namespace estampe::fluid
