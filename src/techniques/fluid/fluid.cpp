@@ -37,6 +37,11 @@ void check_start(const Grid& grid, uint32_t channels, std::span<const float> sta
     }
 }
 
+uint32_t passes_of(Advection advection)
+{
+    return advection == Advection::maccormack ? 2 : 1;
+}
+
 /// Leaves an image as the next graph takes it in.
 gpu::ImageId handed_on(gpu::Graph& graph, gpu::ImageId image)
 {
@@ -52,18 +57,128 @@ gpu::ImageId handed_on(gpu::Graph& graph, gpu::ImageId image)
 /// What the steps of one graph hand on to each other.
 struct Fluid::Handles {
     gpu::ImageId velocity;
+    gpu::ImageId unprojected;
     std::vector<gpu::ImageId> quantities; ///< both of quantities_, or none
+    gpu::BufferId shapes;
     Solids solids;
     SolverTables tables;
 };
 
+/// One step, as passes.
+class Fluid::Step {
+public:
+    Step(gpu::Graph& graph, Fluid& fluid, const FluidStyle& style, Handles& handles, float age_s)
+        : graph_(graph), fluid_(fluid), grid_(fluid.grid_), style_(style), handles_(handles), age_s_(age_s)
+    {
+    }
+
+    void add()
+    {
+        if (fluid_.shapes_.are_solid()) {
+            handles_.solids =
+                add_solids(graph_, grid_, handles_.shapes, shapes_for(0.0F), handles_.solids.cells);
+            handles_.tables.weights = add_weights(graph_, grid_, handles_.solids);
+        }
+        const gpu::ImageId carrier = style_.stepping == Stepping::reflect ? add_reflected() : add_projected();
+        if (fluid_.channels_ > 0) {
+            add_quantities(carrier);
+        }
+    }
+
+private:
+    /// Both return the velocity that carries the quantities.
+    [[nodiscard]] gpu::ImageId add_projected()
+    {
+        const gpu::ImageId moved = forced(diffused(advected(handles_.velocity, handles_.velocity)));
+        handles_.velocity = projected(moved, handles_.velocity, false).velocity;
+        return handles_.velocity;
+    }
+
+    [[nodiscard]] gpu::ImageId add_reflected()
+    {
+        const gpu::ImageId start = diffused(handles_.velocity);
+        const gpu::ImageId target = graph_.image("fluid/half", velocity_desc(grid_));
+        const Projected half = projected(forced(advected(start, start)), target, true);
+        const gpu::ImageId moved = diffused(forced(advected(half.velocity, half.reflected)));
+        handles_.velocity = projected(moved, handles_.velocity, false).velocity;
+        return half.velocity;
+    }
+
+    void add_quantities(gpu::ImageId carrier)
+    {
+        const uint32_t last = fluid_.newest_quantities_;
+        fluid_.newest_quantities_ = 1 - last;
+        gpu::ImageId& newest = handles_.quantities[1 - last];
+        newest = add_advection(graph_, grid_, style_.quantity_advection,
+                               {carrier, handles_.quantities[last], newest, fluid_.channels_}, style_.step_s);
+        newest = add_matter(graph_, grid_, style_.matter, handles_.shapes, shapes_for(style_.step_s), newest);
+    }
+
+    [[nodiscard]] float part_s() const
+    {
+        return style_.stepping == Stepping::reflect ? 0.5F * style_.step_s : style_.step_s;
+    }
+
+    [[nodiscard]] shared::FluidShapes shapes_for(float time_s) const
+    {
+        return fluid_.shapes_.constants(grid_, age_s_, time_s, fluid_.channels_);
+    }
+
+    [[nodiscard]] gpu::ImageId advected(gpu::ImageId carrier, gpu::ImageId velocity)
+    {
+        const gpu::ImageId target = graph_.image("fluid/moved", velocity_desc(grid_));
+        return add_advection(graph_, grid_, style_.velocity_advection, {carrier, velocity, target}, part_s());
+    }
+
+    [[nodiscard]] gpu::ImageId diffused(gpu::ImageId velocity)
+    {
+        return style_.viscosity_m2_s > 0.0F
+                   ? add_diffusion(graph_, grid_, velocity,
+                                   {style_.viscosity_m2_s, style_.forces.acceleration_m_s2, part_s()})
+                   : velocity;
+    }
+
+    [[nodiscard]] gpu::ImageId forced(gpu::ImageId velocity)
+    {
+        ForceStyle forces = style_.forces;
+        if (style_.viscosity_m2_s > 0.0F) {
+            forces.acceleration_m_s2 = glm::vec3(0.0F); // diffusion sees to it
+        }
+        const auto weighing = fluid_.channels_ > shared::fluid_temperature
+                                  ? std::optional(handles_.quantities[fluid_.newest_quantities_])
+                                  : std::nullopt;
+        return add_forces(graph_, grid_, forces, velocity, weighing, part_s());
+    }
+
+    [[nodiscard]] Projected projected(gpu::ImageId velocity, gpu::ImageId target, bool reflects)
+    {
+        if (fluid_.shapes_.are_any()) {
+            velocity =
+                add_push(graph_, grid_, handles_.shapes, shapes_for(part_s()), handles_.solids, velocity);
+        }
+        handles_.unprojected = velocity;
+        return add_projection(graph_, grid_, style_.projection,
+                              {velocity, handles_.solids, handles_.tables, target}, reflects);
+    }
+
+    gpu::Graph& graph_;
+    Fluid& fluid_;
+    const Grid& grid_;
+    const FluidStyle& style_;
+    Handles& handles_;
+    float age_s_; ///< of what the graph was told about shapes
+};
+
 Fluid::Fluid(gpu::Device& device, const Grid& grid, uint32_t channels, std::span<const float> velocity,
              std::span<const float> quantities)
-    : grid_(grid), channels_(channels)
+    : grid_(grid), channels_(channels), shapes_(device)
 {
     check_grid(grid);
     check_start(grid, grid.dimensions(), velocity);
     check_start(grid, channels, quantities);
+    if (channels > shared::fluid_most_channels) {
+        throw std::logic_error("a fluid carries at most 8 quantities");
+    }
     velocity_ = start_image(device, "fluid velocity", velocity_desc(grid), velocity);
     if (channels > 0) {
         for (gpu::Image& image : quantities_) {
@@ -74,67 +189,52 @@ Fluid::Fluid(gpu::Device& device, const Grid& grid, uint32_t channels, std::span
     angles_ = upload_angles(device, grid);
 }
 
-void Fluid::add_step(gpu::Graph& graph, const FluidStyle& style, Handles& handles)
+uint32_t Fluid::most_steps(const FluidStyle& style) const
 {
+    constexpr uint32_t most_passes = 240; // others need some too
     const bool reflects = style.stepping == Stepping::reflect;
-    const float part_s = reflects ? 0.5F * style.step_s : style.step_s;
-    const std::optional<gpu::ImageId> weighing = channels_ > shared::fluid_temperature
-                                                     ? std::optional(handles.quantities[newest_quantities_])
-                                                     : std::nullopt;
-    const auto diffused = [&](gpu::ImageId velocity) {
-        return style.viscosity_m2_s > 0.0F
-                   ? add_diffusion(graph, grid_, velocity, style.viscosity_m2_s, part_s)
-                   : velocity;
-    };
-    const auto moved = [&](gpu::ImageId carrier, gpu::ImageId velocity) {
-        const gpu::ImageId advected =
-            add_advection(graph, grid_, style.velocity_advection,
-                          {carrier, velocity, graph.image("fluid/moved", velocity_desc(grid_))}, part_s);
-        return add_forces(graph, grid_, style.forces, advected, weighing, part_s);
-    };
-    const auto projected = [&](gpu::ImageId velocity, gpu::ImageId target, bool is_reflected) {
-        return add_projection(graph, grid_, style.projection,
-                              {velocity, handles.solids, handles.tables, target}, is_reflected);
-    };
-    gpu::ImageId carrier = handles.velocity;
-    if (reflects) {
-        const gpu::ImageId start = diffused(handles.velocity);
-        const Projected half =
-            projected(moved(start, start), graph.image("fluid/half", velocity_desc(grid_)), true);
-        carrier = half.velocity;
-        handles.velocity =
-            projected(diffused(moved(half.velocity, half.reflected)), handles.velocity, false).velocity;
-    } else {
-        handles.velocity =
-            projected(diffused(moved(handles.velocity, handles.velocity)), handles.velocity, false).velocity;
-        carrier = handles.velocity;
-    }
-    if (channels_ > 0) {
-        const uint32_t last = newest_quantities_;
-        newest_quantities_ = 1 - last;
-        handles.quantities[newest_quantities_] = add_advection(
-            graph, grid_, style.quantity_advection,
-            {carrier, handles.quantities[last], handles.quantities[newest_quantities_], channels_},
-            style.step_s);
-    }
+    const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);
+    const uint32_t diffusion =
+        style.viscosity_m2_s > 0.0F ? diffusion_stages(grid_, reflects ? 0.5F * share : share) : 0;
+    const uint32_t part = passes_of(style.velocity_advection) + 2 + diffusion +
+                          passes_of_projection(grid_, style.projection, shapes_.are_solid());
+    const uint32_t step =
+        (reflects ? 2 : 1) * part + 2 + (channels_ > 0 ? 1 + passes_of(style.quantity_advection) : 0);
+    return std::max(most_passes / step, 1U);
 }
 
-FluidFields Fluid::add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_t count)
+Fluid::Handles Fluid::import(gpu::Graph& graph)
 {
-    const Solids solids{gpu::import_whole(graph, "fluid/solids", solids_)};
-    Handles handles{gpu::import_uploaded(graph, "fluid/velocity", velocity_),
-                    {},
-                    solids,
-                    {add_weights(graph, grid_, solids), gpu::import_whole(graph, "fluid/angles", angles_)}};
+    const Solids solids{.cells = gpu::import_whole(graph, "fluid/solids", solids_)};
+    const gpu::ImageId velocity = gpu::import_uploaded(graph, "fluid/velocity", velocity_);
+    Handles handles{.velocity = velocity,
+                    .unprojected = velocity,
+                    .shapes = shapes_.upload(graph),
+                    .solids = solids,
+                    .tables = {.weights = add_weights(graph, grid_, solids),
+                               .angles = gpu::import_whole(graph, "fluid/angles", angles_)}};
     if (channels_ > 0) {
         for (gpu::Image& image : quantities_) {
             handles.quantities.push_back(gpu::import_uploaded(graph, "fluid/quantities", image));
         }
     }
-    for (uint32_t i = 0; i < count; ++i) {
-        add_step(graph, style, handles);
+    return handles;
+}
+
+FluidFields Fluid::add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_t count)
+{
+    if (count > most_steps(style)) {
+        throw std::logic_error("more steps of a fluid than one graph takes");
     }
-    FluidFields fields{handed_on(graph, handles.velocity)};
+    Handles handles = import(graph);
+    for (uint32_t i = 0; i < count; ++i) {
+        const float middle_of_step = static_cast<float>(i) + 0.5F;
+        Step(graph, *this, style, handles, middle_of_step * style.step_s).add();
+    }
+    shapes_.advance(static_cast<float>(count) * style.step_s);
+    FluidFields fields{.velocity = handed_on(graph, handles.velocity),
+                       .unprojected = handles.unprojected,
+                       .solids = handles.solids};
     for (const gpu::ImageId quantities : handles.quantities) {
         handed_on(graph, quantities);
     }

@@ -18,6 +18,8 @@ SHARED_CONSTANT uint fluid_bit_cubic = 512U;     // Catmull-Rom splines in place
 SHARED_CONSTANT uint fluid_bit_confined = 2048U; // vortices are fed
 SHARED_CONSTANT uint fluid_bit_buoyant = 4096U;  // quantities weigh
 SHARED_CONSTANT uint fluid_bit_reversed = 1024U; // of a transform: back
+SHARED_CONSTANT uint fluid_bit_burning = 16384U;
+SHARED_CONSTANT uint fluid_bit_condensing = 32768U;
 SHARED_CONSTANT uint fluid_bit_long =
     8192U; // of a transform: rows of more numbers than fluid_transform_pairs
 
@@ -53,6 +55,7 @@ struct FluidDiffuse {
     float of_start;
     float of_last_rate; // per Laplacian of unit cells
     float of_start_rate;
+    vec3 speed_gain; // by a force everywhere
 };
 
 struct FluidForces {
@@ -61,6 +64,51 @@ struct FluidForces {
     float lift;      // of y's speed by a unit of temperature
     float weight;    // the same down, by a unit of density
     float confinement;
+};
+
+// A box, turned about z and rounded: all that is no farther than `radius_m` from it. Of an obstacle, or of a
+// source.
+struct FluidShape {
+    vec3 centre_m;
+    float radius_m;
+    vec3 half_m; // of the box, along its own axes
+    float angle_rad;
+    vec3 speed;     // metres a second
+    float spin;     // radians a second
+    vec4 gain;      // of the first four channels, a second
+    vec4 more_gain; // of the next four
+    float push;     // how quickly what is within takes up its speed, 1 / s
+};
+
+// Where shapes are: obstacles first, then sources.
+struct FluidShapes {
+    float cell_m;
+    float age_s; // since they were where they are said to be
+    float step_s;
+    uint obstacle_count;
+    uint count;
+    uint channels;
+};
+
+// Mass that is moved in whole units.
+struct FluidMass {
+    float cells_per_speed;
+    float gain_per_unit; // of speed, by a difference of one unit between neighbours
+};
+
+// What becomes of quantities in a step.
+struct FluidMatter {
+    float density_kept;
+    float heat_kept;
+    float burnt;    // share of the fuel, where it burns
+    float ignition; // least temperature of that
+    float heat_of_fuel;
+    float smoke_of_fuel;
+    float condensed;         // share of what vapour is too much, or too little
+    float saturation;        // vapour that air takes up at y = 0 at the temperature of the surroundings
+    float saturation_heat;   // growth of its logarithm by a unit of temperature
+    float saturation_height; // fall of its logarithm by a metre of height
+    float latent_heat;
 };
 
 // A level of the multigrid, or of what is laid out as one: cells of 2^level cells of the grid's. In buffers
@@ -79,7 +127,10 @@ struct FluidTile {
 
 struct FluidSmall {
     FluidLevel level;
-    uint level_count; // from this one on, down to a handful of cells
+    uint level_count;  // from this one on, down to a handful of cells
+    uint level_number; // of this one, counted from the grid itself
+    uint width;        // of the grid
+    uint height;
 };
 
 struct FluidWeights {
@@ -97,6 +148,13 @@ struct FluidTransform {
     uint log_turn;   // of the angles in a full turn
     float share;     // that numbers are multiplied by
 };
+
+// Mass is whole units. Weights of the four or eight cells that share some add up to fluid_mass_whole exactly.
+SHARED_CONSTANT uint fluid_mass_unit = 65536U; // of mass 1
+SHARED_CONSTANT uint fluid_mass_whole = 32768U;
+
+SHARED_CONSTANT uint fluid_most_shapes = 64U;
+SHARED_CONSTANT uint fluid_most_channels = 8U;
 
 // Tiles of the fused passes: a workgroup works on a square, and on so many cells about it.
 SHARED_CONSTANT uint fluid_tile = 32U;

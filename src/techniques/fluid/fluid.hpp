@@ -9,6 +9,8 @@
 
 #include "gpu/resources.hpp"
 #include "techniques/fluid/grid.hpp"
+#include "techniques/fluid/matter/matter.hpp"
+#include "techniques/fluid/matter/shapes.hpp"
 #include "techniques/fluid/motion/advection.hpp"
 #include "techniques/fluid/motion/forces.hpp"
 #include "techniques/fluid/pressure/projection.hpp"
@@ -29,13 +31,16 @@ struct FluidStyle {
     ProjectionStyle projection;
     float viscosity_m2_s = 0.0F;
     ForceStyle forces;
+    MatterStyle matter;
 };
 
 /// Handles to what a graph's steps leave.
 struct FluidFields {
-    gpu::ImageId velocity; ///< metres a second; layer i * depth + z holds component i, on faces
-    std::optional<gpu::ImageId> quantities =
-        {}; ///< layer i * depth + z holds channel i, in the middle of cells
+    gpu::ImageId velocity;    ///< metres a second; layer i * depth + z holds component i, on faces
+    gpu::ImageId unprojected; ///< what the last projection was given, to measure what it left by
+    Solids solids;
+    /// Layer i * depth + z holds channel i, in the middle of cells.
+    std::optional<gpu::ImageId> quantities = {};
 };
 
 /// The same start, style and steps give the same fields on the same device, bit for bit.
@@ -46,9 +51,18 @@ public:
     Fluid(gpu::Device& device, const Grid& grid, uint32_t channels = 0, std::span<const float> velocity = {},
           std::span<const float> quantities = {});
 
-    /// Adds so many steps. Once a graph; each step takes between 10 and 100 passes of the 256 that a graph
-    /// has.
+    /// Adds so many steps; once a graph. More than most_steps() are an std::logic_error.
     [[nodiscard]] FluidFields add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_t count);
+
+    /// As many steps as one graph takes, at least one.
+    [[nodiscard]] uint32_t most_steps(const FluidStyle& style) const;
+
+    /// From the next step on; both move by themselves as steps pass. Throws std::logic_error for more than 64
+    /// in all.
+    void set_shapes(std::span<const Shape> obstacles, std::span<const Source> sources)
+    {
+        shapes_.set(obstacles, sources);
+    }
 
     [[nodiscard]] const Grid& grid() const { return grid_; }
 
@@ -56,15 +70,17 @@ public:
 
 private:
     struct Handles;
+    class Step;
 
-    void add_step(gpu::Graph& graph, const FluidStyle& style, Handles& handles);
+    [[nodiscard]] Handles import(gpu::Graph& graph);
 
     Grid grid_;
     uint32_t channels_;
     gpu::Image velocity_;
     std::array<gpu::Image, 2> quantities_; ///< by turns, none without channels
     uint32_t newest_quantities_ = 0;
-    gpu::Buffer solids_;
+    Shapes shapes_;
+    gpu::Buffer solids_; ///< a word a cell
     gpu::Buffer angles_;
 };
 

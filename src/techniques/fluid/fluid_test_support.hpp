@@ -10,6 +10,7 @@
 
 #include "support/gpu_device.hpp"
 #include "techniques/fluid/fluid.hpp"
+#include "techniques/fluid/read_fields.hpp"
 
 namespace estampe::fluid {
 
@@ -50,22 +51,23 @@ template <class Value>
 /// All layers of an image that `graph` makes, one after the other.
 [[nodiscard]] inline std::vector<float> run_and_read_layers(gpu::Graph& graph, gpu::ImageId image)
 {
-    const gpu::ImageDesc desc = graph.describe(image);
-    gpu::BufferId numbers = graph.buffer("layers", {.size_bytes = gpu::size_bytes(desc)});
-    auto copy = graph.custom("copy layers");
-    copy.touch(image, gpu::Access::transfer_read);
-    numbers = copy.touch_write(numbers, gpu::Access::transfer_write);
-    copy.execute([image, numbers, desc](gpu::Recorder& recorder) {
-        const VkBufferImageCopy region{.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, desc.layers},
-                                       .imageExtent = {desc.width, desc.height, 1}};
-        vkCmdCopyImageToBuffer(recorder.commands(), recorder.image(image).handle(),
-                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, recorder.buffer(numbers).handle(), 1,
-                               &region);
-    });
-    auto hand_on = graph.custom("hand on");
-    hand_on.touch(image, gpu::Access::compute_sampled);
-    hand_on.keep().execute([](gpu::Recorder&) {});
-    return test::run_and_read_as<float>(graph, numbers);
+    return test::run_and_read_as<float>(graph, add_layers_copy(graph, image));
+}
+
+/// The velocity after so many more steps, at most `at_once` in a graph.
+[[nodiscard]] inline std::vector<float> velocity_after(Fluid& fluid, const FluidStyle& style, uint32_t count,
+                                                       uint32_t at_once = UINT32_MAX)
+{
+    for (uint32_t left = count;;) {
+        const uint32_t now = std::min({left, at_once, fluid.most_steps(style)});
+        left -= now;
+        gpu::Graph graph;
+        const FluidFields fields = fluid.add_steps(graph, style, now);
+        if (left == 0) {
+            return run_and_read_layers(graph, fields.velocity);
+        }
+        static_cast<void>(test::run_and_read(graph, add_layers_copy(graph, fields.velocity)));
+    }
 }
 
 } // namespace estampe::fluid

@@ -9,8 +9,15 @@ namespace estampe::fluid {
 /// viscosity times time over the square of a cell's side. Throws std::logic_error above 63.
 [[nodiscard]] uint32_t diffusion_stages(const Grid& grid, float share);
 
-/// `velocity` after `time_s` of viscosity.
+struct Diffusion {
+    float viscosity_m2_s = 0.0F;
+    glm::vec3 acceleration_m_s2{
+        0.0F}; ///< everywhere: what walls hold back at once must not be added afterwards
+    float time_s = 0.0F;
+};
+
+/// `velocity` after it.
 [[nodiscard]] gpu::ImageId add_diffusion(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity,
-                                         float viscosity_m2_s, float time_s);
+                                         const Diffusion& diffusion);
 
 } // namespace estampe::fluid

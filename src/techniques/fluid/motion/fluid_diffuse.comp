@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: a stage of diffusion of the velocity.
+// One thread a cell: a stage of diffusion of the velocity, under a force that is the same everywhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -49,7 +49,7 @@ void main()
                       stage.of_before_last * texelFetch(before_last, texel, 0).x +
                       stage.of_start * texelFetch(start, texel, 0).x +
                       stage.of_last_rate * laplacian(last, i, cell) +
-                      stage.of_start_rate * laplacian(start, i, cell);
+                      stage.of_start_rate * laplacian(start, i, cell) + stage.speed_gain[i];
         imageStore(out_velocity, texel, vec4(is_on_wall(i, cell) ? 0.0 : value));
     }
 }

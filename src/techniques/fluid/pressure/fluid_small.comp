@@ -31,16 +31,19 @@ shared float cell_divergence[all_cells];
 shared uint cell_weights[all_cells];
 shared vec2 sums[thread_count]; // of divergence, and of cells that are not closed in
 
+#include "techniques/fluid/pressure/fluid_extent.glsl"
+
 struct Level {
     ivec2 size;
     int first;
+    int number; // from the grid itself on
 };
 
 Level level_of(int number)
 {
-    Level level = Level(ivec2(small.level.width, small.level.height), 0);
+    Level level = Level(ivec2(small.level.width, small.level.height), 0, int(small.level_number));
     for (int i = 0; i < number; ++i) {
-        level = Level((level.size + 1) / 2, level.first + level.size.x * level.size.y);
+        level = Level((level.size + 1) / 2, level.first + level.size.x * level.size.y, level.number + 1);
     }
     return level;
 }
@@ -79,23 +82,52 @@ void look_around(Level level, ivec2 cell, out vec4 open, out vec4 pressures)
              cell_pressure[neighbour(level, cell - ivec2(0, 1))], cell_pressure[right], cell_pressure[above]);
 }
 
+// Whether a cell is the last before an edge across which colours do not alternate.
+int is_at_seam(Level level, ivec2 cell, int axis)
+{
+    return wraps(axis) && (level.size[axis] & 1) == 1 && cell[axis] == level.size[axis] - 1 ? 1 : 0;
+}
+
+// No two neighbours have one colour: red and black alternate, and the two again, apart, on each seam.
+int color_of(Level level, ivec2 cell)
+{
+    return ((cell.x + cell.y) & 1) + 2 * (is_at_seam(level, cell, 0) + is_at_seam(level, cell, 1));
+}
+
+int color_count(Level level)
+{
+    return 2 + 2 * (is_at_seam(level, level.size - 1, 0) + is_at_seam(level, level.size - 1, 1));
+}
+
+void relax_color(Level level, int color)
+{
+    for (int k = int(gl_LocalInvocationIndex); k < level.size.x * level.size.y; k += thread_count) {
+        ivec2 cell = ivec2(k % level.size.x, k / level.size.x);
+        if (color_of(level, cell) == color) {
+            vec4 open;
+            vec4 pressures;
+            look_around(level, cell, open, pressures);
+            float all_open = dot(open, vec4(1.0));
+            int i = level.first + k;
+            cell_pressure[i] = all_open > 0.0 ? (dot(open, pressures) - cell_divergence[i]) / all_open : 0.0;
+        }
+    }
+    barrier();
+}
+
 void sweep(Level level, int count)
 {
-    for (int half_sweep = 0; half_sweep < 2 * count; ++half_sweep) {
-        for (int k = int(gl_LocalInvocationIndex); k < level.size.x * level.size.y; k += thread_count) {
-            ivec2 cell = ivec2(k % level.size.x, k / level.size.x);
-            if (((cell.x + cell.y + half_sweep) & 1) == 0) {
-                vec4 open;
-                vec4 pressures;
-                look_around(level, cell, open, pressures);
-                float all_open = dot(open, vec4(1.0));
-                int i = level.first + k;
-                cell_pressure[i] =
-                    all_open > 0.0 ? (dot(open, pressures) - cell_divergence[i]) / all_open : 0.0;
-            }
+    for (int i = 0; i < count; ++i) {
+        for (int color = 0; color < color_count(level); ++color) {
+            relax_color(level, color);
         }
-        barrier();
     }
+}
+
+vec2 nearness_at(Level level, ivec2 cell)
+{
+    return vec2(nearness(cell.x, level.size.x, level.number, int(small.width)),
+                nearness(cell.y, level.size.y, level.number, int(small.height)));
 }
 
 // The next level's weights, and what is left of the equation.
@@ -113,11 +145,11 @@ void restrict_to(Level coarse, Level level)
                 vec4 pressures;
                 look_around(level, cell, open, pressures);
                 sum += cell_divergence[i] - dot(open, pressures - cell_pressure[i]);
-                faces += vec2((j & 1) == 0 ? open.x : 0.0, j < 2 ? open.y : 0.0);
+                faces += vec2((j & 1) == 0 ? open.x : 0.0, j < 2 ? open.y : 0.0) / nearness_at(level, cell);
             }
         }
         cell_divergence[coarse.first + k] = sum;
-        cell_weights[coarse.first + k] = packHalf2x16(0.5 * faces);
+        cell_weights[coarse.first + k] = packHalf2x16(0.5 * faces * nearness_at(coarse, coarse_cell));
         cell_pressure[coarse.first + k] = 0.0;
     }
     barrier();

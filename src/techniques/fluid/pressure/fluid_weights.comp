@@ -28,6 +28,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/fluid/fluid_fields.glsl"
+#include "techniques/fluid/pressure/fluid_extent.glsl"
 
 bool is_open(ivec2 cell)
 {
@@ -72,8 +73,10 @@ void main()
         size = (size + 1) / 2;
         ++level;
     }
-    ivec2 cell = ivec2(left % size.x, left / size.x) << level;
+    ivec2 coarse = ivec2(left % size.x, left / size.x);
     int span = 1 << level;
-    vec2 open = vec2(open_faces(cell, 0, span), open_faces(cell, 1, span));
+    vec2 open = vec2(open_faces(coarse << level, 0, span), open_faces(coarse << level, 1, span));
+    open *= vec2(nearness(coarse.x, size.x, level, int(grid.width)),
+                 nearness(coarse.y, size.y, level, int(grid.height)));
     out_weights[item] = packHalf2x16(open / float(span));
 }

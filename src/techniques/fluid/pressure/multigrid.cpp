@@ -61,7 +61,11 @@ private:
         auto pass = graph_.compute("fluid/small", shaders::fluid_small_comp);
         pass.sample(divergence, gpu::Format::r32f).sample(weights_, gpu::Format::r32ui);
         const gpu::BufferId pressure = pass.write(numbers("fluid/pressure", levels_.size() - 1));
-        pass.push(shared::FluidSmall{.level = level, .level_count = small_levels_from(level)})
+        pass.push(shared::FluidSmall{.level = level,
+                                     .level_count = small_levels_from(level),
+                                     .level_number = static_cast<uint32_t>(levels_.size() - 1),
+                                     .width = levels_[0].width,
+                                     .height = levels_[0].height})
             .variant(bits_)
             .dispatch(1);
         return pressure;

@@ -44,6 +44,17 @@ Projected add_reflection(gpu::Graph& graph, const Grid& grid, const ProjectionIn
     return {out, reflected};
 }
 
+ProjectionStyle chosen_style(const Grid& grid, const ProjectionStyle& style, bool has_solids)
+{
+    constexpr uint32_t usual_cycles = 3;
+    ProjectionStyle chosen = style;
+    chosen.solver = solver_for(grid, style.solver, has_solids);
+    if (style.projections == 0) {
+        chosen.projections = chosen.solver == Solver::multigrid ? usual_cycles : 1;
+    }
+    return chosen;
+}
+
 } // namespace
 
 Solver solver_for(const Grid& grid, Solver solver, bool has_solids)
@@ -83,6 +94,17 @@ gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId v
     return divergence;
 }
 
+uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids)
+{
+    const ProjectionStyle chosen = chosen_style(grid, style, has_solids);
+    const auto levels = static_cast<uint32_t>(levels_of(grid).size());
+    const uint32_t solve = chosen.solver == Solver::spectral ? 3
+                           : chosen.solver == Solver::multigrid
+                               ? 2 * levels - 1
+                               : style.jacobi_rounds / shared::fluid_most_rounds + 2;
+    return chosen.projections * (solve + 2);
+}
+
 gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                            gpu::BufferId divergence, const SolverTables& tables)
 {
@@ -100,15 +122,12 @@ gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const Projection
 Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                          const ProjectionInput& input, bool reflects)
 {
-    ProjectionStyle chosen = style;
-    chosen.solver = solver_for(grid, style.solver, input.solids.are_any);
-    const uint32_t usual = chosen.solver == Solver::multigrid ? 3 : 1;
-    const uint32_t count = style.projections > 0 ? style.projections : usual;
+    const ProjectionStyle chosen = chosen_style(grid, style, input.solids.are_any);
     gpu::ImageId velocity = input.velocity;
     for (uint32_t i = 0;; ++i) {
         const gpu::BufferId divergence = add_divergence(graph, grid, velocity, input.solids);
         const gpu::BufferId pressure = add_pressure(graph, grid, chosen, divergence, input.tables);
-        if (i + 1 < count) {
+        if (i + 1 < chosen.projections) {
             velocity = add_gradient(graph, grid, input.solids, velocity, pressure,
                                     graph.image("fluid/projected", velocity_desc(grid)));
         } else if (reflects) {

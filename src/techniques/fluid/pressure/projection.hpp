@@ -60,6 +60,9 @@ struct ProjectionInput {
 [[nodiscard]] Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                                        const ProjectionInput& input, bool reflects);
 
+/// Passes that a projection takes.
+[[nodiscard]] uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids);
+
 /// From what flows out of each cell the pressure of each.
 [[nodiscard]] gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                                          gpu::BufferId divergence, const SolverTables& tables);
