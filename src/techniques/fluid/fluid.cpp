@@ -10,7 +10,9 @@
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "techniques/fluid/motion/diffusion.hpp"
+#include "techniques/fluid/pressure/residual.hpp"
 #include "techniques/fluid/pressure/solvers.hpp"
+#include "techniques/fluid/read_fields.hpp"
 
 namespace estampe::fluid {
 namespace {
@@ -40,16 +42,6 @@ void check_start(const Grid& grid, uint32_t channels, std::span<const float> sta
 uint32_t passes_of(Advection advection)
 {
     return advection == Advection::maccormack ? 2 : 1;
-}
-
-/// Leaves an image as the next graph takes it in.
-gpu::ImageId handed_on(gpu::Graph& graph, gpu::ImageId image)
-{
-    auto pass = graph.custom("fluid/keep");
-    pass.touch(image, gpu::Access::compute_sampled);
-    pass.keep();
-    pass.execute([](gpu::Recorder&) {});
-    return image;
 }
 
 } // namespace
@@ -157,7 +149,7 @@ private:
                 add_push(graph_, grid_, handles_.shapes, shapes_for(part_s()), handles_.solids, velocity);
         }
         handles_.unprojected = velocity;
-        return add_projection(graph_, grid_, style_.projection,
+        return add_projection(graph_, grid_, fluid_.trusted(style_.projection),
                               {velocity, handles_.solids, handles_.tables, target}, reflects);
     }
 
@@ -189,6 +181,26 @@ Fluid::Fluid(gpu::Device& device, const Grid& grid, uint32_t channels, std::span
     angles_ = upload_angles(device, grid);
 }
 
+double Fluid::check_spectral(gpu::Device& device, gpu::Executor& executor)
+{
+    constexpr double most = 1e-3;
+    if (!is_spectral_possible(grid_)) {
+        return 0.0;
+    }
+    const double residual = measured_residual(device, executor, grid_, {.solver = Solver::spectral});
+    is_spectral_right_ = residual <= most;
+    return residual;
+}
+
+ProjectionStyle Fluid::trusted(const ProjectionStyle& style) const
+{
+    ProjectionStyle chosen = style;
+    if (style.solver == Solver::automatic && !is_spectral_right_) {
+        chosen.solver = Solver::multigrid;
+    }
+    return chosen;
+}
+
 uint32_t Fluid::most_steps(const FluidStyle& style) const
 {
     constexpr uint32_t most_passes = 240; // others need some too
@@ -197,7 +209,7 @@ uint32_t Fluid::most_steps(const FluidStyle& style) const
     const uint32_t diffusion =
         style.viscosity_m2_s > 0.0F ? diffusion_stages(grid_, reflects ? 0.5F * share : share) : 0;
     const uint32_t part = passes_of(style.velocity_advection) + 2 + diffusion +
-                          passes_of_projection(grid_, style.projection, shapes_.are_solid());
+                          passes_of_projection(grid_, trusted(style.projection), shapes_.are_solid());
     const uint32_t step =
         (reflects ? 2 : 1) * part + 2 + (channels_ > 0 ? 1 + passes_of(style.quantity_advection) : 0);
     return std::max(most_passes / step, 1U);
@@ -232,11 +244,11 @@ FluidFields Fluid::add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_
         Step(graph, *this, style, handles, middle_of_step * style.step_s).add();
     }
     shapes_.advance(static_cast<float>(count) * style.step_s);
-    FluidFields fields{.velocity = handed_on(graph, handles.velocity),
-                       .unprojected = handles.unprojected,
-                       .solids = handles.solids};
+    FluidFields fields{
+        .velocity = handles.velocity, .unprojected = handles.unprojected, .solids = handles.solids};
+    hand_on(graph, fields.velocity);
     for (const gpu::ImageId quantities : handles.quantities) {
-        handed_on(graph, quantities);
+        hand_on(graph, quantities);
     }
     if (channels_ > 0) {
         fields.quantities = handles.quantities[newest_quantities_];

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "gpu/graph/execute.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/fluid/grid.hpp"
 #include "techniques/fluid/matter/matter.hpp"
@@ -57,6 +58,11 @@ public:
     /// As many steps as one graph takes, at least one.
     [[nodiscard]] uint32_t most_steps(const FluidStyle& style) const;
 
+    /// Solves a random equation directly, and goes by cycles from then on, where nothing else is asked for,
+    /// when more than a thousandth of it is left: drivers have been seen to get transforms wrong. Returns
+    /// what is left; 0 where there is no direct solver. Best done once, before the first step.
+    double check_spectral(gpu::Device& device, gpu::Executor& executor);
+
     /// From the next step on; both move by themselves as steps pass. Throws std::logic_error for more than 64
     /// in all.
     void set_shapes(std::span<const Shape> obstacles, std::span<const Source> sources)
@@ -73,6 +79,7 @@ private:
     class Step;
 
     [[nodiscard]] Handles import(gpu::Graph& graph);
+    [[nodiscard]] ProjectionStyle trusted(const ProjectionStyle& style) const;
 
     Grid grid_;
     uint32_t channels_;
@@ -82,6 +89,7 @@ private:
     Shapes shapes_;
     gpu::Buffer solids_; ///< a word a cell
     gpu::Buffer angles_;
+    bool is_spectral_right_ = true;
 };
 
 } // namespace estampe::fluid

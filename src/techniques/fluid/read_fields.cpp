@@ -5,6 +5,13 @@
 
 namespace estampe::fluid {
 
+void hand_on(gpu::Graph& graph, gpu::ImageId image)
+{
+    auto pass = graph.custom("fluid/keep");
+    pass.touch(image, gpu::Access::compute_sampled);
+    pass.keep().execute([](gpu::Recorder&) {});
+}
+
 gpu::BufferId add_layers_copy(gpu::Graph& graph, gpu::ImageId image)
 {
     const gpu::ImageDesc desc = graph.describe(image);
@@ -19,9 +26,7 @@ gpu::BufferId add_layers_copy(gpu::Graph& graph, gpu::ImageId image)
                                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, recorder.buffer(numbers).handle(), 1,
                                &region);
     });
-    auto hand_on = graph.custom("fluid/keep");
-    hand_on.touch(image, gpu::Access::compute_sampled);
-    hand_on.keep().execute([](gpu::Recorder&) {});
+    hand_on(graph, image);
     return numbers;
 }
 

@@ -9,6 +9,9 @@
 
 namespace estampe::fluid {
 
+/// Leaves an image as later graphs take it in, by gpu::import_uploaded.
+void hand_on(gpu::Graph& graph, gpu::ImageId image);
+
 /// Adds a copy of all layers of `image`, one after the other, and leaves the image as later graphs take it
 /// in.
 [[nodiscard]] gpu::BufferId add_layers_copy(gpu::Graph& graph, gpu::ImageId image);
