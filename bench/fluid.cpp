@@ -238,8 +238,8 @@ public:
         const fluid::Projected projected =
             fluid::add_projection(graph, grid_, style,
                                   {.velocity = from,
-                                   .solids = solids,
-                                   .tables = {.weights = fluid::add_weights(graph, grid_, solids),
+                                   .tables = {.solids = solids,
+                                              .weights = fluid::add_weights(graph, grid_, solids),
                                               .angles = gpu::import_whole(graph, "angles", angles_)},
                                    .target = gpu::import_uploaded(graph, "to", images_[newest_])},
                                   false);

@@ -52,7 +52,6 @@ struct Fluid::Handles {
     gpu::ImageId unprojected;
     std::vector<gpu::ImageId> quantities; ///< both of quantities_, or none
     gpu::BufferId shapes;
-    Solids solids;
     SolverTables tables;
 };
 
@@ -67,9 +66,9 @@ public:
     void add()
     {
         if (fluid_.shapes_.are_solid()) {
-            handles_.solids =
-                add_solids(graph_, grid_, handles_.shapes, shapes_for(0.0F), handles_.solids.cells);
-            handles_.tables.weights = add_weights(graph_, grid_, handles_.solids);
+            handles_.tables.solids =
+                add_solids(graph_, grid_, handles_.shapes, shapes_for(0.0F), handles_.tables.solids.cells);
+            handles_.tables.weights = add_weights(graph_, grid_, handles_.tables.solids);
         }
         const gpu::ImageId carrier = style_.stepping == Stepping::reflect ? add_reflected() : add_projected();
         if (fluid_.channels_ > 0) {
@@ -145,12 +144,12 @@ private:
     [[nodiscard]] Projected projected(gpu::ImageId velocity, gpu::ImageId target, bool reflects)
     {
         if (fluid_.shapes_.are_any()) {
-            velocity =
-                add_push(graph_, grid_, handles_.shapes, shapes_for(part_s()), handles_.solids, velocity);
+            velocity = add_push(graph_, grid_, handles_.shapes, shapes_for(part_s()), handles_.tables.solids,
+                                velocity);
         }
         handles_.unprojected = velocity;
         return add_projection(graph_, grid_, fluid_.trusted(style_.projection),
-                              {velocity, handles_.solids, handles_.tables, target}, reflects);
+                              {velocity, handles_.tables, target}, reflects);
     }
 
     gpu::Graph& graph_;
@@ -222,8 +221,8 @@ Fluid::Handles Fluid::import(gpu::Graph& graph)
     Handles handles{.velocity = velocity,
                     .unprojected = velocity,
                     .shapes = shapes_.upload(graph),
-                    .solids = solids,
-                    .tables = {.weights = add_weights(graph, grid_, solids),
+                    .tables = {.solids = solids,
+                               .weights = add_weights(graph, grid_, solids),
                                .angles = gpu::import_whole(graph, "fluid/angles", angles_)}};
     if (channels_ > 0) {
         for (gpu::Image& image : quantities_) {
@@ -245,7 +244,7 @@ FluidFields Fluid::add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_
     }
     shapes_.advance(static_cast<float>(count) * style.step_s);
     FluidFields fields{
-        .velocity = handles.velocity, .unprojected = handles.unprojected, .solids = handles.solids};
+        .velocity = handles.velocity, .unprojected = handles.unprojected, .solids = handles.tables.solids};
     hand_on(graph, fields.velocity);
     for (const gpu::ImageId quantities : handles.quantities) {
         hand_on(graph, quantities);

@@ -18,6 +18,10 @@ SHARED_CONSTANT uint fluid_bit_cubic = 512U;     // Catmull-Rom splines in place
 SHARED_CONSTANT uint fluid_bit_confined = 2048U; // vortices are fed
 SHARED_CONSTANT uint fluid_bit_buoyant = 4096U;  // quantities weigh
 SHARED_CONSTANT uint fluid_bit_reversed = 1024U; // of a transform: back
+SHARED_CONSTANT uint fluid_bit_dividing =
+    65536U; // of a transform: forth, divide by what differences make of waves, and back
+SHARED_CONSTANT uint fluid_bit_along_y = 131072U;
+SHARED_CONSTANT uint fluid_bit_along_z = 262144U;
 SHARED_CONSTANT uint fluid_bit_burning = 16384U;
 SHARED_CONSTANT uint fluid_bit_condensing = 32768U;
 SHARED_CONSTANT uint fluid_bit_long =
@@ -138,13 +142,13 @@ struct FluidWeights {
     uint cell_count; // of all levels
 };
 
-// Of a transform along rows or columns: the cosines of an axis that has walls, sines and cosines of one that
-// has none.
+// Of a transform along an axis: cosines where it has walls, sines and cosines where its ends meet.
 struct FluidTransform {
     uint width;
     uint height;
+    uint depth;
     uint log_length; // of what is transformed
-    uint log_pairs;  // of rows or columns in a workgroup
+    uint log_pairs;  // of rows in a workgroup
     uint log_turn;   // of the angles in a full turn
     float share;     // that numbers are multiplied by
 };

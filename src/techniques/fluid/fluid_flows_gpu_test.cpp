@@ -138,6 +138,36 @@ TEST(FluidFlows, ALidDrivesItsCavityAsGhiaGhiaAndShinFound)
     EXPECT_GE(fit(Advection::linear).rms_u, 0.004) << "linear weights blur, and the measure tells";
 }
 
+TEST(FluidFlows, VolumesFlowAsPlanesDoWhateverWayTheyLie)
+{
+    const auto vortices = [](double a, double b) {
+        return glm::dvec2(std::sin(a) * std::cos(b), -std::cos(a) * std::sin(b));
+    };
+    constexpr uint32_t side = 32;
+    const FluidStyle style{.step_s = static_cast<float>(2.0 * pi / side), .viscosity_m2_s = 0.02F};
+    const auto kept = [&](const Grid& grid, const Flow& flow) {
+        const std::vector<float> start = velocity_of(grid, flow);
+        Fluid fluid(test::shared_device(), grid, 0, start);
+        return energy_of(velocity_after(fluid, style, 6)) / energy_of(start);
+    };
+    const auto grid_of = [&](glm::uvec3 cells) {
+        return Grid{.cells = cells,
+                    .cell_m = style.step_s,
+                    .edges = {Edge::periodic, Edge::periodic, Edge::periodic}};
+    };
+    const double flat =
+        kept(grid_of({side, side, 1}), [&](glm::dvec3 p) { return glm::dvec3(vortices(p.x, p.y), 0.0); });
+    EXPECT_LT(flat, 0.95);
+    EXPECT_NEAR(
+        kept(grid_of({side, side, 4}), [&](glm::dvec3 p) { return glm::dvec3(vortices(p.x, p.y), 0.0); }),
+        flat, 1e-5);
+    const auto turned = [&](glm::dvec3 p) {
+        const glm::dvec2 speed = vortices(p.z, p.y);
+        return glm::dvec3(0.0, speed.y, speed.x);
+    };
+    EXPECT_NEAR(kept(grid_of({4, side, side}), turned), flat, 1e-5);
+}
+
 TEST(FluidFlows, StepsInOneGraphOrInManyAreTheSameBitForBit)
 {
     const Grid grid{.cells = {48, 32, 1}, .edges = {Edge::periodic, Edge::free_slip, Edge::no_slip}};

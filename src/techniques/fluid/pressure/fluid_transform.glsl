@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_FLUID_TRANSFORM
 #define ESTAMPE_FLUID_TRANSFORM
 
-// Fast transforms of rows in shared memory, two rows of real numbers as one of complex ones. Needs `variant`
-// and `axis_of_rows`; `transform`, a FluidTransform; `angles`, a texel buffer of cosines and sines of a full
+// Fast transforms of rows along an axis in shared memory, two rows of real numbers as one of complex ones.
+// Needs `variant`; `transform`, a FluidTransform; `angles`, a texel buffer of cosines and sines of a full
 // turn's parts.
 //
 // Forward goes by decimation in frequency, backward by decimation in time, both in place, so that frequencies
@@ -22,9 +22,14 @@ const int transform_numbers =
 shared float real_part[transform_numbers];
 shared float imaginary_part[transform_numbers];
 
+int axis_of_rows()
+{
+    return (variant & fluid_bit_along_z) != 0u ? 2 : (variant & fluid_bit_along_y) != 0u ? 1 : 0;
+}
+
 bool has_walls()
 {
-    return (variant & (fluid_bit_periodic << axis_of_rows)) == 0u;
+    return (variant & (fluid_bit_periodic << axis_of_rows())) == 0u;
 }
 
 int row_length()

@@ -35,11 +35,11 @@ Projected add_reflection(gpu::Graph& graph, const Grid& grid, const ProjectionIn
     auto pass = graph.compute("fluid/reflect", shaders::fluid_reflect_comp);
     pass.sample(velocity)
         .sample(pressure, gpu::Format::r32f)
-        .sample(input.solids.cells, gpu::Format::r32ui)
+        .sample(input.tables.solids.cells, gpu::Format::r32ui)
         .sample(input.velocity);
     const gpu::ImageId out = pass.write(input.target);
     const gpu::ImageId reflected = pass.write(graph.image("fluid/reflected", velocity_desc(grid)));
-    pass.push(grid_constants(grid)).variant(bits_of(grid, input.solids));
+    pass.push(grid_constants(grid)).variant(bits_of(grid, input.tables.solids));
     dispatch_over_cells(pass, grid);
     return {out, reflected};
 }
@@ -61,14 +61,22 @@ Solver solver_for(const Grid& grid, Solver solver, bool has_solids)
 {
     const bool is_possible = is_spectral_possible(grid) && !has_solids;
     if (solver == Solver::spectral && !is_possible) {
-        throw std::logic_error(
-            "the spectral solver wants two dimensions, sizes that are powers of two, and no obstacles");
+        throw std::logic_error("the spectral solver wants sizes that are powers of two, and no obstacles");
     }
-    return solver != Solver::automatic ? solver : is_possible ? Solver::spectral : Solver::multigrid;
+    if (solver == Solver::multigrid && grid.is_volume()) {
+        throw std::logic_error("multigrid works in two dimensions");
+    }
+    if (solver != Solver::automatic) {
+        return solver;
+    }
+    return is_possible ? Solver::spectral : grid.is_volume() ? Solver::jacobi : Solver::multigrid;
 }
 
 gpu::BufferId add_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids)
 {
+    if (grid.is_volume()) {
+        return solids.cells;
+    }
     const std::vector<shared::FluidLevel> levels = levels_of(grid);
     const uint32_t count = levels.back().first + cell_count(levels.back());
     auto pass = graph.compute("fluid/weights", shaders::fluid_weights_comp);
@@ -98,17 +106,16 @@ uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bo
 {
     const ProjectionStyle chosen = chosen_style(grid, style, has_solids);
     const auto levels = static_cast<uint32_t>(levels_of(grid).size());
-    const uint32_t solve = chosen.solver == Solver::spectral ? 3
-                           : chosen.solver == Solver::multigrid
-                               ? 2 * levels - 1
-                               : style.jacobi_rounds / shared::fluid_most_rounds + 2;
+    const uint32_t solve = chosen.solver == Solver::spectral    ? 3
+                           : chosen.solver == Solver::multigrid ? 2 * levels - 1
+                                                                : passes_of_jacobi(grid, style.jacobi_rounds);
     return chosen.projections * (solve + 2);
 }
 
 gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                            gpu::BufferId divergence, const SolverTables& tables)
 {
-    const Equation equation{divergence, tables.weights};
+    const Equation equation{divergence, tables.solids, tables.weights};
     switch (style.solver) {
     case Solver::jacobi:
         return add_jacobi(graph, grid, equation, style.jacobi_rounds);
@@ -122,18 +129,18 @@ gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const Projection
 Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                          const ProjectionInput& input, bool reflects)
 {
-    const ProjectionStyle chosen = chosen_style(grid, style, input.solids.are_any);
+    const ProjectionStyle chosen = chosen_style(grid, style, input.tables.solids.are_any);
     gpu::ImageId velocity = input.velocity;
     for (uint32_t i = 0;; ++i) {
-        const gpu::BufferId divergence = add_divergence(graph, grid, velocity, input.solids);
+        const gpu::BufferId divergence = add_divergence(graph, grid, velocity, input.tables.solids);
         const gpu::BufferId pressure = add_pressure(graph, grid, chosen, divergence, input.tables);
         if (i + 1 < chosen.projections) {
-            velocity = add_gradient(graph, grid, input.solids, velocity, pressure,
+            velocity = add_gradient(graph, grid, input.tables.solids, velocity, pressure,
                                     graph.image("fluid/projected", velocity_desc(grid)));
         } else if (reflects) {
             return add_reflection(graph, grid, input, velocity, pressure);
         } else {
-            velocity = add_gradient(graph, grid, input.solids, velocity, pressure, input.target);
+            velocity = add_gradient(graph, grid, input.tables.solids, velocity, pressure, input.target);
             return {velocity, velocity};
         }
     }

@@ -11,9 +11,9 @@
 namespace estampe::fluid {
 
 enum class Solver : uint8_t {
-    automatic, ///< spectral where it can be, else multigrid
+    automatic, ///< spectral where it can be, else multigrid, in volumes Jacobi
     jacobi,    ///< rounds of Jacobi's iteration: cheap, and blind to what is large
-    multigrid, ///< V(2,2) cycles
+    multigrid, ///< V(2,2) cycles; two dimensions
     spectral   ///< direct, by fast transforms: sizes that are powers of two, no obstacles
 };
 
@@ -42,17 +42,17 @@ struct Projected {
 
 /// What solvers know of a grid whatever flows on it.
 struct SolverTables {
+    Solids solids;
     gpu::BufferId weights; ///< of add_weights
     gpu::BufferId angles;  ///< of upload_angles
 };
 
 /// Openings of faces on all levels, which the iterating solvers want; they depend on walls and obstacles
-/// alone.
+/// alone. In volumes there is nothing of use in it.
 [[nodiscard]] gpu::BufferId add_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids);
 
 struct ProjectionInput {
     gpu::ImageId velocity;
-    Solids solids;
     SolverTables tables;
     gpu::ImageId target; ///< is overwritten with the projected velocity
 };

@@ -10,6 +10,7 @@
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "techniques/fluid/fluid_test_support.hpp"
+#include "techniques/fluid/pressure/residual.hpp"
 #include "techniques/fluid/pressure/solvers.hpp"
 
 namespace estampe::fluid {
@@ -83,8 +84,7 @@ std::vector<float> projected(const Grid& grid, const ProjectionStyle& style,
     const Projected result = add_projection(
         graph, grid, style,
         {.velocity = gpu::import_uploaded(graph, "velocity", image),
-         .solids = solids,
-         .tables = {add_weights(graph, grid, solids), gpu::import_whole(graph, "angles", angles)},
+         .tables = {solids, add_weights(graph, grid, solids), gpu::import_whole(graph, "angles", angles)},
          .target = graph.image("projected", velocity_desc(grid))},
         false);
     return run_and_read_layers(graph, result.velocity);
@@ -208,6 +208,27 @@ TEST(FluidProjection, SpectralSaysWhereItCannot)
                  std::logic_error);
     EXPECT_THROW(static_cast<void>(solver_for(grid_of(64, 64, wall, wall), Solver::spectral, true)),
                  std::logic_error);
+}
+
+TEST(FluidProjection, VolumesAreSolvedDirectly)
+{
+    gpu::Executor executor(test::shared_device());
+    for (const auto& [x, y, z] : {std::tuple(wall, wall, wall),
+                                  {periodic, wall, periodic},
+                                  {wall, periodic, wall},
+                                  {periodic, periodic, periodic}}) {
+        const Grid grid{.cells = {16, 8, 32}, .edges = {x, y, z}};
+        EXPECT_EQ(solver_for(grid, Solver::automatic, false), Solver::spectral);
+        EXPECT_LE(measured_residual(test::shared_device(), executor, grid, {}), 2e-6);
+    }
+    // Seven cells round, as Jacobi's iteration never ends where cells alternate like a chess board's.
+    const Grid odd{.cells = {10, 7, 5}, .edges = {wall, periodic, wall}};
+    const auto left = [&](uint32_t rounds) {
+        return measured_residual(test::shared_device(), executor, odd, {.jacobi_rounds = rounds});
+    };
+    EXPECT_LE(left(200), 1e-2);
+    EXPECT_LE(left(200), 0.5 * left(60));
+    EXPECT_THROW(static_cast<void>(solver_for(odd, Solver::multigrid, false)), std::logic_error);
 }
 
 } // namespace

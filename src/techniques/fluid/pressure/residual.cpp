@@ -65,9 +65,10 @@ double measured_residual(gpu::Device& device, gpu::Executor& executor, const Gri
     gpu::Buffer angles = upload_angles(device, grid);
     gpu::Buffer host(device, "fluid pressure", start.size_bytes(), gpu::MemoryUse::readback);
     gpu::Graph graph;
-    const SolverTables tables{
-        .weights = add_weights(graph, grid, {.cells = gpu::import_whole(graph, "fluid/solids", cells)}),
-        .angles = gpu::import_whole(graph, "fluid/angles", angles)};
+    const Solids solids{.cells = gpu::import_whole(graph, "fluid/solids", cells)};
+    const SolverTables tables{.solids = solids,
+                              .weights = add_weights(graph, grid, solids),
+                              .angles = gpu::import_whole(graph, "fluid/angles", angles)};
     ProjectionStyle chosen = style;
     chosen.solver = solver_for(grid, style.solver, false);
     const gpu::BufferId pressure =

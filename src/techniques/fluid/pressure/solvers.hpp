@@ -6,21 +6,25 @@
 
 #include "gpu/resources.hpp"
 #include "techniques/fluid/grid.hpp"
+#include "techniques/fluid/pressure/projection.hpp"
 
 namespace estampe::fluid {
 
 struct Equation {
     gpu::BufferId divergence;
-    gpu::BufferId weights;
+    Solids solids;
+    gpu::BufferId weights; ///< of add_weights; nothing of use in volumes
 };
 
 [[nodiscard]] gpu::BufferId add_jacobi(gpu::Graph& graph, const Grid& grid, const Equation& equation,
                                        uint32_t rounds);
 
-/// One V(2,2) cycle from zero.
+[[nodiscard]] uint32_t passes_of_jacobi(const Grid& grid, uint32_t rounds);
+
+/// One V(2,2) cycle from zero, in two dimensions.
 [[nodiscard]] gpu::BufferId add_v_cycle(gpu::Graph& graph, const Grid& grid, const Equation& equation);
 
-/// Two dimensions, sizes that are powers of two.
+/// Sizes that are powers of two.
 [[nodiscard]] bool is_spectral_possible(const Grid& grid);
 
 /// Cosines and sines for the transforms of a grid; nothing of use when they are not possible.

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "gpu/upload.hpp"
-#include "shaders/fluid_columns_comp.hpp"
 #include "shaders/fluid_rows_comp.hpp"
 #include "techniques/fluid/pressure/solvers.hpp"
 
@@ -20,7 +19,12 @@ uint32_t log_of(uint32_t power_of_two)
 
 uint32_t log_turn_of(const Grid& grid)
 {
-    return 2 + log_of(std::max(grid.cells.x, grid.cells.y));
+    return 2 + log_of(std::max({grid.cells.x, grid.cells.y, grid.cells.z}));
+}
+
+uint32_t axis_bit(uint32_t axis)
+{
+    return axis == 2 ? shared::fluid_bit_along_z : axis == 1 ? shared::fluid_bit_along_y : 0U;
 }
 
 class Transform {
@@ -30,23 +34,23 @@ public:
     {
     }
 
-    [[nodiscard]] gpu::BufferId add(const char* name, const gpu::Shader& shader, gpu::BufferId numbers,
-                                    uint32_t axis, uint32_t bits)
+    [[nodiscard]] gpu::BufferId add(const char* name, gpu::BufferId numbers, uint32_t axis, uint32_t bits)
     {
         const uint32_t length = grid_.cells[static_cast<int>(axis)];
-        const uint32_t pairs = grid_.cells[1 - static_cast<int>(axis)] / 2;
+        const auto pairs = static_cast<uint32_t>(grid_.cell_count() / length / 2);
         const uint32_t at_once = std::clamp(shared::fluid_transform_pairs / length, 1U, pairs);
-        auto pass = graph_.compute(name, shader);
+        auto pass = graph_.compute(name, shaders::fluid_rows_comp);
         pass.sample(numbers, gpu::Format::r32f).sample(angles_, gpu::Format::rg32ui);
         const gpu::BufferId out =
             pass.write(graph_.buffer("fluid/waves", {.size_bytes = sizeof(float) * grid_.cell_count()}));
         pass.push(shared::FluidTransform{.width = grid_.cells.x,
                                          .height = grid_.cells.y,
+                                         .depth = grid_.cells.z,
                                          .log_length = log_of(length),
                                          .log_pairs = log_of(at_once),
                                          .log_turn = log_turn_of(grid_),
                                          .share = 1.0F / static_cast<float>(length)})
-            .variant(grid_bits(grid_) | bits |
+            .variant(grid_bits(grid_) | bits | axis_bit(axis) |
                      (length > shared::fluid_transform_pairs ? shared::fluid_bit_long : 0U))
             .dispatch(pairs / at_once);
         return out;
@@ -62,7 +66,8 @@ private:
 
 bool is_spectral_possible(const Grid& grid)
 {
-    return !grid.is_volume() && std::has_single_bit(grid.cells.x) && std::has_single_bit(grid.cells.y);
+    return std::has_single_bit(grid.cells.x) && std::has_single_bit(grid.cells.y) &&
+           std::has_single_bit(grid.cells.z);
 }
 
 gpu::Buffer upload_angles(gpu::Device& device, const Grid& grid)
@@ -80,10 +85,16 @@ gpu::BufferId add_spectral(gpu::Graph& graph, const Grid& grid, const Equation& 
                            gpu::BufferId angles)
 {
     Transform transform(graph, grid, angles);
-    const gpu::BufferId rows =
-        transform.add("fluid/rows", shaders::fluid_rows_comp, equation.divergence, 0, 0);
-    const gpu::BufferId waves = transform.add("fluid/columns", shaders::fluid_columns_comp, rows, 1, 0);
-    return transform.add("fluid/rows back", shaders::fluid_rows_comp, waves, 0, shared::fluid_bit_reversed);
+    const uint32_t last = grid.dimensions() - 1;
+    gpu::BufferId waves = equation.divergence;
+    for (uint32_t axis = 0; axis < last; ++axis) {
+        waves = transform.add("fluid/transform", waves, axis, 0);
+    }
+    waves = transform.add("fluid/divide", waves, last, shared::fluid_bit_dividing);
+    for (uint32_t axis = last; axis > 0; --axis) {
+        waves = transform.add("fluid/transform back", waves, axis - 1, shared::fluid_bit_reversed);
+    }
+    return waves;
 }
 
 } // namespace estampe::fluid
