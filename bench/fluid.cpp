@@ -180,9 +180,6 @@ void measure_steps(Machine& machine, const Options& options, uint32_t side)
     constexpr uint32_t channels = 4;
     const fluid::Grid grid = grid_of(options, side);
     for (const Case& one : cases()) {
-        if (grid.is_volume() && one.style.projection.solver == fluid::Solver::multigrid) {
-            continue;
-        }
         fluid::Fluid flow(machine.device, grid, channels, over_faces(grid, gust));
         flow.set_shapes(one.obstacles, {});
         const double residual = flow.check_spectral(machine.device, machine.executor);
@@ -306,10 +303,7 @@ void measure_solvers(Machine& machine, const Options& options, uint32_t side)
                                                        {"spectral", fluid::Solver::spectral}};
     for (const auto& [field, start] : starts) {
         for (const auto& [name, solver] : solvers) {
-            const bool is_possible = solver == fluid::Solver::spectral
-                                         ? fluid::is_spectral_possible(grid)
-                                         : !grid.is_volume() || solver == fluid::Solver::jacobi;
-            if (is_possible) {
+            if (solver != fluid::Solver::spectral || fluid::is_spectral_possible(grid)) {
                 fmt::print("| {} | {} | {} | ", side, field, name);
                 measure_solver(machine, options, grid, solver, start);
             }

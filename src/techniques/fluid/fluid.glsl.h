@@ -22,6 +22,8 @@ SHARED_CONSTANT uint fluid_bit_dividing =
     65536U; // of a transform: forth, divide by what differences make of waves, and back
 SHARED_CONSTANT uint fluid_bit_along_y = 131072U;
 SHARED_CONSTANT uint fluid_bit_along_z = 262144U;
+SHARED_CONSTANT uint fluid_bit_from_zero = 524288U;   // of a sweep: there is no pressure yet
+SHARED_CONSTANT uint fluid_bit_prolonging = 1048576U; // of a sweep: the coarser level's pressure is added
 SHARED_CONSTANT uint fluid_bit_burning = 16384U;
 SHARED_CONSTANT uint fluid_bit_condensing = 32768U;
 SHARED_CONSTANT uint fluid_bit_long =
@@ -123,6 +125,19 @@ struct FluidLevel {
     uint first;
 };
 
+struct FluidVolumeLevel {
+    uint width;
+    uint height;
+    uint depth;
+    uint first;
+};
+
+struct FluidVolumeSweep {
+    uint color;        // of the cells that are swept
+    uint coarse_width; // of the next level
+    uint coarse_height;
+};
+
 struct FluidTile {
     FluidLevel level;
     FluidLevel coarse; // the next one
@@ -166,6 +181,7 @@ SHARED_CONSTANT uint fluid_halo = 5U;
 SHARED_CONSTANT uint fluid_most_rounds = 4U; // of Jacobi's iteration in one pass
 SHARED_CONSTANT uint fluid_transform_pairs =
     2048U; // complex numbers in a workgroup's memory, but for longer rows
+SHARED_CONSTANT uint fluid_coarsest_cells = 64U; // of a volume's last level
 SHARED_CONSTANT uint fluid_small_cells =
     1024U; // a level of so many goes into one workgroup, and all after it
 

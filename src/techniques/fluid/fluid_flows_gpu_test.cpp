@@ -168,6 +168,29 @@ TEST(FluidFlows, VolumesFlowAsPlanesDoWhateverWayTheyLie)
     EXPECT_NEAR(kept(grid_of({4, side, side}), turned), flat, 1e-5);
 }
 
+TEST(FluidFlows, WallsThatSlipHoldNothing)
+{
+    const auto left = [](Edge y) {
+        const Grid grid{.cells = {8, 16, 1}, .cell_m = 0.1F, .edges = {Edge::periodic, y, Edge::no_slip}};
+        Fluid fluid(test::shared_device(), grid, 0,
+                    velocity_of(grid, [](glm::dvec3) { return glm::dvec3(1.0, 0.0, 0.0); }));
+        return velocity_after(fluid, {.step_s = 0.05F, .viscosity_m2_s = 0.3F}, 20)[3];
+    };
+    EXPECT_NEAR(left(Edge::free_slip), 1.0F, 1e-5F);
+    EXPECT_LT(left(Edge::no_slip), 0.5F);
+}
+
+TEST(FluidFlows, TheDirectSolverIsCheckedAtTheStart)
+{
+    gpu::Executor executor(test::shared_device());
+    Fluid box(test::shared_device(), {.cells = {64, 32, 1}});
+    const double residual = box.check_spectral(test::shared_device(), executor);
+    EXPECT_GT(residual, 0.0);
+    EXPECT_LT(residual, 1e-5);
+    Fluid other(test::shared_device(), {.cells = {60, 32, 1}});
+    EXPECT_EQ(other.check_spectral(test::shared_device(), executor), 0.0);
+}
+
 TEST(FluidFlows, StepsInOneGraphOrInManyAreTheSameBitForBit)
 {
     const Grid grid{.cells = {48, 32, 1}, .edges = {Edge::periodic, Edge::free_slip, Edge::no_slip}};

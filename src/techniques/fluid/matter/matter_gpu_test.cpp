@@ -18,7 +18,7 @@ struct Seen {
 
 Seen after(Fluid& fluid, const FluidStyle& style, uint32_t steps)
 {
-    const std::vector<float> velocity = velocity_after(fluid, style, steps);
+    std::vector<float> velocity = velocity_after(fluid, style, steps);
     if (fluid.channels() == 0) {
         return {velocity, {}};
     }
@@ -84,6 +84,16 @@ TEST(FluidMatter, MovingObstaclesLeaveLittleDivergence)
     Fluid fluid(test::shared_device(), meadow);
     fluid.set_shapes(walkers(), {});
     EXPECT_LE(divergence_left(fluid, {.step_s = 0.02F}, 20), 2e-3);
+}
+
+TEST(FluidMatter, ObstaclesMoveInVolumesToo)
+{
+    const Grid room{.cells = {24, 24, 24}, .cell_m = 0.1F};
+    Fluid fluid(test::shared_device(), room);
+    Shape ball = disc({1.2F, 1.2F, 1.2F}, 0.5F);
+    ball.velocity_m_s = {0.3F, 0.2F, 0.5F};
+    fluid.set_shapes(std::vector{ball}, {});
+    EXPECT_LE(divergence_left(fluid, {.step_s = 0.05F}, 2), 2e-3);
 }
 
 TEST(FluidMatter, FacesOfObstaclesMoveAsTheyDo)

@@ -46,7 +46,7 @@ Projected add_reflection(gpu::Graph& graph, const Grid& grid, const ProjectionIn
 
 ProjectionStyle chosen_style(const Grid& grid, const ProjectionStyle& style, bool has_solids)
 {
-    constexpr uint32_t usual_cycles = 3;
+    const uint32_t usual_cycles = grid.is_volume() ? 2 : 3; // a graph has 256 passes
     ProjectionStyle chosen = style;
     chosen.solver = solver_for(grid, style.solver, has_solids);
     if (style.projections == 0) {
@@ -63,19 +63,13 @@ Solver solver_for(const Grid& grid, Solver solver, bool has_solids)
     if (solver == Solver::spectral && !is_possible) {
         throw std::logic_error("the spectral solver wants sizes that are powers of two, and no obstacles");
     }
-    if (solver == Solver::multigrid && grid.is_volume()) {
-        throw std::logic_error("multigrid works in two dimensions");
-    }
-    if (solver != Solver::automatic) {
-        return solver;
-    }
-    return is_possible ? Solver::spectral : grid.is_volume() ? Solver::jacobi : Solver::multigrid;
+    return solver != Solver::automatic ? solver : is_possible ? Solver::spectral : Solver::multigrid;
 }
 
 gpu::BufferId add_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids)
 {
     if (grid.is_volume()) {
-        return solids.cells;
+        return add_volume_weights(graph, grid, solids);
     }
     const std::vector<shared::FluidLevel> levels = levels_of(grid);
     const uint32_t count = levels.back().first + cell_count(levels.back());
@@ -105,11 +99,19 @@ gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId v
 uint32_t passes_of_projection(const Grid& grid, const ProjectionStyle& style, bool has_solids)
 {
     const ProjectionStyle chosen = chosen_style(grid, style, has_solids);
-    const auto levels = static_cast<uint32_t>(levels_of(grid).size());
-    const uint32_t solve = chosen.solver == Solver::spectral    ? 3
-                           : chosen.solver == Solver::multigrid ? 2 * levels - 1
-                                                                : passes_of_jacobi(grid, style.jacobi_rounds);
-    return chosen.projections * (solve + 2);
+    const auto of_solve = [&] {
+        switch (chosen.solver) {
+        case Solver::spectral:
+            return 2 * grid.dimensions() - 1;
+        case Solver::jacobi:
+            return passes_of_jacobi(grid, style.jacobi_rounds);
+        default:
+            break;
+        }
+        return grid.is_volume() ? passes_of_volume_cycle(grid)
+                                : 2 * static_cast<uint32_t>(levels_of(grid).size()) - 1;
+    };
+    return chosen.projections * (of_solve() + 2);
 }
 
 gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
@@ -122,7 +124,8 @@ gpu::BufferId add_pressure(gpu::Graph& graph, const Grid& grid, const Projection
     case Solver::spectral:
         return add_spectral(graph, grid, equation, tables.angles);
     default:
-        return add_v_cycle(graph, grid, equation);
+        return grid.is_volume() ? add_volume_cycle(graph, grid, equation)
+                                : add_v_cycle(graph, grid, equation);
     }
 }
 

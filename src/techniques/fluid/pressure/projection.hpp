@@ -11,9 +11,9 @@
 namespace estampe::fluid {
 
 enum class Solver : uint8_t {
-    automatic, ///< spectral where it can be, else multigrid, in volumes Jacobi
+    automatic, ///< spectral where it can be, else multigrid
     jacobi,    ///< rounds of Jacobi's iteration: cheap, and blind to what is large
-    multigrid, ///< V(2,2) cycles; two dimensions
+    multigrid, ///< V(2,2) cycles
     spectral   ///< direct, by fast transforms: sizes that are powers of two, no obstacles
 };
 
@@ -48,7 +48,7 @@ struct SolverTables {
 };
 
 /// Openings of faces on all levels, which the iterating solvers want; they depend on walls and obstacles
-/// alone. In volumes there is nothing of use in it.
+/// alone.
 [[nodiscard]] gpu::BufferId add_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids);
 
 struct ProjectionInput {

@@ -13,7 +13,7 @@ namespace estampe::fluid {
 struct Equation {
     gpu::BufferId divergence;
     Solids solids;
-    gpu::BufferId weights; ///< of add_weights; nothing of use in volumes
+    gpu::BufferId weights; ///< of add_weights
 };
 
 [[nodiscard]] gpu::BufferId add_jacobi(gpu::Graph& graph, const Grid& grid, const Equation& equation,
@@ -23,6 +23,11 @@ struct Equation {
 
 /// One V(2,2) cycle from zero, in two dimensions.
 [[nodiscard]] gpu::BufferId add_v_cycle(gpu::Graph& graph, const Grid& grid, const Equation& equation);
+
+/// The same for volumes, with weights of add_volume_weights.
+[[nodiscard]] gpu::BufferId add_volume_cycle(gpu::Graph& graph, const Grid& grid, const Equation& equation);
+[[nodiscard]] gpu::BufferId add_volume_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids);
+[[nodiscard]] uint32_t passes_of_volume_cycle(const Grid& grid);
 
 /// Sizes that are powers of two.
 [[nodiscard]] bool is_spectral_possible(const Grid& grid);
