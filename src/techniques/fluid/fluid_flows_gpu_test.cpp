@@ -43,9 +43,10 @@ TEST(FluidFlows, TaylorGreenVorticesDecayByTheirViscosity)
 {
     const double exact = std::exp(-4.0 * 0.01 * 2.0 * pi);
     EXPECT_NEAR(energy_kept(128, {.viscosity_m2_s = 0.01F}), exact, 0.003);
-    EXPECT_LT(energy_kept(128, {.velocity_advection = Advection::linear, .viscosity_m2_s = 0.01F}),
-              exact - 0.05)
-        << "linear weights blur, and the measure tells";
+    // The measure tells: with half the cells the default is still near, and linear weights blur.
+    EXPECT_NEAR(energy_kept(64, {.viscosity_m2_s = 0.01F}), exact, 0.01);
+    EXPECT_LT(energy_kept(64, {.velocity_advection = Advection::linear, .viscosity_m2_s = 0.01F}),
+              exact - 0.1);
 }
 
 TEST(FluidFlows, ReflectionIsOfSecondOrderAndPlainProjectionOfFirst)
@@ -122,20 +123,20 @@ TEST(FluidFlows, ChannelsStartAsPoiseuilleFlowDoes)
 TEST(FluidFlows, ALidDrivesItsCavityAsGhiaGhiaAndShinFound)
 {
     const Grid grid = cavity_grid(64);
-    const auto fit = [&](Advection advection) {
+    const auto fit = [&](Advection advection, uint32_t seconds) {
         Fluid fluid(test::shared_device(), grid);
         const FluidStyle style{
             .step_s = grid.cell_m, .velocity_advection = advection, .viscosity_m2_s = 1.0F / 100.0F};
-        return cavity_fit(grid, velocity_after(fluid, style, 64 * 12), 100);
+        return cavity_fit(grid, velocity_after(fluid, style, 64 * seconds), 100);
     };
-    const CavityFit sharp = fit(Advection::maccormack);
+    const CavityFit sharp = fit(Advection::maccormack, 12);
     EXPECT_LE(sharp.rms_u, 0.0025);
     EXPECT_LE(sharp.rms_v, 0.0045);
     // Extremes after Marchi, Suero and Araki, 2009.
     EXPECT_NEAR(sharp.least_u, -0.2140417, 0.02 * 0.214);
     EXPECT_NEAR(sharp.most_v, 0.1795728, 0.02 * 0.18);
     EXPECT_NEAR(sharp.least_v, -0.2538030, 0.02 * 0.254);
-    EXPECT_GE(fit(Advection::linear).rms_u, 0.004) << "linear weights blur, and the measure tells";
+    EXPECT_GE(fit(Advection::linear, 8).rms_u, 0.004) << "linear weights blur, and the measure tells";
 }
 
 TEST(FluidFlows, VolumesFlowAsPlanesDoWhateverWayTheyLie)

@@ -231,6 +231,18 @@ TEST(FluidProjection, VolumesAreSolvedDirectly)
     EXPECT_LE(left(200), 0.5 * left(60));
 }
 
+TEST(FluidProjection, LongRowsAreTransformedToo)
+{
+    gpu::Executor executor(test::shared_device());
+    for (const auto& [cells, x, y] :
+         {std::tuple(glm::uvec3(4096, 4, 1), wall, wall), {glm::uvec3(4, 4096, 1), wall, periodic}}) {
+        const Grid grid{.cells = cells, .edges = {x, y, wall}};
+        EXPECT_LE(measured_residual(test::shared_device(), executor, grid, {.solver = Solver::spectral}),
+                  2e-4)
+            << cells.x;
+    }
+}
+
 TEST(FluidProjection, VolumesConvergeByCycles)
 {
     gpu::Executor executor(test::shared_device());

@@ -82,7 +82,7 @@ double measured_residual(gpu::Device& device, gpu::Executor& executor, const Gri
         const auto n = static_cast<uint32_t>(i);
         const glm::ivec3 cell(n % grid.cells.x, n / grid.cells.x % grid.cells.y,
                               n / (grid.cells.x * grid.cells.y));
-        const double wanted = static_cast<double>(divergence[i]);
+        const auto wanted = static_cast<double>(divergence[i]);
         left += std::pow(differences(grid, solved, cell) - wanted, 2.0);
         all += wanted * wanted;
     }
