@@ -4,6 +4,7 @@
 #include "techniques/fluid/fluid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -234,6 +235,9 @@ Fluid::Handles Fluid::import(gpu::Graph& graph)
 
 FluidFields Fluid::add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_t count)
 {
+    if (!(style.step_s > 0.0F) || !std::isfinite(style.step_s)) {
+        throw std::logic_error("a step of a fluid is longer than 0 seconds");
+    }
     if (count > most_steps(style)) {
         throw std::logic_error("more steps of a fluid than one graph takes");
     }

@@ -9,25 +9,28 @@ namespace estampe::shared {
 #endif
 
 // Bits of the shaders' variants. The first six say what bounds the grid, axis by axis: x, y, z.
-SHARED_CONSTANT uint fluid_bit_periodic = 1U;    // shifted by the axis
-SHARED_CONSTANT uint fluid_bit_free_slip = 8U;   // shifted by the axis
-SHARED_CONSTANT uint fluid_bit_volume = 64U;     // three dimensions
-SHARED_CONSTANT uint fluid_bit_solids = 128U;    // there are obstacles
-SHARED_CONSTANT uint fluid_bit_scalars = 256U;   // what is moved are quantities, not the velocity
-SHARED_CONSTANT uint fluid_bit_cubic = 512U;     // Catmull-Rom splines in place of linear weights
-SHARED_CONSTANT uint fluid_bit_confined = 2048U; // vortices are fed
-SHARED_CONSTANT uint fluid_bit_buoyant = 4096U;  // quantities weigh
-SHARED_CONSTANT uint fluid_bit_reversed = 1024U; // of a transform: back
+SHARED_CONSTANT uint fluid_bit_periodic = 0x1U;  // shifted by the axis
+SHARED_CONSTANT uint fluid_bit_free_slip = 0x8U; // shifted by the axis
+SHARED_CONSTANT uint fluid_bit_volume = 0x40U;   // three dimensions
+SHARED_CONSTANT uint fluid_bit_solids = 0x80U;   // there are obstacles
+// Of advection.
+SHARED_CONSTANT uint fluid_bit_scalars = 0x100U; // what is moved are quantities, not the velocity
+SHARED_CONSTANT uint fluid_bit_cubic = 0x200U;   // Catmull-Rom splines in place of linear weights
+// Of forces and matter.
+SHARED_CONSTANT uint fluid_bit_confined = 0x400U; // vortices are fed
+SHARED_CONSTANT uint fluid_bit_buoyant = 0x800U;  // quantities weigh
+SHARED_CONSTANT uint fluid_bit_burning = 0x1000U;
+SHARED_CONSTANT uint fluid_bit_condensing = 0x2000U;
+// Of transforms, which go along x unless said.
+SHARED_CONSTANT uint fluid_bit_along_y = 0x4000U;
+SHARED_CONSTANT uint fluid_bit_along_z = 0x8000U;
+SHARED_CONSTANT uint fluid_bit_long = 0x10000U;     // rows have more numbers than fluid_transform_pairs
+SHARED_CONSTANT uint fluid_bit_reversed = 0x20000U; // back
 SHARED_CONSTANT uint fluid_bit_dividing =
-    65536U; // of a transform: forth, divide by what differences make of waves, and back
-SHARED_CONSTANT uint fluid_bit_along_y = 131072U;
-SHARED_CONSTANT uint fluid_bit_along_z = 262144U;
-SHARED_CONSTANT uint fluid_bit_from_zero = 524288U;   // of a sweep: there is no pressure yet
-SHARED_CONSTANT uint fluid_bit_prolonging = 1048576U; // of a sweep: the coarser level's pressure is added
-SHARED_CONSTANT uint fluid_bit_burning = 16384U;
-SHARED_CONSTANT uint fluid_bit_condensing = 32768U;
-SHARED_CONSTANT uint fluid_bit_long =
-    8192U; // of a transform: rows of more numbers than fluid_transform_pairs
+    0x40000U; // forth, divide by what differences make of waves, and back
+// Of half a sweep of a volume.
+SHARED_CONSTANT uint fluid_bit_from_zero = 0x80000U;   // there is no pressure yet
+SHARED_CONSTANT uint fluid_bit_prolonging = 0x100000U; // the coarser level's pressure is added
 
 // Channels of quantities that do something; those after them are only carried.
 SHARED_CONSTANT int fluid_density = 0;

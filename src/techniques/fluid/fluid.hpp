@@ -52,7 +52,8 @@ public:
     Fluid(gpu::Device& device, const Grid& grid, uint32_t channels = 0, std::span<const float> velocity = {},
           std::span<const float> quantities = {});
 
-    /// Adds so many steps; once a graph. More than most_steps() are an std::logic_error.
+    /// Adds so many steps; once a graph. More than most_steps(), or a step of no length, are an
+    /// std::logic_error.
     [[nodiscard]] FluidFields add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_t count);
 
     /// As many steps as one graph takes, at least one.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Flows whose solutions are known.
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "techniques/fluid/cavity.hpp"
@@ -190,6 +192,27 @@ TEST(FluidFlows, TheDirectSolverIsCheckedAtTheStart)
     EXPECT_LT(residual, 1e-5);
     Fluid other(test::shared_device(), {.cells = {60, 32, 1}});
     EXPECT_EQ(other.check_spectral(test::shared_device(), executor), 0.0);
+}
+
+TEST(FluidFlows, WhatIsNoFluidIsRefused)
+{
+    gpu::Device& device = test::shared_device();
+    const std::vector<float> short_start(7);
+    EXPECT_THROW(Fluid(device, {.cells = {3, 8, 1}}), std::logic_error);
+    EXPECT_THROW(Fluid(device, {.cells = {8, 5000, 1}}), std::logic_error);
+    EXPECT_THROW(Fluid(device, {.cells = {8, 8, 2}}), std::logic_error);
+    EXPECT_THROW(Fluid(device, {.cells = {8, 8, 1}, .cell_m = 0.0F}), std::logic_error);
+    EXPECT_THROW(Fluid(device, {.cells = {8, 8, 1}}, 9), std::logic_error);
+    EXPECT_THROW(Fluid(device, {.cells = {8, 8, 1}}, 0, short_start), std::logic_error);
+    EXPECT_THROW(Fluid(device, {.cells = {8, 8, 1}}, 1, {}, short_start), std::logic_error);
+    Fluid fluid(device, {.cells = {8, 8, 1}});
+    EXPECT_THROW(fluid.set_shapes(std::vector<Shape>(40), std::vector<Source>(25)), std::logic_error);
+    gpu::Graph graph;
+    EXPECT_THROW(static_cast<void>(fluid.add_steps(graph, {}, 100)), std::logic_error);
+    for (const float step_s : {0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
+        EXPECT_THROW(static_cast<void>(fluid.add_steps(graph, {.step_s = step_s}, 1)), std::logic_error);
+    }
+    EXPECT_THROW(static_cast<void>(fluid.add_steps(graph, {.viscosity_m2_s = 1e9F}, 1)), std::logic_error);
 }
 
 TEST(FluidFlows, StepsInOneGraphOrInManyAreTheSameBitForBit)

@@ -4,14 +4,14 @@
 
 // Fields by Catmull-Rom splines. Needs what fluid_fields.glsl needs, and is included after it.
 
-// A node that may lie two beyond a wall.
+// A node that may lie two beyond a wall; the second is taken for the first.
 float node_value(sampler2DArray field, int component, ivec3 node, int first_layer)
 {
     ivec3 size = fluid_size();
     ivec3 low = node;
     for (int axis = 0; axis < fluid_dimensions(); ++axis) {
-        low[axis] = is_periodic(axis) ? (node[axis] + size[axis]) % size[axis]
-                                      : clamp(node[axis], -1, component == axis ? size[axis] : size[axis]);
+        low[axis] =
+            is_periodic(axis) ? (node[axis] + size[axis]) % size[axis] : clamp(node[axis], -1, size[axis]);
     }
     vec4 near;
     vec4 far;
