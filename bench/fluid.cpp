@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: MIT
+// What a step of fluid costs, pass by pass, and how long each solver takes to a given divergence.
+// estampe_bench_fluid --help
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "gpu/graph/execute.hpp"
+#include "gpu/imports.hpp"
+#include "gpu/read_back.hpp"
+#include "gpu/upload.hpp"
+#include "techniques/fluid/fluid.hpp"
+#include "techniques/fluid/pressure/residual.hpp"
+#include "techniques/fluid/pressure/solvers.hpp"
+#include "techniques/fluid/read_fields.hpp"
+
+namespace {
+
+using namespace estampe; // NOLINT(google-build-using-namespace): a program of one file
+
+struct Options {
+    std::string device = "auto";
+    std::vector<uint32_t> sizes{256, 512, 1024, 2048, 4096};
+    uint32_t depth = 1;
+    uint32_t rounds = 40;
+    uint32_t most_projections = 100;
+    bool periodic = false;
+    bool steps_only = false;
+    bool solvers_only = false;
+};
+
+struct Machine {
+    explicit Machine(const Options& options)
+        : device(RendererOptions{.device = options.device}), executor(device)
+    {
+    }
+
+    /// Milliseconds of a run: of the device's own clock, but by the wall's on a processor, where its clock is
+    /// wrong for short passes.
+    double run(const gpu::Graph& graph)
+    {
+        const auto begin = std::chrono::steady_clock::now();
+        executor.run(graph);
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        if (device.info().software) {
+            return took.count();
+        }
+        double sum = 0.0;
+        for (const PassTiming& timing : executor.timings()) {
+            sum += timing.gpu_ms;
+        }
+        return sum;
+    }
+
+    gpu::Device device;
+    gpu::Executor executor;
+};
+
+double median(std::vector<double> numbers)
+{
+    std::ranges::sort(numbers);
+    return numbers.empty() ? 0.0 : numbers[numbers.size() / 2];
+}
+
+fluid::Grid grid_of(const Options& options, uint32_t side)
+{
+    const fluid::Edge edge = options.periodic ? fluid::Edge::periodic : fluid::Edge::no_slip;
+    return {.cells = {side, side, options.depth},
+            .cell_m = 1.0F / static_cast<float>(side),
+            .edges = {edge, edge, edge}};
+}
+
+std::vector<float> over_faces(const fluid::Grid& grid, const std::function<glm::dvec3(glm::dvec3)>& flow)
+{
+    std::vector<float> numbers;
+    for (uint32_t i = 0; i < grid.dimensions(); ++i) {
+        for (uint64_t k = 0; k < grid.cell_count(); ++k) {
+            const auto n = static_cast<uint32_t>(k);
+            const glm::uvec3 cell(n % grid.cells.x, n / grid.cells.x % grid.cells.y,
+                                  n / (grid.cells.x * grid.cells.y));
+            const auto axis = static_cast<int>(i);
+            const bool is_on_wall = !grid.is_periodic(i) && cell[axis] == 0;
+            glm::dvec3 place = (glm::dvec3(cell) + 0.5) / static_cast<double>(grid.cells.x);
+            place[axis] -= 0.5 / static_cast<double>(grid.cells.x);
+            numbers.push_back(is_on_wall ? 0.0F : static_cast<float>(flow(place)[axis]));
+        }
+    }
+    return numbers;
+}
+
+/// A gust 8 % of the grid wide: all of its divergence is large.
+glm::dvec3 gust(glm::dvec3 place)
+{
+    const glm::dvec2 off = (glm::dvec2(place) - 0.5) / 0.08;
+    return {std::exp(-glm::dot(off, off)), 0.0, 0.0};
+}
+
+struct Case {
+    std::string name;
+    fluid::FluidStyle style;
+    std::vector<fluid::Shape> obstacles;
+};
+
+std::vector<Case> cases()
+{
+    using fluid::Advection;
+    const auto style = [](fluid::Solver solver, fluid::Stepping stepping, Advection advection) {
+        return fluid::FluidStyle{.step_s = 1.0F / 240.0F,
+                                 .stepping = stepping,
+                                 .velocity_advection = advection,
+                                 .quantity_advection = advection,
+                                 .projection = {.solver = solver}};
+    };
+    fluid::Shape ball = fluid::disc({0.3F, 0.4F, 0.3F}, 0.1F);
+    ball.velocity_m_s = {0.5F, 0.2F, 0.0F};
+    fluid::Shape oar = fluid::box({0.7F, 0.6F, 0.5F}, {0.15F, 0.02F, 0.1F}, 0.4F);
+    oar.spin_rad_s = 3.0F;
+    return {{"automatic, reflected, MacCormack: the default",
+             style(fluid::Solver::automatic, fluid::Stepping::reflect, Advection::maccormack),
+             {}},
+            {"the same with two moving obstacles",
+             style(fluid::Solver::automatic, fluid::Stepping::reflect, Advection::maccormack),
+             {ball, oar}},
+            {"the same by multigrid, without obstacles",
+             style(fluid::Solver::multigrid, fluid::Stepping::reflect, Advection::maccormack),
+             {}},
+            {"projected plainly, MacCormack",
+             style(fluid::Solver::automatic, fluid::Stepping::project, Advection::maccormack),
+             {}},
+            {"projected plainly by 80 rounds of Jacobi, linear",
+             style(fluid::Solver::jacobi, fluid::Stepping::project, Advection::linear),
+             {}}};
+}
+
+double norm(std::span<const float> numbers)
+{
+    double sum = 0.0;
+    for (const float number : numbers) {
+        sum += static_cast<double>(number) * static_cast<double>(number);
+    }
+    return std::sqrt(sum);
+}
+
+double divergence_of(Machine& machine, const fluid::Grid& grid, gpu::Graph& graph, gpu::ImageId velocity,
+                     const fluid::Solids& solids)
+{
+    const gpu::BufferId divergence = fluid::add_divergence(graph, grid, velocity, solids);
+    gpu::Buffer host(machine.device, "divergence", graph.describe(divergence).size_bytes,
+                     gpu::MemoryUse::readback);
+    gpu::add_read_back(graph, "divergence", divergence, host);
+    machine.executor.run(graph);
+    return norm(gpu::items_of<float>(host));
+}
+
+/// Divergence that the next step's last projection leaves, over what it was given.
+double divergence_left(Machine& machine, fluid::Fluid& flow, const fluid::FluidStyle& style)
+{
+    gpu::Graph before;
+    const fluid::FluidFields given = flow.add_steps(before, style, 1);
+    const double all = divergence_of(machine, flow.grid(), before, given.unprojected, given.solids);
+    gpu::Graph after;
+    const fluid::FluidFields left = flow.add_steps(after, style, 0);
+    return divergence_of(machine, flow.grid(), after, left.velocity, left.solids) / all;
+}
+
+void measure_steps(Machine& machine, const Options& options, uint32_t side)
+{
+    constexpr uint32_t channels = 4;
+    const fluid::Grid grid = grid_of(options, side);
+    for (const Case& one : cases()) {
+        fluid::Fluid flow(machine.device, grid, channels, over_faces(grid, gust));
+        flow.set_shapes(one.obstacles, {});
+        const double residual = flow.check_spectral(machine.device, machine.executor);
+        std::vector<double> times_ms;
+        std::map<std::string, double> pass_ms;
+        size_t passes = 0;
+        for (uint32_t i = 0; i < options.rounds; ++i) {
+            gpu::Graph graph;
+            static_cast<void>(flow.add_steps(graph, one.style, 1));
+            times_ms.push_back(machine.run(graph));
+            passes = machine.executor.timings().size();
+            for (const PassTiming& timing : machine.executor.timings()) {
+                pass_ms[timing.name] += timing.gpu_ms / options.rounds;
+            }
+        }
+        fmt::print("{0} x {0}{1}, {2}: {3:.4f} ms, {4} passes, divergence left {5:.1e}\n", side,
+                   grid.is_volume() ? fmt::format(" x {}", options.depth) : "", one.name, median(times_ms),
+                   passes, divergence_left(machine, flow, one.style));
+        fmt::print("   direct solver's residual at the start {:.1e};", residual);
+        for (const auto& [name, ms] : pass_ms) {
+            fmt::print(" {} {:.4f}", name, ms);
+        }
+        fmt::print("\n");
+        static_cast<void>(std::fflush(stdout));
+    }
+}
+
+/// A velocity that is projected again and again.
+class Projecting {
+public:
+    Projecting(Machine& machine, const fluid::Grid& grid, const std::vector<float>& start)
+        : machine_(machine), grid_(grid),
+          cells_(gpu::upload_buffer(machine.device, "solids", std::vector<uint32_t>(grid.cell_count()))),
+          angles_(fluid::upload_angles(machine.device, grid))
+    {
+        for (gpu::Image& image : images_) {
+            image = gpu::Image(machine.device, "velocity", fluid::velocity_desc(grid));
+            const size_t layer_size = size_t{grid.cells.x} * grid.cells.y;
+            gpu::upload_layers(machine.device, image, [&](uint32_t layer) {
+                const auto bytes = std::as_bytes(std::span(start).subspan(layer * layer_size, layer_size));
+                return gpu::LayerPixels{.levels = {{bytes.begin(), bytes.end()}}};
+            });
+        }
+    }
+
+    /// Milliseconds.
+    double project(const fluid::ProjectionStyle& style)
+    {
+        gpu::Graph graph;
+        const fluid::Solids solids{.cells = gpu::import_whole(graph, "solids", cells_)};
+        const gpu::ImageId from = gpu::import_uploaded(graph, "from", images_[newest_]);
+        newest_ = 1 - newest_;
+        const fluid::Projected projected =
+            fluid::add_projection(graph, grid_, style,
+                                  {.velocity = from,
+                                   .tables = {.solids = solids,
+                                              .weights = fluid::add_weights(graph, grid_, solids),
+                                              .angles = gpu::import_whole(graph, "angles", angles_)},
+                                   .target = gpu::import_uploaded(graph, "to", images_[newest_])},
+                                  false);
+        fluid::hand_on(graph, from);
+        fluid::hand_on(graph, projected.velocity);
+        return machine_.run(graph);
+    }
+
+    double divergence()
+    {
+        gpu::Graph graph;
+        const fluid::Solids solids{.cells = gpu::import_whole(graph, "solids", cells_)};
+        return divergence_of(machine_, grid_, graph,
+                             gpu::import_uploaded(graph, "velocity", images_[newest_]), solids);
+    }
+
+private:
+    Machine& machine_;
+    fluid::Grid grid_;
+    std::array<gpu::Image, 2> images_;
+    uint32_t newest_ = 0;
+    gpu::Buffer cells_;
+    gpu::Buffer angles_;
+};
+
+void measure_solver(Machine& machine, const Options& options, const fluid::Grid& grid, fluid::Solver solver,
+                    const std::vector<float>& start)
+{
+    constexpr std::array<double, 5> goals{1e-1, 1e-2, 1e-3, 1e-4, 1e-5};
+    const fluid::ProjectionStyle style{.solver = solver, .projections = 1};
+    Projecting(machine, grid, start).project(style); // compiles
+    Projecting projecting(machine, grid, start);
+    const double all = projecting.divergence();
+    double spent_ms = 0.0;
+    size_t goal = 0;
+    double left = 1.0;
+    std::vector<double> times_ms;
+    std::string reached;
+    for (uint32_t i = 1; i <= options.most_projections && goal < goals.size(); ++i) {
+        times_ms.push_back(projecting.project(style));
+        spent_ms += times_ms.back();
+        left = projecting.divergence() / all;
+        for (; goal < goals.size() && left <= goals[goal]; ++goal) {
+            reached += fmt::format(" | {:.3f} ({})", spent_ms, i);
+        }
+    }
+    for (; goal < goals.size(); ++goal) {
+        reached += fmt::format(" | no: {:.1e}", left);
+    }
+    fmt::print("{:.4f}{} |\n", median(times_ms), reached);
+    static_cast<void>(std::fflush(stdout));
+}
+
+void measure_solvers(Machine& machine, const Options& options, uint32_t side)
+{
+    const fluid::Grid grid = grid_of(options, side);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    const auto noise = [&](glm::dvec3) { return glm::dvec3(any(random), any(random), any(random)); };
+    const std::map<std::string, std::vector<float>> starts{{"noise", over_faces(grid, noise)},
+                                                           {"gust", over_faces(grid, gust)}};
+    const std::map<std::string, fluid::Solver> solvers{{"80 Jacobi", fluid::Solver::jacobi},
+                                                       {"V(2,2)", fluid::Solver::multigrid},
+                                                       {"spectral", fluid::Solver::spectral}};
+    for (const auto& [field, start] : starts) {
+        for (const auto& [name, solver] : solvers) {
+            if (solver != fluid::Solver::spectral || fluid::is_spectral_possible(grid)) {
+                fmt::print("| {} | {} | {} | ", side, field, name);
+                measure_solver(machine, options, grid, solver, start);
+            }
+        }
+    }
+}
+
+void measure(const Options& options)
+{
+    Machine machine(options);
+    fmt::print("{}, {}\n", machine.device.info().name, machine.device.info().driver);
+    for (const uint32_t side : options.sizes) {
+        if (!options.solvers_only) {
+            measure_steps(machine, options, side);
+        }
+    }
+    if (options.steps_only) {
+        return;
+    }
+    fmt::print(
+        "Milliseconds (and projections) until so much of the divergence is left, each projection from anew:\n"
+        "| cells | field | solver | one projection | 0.1 | 0.01 | 1e-3 | 1e-4 | 1e-5 |\n"
+        "|---|---|---|---|---|---|---|---|---|\n");
+    for (const uint32_t side : options.sizes) {
+        measure_solvers(machine, options, side);
+    }
+}
+
+} // namespace
+
+int main(int count, char** arguments)
+{
+    Options options;
+    CLI::App app("Measures what fluids cost");
+    app.add_option("--device", options.device);
+    app.add_option("--sizes", options.sizes, "Cells of a side, one or several");
+    app.add_option("--depth", options.depth, "Cells along z; 1 for two dimensions");
+    app.add_option("--rounds", options.rounds, "Steps to take the median of")->check(CLI::Range(1, 100000));
+    app.add_option("--most-projections", options.most_projections, "After which a solver is given up");
+    app.add_flag("--periodic", options.periodic, "Edges that meet in place of walls");
+    app.add_flag("--steps-only", options.steps_only);
+    app.add_flag("--solvers-only", options.solvers_only);
+    CLI11_PARSE(app, count, arguments);
+    try {
+        measure(options);
+    } catch (const Error& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 1;
+    }
+    return 0;
+}

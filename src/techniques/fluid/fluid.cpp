@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// Stepping by reflection: Zehnder, Narain and Thomaszewski, "An Advection-Reflection Solver for
+// Detail-Preserving Fluid Simulation", ACM Transactions on Graphics 37, 2018.
+#include "techniques/fluid/fluid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "gpu/imports.hpp"
+#include "gpu/upload.hpp"
+#include "techniques/fluid/motion/diffusion.hpp"
+#include "techniques/fluid/pressure/residual.hpp"
+#include "techniques/fluid/pressure/solvers.hpp"
+#include "techniques/fluid/read_fields.hpp"
+
+namespace estampe::fluid {
+namespace {
+
+gpu::Image start_image(gpu::Device& device, const char* name, const gpu::ImageDesc& desc,
+                       std::span<const float> start)
+{
+    gpu::Image image(device, name, desc);
+    const size_t layer_size = size_t{desc.width} * desc.height;
+    gpu::upload_layers(device, image, [&](uint32_t layer) {
+        std::vector<std::byte> bytes(layer_size * sizeof(float));
+        if ((layer + 1) * layer_size <= start.size()) {
+            std::ranges::copy(std::as_bytes(start.subspan(layer * layer_size, layer_size)), bytes.begin());
+        }
+        return gpu::LayerPixels{.levels = {std::move(bytes)}};
+    });
+    return image;
+}
+
+void check_start(const Grid& grid, uint32_t channels, std::span<const float> start)
+{
+    if (!start.empty() && start.size() != grid.cell_count() * channels) {
+        throw std::logic_error("the start of a fluid has as many numbers as its grid has");
+    }
+}
+
+uint32_t passes_of(Advection advection)
+{
+    return advection == Advection::maccormack ? 2 : 1;
+}
+
+} // namespace
+
+/// What the steps of one graph hand on to each other.
+struct Fluid::Handles {
+    gpu::ImageId velocity;
+    gpu::ImageId unprojected;
+    std::vector<gpu::ImageId> quantities; ///< both of quantities_, or none
+    gpu::BufferId shapes;
+    SolverTables tables;
+};
+
+/// One step, as passes.
+class Fluid::Step {
+public:
+    Step(gpu::Graph& graph, Fluid& fluid, const FluidStyle& style, Handles& handles, float age_s)
+        : graph_(graph), fluid_(fluid), grid_(fluid.grid_), style_(style), handles_(handles), age_s_(age_s)
+    {
+    }
+
+    void add()
+    {
+        if (fluid_.shapes_.are_solid()) {
+            handles_.tables.solids =
+                add_solids(graph_, grid_, handles_.shapes, shapes_for(0.0F), handles_.tables.solids.cells);
+            handles_.tables.weights = add_weights(graph_, grid_, handles_.tables.solids);
+        }
+        const gpu::ImageId carrier = style_.stepping == Stepping::reflect ? add_reflected() : add_projected();
+        if (fluid_.channels_ > 0) {
+            add_quantities(carrier);
+        }
+    }
+
+private:
+    /// Both return the velocity that carries the quantities.
+    [[nodiscard]] gpu::ImageId add_projected()
+    {
+        const gpu::ImageId moved = forced(diffused(advected(handles_.velocity, handles_.velocity)));
+        handles_.velocity = projected(moved, handles_.velocity, false).velocity;
+        return handles_.velocity;
+    }
+
+    [[nodiscard]] gpu::ImageId add_reflected()
+    {
+        const gpu::ImageId start = diffused(handles_.velocity);
+        const gpu::ImageId target = graph_.image("fluid/half", velocity_desc(grid_));
+        const Projected half = projected(forced(advected(start, start)), target, true);
+        const gpu::ImageId moved = diffused(forced(advected(half.velocity, half.reflected)));
+        handles_.velocity = projected(moved, handles_.velocity, false).velocity;
+        return half.velocity;
+    }
+
+    void add_quantities(gpu::ImageId carrier)
+    {
+        const uint32_t last = fluid_.newest_quantities_;
+        fluid_.newest_quantities_ = 1 - last;
+        gpu::ImageId& newest = handles_.quantities[1 - last];
+        newest = add_advection(graph_, grid_, style_.quantity_advection,
+                               {carrier, handles_.quantities[last], newest, fluid_.channels_}, style_.step_s);
+        newest = add_matter(graph_, grid_, style_.matter, handles_.shapes, shapes_for(style_.step_s), newest);
+    }
+
+    [[nodiscard]] float part_s() const
+    {
+        return style_.stepping == Stepping::reflect ? 0.5F * style_.step_s : style_.step_s;
+    }
+
+    [[nodiscard]] shared::FluidShapes shapes_for(float time_s) const
+    {
+        return fluid_.shapes_.constants(grid_, age_s_, time_s, fluid_.channels_);
+    }
+
+    [[nodiscard]] gpu::ImageId advected(gpu::ImageId carrier, gpu::ImageId velocity)
+    {
+        const gpu::ImageId target = graph_.image("fluid/moved", velocity_desc(grid_));
+        return add_advection(graph_, grid_, style_.velocity_advection, {carrier, velocity, target}, part_s());
+    }
+
+    [[nodiscard]] gpu::ImageId diffused(gpu::ImageId velocity)
+    {
+        return style_.viscosity_m2_s > 0.0F
+                   ? add_diffusion(graph_, grid_, velocity,
+                                   {style_.viscosity_m2_s, style_.forces.acceleration_m_s2, part_s()})
+                   : velocity;
+    }
+
+    [[nodiscard]] gpu::ImageId forced(gpu::ImageId velocity)
+    {
+        ForceStyle forces = style_.forces;
+        if (style_.viscosity_m2_s > 0.0F) {
+            forces.acceleration_m_s2 = glm::vec3(0.0F); // diffusion sees to it
+        }
+        const auto weighing = fluid_.channels_ > shared::fluid_temperature
+                                  ? std::optional(handles_.quantities[fluid_.newest_quantities_])
+                                  : std::nullopt;
+        return add_forces(graph_, grid_, forces, velocity, weighing, part_s());
+    }
+
+    [[nodiscard]] Projected projected(gpu::ImageId velocity, gpu::ImageId target, bool reflects)
+    {
+        if (fluid_.shapes_.are_any()) {
+            velocity = add_push(graph_, grid_, handles_.shapes, shapes_for(part_s()), handles_.tables.solids,
+                                velocity);
+        }
+        handles_.unprojected = velocity;
+        return add_projection(graph_, grid_, fluid_.trusted(style_.projection),
+                              {velocity, handles_.tables, target}, reflects);
+    }
+
+    gpu::Graph& graph_;
+    Fluid& fluid_;
+    const Grid& grid_;
+    const FluidStyle& style_;
+    Handles& handles_;
+    float age_s_; ///< of what the graph was told about shapes
+};
+
+Fluid::Fluid(gpu::Device& device, const Grid& grid, uint32_t channels, std::span<const float> velocity,
+             std::span<const float> quantities)
+    : grid_(grid), channels_(channels), shapes_(device)
+{
+    check_grid(grid);
+    check_start(grid, grid.dimensions(), velocity);
+    check_start(grid, channels, quantities);
+    if (channels > shared::fluid_most_channels) {
+        throw std::logic_error("a fluid carries at most 8 quantities");
+    }
+    velocity_ = start_image(device, "fluid velocity", velocity_desc(grid), velocity);
+    if (channels > 0) {
+        for (gpu::Image& image : quantities_) {
+            image = start_image(device, "fluid quantities", field_desc(grid, channels), quantities);
+        }
+    }
+    solids_ = gpu::upload_buffer(device, "fluid solids", std::vector<uint32_t>(grid.cell_count()));
+    angles_ = upload_angles(device, grid);
+}
+
+double Fluid::check_spectral(gpu::Device& device, gpu::Executor& executor)
+{
+    constexpr double most = 1e-3;
+    if (!is_spectral_possible(grid_)) {
+        return 0.0;
+    }
+    const double residual = measured_residual(device, executor, grid_, {.solver = Solver::spectral});
+    is_spectral_right_ = residual <= most;
+    return residual;
+}
+
+ProjectionStyle Fluid::trusted(const ProjectionStyle& style) const
+{
+    ProjectionStyle chosen = style;
+    if (style.solver == Solver::automatic && !is_spectral_right_) {
+        chosen.solver = Solver::multigrid;
+    }
+    return chosen;
+}
+
+uint32_t Fluid::most_steps(const FluidStyle& style) const
+{
+    constexpr uint32_t most_passes = 240; // others need some too
+    const bool reflects = style.stepping == Stepping::reflect;
+    const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);
+    const uint32_t diffusion =
+        style.viscosity_m2_s > 0.0F ? diffusion_stages(grid_, reflects ? 0.5F * share : share) : 0;
+    const uint32_t part = passes_of(style.velocity_advection) + 2 + diffusion +
+                          passes_of_projection(grid_, trusted(style.projection), shapes_.are_solid());
+    const uint32_t step =
+        (reflects ? 2 : 1) * part + 2 + (channels_ > 0 ? 1 + passes_of(style.quantity_advection) : 0);
+    return std::max(most_passes / step, 1U);
+}
+
+Fluid::Handles Fluid::import(gpu::Graph& graph)
+{
+    const Solids solids{.cells = gpu::import_whole(graph, "fluid/solids", solids_)};
+    const gpu::ImageId velocity = gpu::import_uploaded(graph, "fluid/velocity", velocity_);
+    Handles handles{.velocity = velocity,
+                    .unprojected = velocity,
+                    .shapes = shapes_.upload(graph),
+                    .tables = {.solids = solids,
+                               .weights = add_weights(graph, grid_, solids),
+                               .angles = gpu::import_whole(graph, "fluid/angles", angles_)}};
+    if (channels_ > 0) {
+        for (gpu::Image& image : quantities_) {
+            handles.quantities.push_back(gpu::import_uploaded(graph, "fluid/quantities", image));
+        }
+    }
+    return handles;
+}
+
+FluidFields Fluid::add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_t count)
+{
+    if (!(style.step_s > 0.0F) || !std::isfinite(style.step_s)) {
+        throw std::logic_error("a step of a fluid is longer than 0 seconds");
+    }
+    if (count > most_steps(style)) {
+        throw std::logic_error("more steps of a fluid than one graph takes");
+    }
+    Handles handles = import(graph);
+    for (uint32_t i = 0; i < count; ++i) {
+        const float middle_of_step = static_cast<float>(i) + 0.5F;
+        Step(graph, *this, style, handles, middle_of_step * style.step_s).add();
+    }
+    shapes_.advance(static_cast<float>(count) * style.step_s);
+    FluidFields fields{
+        .velocity = handles.velocity, .unprojected = handles.unprojected, .solids = handles.tables.solids};
+    hand_on(graph, fields.velocity);
+    for (const gpu::ImageId quantities : handles.quantities) {
+        hand_on(graph, quantities);
+    }
+    if (channels_ > 0) {
+        fields.quantities = handles.quantities[newest_quantities_];
+    }
+    return fields;
+}
+
+} // namespace estampe::fluid

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_FLUID_FIELDS
+#define ESTAMPE_FLUID_FIELDS
+
+// Velocities and quantities between their nodes, and beyond walls. Needs `variant`, and `grid`, a FluidGrid.
+// Images are sampled with repetition; what is read across a wall is mended here.
+
+const int fluid_scalar = 3; // component of what is no velocity
+
+bool is_volume()
+{
+    return (variant & fluid_bit_volume) != 0u;
+}
+
+bool is_periodic(int axis)
+{
+    return (variant & (fluid_bit_periodic << axis)) != 0u;
+}
+
+int fluid_dimensions()
+{
+    return is_volume() ? 3 : 2;
+}
+
+ivec3 fluid_size()
+{
+    return ivec3(grid.width, grid.height, grid.depth);
+}
+
+bool is_in_grid(ivec3 cell)
+{
+    return all(lessThan(cell, fluid_size()));
+}
+
+uint fluid_cell_index(ivec3 cell)
+{
+    return (uint(cell.z) * grid.height + uint(cell.y)) * grid.width + uint(cell.x);
+}
+
+float lid_speed_of(int component)
+{
+    return component == 0 ? grid.lid_speed.x : component == 1 ? grid.lid_speed.y : grid.lid_speed.z;
+}
+
+// What stands as far beyond a wall as `inner` does before it.
+vec2 beyond_wall(vec2 inner, int component, int axis, bool is_high)
+{
+    if (component == fluid_scalar || (variant & (fluid_bit_free_slip << axis)) != 0u) {
+        return inner;
+    }
+    return (axis == 1 && is_high ? 2.0 * lid_speed_of(component) : 0.0) - inner;
+}
+
+// Two neighbours along an axis, the first with index `low`, where they lie on or beyond a wall.
+void mend(inout vec2 first, inout vec2 second, int low, int component, int axis)
+{
+    if (is_periodic(axis)) {
+        return;
+    }
+    int size = fluid_size()[axis];
+    if (component == axis) {
+        first = low <= 0 || low >= size ? vec2(0.0) : first;
+        second = low <= -1 || low >= size - 1 ? vec2(0.0) : second;
+    } else {
+        first = low < 0 ? beyond_wall(second, component, axis, false) : first;
+        second = low >= size - 1 ? beyond_wall(first, component, axis, true) : second;
+    }
+}
+
+// The four nodes from `low` on, in a layer: 00, 10, 01, 11.
+vec4 plane_nodes(sampler2DArray field, int component, ivec2 low, int layer)
+{
+    vec2 corner = (vec2(low) + 1.0) * vec2(grid.texel_x, grid.texel_y);
+    vec4 quad = textureGather(field, vec3(corner, float(layer)));
+    vec2 left = quad.wx;
+    vec2 right = quad.zy;
+    mend(left, right, low.x, component, 0);
+    vec2 below = vec2(left.x, right.x);
+    vec2 above = vec2(left.y, right.y);
+    mend(below, above, low.y, component, 1);
+    return vec4(below, above);
+}
+
+int layer_of_slice(int slice)
+{
+    int depth = int(grid.depth);
+    return is_periodic(2) ? (slice + depth) % depth : clamp(slice, 0, depth - 1);
+}
+
+// Eight nodes from `low` on; in two dimensions `far` is left as it is.
+void box_nodes(sampler2DArray field, int component, ivec3 low, int first_layer, out vec4 near, out vec4 far)
+{
+    if (!is_volume()) {
+        near = plane_nodes(field, component, low.xy, first_layer);
+        far = near;
+        return;
+    }
+    near = plane_nodes(field, component, low.xy, first_layer + layer_of_slice(low.z));
+    far = plane_nodes(field, component, low.xy, first_layer + layer_of_slice(low.z + 1));
+    vec2 near_below = near.xy;
+    vec2 far_below = far.xy;
+    mend(near_below, far_below, low.z, component, 2);
+    vec2 near_above = near.zw;
+    vec2 far_above = far.zw;
+    mend(near_above, far_above, low.z, component, 2);
+    near = vec4(near_below, near_above);
+    far = vec4(far_below, far_above);
+}
+
+float blend(vec4 nodes, vec2 share)
+{
+    vec2 columns = mix(nodes.xy, nodes.zw, share.y);
+    return mix(columns.x, columns.y, share.x);
+}
+
+// Linear between nodes: `offset` from node `node`, in cells.
+float sample_linear(sampler2DArray field, int component, ivec3 node, int first_layer, vec3 offset)
+{
+    vec3 whole = floor(offset);
+    vec3 share = offset - whole;
+    vec4 near;
+    vec4 far;
+    box_nodes(field, component, node + ivec3(whole), first_layer, near, far);
+    float value = blend(near, share.xy);
+    return is_volume() ? mix(value, blend(far, share.xy), share.z) : value;
+}
+
+// Least and greatest of the nodes about a place.
+vec2 range_of_nodes(sampler2DArray field, int component, ivec3 node, int first_layer, vec3 offset)
+{
+    vec4 near;
+    vec4 far;
+    box_nodes(field, component, node + ivec3(floor(offset)), first_layer, near, far);
+    vec4 least = min(near, far);
+    vec4 most = max(near, far);
+    return vec2(min(min(least.x, least.y), min(least.z, least.w)),
+                max(max(most.x, most.y), max(most.z, most.w)));
+}
+
+// Velocity at `at`, counted in cells from the low corner of `cell`.
+vec3 velocity_at(sampler2DArray velocity, ivec3 cell, vec3 at)
+{
+    int depth = int(grid.depth);
+    vec3 centred = at - 0.5;
+    vec3 speed = vec3(0.0);
+    speed.x = sample_linear(velocity, 0, cell, 0, vec3(at.x, centred.y, centred.z));
+    speed.y = sample_linear(velocity, 1, cell, depth, vec3(centred.x, at.y, centred.z));
+    if (is_volume()) {
+        speed.z = sample_linear(velocity, 2, cell, 2 * depth, vec3(centred.x, centred.y, at.z));
+    }
+    return speed;
+}
+
+// A way that ends within walls, and is no longer than half the grid where it has none.
+vec3 kept_inside(vec3 way, ivec3 cell, vec3 at)
+{
+    vec3 size = vec3(fluid_size());
+    vec3 place = vec3(cell) + at;
+    for (int axis = 0; axis < 3; ++axis) {
+        way[axis] = is_periodic(axis) ? clamp(way[axis], -0.5 * size[axis], 0.5 * size[axis])
+                                      : clamp(way[axis], -place[axis], size[axis] - place[axis]);
+    }
+    return is_volume() ? way : vec3(way.xy, 0.0);
+}
+
+// The way that what starts `at` goes, by the midpoint rule, when `here` is the velocity there.
+vec3 way_along(sampler2DArray velocity, vec3 here, ivec3 cell, vec3 at, float cells_per_speed)
+{
+    vec3 half_way = kept_inside(0.5 * cells_per_speed * here, cell, at);
+    return kept_inside(cells_per_speed * velocity_at(velocity, cell, at + half_way), cell, at);
+}
+
+// Where in its cell a component is kept; in two dimensions z does not count.
+vec3 place_of_node(int component)
+{
+    vec3 at = vec3(0.5);
+    if (component < 3) {
+        at[component] = 0.0;
+    }
+    return at;
+}
+
+// Whether a node of `component` lies on a wall, where nothing flows through.
+bool is_on_wall(int component, ivec3 cell)
+{
+    return component < 3 && !is_periodic(component) && cell[component] == 0;
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// One thread a cell: takes what it claimed; where more was claimed than there is, as much less.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/fluid/fluid.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const uint variant = 0u;
+
+layout(binding = 0) uniform sampler2DArray velocity;
+layout(binding = 1) uniform usamplerBuffer mass;
+layout(binding = 2) uniform usamplerBuffer claims;
+
+layout(scalar, binding = 3) buffer Taken
+{
+    uint taken[];
+};
+
+layout(scalar, binding = 4) writeonly buffer Next
+{
+    uint next_mass[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    FluidGrid grid;
+    FluidMass moved;
+};
+
+#include "techniques/fluid/fluid_fields.glsl"
+#include "techniques/fluid/mass/fluid_shares.glsl"
+
+void main()
+{
+    ivec3 cell = ivec3(gl_GlobalInvocationID);
+    if (!is_in_grid(cell)) {
+        return;
+    }
+    uint index[fluid_most_sharers];
+    uint weight[fluid_most_sharers];
+    share_out(cell, way_from_middle(cell, -moved.cells_per_speed), index, weight);
+    uint sum = 0u;
+    for (int i = 0; i < sharer_count(); ++i) {
+        uint all_claims = max(texelFetch(claims, int(index[i])).x, fluid_mass_whole);
+        uint part = part_of(texelFetch(mass, int(index[i])).x, (weight[i] << 16u) / all_claims);
+        sum += part;
+        atomicAdd(taken[index[i]], part);
+    }
+    next_mass[fluid_cell_index(cell)] = sum;
+}

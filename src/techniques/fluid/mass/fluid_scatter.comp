@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// One thread a cell: what nobody has taken of its mass goes along the flow, and is shared by the cells about
+// where it comes to.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/fluid/fluid.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const uint variant = 0u;
+
+layout(binding = 0) uniform sampler2DArray velocity;
+layout(binding = 1) uniform usamplerBuffer mass;
+layout(binding = 2) uniform usamplerBuffer taken;
+
+layout(scalar, binding = 3) buffer Next
+{
+    uint next_mass[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    FluidGrid grid;
+    FluidMass moved;
+};
+
+#include "techniques/fluid/fluid_fields.glsl"
+#include "techniques/fluid/mass/fluid_shares.glsl"
+
+void main()
+{
+    ivec3 cell = ivec3(gl_GlobalInvocationID);
+    if (!is_in_grid(cell)) {
+        return;
+    }
+    int here = int(fluid_cell_index(cell));
+    uint left = texelFetch(mass, here).x - texelFetch(taken, here).x;
+    if (left == 0u) {
+        return;
+    }
+    uint index[fluid_most_sharers];
+    uint weight[fluid_most_sharers];
+    share_out(cell, way_from_middle(cell, moved.cells_per_speed), index, weight);
+    uint rest = left;
+    for (int i = 0; i < sharer_count(); ++i) {
+        uint part = i == sharer_count() - 1 ? rest : part_of(left, 2u * weight[i]);
+        rest -= part;
+        if (part > 0u) {
+            atomicAdd(next_mass[index[i]], part);
+        }
+    }
+}

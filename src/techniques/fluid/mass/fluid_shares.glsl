@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_FLUID_SHARES
+#define ESTAMPE_FLUID_SHARES
+
+// The cells about a place, and how they share what is there, in whole numbers. Needs what fluid_fields.glsl
+// needs, and is included after it.
+
+const int fluid_most_sharers = 8;
+
+int sharer_count()
+{
+    return is_volume() ? 8 : 4;
+}
+
+// Of a place as far from the middle of `cell` as `way` says. The last one gets what rounding leaves.
+void share_out(ivec3 cell, vec3 way, out uint index[fluid_most_sharers], out uint weight[fluid_most_sharers])
+{
+    vec3 whole = floor(way);
+    uvec3 far = uvec3(round((way - whole) * float(fluid_mass_whole)));
+    ivec3 low = cell + ivec3(whole);
+    ivec3 size = fluid_size();
+    uint left = fluid_mass_whole;
+    for (int i = 0; i < sharer_count(); ++i) {
+        ivec3 step = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+        ivec3 place = low + step;
+        for (int axis = 0; axis < 3; ++axis) {
+            place[axis] = is_periodic(axis) ? (place[axis] + size[axis]) % size[axis]
+                                            : clamp(place[axis], 0, size[axis] - 1);
+        }
+        uint share = step.x == 1 ? far.x : fluid_mass_whole - far.x;
+        share = share * (step.y == 1 ? far.y : fluid_mass_whole - far.y) / fluid_mass_whole;
+        if (is_volume()) {
+            share = share * (step.z == 1 ? far.z : fluid_mass_whole - far.z) / fluid_mass_whole;
+        }
+        index[i] = fluid_cell_index(place);
+        weight[i] = i == sharer_count() - 1 ? left : share;
+        left -= share;
+    }
+}
+
+// A share of a mass, `part` of 65536, rounded down.
+uint part_of(uint mass, uint part)
+{
+    uint high;
+    uint low;
+    umulExtended(mass, part, high, low);
+    return (high << 16u) | (low >> 16u);
+}
+
+// The way of what is in the middle of `cell`.
+vec3 way_from_middle(ivec3 cell, float cells_per_speed)
+{
+    vec3 here = velocity_at(velocity, cell, vec3(0.5));
+    return way_along(velocity, here, cell, vec3(0.5), cells_per_speed);
+}
+
+#endif

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Not a unit of mass is lost or made; and what plain advection does instead.
+#include "techniques/fluid/mass/mass.hpp"
+
+#include <limits>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "gpu/imports.hpp"
+#include "techniques/fluid/fluid_test_support.hpp"
+
+namespace estampe::fluid {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A flow with divergence and vortices, still at walls.
+glm::dvec3 stirred(glm::dvec3 p)
+{
+    const double x = 2.0 * pi * p.x / 32.0;
+    const double y = 2.0 * pi * p.y / 32.0;
+    return {std::sin(x) * (1.0 + std::cos(2.0 * y)),
+            0.8 * std::sin(y) * std::cos(x) + 0.3 * std::sin(2.0 * y), 0.0};
+}
+
+std::vector<float> lumps(const Grid& grid)
+{
+    return over_nodes(
+        grid, 1, [](uint32_t, glm::uvec3 cell) { return (cell.x * 7 + cell.y * 13) % 5 == 0 ? 2.3 : 0.01; });
+}
+
+struct Carrying {
+    Carrying(const Grid& of, const Flow& flow, std::span<const float> mass)
+        : grid(of), fluid(test::shared_device(), of, 0, velocity_of(of, flow)),
+          field(test::shared_device(), of, mass)
+    {
+    }
+
+    /// Units of mass after so many steps more of a flow that does not change.
+    std::vector<uint32_t> after(MassAdvection advection, uint32_t steps, float step_s)
+    {
+        constexpr uint32_t at_once = 30;
+        for (;;) {
+            const uint32_t now = std::min(steps, at_once);
+            steps -= now;
+            gpu::Graph graph;
+            const gpu::ImageId velocity = fluid.add_steps(graph, {}, 0).velocity;
+            gpu::BufferId mass = field.import(graph);
+            for (uint32_t i = 0; i < now; ++i) {
+                mass = field.add_step(graph, mass, velocity, step_s, advection);
+            }
+            if (now > 0) {
+                field.keep(graph, mass);
+            }
+            const auto units = test::run_and_read_as<uint32_t>(graph, mass);
+            if (steps == 0) {
+                return units;
+            }
+        }
+    }
+
+    Grid grid;
+    Fluid fluid;
+    MassField field;
+};
+
+uint64_t sum_of(const std::vector<uint32_t>& units)
+{
+    return std::accumulate(units.begin(), units.end(), uint64_t{0});
+}
+
+TEST(FluidMass, IsKeptToTheUnitInTenThousandStepsAndNeverNegative)
+{
+    const Grid grid{.cells = {32, 32, 1}, .edges = {Edge::no_slip, Edge::periodic, Edge::no_slip}};
+    for (const MassAdvection advection : {MassAdvection::forward, MassAdvection::both_ways}) {
+        Carrying carrying(grid, stirred, lumps(grid));
+        const uint64_t before = sum_of(carrying.after(advection, 0, 0.0F));
+        EXPECT_GT(before, 0U);
+        for (const float step_s : {0.9F, 6.1F}) {
+            const std::vector<uint32_t> units =
+                carrying.after(advection, advection == MassAdvection::forward ? 500 : 5000, step_s);
+            ASSERT_EQ(sum_of(units), before);
+            // One below zero would be a huge one.
+            ASSERT_LE(*std::max_element(units.begin(), units.end()), before);
+        }
+    }
+}
+
+TEST(FluidMass, PlainAdvectionLosesOrMakesIt)
+{
+    const Grid grid{.cells = {32, 32, 1}, .edges = {Edge::no_slip, Edge::periodic, Edge::no_slip}};
+    const std::vector<float> start = lumps(grid);
+    Fluid fluid(test::shared_device(), grid, 1, velocity_of(grid, stirred), start);
+    gpu::Graph graph;
+    const FluidFields fields =
+        fluid.add_steps(graph, {.step_s = 0.9F, .quantity_advection = Advection::linear}, 2);
+    const std::vector<float> end = run_and_read_layers(graph, *fields.quantities);
+    const auto sum = [](const std::vector<float>& numbers, size_t count) {
+        return std::accumulate(numbers.begin(), numbers.begin() + static_cast<ptrdiff_t>(count), 0.0);
+    };
+    EXPECT_GT(std::abs(sum(end, start.size()) / sum(start, start.size()) - 1.0), 1e-3);
+}
+
+TEST(FluidMass, EvenMassInAnEvenFlowStaysEven)
+{
+    const Grid grid{.cells = {24, 16, 1}, .edges = {Edge::periodic, Edge::periodic, Edge::no_slip}};
+    const std::vector<float> even(grid.cell_count(), 0.37F);
+    for (const MassAdvection advection : {MassAdvection::forward, MassAdvection::both_ways}) {
+        Carrying carrying(
+            grid, [](glm::dvec3) { return glm::dvec3(0.713, -1.9, 0.0); }, even);
+        const std::vector<uint32_t> before = carrying.after(advection, 0, 0.0F);
+        EXPECT_EQ(carrying.after(advection, 50, 1.3F), before);
+    }
+}
+
+TEST(FluidMass, MovesAsFarAsTheFlow)
+{
+    const Grid grid{.cells = {64, 8, 1}, .edges = {Edge::periodic, Edge::periodic, Edge::no_slip}};
+    const std::vector<float> start = over_nodes(
+        grid, 1, [](uint32_t, glm::uvec3 cell) { return std::exp(-std::pow((cell.x - 16.0) / 4.0, 2.0)); });
+    for (const MassAdvection advection : {MassAdvection::forward, MassAdvection::both_ways}) {
+        Carrying carrying(
+            grid, [](glm::dvec3) { return glm::dvec3(1.0, 0.0, 0.0); }, start);
+        const std::vector<uint32_t> units = carrying.after(advection, 40, 0.55F);
+        double moment = 0.0;
+        for (size_t i = 0; i < units.size(); ++i) {
+            moment += static_cast<double>(units[i]) * static_cast<double>(i % 64);
+        }
+        EXPECT_NEAR(moment / static_cast<double>(sum_of(units)), 16.0 + 22.0, 0.02);
+    }
+}
+
+/// Mean square of how far a small pulse has spread along x after so many steps of running away from mass.
+double pulse_spread(float stiffness, uint32_t steps, float step_s)
+{
+    const Grid grid{.cells = {128, 4, 1}, .edges = {Edge::periodic, Edge::periodic, Edge::no_slip}};
+    const std::vector<float> start = over_nodes(grid, 1, [](uint32_t, glm::uvec3 cell) {
+        return 1.0 + 0.02 * std::exp(-std::pow((cell.x - 64.0) / 5.0, 2.0));
+    });
+    Fluid still(test::shared_device(), grid);
+    MassField field(test::shared_device(), grid, start);
+    gpu::Graph graph;
+    gpu::ImageId velocity = still.add_steps(graph, {}, 0).velocity;
+    gpu::BufferId mass = field.import(graph);
+    for (uint32_t i = 0; i < steps; ++i) {
+        velocity = field.add_spread(graph, mass, velocity, stiffness, step_s);
+        mass = field.add_step(graph, mass, velocity, step_s, MassAdvection::both_ways);
+    }
+    const auto units = test::run_and_read_as<uint32_t>(graph, mass);
+    double moment = 0.0;
+    double sum = 0.0;
+    for (size_t i = 0; i < units.size(); ++i) {
+        const double more = static_cast<double>(units[i]) / shared::fluid_mass_unit - 1.0;
+        moment += more * std::pow(static_cast<double>(i % 128) - 64.0, 2.0);
+        sum += more;
+    }
+    return moment / sum;
+}
+
+TEST(FluidMass, PulsesRunAsFastAsSound)
+{
+    // Two halves run apart, so the mean square grows by the square of the way.
+    for (const float stiffness : {1.0F, 4.0F}) {
+        const double step = 0.4;
+        const auto step_s = static_cast<float>(step / std::sqrt(static_cast<double>(stiffness)));
+        const double grown = pulse_spread(stiffness, 30, step_s) - pulse_spread(stiffness, 10, step_s);
+        const double way = std::sqrt(grown / (30.0 * 30.0 - 10.0 * 10.0));
+        EXPECT_NEAR(way / step, 1.0, 0.05) << stiffness;
+    }
+}
+
+TEST(FluidMass, StartsAreChecked)
+{
+    const Grid grid{.cells = {8, 8, 1}};
+    std::vector<float> mass(64, 1.0F);
+    for (const float wrong : {-1.0F, 40000.0F, std::numeric_limits<float>::quiet_NaN()}) {
+        mass[5] = wrong;
+        EXPECT_THROW(MassField(test::shared_device(), grid, mass), std::logic_error);
+    }
+    mass.resize(63);
+    EXPECT_THROW(MassField(test::shared_device(), grid, mass), std::logic_error);
+}
+
+} // namespace
+} // namespace estampe::fluid

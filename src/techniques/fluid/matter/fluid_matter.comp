@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// One thread a cell: quantities come from sources, fade, cool, burn, condense and evaporate.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/fluid/fluid.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const uint variant = 0u;
+
+layout(scalar, binding = 0) readonly buffer Shapes
+{
+    FluidShape shape_list[];
+};
+
+layout(binding = 1, r32f) uniform image2DArray quantities;
+
+layout(push_constant, scalar) uniform Constants
+{
+    FluidGrid grid;
+    FluidShapes shapes;
+    FluidMatter matter;
+};
+
+#include "techniques/fluid/fluid_fields.glsl"
+#include "techniques/fluid/matter/fluid_shapes.glsl"
+
+float gain_of_channel(FluidShape shape, int channel)
+{
+    return channel < 4 ? shape.gain[channel] : shape.more_gain[channel - 4];
+}
+
+// Fuel that is hot enough turns into heat and smoke.
+void burn(inout float amounts[fluid_most_channels])
+{
+    float burnt = amounts[fluid_temperature] >= matter.ignition ? matter.burnt * amounts[fluid_fuel] : 0.0;
+    amounts[fluid_fuel] -= burnt;
+    amounts[fluid_temperature] += matter.heat_of_fuel * burnt;
+    amounts[fluid_density] += matter.smoke_of_fuel * burnt;
+}
+
+// Vapour that is too much for the air becomes cloud, and cloud becomes vapour where there is too little.
+void condense(inout float amounts[fluid_most_channels], float height_m)
+{
+    float most = matter.saturation * exp(matter.saturation_heat * amounts[fluid_temperature] -
+                                         matter.saturation_height * height_m);
+    float moved = max(matter.condensed * (amounts[fluid_vapour] - most), -amounts[fluid_cloud]);
+    amounts[fluid_vapour] -= moved;
+    amounts[fluid_cloud] += moved;
+    amounts[fluid_temperature] += matter.latent_heat * moved;
+}
+
+void main()
+{
+    ivec3 cell = ivec3(gl_GlobalInvocationID);
+    if (!is_in_grid(cell)) {
+        return;
+    }
+    vec3 place_m = (vec3(cell) + 0.5) * shapes.cell_m;
+    float amounts[fluid_most_channels];
+    for (int i = 0; i < int(fluid_most_channels); ++i) {
+        amounts[i] = i < int(shapes.channels)
+                         ? imageLoad(quantities, ivec3(cell.xy, i * int(grid.depth) + cell.z)).x
+                         : 0.0;
+    }
+    for (uint k = shapes.obstacle_count; k < shapes.count; ++k) {
+        float gained = shapes.step_s * cover_of(shape_list[k], place_m);
+        for (int i = 0; i < int(fluid_most_channels); ++i) {
+            amounts[i] += gained * gain_of_channel(shape_list[k], i);
+        }
+    }
+    amounts[fluid_density] *= matter.density_kept;
+    amounts[fluid_temperature] *= matter.heat_kept;
+    if ((variant & fluid_bit_burning) != 0u) {
+        burn(amounts);
+    }
+    if ((variant & fluid_bit_condensing) != 0u) {
+        condense(amounts, place_m.y);
+    }
+    for (int i = 0; i < int(shapes.channels); ++i) {
+        imageStore(quantities, ivec3(cell.xy, i * int(grid.depth) + cell.z), vec4(amounts[i]));
+    }
+}

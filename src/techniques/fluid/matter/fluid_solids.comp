@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// One thread a cell: which obstacle is in its middle, from 1 on; 0 for none.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/fluid/fluid.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const uint variant = 0u;
+
+layout(scalar, binding = 0) readonly buffer Shapes
+{
+    FluidShape shape_list[];
+};
+
+layout(scalar, binding = 1) writeonly buffer Solids
+{
+    uint out_solids[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    FluidGrid grid;
+    FluidShapes shapes;
+};
+
+#include "techniques/fluid/fluid_fields.glsl"
+#include "techniques/fluid/matter/fluid_shapes.glsl"
+
+void main()
+{
+    ivec3 cell = ivec3(gl_GlobalInvocationID);
+    if (!is_in_grid(cell)) {
+        return;
+    }
+    vec3 place_m = (vec3(cell) + 0.5) * shapes.cell_m;
+    uint solid = 0u;
+    for (uint i = shapes.obstacle_count; i > 0u; --i) {
+        solid = distance_to(shape_list[i - 1u], place_m) < 0.0 ? i : solid;
+    }
+    out_solids[fluid_cell_index(cell)] = solid;
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/fluid/matter/matter.hpp"
+
+#include <cmath>
+
+#include "shaders/fluid_matter_comp.hpp"
+
+namespace estampe::fluid {
+namespace {
+
+struct MatterConstants {
+    shared::FluidGrid grid;
+    shared::FluidShapes shapes;
+    shared::FluidMatter matter;
+};
+
+} // namespace
+
+gpu::ImageId add_matter(gpu::Graph& graph, const Grid& grid, const MatterStyle& style, gpu::BufferId shapes,
+                        const shared::FluidShapes& constants, gpu::ImageId quantities)
+{
+    if (style == MatterStyle{} && constants.count == constants.obstacle_count) {
+        return quantities;
+    }
+    const auto kept = [&](float loss_per_s) { return std::exp(-loss_per_s * constants.step_s); };
+    const bool is_burning = style.burning_per_s > 0.0F && constants.channels > shared::fluid_fuel;
+    const bool is_condensing = style.condensing_per_s > 0.0F && constants.channels > shared::fluid_cloud;
+    auto pass = graph.compute("fluid/matter", shaders::fluid_matter_comp);
+    pass.read(shapes);
+    const gpu::ImageId changed = pass.modify(quantities);
+    pass.push(MatterConstants{.grid = grid_constants(grid),
+                              .shapes = constants,
+                              .matter = {.density_kept = kept(style.fading_per_s),
+                                         .heat_kept = kept(style.cooling_per_s),
+                                         .burnt = 1.0F - kept(style.burning_per_s),
+                                         .ignition = style.ignition,
+                                         .heat_of_fuel = style.heat_of_fuel,
+                                         .smoke_of_fuel = style.smoke_of_fuel,
+                                         .condensed = 1.0F - kept(style.condensing_per_s),
+                                         .saturation = style.saturation,
+                                         .saturation_heat = style.saturation_growth,
+                                         .saturation_height = style.saturation_fall_per_m,
+                                         .latent_heat = style.latent_heat}})
+        .variant(grid_bits(grid) | (is_burning ? shared::fluid_bit_burning : 0U) |
+                 (is_condensing ? shared::fluid_bit_condensing : 0U));
+    dispatch_over_cells(pass, grid);
+    return changed;
+}
+
+} // namespace estampe::fluid

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: MIT
+// Obstacles, sources, and what quantities turn into.
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "techniques/fluid/fluid_test_support.hpp"
+
+namespace estampe::fluid {
+namespace {
+
+const Grid meadow{.cells = {64, 64, 1}, .cell_m = 0.1F};
+
+struct Seen {
+    std::vector<float> velocity;
+    std::vector<float> quantities;
+};
+
+Seen after(Fluid& fluid, const FluidStyle& style, uint32_t steps)
+{
+    std::vector<float> velocity = velocity_after(fluid, style, steps);
+    if (fluid.channels() == 0) {
+        return {velocity, {}};
+    }
+    gpu::Graph graph;
+    return {velocity, run_and_read_layers(graph, *fluid.add_steps(graph, style, 0).quantities)};
+}
+
+/// The same number in every cell of each channel.
+std::vector<float> even(const Grid& grid, const std::vector<float>& amounts)
+{
+    return over_nodes(grid, static_cast<uint32_t>(amounts.size()),
+                      [&](uint32_t channel, glm::uvec3) { return amounts[channel]; });
+}
+
+double at(const std::vector<float>& numbers, const Grid& grid, uint32_t channel, uint32_t x, uint32_t y)
+{
+    return static_cast<double>(numbers[channel * grid.cell_count() + y * grid.cells.x + x]);
+}
+
+double sum_of(const std::vector<float>& numbers, const Grid& grid, uint32_t channel)
+{
+    const auto first = numbers.begin() + static_cast<ptrdiff_t>(channel * grid.cell_count());
+    return std::accumulate(first, first + static_cast<ptrdiff_t>(grid.cell_count()), 0.0);
+}
+
+double norm(const std::vector<float>& numbers)
+{
+    double sum = 0.0;
+    for (const float number : numbers) {
+        sum += static_cast<double>(number) * static_cast<double>(number);
+    }
+    return std::sqrt(sum);
+}
+
+/// Divergence that the last projection of some steps left, over what it was given.
+double divergence_left(Fluid& fluid, const FluidStyle& style, uint32_t steps)
+{
+    static_cast<void>(velocity_after(fluid, style, steps));
+    const auto left = [&](bool is_after) {
+        gpu::Graph graph;
+        const FluidFields fields = fluid.add_steps(graph, style, is_after ? 0 : 1);
+        return norm(test::run_and_read_as<float>(
+            graph, add_divergence(graph, fluid.grid(), is_after ? fields.velocity : fields.unprojected,
+                                  fields.solids)));
+    };
+    const double before = left(false);
+    return left(true) / before;
+}
+
+std::vector<Shape> walkers()
+{
+    Shape ball = disc({2.0F, 3.0F, 0.0F}, 0.6F);
+    ball.velocity_m_s = {1.0F, 0.4F, 0.0F};
+    Shape oar = box({4.4F, 3.2F, 0.0F}, {0.9F, 0.15F, 0.0F}, 0.5F);
+    oar.spin_rad_s = 2.0F;
+    Shape pill = capsule({3.0F, 5.0F, 0.0F}, 1.0F, 0.3F);
+    pill.velocity_m_s = {0.0F, -0.7F, 0.0F};
+    return {ball, oar, pill};
+}
+
+TEST(FluidMatter, MovingObstaclesLeaveLittleDivergence)
+{
+    Fluid fluid(test::shared_device(), meadow);
+    fluid.set_shapes(walkers(), {});
+    EXPECT_LE(divergence_left(fluid, {.step_s = 0.02F}, 20), 2e-3);
+}
+
+TEST(FluidMatter, ObstaclesMoveInVolumesToo)
+{
+    const Grid room{.cells = {24, 24, 24}, .cell_m = 0.1F};
+    Fluid fluid(test::shared_device(), room);
+    Shape ball = disc({1.2F, 1.2F, 1.2F}, 0.5F);
+    ball.velocity_m_s = {0.3F, 0.2F, 0.5F};
+    fluid.set_shapes(std::vector{ball}, {});
+    EXPECT_LE(divergence_left(fluid, {.step_s = 0.05F}, 2), 2e-3);
+}
+
+TEST(FluidMatter, FacesOfObstaclesMoveAsTheyDo)
+{
+    Fluid fluid(test::shared_device(), meadow);
+    Shape oar = box({3.2F, 3.2F, 0.0F}, {1.0F, 0.4F, 0.0F});
+    oar.spin_rad_s = 1.5F;
+    oar.velocity_m_s = {0.0F, 0.25F, 0.0F};
+    fluid.set_shapes(std::vector{oar}, {});
+    const std::vector<float> velocity = after(fluid, {.step_s = 0.001F}, 1).velocity;
+    // In its middle, a step later.
+    EXPECT_NEAR(at(velocity, meadow, 0, 32, 30), -1.5 * (3.05 - 3.2), 2e-3);
+    EXPECT_NEAR(at(velocity, meadow, 1, 38, 32), 0.25 + 1.5 * (3.85 - 3.2), 2e-3);
+    // What is before it is pushed away, what is behind follows.
+    EXPECT_GT(at(velocity, meadow, 1, 41, 38), 0.05);
+    EXPECT_GT(norm(velocity), 1.0);
+}
+
+TEST(FluidMatter, ObstaclesGoOnFromGraphToGraph)
+{
+    Fluid fluid(test::shared_device(), meadow);
+    Shape ball = disc({2.05F, 3.2F, 0.0F}, 0.4F);
+    ball.velocity_m_s = {1.0F, 0.0F, 0.0F};
+    fluid.set_shapes(std::vector{ball}, {});
+    const std::vector<float> velocity = velocity_after(fluid, {.step_s = 0.05F}, 20, 3);
+    for (uint32_t x = 28; x <= 33; ++x) {
+        EXPECT_EQ(at(velocity, meadow, 0, x, 32), 1.0) << x;
+    }
+    EXPECT_NE(at(velocity, meadow, 0, 24, 32), 1.0);
+    EXPECT_NE(at(velocity, meadow, 0, 37, 32), 1.0);
+}
+
+TEST(FluidMatter, SourcesBringWhatTheySay)
+{
+    Fluid fluid(test::shared_device(), meadow, 5);
+    Source source{.shape = disc({3.2F, 3.2F, 0.0F}, 1.0F), .push_per_s = 20.0F};
+    source.shape.velocity_m_s = {0.0F, 0.0F, 0.0F};
+    source.gain_per_s = {0.5F, 2.0F, 0.0F, 0.0F, 3.0F};
+    fluid.set_shapes({}, std::vector{source});
+    const Seen seen = after(fluid, {.step_s = 0.02F}, 25);
+    const double cells = std::numbers::pi * 1.0 / (0.1 * 0.1);
+    EXPECT_NEAR(sum_of(seen.quantities, meadow, 0) / (0.25 * cells), 1.0, 0.01);
+    EXPECT_NEAR(sum_of(seen.quantities, meadow, 1) / (1.0 * cells), 1.0, 0.01);
+    EXPECT_EQ(sum_of(seen.quantities, meadow, 2), 0.0);
+    EXPECT_NEAR(at(seen.quantities, meadow, 4, 32, 32), 1.5, 1e-4);
+}
+
+TEST(FluidMatter, HeatRisesAndWeightFalls)
+{
+    const auto blob = over_nodes(meadow, 2, [](uint32_t channel, glm::uvec3 cell) {
+        return channel == 1 && glm::distance(glm::dvec2(glm::uvec2(cell)), glm::dvec2(31.5)) < 8.0 ? 1.0
+                                                                                                   : 0.0;
+    });
+    const auto height_of = [&](const std::vector<float>& quantities) {
+        double moment = 0.0;
+        for (uint32_t y = 0; y < 64; ++y) {
+            for (uint32_t x = 0; x < 64; ++x) {
+                moment += y * at(quantities, meadow, 1, x, y);
+            }
+        }
+        return moment / sum_of(quantities, meadow, 1);
+    };
+    const FluidStyle warm{.step_s = 0.02F, .forces = {.lift_m_s2 = 2.0F}};
+    Fluid rising(test::shared_device(), meadow, 2, {}, blob);
+    const Seen risen = after(rising, warm, 40);
+    EXPECT_GT(height_of(risen.quantities), 31.5 + 1.5);
+    // Upside down, density does the same.
+    std::vector<float> heavy(blob.begin() + static_cast<ptrdiff_t>(meadow.cell_count()), blob.end());
+    heavy.resize(2 * meadow.cell_count());
+    Fluid falling(test::shared_device(), meadow, 2, {}, heavy);
+    const Seen fallen = after(falling, {.step_s = 0.02F, .forces = {.weight_m_s2 = 2.0F}}, 40);
+    for (uint32_t i = 0; i < 64; i += 5) {
+        EXPECT_NEAR(at(fallen.quantities, meadow, 0, i, 20), at(risen.quantities, meadow, 1, i, 43), 2e-3)
+            << i;
+    }
+}
+
+TEST(FluidMatter, EvenQuantitiesStayEvenHoweverTheFlowRuns)
+{
+    Fluid fluid(test::shared_device(), meadow, 3, {}, even(meadow, {0.25F, -3.0F, 7.0F}));
+    Source push{.shape = disc({2.0F, 2.5F, 0.0F}, 0.5F), .push_per_s = 10.0F};
+    push.shape.velocity_m_s = {2.0F, 1.0F, 0.0F};
+    fluid.set_shapes({}, std::vector{push});
+    const Seen seen = after(fluid, {.step_s = 0.05F}, 10);
+    EXPECT_GT(norm(seen.velocity), 5.0);
+    for (uint32_t channel = 0; channel < 3; ++channel) {
+        const double amount = std::array{0.25, -3.0, 7.0}[channel];
+        EXPECT_NEAR(at(seen.quantities, meadow, channel, 20, 25), amount, 1e-5 * std::abs(amount));
+    }
+}
+
+TEST(FluidMatter, FrictionAndFadingAreExponential)
+{
+    const Grid loop{.cells = {16, 16, 1}, .edges = {Edge::periodic, Edge::periodic, Edge::no_slip}};
+    Fluid fluid(test::shared_device(), loop, 2,
+                velocity_of(loop, [](glm::dvec3) { return glm::dvec3(2.0, -1.0, 0.0); }),
+                even(loop, {1.0F, 4.0F}));
+    const Seen seen = after(fluid,
+                            {.step_s = 0.1F,
+                             .forces = {.friction_per_s = 0.5F},
+                             .matter = {.fading_per_s = 0.3F, .cooling_per_s = 0.9F}},
+                            10);
+    EXPECT_NEAR(at(seen.velocity, loop, 0, 3, 4), 2.0 * std::exp(-0.5), 1e-4);
+    EXPECT_NEAR(at(seen.velocity, loop, 1, 3, 4), -1.0 * std::exp(-0.5), 1e-4);
+    EXPECT_NEAR(at(seen.quantities, loop, 0, 3, 4), std::exp(-0.3), 1e-5);
+    EXPECT_NEAR(at(seen.quantities, loop, 1, 3, 4), 4.0 * std::exp(-0.9), 1e-5);
+}
+
+TEST(FluidMatter, FuelBurnsWhereItIsHotIntoHeatAndSmoke)
+{
+    const MatterStyle fire{
+        .burning_per_s = 2.0F, .ignition = 0.5F, .heat_of_fuel = 3.0F, .smoke_of_fuel = 0.7F};
+    const auto burnt = [&](float temperature) {
+        Fluid fluid(test::shared_device(), meadow, 3, {}, even(meadow, {0.0F, temperature, 1.0F}));
+        return after(fluid, {.step_s = 0.05F, .matter = fire}, 10).quantities;
+    };
+    const std::vector<float> cold = burnt(0.4F);
+    EXPECT_EQ(at(cold, meadow, 2, 9, 9), 1.0);
+    const std::vector<float> hot = burnt(0.6F);
+    const double left = at(hot, meadow, 2, 9, 9);
+    EXPECT_NEAR(left, std::exp(-1.0), 1e-4);
+    EXPECT_NEAR(at(hot, meadow, 1, 9, 9), 0.6 + 3.0 * (1.0 - left), 1e-4);
+    EXPECT_NEAR(at(hot, meadow, 0, 9, 9), 0.7 * (1.0 - left), 1e-4);
+}
+
+TEST(FluidMatter, VapourCondensesToWhatAirHoldsAndKeepsItsHeat)
+{
+    const MatterStyle sky{.condensing_per_s = 8.0F,
+                          .saturation = 1.0F,
+                          .saturation_growth = 0.2F,
+                          .saturation_fall_per_m = 0.1F,
+                          .latent_heat = 1.5F};
+    const auto settled = [&](float vapour, float cloud) {
+        Fluid fluid(test::shared_device(), meadow, 5, {}, even(meadow, {0.0F, 0.0F, 0.0F, vapour, cloud}));
+        return after(fluid, {.step_s = 0.05F, .matter = sky}, 60).quantities;
+    };
+    for (const auto& [vapour, cloud] :
+         {std::pair(2.0F, 0.0F), std::pair(0.3F, 0.9F), std::pair(0.2F, 0.1F)}) {
+        const std::vector<float> end = settled(vapour, cloud);
+        for (const uint32_t y : {2U, 60U}) {
+            const double heat = at(end, meadow, 1, 5, y);
+            const double vapour_left = at(end, meadow, 3, 5, y);
+            const double cloud_left = at(end, meadow, 4, 5, y);
+            EXPECT_NEAR(vapour_left + cloud_left, static_cast<double>(vapour + cloud), 1e-5);
+            EXPECT_NEAR(heat, 1.5 * (cloud_left - static_cast<double>(cloud)), 1e-5);
+            const double holds = std::exp(0.2 * heat - 0.1 * (y + 0.5) * 0.1);
+            if (cloud_left > 1e-3) {
+                EXPECT_NEAR(vapour_left, holds, 1e-3) << y;
+            } else {
+                EXPECT_LT(vapour_left, holds) << y;
+            }
+        }
+    }
+}
+
+TEST(FluidMatter, ConfinementFeedsVortices)
+{
+    const Grid loop{.cells = {64, 64, 1}, .edges = {Edge::periodic, Edge::periodic, Edge::no_slip}};
+    const auto start = velocity_of(loop, [](glm::dvec3 p) {
+        const glm::dvec2 off = (glm::dvec2(p) - 32.0) / 6.0;
+        return std::exp(-glm::dot(off, off)) * glm::dvec3(-off.y, off.x, 0.0);
+    });
+    const auto energy = [&](float confinement, Advection advection) {
+        Fluid fluid(test::shared_device(), loop, 0, start);
+        return norm(after(fluid,
+                          {.step_s = 1.0F,
+                           .velocity_advection = advection,
+                           .forces = {.confinement_per_s = confinement}},
+                          20)
+                        .velocity) /
+               norm(start);
+    };
+    // Little of it, and cubes that lose nothing else: what is left is the work of the force.
+    const double gained = energy(0.01F, Advection::cubic) - energy(0.0F, Advection::cubic);
+    EXPECT_GT(gained, 0.03);
+    EXPECT_LT(gained, 0.5);
+    EXPECT_NEAR(energy(0.0F, Advection::cubic) - energy(-0.01F, Advection::cubic), gained, 0.5 * gained);
+}
+
+TEST(FluidMatter, TenMinutesOfStirringDoNotBlowUp)
+{
+    const Grid pond{.cells = {32, 32, 1}, .cell_m = 0.1F};
+    Fluid fluid(test::shared_device(), pond, 5, {}, even(pond, {0.1F, 0.0F, 0.2F, 1.0F, 0.0F}));
+    const FluidStyle style{.step_s = 0.5F,
+                           .projection = {.projections = 2},
+                           .forces = {.friction_per_s = 0.05F,
+                                      .lift_m_s2 = 0.5F,
+                                      .weight_m_s2 = 0.3F,
+                                      .confinement_per_s = 0.1F},
+                           .matter = {.fading_per_s = 0.1F,
+                                      .cooling_per_s = 0.2F,
+                                      .burning_per_s = 0.5F,
+                                      .ignition = 0.5F,
+                                      .condensing_per_s = 1.0F,
+                                      .saturation_growth = 0.1F,
+                                      .latent_heat = 0.3F}};
+    std::mt19937 random(3);
+    const auto any = [&](double low, double high) {
+        return static_cast<float>(std::uniform_real_distribution<double>(low, high)(random));
+    };
+    constexpr uint32_t steps = 1200;
+    const uint32_t at_once = fluid.most_steps(style);
+    double fastest = 0.0;
+    for (uint32_t i = 0; i < steps; i += at_once) {
+        Source spoon{.shape = disc({any(0.0, 3.2), any(0.0, 3.2), 0.0F}, any(0.1, 0.5)), .push_per_s = 10.0F};
+        spoon.shape.velocity_m_s = {any(-3.0, 3.0), any(-3.0, 3.0), 0.0F};
+        spoon.gain_per_s = {any(0.0, 1.0), any(-1.0, 2.0), any(0.0, 1.0), any(0.0, 1.0), 0.0F};
+        Shape stone = disc({any(0.0, 3.2), any(0.0, 3.2), 0.0F}, any(0.1, 0.5));
+        stone.velocity_m_s = {any(-1.0, 1.0), any(-1.0, 1.0), 0.0F};
+        // Now and then without an obstacle, so that solvers change.
+        const bool is_stone_there = i / at_once % 3 == 0;
+        fluid.set_shapes(is_stone_there ? std::vector{stone} : std::vector<Shape>{}, std::vector{spoon});
+        gpu::Graph graph;
+        const FluidFields fields = fluid.add_steps(graph, style, at_once);
+        for (const float speed : run_and_read_layers(graph, fields.velocity)) {
+            ASSERT_TRUE(std::isfinite(speed)) << "step " << i;
+            fastest = std::max(fastest, static_cast<double>(std::abs(speed)));
+        }
+    }
+    EXPECT_GT(fastest, 1.0);
+    EXPECT_LT(fastest, 12.0);
+    gpu::Graph graph;
+    for (const float amount : run_and_read_layers(graph, *fluid.add_steps(graph, style, 0).quantities)) {
+        ASSERT_TRUE(std::isfinite(amount) && std::abs(amount) < 1e4F);
+    }
+}
+
+} // namespace
+} // namespace estampe::fluid

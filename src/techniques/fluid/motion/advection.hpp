@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "techniques/fluid/grid.hpp"
+
+namespace estampe::fluid {
+
+/// How what the flow carries is looked up where it came from.
+enum class Advection : uint8_t {
+    linear,    ///< between the nearest nodes: blurs
+    cubic,     ///< by Catmull-Rom splines through four nodes along each axis
+    maccormack ///< linear, corrected by half of what it loses on the way back
+};
+
+/// What is carried, and in what.
+struct Carried {
+    gpu::ImageId velocity; ///< carries
+    gpu::ImageId field;    ///< is carried; for components of velocity the velocity itself, or another one
+    gpu::ImageId target;   ///< is overwritten with what is carried
+    uint32_t channels = 0; ///< of quantities; 0 for a velocity
+};
+
+/// `carried.field` after `time_s`, in `carried.target`. Velocities in metres a second.
+[[nodiscard]] gpu::ImageId add_advection(gpu::Graph& graph, const Grid& grid, Advection advection,
+                                         const Carried& carried, float time_s);
+
+} // namespace estampe::fluid

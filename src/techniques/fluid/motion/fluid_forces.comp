@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// One thread a cell: what gains or loses speed, by a force everywhere, by heat and weight of what is carried,
+// by friction, and by vorticity confinement.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/fluid/fluid.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const uint variant = 0u;
+
+layout(binding = 0) uniform sampler2DArray velocity;
+layout(binding = 1) uniform sampler2DArray quantities;
+layout(binding = 2, r32f) writeonly uniform image2DArray out_velocity;
+
+layout(push_constant, scalar) uniform Constants
+{
+    FluidGrid grid;
+    FluidForces forces;
+};
+
+#include "techniques/fluid/fluid_fields.glsl"
+#include "techniques/fluid/motion/fluid_vorticity.glsl"
+
+// Of y's speed, at the face between a cell and that below it.
+float buoyancy(ivec3 cell)
+{
+    int depth = int(grid.depth);
+    ivec3 below = cell - ivec3(0, 1, 0);
+    below.y = below.y < 0 ? int(grid.height) - 1 : below.y;
+    vec2 here = vec2(texelFetch(quantities, ivec3(cell.xy, fluid_density * depth + cell.z), 0).x,
+                     texelFetch(quantities, ivec3(cell.xy, fluid_temperature * depth + cell.z), 0).x);
+    vec2 there = vec2(texelFetch(quantities, ivec3(below.xy, fluid_density * depth + cell.z), 0).x,
+                      texelFetch(quantities, ivec3(below.xy, fluid_temperature * depth + cell.z), 0).x);
+    return dot(0.5 * (here + there), vec2(-forces.weight, forces.lift));
+}
+
+void main()
+{
+    ivec3 cell = ivec3(gl_GlobalInvocationID);
+    if (!is_in_grid(cell)) {
+        return;
+    }
+    vec3 gain = forces.speed_gain;
+    if ((variant & fluid_bit_buoyant) != 0u) {
+        gain.y += buoyancy(cell);
+    }
+    if ((variant & fluid_bit_confined) != 0u) {
+        gain += forces.confinement * vec3(confining_force(cell), 0.0);
+    }
+    for (int i = 0; i < fluid_dimensions(); ++i) {
+        ivec3 texel = ivec3(cell.xy, i * int(grid.depth) + cell.z);
+        float speed = forces.kept * texelFetch(velocity, texel, 0).x + gain[i];
+        imageStore(out_velocity, texel, vec4(is_on_wall(i, cell) ? 0.0 : speed));
+    }
+}

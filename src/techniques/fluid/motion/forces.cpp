@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/fluid/motion/forces.hpp"
+
+#include <cmath>
+
+#include "shaders/fluid_forces_comp.hpp"
+
+namespace estampe::fluid {
+
+gpu::ImageId add_forces(gpu::Graph& graph, const Grid& grid, const ForceStyle& style, gpu::ImageId velocity,
+                        std::optional<gpu::ImageId> quantities, float time_s)
+{
+    if (style == ForceStyle{}) {
+        return velocity;
+    }
+    const bool is_buoyant = quantities.has_value() && (style.lift_m_s2 != 0.0F || style.weight_m_s2 != 0.0F);
+    const bool is_confined = style.confinement_per_s != 0.0F && !grid.is_volume();
+    auto pass = graph.compute("fluid/forces", shaders::fluid_forces_comp);
+    pass.sample(velocity, gpu::Sampling::linear_repeat).sample(quantities.value_or(velocity));
+    const gpu::ImageId forced = pass.write(graph.image("fluid/forced", velocity_desc(grid)));
+    pass.push(WithGrid<shared::FluidForces>{grid_constants(grid),
+                                            {.speed_gain = time_s * style.acceleration_m_s2,
+                                             .kept = std::exp(-style.friction_per_s * time_s),
+                                             .lift = time_s * style.lift_m_s2,
+                                             .weight = time_s * style.weight_m_s2,
+                                             .confinement = time_s * style.confinement_per_s}})
+        .variant(grid_bits(grid) | (is_buoyant ? shared::fluid_bit_buoyant : 0U) |
+                 (is_confined ? shared::fluid_bit_confined : 0U));
+    dispatch_over_cells(pass, grid);
+    return forced;
+}
+
+} // namespace estampe::fluid

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// One thread a cell: what flows out of it. Nothing flows out of obstacles.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/fluid/fluid.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const uint variant = 0u;
+
+layout(binding = 0) uniform sampler2DArray velocity;
+layout(binding = 1) uniform usamplerBuffer solids;
+
+layout(scalar, binding = 2) writeonly buffer Divergence
+{
+    float out_divergence[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    FluidGrid grid;
+};
+
+#include "techniques/fluid/fluid_fields.glsl"
+#include "techniques/fluid/pressure/fluid_outflow.glsl"
+
+void main()
+{
+    ivec3 cell = ivec3(gl_GlobalInvocationID);
+    if (!is_in_grid(cell)) {
+        return;
+    }
+    uint index = fluid_cell_index(cell);
+    bool is_solid = (variant & fluid_bit_solids) != 0u && texelFetch(solids, int(index)).x != 0u;
+    out_divergence[index] = is_solid ? 0.0 : outflow_of(velocity, cell);
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// One thread a cell: takes the pressure's gradient from the velocity, and tells besides the velocity
+// reflected: as far on the other side of the projected one as that before all projections was on this side.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/fluid/fluid.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 0) const uint variant = 0u;
+
+layout(binding = 0) uniform sampler2DArray velocity;
+layout(binding = 1) uniform samplerBuffer pressure;
+layout(binding = 2) uniform usamplerBuffer solids;
+layout(binding = 3) uniform sampler2DArray unprojected;
+layout(binding = 4, r32f) writeonly uniform image2DArray out_velocity;
+layout(binding = 5, r32f) writeonly uniform image2DArray out_reflected;
+
+layout(push_constant, scalar) uniform Constants
+{
+    FluidGrid grid;
+};
+
+#include "techniques/fluid/fluid_fields.glsl"
+#include "techniques/fluid/pressure/fluid_gradient.glsl"
+
+void main()
+{
+    ivec3 cell = ivec3(gl_GlobalInvocationID);
+    if (!is_in_grid(cell)) {
+        return;
+    }
+    for (int axis = 0; axis < fluid_dimensions(); ++axis) {
+        ivec3 texel = ivec3(cell.xy, axis * int(grid.depth) + cell.z);
+        float speed = projected(velocity, cell, axis);
+        imageStore(out_velocity, texel, vec4(speed));
+        imageStore(out_reflected, texel, vec4(2.0 * speed - texelFetch(unprojected, texel, 0).x));
+    }
+}

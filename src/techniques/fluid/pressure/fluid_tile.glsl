@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_FLUID_TILE
+#define ESTAMPE_FLUID_TILE
+
+// A tile of a level in shared memory, with a halo that shrinks by a cell with each sweep. Needs `variant`,
+// and `tile`, a FluidTile; texel buffers `divergence` and `weights`. The equation of a cell: its neighbours'
+// pressures less its own, each times how open the face between is, make up its divergence.
+
+const int fluid_region = int(fluid_tile + 2u * fluid_halo);
+const int fluid_region_cells = fluid_region * fluid_region;
+const int fluid_threads = 256;
+
+shared float tile_divergence[fluid_region_cells];
+shared uint tile_weights[fluid_region_cells];
+
+bool wraps(int axis)
+{
+    return (variant & (fluid_bit_periodic << axis)) != 0u;
+}
+
+ivec2 level_size()
+{
+    return ivec2(tile.level.width, tile.level.height);
+}
+
+ivec2 tile_origin()
+{
+    return ivec2(gl_WorkGroupID.xy) * int(fluid_tile);
+}
+
+// The cell of the level that slot `i` of the region stands for; x is negative where there is none.
+ivec2 cell_of_slot(int i)
+{
+    ivec2 size = level_size();
+    ivec2 cell = tile_origin() - int(fluid_halo) + ivec2(i % fluid_region, i / fluid_region);
+    ivec2 wrapped = ivec2(wraps(0) ? (cell.x + size.x * int(fluid_halo)) % size.x : cell.x,
+                          wraps(1) ? (cell.y + size.y * int(fluid_halo)) % size.y : cell.y);
+    bool is_there = all(greaterThanEqual(wrapped, ivec2(0))) && all(lessThan(wrapped, size));
+    return is_there ? wrapped : ivec2(-1);
+}
+
+int index_in_level(ivec2 cell)
+{
+    return cell.y * int(tile.level.width) + cell.x;
+}
+
+void load_equation(int i, ivec2 cell)
+{
+    bool is_there = cell.x >= 0;
+    tile_divergence[i] = is_there ? texelFetch(divergence, index_in_level(cell)).x : 0.0;
+    tile_weights[i] = is_there ? texelFetch(weights, int(tile.level.first) + index_in_level(cell)).x : 0u;
+}
+
+// Of slot `i`, how open its faces are: towards lower x, lower y, higher x, higher y.
+vec4 openings(int i)
+{
+    return vec4(unpackHalf2x16(tile_weights[i]), unpackHalf2x16(tile_weights[i + 1]).x,
+                unpackHalf2x16(tile_weights[i + fluid_region]).y);
+}
+
+// Whether a slot has its four neighbours in the region.
+bool is_within(int x, int y)
+{
+    return x > 0 && y > 0 && x < fluid_region - 1 && y < fluid_region - 1;
+}
+
+float relaxed(vec4 open, vec4 neighbours, float own_divergence)
+{
+    float all_open = dot(open, vec4(1.0));
+    return all_open > 0.0 ? (dot(open, neighbours) - own_divergence) / all_open : 0.0;
+}
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_FLUID_VOLUME_LEVEL
+#define ESTAMPE_FLUID_VOLUME_LEVEL
+
+// A level of a volume's multigrid. Needs `variant`; `weights`, a texel buffer; and `level`, a
+// FluidVolumeLevel. The equation of a cell is that of fluid_tile.glsl, with six faces.
+
+ivec3 level_size()
+{
+    return ivec3(level.width, level.height, level.depth);
+}
+
+int index_of(ivec3 cell)
+{
+    return (cell.z * int(level.height) + cell.y) * int(level.width) + cell.x;
+}
+
+// The neighbour of a cell along an axis; itself where there is none, as the face between is closed.
+ivec3 neighbour(ivec3 cell, int axis, int step)
+{
+    int size = level_size()[axis];
+    bool wraps = (variant & (fluid_bit_periodic << axis)) != 0u;
+    int place = cell[axis] + step;
+    cell[axis] = place >= 0 && place < size ? place : wraps ? (place + size) % size : cell[axis];
+    return cell;
+}
+
+// How open the faces of a cell towards lower x, y and z are.
+vec3 lower_openings(ivec3 cell)
+{
+    uvec2 packed = texelFetch(weights, int(level.first) + index_of(cell)).xy;
+    return vec3(unpackHalf2x16(packed.x), unpackHalf2x16(packed.y).x);
+}
+
+// How open its face towards the neighbour at the high end is: 0 at a wall, where the neighbour is the cell
+// itself.
+float upper_opening(ivec3 cell, int axis)
+{
+    ivec3 next = neighbour(cell, axis, 1);
+    bool is_wall = next == cell && (variant & (fluid_bit_periodic << axis)) == 0u;
+    return is_wall ? 0.0 : lower_openings(next)[axis];
+}
+
+#endif

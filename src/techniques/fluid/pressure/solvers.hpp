@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The solvers of the pressure's equation: from what flows out of each cell the pressure of each cell, such
+// that the sum over a cell's open faces of pressure there less pressure here is what flows out.
+
+#include "gpu/resources.hpp"
+#include "techniques/fluid/grid.hpp"
+#include "techniques/fluid/pressure/projection.hpp"
+
+namespace estampe::fluid {
+
+struct Equation {
+    gpu::BufferId divergence;
+    Solids solids;
+    gpu::BufferId weights; ///< of add_weights
+};
+
+[[nodiscard]] gpu::BufferId add_jacobi(gpu::Graph& graph, const Grid& grid, const Equation& equation,
+                                       uint32_t rounds);
+
+[[nodiscard]] uint32_t passes_of_jacobi(const Grid& grid, uint32_t rounds);
+
+/// One V(2,2) cycle from zero, in two dimensions.
+[[nodiscard]] gpu::BufferId add_v_cycle(gpu::Graph& graph, const Grid& grid, const Equation& equation);
+
+/// The same for volumes, with weights of add_volume_weights.
+[[nodiscard]] gpu::BufferId add_volume_cycle(gpu::Graph& graph, const Grid& grid, const Equation& equation);
+[[nodiscard]] gpu::BufferId add_volume_weights(gpu::Graph& graph, const Grid& grid, const Solids& solids);
+[[nodiscard]] uint32_t passes_of_volume_cycle(const Grid& grid);
+
+/// Sizes that are powers of two.
+[[nodiscard]] bool is_spectral_possible(const Grid& grid);
+
+/// Cosines and sines for the transforms of a grid; nothing of use when they are not possible.
+[[nodiscard]] gpu::Buffer upload_angles(gpu::Device& device, const Grid& grid);
+
+/// Directly, by transforms of rows and columns; there are no obstacles.
+[[nodiscard]] gpu::BufferId add_spectral(gpu::Graph& graph, const Grid& grid, const Equation& equation,
+                                         gpu::BufferId angles);
+
+} // namespace estampe::fluid
