@@ -376,6 +376,8 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     check_places(loaded->scene, scene_pose);
     if (settings.motion_since) {
         pose_before(pose_scene(loaded->scene, settings.motion_since->time_s, settings.animation));
+    } else if (const auto ink_s = flowing_ink.before_s(settings, tables.ink); ink_s && !loaded->pose) {
+        pose_before(pose_scene(loaded->scene, *ink_s, settings.animation)); // drawn by another renderer
     }
     update_pose(scene_pose);
     update_terrain(camera, settings, tables.ink);

@@ -19,13 +19,15 @@ vec3 face_direction(uint face, vec2 at)
 FacePlace face_place(vec3 direction)
 {
     vec3 size = abs(direction);
-    if (size.x >= size.y && size.x >= size.z) {
-        return FacePlace(direction.x > 0.0f ? 0u : 1u, vec2(direction.y, direction.z) / size.x);
-    }
-    if (size.y >= size.z) {
-        return FacePlace(direction.y > 0.0f ? 2u : 3u, vec2(direction.z, direction.x) / size.y);
-    }
-    return FacePlace(direction.z > 0.0f ? 4u : 5u, vec2(direction.x, direction.y) / size.z);
+    uint axis = size.x >= size.y && size.x >= size.z ? 0u : size.y >= size.z ? 1u : 2u;
+    float along = axis == 0u ? direction.x : axis == 1u ? direction.y : direction.z;
+    vec2 across = axis == 0u   ? vec2(direction.y, direction.z)
+                  : axis == 1u ? vec2(direction.z, direction.x)
+                               : vec2(direction.x, direction.y);
+    FacePlace place;
+    place.face = 2u * axis + (along > 0.0f ? 0u : 1u);
+    place.at = across / abs(along);
+    return place;
 }
 
 #endif

@@ -15,8 +15,8 @@ namespace estampe::ink {
 /// One wave of the stream function, and how it moves.
 struct Wave {
     shared::InkWave wave;
-    double phase_rad = 0.0; ///< at the moment 0
-    double rad_per_s = 0.0;
+    double phase = 0.0; ///< at the moment 0, in turns
+    double turns_per_s = 0.0;
 };
 
 using Waves = std::array<Wave, shared::ink_wave_count>;
@@ -27,7 +27,7 @@ using Waves = std::array<Wave, shared::ink_wave_count>;
 /// The same for the unit sphere around an eye that sees `mm_per_rad` of the page in a radian.
 [[nodiscard]] Waves sphere_waves(const InkStyle& style, float mm_per_rad);
 
-/// Of each wave at a moment, 0 to 2 pi.
+/// Of each wave at a moment, in turns, 0 to 1.
 [[nodiscard]] std::array<float, shared::ink_wave_count> phases_at(const Waves& waves, double time_s);
 
 /// The stream function of waves and wind at a place of the page, square millimetres a second.

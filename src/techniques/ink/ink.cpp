@@ -8,6 +8,7 @@
 #include "shaders/ink_measure_comp.hpp"
 #include "shaders/ink_source_comp.hpp"
 #include "shaders/ink_step_comp.hpp"
+#include "shaders/ink_stream_comp.hpp"
 
 namespace estampe::ink {
 
@@ -64,16 +65,32 @@ private:
         return source;
     }
 
+    /// Around the eye the flow is worked out cell by cell.
+    gpu::BufferId add_stream(const shared::InkStep& step)
+    {
+        const gpu::BufferId map = gpu::import_whole(graph_, "ink/flow map", memory_.map_);
+        if (plan_.grid.face_side > 0) {
+            return map;
+        }
+        const glm::uvec2 nodes = plan_.grid.size / shared::ink_node_cells + 4U;
+        auto pass = graph_.compute("ink/stream", shaders::ink_stream_comp);
+        pass.uniform(globals_).sample(map, gpu::Format::r32f).sample(map, gpu::Format::r32f);
+        const gpu::BufferId stream = pass.write(
+            graph_.buffer("ink/stream", {.size_bytes = sizeof(float) * uint64_t{nodes.x} * nodes.y}));
+        pass.push(step).variant(plan_.variant).dispatch_over(nodes.x, nodes.y);
+        return stream;
+    }
+
     void add_step(const Inputs& in, gpu::ImageId source, const shared::InkStep& step, uint32_t more)
     {
         const uint32_t before = memory_.newest_;
         const uint32_t now = 1 - before;
         const uint32_t depth_now = 1 - memory_.newest_depth_;
         const bool keeps_depth = (more & shared::ink_keeps_depth) != 0;
+        const gpu::BufferId stream = add_stream(step);
         auto pass = graph_.compute("ink/step", shaders::ink_step_comp);
         pass.uniform(globals_).sample(cells_.at(before), gpu::Format::r32ui).sample(source);
-        pass.sample(gpu::import_whole(graph_, "ink/flow map", memory_.map_), gpu::Format::r32f)
-            .sample(in.depth);
+        pass.sample(stream, gpu::Format::r32f).sample(in.depth);
         // Read in the first step alone, and written there: later ones take the place of what they do not
         // read.
         pass.sample(keeps_depth ? depths(memory_.newest_depth_)

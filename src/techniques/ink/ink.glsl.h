@@ -11,6 +11,7 @@ namespace estampe::shared {
 SHARED_CONSTANT uint ink_wave_count = 6U;
 SHARED_CONSTANT uint most_ink_zones = 8U;
 SHARED_CONSTANT uint ink_map_side = 64U;     // nodes of a flow map's stream function, each way
+SHARED_CONSTANT uint ink_node_cells = 4U;    // from one node of the stream function to the next
 SHARED_CONSTANT uint ink_gutter = 2U;        // cells that a face of the cube has beyond each edge
 SHARED_CONSTANT uint ink_block = 8U;         // pixels that one thread measures
 SHARED_CONSTANT float ink_measured = 255.0F; // what a covered cell counts
@@ -30,9 +31,9 @@ SHARED_CONSTANT uint ink_has_motion = 1U << 5U;  // some of the scene moved by i
 SHARED_CONSTANT uint ink_keeps_depth = 1U << 6U; // for the picture after this one
 SHARED_CONSTANT uint ink_has_mask = 1U << 7U;    // not all objects give ink
 
-// One term of the stream function: amplitude * sin(dot(wave, place) + phase).
+// One term of the stream function: amplitude * sin(2 pi (dot(wave, place) + phase)).
 struct InkWave {
-    vec3 wave;       // radians a millimetre; around the eye, a radian
+    vec3 wave;       // turns a millimetre; around the eye, a radian
     float amplitude; // square millimetres a second; radians
 };
 
@@ -86,7 +87,7 @@ struct InkGlobals {
 
 // What differs from step to step.
 struct InkStep {
-    float phases[ink_wave_count];
+    float phases[ink_wave_count];       // turns
     float zone_streams[most_ink_zones]; // the stream function in the middle of each zone
     float seconds;
     float left;       // share of the wet ink that stays wet

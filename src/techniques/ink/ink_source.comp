@@ -70,7 +70,7 @@ float given_in_zones(float given, vec2 page_mm)
     for (uint i = 0u; i < globals.zone_count; ++i) {
         InkZone zone = globals.zones[i];
         vec2 away = (page_mm - zone.middle_mm) / zone.radius_mm;
-        float share = zone_share(dot(away, away)).x;
+        float share = zone_share(dot(away, away));
         given = clamp(max(given * mix(1.0, zone.amount, share), share * zone.gives), 0.0, 1.0);
     }
     return given;

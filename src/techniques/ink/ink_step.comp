@@ -19,7 +19,7 @@ layout(scalar, binding = 0) uniform Ink
 
 layout(binding = 1) uniform usamplerBuffer state_texels;
 layout(binding = 2) uniform sampler2D source_image;
-layout(binding = 3) uniform samplerBuffer map_texels;          // of the variant that has a flow map
+layout(binding = 3) uniform samplerBuffer stream_texels;       // on the page
 layout(binding = 4) uniform sampler2D depth_image;             // of the variant on surfaces
 layout(binding = 5) uniform samplerBuffer depth_before_texels; // of the same
 layout(binding = 6) uniform sampler2D motion_image;            // of the variant that has motion
@@ -46,18 +46,14 @@ layout(push_constant, scalar) uniform Constants
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool is_around = (variant & ink_is_around) != 0u;
-const bool has_map = (variant & ink_has_map) != 0u;
-const bool has_zones = (variant & ink_has_zones) != 0u;
 const bool is_moved = (variant & ink_is_moved) != 0u;
 const bool is_on_surface = (variant & ink_on_surface) != 0u;
 const bool has_motion = (variant & ink_has_motion) != 0u;
 const bool keeps_depth = (variant & ink_keeps_depth) != 0u;
 
+#include "techniques/ink/carried.glsl"
 #include "techniques/ink/grid.glsl"
 #include "techniques/ink/look.glsl"
-
-#define INK_MAP_TEXELS map_texels
-#include "techniques/ink/flow_map.glsl"
 
 // x: wet, y: dry; with weights of Catmull and Rom.
 vec2 ink_at(vec2 grid)
@@ -77,37 +73,7 @@ vec2 ink_at(vec2 grid)
     return clamp(sum, 0.0, 1.0);
 }
 
-Stream stream_at(vec2 place_mm, int not_negative)
-{
-    Stream stream = wind_stream(place_mm, globals.wind_mm_s);
-    for (int i = 0; i < rounds(int(ink_wave_count), not_negative); ++i) {
-        stream =
-            add_wave(stream, globals.waves[i].wave.xy, globals.waves[i].amplitude, step.phases[i], place_mm);
-    }
-    if (has_map) {
-        stream = add_flow_map(stream, place_mm);
-    }
-    if (has_zones) {
-        for (uint i = 0u; i < globals.zone_count; ++i) {
-            InkZone zone = globals.zones[i];
-            stream = in_zone(stream, place_mm - zone.middle_mm, zone.radius_mm, zone.velocity_mm_s,
-                             zone.turn_rad_s, step.zone_streams[i]);
-        }
-    }
-    return stream;
-}
-
-// How far ink has come in this step, in millimetres: by the velocity half-way back.
-vec2 drift_at(vec2 place_mm, int not_negative)
-{
-    vec2 drift = vec2(0.0);
-    for (int i = 0; i < rounds(2, not_negative); ++i) {
-        drift = step.seconds * velocity_of(stream_at(place_mm - 0.5 * drift, not_negative));
-    }
-    return drift;
-}
-
-// The same around the eye: where ink came from.
+// Around the eye: where ink came from, by the velocity half-way back.
 vec3 direction_before(vec3 direction, int not_negative)
 {
     vec3 drift = vec3(0.0);
@@ -166,7 +132,7 @@ Before before_at(vec2 page_px, ivec2 pixel)
 
 // How much of what it can give a spot gives at a place. There is one in each square of the spacing; it swells
 // and dies down, and then there is another.
-float spot_at(vec2 place_mm)
+float spot_at(vec2 place_mm, float share_that_gives)
 {
     vec2 square = floor(place_mm / globals.spacing_mm);
     uint id = hash(uint(int(square.x)), uint(int(square.y)), globals.seed);
@@ -178,8 +144,9 @@ float spot_at(vec2 place_mm)
         vec2(unit_float(hash(own ^ 1u)), unit_float(hash(own ^ 2u))) * (globals.spacing_mm - 2.0 * radius);
     vec2 away = place_mm - square * globals.spacing_mm - radius - middle;
     float swell = fract(lives);
+    float gives = smoothstep(0.0, 0.1, 1.1 * share_that_gives - unit_float(hash(own ^ 4u)));
     return clamp(1.0 - dot(away, away) / (radius * radius), 0.0, 1.0) *
-           min(1.0, 5.0 * min(swell, 1.0 - swell));
+           min(1.0, 5.0 * min(swell, 1.0 - swell)) * gives;
 }
 
 void main()
@@ -200,7 +167,7 @@ void main()
     } else {
         vec2 page_px = page_place_of_grid(grid);
         spot_mm = page_px * (globals.mm_per_cell * globals.cells_per_px);
-        vec2 drift_cells = drift_at(spot_mm, cell.x) / globals.mm_per_cell;
+        vec2 drift_cells = carried_cells(grid, step.seconds);
         if (is_moved) {
             ivec2 pixel = clamp(ivec2(floor(page_px)), ivec2(0), ivec2(globals.page_px) - 1);
             Before was = before_at(page_px, pixel);
@@ -218,10 +185,10 @@ void main()
     float source = texelFetch(source_image, cell, 0).x;
     float spot = 0.0;
     for (int i = 0; i < rounds(source > 0.0 ? 1 : 0, cell.x); ++i) { // spares most of the page the hashes
-        spot = spot_at(spot_mm);
+        float room = 2.0 - 2.0 * mean_cover(sums.covered[step.sum_before]) / globals.budget;
+        spot = spot_at(spot_mm, clamp(room, 0.0, 1.0));
     }
-    float spared = clamp(2.0 - 2.0 * mean_cover(sums.covered[step.sum_before]) / globals.budget, 0.0, 1.0);
-    float given = step.given * source * spot * spared;
+    float given = step.given * source * spot;
     float wet = 1.0 - (1.0 - before.x * step.left) * (1.0 - given);
     float dry = 1.0 - (1.0 - before.y * step.stain_left) * (1.0 - before.x * step.soak);
     state[place] = packed_ink(vec2(wet, dry));
