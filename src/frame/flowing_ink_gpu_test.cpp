@@ -39,19 +39,23 @@ Style flowing(const std::vector<std::string>& more = {})
 {
     Style style;
     style.set("ink.drawn=true");
-    style.set("ink.age_s=0.75");
+    // So few pixels hold no finer threads.
+    for (const char* assignment :
+         {"ink.age_s=0.5", "ink.threshold=0.1", "ink.spot_mm=4", "ink.spacing_mm=8"}) {
+        style.set(assignment);
+    }
     for (const std::string& assignment : more) {
         style.set(assignment);
     }
     return style;
 }
 
-constexpr RenderSettings still{.width = 160, .height = 120, .time_s = 0.25};
+constexpr RenderSettings still{.width = 96, .height = 72, .time_s = 0.25};
 
 std::vector<Image> film(Renderer& renderer, const Style& style)
 {
     std::vector<Image> images;
-    for (int number = 0; number < 5; ++number) {
+    for (int number = 0; number < 4; ++number) {
         Camera moving = camera;
         moving.eye.x += 0.05 * number;
         RenderSettings settings = still;
@@ -76,6 +80,7 @@ TEST(FlowingInk, CostsNothingWhereItIsOff)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(sliding_box());
+    static_cast<void>(renderer.render(camera, {}, still)); // poses the scene, draws shadow maps
     const Image plain = renderer.render(camera, {}, still);
     const std::string graph = renderer.graph_dot();
     Style off;
@@ -104,14 +109,11 @@ TEST(FlowingInk, FlowsOnInFilms)
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(sliding_box());
     for (const char* follow : {"page", "turn", "advance", "around", "surface"}) {
-        const Style style = flowing({std::string("ink.follow=") + follow, "ink.cell_mm=1"});
+        const Style style = flowing({std::string("ink.follow=") + follow, "ink.cell_mm=3"});
         const std::vector<Image> once = film(renderer, style);
-        EXPECT_EQ(film(renderer, style), once) << follow;
         renderer.set_scene(sliding_box());
         EXPECT_EQ(film(renderer, style), once) << follow << ", of the scene loaded anew";
-        for (const Image& image : once) {
-            EXPECT_EQ(image.rgba.size(), 4U * 160 * 120);
-        }
+        EXPECT_GT(changed(once[2], once[3]), 20U) << follow;
     }
 }
 
@@ -140,8 +142,8 @@ TEST(FlowingInk, TellsWhatItCannotRead)
         Error);
     EXPECT_THROW(static_cast<void>(renderer.render(camera, flowing({"ink.zones=box=shine:1"}), still)),
                  Error);
-    RenderSettings tiled = still;
-    tiled.tile_px = 100;
+    RenderSettings tiled{.width = 200, .height = 120};
+    tiled.tile_px = 120;
     EXPECT_EQ(renderer.render(camera, flowing(), tiled), renderer.render(camera, {}, tiled));
     static_cast<void>(renderer.render(camera, flowing(), tiled));
     ASSERT_FALSE(renderer.notes().empty());

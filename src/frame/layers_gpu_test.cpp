@@ -138,6 +138,10 @@ TEST(Layers, HaveOneOfInkThatFlows)
     const RenderSettings settings{.width = 200, .height = 120};
     Style style;
     style.set("ink.drawn=true");
+    style.set("ink.age_s=1");
+    style.set("ink.threshold=0.1");
+    style.set("ink.spot_mm=4");
+    style.set("ink.spacing_mm=8");
     style.set("ink.thin_color=#ff0000");
     style.set("ink.color=#ff0000");
     const LayeredImage image = renderer.render_layers(camera, style, settings);

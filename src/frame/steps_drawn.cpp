@@ -245,6 +245,8 @@ std::optional<gpu::ImageId> add_flowing_ink(const Making& making, const PosedSce
                                .light = light,
                                .draw = surface.draw,
                                .depth = surface.depth,
+                               .coordinate = surface.coordinate,
+                               .footprint = surface.footprint,
                                .motion = plan.motion
                                              ? std::optional(add_motion_for_ink(making, scene, visibility))
                                              : std::nullopt});

@@ -62,18 +62,25 @@ vec2 page_place_of_grid(vec2 grid)
     return (grid - globals.margin_cells) / globals.cells_per_px;
 }
 
-// Weights of four cells about a place that lies `f` beyond the second: Catmull and Rom.
-vec4 cubic_weights(float f)
-{
-    return vec4(f * (-0.5 + f * (1.0 - 0.5 * f)), 1.0 + f * f * (-2.5 + 1.5 * f),
-                f * (0.5 + f * (2.0 - 1.5 * f)), f * f * (-0.5 + 0.5 * f));
-}
+// Weights of six cells in a row for a place that lies `f` beyond the third: the polynomial through them. What
+// four cells keep of a thread is gone after a hundred steps.
+struct Weights {
+    vec3 first;
+    vec3 last;
+};
 
-// No weight for what lies outside, where there is no ink.
-vec4 weights_within(float f, int second, int count)
+// No weight for what lies outside the grid, where there is no ink.
+Weights weights_of(float f, int third, int count)
 {
-    uvec4 cells = uvec4(second + ivec4(-1, 0, 1, 2)); // below the first wraps round
-    return cubic_weights(f) * vec4(lessThan(cells, uvec4(uint(count))));
+    vec3 first = vec3(-(f + 1.0) * f / 120.0, (f + 2.0) * f / 24.0, -(f + 2.0) * (f + 1.0) / 12.0) *
+                 ((f - 1.0) * (f - 2.0) * (f - 3.0));
+    vec3 last =
+        vec3((f - 2.0) * (f - 3.0) / 12.0, -(f - 1.0) * (f - 3.0) / 24.0, (f - 1.0) * (f - 2.0) / 120.0) *
+        ((f + 2.0) * (f + 1.0) * f);
+    uvec3 cells = uvec3(third + ivec3(-2, -1, 0)); // below the grid's first wraps round
+    uvec3 more = uvec3(third + ivec3(1, 2, 3));
+    return Weights(first * vec3(lessThan(cells, uvec3(uint(count)))),
+                   last * vec3(lessThan(more, uvec3(uint(count)))));
 }
 
 uint cell_at(ivec2 cell)

@@ -56,11 +56,14 @@ private:
         pass.sample(in.hatch, gpu::Sampling::linear).sample(in.lines, gpu::Sampling::linear);
         pass.sample(in.light, gpu::Sampling::linear).sample(in.draw);
         pass.sample(gpu::import_whole(graph_, "ink/mask", memory_.mask_), gpu::Format::r32ui);
-        pass.sample(cells_.at(memory_.newest_), gpu::Format::r32ui);
+        pass.sample(cells_.at(memory_.newest_), gpu::Format::r32ui)
+            .sample(in.coordinate)
+            .sample(in.footprint);
         const glm::uvec2 size = plan_.grid.size;
         const gpu::ImageId source = pass.write(
-            graph_.image("ink/source", {.width = size.x, .height = size.y, .format = gpu::Format::r8}));
-        pass.variant(plan_.variant | (plan_.mask.empty() ? 0U : shared::ink_has_mask))
+            graph_.image("ink/source", {.width = size.x, .height = size.y, .format = gpu::Format::rgba8}));
+        pass.push(plan_.spots)
+            .variant(plan_.variant | (plan_.mask.empty() ? 0U : shared::ink_has_mask))
             .dispatch_over(size.x, size.y);
         return source;
     }

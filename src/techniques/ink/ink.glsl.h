@@ -12,7 +12,7 @@ SHARED_CONSTANT uint ink_wave_count = 6U;
 SHARED_CONSTANT uint most_ink_zones = 8U;
 SHARED_CONSTANT uint ink_map_side = 64U;     // nodes of a flow map's stream function, each way
 SHARED_CONSTANT uint ink_node_cells = 4U;    // from one node of the stream function to the next
-SHARED_CONSTANT uint ink_gutter = 2U;        // cells that a face of the cube has beyond each edge
+SHARED_CONSTANT uint ink_gutter = 3U;        // cells that a face of the cube has beyond each edge
 SHARED_CONSTANT uint ink_block = 8U;         // pixels that one thread measures
 SHARED_CONSTANT float ink_measured = 255.0F; // what a covered cell counts
 
@@ -22,14 +22,15 @@ SHARED_CONSTANT uint ink_source_light = 1U;
 SHARED_CONSTANT uint ink_source_things = 2U;
 
 // Variant bits of the shaders.
-SHARED_CONSTANT uint ink_is_around = 1U << 0U;   // the grid is a cube around the eye
-SHARED_CONSTANT uint ink_has_map = 1U << 1U;     // a picture says where ink flows
-SHARED_CONSTANT uint ink_has_zones = 1U << 2U;   // so do objects
-SHARED_CONSTANT uint ink_is_moved = 1U << 3U;    // the camera or the scene has moved since
-SHARED_CONSTANT uint ink_on_surface = 1U << 4U;  // ink lies at the depth of what is seen
-SHARED_CONSTANT uint ink_has_motion = 1U << 5U;  // some of the scene moved by itself
-SHARED_CONSTANT uint ink_keeps_depth = 1U << 6U; // for the picture after this one
-SHARED_CONSTANT uint ink_has_mask = 1U << 7U;    // not all objects give ink
+SHARED_CONSTANT uint ink_is_around = 1U << 0U;       // the grid is a cube around the eye
+SHARED_CONSTANT uint ink_has_map = 1U << 1U;         // a picture says where ink flows
+SHARED_CONSTANT uint ink_has_zones = 1U << 2U;       // so do objects
+SHARED_CONSTANT uint ink_is_moved = 1U << 3U;        // the camera or the scene has moved since
+SHARED_CONSTANT uint ink_on_surface = 1U << 4U;      // ink lies at the depth of what is seen
+SHARED_CONSTANT uint ink_has_motion = 1U << 5U;      // some of the scene moved by itself
+SHARED_CONSTANT uint ink_keeps_depth = 1U << 6U;     // for the picture after this one
+SHARED_CONSTANT uint ink_has_mask = 1U << 7U;        // not all objects give ink
+SHARED_CONSTANT uint ink_spots_on_things = 1U << 8U; // they stay on what is drawn
 
 // One term of the stream function: amplitude * sin(2 pi (dot(wave, place) + phase)).
 struct InkWave {
@@ -60,6 +61,7 @@ struct InkGlobals {
     vec2 margin_cells; // of the grid, beyond the page's left and upper edge
     float cells_per_px;
     float mm_per_cell;
+    float px_per_mm;
     vec2 wind_mm_s;
     float plane_depth; // reversed depth at which ink lies, unless on surfaces
     float drag;        // of what moves by itself, the share that ink follows
@@ -95,10 +97,14 @@ struct InkStep {
     float soak;       // share of the wet ink that dries into the paper
     float given;      // share of what is missing that a spot fills up
     float keeps;      // 0: there was no ink before
-    float spot_share; // of a spot's life that has passed where none is delayed
-    uint spot_round;  // lives before that
     uint sum_before;  // which of the two sums is of the ink before this step
     uint sum_now;     // which is of the ink after it; neither where that is not measured
+};
+
+// When it is, in lives of a spot.
+struct InkSpots {
+    float share; // of the life that runs where none is delayed
+    uint round;  // lives before that
 };
 
 struct InkSums {

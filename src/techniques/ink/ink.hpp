@@ -72,7 +72,8 @@ struct Plan {
     Time time;
     shared::InkGlobals globals;
     std::vector<shared::InkStep> steps;
-    uint32_t variant = 0; ///< of the passes; that of the first step has `first_variant` besides
+    shared::InkSpots spots; ///< of the picture's moment, for all of its steps
+    uint32_t variant = 0;   ///< of the passes; that of the first step has `first_variant` besides
     uint32_t first_variant = 0;
     std::vector<uint32_t> mask; ///< one a draw: whether it gives ink; empty: all do
 };
@@ -140,6 +141,8 @@ struct Inputs {
     gpu::ImageId light;                 ///< rgba16f, brightness in alpha
     gpu::ImageId draw;                  ///< r32ui
     gpu::ImageId depth;                 ///< r32f, reversed
+    gpu::ImageId coordinate;            ///< rgba32f, of strokes
+    gpu::ImageId footprint;             ///< rgba32ui, see shaders/footprint.glsl
     std::optional<gpu::ImageId> motion; ///< where the plan's view has any
 };
 

@@ -76,7 +76,7 @@ public:
                       {gpu::upload_buffer(device, "cells", cells),
                        gpu::upload_buffer(device, "depths",
                                           std::vector<float>(Memory::kept_bytes(grid)[1] / sizeof(float))),
-                       gpu::upload_buffer(device, "sums", std::vector<shared::InkSums>(1))});
+                       gpu::upload_buffer(device, "sums", std::vector<uint32_t>(4))});
     }
 
     /// Lets the ink go on to a moment.
@@ -86,22 +86,22 @@ public:
         plan = plan_of(style, page(), time_of(style, time_s, memory.time_s()), view, zones);
         auto& device = test::shared_device();
         memory.provide(device, style, plan);
+        if (!painted_ || !keeps_layers) {
+            painted_.emplace(paint());
+        }
         auto frame = gpu::upload_buffer(device, "frame", std::vector{globals()});
-        auto hatch = test::Layer::coverage(size, hatch_at);
-        auto blank = test::Layer::root_color(size, [](glm::uvec2) { return glm::vec4(0.0F); });
-        auto draw = test::Layer::words(size, [](glm::uvec2) { return 1U; });
-        auto depth = test::Layer::depth(size, depth_at);
-        auto motion = test::Layer::places(size, motion_at);
         gpu::Graph graph;
         const gpu::BufferId frame_id = gpu::import_whole(graph, "frame", frame);
         const Flowing flowing = add_steps(graph, memory, plan,
                                           {.frame = frame_id,
-                                           .hatch = hatch.in(graph),
-                                           .lines = blank.in(graph),
-                                           .light = blank.in(graph),
-                                           .draw = draw.in(graph),
-                                           .depth = depth.in(graph),
-                                           .motion = motion.in(graph)});
+                                           .hatch = painted_->hatch.in(graph),
+                                           .lines = painted_->blank.in(graph),
+                                           .light = painted_->blank.in(graph),
+                                           .draw = painted_->draw.in(graph),
+                                           .depth = painted_->depth.in(graph),
+                                           .coordinate = painted_->coordinate.in(graph),
+                                           .footprint = painted_->footprint.in(graph),
+                                           .motion = painted_->motion.in(graph)});
         const gpu::ImageId layer = add_layer(graph, flowing, frame_id, size);
         layer_bytes = test::run_and_read_as<uint32_t>(graph, layer);
         memory.end_picture(plan);
@@ -150,12 +150,40 @@ public:
 
     glm::uvec2 size;
     Camera camera;
+    bool keeps_layers = false; ///< what is painted stays as it was first
     test::Painter<float> hatch_at = [](glm::uvec2) { return 0.0F; };
     test::Painter<float> depth_at = [](glm::uvec2) { return 0.0F; };
     test::Painter<glm::vec4> motion_at = [](glm::uvec2) { return glm::vec4(0.0F); };
+    test::Painter<glm::vec4> coordinate_at = [](glm::uvec2 pixel) { return glm::vec4(pixel, 0.0F, 0.0F); };
     Memory memory;
     Plan plan;
     std::vector<uint32_t> layer_bytes;
+
+private:
+    struct Layers {
+        test::Layer hatch;
+        test::Layer blank;
+        test::Layer draw;
+        test::Layer depth;
+        test::Layer motion;
+        test::Layer coordinate;
+        test::Layer footprint;
+    };
+
+    [[nodiscard]] Layers paint() const
+    {
+        return {.hatch = test::Layer::coverage(size, hatch_at),
+                .blank = test::Layer::root_color(size, [](glm::uvec2) { return glm::vec4(0.0F); }),
+                .draw = test::Layer::words(size, [](glm::uvec2) { return 1U; }),
+                .depth = test::Layer::depth(size, depth_at),
+                .motion = test::Layer::places(size, motion_at),
+                .coordinate = test::Layer::places(size, coordinate_at),
+                .footprint = test::Layer::footprints(size, [](glm::uvec2) {
+                    return std::pair(glm::vec3(1.0F, 0.0F, 0.0F), glm::vec3(0.0F, 1.0F, 0.0F));
+                })};
+    }
+
+    std::optional<Layers> painted_;
 };
 
 } // namespace estampe::ink

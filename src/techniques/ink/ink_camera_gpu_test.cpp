@@ -84,8 +84,8 @@ double drift_px(Follow follow, const Path& path)
     style.follow = follow;
     style.oversize = 1.5F;
     style.amount_per_s = 1000.0F;
-    style.spacing_mm = 200.0F;
-    style.spot_mm = 100.0F;
+    style.spacing_mm = 8.0F;
+    style.spot_mm = 4.0F;
     style.age_s = 0.5F;
     Bench bench({side, side}, path(0.0));
     shared::FrameGlobals seen = bench.globals();
@@ -93,7 +93,7 @@ double drift_px(Follow follow, const Path& path)
         return static_cast<float>(ndc_of(seen, wall_at(seen, glm::dvec2(pixel) + 0.5)).z);
     };
     bench.hatch_at = [](glm::uvec2 pixel) {
-        return glm::distance(glm::vec2(pixel) + 0.5F, glm::vec2(36.0F, 56.0F)) < 5.0F ? 1.0F : 0.0F;
+        return glm::distance(glm::vec2(pixel) + 0.5F, glm::vec2(36.0F, 56.0F)) < 9.0F ? 1.0F : 0.0F;
     };
     bench.advance(style, 2.0);
     EXPECT_GT(bench.mean_cover(), 1e-4) << "there is ink to look at";
@@ -141,39 +141,33 @@ TEST(InkCamera, DriftsByWhatEachWayToFollowLeavesOut)
 
 TEST(InkCamera, LeavesNoInkOnWhatWasHidden)
 {
-    // Ink lies on the near half of the page. The camera steps aside, and shows more of what lies behind that.
+    // Ink lies on what is near, to the left. Its edge draws back by eight pixels and shows more of what is
+    // far.
     InkStyle style = still_ink();
     style.follow = Follow::surface;
+    style.amount_per_s = 1000.0F;
+    style.spacing_mm = 4.0F;
+    style.spot_mm = 2.0F;
+    style.age_s = 0.5F;
     Bench bench({side, side}, start);
     const auto near_depth = static_cast<float>(ndc_of(bench.globals(), {0.0, 0.0, 2.0}).z);
     const auto far_depth = static_cast<float>(ndc_of(bench.globals(), {0.0, 0.0, -40.0}).z);
     uint32_t edge_px = 48;
     bench.depth_at = [&](glm::uvec2 pixel) { return pixel.x < edge_px ? near_depth : far_depth; };
-    bench.fill(style, [](glm::uvec2 cell) { return glm::vec2(cell.x < 48 ? 0.9F : 0.0F, 0.0F); });
-    View still{.is_moved = true};
-    bench.advance(style, 0.0, still); // remembers the depths; what was there before is forgotten to be hidden
-    bench.fill(style, [](glm::uvec2 cell) { return glm::vec2(cell.x < 48 ? 0.9F : 0.0F, 0.0F); });
-    bench.memory.forget();
-    InkStyle fresh = style;
-    fresh.age_s = 0.0F;
-    bench.advance(fresh, 0.0);
-    bench.advance(style, 0.0, still);
-    const auto blank = bench.cells();
-    EXPECT_LT(blank.at(48 * side + 20).x, 0.01F) << "fresh ink starts from nothing";
-    // Laid anew by the drawing, then the edge draws back by eight pixels.
-    style.amount_per_s = 1000.0F;
-    style.spacing_mm = 200.0F;
-    style.spot_mm = 100.0F;
     bench.hatch_at = [](glm::uvec2 pixel) { return pixel.x < 48 ? 1.0F : 0.0F; };
-    bench.advance(style, 0.5, {});
-    const auto inked = bench.cells();
+    bench.advance(style, 2.0);
+    const auto before = bench.cells();
     style.amount_per_s = 0.0F;
     edge_px = 40;
-    bench.advance(style, 0.5, still);
-    const auto shown = bench.cells();
-    EXPECT_EQ(shown.at(48 * side + 30).x, inked.at(48 * side + 30).x) << "what stays in sight keeps its ink";
-    ASSERT_GT(inked.at(48 * side + 44).x, 0.1F);
-    EXPECT_EQ(shown.at(48 * side + 44).x, 0.0F) << "what comes into sight has none";
+    bench.advance(style, 2.0, {.is_moved = true});
+    const auto after = bench.cells();
+    size_t inked = 0;
+    for (uint32_t i = 0; i < after.size(); ++i) {
+        const bool came_into_sight = i % side >= 40 && i % side < 47; // within a cell edges hide nothing
+        inked += came_into_sight && before[i].x > 0.5F ? 1 : 0;
+        EXPECT_EQ(after[i].x, came_into_sight ? 0.0F : before[i].x) << "column " << i % side;
+    }
+    EXPECT_GT(inked, 20U);
 }
 
 TEST(InkCamera, StaysOnWhatMovesByItself)
@@ -285,7 +279,7 @@ TEST(InkCamera, HasNoSeamsAroundTheEye)
         double ink = 0.0;
         for (const glm::dvec3 axis :
              {glm::dvec3(1.0, 1.0, 1.0), glm::dvec3(1.0, 1.0, -1.0), glm::dvec3(1.0, -1.0, 1.0)}) {
-            const double off = glm::dot(direction, glm::normalize(axis)) / 0.06;
+            const double off = glm::dot(direction, glm::normalize(axis)) / 0.15;
             ink = std::max(ink, std::exp(-off * off));
         }
         return glm::vec2(static_cast<float>(ink), 0.0F);
@@ -319,8 +313,7 @@ TEST(InkCamera, HasNoSeamsAroundTheEye)
     ASSERT_EQ(edges, 12U);
     const double largest_seam = *std::ranges::max_element(seams);
     const double within = cube.largest_step();
-    EXPECT_LE(largest_seam, within);
-    EXPECT_LE(largest_seam, 0.02);
+    EXPECT_LE(largest_seam, 0.1 * within) << "of cells side by side";
     RecordProperty("seam", std::to_string(largest_seam));
     RecordProperty("within", std::to_string(within));
 }

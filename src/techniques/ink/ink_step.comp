@@ -5,7 +5,6 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/hash.glsl"
 #include "shaders/rounds.glsl"
 #include "techniques/ink/flow.glsl"
 #include "techniques/ink/ink.glsl.h"
@@ -55,20 +54,21 @@ const bool keeps_depth = (variant & ink_keeps_depth) != 0u;
 #include "techniques/ink/grid.glsl"
 #include "techniques/ink/look.glsl"
 
-// x: wet, y: dry; with weights of Catmull and Rom.
+// x: wet, y: dry.
 vec2 ink_at(vec2 grid)
 {
     vec2 at = grid - 0.5;
-    ivec2 second = ivec2(floor(at));
-    vec4 across = weights_within(at.x - float(second.x), second.x, int(globals.grid_size.x));
-    vec4 down = weights_within(at.y - float(second.y), second.y, int(globals.grid_size.y));
+    ivec2 third = ivec2(floor(at));
+    Weights across = weights_of(at.x - float(third.x), third.x, int(globals.grid_size.x));
+    Weights down = weights_of(at.y - float(third.y), third.y, int(globals.grid_size.y));
     vec2 sum = vec2(0.0);
-    for (int row = 0; row < 4; ++row) {
+    for (int row = 0; row < 6; ++row) {
         vec2 of_row = vec2(0.0);
-        for (int column = 0; column < 4; ++column) {
-            of_row += across[column] * unpacked_ink(cell_at(second + ivec2(column, row) - 1));
+        for (int column = 0; column < 6; ++column) {
+            float weight = column < 3 ? across.first[column] : across.last[column - 3];
+            of_row += weight * unpacked_ink(cell_at(third + ivec2(column, row) - 2));
         }
-        sum += down[row] * of_row;
+        sum += (row < 3 ? down.first[row] : down.last[row - 3]) * of_row;
     }
     return clamp(sum, 0.0, 1.0);
 }
@@ -130,23 +130,20 @@ Before before_at(vec2 page_px, ivec2 pixel)
     return Before(before_px, was_seen ? 1.0 : 0.0);
 }
 
-// How much of what it can give a spot gives at a place. There is one in each square of the spacing; it swells
-// and dies down, and then there is another.
-float spot_at(vec2 place_mm, float share_that_gives)
+// What is given on the way from a place to one that lies `drift` before it: on average, so that what a spot
+// gives is a thread and not a row of beads. Where ink is to be spared fewer spots give, and each as much as
+// ever.
+float given_along(vec2 grid, vec2 drift)
 {
-    vec2 square = floor(place_mm / globals.spacing_mm);
-    uint id = hash(uint(int(square.x)), uint(int(square.y)), globals.seed);
-    float lives = step.spot_share + unit_float(id);
-    uint life = step.spot_round + uint(lives);
-    uint own = hash(id ^ hash(life));
-    float radius = globals.spot_mm * (0.5 + 0.5 * unit_float(hash(own ^ 3u)));
-    vec2 middle =
-        vec2(unit_float(hash(own ^ 1u)), unit_float(hash(own ^ 2u))) * (globals.spacing_mm - 2.0 * radius);
-    vec2 away = place_mm - square * globals.spacing_mm - radius - middle;
-    float swell = fract(lives);
-    float gives = smoothstep(0.0, 0.1, 1.1 * share_that_gives - unit_float(hash(own ^ 4u)));
-    return clamp(1.0 - dot(away, away) / (radius * radius), 0.0, 1.0) *
-           min(1.0, 5.0 * min(swell, 1.0 - swell)) * gives;
+    const int stops = 4;
+    float room = clamp(2.0 - 2.0 * mean_cover(sums.covered[step.sum_before]) / globals.budget, 0.0, 1.0);
+    float given = 0.0;
+    for (int i = 0; i < stops; ++i) {
+        ivec2 cell = ivec2(floor(grid - drift * (float(i) / float(stops))));
+        vec2 source = texelFetch(source_image, clamp(cell, ivec2(0), ivec2(globals.grid_size) - 1), 0).xy;
+        given += source.x * smoothstep(0.0, 0.1, 1.1 * room - source.y);
+    }
+    return step.given * given / float(stops);
 }
 
 void main()
@@ -158,23 +155,25 @@ void main()
     int place = cell.y * int(globals.grid_size.x) + cell.x;
     vec2 grid = vec2(cell) + 0.5;
     vec2 before;
-    vec2 spot_mm;
+    float given;
     if (is_around) {
         vec3 direction = direction_of_cell(cell);
-        before = vec2(ink_at(grid_place_of_direction(direction_before(direction, cell.x))).x,
-                      dry_ink(cell_at(cell)));
-        spot_mm = grid_place_of_direction(direction) * globals.mm_per_cell;
+        vec2 from = grid_place_of_direction(direction_before(direction, cell.x));
+        before = vec2(ink_at(from).x, dry_ink(cell_at(cell)));
+        vec2 drift = grid_place_of_direction(direction) - from;
+        bool is_on_one_face = all(lessThan(abs(drift), vec2(float(globals.face_side) * 0.5)));
+        given = given_along(from + drift, is_on_one_face ? drift : vec2(0.0));
     } else {
         vec2 page_px = page_place_of_grid(grid);
-        spot_mm = page_px * (globals.mm_per_cell * globals.cells_per_px);
-        vec2 drift_cells = carried_cells(grid, step.seconds);
+        vec2 drift = carried_cells(grid, step.seconds);
+        given = given_along(grid, drift);
         if (is_moved) {
             ivec2 pixel = clamp(ivec2(floor(page_px)), ivec2(0), ivec2(globals.page_px) - 1);
             Before was = before_at(page_px, pixel);
             vec2 from = grid_place_of_page(was.page_px);
-            before = was.was_seen * vec2(ink_at(from - drift_cells).x, ink_at(from).y);
+            before = was.was_seen * vec2(ink_at(from - drift).x, ink_at(from).y);
         } else {
-            before = vec2(ink_at(grid - drift_cells).x, dry_ink(cell_at(cell)));
+            before = vec2(ink_at(grid - drift).x, dry_ink(cell_at(cell)));
         }
         if (keeps_depth) {
             ivec2 pixel = clamp(ivec2(floor(page_px)), ivec2(0), ivec2(globals.page_px) - 1);
@@ -182,13 +181,6 @@ void main()
         }
     }
     before *= step.keeps;
-    float source = texelFetch(source_image, cell, 0).x;
-    float spot = 0.0;
-    for (int i = 0; i < rounds(source > 0.0 ? 1 : 0, cell.x); ++i) { // spares most of the page the hashes
-        float room = 2.0 - 2.0 * mean_cover(sums.covered[step.sum_before]) / globals.budget;
-        spot = spot_at(spot_mm, clamp(room, 0.0, 1.0));
-    }
-    float given = step.given * source * spot;
     float wet = 1.0 - (1.0 - before.x * step.left) * (1.0 - given);
     float dry = 1.0 - (1.0 - before.y * step.stain_left) * (1.0 - before.x * step.soak);
     state[place] = packed_ink(vec2(wet, dry));

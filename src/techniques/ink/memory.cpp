@@ -8,6 +8,8 @@
 namespace estampe::ink {
 namespace {
 
+constexpr uint64_t sums_bytes = 16; // there is no smaller buffer
+
 template <class T>
 gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, std::span<const T> items)
 {
@@ -23,8 +25,7 @@ std::array<uint64_t, 3> Memory::kept_bytes(const Grid& grid)
 {
     const uint64_t count = grid.cell_count();
     // Depths of the cube are never asked for.
-    return {sizeof(uint32_t) * count, sizeof(float) * (grid.face_side > 0 ? 4 : count),
-            sizeof(shared::InkSums)};
+    return {sizeof(uint32_t) * count, sizeof(float) * (grid.face_side > 0 ? 4 : count), sums_bytes};
 }
 
 void Memory::make_room(gpu::Device& device, const Grid& grid)
@@ -46,7 +47,7 @@ void Memory::provide(gpu::Device& device, const InkStyle& style, const Plan& pla
         make_room(device, plan.grid);
     }
     if (plan.time.is_fresh || sums_.empty()) {
-        sums_ = gpu::upload_buffer(device, "ink sums", std::vector<shared::InkSums>(1));
+        sums_ = gpu::upload_buffer(device, "ink sums", std::vector<std::byte>(sums_bytes));
         sum_now_ = 0;
     }
     globals_ = mapped_buffer(device, "ink", std::span(&plan.globals, 1));

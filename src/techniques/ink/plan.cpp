@@ -46,8 +46,8 @@ void set_flow(shared::InkGlobals& globals, const InkStyle& style, const Page& pa
 
 void set_look(shared::InkGlobals& globals, const InkStyle& style)
 {
-    globals.thin = glm::mix(0.004F, 0.1F, style.sharpness);
-    globals.full = glm::mix(0.9F, 0.22F, style.sharpness);
+    globals.thin = glm::mix(0.004F, 0.06F, style.sharpness);
+    globals.full = glm::mix(0.9F, 0.16F, style.sharpness);
     globals.opacity = style.opacity;
     globals.edge = style.edge;
     globals.budget = style.budget;
@@ -69,6 +69,7 @@ shared::InkGlobals globals_of(const InkStyle& style, const Page& page, const Gri
                                .margin_cells = grid.margin_cells,
                                .cells_per_px = grid.cells_per_px,
                                .mm_per_cell = grid.mm_per_cell,
+                               .px_per_mm = page.pixels_per_mm,
                                .plane_depth = style.follow == Follow::advance ? view.plane_depth : 0.0F,
                                .drag = is_on_surface ? 1.0F : style.drag,
                                .page_mm = page.size_mm(),
@@ -89,16 +90,13 @@ shared::InkGlobals globals_of(const InkStyle& style, const Page& page, const Gri
 shared::InkStep step_of(const InkStyle& style, const Waves& waves, const std::vector<shared::InkZone>& zones,
                         double time_s, double seconds)
 {
-    const double lives = time_s / static_cast<double>(style.spot_s);
     const float left = left_after(seconds, style.life_s);
     shared::InkStep step{.seconds = static_cast<float>(seconds),
                          .left = left,
                          .stain_left = left_after(seconds, style.stain_s),
                          .soak = style.soak * (1.0F - left),
                          .given = 1.0F - std::exp(-style.amount_per_s * static_cast<float>(seconds)),
-                         .keeps = 1.0F,
-                         .spot_share = static_cast<float>(lives - std::floor(lives)),
-                         .spot_round = static_cast<uint32_t>(static_cast<int64_t>(std::floor(lives)))};
+                         .keeps = 1.0F};
     const auto phases = phases_at(waves, time_s);
     std::ranges::copy(phases, step.phases);
     for (size_t i = 0; i < zones.size(); ++i) {
@@ -166,9 +164,13 @@ Plan plan_of(const InkStyle& style, const Page& page, const Time& time, const Vi
     const Waves waves = is_around ? sphere_waves(style, 1.0F / page.rad_per_mm) : page_waves(style);
     plan.globals = globals_of(style, page, plan.grid, view, flat_zones);
     set_flow(plan.globals, style, page, view, waves);
+    const double lives = time.to_s / static_cast<double>(style.spot_s);
+    plan.spots = {.share = static_cast<float>(lives - std::floor(lives)),
+                  .round = static_cast<uint32_t>(static_cast<int64_t>(std::floor(lives)))};
     plan.variant = (is_around ? shared::ink_is_around : 0U) |
                    (!is_around && !style.flow_map.empty() ? shared::ink_has_map : 0U) |
-                   (!flat_zones.empty() ? shared::ink_has_zones : 0U);
+                   (!flat_zones.empty() ? shared::ink_has_zones : 0U) |
+                   (style.follow == Follow::surface ? shared::ink_spots_on_things : 0U);
     plan.first_variant = first_variant_of(style, plan.grid, time, view);
     // What only moved takes a step without time.
     const bool is_moved = (plan.first_variant & shared::ink_is_moved) != 0;
