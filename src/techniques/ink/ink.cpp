@@ -58,7 +58,8 @@ private:
         pass.sample(gpu::import_whole(graph_, "ink/mask", memory_.mask_), gpu::Format::r32ui);
         pass.sample(cells_.at(memory_.newest_), gpu::Format::r32ui)
             .sample(in.coordinate)
-            .sample(in.footprint);
+            .sample(in.footprint)
+            .sample(in.depth);
         const glm::uvec2 size = plan_.grid.size;
         const gpu::ImageId source = pass.write(
             graph_.image("ink/source", {.width = size.x, .height = size.y, .format = gpu::Format::rgba8}));

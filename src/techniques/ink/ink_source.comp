@@ -29,7 +29,8 @@ layout(binding = 6) uniform usamplerBuffer mask_texels;  // one a draw, of the v
 layout(binding = 7) uniform usamplerBuffer state_texels; // for grid.glsl
 layout(binding = 8) uniform sampler2D coordinate_image;  // of the variant whose spots lie on things
 layout(binding = 9) uniform usampler2D footprint_image;  // of the same
-layout(binding = 10, rgba8) writeonly uniform image2D out_source;
+layout(binding = 10) uniform sampler2D depth_image;      // of the same
+layout(binding = 11, rgba8) writeonly uniform image2D out_source;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -43,6 +44,7 @@ const bool has_mask = (variant & ink_has_mask) != 0u;
 
 const bool is_on_things = (variant & ink_spots_on_things) != 0u;
 
+#include "techniques/ink/front.glsl"
 #include "techniques/ink/grid.glsl"
 #include "techniques/ink/spots.glsl"
 
@@ -124,7 +126,8 @@ void main()
         if (has_zones) {
             given = given_in_zones(given, page_px * mm_per_px());
         }
-        spot = is_on_things ? spot_seen_at(ivec2(page_px)) : spot_on_page(lattice_place_mm(cell));
+        spot = is_on_things ? spot_seen_at(pixel_at(front_place(page_px, line_reach_px())))
+                            : spot_on_page(lattice_place_mm(cell));
     }
     imageStore(out_source, cell, vec4(given * spot.x, spot.y, 0.0, 0.0));
 }

@@ -51,6 +51,7 @@ const bool has_motion = (variant & ink_has_motion) != 0u;
 const bool keeps_depth = (variant & ink_keeps_depth) != 0u;
 
 #include "techniques/ink/carried.glsl"
+#include "techniques/ink/front.glsl"
 #include "techniques/ink/grid.glsl"
 #include "techniques/ink/look.glsl"
 
@@ -89,57 +90,72 @@ vec3 direction_before(vec3 direction, int not_negative)
     return normalize(direction - drift);
 }
 
-// Where something was on the page of the picture before, and whether it was seen there.
+// Where something was in the picture before.
 struct Before {
     vec2 page_px;
-    float was_seen;
+    float depth; // reversed; below zero behind the eye
 };
 
-// Reversed depth of the farthest of the four cells about a place of the picture before: an edge hides
-// nothing.
-float farthest_before(vec2 grid)
+Before own_before(vec2 page_px)
 {
-    ivec2 first = ivec2(floor(grid - 0.5));
-    float farthest = 1.0;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 cell = clamp(first + ivec2(i & 1, i >> 1), ivec2(0), ivec2(globals.grid_size) - 1);
-        farthest =
-            min(farthest, texelFetch(depth_before_texels, cell.y * int(globals.grid_size.x) + cell.x).x);
-    }
-    return farthest;
-}
-
-Before before_at(vec2 page_px, ivec2 pixel)
-{
-    const float nearer = 1.02; // by this factor, and it is another thing
     vec2 page = vec2(globals.page_px);
-    float depth = is_on_surface ? texelFetch(depth_image, pixel, 0).x : globals.plane_depth;
+    float depth = is_on_surface ? texelFetch(depth_image, pixel_at(page_px), 0).x : globals.plane_depth;
     vec4 clip = globals.before_from_clip * vec4(2.0 * page_px / page - 1.0, depth, 1.0);
     vec2 before_px = (0.5 * clip.xy / clip.w + 0.5) * page;
-    float depth_before = clip.z / clip.w;
-    bool was_seen = clip.w > 0.0;
+    float depth_before = clip.w > 0.0 ? clip.z / clip.w : -1.0;
     if (has_motion) {
-        vec4 motion = texelFetch(motion_image, pixel, 0);
+        vec4 motion = texelFetch(motion_image, pixel_at(page_px), 0);
         float share = motion.w > 0.0 ? globals.drag : 0.0;
         before_px = mix(before_px, page_px - motion.xy, share);
         depth_before = mix(depth_before, motion.z, share);
     }
-    if (is_on_surface) {
-        was_seen = was_seen && farthest_before(grid_place_of_page(before_px)) <= nearer * depth_before + 1e-9;
-    }
-    return Before(before_px, was_seen ? 1.0 : 0.0);
+    return Before(before_px, depth_before);
 }
 
-// What is given on the way from a place to one that lies `drift` before it: on average, so that what a spot
-// gives is a thread and not a row of beads. Where ink is to be spared fewer spots give, and each as much as
-// ever.
-float given_along(vec2 grid, vec2 drift)
+// Ink that has flowed off a thing goes with it, the less the farther off: else it would tear where what lies
+// behind moves otherwise.
+Before before_at(vec2 page_px)
+{
+    const float halo_mm = 5.0;
+    const int rings = 4;
+    Before before = own_before(page_px);
+    float share = 0.0;
+    for (int ring = 0; is_on_surface && ring < rings && share == 0.0; ++ring) {
+        float away_px = max(line_reach_px(), halo_mm * globals.px_per_mm * float(ring) / float(rings - 1));
+        vec2 front_px = front_place(page_px, away_px);
+        if (front_px != page_px) {
+            Before of_front = own_before(front_px);
+            share = 1.0 - float(ring) / float(rings);
+            before.page_px = mix(before.page_px, page_px + of_front.page_px - front_px, share);
+            before.depth = max(before.depth, of_front.depth);
+        }
+    }
+    return before;
+}
+
+float depth_before(vec2 grid)
+{
+    ivec2 cell = clamp(ivec2(floor(grid)), ivec2(0), ivec2(globals.grid_size) - 1);
+    return texelFetch(depth_before_texels, cell.y * int(globals.grid_size.x) + cell.x).x;
+}
+
+float was_seen(Before before)
+{
+    bool is_hidden =
+        is_on_surface && depth_before(grid_place_of_page(before.page_px)) > is_nearer * before.depth + 1e-9;
+    return before.depth < 0.0 || is_hidden ? 0.0 : 1.0;
+}
+
+// What is given on the way from a place to one that lies `path` before it: on average,
+// so that what a spot gives is a thread and not a row of beads. Where ink is to be spared fewer spots give,
+// and each as much as ever.
+float given_along(vec2 grid, vec2 path)
 {
     const int stops = 4;
     float room = clamp(2.0 - 2.0 * mean_cover(sums.covered[step.sum_before]) / globals.budget, 0.0, 1.0);
     float given = 0.0;
     for (int i = 0; i < stops; ++i) {
-        ivec2 cell = ivec2(floor(grid - drift * (float(i) / float(stops))));
+        ivec2 cell = ivec2(floor(grid - path * (float(i) / float(stops))));
         vec2 source = texelFetch(source_image, clamp(cell, ivec2(0), ivec2(globals.grid_size) - 1), 0).xy;
         given += source.x * smoothstep(0.0, 0.1, 1.1 * room - source.y);
     }
@@ -166,18 +182,17 @@ void main()
     } else {
         vec2 page_px = page_place_of_grid(grid);
         vec2 drift = carried_cells(grid, step.seconds);
-        given = given_along(grid, drift);
         if (is_moved) {
-            ivec2 pixel = clamp(ivec2(floor(page_px)), ivec2(0), ivec2(globals.page_px) - 1);
-            Before was = before_at(page_px, pixel);
+            Before was = before_at(page_px);
             vec2 from = grid_place_of_page(was.page_px);
-            before = was.was_seen * vec2(ink_at(from - drift).x, ink_at(from).y);
+            given = given_along(grid, drift);
+            before = was_seen(was) * vec2(ink_at(from - drift).x, ink_at(from).y);
         } else {
+            given = given_along(grid, drift);
             before = vec2(ink_at(grid - drift).x, dry_ink(cell_at(cell)));
         }
         if (keeps_depth) {
-            ivec2 pixel = clamp(ivec2(floor(page_px)), ivec2(0), ivec2(globals.page_px) - 1);
-            depth_now[place] = texelFetch(depth_image, pixel, 0).x;
+            depth_now[place] = texelFetch(depth_image, pixel_at(page_px), 0).x;
         }
     }
     before *= step.keeps;
