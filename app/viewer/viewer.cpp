@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include "core/file.hpp"
+#include "frame/style_tables.hpp"
 #include "text.hpp"
 #include "viewer/jobs.hpp"
 #include "viewer/terrain_text.hpp"
@@ -172,8 +173,9 @@ void Viewer::request(size_t slot, const Sight& sight, bool is_moving)
                                         .animation = sight.animation},
                            .scale = scale,
                            .view = view_};
-    // What moves in one style is drawn as a film is, so that its lines do not jump.
-    if (is_moving && scale < 1.0 && !sight.has_other && style_drawn_ == sight.style) {
+    // What moves in one style is drawn as a film is, so that its lines do not jump; ink that flows flows on.
+    const bool flows = request.style.tables().ink.drawn;
+    if ((flows || (is_moving && scale < 1.0)) && !sight.has_other && style_drawn_ == sight.style) {
         request.settings.continuity = Continuity::follows;
     }
     style_drawn_ = sight.style;

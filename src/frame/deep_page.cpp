@@ -10,7 +10,7 @@
 
 namespace estampe::frame {
 
-DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, bool has_layers)
+DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, DeepKind kind)
 {
     const uint64_t count = uint64_t{settings.width} * settings.height;
     const uint64_t most = device.limits().maxStorageBufferRange / sizeof(glm::vec4);
@@ -21,12 +21,14 @@ DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, boo
                     fmt::format("{} draws at most {:.1f} megapixels so", device.info().name,
                                 static_cast<double>(most) * 1e-6));
     }
-    constexpr std::array all{paper::Stage::paper, paper::Stage::wash, paper::Stage::hatch,
+    constexpr std::array all{paper::Stage::paper, paper::Stage::wash, paper::Stage::ink, paper::Stage::hatch,
                              paper::Stage::lines};
+    const bool has_layers = kind != DeepKind::picture;
     const bool has_sums = settings.samples > 1;
     DeepPage page;
     for (const paper::Stage stage : all) {
-        if (has_layers || stage == paper::Stage::lines) {
+        const bool is_wanted = stage != paper::Stage::ink || kind == DeepKind::layers_with_ink;
+        if ((has_layers && is_wanted) || stage == paper::Stage::lines) {
             page.stages.push_back({.stage = stage,
                                    .sums = gpu::Image(device, "deep sums",
                                                       {.width = has_sums ? settings.width : 1,

@@ -27,9 +27,16 @@ struct DeepPage {
     [[nodiscard]] bool has_layers() const { return !draws.empty(); }
 };
 
+/// What a deep page holds.
+enum class DeepKind : uint8_t {
+    picture,
+    layers,         ///< each of them
+    layers_with_ink ///< and one of ink that flows
+};
+
 /// A page for the whole picture, or for each of its layers. Throws Error naming the device's limit when there
 /// is no room for its floats.
-[[nodiscard]] DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, bool has_layers);
+[[nodiscard]] DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, DeepKind kind);
 
 /// What a deep page is made from.
 struct DeepInputs {

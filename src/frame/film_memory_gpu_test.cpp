@@ -29,7 +29,7 @@ Style inked()
     Style style;
     for (const char* assignment :
          {"contour.hidden=dashed", "contour.brush=pencil", "contour.brush_fit=stretch", "light.metering=page",
-          "light.adapt_stops_per_s=0.5"}) {
+          "light.adapt_stops_per_s=0.5", "ink.drawn=true", "ink.age_s=0.5"}) {
         style.set(assignment);
     }
     return style;

@@ -54,7 +54,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                       {.wash = colors.wash, .hatch = ink, .lines = lines});
     faded.lines = add_drift(making, scene, surface, faded.lines);
     faded.lines = add_focus_lines(making, faded.lines);
-    const paper::ComposeInputs layers = page_layers(making, scene, faded, colors.sky_ink, lit.light);
+    const auto flowing = add_flowing_ink(making, scene, visibility, surface, lit.light, faded);
+    const paper::ComposeInputs layers = page_layers(making, scene, faded, colors, flowing, lit.light);
     add_picture(making, layers);
     add_deep_picture(making, layers, surface, lit);
 }

@@ -12,6 +12,7 @@
 #include "techniques/contour/chains/line_history.hpp"
 #include "techniques/contour/chains/line_mesh.hpp"
 #include "techniques/contour/chains/strung_lines.hpp"
+#include "techniques/ink/ink.hpp"
 #include "techniques/lightmap/lightmap.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
@@ -60,6 +61,7 @@ struct FrameResources {
     gpu::Image& sums;                      ///< of a picture of several samples
     gpu::Buffer& pixels;                   ///< the picture, four bytes a pixel, for reading back
     gpu::Buffer& motion;                   ///< read back where the plan asks for it
+    ink::Memory& ink;                      ///< that flows, where the plan has any
     StrokeLists* lists = nullptr;          ///< where strokes are wanted in place of a picture
     DeepPage* deep = nullptr;              ///< where the picture is wanted in floats too
     std::optional<StrungPart> strung = {}; ///< where lines are strung already

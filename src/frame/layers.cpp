@@ -99,17 +99,28 @@ std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t wid
             .blend = blend,
             .image = {.width = width, .height = height, .pixels = std::vector<glm::vec4>(count)}};
     };
-    std::vector<PictureLayer> layers{layer("paper", LayerBlend::normal), layer("wash", LayerBlend::multiply),
-                                     layer("hatch", LayerBlend::normal), layer("lines", LayerBlend::normal)};
+    std::vector<PictureLayer> layers{layer("paper", LayerBlend::normal), layer("wash", LayerBlend::multiply)};
     for (size_t i = 0; i < count; ++i) {
         const glm::vec3 paper(stages.paper[i]);
         const glm::vec3 wash(stages.wash[i]);
         layers[0].image.pixels[i] = glm::vec4(paper, 1.0F);
         layers[1].image.pixels[i] =
             glm::vec4(factor(paper.x, wash.x), factor(paper.y, wash.y), factor(paper.z, wash.z), 1.0F);
-        layers[2].image.pixels[i] = laid_over(wash, stages.hatch[i]);
-        layers[3].image.pixels[i] = laid_over(glm::vec3(stages.hatch[i]), stages.lines[i]);
     }
+    std::span<const glm::vec4> below = stages.wash;
+    const auto add_laid_over = [&](const char* name, std::span<const glm::vec4> stage) {
+        if (stage.empty()) {
+            return;
+        }
+        std::vector<glm::vec4>& pixels = layers.emplace_back(layer(name, LayerBlend::normal)).image.pixels;
+        for (size_t i = 0; i < count; ++i) {
+            pixels[i] = laid_over(glm::vec3(below[i]), stage[i]);
+        }
+        below = stage;
+    };
+    add_laid_over("ink", stages.ink);
+    add_laid_over("hatch", stages.hatch);
+    add_laid_over("lines", stages.lines);
     return layers;
 }
 

@@ -38,6 +38,7 @@ private:
 struct StageColors {
     std::span<const glm::vec4> paper;
     std::span<const glm::vec4> wash;
+    std::span<const glm::vec4> ink; ///< that flows; empty where there is none, which has no layer then
     std::span<const glm::vec4> hatch;
     std::span<const glm::vec4> lines;
 };

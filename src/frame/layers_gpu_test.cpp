@@ -55,6 +55,10 @@ std::vector<Case> cases()
     night.set("wash.strength=1");
     cases.push_back({square, scene_camera(square, pose_scene(square, 0.0), "square"), night});
     cases.push_back({square, cases.back().camera, {}});
+    Style flowing;
+    flowing.set("ink.drawn=true");
+    flowing.set("ink.age_s=1");
+    cases.push_back({still_life(), camera, flowing});
     return cases;
 }
 
@@ -125,6 +129,32 @@ TEST(Layers, EachHoldsItsOwn)
         }
     }
     EXPECT_GT(inked, 100U);
+}
+
+TEST(Layers, HaveOneOfInkThatFlows)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    const RenderSettings settings{.width = 200, .height = 120};
+    Style style;
+    style.set("ink.drawn=true");
+    style.set("ink.age_s=1");
+    style.set("ink.threshold=0.1");
+    style.set("ink.spot_mm=4");
+    style.set("ink.spacing_mm=8");
+    style.set("ink.thin_color=#ff0000");
+    style.set("ink.color=#ff0000");
+    const LayeredImage image = renderer.render_layers(camera, style, settings);
+    const LayeredImage without = renderer.render_layers(camera, {}, settings);
+    ASSERT_EQ(image.layers.size(), 5U);
+    EXPECT_EQ(image.layers[2].name, "ink");
+    EXPECT_EQ(image.layers[1].image, without.layers[1].image) << "it lies over the wash, which stays";
+    EXPECT_EQ(image.masks.back().above, 5U);
+    size_t inked = 0;
+    for (const glm::vec4& pixel : image.layers[2].image.pixels) {
+        inked += pixel.w > 0.3F && pixel.x / pixel.w > 0.9F && pixel.y / pixel.w < 0.05F ? 1 : 0;
+    }
+    EXPECT_GT(inked, 50U) << "in its own colour";
 }
 
 TEST(Layers, MasksShareThePageAmongTheNodes)

@@ -8,6 +8,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "frame/flowing_ink.hpp"
 #include "frame/ground_shadow.hpp"
 #include "frame/loaded_scene.hpp"
 #include "frame/local_shadows.hpp"
@@ -95,6 +96,7 @@ struct FramePlan {
     std::optional<shared::RippleConstants> ripples; ///< of a terrain's sand
     std::optional<terrain::DriftPlan> drift;        ///< of it in the air
     std::optional<MotionPlan> motion;
+    std::optional<InkPlan> ink; ///< that flows
 };
 
 /// What of a picture differs from sample to sample, and from tile to tile. The first one leaves on the device

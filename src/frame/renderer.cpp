@@ -79,6 +79,7 @@ void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
     impl_->local_shadows.forget();
     impl_->exposure.forget();
     impl_->line_history.forget();
+    impl_->flowing_ink.forget();
     impl_->loaded = frame::load_onto_device(impl_->device, scene, lightmap);
 }
 
@@ -142,21 +143,25 @@ void Renderer::Impl::follow_eye(const Camera& camera)
     ground_shadow.forget();
     local_shadows.forget();
     line_history.forget();
+    flowing_ink.forget();
 }
 
-void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& settings)
+void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& settings,
+                                    const ink::InkStyle& ink)
 {
     if (!loaded->terrain) {
         return;
     }
+    std::optional<double> before_s = flowing_ink.before_s(settings, ink);
+    if (settings.motion_since) {
+        before_s = settings.motion_since->time_s;
+    }
     const glm::dvec3 view = camera.target - camera.eye;
     const bool has_moved = loaded->terrain->prepare(
-        device,
-        {.eye = {.eye_m = {camera.eye.x, camera.eye.z}, .ahead = {view.x, view.z}},
-         .anchor_m = loaded->layout.anchor,
-         .time_s = settings.time_s,
-         .before_s = settings.motion_since ? std::optional(settings.time_s - settings.motion_since->time_s)
-                                           : std::nullopt});
+        device, {.eye = {.eye_m = {camera.eye.x, camera.eye.z}, .ahead = {view.x, view.z}},
+                 .anchor_m = loaded->layout.anchor,
+                 .time_s = settings.time_s,
+                 .before_s = before_s ? std::optional(settings.time_s - *before_s) : std::nullopt});
     while (loaded->terrain->is_behind()) {
         gpu::Graph graph;
         loaded->terrain->add_catching_up(graph);
@@ -298,6 +303,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .sums = page.sums,
                                     .pixels = page.pixels,
                                     .motion = motion_pixels,
+                                    .ink = flowing_ink.memory(),
                                     .lists = job.lists,
                                     .deep = job.deep,
                                     .strung = job.strung,
@@ -393,9 +399,11 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     check_places(loaded->scene, scene_pose);
     if (settings.motion_since) {
         pose_before(pose_scene(loaded->scene, settings.motion_since->time_s, settings.animation));
+    } else if (const auto ink_s = flowing_ink.before_s(settings, tables.ink); ink_s && !loaded->pose) {
+        pose_before(pose_scene(loaded->scene, *ink_s, settings.animation)); // drawn by another renderer
     }
     update_pose(scene_pose);
-    update_terrain(camera, settings);
+    update_terrain(camera, settings, tables.ink);
     light::Lighting lighting =
         light::gather_lights(loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,
                              loaded->house_light.outlook(loaded->scene, tables.light, camera.eye));
@@ -432,6 +440,19 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     return plan;
 }
 
+std::optional<frame::InkPlan> Renderer::Impl::plan_ink(const Camera& camera, const frame::StyleTables& tables,
+                                                       const RenderSettings& settings)
+{
+    return flowing_ink.provide(device,
+                               {.loaded = *loaded,
+                                .pose = pose_scene(loaded->scene, settings.time_s, settings.animation),
+                                .camera = camera,
+                                .settings = settings,
+                                .style = tables,
+                                .nearby_m = nearby_m(loaded->layout, camera.eye)},
+                               notes);
+}
+
 Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
                                    frame::DeepPage* deep, const std::function<void()>& after_sample,
                                    const VulkanPicture* target)
@@ -444,6 +465,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
             page_camera(settings.motion_since->camera, tables.paper, settings);
     }
     frame::FramePlan plan = prepare(seen_by, tables, page_settings);
+    plan.ink = plan_ink(seen_by, tables, settings);
     frame::provide_page(device, page, plan.page_px, settings.samples);
     // Later samples of a picture of several go their own way by a pixel at most.
     plan.lines.are_remembered = settings.continuity != Continuity::still;
@@ -458,6 +480,9 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
                     .is_first = sample == 0,
                     .deep = deep,
                     .target = target});
+        if (plan.ink && sample == 0) {
+            flowing_ink.drawn(*plan.ink, seen_by);
+        }
         if (after_sample) {
             after_sample();
         }
@@ -522,8 +547,9 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     frame::FramePlan plan = impl.prepare(seen_by, tables, settings);
     frame::check_has_paths(plan.looks);
     plan.motion.reset();
-    if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.width_mm > 0.0F) {
-        impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs");
+    if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.width_mm > 0.0F ||
+        tables.ink.drawn) {
+        impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs or flows");
     }
     if (!frame::is_drawn_by_pen(tables.contour)) {
         impl.notes.emplace_back("a drawing of strokes has lines of the pen in place of other brushes");

@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    std::set<std::string> taken_{"paper", "wash", "hatch", "lines", "shadow"};
+    std::set<std::string> taken_{"paper", "wash", "ink", "hatch", "lines", "shadow"};
 };
 
 /// The part of the page that its margin leaves: from the first pixel to before the last.
@@ -90,10 +90,10 @@ public:
         shares_.add(pixel_things_);
     }
 
-    [[nodiscard]] std::vector<PictureMask> masks(const Scene& scene, const RenderSettings& settings) const
+    [[nodiscard]] std::vector<PictureMask> masks(const Scene& scene, const RenderSettings& settings,
+                                                 uint32_t layer_count) const
     {
         constexpr uint32_t above_wash = 2;
-        constexpr uint32_t above_all = 4;
         std::vector<PictureMask> masks;
         if (std::ranges::any_of(shadow_, [](float sum) { return sum > 0.0F; })) {
             masks.push_back({.name = "shadow",
@@ -110,7 +110,7 @@ public:
         for (const auto& [thing, places] : shares_.places()) {
             masks.push_back(frame::cropped_mask(names.make(name_of_thing(scene, thing)), settings.width,
                                                 places, settings.samples));
-            masks.back().above = above_all;
+            masks.back().above = layer_count;
         }
         return masks;
     }
@@ -129,7 +129,7 @@ private:
 LinearImage Renderer::render_linear(const Camera& camera, const Style& style, const RenderSettings& settings)
 {
     frame::check_size(impl_->device, settings);
-    frame::DeepPage page = frame::make_deep_page(impl_->device, settings, false);
+    frame::DeepPage page = frame::make_deep_page(impl_->device, settings, frame::DeepKind::picture);
     std::ignore = impl_->draw_picture(camera, style, settings, &page);
     LinearImage image{.width = settings.width, .height = settings.height, .pixels = {}};
     const auto pixels = gpu::items_of<glm::vec4>(page.stages.front().pixels);
@@ -142,7 +142,9 @@ LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, c
 {
     Impl& impl = *impl_;
     frame::check_size(impl.device, settings);
-    frame::DeepPage page = frame::make_deep_page(impl.device, settings, true);
+    const bool has_ink = style.tables().ink.drawn;
+    frame::DeepPage page = frame::make_deep_page(
+        impl.device, settings, has_ink ? frame::DeepKind::layers_with_ink : frame::DeepKind::layers);
     std::optional<Seen> seen;
     LayeredImage result;
     result.picture = impl.draw_picture(camera, style, settings, &page, [&] {
@@ -151,11 +153,18 @@ LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, c
         }
         seen->add(page);
     });
-    const auto stage = [&](size_t i) { return gpu::items_of<glm::vec4>(page.stages.at(i).pixels); };
-    result.layers =
-        frame::layers_between({.paper = stage(0), .wash = stage(1), .hatch = stage(2), .lines = stage(3)},
-                              settings.width, settings.height);
-    result.masks = seen->masks(impl.loaded->scene, settings);
+    const auto stage = [&](paper::Stage wanted) {
+        const auto found = std::ranges::find(page.stages, wanted, &frame::DeepPage::Stage::stage);
+        return found != page.stages.end() ? gpu::items_of<glm::vec4>(found->pixels)
+                                          : std::span<const glm::vec4>();
+    };
+    result.layers = frame::layers_between({.paper = stage(paper::Stage::paper),
+                                           .wash = stage(paper::Stage::wash),
+                                           .ink = stage(paper::Stage::ink),
+                                           .hatch = stage(paper::Stage::hatch),
+                                           .lines = stage(paper::Stage::lines)},
+                                          settings.width, settings.height);
+    result.masks = seen->masks(impl.loaded->scene, settings, static_cast<uint32_t>(result.layers.size()));
     return result;
 }
 

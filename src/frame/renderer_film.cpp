@@ -15,7 +15,70 @@ namespace estampe {
 namespace {
 
 /// The first of the bytes: changes when what follows does.
-constexpr uint64_t signature = 0x31304d4c49465345ULL;
+constexpr uint64_t signature = 0x32304d4c49465345ULL;
+
+/// Ink that flows, and the camera that saw it.
+struct InkHead {
+    uint64_t is_there = 0;
+    double time_s = 0.0;
+    glm::uvec2 size{0};
+    glm::vec2 margin_cells{0.0F};
+    float cells_per_px = 1.0F;
+    float mm_per_cell = 1.0F;
+    uint32_t face_side = 0;
+    uint32_t sum_now = 0;
+    glm::dvec3 eye{0.0};
+    glm::dvec3 target{0.0};
+    glm::dvec3 up{0.0};
+    double vertical_fov_rad = 0.0;
+    double near_m = 0.0;
+    double half_height_m = -1.0; ///< negative: in perspective
+};
+
+InkHead ink_head(const frame::FlowingInk& ink)
+{
+    const auto kept = ink.memory().kept();
+    if (!kept) {
+        return {};
+    }
+    const Camera& camera = ink.camera_before();
+    return {.is_there = 1,
+            .time_s = kept->time_s,
+            .size = kept->grid.size,
+            .margin_cells = kept->grid.margin_cells,
+            .cells_per_px = kept->grid.cells_per_px,
+            .mm_per_cell = kept->grid.mm_per_cell,
+            .face_side = kept->grid.face_side,
+            .sum_now = kept->sum_now,
+            .eye = camera.eye,
+            .target = camera.target,
+            .up = camera.up,
+            .vertical_fov_rad = camera.vertical_fov_rad,
+            .near_m = camera.near_m,
+            .half_height_m = camera.orthographic_half_height_m.value_or(-1.0)};
+}
+
+ink::Memory::Kept kept_of(const InkHead& head)
+{
+    return {.grid = {.size = head.size,
+                     .margin_cells = head.margin_cells,
+                     .cells_per_px = head.cells_per_px,
+                     .mm_per_cell = head.mm_per_cell,
+                     .face_side = head.face_side},
+            .time_s = head.time_s,
+            .sum_now = head.sum_now & 1U};
+}
+
+Camera camera_of(const InkHead& head)
+{
+    Camera camera{.eye = head.eye, .target = head.target, .up = head.up};
+    camera.vertical_fov_rad = head.vertical_fov_rad;
+    camera.near_m = head.near_m;
+    if (head.half_height_m >= 0.0) {
+        camera.orthographic_half_height_m = head.half_height_m;
+    }
+    return camera;
+}
 
 /// What is written ahead of the buffers.
 struct Head {
@@ -25,6 +88,7 @@ struct Head {
     std::array<uint32_t, 2> has_lines{}; ///< seen, hidden
     uint64_t has_exposure = 0;           ///< as wide as that no byte between is left open
     double exposure_time_s = 0.0;
+    InkHead ink;
 };
 
 class Writer {
@@ -96,7 +160,8 @@ std::vector<std::byte> Renderer::film_memory() const
     Head head{.size_px = impl.line_history.size_px(),
               .clip_from_anchor = impl.line_history.clip_from_anchor_before(),
               .has_exposure = impl.exposure.time_s() ? uint64_t{1} : 0,
-              .exposure_time_s = impl.exposure.time_s().value_or(0.0)};
+              .exposure_time_s = impl.exposure.time_s().value_or(0.0),
+              .ink = ink_head(impl.flowing_ink)};
     Download download;
     for (size_t i = 0; i < line_classes.size(); ++i) {
         const contour::LineClass lines = line_classes.at(i);
@@ -111,6 +176,11 @@ std::vector<std::byte> Renderer::film_memory() const
     }
     if (head.has_exposure != 0) {
         download.add(impl.device, impl.exposure.buffer());
+    }
+    if (head.ink.is_there != 0) {
+        for (gpu::Buffer* const buffer : impl.flowing_ink.memory().kept_buffers()) {
+            download.add(impl.device, *buffer);
+        }
     }
     Writer writer(head);
     download.append_to(writer, impl.executor);
@@ -148,6 +218,12 @@ void Renderer::recall_film(std::span<const std::byte> memory)
     if (head.has_exposure != 0) {
         exposure = next_buffer("exposure", sizeof(shared::ExposureState));
     }
+    std::array<gpu::Buffer, 3> ink;
+    if (head.ink.is_there != 0) {
+        const auto bytes = ink::Memory::kept_bytes(kept_of(head.ink).grid);
+        ink = {next_buffer("ink cells", bytes[0]), next_buffer("ink depths", bytes[1]),
+               next_buffer("ink sums", bytes[2])};
+    }
     if (!reader.is_at_end()) {
         throw Error("this is not the memory of a film's frame");
     }
@@ -155,6 +231,11 @@ void Renderer::recall_film(std::span<const std::byte> memory)
     impl.exposure.forget();
     if (exposure) {
         impl.exposure.recall(std::move(*exposure), head.exposure_time_s);
+    }
+    impl.flowing_ink.forget();
+    if (head.ink.is_there != 0) {
+        impl.flowing_ink.memory().recall(impl.device, kept_of(head.ink), std::move(ink));
+        impl.flowing_ink.recall_camera(camera_of(head.ink));
     }
 }
 

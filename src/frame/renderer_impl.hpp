@@ -9,6 +9,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "frame/flowing_ink.hpp"
 #include "frame/frame.hpp"
 #include "frame/line_brushes.hpp"
 #include "frame/loaded_scene.hpp"
@@ -58,7 +59,10 @@ struct Renderer::Impl {
     /// Takes the anchor along with an eye that has gone far over the ground, so that floats stay fine there.
     void follow_eye(const Camera& camera);
     /// Brings the ground to where the eye is.
-    void update_terrain(const Camera& camera, const RenderSettings& settings);
+    void update_terrain(const Camera& camera, const RenderSettings& settings, const ink::InkStyle& ink);
+    /// The ink of a picture that has been prepared.
+    [[nodiscard]] std::optional<frame::InkPlan>
+    plan_ink(const Camera& camera, const frame::StyleTables& tables, const RenderSettings& settings);
     /// Poses the scene on the device as it was at another moment, so that the next update_pose() keeps that
     /// beside it.
     void pose_before(const ScenePose& scene_pose);
@@ -122,6 +126,7 @@ struct Renderer::Impl {
     gpu::Buffer focus_lines;
     contour::LineHistory line_history;
     frame::LineBrushes line_brushes;
+    frame::FlowingInk flowing_ink;
     frame::Page page;
     gpu::Buffer motion_pixels;
     Motion motion;

@@ -123,10 +123,16 @@ void add_strung_lines(const Making& making, const contour::ContourInputs& in);
                                         const surface::Surface& surface, gpu::ImageId sky_wash,
                                         const haze::HazeLayers& layers);
 
+/// Ink that flows out of these layers, where there is any.
+[[nodiscard]] std::optional<gpu::ImageId> add_flowing_ink(const Making& making, const PosedScene& scene,
+                                                          gpu::BufferId visibility,
+                                                          const surface::Surface& surface, gpu::ImageId light,
+                                                          const haze::HazeLayers& layers);
+
 /// What is laid on the paper.
 [[nodiscard]] paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
-                                               const haze::HazeLayers& layers, gpu::ImageId sky_ink,
-                                               gpu::ImageId light);
+                                               const haze::HazeLayers& layers, const Colors& colors,
+                                               const std::optional<gpu::ImageId>& ink, gpu::ImageId light);
 
 /// The layers on paper, added to those of the samples before, and read back.
 void add_picture(const Making& making, const paper::ComposeInputs& layers);

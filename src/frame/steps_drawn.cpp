@@ -27,6 +27,19 @@ std::vector<wash::LookWash> wash_looks(const LookPlan& plan)
     return looks;
 }
 
+gpu::ImageId add_motion_for_ink(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
+{
+    const MotionPlan& moved = *making.plan.ink->motion;
+    return motion::add_motion(making.graph, {.frame = scene.frame,
+                                             .visibility = visibility,
+                                             .triangles = scene.meshes.triangles,
+                                             .posed_vertices = scene.meshes.posed_vertices,
+                                             .posed_vertices_before = scene.vertices_before,
+                                             .clip_from_anchor = moved.clip_from_anchor,
+                                             .clip_from_anchor_before = moved.clip_from_anchor_before,
+                                             .size_px = making.sample.size_px});
+}
+
 } // namespace
 
 std::vector<hatch::LookHatch> hatch_looks(const Making& making)
@@ -229,14 +242,46 @@ haze::HazeLayers add_haze(const Making& making, const PosedScene& scene, const s
                           layers);
 }
 
+std::optional<gpu::ImageId> add_flowing_ink(const Making& making, const PosedScene& scene,
+                                            gpu::BufferId visibility, const surface::Surface& surface,
+                                            gpu::ImageId light, const haze::HazeLayers& layers)
+{
+    if (!making.plan.ink) {
+        return std::nullopt;
+    }
+    const InkPlan& plan = *making.plan.ink;
+    gpu::Graph& graph = making.graph;
+    ink::Memory& memory = making.resources.ink;
+    const auto add_flow = [&] {
+        return ink::add_steps(graph, memory, plan.ink,
+                              {.frame = scene.frame,
+                               .hatch = layers.hatch,
+                               .lines = layers.lines,
+                               .light = light,
+                               .draw = surface.draw,
+                               .depth = surface.depth,
+                               .coordinate = surface.coordinate,
+                               .footprint = surface.footprint,
+                               .motion = plan.motion
+                                             ? std::optional(add_motion_for_ink(making, scene, visibility))
+                                             : std::nullopt});
+    };
+    const ink::Flowing flowing =
+        making.sample.is_first ? add_flow() : ink::add_standing(graph, memory, plan.ink);
+    return ink::add_layer(graph, flowing, scene.frame, making.sample.size_px);
+}
+
 paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
-                                 const haze::HazeLayers& layers, gpu::ImageId sky_ink, gpu::ImageId light)
+                                 const haze::HazeLayers& layers, const Colors& colors,
+                                 const std::optional<gpu::ImageId>& ink, gpu::ImageId light)
 {
     return {.frame = scene.frame,
             .wash = layers.wash,
             .hatch = layers.hatch,
             .lines = layers.lines,
-            .sky_ink = sky_ink,
+            .sky_ink = colors.sky_ink,
+            .ink = ink,
+            .ink_settles = making.style.ink.granulation,
             .has_sky = making.plan.page.has_sky,
             .light = light,
             .page_px = making.plan.page_px,

@@ -9,6 +9,7 @@
 #include "techniques/focus/focus.hpp"
 #include "techniques/hatch/hatch.hpp"
 #include "techniques/haze/haze.hpp"
+#include "techniques/ink/ink_style.hpp"
 #include "techniques/light/light_style.hpp"
 #include "techniques/light/sun_style.hpp"
 #include "techniques/lightmap/lightmap.hpp"
@@ -53,6 +54,7 @@ struct StyleTables {
     tam::TamStyle tam;
     contour::ContourStyle contour;
     bleed::BleedStyle bleed;
+    ink::InkStyle ink;
     focus::FocusStyle focus;
     wash::WashStyle wash;
     haze::HazeStyle haze;
@@ -77,6 +79,7 @@ struct StyleTables {
     sheet.bind(tam::tam_table(), tables.tam);
     sheet.bind(contour::contour_table(), tables.contour);
     sheet.bind(bleed::bleed_table(), tables.bleed);
+    sheet.bind(ink::ink_table(), tables.ink);
     sheet.bind(focus::focus_table(), tables.focus);
     sheet.bind(wash::wash_table(), tables.wash);
     sheet.bind(haze::haze_table(), tables.haze);

@@ -12,8 +12,8 @@
 namespace estampe::gpu {
 namespace {
 
-constexpr uint32_t max_passes = 256;
-constexpr uint32_t max_bindings_per_frame = 2048;
+constexpr uint32_t max_passes = 512;
+constexpr uint32_t max_bindings_per_frame = 4096;
 
 VkDescriptorType descriptor_type(const Use& use, bool is_image)
 {

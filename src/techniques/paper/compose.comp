@@ -23,8 +23,9 @@ layout(binding = 2) uniform sampler2D hatch_image;
 layout(binding = 3) uniform sampler2D line_image;
 layout(binding = 4) uniform sampler2D sky_ink_image;
 layout(binding = 5) uniform sampler2D light_image; // of the variant that tints
-layout(binding = 6, rgba16f) writeonly uniform image2D out_picture;
-layout(binding = 7, rgba32f) writeonly uniform image2D out_stage; // of the variant that is staged
+layout(binding = 6) uniform sampler2D ink_image;   // of the variant that has ink that flows
+layout(binding = 7, rgba16f) writeonly uniform image2D out_picture;
+layout(binding = 8, rgba32f) writeonly uniform image2D out_stage; // of the variant that is staged
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -34,6 +35,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_tint = (variant & compose_has_tint) != 0u;
 const bool has_sky = (variant & compose_has_sky) != 0u;
+const bool has_ink = (variant & compose_has_ink) != 0u;
 const bool is_staged = (variant & compose_is_staged) != 0u;
 const bool has_margin = (variant & compose_has_margin) != 0u;
 const bool has_grain = (variant & compose_has_grain) != 0u;
@@ -154,11 +156,19 @@ void main()
         hatch = constants.stage >= stage_hatch ? hatch : 0.0;
         line_cover = constants.stage >= stage_lines ? line_cover : 0.0;
     }
+    float flow_cover = 0.0;
+    if (has_ink) {
+        vec4 flow = texelFetch(ink_image, pixel, 0);
+        flow_cover = clamp(flow.a * (1.0 - constants.settles * relief), 0.0, 1.0);
+        flow_cover = is_staged && constants.stage < stage_ink ? 0.0 : flow_cover;
+        color = mix(color, flow.rgb * flow.rgb, flow_cover);
+    }
     color = mix(color, ink, hatch);
     color = mix(color, line_color, line_cover);
     if (is_staged) {
         float cover = constants.stage == stage_lines   ? line_cover
                       : constants.stage == stage_hatch ? hatch
+                      : constants.stage == stage_ink   ? flow_cover
                                                        : 1.0;
         imageStore(out_stage, pixel, vec4(color, cover));
     } else {

@@ -27,7 +27,8 @@ struct Composed {
 uint32_t compose_variant(const ComposeInputs& in, const PaperStyle& style, bool is_staged)
 {
     return (style.ink_tint > 0.0F ? shared::compose_has_tint : 0U) |
-           (in.has_sky ? shared::compose_has_sky : 0U) | (is_staged ? shared::compose_is_staged : 0U) |
+           (in.has_sky ? shared::compose_has_sky : 0U) | (in.ink ? shared::compose_has_ink : 0U) |
+           (is_staged ? shared::compose_is_staged : 0U) |
            (style.margin_mm > 0.0F || style.border_mm > 0.0F ? shared::compose_has_margin : 0U) |
            (style.ink_grain > 0.0F ? shared::compose_has_grain : 0U);
 }
@@ -39,8 +40,8 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
     auto pass = graph.compute("compose", shaders::compose_comp);
     pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
     // Unread, the light's memory is free for others by now.
-    pass.sample(style.ink_tint > 0.0F ? in.light : in.wash)
-        .variant(compose_variant(in, style, stage.has_value()));
+    pass.sample(style.ink_tint > 0.0F ? in.light : in.wash);
+    pass.sample(in.ink.value_or(in.wash)).variant(compose_variant(in, style, stage.has_value()));
     const auto write = [&](const char* name, gpu::Format format, bool is_wanted) {
         return pass.write(graph.image(name, {.width = is_wanted ? in.size_px.x : 1,
                                              .height = is_wanted ? in.size_px.y : 1,
@@ -61,7 +62,8 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
                                      .border_mm = style.border_mm,
                                      .window_min_mm = window.min_mm,
                                      .window_max_mm = window.max_mm,
-                                     .stage = static_cast<uint32_t>(stage.value_or(Stage::lines))})
+                                     .stage = static_cast<uint32_t>(stage.value_or(Stage::lines)),
+                                     .settles = in.ink_settles})
         .dispatch_over(in.size_px.x, in.size_px.y);
     return {picture, staged};
 }

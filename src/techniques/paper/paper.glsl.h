@@ -14,6 +14,7 @@ SHARED_CONSTANT uint compose_has_sky = 1U << 1U;
 SHARED_CONSTANT uint compose_has_margin = 1U << 2U;  // or a border
 SHARED_CONSTANT uint compose_has_grain = 1U << 3U;   // strokes catch on the tooth
 SHARED_CONSTANT uint compose_is_staged = 1U << 4U;   // layers up to one of them, in floats
+SHARED_CONSTANT uint compose_has_ink = 1U << 5U;     // that flows
 SHARED_CONSTANT uint develop_has_samples = 1U << 0U; // several of them
 SHARED_CONSTANT uint develop_is_last = 1U << 1U;     // of them
 SHARED_CONSTANT uint develop_keeps_floats = 1U << 2U;
@@ -21,8 +22,9 @@ SHARED_CONSTANT uint develop_keeps_floats = 1U << 2U;
 // How far the layers are laid.
 SHARED_CONSTANT uint stage_paper = 0U;
 SHARED_CONSTANT uint stage_wash = 1U;
-SHARED_CONSTANT uint stage_hatch = 2U;
-SHARED_CONSTANT uint stage_lines = 3U;
+SHARED_CONSTANT uint stage_ink = 2U;
+SHARED_CONSTANT uint stage_hatch = 3U;
+SHARED_CONSTANT uint stage_lines = 4U;
 
 struct PaperConstants {
     vec3 paper_color;
@@ -36,7 +38,8 @@ struct PaperConstants {
     float border_mm; // width of the line around the window
     vec2 window_min_mm;
     vec2 window_max_mm;
-    uint stage; // of the variant that is staged
+    uint stage;    // of the variant that is staged
+    float settles; // how far ink that flows settles in the hollows
 };
 
 struct DevelopConstants {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
 #include "style/parameter.hpp"
@@ -64,10 +66,12 @@ struct ComposeInputs {
     gpu::ImageId hatch;
     gpu::ImageId lines;
     gpu::ImageId sky_ink;
-    bool has_sky = true;   ///< else there is no such ink
-    gpu::ImageId light;    ///< read where the style tints the ink
-    glm::uvec2 page_px{0}; ///< of the whole page
-    glm::uvec2 size_px{0}; ///< of what is drawn of it
+    std::optional<gpu::ImageId> ink = {}; ///< that flows under strokes and lines: rgba8, as lines
+    float ink_settles = 0.0F;             ///< how far that settles in the hollows of the paper
+    bool has_sky = true;                  ///< else there is no such ink
+    gpu::ImageId light;                   ///< read where the style tints the ink
+    glm::uvec2 page_px{0};                ///< of the whole page
+    glm::uvec2 size_px{0};                ///< of what is drawn of it
 };
 
 /// Lays the layers on paper. Writes rgba16f, linear colour. Cost: one full-screen dispatch.
@@ -77,6 +81,7 @@ struct ComposeInputs {
 enum class Stage : uint8_t {
     paper = shared::stage_paper,
     wash = shared::stage_wash,
+    ink = shared::stage_ink,
     hatch = shared::stage_hatch,
     lines = shared::stage_lines
 };

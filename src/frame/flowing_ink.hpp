@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Ink that flows from picture to picture: what it is in, and from where it was seen.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+
+#include "frame/loaded_scene.hpp"
+#include "frame/motion.hpp"
+#include "frame/style_tables.hpp"
+#include "techniques/ink/ink.hpp"
+
+namespace estampe::frame {
+
+/// What a picture's ink is planned from.
+struct FlowingInkInputs {
+    const LoadedScene& loaded; ///< posed
+    const ScenePose& pose;
+    const Camera& camera; ///< of the page
+    const RenderSettings& settings;
+    const StyleTables& style;
+    float nearby_m = 1.0F; ///< see FrameGlobals
+};
+
+struct InkPlan {
+    ink::Plan ink;
+    std::optional<MotionPlan> motion; ///< where it follows what moves by itself
+};
+
+class FlowingInk {
+public:
+    /// When the ink was that the next picture goes on from; nothing where that starts afresh.
+    [[nodiscard]] std::optional<double> before_s(const RenderSettings& settings,
+                                                 const ink::InkStyle& style) const;
+
+    /// Plans the ink of a picture and makes room for it; nothing where the style has none. Patterns that name
+    /// nothing go into `notes`. Throws Error for a flow map or zones that cannot be read.
+    [[nodiscard]] std::optional<InkPlan> provide(gpu::Device& device, const FlowingInkInputs& in,
+                                                 std::vector<std::string>& notes);
+
+    /// To be called when the first sample of that picture has been drawn.
+    void drawn(const InkPlan& plan, const Camera& camera);
+
+    /// The next picture is of something else.
+    void forget() { memory_.forget(); }
+
+    [[nodiscard]] ink::Memory& memory() { return memory_; }
+
+    [[nodiscard]] const ink::Memory& memory() const { return memory_; }
+
+    [[nodiscard]] const Camera& camera_before() const { return camera_before_; }
+
+    void recall_camera(const Camera& camera) { camera_before_ = camera; }
+
+private:
+    ink::Memory memory_;
+    Camera camera_before_;
+};
+
+} // namespace estampe::frame

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Ink that flows in whole pictures and films, through the public header.
+#include <estampe/renderer.hpp>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+#include "scene/shapes.hpp"
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe {
+namespace {
+
+const Camera camera{.eye = {3.0, 3.0, 5.0}, .target = {0.0, 0.5, 0.0}};
+
+/// A box on a floor, in the sun, that slides along it during a second.
+Scene sliding_box()
+{
+    Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
+    const Index box = test::add_object(scene, shapes::box({1.0F, 1.5F, 1.0F}), {0.8F, 0.3F, 0.2F});
+    scene.nodes[box].name = "box";
+    Animation animation;
+    animation.duration_s = 1.0F;
+    animation.channels.push_back({.node = box,
+                                  .path = AnimatedPath::translation,
+                                  .interpolation = Interpolation::linear,
+                                  .times_s = {0.0F, 1.0F},
+                                  .values = {-0.5F, 0.0F, 0.0F, 0.8F, 0.0F, 0.2F}});
+    scene.animations.push_back(std::move(animation));
+    test::add_sun(scene, {1.0, 2.0, 1.5});
+    return scene;
+}
+
+Style flowing(const std::vector<std::string>& more = {})
+{
+    Style style;
+    style.set("ink.drawn=true");
+    // So few pixels hold no finer threads.
+    for (const char* assignment :
+         {"ink.age_s=0.5", "ink.threshold=0.1", "ink.spot_mm=4", "ink.spacing_mm=8"}) {
+        style.set(assignment);
+    }
+    for (const std::string& assignment : more) {
+        style.set(assignment);
+    }
+    return style;
+}
+
+constexpr RenderSettings still{.width = 96, .height = 72, .time_s = 0.25};
+
+std::vector<Image> film(Renderer& renderer, const Style& style)
+{
+    std::vector<Image> images;
+    for (int number = 0; number < 4; ++number) {
+        Camera moving = camera;
+        moving.eye.x += 0.05 * number;
+        RenderSettings settings = still;
+        settings.time_s = number / 24.0;
+        settings.continuity = number == 0 ? Continuity::starts : Continuity::follows;
+        images.push_back(renderer.render(moving, style, settings));
+    }
+    return images;
+}
+
+/// How many pixels differ.
+size_t changed(const Image& a, const Image& b)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < a.rgba.size(); i += 4) {
+        count += std::equal(&a.rgba[i], &a.rgba[i] + 4, &b.rgba[i]) ? 0 : 1;
+    }
+    return count;
+}
+
+TEST(FlowingInk, CostsNothingWhereItIsOff)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(sliding_box());
+    static_cast<void>(renderer.render(camera, {}, still)); // poses the scene, draws shadow maps
+    const Image plain = renderer.render(camera, {}, still);
+    const std::string graph = renderer.graph_dot();
+    Style off;
+    off.set("ink.source=things");
+    off.set("ink.zones=nobody=give:1");
+    off.set("ink.granulation=1");
+    EXPECT_EQ(renderer.render(camera, off, still), plain);
+    EXPECT_EQ(renderer.graph_dot(), graph);
+    EXPECT_EQ(graph.find("ink/"), std::string::npos);
+}
+
+TEST(FlowingInk, IsTheSameEachTimeAndLeavesNothingBehind)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(sliding_box());
+    const Image plain = renderer.render(camera, {}, still);
+    const Image first = renderer.render(camera, flowing(), still);
+    EXPECT_GT(changed(first, plain), 100U);
+    static_cast<void>(film(renderer, flowing()));
+    EXPECT_EQ(renderer.render(camera, flowing(), still), first) << "a still stands for itself";
+    EXPECT_EQ(renderer.render(camera, {}, still), plain);
+}
+
+TEST(FlowingInk, FlowsOnInFilms)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(sliding_box());
+    for (const char* follow : {"page", "turn", "advance", "around", "surface"}) {
+        const Style style = flowing({std::string("ink.follow=") + follow, "ink.cell_mm=3"});
+        const std::vector<Image> once = film(renderer, style);
+        renderer.set_scene(sliding_box());
+        EXPECT_EQ(film(renderer, style), once) << follow << ", of the scene loaded anew";
+        EXPECT_GT(changed(once[2], once[3]), 20U) << follow;
+    }
+}
+
+TEST(FlowingInk, ComesFromChosenObjectsAlone)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(sliding_box());
+    const Image plain = renderer.render(camera, {}, still);
+    const size_t of_all = changed(renderer.render(camera, flowing({"ink.source=things"}), still), plain);
+    const size_t of_box =
+        changed(renderer.render(camera, flowing({"ink.source=things", "ink.objects=b*"}), still), plain);
+    EXPECT_GT(of_box, 50U);
+    EXPECT_LT(of_box, of_all);
+    const Image of_none = renderer.render(camera, flowing({"ink.objects=nobody"}), still);
+    EXPECT_EQ(of_none, plain);
+    ASSERT_FALSE(renderer.notes().empty());
+    EXPECT_NE(renderer.notes().back().find("nobody"), std::string::npos);
+}
+
+TEST(FlowingInk, TellsWhatItCannotRead)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(sliding_box());
+    EXPECT_THROW(
+        static_cast<void>(renderer.render(camera, flowing({"ink.flow_map=/nowhere/flow.png"}), still)),
+        Error);
+    EXPECT_THROW(static_cast<void>(renderer.render(camera, flowing({"ink.zones=box=shine:1"}), still)),
+                 Error);
+    RenderSettings tiled{.width = 200, .height = 120};
+    tiled.tile_px = 120;
+    EXPECT_EQ(renderer.render(camera, flowing(), tiled), renderer.render(camera, {}, tiled));
+    static_cast<void>(renderer.render(camera, flowing(), tiled));
+    ASSERT_FALSE(renderer.notes().empty());
+    EXPECT_NE(renderer.notes().back().find("tiles"), std::string::npos);
+}
+
+} // namespace
+} // namespace estampe

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// One thread a cell of ink: how much the drawing gives there, 0 to 1, in spots.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/camera.glsl"
+#include "shaders/draw_word.glsl"
+#include "techniques/ink/flow.glsl"
+#include "techniques/ink/ink.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(scalar, binding = 1) uniform Ink
+{
+    InkGlobals globals;
+};
+
+layout(binding = 2) uniform sampler2D hatch_image;
+layout(binding = 3) uniform sampler2D line_image;
+layout(binding = 4) uniform sampler2D light_image;
+layout(binding = 5) uniform usampler2D draw_image;
+layout(binding = 6) uniform usamplerBuffer mask_texels;  // one a draw, of the variant that has a mask
+layout(binding = 7) uniform usamplerBuffer state_texels; // for grid.glsl
+layout(binding = 8) uniform sampler2D coordinate_image;  // of the variant whose spots lie on things
+layout(binding = 9) uniform usampler2D footprint_image;  // of the same
+layout(binding = 10) uniform sampler2D depth_image;      // of the same
+layout(binding = 11, rgba8) writeonly uniform image2D out_source;
+
+layout(push_constant, scalar) uniform Constants
+{
+    InkSpots life;
+};
+
+layout(constant_id = 0) const uint variant = 0u;
+const bool is_around = (variant & ink_is_around) != 0u;
+const bool has_zones = (variant & ink_has_zones) != 0u;
+const bool has_mask = (variant & ink_has_mask) != 0u;
+
+const bool is_on_things = (variant & ink_spots_on_things) != 0u;
+
+#include "techniques/ink/front.glsl"
+#include "techniques/ink/grid.glsl"
+#include "techniques/ink/spots.glsl"
+
+vec2 page_place_of_cell(ivec2 cell)
+{
+    if (!is_around) {
+        return page_place_of_grid(vec2(cell) + 0.5);
+    }
+    vec4 clip = frame.clip_from_anchor * vec4(direction_of_cell(cell), 0.0);
+    return clip.w > 0.0 ? (0.5 * clip.xy / clip.w + 0.5) * vec2(globals.page_px) : vec2(-1.0);
+}
+
+// What is dark, bright or there at a place.
+float drawn_at(vec2 page_px)
+{
+    uint word = texelFetch(draw_image, ivec2(page_px), 0).x;
+    vec2 at = page_px / vec2(globals.page_px);
+    bool is_seen = sees_draw(word);
+    float strength = 0.0;
+    if (globals.source == ink_source_strokes) {
+        strength = 1.0 - (1.0 - texture(hatch_image, at).x) * (1.0 - texture(line_image, at).a);
+    } else if (globals.source == ink_source_light) {
+        strength = is_seen ? texture(light_image, at).a : 0.0;
+    } else {
+        strength = is_seen ? 1.0 : 0.0;
+    }
+    if (has_mask) {
+        strength *= is_seen && texelFetch(mask_texels, int(draw_of(word))).x != 0u ? 1.0 : 0.0;
+    }
+    return clamp((strength - globals.threshold) / (1.0 - globals.threshold), 0.0, 1.0);
+}
+
+float given_in_zones(float given, vec2 page_mm)
+{
+    for (uint i = 0u; i < globals.zone_count; ++i) {
+        InkZone zone = globals.zones[i];
+        vec2 away = (page_mm - zone.middle_mm) / zone.radius_mm;
+        float share = zone_share(dot(away, away));
+        given = clamp(max(given * mix(1.0, zone.amount, share), share * zone.gives), 0.0, 1.0);
+    }
+    return given;
+}
+
+float mm_per_px()
+{
+    return 1.0 / globals.px_per_mm;
+}
+
+vec2 spot_seen_at(ivec2 pixel)
+{
+    uint word = texelFetch(draw_image, pixel, 0).x;
+    if (!sees_draw(word)) {
+        return no_spot();
+    }
+    return spot_on_thing(texelFetch(coordinate_image, pixel, 0).xyz,
+                         unpack_footprint(texelFetch(footprint_image, pixel, 0)), globals.px_per_mm,
+                         draw_of(word));
+}
+
+// Of the page, or of the cube: what a cell beyond the edge of a face shows lies on another.
+vec2 lattice_place_mm(ivec2 cell)
+{
+    vec2 grid = is_around ? grid_place_of_direction(direction_of_cell(cell)) : vec2(cell) + 0.5;
+    return (grid - globals.margin_cells) * globals.mm_per_cell;
+}
+
+void main()
+{
+    ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(cell), globals.grid_size))) {
+        return;
+    }
+    vec2 page_px = page_place_of_cell(cell);
+    float given = 0.0;
+    vec2 spot = no_spot();
+    if (all(greaterThanEqual(page_px, globals.window_min_px)) &&
+        all(lessThan(page_px, globals.window_max_px))) {
+        given = drawn_at(page_px);
+        if (has_zones) {
+            given = given_in_zones(given, page_px * mm_per_px());
+        }
+        spot = is_on_things ? spot_seen_at(pixel_at(front_place(page_px, line_reach_px())))
+                            : spot_on_page(lattice_place_mm(cell));
+    }
+    imageStore(out_source, cell, vec4(given * spot.x, spot.y, 0.0, 0.0));
+}

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// One thread a cell of ink: looks back to where its ink was a step before, lets some of that go and some dry
+// into the paper, and adds what the drawing gives.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/rounds.glsl"
+#include "techniques/ink/flow.glsl"
+#include "techniques/ink/ink.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) uniform Ink
+{
+    InkGlobals globals;
+};
+
+layout(binding = 1) uniform usamplerBuffer state_texels;
+layout(binding = 2) uniform sampler2D source_image;
+layout(binding = 3) uniform samplerBuffer stream_texels;       // on the page
+layout(binding = 4) uniform sampler2D depth_image;             // of the variant on surfaces
+layout(binding = 5) uniform samplerBuffer depth_before_texels; // of the same
+layout(binding = 6) uniform sampler2D motion_image;            // of the variant that has motion
+
+layout(scalar, binding = 7) buffer Sums
+{
+    InkSums sums;
+};
+
+layout(scalar, binding = 8) writeonly buffer State
+{
+    uint state[];
+};
+
+layout(scalar, binding = 9) writeonly buffer Depth
+{
+    float depth_now[]; // of the variant that keeps depth
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    InkStep step;
+};
+
+layout(constant_id = 0) const uint variant = 0u;
+const bool is_around = (variant & ink_is_around) != 0u;
+const bool is_moved = (variant & ink_is_moved) != 0u;
+const bool is_on_surface = (variant & ink_on_surface) != 0u;
+const bool has_motion = (variant & ink_has_motion) != 0u;
+const bool keeps_depth = (variant & ink_keeps_depth) != 0u;
+
+#include "techniques/ink/carried.glsl"
+#include "techniques/ink/front.glsl"
+#include "techniques/ink/grid.glsl"
+#include "techniques/ink/look.glsl"
+
+// x: wet, y: dry.
+vec2 ink_at(vec2 grid)
+{
+    vec2 at = grid - 0.5;
+    ivec2 third = ivec2(floor(at));
+    Weights across = weights_of(at.x - float(third.x), third.x, int(globals.grid_size.x));
+    Weights down = weights_of(at.y - float(third.y), third.y, int(globals.grid_size.y));
+    vec2 sum = vec2(0.0);
+    for (int row = 0; row < 6; ++row) {
+        vec2 of_row = vec2(0.0);
+        for (int column = 0; column < 6; ++column) {
+            float weight = column < 3 ? across.first[column] : across.last[column - 3];
+            of_row += weight * unpacked_ink(cell_at(third + ivec2(column, row) - 2));
+        }
+        sum += (row < 3 ? down.first[row] : down.last[row - 3]) * of_row;
+    }
+    return clamp(sum, 0.0, 1.0);
+}
+
+// Around the eye: where ink came from, by the velocity half-way back.
+vec3 direction_before(vec3 direction, int not_negative)
+{
+    vec3 drift = vec3(0.0);
+    for (int i = 0; i < rounds(2, not_negative); ++i) {
+        vec3 middle = normalize(direction - 0.5 * drift);
+        vec3 gradient = vec3(0.0);
+        for (int wave = 0; wave < int(ink_wave_count); ++wave) {
+            gradient += wave_gradient(globals.waves[wave].wave, globals.waves[wave].amplitude,
+                                      step.phases[wave], middle);
+        }
+        drift = step.seconds * (cross(middle, gradient) + cross(globals.wind_axis, middle));
+    }
+    return normalize(direction - drift);
+}
+
+// Where something was in the picture before.
+struct Before {
+    vec2 page_px;
+    float depth; // reversed; below zero behind the eye
+};
+
+Before own_before(vec2 page_px)
+{
+    vec2 page = vec2(globals.page_px);
+    float depth = is_on_surface ? texelFetch(depth_image, pixel_at(page_px), 0).x : globals.plane_depth;
+    vec4 clip = globals.before_from_clip * vec4(2.0 * page_px / page - 1.0, depth, 1.0);
+    vec2 before_px = (0.5 * clip.xy / clip.w + 0.5) * page;
+    float depth_before = clip.w > 0.0 ? clip.z / clip.w : -1.0;
+    if (has_motion) {
+        vec4 motion = texelFetch(motion_image, pixel_at(page_px), 0);
+        float share = motion.w > 0.0 ? globals.drag : 0.0;
+        before_px = mix(before_px, page_px - motion.xy, share);
+        depth_before = mix(depth_before, motion.z, share);
+    }
+    return Before(before_px, depth_before);
+}
+
+// Ink that has flowed off a thing goes with it, the less the farther off: else it would tear where what lies
+// behind moves otherwise.
+Before before_at(vec2 page_px)
+{
+    const float halo_mm = 5.0;
+    const int rings = 4;
+    Before before = own_before(page_px);
+    float share = 0.0;
+    for (int ring = 0; is_on_surface && ring < rings && share == 0.0; ++ring) {
+        float away_px = max(line_reach_px(), halo_mm * globals.px_per_mm * float(ring) / float(rings - 1));
+        vec2 front_px = front_place(page_px, away_px);
+        if (front_px != page_px) {
+            Before of_front = own_before(front_px);
+            share = 1.0 - float(ring) / float(rings);
+            before.page_px = mix(before.page_px, page_px + of_front.page_px - front_px, share);
+            before.depth = max(before.depth, of_front.depth);
+        }
+    }
+    return before;
+}
+
+float depth_before(vec2 grid)
+{
+    ivec2 cell = clamp(ivec2(floor(grid)), ivec2(0), ivec2(globals.grid_size) - 1);
+    return texelFetch(depth_before_texels, cell.y * int(globals.grid_size.x) + cell.x).x;
+}
+
+float was_seen(Before before)
+{
+    bool is_hidden =
+        is_on_surface && depth_before(grid_place_of_page(before.page_px)) > is_nearer * before.depth + 1e-9;
+    return before.depth < 0.0 || is_hidden ? 0.0 : 1.0;
+}
+
+// What is given on the way from a place to one that lies `path` before it: on average,
+// so that what a spot gives is a thread and not a row of beads. Where ink is to be spared fewer spots give,
+// and each as much as ever.
+float given_along(vec2 grid, vec2 path)
+{
+    const int stops = 4;
+    float room = clamp(2.0 - 2.0 * mean_cover(sums.covered[step.sum_before]) / globals.budget, 0.0, 1.0);
+    float given = 0.0;
+    for (int i = 0; i < stops; ++i) {
+        ivec2 cell = ivec2(floor(grid - path * (float(i) / float(stops))));
+        vec2 source = texelFetch(source_image, clamp(cell, ivec2(0), ivec2(globals.grid_size) - 1), 0).xy;
+        given += source.x * smoothstep(0.0, 0.1, 1.1 * room - source.y);
+    }
+    return step.given * given / float(stops);
+}
+
+void main()
+{
+    ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(cell), globals.grid_size))) {
+        return;
+    }
+    int place = cell.y * int(globals.grid_size.x) + cell.x;
+    vec2 grid = vec2(cell) + 0.5;
+    vec2 before;
+    float given;
+    if (is_around) {
+        vec3 direction = direction_of_cell(cell);
+        vec2 from = grid_place_of_direction(direction_before(direction, cell.x));
+        before = vec2(ink_at(from).x, dry_ink(cell_at(cell)));
+        vec2 drift = grid_place_of_direction(direction) - from;
+        bool is_on_one_face = all(lessThan(abs(drift), vec2(float(globals.face_side) * 0.5)));
+        given = given_along(from + drift, is_on_one_face ? drift : vec2(0.0));
+    } else {
+        vec2 page_px = page_place_of_grid(grid);
+        vec2 drift = carried_cells(grid, step.seconds);
+        if (is_moved) {
+            Before was = before_at(page_px);
+            vec2 from = grid_place_of_page(was.page_px);
+            given = given_along(grid, drift);
+            before = was_seen(was) * vec2(ink_at(from - drift).x, ink_at(from).y);
+        } else {
+            given = given_along(grid, drift);
+            before = vec2(ink_at(grid - drift).x, dry_ink(cell_at(cell)));
+        }
+        if (keeps_depth) {
+            depth_now[place] = texelFetch(depth_image, pixel_at(page_px), 0).x;
+        }
+    }
+    before *= step.keeps;
+    float wet = 1.0 - (1.0 - before.x * step.left) * (1.0 - given);
+    float dry = 1.0 - (1.0 - before.y * step.stain_left) * (1.0 - before.x * step.soak);
+    state[place] = packed_ink(vec2(wet, dry));
+    if (place == 0 && step.sum_now < 2u) {
+        sums.covered[step.sum_now] = 0u;
+    }
+}

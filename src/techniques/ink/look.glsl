@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_INK_LOOK
+#define ESTAMPE_INK_LOOK
+
+// What ink looks like on the page. Wanted before: `globals`.
+
+const float dry_cover = 0.5; // of what wet ink covers
+
+// Most where ink ends: what is carried along by water as it dries stays at its edge.
+float edged(float body)
+{
+    return body * mix(1.0, 4.0 * body * (1.0 - body), globals.edge);
+}
+
+// How far it covers the page where nothing holds it back; y: how dense it is.
+vec2 ink_cover(vec2 wet_and_dry)
+{
+    vec2 body = smoothstep(vec2(globals.thin), vec2(globals.full), wet_and_dry);
+    float wet = globals.opacity * edged(body.x);
+    float dry = globals.opacity * dry_cover * edged(body.y);
+    return vec2(1.0 - (1.0 - wet) * (1.0 - dry), max(body.x, dry_cover * body.y));
+}
+
+// How many pixels of a page are measured: one of four.
+uvec2 measured_size()
+{
+    return (globals.page_px + 1u) / 2u;
+}
+
+float mean_cover(uint sum)
+{
+    uvec2 size = measured_size();
+    return float(sum) / (ink_measured * float(size.x) * float(size.y));
+}
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_INK_SPLINE
+#define ESTAMPE_INK_SPLINE
+
+// Quadratic B-splines: weights of three nodes at a place `f` beyond the middle one, -0.5 to 0.5, and of their
+// derivatives. A function whose curl is taken has no divergence, however it bends.
+
+vec3 spline_values(float f)
+{
+    return vec3(0.5f * (0.5f - f) * (0.5f - f), 0.75f - f * f, 0.5f * (0.5f + f) * (0.5f + f));
+}
+
+vec3 spline_slopes(float f)
+{
+    return vec3(f - 0.5f, -2.0f * f, f + 0.5f);
+}
+
+vec3 spline_bends()
+{
+    return vec3(1.0f, -2.0f, 1.0f);
+}
+
+#endif
