@@ -53,7 +53,7 @@ struct Carrying {
             if (now > 0) {
                 field.keep(graph, mass);
             }
-            const auto units = test::run_and_read_as<uint32_t>(graph, mass);
+            auto units = test::run_and_read_as<uint32_t>(graph, mass);
             if (steps == 0) {
                 return units;
             }
