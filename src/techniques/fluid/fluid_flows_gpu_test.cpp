@@ -76,7 +76,7 @@ TEST(FluidFlows, ShearDecaysByDiffusionAlone)
                 fluid, {.step_s = static_cast<float>(1.0 / rate / steps), .viscosity_m2_s = viscosity},
                 steps);
             // The grid's own second differences are a little less than the sine's.
-            const double h = static_cast<double>(grid.cell_m);
+            const auto h = static_cast<double>(grid.cell_m);
             const double seen = std::pow(std::sin(0.5 * waves * h) / (0.5 * waves * h), 2.0);
             EXPECT_NEAR(std::sqrt(energy_of(end) / energy_of(start)) / std::exp(-seen), 1.0, 1e-3)
                 << waves << " waves, " << viscosity << " m2/s";

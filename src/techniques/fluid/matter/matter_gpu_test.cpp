@@ -278,7 +278,7 @@ TEST(FluidMatter, TenMinutesOfStirringDoNotBlowUp)
     const Grid pond{.cells = {32, 32, 1}, .cell_m = 0.1F};
     Fluid fluid(test::shared_device(), pond, 5, {}, even(pond, {0.1F, 0.0F, 0.2F, 1.0F, 0.0F}));
     const FluidStyle style{.step_s = 0.5F,
-                           .projection = {.projections = 2},
+                           .projection = {.projections = 1},
                            .forces = {.friction_per_s = 0.05F,
                                       .lift_m_s2 = 0.5F,
                                       .weight_m_s2 = 0.3F,
