@@ -17,7 +17,7 @@ namespace estampe {
 /// whose alpha is 1 throughout, colour * below.
 enum class LayerBlend : uint8_t { normal, multiply };
 
-/// One sheet of a drawing: paper, wash, hatching or lines.
+/// One sheet of a drawing: paper, wash, flowing ink, hatching or lines.
 struct PictureLayer {
     std::string name;
     LayerBlend blend = LayerBlend::normal;

@@ -178,7 +178,8 @@ public:
     [[nodiscard]] LinearImage render_linear(const Camera& camera, const Style& style,
                                             const RenderSettings& settings);
 
-    /// The picture of render(), and what it is made of: the layers paper, wash (multiplied), hatch and lines,
+    /// The picture of render(), and what it is made of: the layers paper, wash (multiplied), ink
+    /// that flows where the style has any, hatch and lines,
     /// which laid on each other are the picture again; and masks: "shadow", where the sun's light is kept off
     /// by something, where there is such a shadow, and one for each node of the scene that is seen, named
     /// after it. With several samples all are means of theirs. Throws Error as render_linear() does. Cost: as

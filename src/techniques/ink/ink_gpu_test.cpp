@@ -108,8 +108,13 @@ TEST(Ink, ComesBackWhenTheCameraHasRolledOnce)
     bench.fill(style, [&](glm::uvec2 cell) { return glm::vec2(threads(cell), threads(cell)); });
     View view{.is_moved = true};
     view.before_from_clip = glm::rotate(glm::mat4(1.0F), glm::radians(1.0F), glm::vec3(0.0F, 0.0F, 1.0F));
+    const auto start = bench.cells();
     for (int frame = 0; frame < 360; ++frame) {
         bench.advance(style, 0.0, view);
+        if (frame == 89) {
+            EXPECT_GT(glm::distance(bench.cells().at(48 * side + 60), start.at(48 * side + 60)), 0.1F)
+                << "meanwhile it has turned";
+        }
     }
     glm::dvec2 square(0.0);
     const auto cells = bench.cells();
