@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ink while the camera moves.
-#include "techniques/ink/ink_bench.hpp"
+#include "techniques/ink/ink_test_support.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ink in water whose flow is known.
-#include "techniques/ink/ink_bench.hpp"
+#include "techniques/ink/ink_test_support.hpp"
 
 #include <numbers>
 

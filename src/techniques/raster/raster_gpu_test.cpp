@@ -6,6 +6,7 @@
 
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
+#include "techniques/raster/passes.hpp"
 #include "techniques/raster/raster_test_support.hpp"
 
 namespace estampe::raster {
@@ -226,6 +227,16 @@ TEST_P(RasterPaths, AlphaMasksCutHoles)
 std::string path_name(const testing::TestParamInfo<RasterPath>& info)
 {
     return name_of(info.param);
+}
+
+/// More threads than one row of workgroups holds: each has an item of its own.
+TEST(Raster, ClearsALargePageToItsEnd)
+{
+    const std::vector<uint32_t> dirty(4 * ((size_t{1} << 21U) + 100000), 7U);
+    gpu::Buffer page = gpu::upload_buffer(test::shared_device(), "page", dirty);
+    gpu::Graph graph;
+    const gpu::BufferId cleared = add_clear(graph, "page", gpu::import_whole(graph, "page", page));
+    EXPECT_EQ(test::run_and_read_as<uint32_t>(graph, cleared), std::vector<uint32_t>(dirty.size()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, RasterPaths, testing::Values(RasterPath::compute, RasterPath::hardware),
