@@ -15,6 +15,8 @@
 #include <cstring>
 #include <string_view>
 
+#include <unistd.h>
+
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -42,6 +44,13 @@ const Failure failure = read_failure();
 std::atomic<long> calls{0};
 std::atomic<bool> is_lost{false};
 
+/// Threads beside the one that draws compile ahead, on devices of their own, and may fail unnoticed: what
+/// they bind for that is not counted.
+bool is_ahead(std::string_view call)
+{
+    return call == "vkAllocateDescriptorSets" && gettid() != getpid();
+}
+
 VkResult result_of(const char* call)
 {
     const std::string_view name(call);
@@ -49,7 +58,7 @@ VkResult result_of(const char* call)
         (name.starts_with("vkQueue") || name.starts_with("vkWait") || name == "vkDeviceWaitIdle")) {
         return VK_ERROR_DEVICE_LOST;
     }
-    if (name != failure.call || ++calls != failure.number) {
+    if (name != failure.call || is_ahead(name) || ++calls != failure.number) {
         return VK_SUCCESS;
     }
     is_lost = failure.result == VK_ERROR_DEVICE_LOST;
