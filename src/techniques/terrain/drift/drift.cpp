@@ -6,6 +6,7 @@
 #include "gpu/fills.hpp"
 #include "shaders/drift_ink_comp.hpp"
 #include "shaders/drift_streaks_comp.hpp"
+#include "techniques/terrain/whole_cells.hpp"
 
 namespace estampe::terrain {
 namespace {
@@ -14,12 +15,6 @@ constexpr uint32_t side = 128;
 constexpr double least_wind_m_s = 6.0;
 constexpr double sand_by_wind = 0.6; ///< speed of sand in the air
 constexpr double life_s = static_cast<double>(shared::drift_life_s);
-
-/// Whole cells, which go round beyond what an integer holds.
-uint32_t wrapped(double whole)
-{
-    return static_cast<uint32_t>(static_cast<int64_t>(std::fmod(whole, 4294967296.0)));
-}
 
 } // namespace
 
@@ -41,11 +36,11 @@ std::optional<DriftPlan> drift_at(const TerrainWind& wind, const DriftStyle& sty
         .streaks = {.corner_m = corner_m,
                     .cell_m = static_cast<float>(cell_m),
                     .side = side,
-                    .first_x = wrapped(first.x),
-                    .first_y = wrapped(first.y),
+                    .first_x = wrapped_cells(first.x),
+                    .first_y = wrapped_cells(first.y),
                     .wind = glm::vec2(std::cos(direction_rad), std::sin(direction_rad)),
                     .speed_m_s = static_cast<float>(sand_by_wind * speed_m_s),
-                    .life = wrapped(std::floor(lives)),
+                    .life = wrapped_cells(std::floor(lives)),
                     .life_share = static_cast<float>(lives - std::floor(lives)),
                     .length_m = style.length_m,
                     .lift_m = style.lift_m,

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "techniques/terrain/whole_cells.hpp"
+
 namespace estampe::terrain {
 namespace {
 
@@ -19,9 +21,7 @@ Split split_at(const Linear& coordinate, const glm::dvec2& origin_m, double time
     const double value =
         coordinate.x * origin_m.x + coordinate.z * origin_m.y + coordinate.t * time_s + coordinate.constant;
     const double whole = std::floor(value);
-    // Beyond what an integer holds cells go round.
-    return {static_cast<int32_t>(static_cast<uint32_t>(static_cast<int64_t>(std::fmod(whole, 4294967296.0)))),
-            value - whole};
+    return {static_cast<int32_t>(wrapped_cells(whole)), value - whole};
 }
 
 } // namespace

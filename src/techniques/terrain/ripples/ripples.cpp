@@ -4,17 +4,9 @@
 #include <cmath>
 
 #include "shaders/ripples_comp.hpp"
+#include "techniques/terrain/whole_cells.hpp"
 
 namespace estampe::terrain {
-namespace {
-
-/// Whole cells, which go round beyond what an integer holds.
-uint32_t wrapped(double whole)
-{
-    return static_cast<uint32_t>(static_cast<int64_t>(std::fmod(whole, 4294967296.0)));
-}
-
-} // namespace
 
 std::optional<shared::RippleConstants> ripples_at(const TerrainDescription& terrain, uint32_t draw,
                                                   const glm::dvec3& anchor_m, double time_s)
@@ -34,7 +26,7 @@ std::optional<shared::RippleConstants> ripples_at(const TerrainDescription& terr
     const glm::dvec2 whole = glm::floor(at);
     return shared::RippleConstants{.wind = glm::vec2(wind),
                                    .rest = glm::vec2(at - whole),
-                                   .cell = {wrapped(whole.x), wrapped(whole.y)},
+                                   .cell = {wrapped_cells(whole.x), wrapped_cells(whole.y)},
                                    .wavelength_m = ripples.wavelength_m,
                                    .height_m = ripples.height_m,
                                    .meander = ripples.meander,
