@@ -67,6 +67,34 @@ void set(TerrainTrack& track, const std::string& word, const std::string& where)
 
 } // namespace
 
+TrailStamp TrailStamp::disc(glm::dvec2 place_m, float radius_m, float depth_m)
+{
+    return drag(place_m, place_m, radius_m, depth_m);
+}
+
+TrailStamp TrailStamp::drag(glm::dvec2 from_m, glm::dvec2 to_m, float radius_m, float depth_m)
+{
+    return {.from_m = from_m,
+            .to_m = to_m,
+            .from_radius_m = radius_m,
+            .to_radius_m = radius_m,
+            .depth_m = depth_m};
+}
+
+TrailStamp TrailStamp::foot(glm::dvec2 place_m, glm::dvec2 towards, float length_m, float depth_m)
+{
+    constexpr double heel = 0.13; // radii, of the length
+    constexpr double ball = 0.18;
+    const double length = glm::length(towards);
+    const glm::dvec2 ahead =
+        static_cast<double>(length_m) * (length > 0.0 ? towards / length : glm::dvec2(1.0, 0.0));
+    return {.from_m = place_m - (0.5 - heel) * ahead,
+            .to_m = place_m + (0.5 - ball) * ahead,
+            .from_radius_m = static_cast<float>(heel) * length_m,
+            .to_radius_m = static_cast<float>(ball) * length_m,
+            .depth_m = depth_m};
+}
+
 TerrainTrack parse_track(const std::string& text, const std::string& name, const std::string& where)
 {
     TerrainTrack track{.name = name};

@@ -107,41 +107,6 @@ std::optional<shared::TrailPress> press_of(const TrailStamp& stamp, uint32_t sid
 }
 
 } // namespace
-} // namespace estampe::terrain
-
-namespace estampe {
-
-TrailStamp TrailStamp::disc(glm::dvec2 place_m, float radius_m, float depth_m)
-{
-    return drag(place_m, place_m, radius_m, depth_m);
-}
-
-TrailStamp TrailStamp::drag(glm::dvec2 from_m, glm::dvec2 to_m, float radius_m, float depth_m)
-{
-    return {.from_m = from_m,
-            .to_m = to_m,
-            .from_radius_m = radius_m,
-            .to_radius_m = radius_m,
-            .depth_m = depth_m};
-}
-
-TrailStamp TrailStamp::foot(glm::dvec2 place_m, glm::dvec2 towards, float length_m, float depth_m)
-{
-    constexpr double heel = 0.13; // radii, of the length
-    constexpr double ball = 0.18;
-    const double length = glm::length(towards);
-    const glm::dvec2 ahead =
-        static_cast<double>(length_m) * (length > 0.0 ? towards / length : glm::dvec2(1.0, 0.0));
-    return {.from_m = place_m - (0.5 - heel) * ahead,
-            .to_m = place_m + (0.5 - ball) * ahead,
-            .from_radius_m = static_cast<float>(heel) * length_m,
-            .to_radius_m = static_cast<float>(ball) * length_m,
-            .depth_m = depth_m};
-}
-
-} // namespace estampe
-
-namespace estampe::terrain {
 
 TrailField::TrailField(gpu::Device& device, uint32_t side, double extent_m)
     : heights_(gpu::upload_buffer(device, "trails", even_ground(side, extent_m))), side_(side),
