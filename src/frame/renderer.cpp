@@ -24,6 +24,16 @@ namespace estampe {
 
 namespace {
 
+/// Where the square lies in which trails are seen: before the eye, about it where that looks straight down.
+glm::dvec2 middle_of_trails(const Camera& camera, double extent_m)
+{
+    constexpr double ahead = 0.35; // of the side
+    const glm::dvec3 view = glm::normalize(camera.target - camera.eye);
+    const glm::dvec2 level(view.x, view.z);
+    return glm::dvec2(camera.eye.x, camera.eye.z) +
+           ahead * extent_m * level / std::max(glm::length(level), 0.1);
+}
+
 /// How far from the eye what stands in front is; a terrain, which is everywhere, keeps it near.
 float nearby_m(const pose::MeshData& layout, const glm::dvec3& eye)
 {
@@ -167,12 +177,9 @@ void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& 
         loaded->terrain->add_catching_up(graph);
         executor.run(graph);
     }
-    constexpr double share_ahead = 0.35; // of the square that is seen, where its middle lies before the eye
-    const double level = std::max(std::hypot(view.x, view.z), 1e-9 + std::abs(view.y) * 0.1);
-    loaded->trodden->prepare(device, settings.time_s,
-                             glm::dvec2(camera.eye.x, camera.eye.z) + share_ahead *
-                                                                          loaded->trodden->extent_m() *
-                                                                          glm::dvec2(view.x, view.z) / level);
+    loaded->trodden->prepare(device, {.time_s = settings.time_s,
+                                      .centre_m = middle_of_trails(camera, loaded->trodden->extent_m()),
+                                      .follows = settings.continuity == Continuity::follows});
     while (loaded->trodden->is_behind()) {
         gpu::Graph graph;
         loaded->trodden->add_catching_up(graph);

@@ -159,9 +159,10 @@ TEST(TrailPictures, AreSeenAndFilled)
     Style style = plain("light.source=sun");
     style.set("light.sun_elevation_deg=20");
     Renderer& renderer = test::shared_renderer();
-    const auto picture = [&](double time_s) {
+    const auto picture = [&](double time_s, Continuity continuity = Continuity::still) {
         RenderSettings settings = small;
         settings.time_s = time_s;
+        settings.continuity = continuity;
         return renderer.render(camera, style, settings);
     };
     renderer.set_scene(scene_of(level));
@@ -170,19 +171,26 @@ TEST(TrailPictures, AreSeenAndFilled)
     EXPECT_TRUE(picture(-1.0) == blank);
     std::array<size_t, 4> seen{};
     for (size_t i = 0; i < seen.size(); ++i) {
-        seen[i] = between(picture(2.0 * static_cast<double>(i) + 1.0), blank).pixels;
+        const auto continuity = i == 0 ? Continuity::starts : Continuity::follows;
+        seen[i] = between(picture(2.0 * static_cast<double>(i) + 1.0, continuity), blank).pixels;
     }
     EXPECT_GT(seen[0], 10U);
     EXPECT_GT(seen[1], seen[0]);
     EXPECT_GT(seen[3], seen[1]);
+    const Image alone = picture(7.0);
+    const auto found = static_cast<double>(between(alone, blank).pixels);
+    EXPECT_NEAR(found, static_cast<double>(seen[3]), 0.35 * found);
     EXPECT_TRUE(picture(400.0) == blank) << "filled";
-    const size_t jumped = between(picture(7.0), blank).pixels;
-    EXPECT_NEAR(static_cast<double>(jumped), static_cast<double>(seen[3]),
-                0.35 * static_cast<double>(seen[3]));
+    EXPECT_TRUE(picture(7.0) == alone) << "whatever was drawn before";
     renderer.set_scene(scene_of(level));
     const TrailStamp ball = TrailStamp::disc({6.0, 0.0}, 0.8F, 0.3F);
     renderer.press({&ball, 1});
-    EXPECT_GT(between(picture(0.0), blank).pixels, 40U);
+    const Image pressed = picture(0.0);
+    EXPECT_GT(between(pressed, blank).pixels, 40U);
+    EXPECT_FALSE(picture(10.0) == pressed);
+    EXPECT_TRUE(picture(0.0) == pressed);
+    EXPECT_TRUE(picture(-1.0) == blank) << "forgotten";
+    EXPECT_TRUE(picture(0.0) == blank);
     renderer.set_scene(Scene{.materials = {Material{}}});
     EXPECT_THROW(renderer.press({&ball, 1}), Error);
 }

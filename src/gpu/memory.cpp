@@ -36,13 +36,6 @@ MemoryAllocator::~MemoryAllocator()
     }
 }
 
-/// Whether a heap is more than the window of 256 MiB through which processors see memory of older devices.
-bool MemoryAllocator::has_room(uint32_t memory_type) const
-{
-    return properties_.memoryHeaps[properties_.memoryTypes[memory_type].heapIndex].size > VkDeviceSize{1}
-                                                                                              << 30U;
-}
-
 uint32_t MemoryAllocator::pick_type(uint32_t allowed_types, MemoryUse use) const
 {
     const auto find = [&](VkMemoryPropertyFlags wanted) {
@@ -61,11 +54,6 @@ uint32_t MemoryAllocator::pick_type(uint32_t allowed_types, MemoryUse use) const
         type = find(VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     } else if (use == MemoryUse::readback) {
         type = find(visible | VK_MEMORY_PROPERTY_HOST_CACHED_BIT);
-    } else {
-        type = find(visible | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-        if (type != UINT32_MAX && !has_room(type)) {
-            type = UINT32_MAX;
-        }
     }
     if (type == UINT32_MAX) {
         type = find(use == MemoryUse::device ? 0 : visible);

@@ -11,7 +11,7 @@ namespace estampe::gpu {
 
 enum class MemoryUse : uint8_t {
     device,   ///< only the GPU touches it
-    upload,   ///< written by the processor, read by the GPU; mapped; the device's own where that is offered
+    upload,   ///< written by the processor, read by the GPU; mapped
     readback, ///< written by the GPU, read by the processor; mapped, cached where offered
 };
 
@@ -59,7 +59,6 @@ private:
         std::vector<Range> free_ranges; ///< sorted by offset, never touching one another
     };
 
-    [[nodiscard]] bool has_room(uint32_t memory_type) const;
     [[nodiscard]] uint32_t pick_type(uint32_t allowed_types, MemoryUse use) const;
     void require_of_type(VkDeviceSize bytes, uint32_t memory_type) const;
     [[nodiscard]] uint32_t new_block(VkDeviceSize size, uint32_t memory_type, bool mapped, bool for_images);

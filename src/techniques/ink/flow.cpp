@@ -36,7 +36,8 @@ PlaneWave plane_wave(const InkStyle& style, size_t i)
     constexpr double golden_turn = 0.618034;
     constexpr double size_step = 2.0;
     constexpr double speed_step = 1.3;
-    const auto octave = static_cast<double>(i / 2);
+    const size_t pair = i / 2;
+    const auto octave = static_cast<double>(pair);
     const double length_mm = static_cast<double>(style.swirl_mm) * std::pow(size_step, -octave) *
                              (0.85 + 0.3 * random(style.seed, i, 0));
     const double period_s = static_cast<double>(style.turn_s) * (0.7 + 0.6 * random(style.seed, i, 1)) *

@@ -34,13 +34,9 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/contour/chains/list_total.glsl"
+#include "techniques/contour/chains/scan_stretch.glsl"
 
 shared uint sums[THREADS];
-
-uint value_at(uint i)
-{
-    return constants.counts_bits != 0u ? uint(bitCount(values[i])) : values[i];
-}
 
 void main()
 {

@@ -220,8 +220,9 @@ std::vector<TimedStamp> stamps_of(const TerrainTrack& track)
         } else {
             const double side = step % 2 == 0 ? 1.0 : -1.0;
             const glm::dvec2 across(-towards.y, towards.x);
-            const glm::dvec2 there = place + side * track.foot_m * (0.35 + 0.08 * by_chance()) * across +
-                                     0.06 * track.stride_m * by_chance() * towards;
+            const double aside_m = track.foot_m * (0.35 + 0.08 * by_chance());
+            const double along_m = 0.06 * track.stride_m * by_chance();
+            const glm::dvec2 there = place + side * aside_m * across + along_m * towards;
             const glm::dvec2 pointing = towards + side * (0.12 + 0.1 * by_chance()) * across;
             stamp.stamp = in_loose_sand(TrailStamp::foot(there, pointing, static_cast<float>(track.foot_m),
                                                          static_cast<float>(track.depth_m)));

@@ -46,38 +46,58 @@ void TroddenSand::set(const TerrainDescription& terrain)
 
 void TroddenSand::press(std::span<const TrailStamp> stamps)
 {
-    pressed_.insert(pressed_.end(), stamps.begin(), stamps.end());
+    waiting_.insert(waiting_.end(), stamps.begin(), stamps.end());
 }
 
-void TroddenSand::prepare(gpu::Device& device, double time_s, glm::dvec2 centre_m)
+void TroddenSand::prepare(gpu::Device& device, const TroddenMoment& moment)
 {
-    centre_m_ = centre_m;
-    const bool is_back = field_ && time_s < moment_s_;
+    const bool is_back = moment.time_s < moment_.time_s;
+    const bool is_same = field_ && is_made_afresh_ && waiting_.empty() && moment.time_s == moment_.time_s &&
+                         moment.centre_m == moment_.centre_m;
     if (is_back) {
-        field_.reset();
-        next_step_ = 0;
+        std::erase_if(pressed_, [&](const TimedStamp& step) { return step.time_s > moment.time_s; });
     }
-    const bool has_steps = next_step_ < steps_.size() && steps_[next_step_].time_s <= time_s;
-    if (!field_ && !has_steps && pressed_.empty()) {
-        moment_s_ = time_s;
-        return;
+    for (const TrailStamp& stamp : waiting_) {
+        pressed_.push_back({.stamp = stamp, .time_s = moment.time_s});
     }
-    const bool is_new = !field_;
-    if (is_new) {
-        field_ = std::make_unique<TrailField>(device, side, extent_m());
-        moment_s_ = time_s;
+    if (!is_same && (!moment.follows || !field_ || is_back)) {
+        make_afresh(device, moment.time_s);
+    } else if (!is_same) {
+        walk_on(moment.time_s);
+        field_->press(waiting_);
+        is_made_afresh_ = false;
     }
-    ticks_due_ = static_cast<uint32_t>(ticks_at(time_s) - ticks_at(moment_s_));
-    walk_to(time_s, is_new || time_s - moment_s_ > longest_step_s);
-    moment_s_ = time_s;
-    field_->press(pressed_);
-    pressed_.clear();
-    field_->go_to(trails_, centre_m);
+    waiting_.clear();
+    if (pressed_.size() > TrailField::most_known()) {
+        pressed_.erase(pressed_.begin(), pressed_.end() - TrailField::most_known());
+    }
+    moment_ = moment;
+    if (field_) {
+        field_->go_to(trails_, moment_.centre_m);
+    }
+}
+
+/// What has been pressed in by a moment, as old as it is then.
+void TroddenSand::make_afresh(gpu::Device& device, double time_s)
+{
+    next_step_ = static_cast<size_t>(std::ranges::upper_bound(steps_, time_s, {}, &TimedStamp::time_s) -
+                                     steps_.begin());
+    std::vector<TimedStamp> all(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(next_step_));
+    all.insert(all.end(), pressed_.begin(), pressed_.end());
+    std::ranges::stable_sort(all, {}, &TimedStamp::time_s);
+    ticks_due_ = 0;
+    is_made_afresh_ = true;
+    field_ = all.empty() ? nullptr : std::make_unique<TrailField>(device, side, extent_m());
+    for (const TimedStamp& step : all) {
+        field_->remember(step.stamp, time_s - step.time_s);
+    }
 }
 
 /// Presses in what tracks do until a moment; after a jump, as it is seen by then.
-void TroddenSand::walk_to(double time_s, bool is_jump)
+void TroddenSand::walk_on(double time_s)
 {
+    const bool is_jump = time_s - moment_.time_s > longest_step_s;
+    ticks_due_ = static_cast<uint32_t>(ticks_at(time_s) - ticks_at(moment_.time_s));
     if (is_jump) {
         field_->pass(std::exchange(ticks_due_, 0));
     }
@@ -96,7 +116,7 @@ std::optional<TrailImage> TroddenSand::add_image(gpu::Graph& graph)
     if (!field_) {
         return std::nullopt;
     }
-    return field_->add_step(graph, trails_, std::exchange(ticks_due_, 0), centre_m_);
+    return field_->add_step(graph, trails_, std::exchange(ticks_due_, 0), moment_.centre_m);
 }
 
 gpu::ImageId add_trail_relief(gpu::Graph& graph, const ReliefInputs& in, const TrailImage& trails)

@@ -14,6 +14,13 @@
 
 namespace estampe::terrain {
 
+/// When and about where trails are to be seen.
+struct TroddenMoment {
+    double time_s = 0.0;
+    glm::dvec2 centre_m{0.0};
+    bool follows = false; ///< comes right after the one before, in a film: prints go on from there
+};
+
 class TroddenSand {
 public:
     explicit TroddenSand(const TerrainDescription& terrain);
@@ -24,9 +31,10 @@ public:
     /// Pressed in at the next moment. See TrailField::press().
     void press(std::span<const TrailStamp> stamps);
 
-    /// Goes on to a moment; back in time tracks begin anew, and what was pressed in since is forgotten, as is
-    /// all else. `centre_m` is where trails are to be seen about.
-    void prepare(gpu::Device& device, double time_s, glm::dvec2 centre_m);
+    /// Goes to a moment. One that follows lets sand slump and be filled step by step; any other is made
+    /// afresh, so that it looks the same whatever was seen before. Back in time, what a program has pressed
+    /// in since is forgotten.
+    void prepare(gpu::Device& device, const TroddenMoment& moment);
 
     /// See TrailField::is_behind().
     [[nodiscard]] bool is_behind() const { return field_ && field_->is_behind(); }
@@ -40,17 +48,19 @@ public:
     [[nodiscard]] double extent_m() const { return static_cast<double>(trails_.extent_m); }
 
 private:
-    void walk_to(double time_s, bool is_jump);
+    void make_afresh(gpu::Device& device, double time_s);
+    void walk_on(double time_s);
 
     TerrainTrails trails_;
     std::vector<TerrainTrack> tracks_;
     std::vector<TimedStamp> steps_; ///< of all tracks, in the order of time
     size_t next_step_ = 0;
-    std::vector<TrailStamp> pressed_; ///< by the program, before there is a field
-    std::unique_ptr<TrailField> field_;
-    double moment_s_ = 0.0;
+    std::vector<TrailStamp> waiting_;   ///< for the next moment, by the program
+    std::vector<TimedStamp> pressed_;   ///< by the program
+    std::unique_ptr<TrailField> field_; ///< where anybody has walked
+    bool is_made_afresh_ = false;
+    TroddenMoment moment_;
     uint32_t ticks_due_ = 0;
-    glm::dvec2 centre_m_{0.0};
 };
 
 struct ReliefInputs {
