@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <atomic>
 #include <filesystem>
 #include <utility>
 
@@ -16,8 +15,6 @@
 namespace estampe::app {
 namespace {
 
-std::atomic<bool> is_stopped = false;
-
 /// Works until all is done; false when a signal came first. What is done lies in `partial` then.
 bool work_through(LightmapBake& bake, const std::filesystem::path& partial)
 {
@@ -26,10 +23,10 @@ bool work_through(LightmapBake& bake, const std::filesystem::path& partial)
     Progress progress("bake", bake.done());
     Clock::time_point saved = Clock::now();
     bool has_more = true;
-    while (has_more && !is_stopped) {
+    while (has_more && !was_told_to_stop()) {
         progress.show(bake.done());
         has_more = bake.work(look_s);
-        if (has_more && (is_stopped || seconds_since(saved) > save_s)) {
+        if (has_more && (was_told_to_stop() || seconds_since(saved) > save_s)) {
             bake.save_progress(partial);
             saved = Clock::now();
         }
@@ -60,7 +57,7 @@ void run(const BakeCommand& command)
     }
     print_notes({fmt::format("{} texels of {} x {}, each {:.1f} mm wide", bake.texel_count(),
                              command.settings.size, command.settings.size, 1000.0 / bake.texels_per_m())});
-    tell_of_signals(is_stopped);
+    tell_of_signals();
     if (!work_through(bake, partial)) {
         throw Error(fmt::format("stopped at {:.0f} %", 100.0 * bake.done()), command.output,
                     "the same command goes on from there");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <new>
 
@@ -20,8 +19,6 @@
 
 namespace estampe::app {
 namespace {
-
-std::atomic<bool> is_stopped = false;
 
 /// The scene that the renderer has, kept for the jobs that come next.
 class SceneKeeper {
@@ -94,14 +91,14 @@ void run(const BatchCommand& command)
     const std::vector<BatchJob> jobs = shard_of(read_jobs(command.jobs), command.shard, command.shards);
     check_output(command.report, {command.jobs});
     std::vector<JobResult> results(jobs.size());
-    tell_of_signals(is_stopped);
+    tell_of_signals();
     Renderer renderer(command.device);
     SceneKeeper scenes(renderer);
     Progress progress("batch", 0.0);
     // As it goes, so that it is there whatever ends the program.
     const auto report = [&] { write_report(command, renderer.device().name, jobs, results); };
     report();
-    for (size_t i = 0; i < jobs.size() && !is_stopped; ++i) {
+    for (size_t i = 0; i < jobs.size() && !was_told_to_stop(); ++i) {
         progress.show(static_cast<double>(i) / static_cast<double>(jobs.size()),
                       fmt::format("job {} of {}", i + 1, jobs.size()));
         results[i] = draw_job(renderer, scenes, jobs[i], command.device);

@@ -102,7 +102,7 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 }
 
 /// Throws Error where one table stands for more jobs than anybody waits for.
-void check_count(const std::vector<const WordEntry*>& varied, const std::string& where)
+void check_job_count(const std::vector<const WordEntry*>& varied, const std::string& where)
 {
     constexpr size_t most = 1'000'000;
     size_t count = 1;
@@ -126,7 +126,7 @@ void append_jobs(const WordTable& table, const Entries& entries, std::vector<Bat
             varied.push_back(&found->second);
         }
     }
-    check_count(varied, table.where);
+    check_job_count(varied, table.where);
     std::vector<size_t> choice(varied.size(), 0);
     for (bool is_left = true; is_left;) {
         BatchJob job{.number = static_cast<uint32_t>(jobs.size() + 1),

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int shadow_texels = 512; // side of a spot's map, and of each of a lamp's six
 constexpr double field_m = 40.0;   // side of the square that the scene stands on
-const Camera view{.eye = {0.0, 22.0, 34.0}, .target = {0.0, 0.0, 2.0}, .vertical_fov_rad = 0.8};
+const Camera view_of_lamps{.eye = {0.0, 22.0, 34.0}, .target = {0.0, 0.0, 2.0}, .vertical_fov_rad = 0.8};
 
 /// GPU time of a frame, by what it is for.
 struct Cost {
@@ -146,7 +146,7 @@ public:
     void draw(double time_s)
     {
         const RenderSettings settings{.width = command_.width, .height = command_.height, .time_s = time_s};
-        static_cast<void>(renderer_.render(view, style_, settings));
+        static_cast<void>(renderer_.render(view_of_lamps, style_, settings));
         history_.add(renderer_.timings());
     }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "film.hpp"
 
-#include <atomic>
 #include <cmath>
 #include <future>
 
@@ -22,8 +21,6 @@
 
 namespace estampe::app {
 namespace {
-
-std::atomic<bool> is_stopped = false;
 
 /// The choice, with a last frame.
 FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene, Index animation)
@@ -122,12 +119,12 @@ public:
         Progress progress("film", share(next));
         FilmQueue queue(frames_, writer_ ? &*writer_ : nullptr);
         Clock::time_point kept = Clock::now();
-        for (; next <= film_.last && !is_stopped; ++next) {
+        for (; next <= film_.last && !was_told_to_stop(); ++next) {
             progress.show(share(next), fmt::format("frame {} of {}", next, film_.last));
             const Clock::time_point start = Clock::now();
             FilmQueue::Frame frame{.number = next, .image = draw_frame(next)};
             drawing_s_ += seconds_since(start);
-            if (is_stopped || next == film_.last || seconds_since(kept) > keep_s) {
+            if (was_told_to_stop() || next == film_.last || seconds_since(kept) > keep_s) {
                 frame.memory = renderer_.film_memory();
                 kept = Clock::now();
             }
@@ -197,7 +194,7 @@ void draw_film(const RenderCommand& command)
     const FilmChoice film = with_end(*command.film, draw, scene, animation);
     Renderer renderer = opening.get();
     set_scene(renderer, scene, draw);
-    tell_of_signals(is_stopped);
+    tell_of_signals();
     FilmJob job(command, film, scene, animation, renderer);
     const uint32_t next = job.draw_from(job.recall());
     job.finish(next > film.last);

@@ -14,7 +14,8 @@ namespace estampe::app {
 namespace {
 
 constexpr std::array watched{SIGINT, SIGTERM, SIGHUP};
-std::atomic<std::atomic<bool>*> listener = nullptr;
+std::atomic<bool> is_told = false;
+std::atomic<bool> is_to_stop = false;
 
 sigset_t watched_set()
 {
@@ -48,11 +49,10 @@ void wait_for_signals()
 {
     const sigset_t set = watched_set();
     for (int number = 0; sigwait(&set, &number) == 0;) {
-        std::atomic<bool>* const flag = listener;
-        if (is_ignored(number) && (flag == nullptr || number == SIGHUP)) {
+        if (is_ignored(number) && (!is_told || number == SIGHUP)) {
             continue; // as nohup has it
         }
-        if (flag != nullptr && !flag->exchange(true)) {
+        if (is_told && !is_to_stop.exchange(true)) {
             continue;
         }
         end_by(number);
@@ -73,9 +73,14 @@ void watch_signals()
     }
 }
 
-void tell_of_signals(std::atomic<bool>& flag)
+void tell_of_signals()
 {
-    listener = &flag;
+    is_told = true;
+}
+
+bool was_told_to_stop()
+{
+    return is_to_stop;
 }
 
 } // namespace estampe::app

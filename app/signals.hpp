@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <atomic>
-
 namespace estampe::app {
 
 /// From now on SIGINT, SIGTERM and SIGHUP still end the program, unless they were ignored before, but not
@@ -10,7 +8,10 @@ namespace estampe::app {
 /// nothing. To be called before any thread begins.
 void watch_signals();
 
-/// The next of those signals sets `flag` and ends nothing; one more ends the program.
-void tell_of_signals(std::atomic<bool>& flag);
+/// The next of those signals is told by was_told_to_stop() and ends nothing; one more ends the program.
+void tell_of_signals();
+
+/// Whether one has come since tell_of_signals().
+[[nodiscard]] bool was_told_to_stop();
 
 } // namespace estampe::app

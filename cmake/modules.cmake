@@ -15,6 +15,9 @@ add_library(estampe_flags INTERFACE)
 target_link_libraries(estampe_flags INTERFACE estampe_usage)
 target_compile_options(estampe_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
   -Wno-missing-field-initializers) # designated initialisers leave the rest at their defaults on purpose
+if(CMAKE_UNITY_BUILD) # which has no main file, in which alone a type with members from an anonymous namespace is right
+  target_compile_options(estampe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 if(ESTAMPE_WERROR)
   target_compile_options(estampe_flags INTERFACE -Werror)
 endif()

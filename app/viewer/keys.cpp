@@ -10,7 +10,7 @@
 namespace estampe::viewer {
 namespace {
 
-constexpr int letter = -1; // of `modifiers`: the key is typed, whatever it takes to type it
+constexpr int as_typed = -1; // of `modifiers`: the key is typed, whatever it takes to type it
 
 constexpr std::array pointer_keys{
     KeyHelp{Action::none, 0, 0, "Left drag", "go around; look about when flying and walking"},
@@ -20,18 +20,18 @@ constexpr std::array pointer_keys{
     KeyHelp{Action::none, 0, 0, "Files dropped", "a scene, a style, a terrain, a tonal art map"}};
 
 constexpr std::array camera_keys{
-    KeyHelp{Action::orbit, 'o', letter, "O", "orbit: go around the model"},
-    KeyHelp{Action::fly, 'f', letter, "F", "fly: W A S D, E up, C down, Shift faster"},
-    KeyHelp{Action::walk, 'g', letter, "G", "walk on the ground: W A S D, Shift faster"},
+    KeyHelp{Action::orbit, 'o', as_typed, "O", "orbit: go around the model"},
+    KeyHelp{Action::fly, 'f', as_typed, "F", "fly: W A S D, E up, C down, Shift faster"},
+    KeyHelp{Action::walk, 'g', as_typed, "G", "walk on the ground: W A S D, Shift faster"},
     KeyHelp{Action::home, GLFW_KEY_ENTER, 0, "Enter", "the view it began with"},
-    KeyHelp{Action::front, '1', letter, "1", "from the front"},
-    KeyHelp{Action::right, '3', letter, "3", "from the right"},
-    KeyHelp{Action::top, '7', letter, "7", "from above"},
-    KeyHelp{Action::isometric, '9', letter, "9", "from a corner"},
-    KeyHelp{Action::projection, '5', letter, "5", "parallel projection, and back"},
-    KeyHelp{Action::roll_left, '4', letter, "4", "roll to the left"},
-    KeyHelp{Action::roll_right, '6', letter, "6", "roll to the right"},
-    KeyHelp{Action::add_bookmark, 'm', letter, "M", "keep this view as a bookmark"},
+    KeyHelp{Action::front, '1', as_typed, "1", "from the front"},
+    KeyHelp{Action::right, '3', as_typed, "3", "from the right"},
+    KeyHelp{Action::top, '7', as_typed, "7", "from above"},
+    KeyHelp{Action::isometric, '9', as_typed, "9", "from a corner"},
+    KeyHelp{Action::projection, '5', as_typed, "5", "parallel projection, and back"},
+    KeyHelp{Action::roll_left, '4', as_typed, "4", "roll to the left"},
+    KeyHelp{Action::roll_right, '6', as_typed, "6", "roll to the right"},
+    KeyHelp{Action::add_bookmark, 'm', as_typed, "M", "keep this view as a bookmark"},
     KeyHelp{Action::bookmark_back, GLFW_KEY_PAGE_UP, 0, "Page up", "the bookmark before"},
     KeyHelp{Action::bookmark_on, GLFW_KEY_PAGE_DOWN, 0, "Page down", "the next bookmark"}};
 
@@ -43,26 +43,26 @@ constexpr std::array style_keys{
     KeyHelp{Action::redo, GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT, "Ctrl+Shift+Z", "redo"},
     KeyHelp{Action::save_style, GLFW_KEY_S, GLFW_MOD_CONTROL, "Ctrl+S",
             "save the style; in the tab of the ground, that"},
-    KeyHelp{Action::style_back, '[', letter, "[", "the preset before"},
-    KeyHelp{Action::style_on, ']', letter, "]", "the next preset"},
-    KeyHelp{Action::compare, 'b', letter, "B", "compare with the style as it is now, and back"}};
+    KeyHelp{Action::style_back, '[', as_typed, "[", "the preset before"},
+    KeyHelp{Action::style_on, ']', as_typed, "]", "the next preset"},
+    KeyHelp{Action::compare, 'b', as_typed, "B", "compare with the style as it is now, and back"}};
 
 constexpr std::array time_keys{
     KeyHelp{Action::play, GLFW_KEY_SPACE, 0, "Space", "play, pause"},
     KeyHelp{Action::frame_back, GLFW_KEY_LEFT, 0, "Left", "a frame back"},
     KeyHelp{Action::frame_on, GLFW_KEY_RIGHT, 0, "Right", "a frame on"},
-    KeyHelp{Action::next_animation, 'w', letter, "W", "the next animation, while going around"}};
+    KeyHelp{Action::next_animation, 'w', as_typed, "W", "the next animation, while going around"}};
 
 constexpr std::array program_keys{
-    KeyHelp{Action::show_keys, '?', letter, "?", "this list"},
+    KeyHelp{Action::show_keys, '?', as_typed, "?", "this list"},
     KeyHelp{Action::screenshot, GLFW_KEY_F12, 0, "F12", "write the picture as PNG"},
     KeyHelp{Action::record, GLFW_KEY_F10, 0, "F10", "record; again: draw the film of it"},
-    KeyHelp{Action::timings, 't', letter, "T", "timings by pass"},
+    KeyHelp{Action::timings, 't', as_typed, "T", "timings by pass"},
     KeyHelp{Action::reload, GLFW_KEY_UP, 0, "Up", "read the scene again"},
-    KeyHelp{Action::toggle_bars, 'u', letter, "U", "the picture alone"},
+    KeyHelp{Action::toggle_bars, 'u', as_typed, "U", "the picture alone"},
     KeyHelp{Action::toggle_full_screen, GLFW_KEY_F11, 0, "F11", "full screen"},
     KeyHelp{Action::back, GLFW_KEY_ESCAPE, 0, "Escape", "close what is open, cancel; else quit"},
-    KeyHelp{Action::quit, 'q', letter, "Q", "quit"}};
+    KeyHelp{Action::quit, 'q', as_typed, "Q", "quit"}};
 
 constexpr std::array groups{KeyGroup{"Pointer", pointer_keys}, KeyGroup{"Camera", camera_keys},
                             KeyGroup{"Style", style_keys}, KeyGroup{"Time", time_keys},
@@ -86,7 +86,7 @@ std::optional<Action> action_of_key(int key, int modifiers)
     }
     for (const KeyGroup& group : groups) {
         for (const KeyHelp& help : group.keys) {
-            if (help.action != Action::none && help.modifiers != letter && help.key == key &&
+            if (help.action != Action::none && help.modifiers != as_typed && help.key == key &&
                 help.modifiers == (modifiers & counted)) {
                 return help.action;
             }
@@ -100,7 +100,7 @@ std::optional<Action> action_of_letter(char32_t typed)
     const char32_t small = typed >= U'A' && typed <= U'Z' ? typed + (U'a' - U'A') : typed;
     for (const KeyGroup& group : groups) {
         for (const KeyHelp& help : group.keys) {
-            if (help.modifiers == letter && static_cast<char32_t>(help.key) == small) {
+            if (help.modifiers == as_typed && static_cast<char32_t>(help.key) == small) {
                 return help.action;
             }
         }

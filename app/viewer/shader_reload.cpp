@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& file)
+std::string source_of(const fs::path& file)
 {
     constexpr uint64_t largest_bytes = uint64_t{1} << 22U;
     const std::vector<std::byte> bytes = read_file(file, largest_bytes);
@@ -102,7 +102,7 @@ std::set<fs::path> includes_of(const fs::path& file, const fs::path& root)
     while (!open.empty()) {
         const fs::path from = open.back();
         open.pop_back();
-        std::istringstream lines(text_of(from));
+        std::istringstream lines(source_of(from));
         for (std::string line; std::getline(lines, line);) {
             const size_t first = line.find('"');
             const size_t last = line.rfind('"');

@@ -18,7 +18,7 @@
 namespace estampe::viewer {
 namespace {
 
-std::string text_of(const std::filesystem::path& path)
+std::string file_text(const std::filesystem::path& path)
 {
     constexpr uint64_t largest_bytes = uint64_t{1} << 20;
     const std::vector<std::byte> bytes = read_file(path, largest_bytes);
@@ -72,7 +72,7 @@ TerrainEdit::TerrainEdit(const Terrain& terrain)
       saved_(terrain_toml(draft_))
 {
     try {
-        file_text_ = text_of(draft_.name);
+        file_text_ = file_text(draft_.name);
     } catch (const Error&) {
         file_text_.clear(); // written anew when it is saved
     }
@@ -206,7 +206,7 @@ void TerrainEdit::load(const std::filesystem::path& path)
 {
     const TerrainDescription loaded = load_terrain(path);
     const Terrain terrain(loaded);
-    file_text_ = text_of(path);
+    file_text_ = file_text(path);
     saved_ = terrain_toml(loaded);
     history_.push(loaded);
     take_step(loaded);

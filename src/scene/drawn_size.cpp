@@ -13,7 +13,7 @@ namespace estampe {
 namespace {
 
 constexpr uint64_t most_vertices = uint64_t{1} << 31U;
-constexpr const char* remedy = "use a lighter scene, or show fewer copies";
+constexpr const char* lighten_it = "use a lighter scene, or show fewer copies";
 
 // Lists of places, draws and shadows; of corners and edges: on the processor and on the device.
 constexpr uint64_t bytes_a_vertex = 96;
@@ -63,11 +63,11 @@ void check_drawn_size(const Scene& scene, const std::string& where)
     if (size.vertices > most_vertices || size.triangles > most_vertices) {
         throw Error(fmt::format("the scene shows {} vertices and {} triangles in all, more than {} of either",
                                 size.vertices, size.triangles, most_vertices),
-                    place, remedy);
+                    place, lighten_it);
     }
     require_memory(size.vertices * bytes_a_vertex + size.triangles * bytes_a_triangle,
                    fmt::format("drawing {} vertices and {} triangles", size.vertices, size.triangles), place,
-                   remedy);
+                   lighten_it);
 }
 
 } // namespace estampe

@@ -25,7 +25,7 @@ std::string in_words(const glm::dvec3& point)
     return fmt::format("({:.4g}, {:.4g}, {:.4g})", point.x, point.y, point.z);
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& remedy)
+[[noreturn]] void refuse_camera(const std::string& what, const std::string& remedy)
 {
     throw Error(what, "camera", remedy);
 }
@@ -79,39 +79,40 @@ void check_camera(const Camera& camera)
 {
     for (const auto& [name, point] : {std::pair("eye", camera.eye), std::pair("target", camera.target)}) {
         if (!is_near(point)) {
-            refuse(fmt::format("its {} is at {} m, farther from the origin than {:g} m", name,
-                               in_words(point), farthest_m),
-                   "place it nearer");
+            refuse_camera(fmt::format("its {} is at {} m, farther from the origin than {:g} m", name,
+                                      in_words(point), farthest_m),
+                          "place it nearer");
         }
     }
     const glm::dvec3 view = camera.target - camera.eye;
     const double length_m = glm::length(view);
     constexpr double least_length_m = 1e-12;
     if (length_m < least_length_m) {
-        refuse("eye and target are the same point", "move one of them");
+        refuse_camera("eye and target are the same point", "move one of them");
     }
     constexpr double least_sine = 1e-9;
     const double up_length = glm::length(camera.up);
     if (!std::isfinite(up_length) ||
         !(glm::length(glm::cross(camera.up, view / length_m)) > least_sine * up_length)) {
-        refuse(fmt::format("its up, {}, is no direction across its view", in_words(camera.up)),
-               "choose another up");
+        refuse_camera(fmt::format("its up, {}, is no direction across its view", in_words(camera.up)),
+                      "choose another up");
     }
     if (camera.orthographic_half_height_m) {
         const double half_height_m = *camera.orthographic_half_height_m;
         if (!(half_height_m >= least_radius_m && half_height_m <= farthest_m)) {
-            refuse(fmt::format("half of its height is {:.4g} m", half_height_m),
-                   fmt::format("allowed: {:g} to {:g} m", least_radius_m, farthest_m));
+            refuse_camera(fmt::format("half of its height is {:.4g} m", half_height_m),
+                          fmt::format("allowed: {:g} to {:g} m", least_radius_m, farthest_m));
         }
         return;
     }
     if (!(camera.vertical_fov_rad > 0.0 && camera.vertical_fov_rad < std::numbers::pi)) {
-        refuse(fmt::format("its angle of view is {:.4g} degrees", glm::degrees(camera.vertical_fov_rad)),
-               "allowed: more than 0 and less than 180 degrees");
+        refuse_camera(
+            fmt::format("its angle of view is {:.4g} degrees", glm::degrees(camera.vertical_fov_rad)),
+            "allowed: more than 0 and less than 180 degrees");
     }
     if (!(camera.near_m > 0.0 && camera.near_m <= farthest_m)) {
-        refuse(fmt::format("its near plane is {:.4g} m away", camera.near_m),
-               fmt::format("allowed: more than 0, up to {:g} m", farthest_m));
+        refuse_camera(fmt::format("its near plane is {:.4g} m away", camera.near_m),
+                      fmt::format("allowed: more than 0, up to {:g} m", farthest_m));
     }
 }
 

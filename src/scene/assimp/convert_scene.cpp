@@ -10,7 +10,7 @@
 namespace estampe {
 namespace {
 
-glm::dvec3 vector_of(const aiVector3D& v)
+glm::dvec3 exact(const aiVector3D& v)
 {
     return {v.x, v.y, v.z};
 }
@@ -122,8 +122,8 @@ void convert_lights(Conversion& conversion)
         light.color = glm::vec3(color.r, color.g, color.b) / light.intensity;
         light.inner_cone_rad = 0.5F * source.mAngleInnerCone;
         light.outer_cone_rad = 0.5F * source.mAngleOuterCone;
-        const Index node = add_looking_node(conversion, source.mName, vector_of(source.mPosition),
-                                            vector_of(source.mDirection), vector_of(source.mUp));
+        const Index node = add_looking_node(conversion, source.mName, exact(source.mPosition),
+                                            exact(source.mDirection), exact(source.mUp));
         if (node == no_index)
             continue;
         scene.nodes[node].light = static_cast<Index>(scene.lights.size());
@@ -136,8 +136,8 @@ void convert_cameras(Conversion& conversion)
     Scene& scene = conversion.scene();
     for (unsigned i = 0; i < conversion.source.mNumCameras; ++i) {
         const aiCamera& source = *conversion.source.mCameras[i];
-        const Index node = add_looking_node(conversion, source.mName, vector_of(source.mPosition),
-                                            vector_of(source.mLookAt), vector_of(source.mUp));
+        const Index node = add_looking_node(conversion, source.mName, exact(source.mPosition),
+                                            exact(source.mLookAt), exact(source.mUp));
         if (node == no_index)
             continue;
         const double aspect = source.mAspect > 0.0F ? static_cast<double>(source.mAspect) : 16.0 / 9.0;

@@ -3,14 +3,13 @@
 
 #include <cassert>
 #include <map>
+#include <numbers>
 #include <vector>
 
 // The properties the importer reads, from the JSON schemas of glTF 2.0 and of its extensions.
 
 namespace estampe::gltf {
 namespace {
-
-constexpr double pi = 3.1415926535897932;
 
 Rule required(Rule rule)
 {
@@ -176,7 +175,7 @@ Schemas scene_schemas()
         {"camera",
          {text("name"), required(choice("type", "perspective orthographic")),
           object("perspective", "perspective"), object("orthographic", "orthographic")}},
-        {"perspective", {required(number("yfov", 1e-6, pi)), required(number("znear", 0.0))}},
+        {"perspective", {required(number("yfov", 1e-6, std::numbers::pi)), required(number("znear", 0.0))}},
         {"orthographic",
          {required(number("xmag")), required(number("ymag")), required(number("zfar", 0.0)),
           required(number("znear", 0.0))}},
@@ -184,7 +183,9 @@ Schemas scene_schemas()
         {"light",
          {text("name"), required(choice("type", "directional point spot")), numbers("color", 3, 0.0),
           number("intensity", 0.0), number("range", 0.0), object("spot", "spot")}},
-        {"spot", {number("innerConeAngle", 0.0, pi / 2.0), number("outerConeAngle", 0.0, pi / 2.0 + 1e-6)}},
+        {"spot",
+         {number("innerConeAngle", 0.0, std::numbers::pi / 2.0),
+          number("outerConeAngle", 0.0, std::numbers::pi / 2.0 + 1e-6)}},
     };
 }
 

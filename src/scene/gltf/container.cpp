@@ -71,12 +71,12 @@ Container open_binary(std::span<const std::byte> bytes, const std::string& file)
     bytes = bytes.first(length);
     size_t offset = header_bytes;
     uint32_t type = 0;
-    const auto json = take_chunk(bytes, offset, type, file);
+    const auto text = take_chunk(bytes, offset, type, file);
     if (type != chunk_json) {
         fail_at("the first chunk is not JSON", file, header_bytes + 4);
     }
     Container container;
-    container.json = {reinterpret_cast<const char*>(json.data()), json.size()};
+    container.json = {reinterpret_cast<const char*>(text.data()), text.size()};
     container.is_binary = true;
     container.json_offset = header_bytes + chunk_header_bytes;
     while (offset < bytes.size()) {

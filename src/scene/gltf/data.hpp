@@ -16,6 +16,9 @@
 
 namespace estampe::gltf {
 
+/// Under which the extras of an object have what only this library reads.
+inline constexpr const char* our_key = "estampe";
+
 /// One file on its way to a Scene: the parsed document and its bytes, with every access checked.
 ///
 /// Reading adds to a budget of a few hundred times the files' size, so that a small file cannot ask for a

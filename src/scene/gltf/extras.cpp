@@ -9,7 +9,6 @@
 namespace estampe::gltf {
 namespace {
 
-constexpr const char* our_key = "estampe";
 constexpr int group_count = 16;
 
 /// One object of ours, read key by key.

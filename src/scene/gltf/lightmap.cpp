@@ -17,7 +17,6 @@ namespace estampe {
 namespace gltf {
 namespace {
 
-constexpr const char* our_key = "estampe";
 constexpr const char* map_key = "lightmap";
 constexpr const char* extension_key = "MOZ_lightmap";
 

@@ -27,11 +27,10 @@ struct Candidate {
     double handicap;
 };
 
-constexpr double pi = std::numbers::pi;
 constexpr std::array<Candidate, 4> candidates{{{house_azimuth_rad, 1.0},
                                                {-house_azimuth_rad, 0.93},
-                                               {pi - house_azimuth_rad, 0.8},
-                                               {pi + house_azimuth_rad, 0.8}}};
+                                               {std::numbers::pi - house_azimuth_rad, 0.8},
+                                               {std::numbers::pi + house_azimuth_rad, 0.8}}};
 
 /// How far the upper third of a scene lies before the whole, towards +z, in its radius: a beast's head is
 /// high and in front. Zero when that third lies aslant, as no beast's does, or is as thin as the back of a
@@ -116,7 +115,8 @@ void set_sun(Outlook& outlook, const SurfaceCloud& cloud)
 /// Bearing of an upright side of a box, as Walls counts them.
 double side_azimuth(size_t side)
 {
-    constexpr std::array<double, 6> azimuths{-0.5 * pi, 0.5 * pi, 0.0, 0.0, pi, 0.0};
+    constexpr std::array<double, 6> azimuths{
+        -0.5 * std::numbers::pi, 0.5 * std::numbers::pi, 0.0, 0.0, std::numbers::pi, 0.0};
     return azimuths[side];
 }
 

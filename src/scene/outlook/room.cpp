@@ -12,8 +12,6 @@
 namespace estampe {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// The lamp hangs this part of the room's height above the floor.
 constexpr double lamp_height = 0.84;
 
@@ -89,7 +87,7 @@ public:
             const float distance_m = glm::length(way);
             if (!(distance_m > 0.0F))
                 continue;
-            const float turn = 0.5F + std::atan2(way.x, way.z) / static_cast<float>(2.0 * pi);
+            const float turn = 0.5F + std::atan2(way.x, way.z) / static_cast<float>(2.0 * std::numbers::pi);
             const int column = std::clamp(static_cast<int>(turn * around), 0, around - 1);
             const int row =
                 std::clamp(static_cast<int>((0.5F + 0.5F * way.y / distance_m) * levels), 0, levels - 1);
@@ -151,7 +149,7 @@ std::vector<SurfacePoint> hidden_points(const SurfaceCloud& cloud)
         {{0.25, 0.31}, {0.75, 0.31}, {1.25, 0.31}, {1.75, 0.31}, {0.1, 1.4}, {0.1, -1.4}}};
     std::vector<bool> shown(cloud.points.size(), false);
     for (const glm::dvec2& view : views)
-        mark_shown(cloud, look_from(view.x * pi, view.y), shown);
+        mark_shown(cloud, look_from(view.x * std::numbers::pi, view.y), shown);
     std::vector<SurfacePoint> hidden;
     for (size_t i = 0; i < shown.size(); ++i)
         if (!shown[i])

@@ -15,13 +15,12 @@
 namespace estampe::form {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double tolerance = 1e-2;  ///< of residuals; directions need no more
-constexpr double level_pull = 0.05; ///< towards level strokes, an area's; in inverse squares of the radius
-constexpr double crease_pull = 0.2; ///< towards creases, a length's; in inverse radii
-constexpr double crease_weight = 0.005; ///< of crosses that agree over a crease; an edge has about 0.6
-constexpr double crease_vote = 0.002;   ///< of lines chosen alike over a crease
-constexpr double flat = 0.15;           ///< curvature below which a surface counts as flat, in inverse radii
+constexpr double tolerance = 1e-2;     ///< of residuals; directions need no more
+constexpr double level_pull = 0.05;    ///< towards level strokes, an area's; in inverse squares of the radius
+constexpr double crease_pull = 0.2;    ///< towards creases, a length's; in inverse radii
+constexpr double cross_weight = 0.005; ///< of crosses that agree over a crease; an edge has about 0.6
+constexpr double crease_vote = 0.002;  ///< of lines chosen alike over a crease
+constexpr double flat_below = 0.15;    ///< curvature below which a surface counts as flat, in inverse radii
 
 struct Pull {
     std::vector<double> strengths;
@@ -45,12 +44,12 @@ Bundle make_bundle(const Mesh& mesh, double symmetry, bool over_creases)
     std::vector<Link> links;
     links.reserve(mesh.edges.size() + mesh.crease_links.size());
     for (const Edge& edge : mesh.edges) {
-        links.push_back(
-            {edge.from, edge.to, edge.weight, symmetry * (edge.angle_at_to + pi - edge.angle_at_from)});
+        links.push_back({edge.from, edge.to, edge.weight,
+                         symmetry * (edge.angle_at_to + std::numbers::pi - edge.angle_at_from)});
     }
     for (const CreaseLink& link : mesh.crease_links) {
         if (over_creases && link.from != link.to) {
-            links.push_back({link.from, link.to, crease_weight, symmetry * link.turn});
+            links.push_back({link.from, link.to, cross_weight, symmetry * link.turn});
         }
     }
     return {static_cast<uint32_t>(mesh.points.size()), links, mesh.areas};
@@ -100,7 +99,8 @@ double distinctness(const Curvature& k)
 {
     const double deviation = std::abs(k.deviator);
     const double most = std::max(std::abs(k.mean), deviation);
-    return most > 0.0 ? deviation / most * (deviation * deviation / (deviation * deviation + flat * flat))
+    return most > 0.0 ? deviation / most *
+                            (deviation * deviation / (deviation * deviation + flat_below * flat_below))
                       : 0.0;
 }
 
@@ -121,10 +121,10 @@ Vectors choose_lines(const Mesh& mesh, const std::vector<Complex>& lines, const 
     links.reserve(mesh.edges.size() + mesh.crease_links.size());
     const auto add = [&](uint32_t from, uint32_t to, double weight, double turn) {
         const double alike = (lines[to] * std::conj(lines[from] * std::polar(1.0, 2.0 * turn))).real();
-        links.push_back({from, to, weight * std::abs(alike), alike < 0.0 ? pi : 0.0});
+        links.push_back({from, to, weight * std::abs(alike), alike < 0.0 ? std::numbers::pi : 0.0});
     };
     for (const Edge& edge : mesh.edges) {
-        add(edge.from, edge.to, edge.weight, edge.angle_at_to + pi - edge.angle_at_from);
+        add(edge.from, edge.to, edge.weight, edge.angle_at_to + std::numbers::pi - edge.angle_at_from);
     }
     for (const CreaseLink& link : mesh.crease_links) {
         if (link.from != link.to) {
@@ -185,7 +185,7 @@ void agree_on_sense(const Mesh& mesh, Directions& directions)
     const size_t count = mesh.points.size();
     std::vector<std::vector<std::pair<uint32_t, double>>> around(count);
     for (const Edge& edge : mesh.edges) {
-        const double turn = edge.angle_at_to + pi - edge.angle_at_from;
+        const double turn = edge.angle_at_to + std::numbers::pi - edge.angle_at_from;
         around[edge.from].emplace_back(edge.to, turn);
         around[edge.to].emplace_back(edge.from, -turn);
     }
@@ -210,7 +210,7 @@ void agree_on_sense(const Mesh& mesh, Directions& directions)
                 is_reached[j] = 1;
                 queue.push_back(j);
                 if (std::cos(directions.angles[j] - directions.angles[i] - turn) < 0.0) {
-                    directions.angles[j] += pi;
+                    directions.angles[j] += std::numbers::pi;
                 }
             }
         }
@@ -227,7 +227,7 @@ Directions find_directions(const Mesh& mesh, const glm::dvec3& up, double reach)
     }
     agree_on_sense(mesh, result);
     for (const Edge& edge : mesh.edges) {
-        const double turn = edge.angle_at_to + pi - edge.angle_at_from;
+        const double turn = edge.angle_at_to + std::numbers::pi - edge.angle_at_from;
         result.turns.push_back(std::cos(result.angles[edge.to] - result.angles[edge.from] - turn) < 0.0 ? 1
                                                                                                         : 0);
     }
@@ -240,16 +240,16 @@ Directions find_directions(const Mesh& mesh, const glm::dvec3& up, double reach)
 
 double singularity(const Mesh& mesh, const Directions& directions, uint32_t triangle)
 {
-    double sum = -pi;
+    double sum = -std::numbers::pi;
     for (uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         const Edge& edge = mesh.edges[mesh.edge_of[h]];
-        const double turn = edge.angle_at_to + pi - edge.angle_at_from;
+        const double turn = edge.angle_at_to + std::numbers::pi - edge.angle_at_from;
         const double difference = directions.angles[edge.to] - directions.angles[edge.from] - turn;
-        const double change = difference - pi * std::round(difference / pi);
+        const double change = difference - std::numbers::pi * std::round(difference / std::numbers::pi);
         sum += edge.half_edge == h ? change : -change;
         sum += mesh.angle_scales[mesh.triangles[triangle][h % 3]] * mesh.corner_angles[h];
     }
-    return 0.5 * std::round(sum / pi);
+    return 0.5 * std::round(sum / std::numbers::pi);
 }
 
 } // namespace estampe::form

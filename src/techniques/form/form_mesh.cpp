@@ -9,7 +9,6 @@
 namespace estampe::form {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double crease_cosine = 0.70710678;
 
 bool is_finite(const glm::vec3& p)
@@ -238,7 +237,7 @@ private:
             normal += twice_area * (mesh_.corner_angles[h] / glm::length(twice_area));
             area += glm::length(twice_area) / 6.0;
         }
-        const double scale = is_closed ? 2.0 * pi / angle : 1.0;
+        const double scale = is_closed ? 2.0 * std::numbers::pi / angle : 1.0;
         for (const uint32_t h : fan) {
             mesh_.half_edge_angles[h] *= scale;
         }
@@ -322,8 +321,8 @@ double Mesh::vertex_from_triangle(uint32_t triangle, uint32_t corner) const
 {
     const uint32_t h = 3 * triangle;
     const double edge_direction = corner == 0   ? 0.0
-                                  : corner == 1 ? pi - corner_angles[h + 1]
-                                                : pi + corner_angles[h];
+                                  : corner == 1 ? std::numbers::pi - corner_angles[h + 1]
+                                                : std::numbers::pi + corner_angles[h];
     const double scale = angle_scales[triangles[triangle][corner]];
     return half_edge_angles[h + corner] + 0.5 * (scale - 1.0) * corner_angles[h + corner] - edge_direction;
 }

@@ -16,7 +16,6 @@
 namespace estampe::form {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double price_across = 0.2;
 constexpr double most_closeness = 4.0;
 
@@ -37,9 +36,9 @@ glm::dvec2 quarter_turn(glm::dvec2 v)
 double change_along(const Mesh& mesh, const Directions& directions, uint32_t half_edge)
 {
     const Edge& edge = mesh.edges[mesh.edge_of[half_edge]];
-    const double turn = edge.angle_at_to + pi - edge.angle_at_from;
+    const double turn = edge.angle_at_to + std::numbers::pi - edge.angle_at_from;
     const double difference = directions.angles[edge.to] - directions.angles[edge.from] - turn;
-    const double change = difference - pi * std::round(difference / pi);
+    const double change = difference - std::numbers::pi * std::round(difference / std::numbers::pi);
     return edge.half_edge == half_edge ? change : -change;
 }
 
@@ -63,7 +62,7 @@ Flat lay_flat(const Mesh& mesh, const Directions& directions, double turn_rad, u
     }
     const double excess = (changes[0] + changes[1] + changes[2]) / 3.0;
     flat.turning = flat.gradients[1] * (changes[0] - excess) - flat.gradients[2] * (changes[2] - excess);
-    const double angle = 0.5 * std::arg(doubled) + turn_rad - 0.5 * pi;
+    const double angle = 0.5 * std::arg(doubled) + turn_rad - 0.5 * std::numbers::pi;
     flat.along = {std::cos(angle), std::sin(angle)};
     return flat;
 }

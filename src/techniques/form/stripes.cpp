@@ -12,8 +12,7 @@
 namespace estampe::form {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double crease_weight = 0.6; ///< of agreement over a crease; an edge has about 0.6
+constexpr double agreement_weight = 0.6; ///< of agreement over a crease; an edge has about 0.6
 
 /// Phase gained along an edge, in periods, as seen with the sense of the line at its start.
 struct Gain {
@@ -51,7 +50,8 @@ private:
         for (size_t e = 0; e < mesh_.edges.size(); ++e) {
             const Edge& edge = mesh_.edges[e];
             const double at_from = std::cos(directions_.angles[edge.from] + turn - edge.angle_at_from);
-            const double at_to = std::cos(directions_.angles[edge.to] + turn - edge.angle_at_to - pi);
+            const double at_to =
+                std::cos(directions_.angles[edge.to] + turn - edge.angle_at_to - std::numbers::pi);
             const double sign = directions_.turns[e] != 0 ? -1.0 : 1.0;
             const double mean = 0.5 * (closeness[edge.from] + closeness[edge.to]);
             gains_.push_back({.wanted = 0.5 * mean * edge.length / period * (at_from + sign * at_to)});
@@ -63,21 +63,21 @@ private:
         std::vector<Link> links;
         for (size_t e = 0; e < mesh_.edges.size(); ++e) {
             const Edge& edge = mesh_.edges[e];
-            links.push_back(
-                {edge.from, edge.to, edge.weight, 2.0 * pi * gains_[e].wanted, directions_.turns[e] != 0});
+            links.push_back({edge.from, edge.to, edge.weight, 2.0 * std::numbers::pi * gains_[e].wanted,
+                             directions_.turns[e] != 0});
         }
         for (size_t l = 0; l < mesh_.crease_links.size(); ++l) {
             const CreaseLink& link = mesh_.crease_links[l];
             if (link.from != link.to) {
                 const double agreement =
                     std::cos(directions_.angles[link.to] - directions_.angles[link.from] - link.turn);
-                links.push_back({link.from, link.to, crease_weight * std::pow(agreement, 8.0), 0.0,
+                links.push_back({link.from, link.to, agreement_weight * std::pow(agreement, 8.0), 0.0,
                                  directions_.link_turns[l] != 0});
             }
         }
         Bundle bundle(static_cast<uint32_t>(mesh_.points.size()), links, mesh_.areas);
         for (const glm::dvec2 z : bundle.relax(period, seed)) {
-            phases_.push_back(std::atan2(z.y, z.x) / (2.0 * pi));
+            phases_.push_back(std::atan2(z.y, z.x) / (2.0 * std::numbers::pi));
         }
         for (size_t e = 0; e < mesh_.edges.size(); ++e) {
             const Edge& edge = mesh_.edges[e];

@@ -9,8 +9,6 @@
 namespace estampe::ink {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// 0 to 1, another for each number.
 double random(int seed, size_t wave, int number)
 {
@@ -42,9 +40,10 @@ PlaneWave plane_wave(const InkStyle& style, size_t i)
                              (0.85 + 0.3 * random(style.seed, i, 0));
     const double period_s = static_cast<double>(style.turn_s) * (0.7 + 0.6 * random(style.seed, i, 1)) *
                             std::sqrt(length_mm / static_cast<double>(style.swirl_mm));
-    return {.angle_rad = pi * (golden_turn * static_cast<double>(i) + 0.2 * random(style.seed, i, 2)),
+    return {.angle_rad =
+                std::numbers::pi * (golden_turn * static_cast<double>(i) + 0.2 * random(style.seed, i, 2)),
             .turns_per_mm = 1.0 / length_mm,
-            .amplitude = std::pow(speed_step, -octave) * length_mm / (2.0 * pi),
+            .amplitude = std::pow(speed_step, -octave) * length_mm / (2.0 * std::numbers::pi),
             .phase = random(style.seed, i, 3),
             .turns_per_s = (i % 2 == 0 ? 1.0 : -1.0) / period_s};
 }
@@ -55,7 +54,7 @@ std::array<PlaneWave, shared::ink_wave_count> plane_waves(const InkStyle& style)
     double square = 0.0; // of the velocity, on average
     for (size_t i = 0; i < waves.size(); ++i) {
         waves.at(i) = plane_wave(style, i);
-        const double speed = 2.0 * pi * waves.at(i).amplitude * waves.at(i).turns_per_mm;
+        const double speed = 2.0 * std::numbers::pi * waves.at(i).amplitude * waves.at(i).turns_per_mm;
         square += 0.5 * speed * speed;
     }
     for (PlaneWave& wave : waves) {
@@ -88,7 +87,7 @@ Waves sphere_waves(const InkStyle& style, float mm_per_rad)
     for (size_t i = 0; i < waves.size(); ++i) {
         const double height = 2.0 * random(style.seed, i, 4) - 1.0;
         const double level = std::sqrt(1.0 - height * height);
-        const double around = 2.0 * pi * random(style.seed, i, 5);
+        const double around = 2.0 * std::numbers::pi * random(style.seed, i, 5);
         const glm::dvec3 along(level * std::cos(around), height, level * std::sin(around));
         waves.at(i) = {.wave = {.wave = glm::vec3(scale * plane.at(i).turns_per_mm * along),
                                 .amplitude = static_cast<float>(plane.at(i).amplitude / (scale * scale))},
@@ -114,7 +113,7 @@ float stream_at(const Waves& waves, const std::array<float, shared::ink_wave_cou
     float stream = wind_mm_s.x * place_mm.y - wind_mm_s.y * place_mm.x;
     for (size_t i = 0; i < waves.size(); ++i) {
         const shared::InkWave& wave = waves.at(i).wave;
-        stream += wave.amplitude * std::sin(2.0F * static_cast<float>(pi) *
+        stream += wave.amplitude * std::sin(2.0F * static_cast<float>(std::numbers::pi) *
                                             (glm::dot(glm::vec2(wave.wave), place_mm) + phases.at(i)));
     }
     return stream;

@@ -23,10 +23,6 @@
 namespace estampe::raster {
 namespace {
 
-constexpr uint64_t most_tiles = 1ULL << 18U;
-// llvmpipe ends a thread's loops after 65535 rounds in all, without a word; a tile takes 65 of them.
-constexpr uint32_t most_tiles_a_group = 1000;
-
 struct Stages {
     const gpu::Shader& small;
     const gpu::Shader& bin;

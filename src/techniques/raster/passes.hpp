@@ -7,6 +7,11 @@
 
 namespace estampe::raster {
 
+/// Pairs of large triangle and tile that one draw lists at most.
+inline constexpr uint64_t most_tiles = 1ULL << 18U;
+/// llvmpipe ends a thread's loops after 65535 rounds in all, without a word; a tile takes 65 of them.
+inline constexpr uint32_t most_tiles_a_group = 1000;
+
 /// Zeros for `buffer`, whose size is a multiple of 16 bytes.
 [[nodiscard]] gpu::BufferId add_clear(gpu::Graph& graph, const std::string& name, gpu::BufferId buffer);
 

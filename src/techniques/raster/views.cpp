@@ -24,10 +24,7 @@
 namespace estampe::raster {
 namespace {
 
-constexpr uint64_t most_tiles = 1ULL << 18U;
 constexpr uint64_t most_large = 1ULL << 19U;
-// llvmpipe ends a thread's loops after 65535 rounds in all, without a word; a tile takes 65 of them.
-constexpr uint32_t most_tiles_a_group = 1000;
 constexpr uint32_t most_pixels_a_thread = 32768;
 // Pairs of cluster and view that one draw lists at most.
 constexpr uint64_t most_pairs = 1ULL << 22U;

@@ -11,7 +11,7 @@
 namespace estampe::shadow {
 namespace {
 
-constexpr uint32_t steps = 16; // of a window over its own size
+constexpr uint32_t steps_a_window = 16; // over its own size
 
 double texel_m(const Clipmap& clipmap, uint32_t level)
 {
@@ -34,7 +34,7 @@ Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double 
 {
     Clipmap clipmap{.view = view, .size = size};
     // What a window covers on each side of the eye, wherever it has stopped.
-    const double covered_texels = static_cast<double>(size) * (0.5 - 1.0 / steps) - 2.0;
+    const double covered_texels = static_cast<double>(size) * (0.5 - 1.0 / steps_a_window) - 2.0;
     const double coarsest_m = std::max(2.0 * radius_m / covered_texels, 1e-9);
     int finest = static_cast<int>(std::floor(std::log2(std::max(finest_m, 1e-9))));
     const int coarsest = std::max(static_cast<int>(std::ceil(std::log2(coarsest_m))), finest);
@@ -46,7 +46,7 @@ Clipmap fit_clipmap(const SunView& view, uint32_t size, double finest_m, double 
 
 Windows windows_about(const Clipmap& clipmap, const glm::dvec3& eye_anchor)
 {
-    const double step = static_cast<double>(clipmap.size) / steps;
+    const double step = static_cast<double>(clipmap.size) / steps_a_window;
     // An eye far from all casters has the levels about what of them is next to it.
     const glm::dvec2 half_m = 0.5 * glm::dvec2(clipmap.view.extent_m);
     const glm::dvec2 middle_m = -half_m * glm::dvec2(clipmap.view.clip_from_anchor[3]);

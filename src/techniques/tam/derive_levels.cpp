@@ -13,9 +13,6 @@
 namespace estampe::tam {
 namespace {
 
-/// Levels below this are averages of this one.
-constexpr uint32_t least_drawn_px = 8;
-
 constexpr size_t directions = 3;
 
 /// Which third of the half circle a stroke points to.

@@ -18,9 +18,6 @@
 namespace estampe::tam {
 namespace {
 
-/// Levels below this are averages of this one: a stroke there would be as wide as the map.
-constexpr uint32_t least_drawn_px = 8;
-
 constexpr size_t most_layers = 3;
 
 /// A cosine and sine that do not depend on the last bits of the mathematical library.

@@ -16,6 +16,8 @@ inline constexpr uint32_t min_size_px = 32;
 inline constexpr uint32_t max_size_px = 2048;
 inline constexpr size_t min_tones = 1;
 inline constexpr size_t max_tones = 16;
+/// Levels below this are averages of this one: a stroke there would be as wide as the map.
+inline constexpr uint32_t least_drawn_px = 8;
 
 /// Levels of a chain from `size_px` down to 1 px.
 [[nodiscard]] size_t level_count(uint32_t size_px);

@@ -11,7 +11,7 @@
 namespace estampe::terrain {
 namespace {
 
-constexpr uint32_t side = 128;
+constexpr uint32_t grid_side = 128;
 constexpr double least_wind_m_s = 6.0;
 constexpr double sand_by_wind = 0.6; ///< speed of sand in the air
 constexpr double life_s = static_cast<double>(shared::drift_life_s);
@@ -27,27 +27,28 @@ std::optional<DriftPlan> drift_at(const TerrainWind& wind, const DriftStyle& sty
     if (!blows || style.amount <= 0.0F) {
         return std::nullopt;
     }
-    const double cell_m = 2.0 * static_cast<double>(style.reach_m) / side;
-    const glm::dvec2 first = glm::round(view.eye_m / cell_m) - 0.5 * side;
+    const double cell_m = 2.0 * static_cast<double>(style.reach_m) / grid_side;
+    const glm::dvec2 first = glm::round(view.eye_m / cell_m) - 0.5 * grid_side;
     const glm::vec2 corner_m(first * cell_m - view.anchor_m);
     const double lives = view.time_s / life_s;
     const double direction_rad = glm::radians(static_cast<double>(wind.direction_deg));
-    return DriftPlan{
-        .streaks = {.corner_m = corner_m,
-                    .cell_m = static_cast<float>(cell_m),
-                    .side = side,
-                    .first_x = wrapped_cells(first.x),
-                    .first_y = wrapped_cells(first.y),
-                    .wind = glm::vec2(std::cos(direction_rad), std::sin(direction_rad)),
-                    .speed_m_s = static_cast<float>(sand_by_wind * speed_m_s),
-                    .life = wrapped_cells(std::floor(lives)),
-                    .life_share = static_cast<float>(lives - std::floor(lives)),
-                    .length_m = style.length_m,
-                    .lift_m = style.lift_m,
-                    .reach_m = style.reach_m,
-                    .half_width_px = 0.5F * style.width_mm * view.pixels_per_mm,
-                    .amount = style.amount},
-        .field = {.origin_m = corner_m, .texel_m = static_cast<float>(cell_m), .size = glm::uvec2(side)}};
+    return DriftPlan{.streaks = {.corner_m = corner_m,
+                                 .cell_m = static_cast<float>(cell_m),
+                                 .side = grid_side,
+                                 .first_x = wrapped_cells(first.x),
+                                 .first_y = wrapped_cells(first.y),
+                                 .wind = glm::vec2(std::cos(direction_rad), std::sin(direction_rad)),
+                                 .speed_m_s = static_cast<float>(sand_by_wind * speed_m_s),
+                                 .life = wrapped_cells(std::floor(lives)),
+                                 .life_share = static_cast<float>(lives - std::floor(lives)),
+                                 .length_m = style.length_m,
+                                 .lift_m = style.lift_m,
+                                 .reach_m = style.reach_m,
+                                 .half_width_px = 0.5F * style.width_mm * view.pixels_per_mm,
+                                 .amount = style.amount},
+                     .field = {.origin_m = corner_m,
+                               .texel_m = static_cast<float>(cell_m),
+                               .size = glm::uvec2(grid_side)}};
 }
 
 gpu::ImageId add_drift(gpu::Graph& graph, const DriftInputs& in, const shared::DriftConstants& streaks,

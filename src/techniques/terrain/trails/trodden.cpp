@@ -11,7 +11,7 @@ namespace estampe::terrain {
 namespace {
 
 constexpr double ticks_a_second = 120.0;
-constexpr uint32_t side = 1024;
+constexpr uint32_t window_texels = 1024;
 constexpr double longest_step_s = 2.0; ///< beyond it time has jumped
 
 int64_t ticks_at(double time_s)
@@ -87,7 +87,7 @@ void TroddenSand::make_afresh(gpu::Device& device, double time_s)
     std::ranges::stable_sort(all, {}, &TimedStamp::time_s);
     ticks_due_ = 0;
     is_made_afresh_ = true;
-    field_ = all.empty() ? nullptr : std::make_unique<TrailField>(device, side, extent_m());
+    field_ = all.empty() ? nullptr : std::make_unique<TrailField>(device, window_texels, extent_m());
     for (const TimedStamp& step : all) {
         field_->remember(step.stamp, time_s - step.time_s);
     }
