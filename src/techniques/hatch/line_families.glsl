@@ -69,22 +69,27 @@ float slice_share(uint layer, vec3 normal, uint kind)
                : smoothstep(0.50, 0.68, size_of(cross(solid_axis(stroke_axes(), kind, 2u * layer), normal)));
 }
 
-// Goes on to the next family that has anything to draw, and returns its darkness; 0 when none is left.
+bool is_any_left(Families families)
+{
+    return families.layer < constants.layers && families.remaining > 1e-4;
+}
+
+// Goes on to the next family, and returns the darkness that it has to draw; 0 where there is none.
 float next_family(inout Families families, vec3 normal, uint kind, out uint family)
 {
-    float dark = 0.0;
     family = 0u;
-    while (dark < 0.002 && families.layer < constants.layers && families.remaining > 1e-4) {
-        float share = layer_share(families.layer, families.remaining);
-        float slices = slice_share(families.layer, normal, kind);
-        bool takes_level = (slices < 0.5) != families.is_second;
-        family = 2u * families.layer + (takes_level ? 1u : 0u);
-        dark = has_slices ? 1.0 - pow(1.0 - share, takes_level ? 1.0 - slices : slices) : share;
-        families.is_second = has_slices && !families.is_second && slices > 0.0 && slices < 1.0;
-        if (!families.is_second) {
-            families.remaining = 1.0 - (1.0 - families.remaining) / max(1.0 - share, 1e-6);
-            ++families.layer;
-        }
+    if (!is_any_left(families)) {
+        return 0.0;
+    }
+    float share = layer_share(families.layer, families.remaining);
+    float slices = slice_share(families.layer, normal, kind);
+    bool takes_level = (slices < 0.5) != families.is_second;
+    family = 2u * families.layer + (takes_level ? 1u : 0u);
+    float dark = has_slices ? 1.0 - pow(1.0 - share, takes_level ? 1.0 - slices : slices) : share;
+    families.is_second = has_slices && !families.is_second && slices > 0.0 && slices < 1.0;
+    if (!families.is_second) {
+        families.remaining = 1.0 - (1.0 - families.remaining) / max(1.0 - share, 1e-6);
+        ++families.layer;
     }
     return dark < 0.002 ? 0.0 : dark;
 }

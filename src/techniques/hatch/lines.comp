@@ -2,11 +2,12 @@
 // One thread a pixel of the tiles that are not blank lays the strokes that carry the darkness wanted there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/draw_word.glsl"
 #include "shaders/footprint.glsl"
-#include "shaders/lines.glsl"
+#include "shaders/line_ink.glsl"
 #include "shaders/octahedral.glsl"
 #include "shaders/stroke_field.glsl"
 #include "techniques/hatch/hatch.glsl.h"
@@ -39,13 +40,12 @@ float strokes(vec3 p, Footprint f, vec3 normal, uint kind, float dark)
     LineLook look = line_look();
     Families families = Families(0u, false, dark);
     float white = 1.0;
-    uint family;
-    float family_dark = next_family(families, normal, kind, family);
-    while (family_dark > 0.0) {
+    do {
+        uint family;
+        float family_dark = next_family(families, normal, kind, family);
         LineField field = family_field(p, f, kind, family);
         white *= 1.0 - line_ink(field, look, family_dark, family_seed(family));
-        family_dark = next_family(families, normal, kind, family);
-    }
+    } while (subgroupAny(is_any_left(families)));
     return 1.0 - white;
 }
 

@@ -76,11 +76,10 @@ void darkness_of_families(Spot spot, out float dark[most_families])
     }
     towards_light = spot.towards_light;
     Families families = Families(0u, false, spot.dark);
-    uint family;
-    float family_dark = next_family(families, spot.normal, strokes_of(spot.word), family);
-    while (family_dark > 0.0) {
+    while (is_any_left(families)) {
+        uint family;
+        float family_dark = next_family(families, spot.normal, strokes_of(spot.word), family);
         dark[family] = family_dark;
-        family_dark = next_family(families, spot.normal, strokes_of(spot.word), family);
     }
 }
 

@@ -2,6 +2,7 @@
 // One thread lights one pixel; the 64 threads of a tile first agree on the lights that can reach it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
@@ -247,11 +248,10 @@ void main()
     sun_visible = takes_shadow ? sun_visible : 1.0;
     // Of what is not seen there is no light to sum; nor does lavapipe then compile a shader for each count.
     uint directional_count = sees_draw(word) ? lighting.directional_count : 0u;
-    for (uint i = 0u; i < directional_count; ++i) {
+    uint i = 0u;
+    do {
         LightRecord sun = light_at(i);
-        if (has_links && (sun.groups & groups) == 0u) {
-            continue;
-        }
+        bool is_linked = i < directional_count && (!has_links || (sun.groups & groups) != 0u);
         float lambert = dot(smooth_normal, sun.direction) > 0.0 ? max(dot(normal, sun.direction), 0.0) : 0.0;
         float visible = i == 0u ? sun_visible : 1.0;
         if (i == 0u && is_paper(word)) {
@@ -260,10 +260,11 @@ void main()
             visible =
                 mix(visible, 1.0, clamp(dot(lighting.paling, point) + lighting.paling_at_anchor, 0.0, 1.0));
         }
-        vec3 arriving = lambert > 0.0 ? sun.color * (pow(lambert, lighting.falloff) * visible) : vec3(0.0);
+        vec3 arriving =
+            is_linked && lambert > 0.0 ? sun.color * (pow(lambert, lighting.falloff) * visible) : vec3(0.0);
         weigh(arriving, vec3(0.0));
         light += arriving;
-    }
+    } while (subgroupAny(++i < directional_count));
     if (has_local_lights) {
         Tile tile = find_tile(sees_draw(word), point);
         vec3 local = local_lights(tile, Receiver(point, normal, smooth_normal, groups, takes_shadow, edge));

@@ -70,7 +70,8 @@ Paper paper_at(vec2 page_mm, int loop_count)
     float pooled = 0.0;
     float tooth = 0.0;
     float stray = 0.0;
-    for (int i = 0; i < loop_count; ++i) {
+    int i = 0;
+    do {
         vec2 place = i == 0   ? page_mm * 0.35
                      : i == 1 ? page_mm * vec2(0.9, 4.3) + 3.0 * bend
                      : i == 2 ? page_mm * 0.08
@@ -85,7 +86,7 @@ Paper paper_at(vec2 page_mm, int loop_count)
         pooled = i == 2 ? noise : pooled;
         tooth += i == 3 ? 4.0 * noise : i == 4 ? 2.0 * noise : 0.0;
         stray += i == 5 ? 0.7 * (noise - 0.5) : i == 6 ? 0.3 * (noise - 0.5) : 0.0;
-    }
+    } while (++i < loop_count);
     tooth += value_noise(4.0 * tooth_at + 31.0, constants.seed + 2u);
     tooth /= 7.0;
     return Paper(0.72 * tooth + 0.28 * fibre - 0.5, tooth, pooled - 0.5, stray);

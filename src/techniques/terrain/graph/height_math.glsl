@@ -426,14 +426,15 @@ Real4 leaf_fbm(Place p, uint first, Real spacing_m)
     Real gain = height_number(first + 2u);
     Real4 sum = dual(Real(0));
     Real weight = Real(1);
-    for (int octave = 0; octave < octaves; ++octave) {
+    int octave = 0;
+    do {
         Real shown = share_shown(p.period_m, spacing_m);
         if (shown > Real(0)) {
             sum = sum + gradient_noise(p, seed + uint(octave)) * (weight * shown);
         }
         weight = weight * gain;
         p = next_octave(p);
-    }
+    } while (++octave < octaves);
     return sum;
 }
 
@@ -445,7 +446,8 @@ Real4 leaf_ridged(Place p, uint first, Real spacing_m)
     Real gain = height_number(first + 2u);
     Real4 sum = dual(Real(0));
     Real weight = Real(1);
-    for (int octave = 0; octave < octaves; ++octave) {
+    int octave = 0;
+    do {
         Real shown = share_shown(p.period_m, spacing_m);
         if (shown > Real(0)) {
             Real4 crest = dual(Real(1)) - dual_abs(gradient_noise(p, seed + uint(octave)));
@@ -453,7 +455,7 @@ Real4 leaf_ridged(Place p, uint first, Real spacing_m)
         }
         weight = weight * gain;
         p = next_octave(p);
-    }
+    } while (++octave < octaves);
     return sum;
 }
 
@@ -648,9 +650,10 @@ Real4 leaf_dunes(Place p, uint first, Real spacing_m)
     int first_row = -int(real_floor(lee + meander));
     Real reach_m = height_number(first + 4u) * (Real(1) + before_rise);
     int last_row = int(real_floor(Real(1) + reach_m / height_number(first + 2u) + meander));
-    for (int row = first_row; row <= last_row; ++row) {
+    int row = first_row;
+    do {
         height = dual_smooth_max(height, one_dune(p, row, first, foot_m, spacing_m), foot_m);
-    }
+    } while (++row <= last_row);
     return height * shown;
 }
 

@@ -2,6 +2,7 @@
 // One thread finds one vertex of a terrain: its height, its normal, and where it was in the frame before.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/items.glsl"
@@ -86,11 +87,12 @@ vec4 height_of(uvec2 index, TerrainLevel level)
     int first = coarse < 1.0 ? 0 : 1;
     int end = coarse > 0.0 ? (is_even ? 2 : 3) : 1;
     vec4 sum = vec4(0.0);
-    for (int i = first; i < rounds(end, first); ++i) {
+    int i = first;
+    do {
         vec2 at = i == 0 ? place : (i == 1 ? place - odd : place + odd);
-        float weight = i == 0 ? 1.0 - coarse : (is_even ? coarse : 0.5 * coarse);
+        float weight = i >= end ? 0.0 : i == 0 ? 1.0 - coarse : (is_even ? coarse : 0.5 * coarse);
         sum += weight * height_at(at, i == 0 ? level.cell_m : 2.0 * level.cell_m);
-    }
+    } while (subgroupAny(++i < end));
     return sum;
 }
 
