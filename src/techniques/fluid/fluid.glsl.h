@@ -73,6 +73,9 @@ struct FluidForces {
     float lift;      // of y's speed by a unit of temperature
     float weight;    // the same down, by a unit of density
     float confinement;
+    float rim_share; // of the difference to the air outside, next to the faces of an open box
+    float rim_cells; // how far in that is felt
+    vec3 outside;    // speed of the air there
 };
 
 // A box, turned about z and rounded: all that is no farther than `radius_m` from it. Of an obstacle, or of a
@@ -118,6 +121,8 @@ struct FluidMatter {
     float saturation_heat;   // growth of its logarithm by a unit of temperature
     float saturation_height; // fall of its logarithm by a metre of height
     float latent_heat;
+    float rim_share; // of density and heat that leave next to the faces of an open box
+    float rim_cells; // how far in that is felt
 };
 
 // A level of the multigrid, or of what is laid out as one: cells of 2^level cells of the grid's. In buffers

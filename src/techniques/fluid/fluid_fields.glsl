@@ -180,6 +180,17 @@ vec3 place_of_node(int component)
     return at;
 }
 
+// How close a place, in cells, is to a face of an open box, but for the low one of y: 1 at the face, 0 from
+// `rim_cells` on.
+float closeness_to_rim(vec3 place, float rim_cells)
+{
+    vec3 size = vec3(fluid_size());
+    vec3 inside = min(place, size - place);
+    inside.y = size.y - place.y;
+    float nearest = is_volume() ? min(inside.x, min(inside.y, inside.z)) : min(inside.x, inside.y);
+    return rim_cells > 0.0 ? clamp(1.0 - nearest / rim_cells, 0.0, 1.0) : 0.0;
+}
+
 // Whether a node of `component` lies on a wall, where nothing flows through.
 bool is_on_wall(int component, ivec3 cell)
 {

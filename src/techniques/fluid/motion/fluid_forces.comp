@@ -53,6 +53,8 @@ void main()
     for (int i = 0; i < fluid_dimensions(); ++i) {
         ivec3 texel = ivec3(cell.xy, i * int(grid.depth) + cell.z);
         float speed = forces.kept * texelFetch(velocity, texel, 0).x + gain[i];
+        float closeness = closeness_to_rim(vec3(cell) + place_of_node(i), forces.rim_cells);
+        speed = mix(speed, forces.outside[i], closeness * forces.rim_share);
         imageStore(out_velocity, texel, vec4(is_on_wall(i, cell) ? 0.0 : speed));
     }
 }

@@ -15,6 +15,8 @@ struct ForceStyle {
     /// Feeds the vortices, in two dimensions, with so much of the speed that they have within a cell, each
     /// second.
     float confinement_per_s = 0.0F;
+    Rim rim; ///< where what moves takes up `outside_m_s`
+    glm::vec3 outside_m_s{0.0F};
 
     bool operator==(const ForceStyle&) const = default;
 };
