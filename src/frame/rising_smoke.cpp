@@ -7,20 +7,24 @@
 #include <numbers>
 #include <random>
 
+#include <estampe/error.hpp>
 #include <fmt/format.h>
 
 #include "core/luminance.hpp"
+#include "frame/smoke_obstacles.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "style/raw.hpp"
 #include "style/surfaces.hpp"
 #include "techniques/fluid/fluid.hpp"
+#include "techniques/fluid/read_fields.hpp"
 
 namespace estampe::frame {
 namespace {
 
 constexpr double steps_per_s = 24.0; ///< at least
 constexpr double longest_gap_s = 1.0;
+constexpr uint32_t channels = 2; // density and temperature
 
 /// Proportions of the box and how fast smoke goes through it.
 struct Draught {
@@ -51,14 +55,18 @@ fluid::Grid grid_of(const smoke::Box& box)
 fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style, double step_s)
 {
     const Draught draught = draught_of(box, style);
-    const fluid::Rim rim{.breadth_m = 0.15F * draught.width_m, .share_per_s = 4.0F / style.rise_s};
+    const float crossing_per_s =
+        (draught.speed_m_s + glm::length(draught.wind_m_s)) / (0.15F * draught.width_m);
+    const fluid::Rim calming{.breadth_m = 0.15F * draught.width_m, .share_per_s = crossing_per_s};
+    const fluid::Rim clearing{.breadth_m = 0.15F * draught.width_m, .share_per_s = 8.0F * crossing_per_s};
     return {.step_s = static_cast<float>(step_s),
             .stepping = fluid::Stepping::project,
-            .forces = {.lift_m_s2 = 2.0F * draught.speed_m_s * draught.speed_m_s / draught.height_m,
+            .forces = {.lift_m_s2 = 5.0F * draught.speed_m_s * draught.speed_m_s / draught.height_m,
                        .confinement_per_s = 4.0F * style.curl / style.rise_s,
-                       .rim = rim,
+                       .rim = calming,
                        .outside_m_s = draught.wind_m_s},
-            .matter = {.fading_per_s = 1.0F / style.life_s, .cooling_per_s = 0.5F / style.rise_s, .rim = rim}};
+            .matter = {
+                .fading_per_s = 1.0F / style.life_s, .cooling_per_s = 1.2F / style.rise_s, .rim = clearing}};
 }
 
 fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
@@ -79,18 +87,22 @@ std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& s
     const Draught draught = draught_of(box, style);
     std::mt19937 random(static_cast<uint32_t>(style.seed));
     const auto number = [&] { return 2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0; };
+
     struct Wave {
         glm::dvec3 turns; ///< over the box: whole numbers
         glm::dvec3 swing;
         double phase = 0.0;
     };
+
     std::vector<Wave> waves;
     for (int i = 0; i < wave_count; ++i) {
         const glm::dvec3 turns = glm::round(most_waves * glm::dvec3(number(), number(), number()));
         const glm::dvec3 any(number(), number(), number());
         const double size = glm::length(turns);
         const glm::dvec3 along = size > 0.0 ? turns / size : glm::dvec3(0.0);
-        waves.push_back({turns, 0.25 * static_cast<double>(draught.speed_m_s) * (any - along * glm::dot(any, along)), number()});
+        waves.push_back({turns,
+                         0.25 * static_cast<double>(draught.speed_m_s) * (any - along * glm::dot(any, along)),
+                         number()});
     }
     std::vector<float> speeds;
     speeds.reserve(size_t{3} * box.cells.x * box.cells.y * box.cells.z);
@@ -101,8 +113,8 @@ std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& s
                     const glm::dvec3 place = (glm::dvec3(x, y, z) + 0.5) / glm::dvec3(box.cells);
                     double speed = static_cast<double>(draught.wind_m_s[axis]);
                     for (const Wave& wave : waves) {
-                        speed += wave.swing[axis] *
-                                 std::sin(2.0 * std::numbers::pi * (glm::dot(wave.turns, place) + wave.phase));
+                        speed += wave.swing[axis] * std::sin(2.0 * std::numbers::pi *
+                                                             (glm::dot(wave.turns, place) + wave.phase));
                     }
                     speeds.push_back(static_cast<float>(speed));
                 }
@@ -154,7 +166,8 @@ std::optional<smoke::Box> smoke_box(const Scene& scene, const ScenePose& pose, c
     if (found == scene.nodes.end()) {
         return std::nullopt;
     }
-    const glm::dmat4& world_from_node = pose.world_from_node[static_cast<size_t>(found - scene.nodes.begin())];
+    const glm::dmat4& world_from_node =
+        pose.world_from_node[static_cast<size_t>(found - scene.nodes.begin())];
     const auto column = [&](int axis) { return glm::dvec3(world_from_node[axis]); };
     glm::dvec3 size_m(0.0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -182,17 +195,68 @@ std::optional<smoke::Box> smoke_box(const Scene& scene, const ScenePose& pose, c
 RisingSmoke::RisingSmoke() = default;
 RisingSmoke::~RisingSmoke() = default;
 
+uint64_t kept_cell_count(const KeptSmoke& kept)
+{
+    const auto is_side = [](uint32_t cells) {
+        return cells >= 8 && cells <= 256 && std::has_single_bit(cells);
+    };
+    if (!is_side(kept.cells.x) || !is_side(kept.cells.y) || !is_side(kept.cells.z) || !(kept.cell_m > 0.0F)) {
+        throw Error("this is not the memory of a film's frame");
+    }
+    return uint64_t{kept.cells.x} * kept.cells.y * kept.cells.z;
+}
+
 void RisingSmoke::forget()
 {
     time_s_.reset();
     fluid_.reset();
+    recalled_ = {};
 }
 
-void RisingSmoke::start(gpu::Device& device, const smoke::Box& box, const smoke::SmokeStyle& style)
+std::optional<KeptSmoke> RisingSmoke::kept(gpu::Device& device, gpu::Executor& executor)
 {
-    constexpr uint32_t channels = 2; // density and temperature
-    fluid_ = std::make_unique<fluid::Fluid>(device, grid_of(box), channels, stirred_air(box, style));
-    box_ = box;
+    if (!recalled_.velocity.empty()) {
+        return recalled_;
+    }
+    if (!time_s_ || !fluid_) {
+        return std::nullopt;
+    }
+    const auto numbers = [&](bool are_quantities) {
+        gpu::Graph graph;
+        const fluid::FluidFields fields = fluid_->add_steps(graph, {}, 0);
+        return fluid::run_and_read(device, executor, graph,
+                                   are_quantities ? fields.quantities.value() : fields.velocity);
+    };
+    return KeptSmoke{.cells = cells_,
+                     .cell_m = cell_m_,
+                     .time_s = *time_s_,
+                     .velocity = numbers(false),
+                     .quantities = numbers(true)};
+}
+
+void RisingSmoke::recall(KeptSmoke kept)
+{
+    forget();
+    recalled_ = std::move(kept);
+    cells_ = recalled_.cells;
+    cell_m_ = recalled_.cell_m;
+    time_s_ = recalled_.time_s;
+}
+
+void RisingSmoke::start(gpu::Device& device, const smoke::Box& box, const SmokeInputs& in)
+{
+    const smoke::SmokeStyle& style = in.style.smoke;
+    if (recalled_.velocity.empty()) {
+        recalled_.velocity = stirred_air(box, style);
+    }
+    fluid_ = std::make_unique<fluid::Fluid>(device, grid_of(box), channels, recalled_.velocity,
+                                            recalled_.quantities);
+    recalled_ = {};
+    if (style.obstacles) {
+        fluid_->set_standing(device, standing_cells(in.loaded.scene, in.pose, in.loaded.layout.anchor, box));
+    }
+    cells_ = box.cells;
+    cell_m_ = box.cell_m;
 }
 
 void RisingSmoke::rise(gpu::Executor& executor, const smoke::Box& box, const smoke::SmokeStyle& style,
@@ -220,26 +284,31 @@ std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor
         forget();
         return std::nullopt;
     }
-    const uint32_t usual = device.info().software ? 32 : 64;
-    const uint32_t cells = style.cells == 0 ? usual : std::max(std::bit_floor(style.cells), 16U);
+    const uint32_t cells = std::bit_floor(style.cells);
     const auto box = smoke_box(in.loaded.scene, in.pose, in.loaded.layout.anchor, style.objects, cells);
     if (!box) {
-        notes.push_back(fmt::format("smoke.objects speaks of objects without a mesh {}, of which the scene has none",
-                                    style::in_quotes(style.objects)));
+        notes.push_back(
+            fmt::format("smoke.objects speaks of objects without a mesh {}, of which the scene has none",
+                        style::in_quotes(style.objects)));
         forget();
         return std::nullopt;
     }
     const double time_s = in.settings.time_s;
     const bool follows = in.settings.continuity == Continuity::follows && time_s_ && time_s >= *time_s_ &&
-                         time_s - *time_s_ <= longest_gap_s && box_.cells == box->cells &&
-                         box_.cell_m == box->cell_m;
+                         time_s - *time_s_ <= longest_gap_s && cells_ == box->cells && cell_m_ == box->cell_m;
     if (!follows) {
-        start(device, *box, style);
+        forget();
         time_s_ = time_s - static_cast<double>(style.age_s);
     }
+    if (!fluid_) {
+        start(device, *box, in);
+    }
     rise(executor, *box, style, time_s);
+    const Draught draught = draught_of(*box, style);
+    const glm::dvec3 drift_m_s(draught.wind_m_s + glm::vec3(0.0F, draught.speed_m_s, 0.0F));
     const shared::SmokeGlobals globals = smoke::globals_of(
-        *box, style, {.lamps = in.lamps, .ambient = in.ambient, .time_s = time_s});
+        *box, style,
+        {.lamps = in.lamps, .ambient = in.ambient, .puffs_risen_m = glm::vec3(time_s * drift_m_s)});
     globals_ = gpu::upload_buffer(device, "smoke globals", std::vector{globals});
     volume_.provide(device, box->cells);
     gpu::Graph graph;
@@ -247,11 +316,11 @@ std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor
     static_cast<void>(smoke::add_volume(graph, volume_, style,
                                         {.globals = gpu::import_whole(graph, "smoke", globals_),
                                          .density = fields.quantities.value(),
-                                         .velocity = fields.velocity}));
+                                         .puff_count = smoke::puff_count_of(globals)}));
     executor.run(graph);
-    const Draught draught = draught_of(*box, style);
     return SmokePlan{.box = *box,
-                     .rise_m = static_cast<float>(std::fmod(time_s * static_cast<double>(draught.speed_m_s), 1e3))};
+                     .rise_m =
+                         static_cast<float>(std::fmod(time_s * static_cast<double>(draught.speed_m_s), 1e3))};
 }
 
 } // namespace estampe::frame

@@ -291,15 +291,14 @@ std::optional<smoke::Layer> add_smoke(const Making& making, const PosedScene& sc
                                  .depth = surface.depth,
                                  .size_px = making.sample.size_px};
     const smoke::SmokeStyle& style = making.style.smoke;
-    return smoke::add_ink(
-        graph, style,
-        {.view = view,
-         .marched = smoke::add_march(graph, smoke.volume().import(graph), style, view),
-         .lines = lines,
-         .scene_line_px = line_half_px(making),
-         .pixels_per_mm = making.plan.page.pixels_per_mm,
-         .width_m = plan.box.width_m(),
-         .rise_m = plan.rise_m});
+    return smoke::add_ink(graph, style,
+                          {.view = view,
+                           .marched = smoke::add_march(graph, smoke.volume().import(graph), style, view),
+                           .lines = lines,
+                           .scene_line_px = line_half_px(making),
+                           .pixels_per_mm = making.plan.page.pixels_per_mm,
+                           .width_m = plan.box.width_m(),
+                           .rise_m = plan.rise_m});
 }
 
 paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,

@@ -21,6 +21,7 @@ SHARED_CONSTANT uint fluid_bit_confined = 0x400U; // vortices are fed
 SHARED_CONSTANT uint fluid_bit_buoyant = 0x800U;  // quantities weigh
 SHARED_CONSTANT uint fluid_bit_burning = 0x1000U;
 SHARED_CONSTANT uint fluid_bit_condensing = 0x2000U;
+SHARED_CONSTANT uint fluid_bit_standing = 0x200000U; // of solids: some stand still for good
 // Of transforms, which go along x unless said.
 SHARED_CONSTANT uint fluid_bit_along_y = 0x4000U;
 SHARED_CONSTANT uint fluid_bit_along_z = 0x8000U;
@@ -181,6 +182,7 @@ SHARED_CONSTANT uint fluid_mass_unit = 65536U; // of mass 1
 SHARED_CONSTANT uint fluid_mass_whole = 32768U;
 
 SHARED_CONSTANT uint fluid_most_shapes = 64U;
+SHARED_CONSTANT uint fluid_stands_still = 0xffffffffU; // the solid in a cell is none of the shapes
 SHARED_CONSTANT uint fluid_most_channels = 8U;
 
 // Tiles of the fused passes: a workgroup works on a square, and on so many cells about it.

@@ -32,6 +32,15 @@ bool is_in_grid(ivec3 cell)
     return all(lessThan(cell, fluid_size()));
 }
 
+// The cell so many steps along an axis: round where ends meet, else the last one.
+ivec3 neighbour(ivec3 cell, int axis, int steps)
+{
+    int size = fluid_size()[axis];
+    int moved = cell[axis] + steps;
+    cell[axis] = is_periodic(axis) ? (moved + size) % size : clamp(moved, 0, size - 1);
+    return cell;
+}
+
 uint fluid_cell_index(ivec3 cell)
 {
     return (uint(cell.z) * grid.height + uint(cell.y)) * grid.width + uint(cell.x);

@@ -41,7 +41,7 @@ struct Grid {
 
 /// Stands for open ends: what comes near a face, but for the low one of y, goes over into the air outside.
 struct Rim {
-    float breadth_m = 0.0F; ///< 0: none
+    float breadth_m = 0.0F;   ///< 0: none
     float share_per_s = 0.0F; ///< at the face, at first
 
     bool operator==(const Rim&) const = default;

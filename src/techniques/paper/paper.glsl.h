@@ -11,10 +11,10 @@ namespace estampe::shared {
 // Variant bits of compose.comp and develop.comp.
 SHARED_CONSTANT uint compose_has_tint = 1U << 0U; // coloured light colours the strokes
 SHARED_CONSTANT uint compose_has_sky = 1U << 1U;
-SHARED_CONSTANT uint compose_has_margin = 1U << 2U;  // or a border
-SHARED_CONSTANT uint compose_has_grain = 1U << 3U;   // strokes catch on the tooth
-SHARED_CONSTANT uint compose_is_staged = 1U << 4U;   // layers up to one of them, in floats
-SHARED_CONSTANT uint compose_has_ink = 1U << 5U;     // that flows
+SHARED_CONSTANT uint compose_has_margin = 1U << 2U; // or a border
+SHARED_CONSTANT uint compose_has_grain = 1U << 3U;  // strokes catch on the tooth
+SHARED_CONSTANT uint compose_is_staged = 1U << 4U;  // layers up to one of them, in floats
+SHARED_CONSTANT uint compose_has_ink = 1U << 5U;    // that flows
 SHARED_CONSTANT uint compose_has_smoke = 1U << 6U;
 SHARED_CONSTANT uint develop_has_samples = 1U << 0U; // several of them
 SHARED_CONSTANT uint develop_is_last = 1U << 1U;     // of them

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <vector>
 
+#include "gpu/fills.hpp"
 #include "gpu/imports.hpp"
 #include "shaders/smoke_ink_comp.hpp"
 #include "shaders/smoke_light_comp.hpp"
 #include "shaders/smoke_march_comp.hpp"
 #include "shaders/smoke_pack_comp.hpp"
+#include "shaders/smoke_puffs_comp.hpp"
 #include "shaders/smoke_shape_comp.hpp"
 
 namespace estampe::smoke {
@@ -63,25 +65,36 @@ glm::vec3 towards(const shared::SmokeLight& light, const Box& box)
                                 : light.place;
 }
 
+gpu::BufferId add_puffs(gpu::Graph& graph, const Fields& in)
+{
+    auto pass = graph.compute("smoke/puffs", shaders::smoke_puffs_comp);
+    pass.uniform(in.globals).sample(in.density);
+    const gpu::BufferId puffs =
+        pass.write(graph.buffer("smoke/puffs", {.size_bytes = sizeof(glm::vec4) * in.puff_count}));
+    pass.dispatch_items(in.puff_count);
+    return puffs;
+}
+
 } // namespace
 
 shared::SmokeGlobals globals_of(const Box& box, const SmokeStyle& style, const Surroundings& around)
 {
-    const double lives = around.time_s / static_cast<double>(style.lump_s);
+    const float puff_cells = style.puff * box.width_m() / box.cell_m;
+    const glm::vec3 risen = around.puffs_risen_m / box.cell_m;
     shared::SmokeGlobals globals{.grid_from_anchor = box.grid_from_anchor,
                                  .cells = box.cells,
                                  .cell_m = box.cell_m,
                                  .extinction_per_m = style.thickness / (0.1F * box.width_m()),
-                                 .lump_cells = style.lump * box.width_m() / box.cell_m,
-                                 .lumps = style.lumps,
-                                 .lump_s = style.lump_s,
-                                 .lump_share = static_cast<float>(lives - std::floor(lives)),
-                                 .lump_round = static_cast<uint32_t>(static_cast<int64_t>(std::floor(lives))),
+                                 .puff_cells = puff_cells,
+                                 .puffs_risen = risen,
+                                 .puffs_from = glm::floor(-risen / puff_cells) - 1.0F,
+                                 .puff_counts = glm::uvec3(glm::ceil(glm::vec3(box.cells) / puff_cells)) + 3U,
                                  .lights = {},
                                  .light_count = 0,
                                  .ambient = 1.0F,
                                  .edge = style.edge,
                                  .step_m = style.step * box.cell_m,
+                                 .scatter = style.scatter,
                                  .towards_light = {0.0F, 1.0F, 0.0F},
                                  .seed = static_cast<uint32_t>(style.seed)};
     std::vector<shared::SmokeLight> lights;
@@ -127,23 +140,27 @@ Volume VolumeMemory::import(gpu::Graph& graph)
 Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& style, const Fields& in)
 {
     const glm::uvec3 cells = memory.cells_;
+    const gpu::BufferId puffs =
+        style.puffs ? add_puffs(graph, in) : gpu::add_zeros(graph, "smoke/no puffs", sizeof(glm::vec4));
     auto shape_pass = graph.compute("smoke/shape", shaders::smoke_shape_comp);
-    shape_pass.uniform(in.globals).sample(in.density).sample(in.velocity);
-    const gpu::ImageId shape = shape_pass.write(graph.image("smoke/shape", field_desc(cells, gpu::Format::r16f)));
-    shape_pass.variant(style.lumps > 0.0F ? shared::smoke_has_lumps : 0U);
+    shape_pass.uniform(in.globals).sample(in.density).sample(puffs, gpu::Format::rgba32f);
+    const gpu::ImageId shape =
+        shape_pass.write(graph.image("smoke/shape", field_desc(cells, gpu::Format::r16f)));
+    shape_pass.variant(style.puffs ? shared::smoke_has_puffs : 0U);
     shape_pass.dispatch(groups_of(cells.x, 8), groups_of(cells.y, 8), cells.z);
 
     const glm::uvec3 light_cells = (cells + (shared::smoke_light_cells - 1)) / shared::smoke_light_cells;
     auto light_pass = graph.compute("smoke/light", shaders::smoke_light_comp);
     light_pass.uniform(in.globals).sample(shape, gpu::Sampling::linear);
-    const gpu::ImageId light = light_pass.write(graph.image("smoke/light", field_desc(light_cells, gpu::Format::r16f)));
+    const gpu::ImageId light =
+        light_pass.write(graph.image("smoke/light", field_desc(light_cells, gpu::Format::r16f)));
     light_pass.dispatch(groups_of(light_cells.x, 8), groups_of(light_cells.y, 8), light_cells.z);
 
     const glm::uvec3 bricks = bricks_of(cells);
     auto pack = graph.compute("smoke/pack", shaders::smoke_pack_comp);
     pack.uniform(in.globals).sample(shape).sample(light, gpu::Sampling::linear);
-    const gpu::ImageId packed = pack.write(graph.import_image("smoke/packed", memory.packed_,
-                                                              memory.packed_.desc(), gpu::Layout::undefined));
+    const gpu::ImageId packed = pack.write(
+        graph.import_image("smoke/packed", memory.packed_, memory.packed_.desc(), gpu::Layout::undefined));
     const gpu::BufferId densest = pack.write(gpu::import_whole(graph, "smoke/bricks", memory.bricks_));
     pack.dispatch(bricks.x, bricks.y, bricks.z);
     auto keep = graph.custom("smoke/keep");
@@ -169,7 +186,11 @@ Layer add_ink(gpu::Graph& graph, const SmokeStyle& style, const InkInputs& in)
 {
     const glm::uvec2 size_px = in.view.size_px;
     auto pass = graph.compute("smoke/ink", shaders::smoke_ink_comp);
-    pass.uniform(in.view.frame).uniform(in.view.globals).sample(in.marched).sample(in.view.depth).sample(in.lines);
+    pass.uniform(in.view.frame)
+        .uniform(in.view.globals)
+        .sample(in.marched)
+        .sample(in.view.depth)
+        .sample(in.lines);
     const gpu::ImageId paint = pass.write(
         graph.image("smoke/paint", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba8}));
     const gpu::ImageId ink = pass.write(
@@ -185,7 +206,7 @@ Layer add_ink(gpu::Graph& graph, const SmokeStyle& style, const InkInputs& in)
                                .scene_line_px = in.scene_line_px,
                                .stroke_px = style.stroke_mm * in.pixels_per_mm,
                                .darkness = style.darkness,
-                               .gap_m = 0.3F * style.lump * in.width_m,
+                               .gap_m = 0.25F * style.puff * in.width_m,
                                .stroke_axis = glm::normalize(glm::vec3(0.25F, 0.95F, 0.2F)),
                                .stroke_rise_m = in.rise_m});
     pass.variant((style.medium != Medium::strokes ? shared::smoke_has_wash : 0U) |

@@ -9,13 +9,13 @@ namespace estampe::shared {
 #endif
 
 // Variant bits of the shaders.
-SHARED_CONSTANT uint smoke_has_lumps = 1U << 0U;
-SHARED_CONSTANT uint smoke_by_axis = 1U << 1U;    // looked up in planes of the grid
-SHARED_CONSTANT uint smoke_by_view = 1U << 2U;    // looked up in planes that face the eye
-SHARED_CONSTANT uint smoke_has_wash = 1U << 3U;   // tones are paint
+SHARED_CONSTANT uint smoke_has_puffs = 1U << 0U;
+SHARED_CONSTANT uint smoke_by_axis = 1U << 1U;     // looked up in planes of the grid
+SHARED_CONSTANT uint smoke_by_view = 1U << 2U;     // looked up in planes that face the eye
+SHARED_CONSTANT uint smoke_has_wash = 1U << 3U;    // tones are paint
 SHARED_CONSTANT uint smoke_has_strokes = 1U << 4U; // tones are strokes
 
-SHARED_CONSTANT uint smoke_brick = 8U; // cells along each side of what is skipped where it is empty
+SHARED_CONSTANT uint smoke_brick = 8U;       // cells along each side of what is skipped where it is empty
 SHARED_CONSTANT uint smoke_light_cells = 2U; // cells along each side of one of the light's
 SHARED_CONSTANT uint smoke_most_lights = 4U;
 
@@ -36,17 +36,16 @@ struct SmokeGlobals {
     uvec3 cells;
     float cell_m;
     float extinction_per_m; // of density 1
-    // Lumps: balls that grow, go with the flow and shrink, in two sets that take turns.
-    float lump_cells;
-    float lumps;      // how deep they cut
-    float lump_s;     // how long one is there
-    float lump_share; // of the first set's time that has passed
-    uint lump_round;  // of its sets before
+    float puff_cells;       // from one puff to the next
+    vec3 puffs_risen;       // cells that all of them have gone
+    vec3 puffs_from;        // whole numbers of the first that may reach into the box
+    uvec3 puff_counts;      // from there on
     SmokeLight lights[smoke_most_lights];
     uint light_count;
     float ambient; // of all light that comes unhindered
     float edge;    // opacity at which smoke begins to be drawn
     float step_m;
+    float scatter;      // of look-ups within a step, 0 to 1
     vec3 towards_light; // in the grid's axes, of what gives form
     uint seed;
 };
@@ -64,8 +63,8 @@ struct SmokeInk {
     float scene_line_px; // half the widest line of the scene
     float stroke_px;
     float darkness;
-    float gap_m; // depth between puffs from which a line parts them
-    vec3 stroke_axis; // across the strokes
+    float gap_m;         // depth between puffs from which a line parts them
+    vec3 stroke_axis;    // across the strokes
     float stroke_rise_m; // how far they have risen
 };
 

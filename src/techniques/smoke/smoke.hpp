@@ -19,33 +19,35 @@ struct Box {
     float cell_m = 1.0F;
     glm::mat4 grid_from_anchor{1.0F}; ///< in cells, from the low corner
 
-    [[nodiscard]] float width_m() const
-    {
-        return cell_m * static_cast<float>(std::min(cells.x, cells.z));
-    }
+    [[nodiscard]] float width_m() const { return cell_m * static_cast<float>(std::min(cells.x, cells.z)); }
 };
 
 /// A light of the scene.
 struct Lamp {
-    glm::vec3 place{0.0F};     ///< in anchor space; of a directional light towards it
-    glm::vec3 beam{0.0F};      ///< of spots, along it
-    float luminance = 0.0F;    ///< at one metre; of a directional light anywhere
-    float range_m = 0.0F;      ///< 0: directional
-    float cone_scale = 0.0F;   ///< saturate(cos(angle) * scale + offset) squared arrives
+    glm::vec3 place{0.0F};   ///< in anchor space; of a directional light towards it
+    glm::vec3 beam{0.0F};    ///< of spots, along it
+    float luminance = 0.0F;  ///< at one metre; of a directional light anywhere
+    float range_m = 0.0F;    ///< 0: directional
+    float cone_scale = 0.0F; ///< saturate(cos(angle) * scale + offset) squared arrives
     float cone_offset = 1.0F;
 };
 
 /// What smoke stands in.
 struct Surroundings {
     std::span<const Lamp> lamps;
-    float ambient = 0.2F; ///< luminance
-    double time_s = 0.0;
+    float ambient = 0.2F;          ///< luminance
+    glm::vec3 puffs_risen_m{0.0F}; ///< in the grid's axes
 };
 
 /// The lamps that give most light at the middle of the box, at most shared::smoke_most_lights, as shares of
 /// all that comes there.
 [[nodiscard]] shared::SmokeGlobals globals_of(const Box& box, const SmokeStyle& style,
                                               const Surroundings& around);
+
+[[nodiscard]] inline uint32_t puff_count_of(const shared::SmokeGlobals& globals)
+{
+    return globals.puff_counts.x * globals.puff_counts.y * globals.puff_counts.z;
+}
 
 /// Smoke with its light, ready to be looked at.
 struct Volume {
@@ -73,13 +75,13 @@ private:
 
 /// What the drawing is made from.
 struct Fields {
-    gpu::BufferId globals; ///< SmokeGlobals
-    gpu::ImageId density;  ///< r32f, an array; density is in the first layers
-    gpu::ImageId velocity; ///< r32f, an array; metres a second on faces
+    gpu::BufferId globals;   ///< SmokeGlobals
+    gpu::ImageId density;    ///< r32f, an array; density is in the first layers
+    uint32_t puff_count = 0; ///< of puff_count_of()
 };
 
-/// Shapes and lights the smoke, once a picture, and leaves it in `memory`, in which there is room. Cost: three
-/// dispatches over cells; a light is followed through an eighth as many.
+/// Shapes and lights the smoke, once a picture, and leaves it in `memory`, in which there is room. Cost:
+/// three dispatches over cells; a light is followed through an eighth as many.
 Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& style, const Fields& in);
 
 struct ViewInputs {
@@ -90,8 +92,8 @@ struct ViewInputs {
 };
 
 /// rgba32f: opacity; mean light of what is seen of it, a share of all; how far from the eye its edge opacity
-/// is reached, 0 where it is not; how it faces the light there, 0 to 1. Cost: a full-screen dispatch, a texel a
-/// step within the box and a brick where there is nothing.
+/// is reached, 0 where it is not; how it faces the light there, 0 to 1. Cost: a full-screen dispatch, a texel
+/// a step within the box and a brick where there is nothing.
 [[nodiscard]] gpu::ImageId add_march(gpu::Graph& graph, const Volume& volume, const SmokeStyle& style,
                                      const ViewInputs& in);
 
@@ -103,16 +105,16 @@ struct Layer {
 
 struct InkInputs {
     ViewInputs view;
-    gpu::ImageId marched; ///< of add_march
-    gpu::ImageId lines;   ///< rgba8, of the scene: coverage in alpha
+    gpu::ImageId marched;       ///< of add_march
+    gpu::ImageId lines;         ///< rgba8, of the scene: coverage in alpha
     float scene_line_px = 1.0F; ///< half the widest of them
     float pixels_per_mm = 1.0F;
-    float width_m = 1.0F;  ///< of the box
-    float rise_m = 0.0F;   ///< how far strokes have risen with the smoke
+    float width_m = 1.0F; ///< of the box
+    float rise_m = 0.0F;  ///< how far strokes have risen with the smoke
 };
 
-/// Inks what add_march() found. Cost: a full-screen dispatch; where there is smoke a dozen texels a pixel of a
-/// line's width.
+/// Inks what add_march() found. Cost: a full-screen dispatch; where there is smoke a dozen texels a pixel of
+/// a line's width.
 [[nodiscard]] Layer add_ink(gpu::Graph& graph, const SmokeStyle& style, const InkInputs& in);
 
 /// How far a pixel's ink hangs on others.

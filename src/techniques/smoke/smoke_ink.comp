@@ -95,17 +95,16 @@ float left_by_scene(ivec2 pixel, float own_depth)
     return nearest > own_depth ? 1.0 - line : 1.0;
 }
 
-// The change over one pixel, on the side where the smoke goes on.
+// The change over one pixel, over both neighbours where the puff goes on to both.
 vec3 step_along(ivec2 pixel, ivec2 way, vec3 point, float surface_m)
 {
     float after_m = smoke_at(pixel + way).z;
     float before_m = smoke_at(pixel - way).z;
-    after_m = after_m > 0.0 ? after_m : 1e9;
-    before_m = before_m > 0.0 ? before_m : 1e9;
-    bool goes_on = abs(after_m - surface_m) <= abs(before_m - surface_m);
-    float nearer_m = goes_on ? after_m : before_m;
-    vec3 other = point_at(goes_on ? pixel + way : pixel - way, nearer_m < 1e8 ? nearer_m : surface_m);
-    return goes_on ? other - point : point - other;
+    bool has_after = after_m > 0.0 && abs(after_m - surface_m) < ink.gap_m;
+    bool has_before = before_m > 0.0 && abs(before_m - surface_m) < ink.gap_m;
+    vec3 after = point_at(pixel + way, has_after ? after_m : surface_m);
+    vec3 before = point_at(pixel - way, has_before ? before_m : surface_m);
+    return has_after == has_before ? 0.5 * (after - before) : has_after ? after - point : point - before;
 }
 
 float strokes_at(ivec2 pixel, vec3 point, float surface_m, float dark)
@@ -114,12 +113,13 @@ float strokes_at(ivec2 pixel, vec3 point, float surface_m, float dark)
                             step_along(pixel, ivec2(0, 1), point, surface_m));
     vec3 axis = ink.stroke_axis;
     vec3 side = unit(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
-    LineField field = field_along(axis, side, cross(axis, side), point - vec3(0.0, ink.stroke_rise_m, 0.0), f);
+    LineField field =
+        field_along(axis, side, cross(axis, side), point - vec3(0.0, ink.stroke_rise_m, 0.0), f);
     // Where a puff turns away its lines would crowd into black.
     float pixel_m = pixel_size_m(frame, point);
     field.v_per_px = clamp(field.v_per_px, 0.2 * pixel_m, 3.0 * pixel_m);
     float pen = ink.stroke_px;
-    LineLook look = LineLook(pen, 0.5 * pen, 8.0 * pen, 20.0 * pen, 70.0 * pen, 0.3, 1.0);
+    LineLook look = LineLook(pen, 0.4 * pen, 10.0 * pen, 30.0 * pen, 90.0 * pen, 0.3, 0.0);
     return line_ink(field, look, dark, smoke.seed + 5u);
 }
 
@@ -142,13 +142,14 @@ void main()
         float end_px = distance_to_end(pixel, here.z, own_depth);
         float pen_px = ink.line_px * mix(1.5, 0.6, smoothstep(0.2, 0.9, light));
         inked = clamp(pen_px - end_px + 1.0, 0.0, 1.0) * cover;
-        float dark = has_strokes ? ink.darkness * (1.0 - smoothstep(0.6, 1.0, light / max(ink.shade_below, 1e-3))) : 0.0;
+        float shade = smoothstep(0.04, -0.04, light - ink.shade_below);
+        float deep = smoothstep(0.04, -0.04, light - ink.deep_below);
+        float dark = has_strokes ? ink.darkness * mix(0.6 * shade, 1.0, deep) : 0.0;
         if (dark > 0.0) {
             inked = max(inked, cover * strokes_at(pixel, point, here.z, dark));
         }
         inked *= left;
-        vec3 color = mix(ink.deep_color, ink.shade_color, smoothstep(-0.03, 0.03, light - ink.deep_below));
-        color = mix(color, ink.color, smoothstep(-0.03, 0.03, light - ink.shade_below));
+        vec3 color = mix(mix(ink.color, ink.shade_color, shade), ink.deep_color, deep);
         paint = vec4(has_wash ? color : ink.color, cover * left * ink.opacity);
     }
     imageStore(out_paint, pixel, vec4(sqrt(paint.rgb), paint.a));

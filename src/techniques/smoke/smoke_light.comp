@@ -27,12 +27,13 @@ const int most_strides = 96; // farther off, smoke throws no shadow
 float left_of_light(vec3 place, vec3 towards, float distance)
 {
     float reach = min(range_in_box(place, towards).y, distance);
-    int count = min(int(ceil(reach / stride)), most_strides);
+    int count = clamp(int(ceil(reach / stride)), 1, most_strides);
+    float way = min(reach, stride * float(count)) / float(count);
     float dense = 0.0;
     for (int i = 0; i < rounds(count, int(place.x)); ++i) {
-        dense += sample_layers(shape, place + (float(i) + 0.5) * stride * towards, vec3(smoke.cells));
+        dense += sample_layers(shape, place + (float(i) + 0.5) * way * towards, vec3(smoke.cells));
     }
-    return exp(-dense * stride * smoke.cell_m * smoke.extinction_per_m);
+    return exp(-dense * way * smoke.cell_m * smoke.extinction_per_m);
 }
 
 // Inverse square, windowed to reach zero at the range; nothing beside a spot's cone.

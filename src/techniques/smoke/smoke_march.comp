@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel goes through the box from front to back, as far as what is seen there: how much the smoke
-// hides, how bright it is, and where it is dense enough to be drawn.
+// One thread a pixel goes through the box from front to back, as far as what is seen there: how much the
+// smoke hides, how bright it is, and where it is dense enough to be drawn.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -79,8 +79,8 @@ Samples samples_of(Ray ray, vec3 direction, vec2 range)
     float planes_per_cell = smoke.cell_m / smoke.step_m;
     float start = by_axis ? origin[axis] * planes_per_cell
                           : dot(ray.origin - frame.eye_anchor, frame.view_forward) / smoke.step_m;
-    float rate = by_axis ? direction[axis] * planes_per_cell
-                         : dot(ray.direction, frame.view_forward) / smoke.step_m;
+    float rate =
+        by_axis ? direction[axis] * planes_per_cell : dot(ray.direction, frame.view_forward) / smoke.step_m;
     rate = abs(rate) < 1e-6 ? 1e-6 : rate;
     float at_entry = start + range.x * rate;
     float plane = rate > 0.0 ? ceil(at_entry) : floor(at_entry);
@@ -111,8 +111,7 @@ void main()
     vec3 direction = mat3(smoke.grid_from_anchor) * ray.direction;
     vec2 range = range_in_box(origin, direction);
     float depth = texelFetch(depth_image, pixel, 0).x;
-    float seen_m =
-        depth > 0.0 ? dot(anchor_at(frame, position, depth) - ray.origin, ray.direction) : 1e9;
+    float seen_m = depth > 0.0 ? dot(anchor_at(frame, position, depth) - ray.origin, ray.direction) : 1e9;
     range = vec2(max(range.x, 0.0), min(range.y, seen_m));
     float left = 1.0;
     float bright = 0.0;
@@ -120,7 +119,8 @@ void main()
     if (range.x < range.y) {
         Samples samples = samples_of(ray, direction, range);
         uvec2 place_px = uvec2(page_place(frame, vec2(pixel)));
-        float stray = by_slices ? 0.0 : unit_float(hash(place_px.x, place_px.y));
+        float stray =
+            by_slices ? 0.0 : 0.5 + smoke.scatter * (unit_float(hash(place_px.x, place_px.y)) - 0.5);
         float number = 0.0;
         float from = samples.first;
         while (from < range.y && left > least_left) {

@@ -36,7 +36,8 @@ float shape_at(ivec3 cell)
 float light_at(ivec3 cell)
 {
     vec3 size = vec3((smoke.cells + smoke_light_cells - 1u) / smoke_light_cells);
-    return sample_layers(light, (vec3(min(cell, ivec3(smoke.cells) - 1)) + 0.5) / float(smoke_light_cells), size);
+    return sample_layers(light, (vec3(min(cell, ivec3(smoke.cells) - 1)) + 0.5) / float(smoke_light_cells),
+                         size);
 }
 
 void main()

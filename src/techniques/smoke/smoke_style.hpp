@@ -21,31 +21,32 @@ enum class Medium : uint8_t { wash, strokes, both };
 struct SmokeStyle {
     bool drawn = false;
     std::string objects = "smoke*";
-    uint32_t cells = 0;
+    uint32_t cells = 64;
     float age_s = 5.0F;
-    float source = 0.3F;
+    float source = 0.24F;
     float amount_per_s = 6.0F;
     float rise_s = 3.0F;
     float wind_m_s = 0.0F;
     float wind_deg = 90.0F;
-    float curl = 0.5F;
+    float curl = 1.0F;
+    bool obstacles = false;
     float life_s = 4.0F;
     float thickness = 6.0F;
-    float lumps = 0.9F;
-    float lump = 0.22F;
-    float lump_s = 1.6F;
+    bool puffs = true;
+    float puff = 0.16F;
     Sampling sampling = Sampling::rays;
     float step = 0.7F;
+    float scatter = 0.0F;
     float edge = 0.5F;
     Medium medium = Medium::both;
     glm::vec3 color = style::srgb(0xffffff);
     glm::vec3 shade_color = style::srgb(0xd5d6d3);
     glm::vec3 deep_color = style::srgb(0xa2a6a8);
     float opacity = 1.0F;
-    float shade_below = 0.55F;
-    float deep_below = 0.25F;
+    float shade_below = 0.42F;
+    float deep_below = 0.18F;
     float form = 0.75F;
-    float line_mm = 0.35F;
+    float line_mm = 0.4F;
     float stroke_mm = 0.22F;
     float darkness = 0.4F;
     int seed = 1;
@@ -59,8 +60,8 @@ inline const style::Table<SmokeStyle>& smoke_table()
             .text("objects", &SmokeStyle::objects,
                   "The object whose box it fills, 2 m wide each way in its own space, from the middle of the "
                   "box's floor on: a pattern")
-            .integer("cells", &SmokeStyle::cells, {0, 256}, "",
-                     "Cells along the longest side of the box, a power of two; 0: 64 on a GPU, 32 on a processor")
+            .integer("cells", &SmokeStyle::cells, {16, 256}, "",
+                     "Cells along the longest side of the box, a power of two")
             .number("age_s", &SmokeStyle::age_s, {0.0F, 60.0F}, "s",
                     "How long it has risen in a picture that stands for itself, and in the first of a film")
             .number("source", &SmokeStyle::source, {0.02F, 1.0F}, "",
@@ -73,17 +74,22 @@ inline const style::Table<SmokeStyle>& smoke_table()
             .number("wind_deg", &SmokeStyle::wind_deg, {-360.0F, 360.0F}, "deg",
                     "Where to: 0 is along +z, 90 along +x")
             .number("curl", &SmokeStyle::curl, {0.0F, 4.0F}, "", "How much its swirls are fed")
-            .number("life_s", &SmokeStyle::life_s, {0.1F, 1000.0F}, "s", "After this long a third of it is left")
+            .toggle("obstacles", &SmokeStyle::obstacles,
+                    "Whether it flows around what stands in its box, as that stands when it starts")
+            .number("life_s", &SmokeStyle::life_s, {0.1F, 1000.0F}, "s",
+                    "After this long a third of it is left")
             .number("thickness", &SmokeStyle::thickness, {0.1F, 100.0F}, "",
                     "Optical depth of a tenth of the box's width of dense smoke")
-            .number("lumps", &SmokeStyle::lumps, {0.0F, 1.0F}, "",
-                    "How deep its edge is scalloped into puffs; 0: drawn as it is")
-            .number("lump", &SmokeStyle::lump, {0.02F, 1.0F}, "", "Size of a puff beside the box's width")
-            .number("lump_s", &SmokeStyle::lump_s, {0.1F, 100.0F}, "s", "How long a puff is there")
+            .toggle("puffs", &SmokeStyle::puffs, "Whether it is drawn as puffs; else as it is")
+            .number("puff", &SmokeStyle::puff, {0.02F, 1.0F}, "",
+                    "From one puff to the next, beside the box's width")
             .choice("sampling", &SmokeStyle::sampling,
                     {{"rays", Sampling::rays}, {"axis", Sampling::axis}, {"view", Sampling::view}},
                     "Where it is looked up: along rays, on planes of the grid, on planes that face the eye")
             .number("step", &SmokeStyle::step, {0.1F, 4.0F}, "", "From one look-up to the next, in cells")
+            .number(
+                "scatter", &SmokeStyle::scatter, {0.0F, 1.0F}, "",
+                "How far look-ups stray within their step, along rays: noise in place of bands in thin smoke")
             .number("edge", &SmokeStyle::edge, {0.02F, 0.98F}, "", "Opacity at which its outline runs")
             .choice("medium", &SmokeStyle::medium,
                     {{"wash", Medium::wash}, {"strokes", Medium::strokes}, {"both", Medium::both}},
@@ -91,7 +97,8 @@ inline const style::Table<SmokeStyle>& smoke_table()
             .color("color", &SmokeStyle::color, "Paint where it is lit")
             .color("shade_color", &SmokeStyle::shade_color, "And in shade")
             .color("deep_color", &SmokeStyle::deep_color, "And in deep shade")
-            .number("opacity", &SmokeStyle::opacity, {0.0F, 1.0F}, "", "How far its paint covers what is behind")
+            .number("opacity", &SmokeStyle::opacity, {0.0F, 1.0F}, "",
+                    "How far its paint covers what is behind")
             .number("shade_below", &SmokeStyle::shade_below, {0.0F, 1.0F}, "",
                     "Share of the light under which it is in shade")
             .number("deep_below", &SmokeStyle::deep_below, {0.0F, 1.0F}, "", "And in deep shade")
