@@ -171,7 +171,10 @@ std::optional<smoke::Box> smoke_box(const Scene& scene, const ScenePose& pose, c
     const auto column = [&](int axis) { return glm::dvec3(world_from_node[axis]); };
     glm::dvec3 size_m(0.0);
     for (int axis = 0; axis < 3; ++axis) {
-        size_m[axis] = 2.0 * std::max(glm::length(column(axis)), 1e-6);
+        size_m[axis] = 2.0 * glm::length(column(axis));
+    }
+    if (!(std::min({size_m.x, size_m.y, size_m.z}) > 1e-4)) {
+        return std::nullopt; // scaled to nothing
     }
     const glm::dvec3 up = 2.0 * column(1) / size_m.y;
     const glm::dvec3 across = glm::cross(up, 2.0 * column(2) / size_m.z);

@@ -64,19 +64,21 @@ float cover_at(ivec2 pixel, float opacity)
     return clamp(0.5 + (opacity - smoke.edge) / max(length(slope), 0.02), 0.0, 1.0);
 }
 
-// How far, in pixels, the nearest place is where the smoke ends or is `gap_m` farther off, of those that
-// nothing of the scene hides.
-float distance_to_end(ivec2 pixel, float surface_m, float own_depth)
+// How far, in pixels, the nearest place is where the smoke ends or is farther off, by `gap_m` more than a steep
+// slope would have it, of those that nothing of the scene hides.
+float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel_m)
 {
+    const float steep = 3.0;
     float nearest = 1e9;
     int reach = int(ceil(1.5 * ink.line_px)) + 1;
     for (int i = 0; i < rounds(ways * reach, pixel.x); ++i) {
         float angle = 6.2831853 * (float(i % ways) + 0.5) / float(ways);
         ivec2 aside = ivec2(round(float(1 + i / ways) * vec2(cos(angle), sin(angle))));
         vec4 there = smoke_at(pixel + aside);
-        bool is_end = there.x < smoke.edge || there.z > surface_m + ink.gap_m;
+        float away = length(vec2(aside));
+        bool is_end = there.x < smoke.edge || there.z > surface_m + ink.gap_m + steep * pixel_m * away;
         bool is_open = depth_at(pixel + aside) <= own_depth;
-        nearest = is_end && is_open ? min(nearest, length(vec2(aside))) : nearest;
+        nearest = is_end && is_open ? min(nearest, away) : nearest;
     }
     return nearest;
 }
@@ -139,7 +141,7 @@ void main()
         float left = left_by_scene(pixel, own_depth);
         float cover = cover_at(pixel, here.x);
         float light = here.y * mix(1.0, smoothstep(0.05, 0.75, here.w), ink.form);
-        float end_px = distance_to_end(pixel, here.z, own_depth);
+        float end_px = distance_to_end(pixel, here.z, own_depth, pixel_size_m(frame, point));
         float pen_px = ink.line_px * mix(1.5, 0.6, smoothstep(0.2, 0.9, light));
         inked = clamp(pen_px - end_px + 1.0, 0.0, 1.0) * cover;
         float shade = smoothstep(0.04, -0.04, light - ink.shade_below);
