@@ -111,7 +111,7 @@ std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& s
             for (uint32_t y = 0; y < box.cells.y; ++y) {
                 for (uint32_t x = 0; x < box.cells.x; ++x) {
                     const glm::dvec3 place = (glm::dvec3(x, y, z) + 0.5) / glm::dvec3(box.cells);
-                    double speed = static_cast<double>(draught.wind_m_s[axis]);
+                    auto speed = static_cast<double>(draught.wind_m_s[axis]);
                     for (const Wave& wave : waves) {
                         speed += wave.swing[axis] * std::sin(2.0 * std::numbers::pi *
                                                              (glm::dot(wave.turns, place) + wave.phase));
@@ -305,6 +305,7 @@ std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor
     }
     if (!fluid_) {
         start(device, *box, in);
+        static_cast<void>(fluid_->check_spectral(device, executor));
     }
     rise(executor, *box, style, time_s);
     const Draught draught = draught_of(*box, style);

@@ -74,7 +74,8 @@ Drawn draw(const Density& density, const SmokeStyle& style, const Seen& seen = {
     const shared::SmokeGlobals around =
         globals_of(box, style, {.lamps = seen.lamps, .ambient = seen.ambient});
     auto globals = gpu::upload_buffer(device, "smoke", std::vector{around});
-    Drawn drawn{.frame = frame::frame_globals(seen.camera, {}, glm::dvec3(0.0), {.size_px = size_px})};
+    const Bounds bounds{.min = glm::dvec3(-1.0), .max = glm::dvec3(1.0)};
+    Drawn drawn{.frame = frame::frame_globals(seen.camera, bounds, glm::dvec3(0.0), {.size_px = size_px})};
     auto frame = gpu::upload_buffer(device, "frame", std::vector{drawn.frame});
     auto depth = test::Layer::depth(size_px, seen.depth);
     auto lines = test::Layer::root_color(size_px, seen.lines);

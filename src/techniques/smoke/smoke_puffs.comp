@@ -43,7 +43,7 @@ void main()
     vec3 stray = vec3(unit_float(identity), unit_float(hash(identity + 1u)), unit_float(hash(identity + 2u)));
     vec3 middle = (knot + mix(vec3(0.2), vec3(0.8), stray)) * smoke.puff_cells + smoke.puffs_risen;
     float most = mix(0.5, 0.95, unit_float(hash(identity + 3u))) * smoke.puff_cells;
-    float radius = most * sqrt(smoothstep(0.04, 0.7, density_near(middle)));
+    float radius = most * sqrt(smoothstep(0.1, 0.7, density_near(middle)));
     // The box cuts none of them but by its floor.
     vec3 inside = min(middle, vec3(smoke.cells) - middle);
     inside.y = float(smoke.cells.y) - middle.y;
