@@ -21,14 +21,15 @@ DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, Dee
                     fmt::format("{} draws at most {:.1f} megapixels so", device.info().name,
                                 static_cast<double>(most) * 1e-6));
     }
-    constexpr std::array all{paper::Stage::paper, paper::Stage::wash, paper::Stage::ink, paper::Stage::hatch,
-                             paper::Stage::lines};
-    const bool has_layers = kind != DeepKind::picture;
+    constexpr std::array all{paper::Stage::paper, paper::Stage::wash,  paper::Stage::ink,
+                             paper::Stage::hatch, paper::Stage::lines, paper::Stage::smoke};
+    const paper::Stage last = kind.has_smoke ? paper::Stage::smoke : paper::Stage::lines;
     const bool has_sums = settings.samples > 1;
     DeepPage page;
     for (const paper::Stage stage : all) {
-        const bool is_wanted = stage != paper::Stage::ink || kind == DeepKind::layers_with_ink;
-        if ((has_layers && is_wanted) || stage == paper::Stage::lines) {
+        const bool is_there =
+            (stage != paper::Stage::ink || kind.has_ink) && (stage != paper::Stage::smoke || kind.has_smoke);
+        if ((kind.has_layers && is_there) || stage == last) {
             page.stages.push_back({.stage = stage,
                                    .sums = gpu::Image(device, "deep sums",
                                                       {.width = has_sums ? settings.width : 1,
@@ -38,7 +39,7 @@ DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, Dee
                                                          gpu::MemoryUse::readback)});
         }
     }
-    if (has_layers) {
+    if (kind.has_layers) {
         page.draws =
             gpu::Buffer(device, "draws of layers", sizeof(uint32_t) * count, gpu::MemoryUse::readback);
         page.sun = gpu::Buffer(device, "sun of layers", sizeof(float) * count, gpu::MemoryUse::readback);

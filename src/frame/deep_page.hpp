@@ -28,10 +28,10 @@ struct DeepPage {
 };
 
 /// What a deep page holds.
-enum class DeepKind : uint8_t {
-    picture,
-    layers,         ///< each of them
-    layers_with_ink ///< and one of ink that flows
+struct DeepKind {
+    bool has_layers = false; ///< each of them; else the picture alone
+    bool has_ink = false;    ///< one of ink that flows besides
+    bool has_smoke = false;  ///< and one of smoke
 };
 
 /// A page for the whole picture, or for each of its layers. Throws Error naming the device's limit when there

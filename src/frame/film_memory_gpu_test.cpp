@@ -20,6 +20,8 @@ Scene still_life()
     Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
     test::add_object(scene, shapes::box({1.0F, 1.5F, 1.0F}), {0.8F, 0.3F, 0.2F}, {-0.6, 0.0, 0.0});
     test::add_object(scene, shapes::torus(0.6F, 0.25F, 32, 16), {0.2F, 0.4F, 0.7F}, {0.8, 0.6, 0.5});
+    scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
+    scene.nodes.push_back({.name = "smoke", .transform = {.translation = {-0.6, 0.75, 0.0}}});
     test::add_sun(scene, {1.0, 2.0, 1.5});
     return scene;
 }
@@ -29,7 +31,8 @@ Style inked()
     Style style;
     for (const char* assignment :
          {"contour.hidden=dashed", "contour.brush=pencil", "contour.brush_fit=stretch", "light.metering=page",
-          "light.adapt_stops_per_s=0.5", "ink.drawn=true", "ink.age_s=0.5"}) {
+          "light.adapt_stops_per_s=0.5", "ink.drawn=true", "ink.age_s=0.5", "smoke.drawn=true",
+          "smoke.cells=16", "smoke.age_s=0.5", "smoke.rise_s=1"}) {
         style.set(assignment);
     }
     return style;

@@ -55,7 +55,9 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     faded.lines = add_drift(making, scene, surface, faded.lines);
     faded.lines = add_focus_lines(making, faded.lines);
     const auto flowing = add_flowing_ink(making, scene, visibility, surface, lit.light, faded);
-    const paper::ComposeInputs layers = page_layers(making, scene, faded, colors, flowing, lit.light);
+    const auto smoke = add_smoke(making, scene, surface, faded.lines);
+    const paper::ComposeInputs layers =
+        page_layers(making, scene, faded, colors, {.ink = flowing, .smoke = smoke}, lit.light);
     add_picture(making, layers);
     add_deep_picture(making, layers, surface, lit);
 }

@@ -62,6 +62,7 @@ struct FrameResources {
     gpu::Buffer& pixels;                   ///< the picture, four bytes a pixel, for reading back
     gpu::Buffer& motion;                   ///< read back where the plan asks for it
     ink::Memory& ink;                      ///< that flows, where the plan has any
+    RisingSmoke& smoke;                    ///< risen, where the plan has any
     StrokeLists* lists = nullptr;          ///< where strokes are wanted in place of a picture
     DeepPage* deep = nullptr;              ///< where the picture is wanted in floats too
     std::optional<StrungPart> strung = {}; ///< where lines are strung already

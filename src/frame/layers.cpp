@@ -121,6 +121,7 @@ std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t wid
     add_laid_over("ink", stages.ink);
     add_laid_over("hatch", stages.hatch);
     add_laid_over("lines", stages.lines);
+    add_laid_over("smoke", stages.smoke);
     return layers;
 }
 

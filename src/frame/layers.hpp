@@ -41,6 +41,7 @@ struct StageColors {
     std::span<const glm::vec4> ink; ///< that flows; empty where there is none, which has no layer then
     std::span<const glm::vec4> hatch;
     std::span<const glm::vec4> lines;
+    std::span<const glm::vec4> smoke; ///< empty where there is none
 };
 
 /// The layers between these: laid on each other they give each stage again, but for the last bits of floats.

@@ -14,6 +14,7 @@
 #include "frame/local_shadows.hpp"
 #include "frame/looks.hpp"
 #include "frame/motion.hpp"
+#include "frame/rising_smoke.hpp"
 #include "frame/strokes.hpp"
 #include "frame/style_tables.hpp"
 #include "frame/sun.hpp"
@@ -58,6 +59,7 @@ struct LightPlan {
     bool leads_strokes = false;  ///< some strokes run along the light, and there are local lights
     bool has_links = false;      ///< not every light lights and shadows everything
     float lightmap_scale = 1.0F; ///< from the lightmaps' exposure to the frame's
+    float ambient = 0.0F;        ///< luminance, where there is smoke
     bool meters_page = false;
     float adapt_stops = -1.0F; ///< most that the exposure by the page changes; negative: any
 };
@@ -96,7 +98,9 @@ struct FramePlan {
     std::optional<shared::RippleConstants> ripples; ///< of a terrain's sand
     std::optional<terrain::DriftPlan> drift;        ///< of it in the air
     std::optional<MotionPlan> motion;
-    std::optional<InkPlan> ink; ///< that flows
+    std::optional<InkPlan> ink;     ///< that flows
+    std::vector<smoke::Lamp> lamps; ///< that smoke stands in, where the style has any
+    std::optional<SmokePlan> smoke;
 };
 
 /// What of a picture differs from sample to sample, and from tile to tile. The first one leaves on the device

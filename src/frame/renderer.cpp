@@ -11,6 +11,7 @@
 #include <estampe/error.hpp>
 
 #include "core/free_memory.hpp"
+#include "core/luminance.hpp"
 #include "core/progress_watch.hpp"
 #include "frame/baked_lights.hpp"
 #include "frame/form_strokes.hpp"
@@ -90,6 +91,7 @@ void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
     impl_->exposure.forget();
     impl_->line_history.forget();
     impl_->flowing_ink.forget();
+    impl_->rising_smoke.forget();
     impl_->loaded = frame::load_onto_device(impl_->device, scene, lightmap);
 }
 
@@ -311,6 +313,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .pixels = page.pixels,
                                     .motion = motion_pixels,
                                     .ink = flowing_ink.memory(),
+                                    .smoke = rising_smoke,
                                     .lists = job.lists,
                                     .deep = job.deep,
                                     .strung = job.strung,
@@ -443,6 +446,10 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     provide_looks(plan);
     plan.local_shadows = provide_local_shadows(plan.page, lighting, camera, tables);
     provide_lighting(plan, lighting, tables);
+    if (tables.smoke.drawn) {
+        plan.lamps = frame::smoke_lamps(lighting);
+        plan.light.ambient = luminance(lighting.ambient);
+    }
     plan.light.adapt_stops = exposure.prepare(device, tables.light, settings.time_s);
     return plan;
 }
@@ -460,6 +467,20 @@ std::optional<frame::InkPlan> Renderer::Impl::plan_ink(const Camera& camera, con
                                notes);
 }
 
+std::optional<frame::SmokePlan> Renderer::Impl::plan_smoke(const frame::FramePlan& plan,
+                                                           const frame::StyleTables& tables,
+                                                           const RenderSettings& settings)
+{
+    return rising_smoke.provide(device, executor,
+                                {.loaded = *loaded,
+                                 .pose = pose_scene(loaded->scene, settings.time_s, settings.animation),
+                                 .settings = settings,
+                                 .style = tables,
+                                 .lamps = plan.lamps,
+                                 .ambient = plan.light.ambient},
+                                notes);
+}
+
 Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, const RenderSettings& settings,
                                    frame::DeepPage* deep, const std::function<void()>& after_sample,
                                    const VulkanPicture* target)
@@ -473,6 +494,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     }
     frame::FramePlan plan = prepare(seen_by, tables, page_settings);
     plan.ink = plan_ink(seen_by, tables, settings);
+    plan.smoke = plan_smoke(plan, tables, settings);
     frame::provide_page(device, page, plan.page_px, settings.samples);
     // Later samples of a picture of several go their own way by a pixel at most.
     plan.lines.are_remembered = settings.continuity != Continuity::still;
@@ -555,8 +577,9 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     frame::check_has_paths(plan.looks);
     plan.motion.reset();
     if (tables.wash.strength > 0.0F || plan.page.has_sky || tables.bleed.width_mm > 0.0F ||
-        tables.ink.drawn) {
-        impl.notes.emplace_back("a drawing of strokes has neither wash nor sky, nor ink that runs or flows");
+        tables.ink.drawn || tables.smoke.drawn) {
+        impl.notes.emplace_back(
+            "a drawing of strokes has neither wash nor sky, nor ink that runs or flows, nor smoke");
     }
     if (!frame::is_drawn_by_pen(tables.contour)) {
         impl.notes.emplace_back("a drawing of strokes has lines of the pen in place of other brushes");

@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    std::set<std::string> taken_{"paper", "wash", "ink", "hatch", "lines", "shadow"};
+    std::set<std::string> taken_{"paper", "wash", "ink", "hatch", "lines", "smoke", "shadow"};
 };
 
 /// The part of the page that its margin leaves: from the first pixel to before the last.
@@ -129,7 +129,8 @@ private:
 LinearImage Renderer::render_linear(const Camera& camera, const Style& style, const RenderSettings& settings)
 {
     frame::check_size(impl_->device, settings);
-    frame::DeepPage page = frame::make_deep_page(impl_->device, settings, frame::DeepKind::picture);
+    frame::DeepPage page = frame::make_deep_page(
+        impl_->device, settings, {.has_layers = false, .has_smoke = style.tables().smoke.drawn});
     std::ignore = impl_->draw_picture(camera, style, settings, &page);
     LinearImage image{.width = settings.width, .height = settings.height, .pixels = {}};
     const auto pixels = gpu::items_of<glm::vec4>(page.stages.front().pixels);
@@ -142,9 +143,10 @@ LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, c
 {
     Impl& impl = *impl_;
     frame::check_size(impl.device, settings);
-    const bool has_ink = style.tables().ink.drawn;
+    const bool has_smoke = style.tables().smoke.drawn;
     frame::DeepPage page = frame::make_deep_page(
-        impl.device, settings, has_ink ? frame::DeepKind::layers_with_ink : frame::DeepKind::layers);
+        impl.device, settings,
+        {.has_layers = true, .has_ink = style.tables().ink.drawn, .has_smoke = has_smoke});
     std::optional<Seen> seen;
     LayeredImage result;
     result.picture = impl.draw_picture(camera, style, settings, &page, [&] {
@@ -162,7 +164,8 @@ LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, c
                                            .wash = stage(paper::Stage::wash),
                                            .ink = stage(paper::Stage::ink),
                                            .hatch = stage(paper::Stage::hatch),
-                                           .lines = stage(paper::Stage::lines)},
+                                           .lines = stage(paper::Stage::lines),
+                                           .smoke = stage(paper::Stage::smoke)},
                                           settings.width, settings.height);
     result.masks = seen->masks(impl.loaded->scene, settings, static_cast<uint32_t>(result.layers.size()));
     return result;

@@ -15,7 +15,7 @@ namespace estampe {
 namespace {
 
 /// The first of the bytes: changes when what follows does.
-constexpr uint64_t signature = 0x32304d4c49465345ULL;
+constexpr uint64_t signature = 0x33304d4c49465345ULL;
 
 /// Ink that flows, and the camera that saw it.
 struct InkHead {
@@ -80,6 +80,23 @@ Camera camera_of(const InkHead& head)
     return camera;
 }
 
+/// Smoke that rises.
+struct SmokeHead {
+    uint64_t is_there = 0;
+    double time_s = 0.0;
+    glm::uvec3 cells{0};
+    float cell_m = 1.0F;
+};
+
+SmokeHead smoke_head(const std::optional<frame::KeptSmoke>& smoke)
+{
+    return smoke ? SmokeHead{.is_there = 1,
+                             .time_s = smoke->time_s,
+                             .cells = smoke->cells,
+                             .cell_m = smoke->cell_m}
+                 : SmokeHead{};
+}
+
 /// What is written ahead of the buffers.
 struct Head {
     uint64_t first = signature;
@@ -89,6 +106,7 @@ struct Head {
     uint64_t has_exposure = 0;           ///< as wide as that no byte between is left open
     double exposure_time_s = 0.0;
     InkHead ink;
+    SmokeHead smoke;
 };
 
 class Writer {
@@ -115,6 +133,14 @@ public:
         const auto taken = left_.first(size_bytes);
         left_ = left_.subspan(size_bytes);
         return taken;
+    }
+
+    [[nodiscard]] std::vector<float> take_floats(uint64_t count)
+    {
+        const auto bytes = take(sizeof(float) * count);
+        std::vector<float> numbers(count);
+        std::memcpy(numbers.data(), bytes.data(), bytes.size());
+        return numbers;
     }
 
     [[nodiscard]] bool is_at_end() const { return left_.empty(); }
@@ -157,11 +183,13 @@ constexpr std::array line_classes{contour::LineClass::seen, contour::LineClass::
 std::vector<std::byte> Renderer::film_memory() const
 {
     Impl& impl = *impl_;
+    const std::optional<frame::KeptSmoke> smoke = impl.rising_smoke.kept(impl.device, impl.executor);
     Head head{.size_px = impl.line_history.size_px(),
               .clip_from_anchor = impl.line_history.clip_from_anchor_before(),
               .has_exposure = impl.exposure.time_s() ? uint64_t{1} : 0,
               .exposure_time_s = impl.exposure.time_s().value_or(0.0),
-              .ink = ink_head(impl.flowing_ink)};
+              .ink = ink_head(impl.flowing_ink),
+              .smoke = smoke_head(smoke)};
     Download download;
     for (size_t i = 0; i < line_classes.size(); ++i) {
         const contour::LineClass lines = line_classes.at(i);
@@ -184,6 +212,10 @@ std::vector<std::byte> Renderer::film_memory() const
     }
     Writer writer(head);
     download.append_to(writer, impl.executor);
+    if (smoke) {
+        writer.append(std::as_bytes(std::span(smoke->velocity)));
+        writer.append(std::as_bytes(std::span(smoke->quantities)));
+    }
     return writer.take();
 }
 
@@ -224,6 +256,13 @@ void Renderer::recall_film(std::span<const std::byte> memory)
         ink = {next_buffer("ink cells", bytes[0]), next_buffer("ink depths", bytes[1]),
                next_buffer("ink sums", bytes[2])};
     }
+    std::optional<frame::KeptSmoke> smoke;
+    if (head.smoke.is_there != 0) {
+        smoke = {.cells = head.smoke.cells, .cell_m = head.smoke.cell_m, .time_s = head.smoke.time_s};
+        const uint64_t cell_count = frame::kept_cell_count(*smoke);
+        smoke->velocity = reader.take_floats(3 * cell_count);
+        smoke->quantities = reader.take_floats(2 * cell_count);
+    }
     if (!reader.is_at_end()) {
         throw Error("this is not the memory of a film's frame");
     }
@@ -236,6 +275,10 @@ void Renderer::recall_film(std::span<const std::byte> memory)
     if (head.ink.is_there != 0) {
         impl.flowing_ink.memory().recall(impl.device, kept_of(head.ink), std::move(ink));
         impl.flowing_ink.recall_camera(camera_of(head.ink));
+    }
+    impl.rising_smoke.forget();
+    if (smoke) {
+        impl.rising_smoke.recall(std::move(*smoke));
     }
 }
 

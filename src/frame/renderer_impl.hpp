@@ -15,6 +15,7 @@
 #include "frame/loaded_scene.hpp"
 #include "frame/local_shadows.hpp"
 #include "frame/page.hpp"
+#include "frame/rising_smoke.hpp"
 #include "frame/sun.hpp"
 #include "frame/tonal_maps.hpp"
 #include "frame/vectors.hpp"
@@ -63,6 +64,10 @@ struct Renderer::Impl {
     /// The ink of a picture that has been prepared.
     [[nodiscard]] std::optional<frame::InkPlan>
     plan_ink(const Camera& camera, const frame::StyleTables& tables, const RenderSettings& settings);
+    /// The smoke of a picture that has been prepared; risen and lit on the device.
+    [[nodiscard]] std::optional<frame::SmokePlan> plan_smoke(const frame::FramePlan& plan,
+                                                             const frame::StyleTables& tables,
+                                                             const RenderSettings& settings);
     /// Poses the scene on the device as it was at another moment, so that the next update_pose() keeps that
     /// beside it.
     void pose_before(const ScenePose& scene_pose);
@@ -127,6 +132,7 @@ struct Renderer::Impl {
     contour::LineHistory line_history;
     frame::LineBrushes line_brushes;
     frame::FlowingInk flowing_ink;
+    frame::RisingSmoke rising_smoke;
     frame::Page page;
     gpu::Buffer motion_pixels;
     Motion motion;

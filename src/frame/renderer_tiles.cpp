@@ -87,7 +87,8 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
 {
     const frame::StyleTables& tables = style.tables();
     const Camera seen_by = page_camera(camera, tables.paper, settings);
-    const frame::FramePlan plan = prepare(seen_by, tables, settings);
+    frame::FramePlan plan = prepare(seen_by, tables, settings);
+    plan.smoke = plan_smoke(plan, tables, settings);
     if (tables.ink.drawn) {
         notes.emplace_back("a page that is drawn in tiles has no ink that flows");
     }

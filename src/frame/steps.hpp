@@ -52,6 +52,12 @@ struct Colors {
     gpu::ImageId sky_wash;
 };
 
+/// What goes on from picture to picture, where there is any.
+struct MovingLayers {
+    std::optional<gpu::ImageId> ink; ///< that flows
+    std::optional<smoke::Layer> smoke;
+};
+
 /// Whatever moves writes vertices. In a scene that stands as it stood they are there already.
 [[nodiscard]] PosedScene add_posed_scene(const Making& making);
 
@@ -129,10 +135,14 @@ void add_strung_lines(const Making& making, const contour::ContourInputs& in);
                                                           const surface::Surface& surface, gpu::ImageId light,
                                                           const haze::HazeLayers& layers);
 
+/// Smoke before the scene, where there is any.
+[[nodiscard]] std::optional<smoke::Layer> add_smoke(const Making& making, const PosedScene& scene,
+                                                    const surface::Surface& surface, gpu::ImageId lines);
+
 /// What is laid on the paper.
 [[nodiscard]] paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
                                                const haze::HazeLayers& layers, const Colors& colors,
-                                               const std::optional<gpu::ImageId>& ink, gpu::ImageId light);
+                                               const MovingLayers& moving, gpu::ImageId light);
 
 /// The layers on paper, added to those of the samples before, and read back.
 void add_picture(const Making& making, const paper::ComposeInputs& layers);

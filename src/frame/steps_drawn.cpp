@@ -27,6 +27,17 @@ std::vector<wash::LookWash> wash_looks(const LookPlan& plan)
     return looks;
 }
 
+/// Half the widest line of the scene.
+float line_half_px(const Making& making)
+{
+    const contour::ContourStyle& lines = making.plan.looks.lines;
+    float widest_mm = 0.0F;
+    for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
+        widest_mm = std::max(widest_mm, contour::width_on_page_mm(lines, kind));
+    }
+    return 0.5F * widest_mm * making.plan.page.pixels_per_mm;
+}
+
 gpu::ImageId add_motion_for_ink(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
 {
     const MotionPlan& moved = *making.plan.ink->motion;
@@ -212,14 +223,9 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
 
 haze::HazeInputs haze_inputs(const Making& making, const PosedScene& scene, const surface::Surface& surface)
 {
-    const contour::ContourStyle& lines = making.plan.looks.lines;
-    float widest_mm = 0.0F;
-    for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
-        widest_mm = std::max(widest_mm, contour::width_on_page_mm(lines, kind));
-    }
     return {.frame = scene.frame,
             .depth = surface.depth,
-            .line_half_px = 0.5F * widest_mm * making.plan.page.pixels_per_mm,
+            .line_half_px = line_half_px(making),
             .size_px = making.sample.size_px};
 }
 
@@ -271,17 +277,43 @@ std::optional<gpu::ImageId> add_flowing_ink(const Making& making, const PosedSce
     return ink::add_layer(graph, flowing, scene.frame, making.sample.size_px);
 }
 
+std::optional<smoke::Layer> add_smoke(const Making& making, const PosedScene& scene,
+                                      const surface::Surface& surface, gpu::ImageId lines)
+{
+    if (!making.plan.smoke) {
+        return std::nullopt;
+    }
+    gpu::Graph& graph = making.graph;
+    RisingSmoke& smoke = making.resources.smoke;
+    const SmokePlan& plan = *making.plan.smoke;
+    const smoke::ViewInputs view{.frame = scene.frame,
+                                 .globals = gpu::import_whole(graph, "smoke", smoke.globals()),
+                                 .depth = surface.depth,
+                                 .size_px = making.sample.size_px};
+    const smoke::SmokeStyle& style = making.style.smoke;
+    return smoke::add_ink(graph, style,
+                          {.view = view,
+                           .marched = smoke::add_march(graph, smoke.volume().import(graph), style, view),
+                           .lines = lines,
+                           .scene_line_px = line_half_px(making),
+                           .pixels_per_mm = making.plan.page.pixels_per_mm,
+                           .width_m = plan.box.width_m(),
+                           .rise_m = plan.rise_m});
+}
+
 paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
                                  const haze::HazeLayers& layers, const Colors& colors,
-                                 const std::optional<gpu::ImageId>& ink, gpu::ImageId light)
+                                 const MovingLayers& moving, gpu::ImageId light)
 {
     return {.frame = scene.frame,
             .wash = layers.wash,
             .hatch = layers.hatch,
             .lines = layers.lines,
             .sky_ink = colors.sky_ink,
-            .ink = ink,
+            .ink = moving.ink,
             .ink_settles = making.style.ink.granulation,
+            .smoke_paint = moving.smoke ? std::optional(moving.smoke->paint) : std::nullopt,
+            .smoke_ink = moving.smoke ? std::optional(moving.smoke->ink) : std::nullopt,
             .has_sky = making.plan.page.has_sky,
             .light = light,
             .page_px = making.plan.page_px,

@@ -17,6 +17,7 @@
 #include "techniques/screen/screen.hpp"
 #include "techniques/shadow/shadow_style.hpp"
 #include "techniques/sky/sky.hpp"
+#include "techniques/smoke/smoke_style.hpp"
 #include "techniques/tam/tam_style.hpp"
 #include "techniques/terrain/drift/drift.hpp"
 #include "techniques/wash/wash.hpp"
@@ -55,6 +56,7 @@ struct StyleTables {
     contour::ContourStyle contour;
     bleed::BleedStyle bleed;
     ink::InkStyle ink;
+    smoke::SmokeStyle smoke;
     focus::FocusStyle focus;
     wash::WashStyle wash;
     haze::HazeStyle haze;
@@ -80,6 +82,7 @@ struct StyleTables {
     sheet.bind(contour::contour_table(), tables.contour);
     sheet.bind(bleed::bleed_table(), tables.bleed);
     sheet.bind(ink::ink_table(), tables.ink);
+    sheet.bind(smoke::smoke_table(), tables.smoke);
     sheet.bind(focus::focus_table(), tables.focus);
     sheet.bind(wash::wash_table(), tables.wash);
     sheet.bind(haze::haze_table(), tables.haze);

@@ -53,6 +53,7 @@ struct Fluid::Handles {
     gpu::ImageId unprojected;
     std::vector<gpu::ImageId> quantities; ///< both of quantities_, or none
     gpu::BufferId shapes;
+    gpu::BufferId standing;
     SolverTables tables;
 };
 
@@ -66,9 +67,9 @@ public:
 
     void add()
     {
-        if (fluid_.shapes_.are_solid()) {
-            handles_.tables.solids =
-                add_solids(graph_, grid_, handles_.shapes, shapes_for(0.0F), handles_.tables.solids.cells);
+        if (fluid_.are_solid()) {
+            handles_.tables.solids = add_solids(graph_, grid_, handles_.shapes, shapes_for(0.0F),
+                                                handles_.standing, handles_.tables.solids.cells);
             handles_.tables.weights = add_weights(graph_, grid_, handles_.tables.solids);
         }
         const gpu::ImageId carrier = style_.stepping == Stepping::reflect ? add_reflected() : add_projected();
@@ -144,7 +145,7 @@ private:
 
     [[nodiscard]] Projected projected(gpu::ImageId velocity, gpu::ImageId target, bool reflects)
     {
-        if (fluid_.shapes_.are_any()) {
+        if (fluid_.shapes_.are_any() || fluid_.are_standing_) {
             velocity = add_push(graph_, grid_, handles_.shapes, shapes_for(part_s()), handles_.tables.solids,
                                 velocity);
         }
@@ -178,7 +179,20 @@ Fluid::Fluid(gpu::Device& device, const Grid& grid, uint32_t channels, std::span
         }
     }
     solids_ = gpu::upload_buffer(device, "fluid solids", std::vector<uint32_t>(grid.cell_count()));
+    set_standing(device, {});
     angles_ = upload_angles(device, grid);
+}
+
+void Fluid::set_standing(gpu::Device& device, std::span<const uint8_t> cells)
+{
+    if (!cells.empty() && cells.size() != grid_.cell_count()) {
+        throw std::logic_error("a fluid's grid has another number of cells");
+    }
+    std::vector<uint32_t> words(std::max<size_t>(cells.size(), 1));
+    std::ranges::transform(cells, words.begin(),
+                           [](uint8_t cell) { return cell != 0 ? shared::fluid_stands_still : 0U; });
+    standing_ = gpu::upload_buffer(device, "fluid standing", words);
+    are_standing_ = std::ranges::any_of(cells, [](uint8_t cell) { return cell != 0; });
 }
 
 double Fluid::check_spectral(gpu::Device& device, gpu::Executor& executor)
@@ -208,8 +222,8 @@ uint32_t Fluid::most_steps(const FluidStyle& style) const
     const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);
     const uint32_t diffusion =
         style.viscosity_m2_s > 0.0F ? diffusion_stages(grid_, reflects ? 0.5F * share : share) : 0;
-    const uint32_t part = passes_of(style.velocity_advection) + 2 + diffusion +
-                          passes_of_projection(grid_, trusted(style.projection), shapes_.are_solid());
+    const uint32_t part = passes_of(style.velocity_advection) + 3 + diffusion +
+                          passes_of_projection(grid_, trusted(style.projection), are_solid());
     const uint32_t step =
         (reflects ? 2 : 1) * part + 2 + (channels_ > 0 ? 1 + passes_of(style.quantity_advection) : 0);
     return std::max(most_passes / step, 1U);
@@ -222,6 +236,7 @@ Fluid::Handles Fluid::import(gpu::Graph& graph)
     Handles handles{.velocity = velocity,
                     .unprojected = velocity,
                     .shapes = shapes_.upload(graph),
+                    .standing = gpu::import_whole(graph, "fluid/standing", standing_),
                     .tables = {.solids = solids,
                                .weights = add_weights(graph, grid_, solids),
                                .angles = gpu::import_whole(graph, "fluid/angles", angles_)}};

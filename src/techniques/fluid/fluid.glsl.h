@@ -21,6 +21,7 @@ SHARED_CONSTANT uint fluid_bit_confined = 0x400U; // vortices are fed
 SHARED_CONSTANT uint fluid_bit_buoyant = 0x800U;  // quantities weigh
 SHARED_CONSTANT uint fluid_bit_burning = 0x1000U;
 SHARED_CONSTANT uint fluid_bit_condensing = 0x2000U;
+SHARED_CONSTANT uint fluid_bit_standing = 0x200000U; // of solids: some stand still for good
 // Of transforms, which go along x unless said.
 SHARED_CONSTANT uint fluid_bit_along_y = 0x4000U;
 SHARED_CONSTANT uint fluid_bit_along_z = 0x8000U;
@@ -73,6 +74,9 @@ struct FluidForces {
     float lift;      // of y's speed by a unit of temperature
     float weight;    // the same down, by a unit of density
     float confinement;
+    float rim_share; // of the difference to the air outside, next to the faces of an open box
+    float rim_cells; // how far in that is felt
+    vec3 outside;    // speed of the air there
 };
 
 // A box, turned about z and rounded: all that is no farther than `radius_m` from it. Of an obstacle, or of a
@@ -118,6 +122,8 @@ struct FluidMatter {
     float saturation_heat;   // growth of its logarithm by a unit of temperature
     float saturation_height; // fall of its logarithm by a metre of height
     float latent_heat;
+    float rim_share; // of density and heat that leave next to the faces of an open box
+    float rim_cells; // how far in that is felt
 };
 
 // A level of the multigrid, or of what is laid out as one: cells of 2^level cells of the grid's. In buffers
@@ -176,6 +182,7 @@ SHARED_CONSTANT uint fluid_mass_unit = 65536U; // of mass 1
 SHARED_CONSTANT uint fluid_mass_whole = 32768U;
 
 SHARED_CONSTANT uint fluid_most_shapes = 64U;
+SHARED_CONSTANT uint fluid_stands_still = 0xffffffffU; // the solid in a cell is none of the shapes
 SHARED_CONSTANT uint fluid_most_channels = 8U;
 
 // Tiles of the fused passes: a workgroup works on a square, and on so many cells about it.

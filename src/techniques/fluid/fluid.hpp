@@ -71,6 +71,10 @@ public:
         shapes_.set(obstacles, sources);
     }
 
+    /// Cells that are solid for good, a flag each, row by row and layer by layer; none where there are none.
+    /// Throws std::logic_error for another number of them. No graph may be running.
+    void set_standing(gpu::Device& device, std::span<const uint8_t> cells);
+
     [[nodiscard]] const Grid& grid() const { return grid_; }
 
     [[nodiscard]] uint32_t channels() const { return channels_; }
@@ -80,6 +84,9 @@ private:
     class Step;
 
     [[nodiscard]] Handles import(gpu::Graph& graph);
+
+    [[nodiscard]] bool are_solid() const { return are_standing_ || shapes_.are_solid(); }
+
     [[nodiscard]] ProjectionStyle trusted(const ProjectionStyle& style) const;
 
     Grid grid_;
@@ -88,8 +95,10 @@ private:
     std::array<gpu::Image, 2> quantities_; ///< by turns, none without channels
     uint32_t newest_quantities_ = 0;
     Shapes shapes_;
-    gpu::Buffer solids_; ///< a word a cell
+    gpu::Buffer solids_;   ///< a word a cell
+    gpu::Buffer standing_; ///< the same of what stands still for good, or none
     gpu::Buffer angles_;
+    bool are_standing_ = false;
     bool is_spectral_right_ = true;
 };
 

@@ -32,6 +32,15 @@ bool is_in_grid(ivec3 cell)
     return all(lessThan(cell, fluid_size()));
 }
 
+// The cell so many steps along an axis: round where ends meet, else the last one.
+ivec3 neighbour(ivec3 cell, int axis, int steps)
+{
+    int size = fluid_size()[axis];
+    int moved = cell[axis] + steps;
+    cell[axis] = is_periodic(axis) ? (moved + size) % size : clamp(moved, 0, size - 1);
+    return cell;
+}
+
 uint fluid_cell_index(ivec3 cell)
 {
     return (uint(cell.z) * grid.height + uint(cell.y)) * grid.width + uint(cell.x);
@@ -178,6 +187,17 @@ vec3 place_of_node(int component)
         at[component] = 0.0;
     }
     return at;
+}
+
+// How close a place, in cells, is to a face of an open box, but for the low one of y: 1 at the face, 0 from
+// `rim_cells` on.
+float closeness_to_rim(vec3 place, float rim_cells)
+{
+    vec3 size = vec3(fluid_size());
+    vec3 inside = min(place, size - place);
+    inside.y = size.y - place.y;
+    float nearest = is_volume() ? min(inside.x, min(inside.y, inside.z)) : min(inside.x, inside.y);
+    return rim_cells > 0.0 ? clamp(1.0 - nearest / rim_cells, 0.0, 1.0) : 0.0;
 }
 
 // Whether a node of `component` lies on a wall, where nothing flows through.

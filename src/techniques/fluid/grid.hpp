@@ -39,6 +39,14 @@ struct Grid {
     bool operator==(const Grid&) const = default;
 };
 
+/// Stands for open ends: what comes near a face, but for the low one of y, goes over into the air outside.
+struct Rim {
+    float breadth_m = 0.0F;   ///< 0: none
+    float share_per_s = 0.0F; ///< at the face, at first
+
+    bool operator==(const Rim&) const = default;
+};
+
 /// Throws std::logic_error for what is no grid.
 void check_grid(const Grid& grid);
 

@@ -22,10 +22,12 @@ layout(binding = 1) uniform sampler2D wash_image;
 layout(binding = 2) uniform sampler2D hatch_image;
 layout(binding = 3) uniform sampler2D line_image;
 layout(binding = 4) uniform sampler2D sky_ink_image;
-layout(binding = 5) uniform sampler2D light_image; // of the variant that tints
-layout(binding = 6) uniform sampler2D ink_image;   // of the variant that has ink that flows
-layout(binding = 7, rgba16f) writeonly uniform image2D out_picture;
-layout(binding = 8, rgba32f) writeonly uniform image2D out_stage; // of the variant that is staged
+layout(binding = 5) uniform sampler2D light_image;       // of the variant that tints
+layout(binding = 6) uniform sampler2D ink_image;         // of the variant that has ink that flows
+layout(binding = 7) uniform sampler2D smoke_paint_image; // of the variant that has smoke
+layout(binding = 8) uniform sampler2D smoke_ink_image;
+layout(binding = 9, rgba16f) writeonly uniform image2D out_picture;
+layout(binding = 10, rgba32f) writeonly uniform image2D out_stage; // of the variant that is staged
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -36,6 +38,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_tint = (variant & compose_has_tint) != 0u;
 const bool has_sky = (variant & compose_has_sky) != 0u;
 const bool has_ink = (variant & compose_has_ink) != 0u;
+const bool has_smoke = (variant & compose_has_smoke) != 0u;
 const bool is_staged = (variant & compose_is_staged) != 0u;
 const bool has_margin = (variant & compose_has_margin) != 0u;
 const bool has_grain = (variant & compose_has_grain) != 0u;
@@ -144,9 +147,10 @@ void main()
         vec3 tint = light_tint(texelFetch(light_image, pixel, 0).rgb);
         ink = mix(ink, lit_ink(ink, tint), constants.ink_tint);
     }
+    float border = 0.0;
     if (has_margin) {
         // The border lies over the lines, in the ink of the strokes.
-        float border = (0.5 * constants.border_mm - abs(beyond_mm)) * frame.pixels_per_mm + 0.5;
+        border = (0.5 * constants.border_mm - abs(beyond_mm)) * frame.pixels_per_mm + 0.5;
         border = clamp(border, 0.0, min(constants.border_mm * frame.pixels_per_mm, 1.0));
         float cover = 1.0 - (1.0 - line_cover) * (1.0 - border);
         line_color = mix(line_color, constants.ink_color, border / max(cover, 1e-6));
@@ -166,8 +170,18 @@ void main()
     }
     color = mix(color, ink, hatch);
     color = mix(color, line_color, line_cover);
+    float smoke_cover = 0.0;
+    if (has_smoke && (!is_staged || constants.stage >= stage_smoke)) {
+        vec4 smoke = texelFetch(smoke_paint_image, pixel, 0);
+        float drawn = texelFetch(smoke_ink_image, pixel, 0).x * dry;
+        float there = within * (1.0 - border);
+        color = mix(color, bare * smoke.rgb * smoke.rgb, smoke.a * there);
+        color = mix(color, ink, drawn * there);
+        smoke_cover = (1.0 - (1.0 - smoke.a) * (1.0 - drawn)) * there;
+    }
     if (is_staged) {
-        float cover = constants.stage == stage_lines   ? line_cover
+        float cover = constants.stage == stage_smoke   ? smoke_cover
+                      : constants.stage == stage_lines ? line_cover
                       : constants.stage == stage_hatch ? hatch
                       : constants.stage == stage_ink   ? flow_cover
                                                        : 1.0;

@@ -28,6 +28,7 @@ uint32_t compose_variant(const ComposeInputs& in, const PaperStyle& style, bool 
 {
     return (style.ink_tint > 0.0F ? shared::compose_has_tint : 0U) |
            (in.has_sky ? shared::compose_has_sky : 0U) | (in.ink ? shared::compose_has_ink : 0U) |
+           (in.smoke_paint && in.smoke_ink ? shared::compose_has_smoke : 0U) |
            (is_staged ? shared::compose_is_staged : 0U) |
            (style.margin_mm > 0.0F || style.border_mm > 0.0F ? shared::compose_has_margin : 0U) |
            (style.ink_grain > 0.0F ? shared::compose_has_grain : 0U);
@@ -41,7 +42,9 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
     pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
     // Unread, the light's memory is free for others by now.
     pass.sample(style.ink_tint > 0.0F ? in.light : in.wash);
-    pass.sample(in.ink.value_or(in.wash)).variant(compose_variant(in, style, stage.has_value()));
+    pass.sample(in.ink.value_or(in.wash));
+    pass.sample(in.smoke_paint.value_or(in.wash)).sample(in.smoke_ink.value_or(in.wash));
+    pass.variant(compose_variant(in, style, stage.has_value()));
     const auto write = [&](const char* name, gpu::Format format, bool is_wanted) {
         return pass.write(graph.image(name, {.width = is_wanted ? in.size_px.x : 1,
                                              .height = is_wanted ? in.size_px.y : 1,
@@ -62,7 +65,7 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
                                      .border_mm = style.border_mm,
                                      .window_min_mm = window.min_mm,
                                      .window_max_mm = window.max_mm,
-                                     .stage = static_cast<uint32_t>(stage.value_or(Stage::lines)),
+                                     .stage = static_cast<uint32_t>(stage.value_or(Stage::smoke)),
                                      .settles = in.ink_settles})
         .dispatch_over(in.size_px.x, in.size_px.y);
     return {picture, staged};

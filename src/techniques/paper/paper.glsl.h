@@ -11,10 +11,11 @@ namespace estampe::shared {
 // Variant bits of compose.comp and develop.comp.
 SHARED_CONSTANT uint compose_has_tint = 1U << 0U; // coloured light colours the strokes
 SHARED_CONSTANT uint compose_has_sky = 1U << 1U;
-SHARED_CONSTANT uint compose_has_margin = 1U << 2U;  // or a border
-SHARED_CONSTANT uint compose_has_grain = 1U << 3U;   // strokes catch on the tooth
-SHARED_CONSTANT uint compose_is_staged = 1U << 4U;   // layers up to one of them, in floats
-SHARED_CONSTANT uint compose_has_ink = 1U << 5U;     // that flows
+SHARED_CONSTANT uint compose_has_margin = 1U << 2U; // or a border
+SHARED_CONSTANT uint compose_has_grain = 1U << 3U;  // strokes catch on the tooth
+SHARED_CONSTANT uint compose_is_staged = 1U << 4U;  // layers up to one of them, in floats
+SHARED_CONSTANT uint compose_has_ink = 1U << 5U;    // that flows
+SHARED_CONSTANT uint compose_has_smoke = 1U << 6U;
 SHARED_CONSTANT uint develop_has_samples = 1U << 0U; // several of them
 SHARED_CONSTANT uint develop_is_last = 1U << 1U;     // of them
 SHARED_CONSTANT uint develop_keeps_floats = 1U << 2U;
@@ -25,6 +26,7 @@ SHARED_CONSTANT uint stage_wash = 1U;
 SHARED_CONSTANT uint stage_ink = 2U;
 SHARED_CONSTANT uint stage_hatch = 3U;
 SHARED_CONSTANT uint stage_lines = 4U;
+SHARED_CONSTANT uint stage_smoke = 5U;
 
 struct PaperConstants {
     vec3 paper_color;

@@ -66,12 +66,14 @@ struct ComposeInputs {
     gpu::ImageId hatch;
     gpu::ImageId lines;
     gpu::ImageId sky_ink;
-    std::optional<gpu::ImageId> ink = {}; ///< that flows under strokes and lines: rgba8, as lines
-    float ink_settles = 0.0F;             ///< how far that settles in the hollows of the paper
-    bool has_sky = true;                  ///< else there is no such ink
-    gpu::ImageId light;                   ///< read where the style tints the ink
-    glm::uvec2 page_px{0};                ///< of the whole page
-    glm::uvec2 size_px{0};                ///< of what is drawn of it
+    std::optional<gpu::ImageId> ink = {};         ///< that flows under strokes and lines: rgba8, as lines
+    float ink_settles = 0.0F;                     ///< how far that settles in the hollows of the paper
+    std::optional<gpu::ImageId> smoke_paint = {}; ///< over the lines: rgba8, roots of it, cover in alpha
+    std::optional<gpu::ImageId> smoke_ink = {};   ///< r16f, where there is such paint
+    bool has_sky = true;                          ///< else there is no such ink
+    gpu::ImageId light;                           ///< read where the style tints the ink
+    glm::uvec2 page_px{0};                        ///< of the whole page
+    glm::uvec2 size_px{0};                        ///< of what is drawn of it
 };
 
 /// Lays the layers on paper. Writes rgba16f, linear colour. Cost: one full-screen dispatch.
@@ -83,7 +85,8 @@ enum class Stage : uint8_t {
     wash = shared::stage_wash,
     ink = shared::stage_ink,
     hatch = shared::stage_hatch,
-    lines = shared::stage_lines
+    lines = shared::stage_lines,
+    smoke = shared::stage_smoke
 };
 
 /// Lays the layers up to one of them. Writes rgba32f: linear colour, and how much of it hides what lies below

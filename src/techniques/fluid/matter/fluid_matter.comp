@@ -71,8 +71,9 @@ void main()
             amounts[i] += gained * gain_of_channel(shape_list[k], i);
         }
     }
-    amounts[fluid_density] *= matter.density_kept;
-    amounts[fluid_temperature] *= matter.heat_kept;
+    float stays = 1.0 - matter.rim_share * closeness_to_rim(vec3(cell) + 0.5, matter.rim_cells);
+    amounts[fluid_density] *= stays * matter.density_kept;
+    amounts[fluid_temperature] *= stays * matter.heat_kept;
     if ((variant & fluid_bit_burning) != 0u) {
         burn(amounts);
     }

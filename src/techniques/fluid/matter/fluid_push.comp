@@ -59,8 +59,9 @@ void main()
         solid = solid == 0u ? solid_at(before) : solid;
         vec3 place_m = (vec3(cell) + place_of_node(axis)) * shapes.cell_m;
         ivec3 texel = ivec3(cell.xy, axis * int(grid.depth) + cell.z);
-        float speed = solid != 0u ? speed_of(shape_list[solid - 1u], place_m)[axis]
-                                  : pushed(imageLoad(velocity, texel).x, axis, place_m);
+        float speed = solid == fluid_stands_still ? 0.0
+                      : solid != 0u               ? speed_of(shape_list[solid - 1u], place_m)[axis]
+                                                  : pushed(imageLoad(velocity, texel).x, axis, place_m);
         imageStore(velocity, texel, vec4(speed));
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: which obstacle is in its middle, from 1 on; 0 for none.
+// One thread a cell: which obstacle is in its middle, from 1 on; 0 for none. What stands still for good comes
+// after those that move.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -15,7 +16,9 @@ layout(scalar, binding = 0) readonly buffer Shapes
     FluidShape shape_list[];
 };
 
-layout(scalar, binding = 1) writeonly buffer Solids
+layout(binding = 1) uniform usamplerBuffer standing; // cells, or a single word where nothing stands
+
+layout(scalar, binding = 2) writeonly buffer Solids
 {
     uint out_solids[];
 };
@@ -36,7 +39,8 @@ void main()
         return;
     }
     vec3 place_m = (vec3(cell) + 0.5) * shapes.cell_m;
-    uint solid = 0u;
+    uint solid =
+        (variant & fluid_bit_standing) == 0u ? 0u : texelFetch(standing, int(fluid_cell_index(cell))).x;
     for (uint i = shapes.obstacle_count; i > 0u; --i) {
         solid = distance_to(shape_list[i - 1u], place_m) < 0.0 ? i : solid;
     }

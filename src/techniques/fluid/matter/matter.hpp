@@ -26,6 +26,8 @@ struct MatterStyle {
         0.0F;                 ///< of the logarithm of it, by height: the surroundings are colder above
     float latent_heat = 0.0F; ///< temperature by a unit of vapour that condenses
 
+    Rim rim; ///< where density and heat leave
+
     bool operator==(const MatterStyle&) const = default;
 };
 

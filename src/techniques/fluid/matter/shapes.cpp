@@ -98,12 +98,14 @@ shared::FluidShapes Shapes::constants(const Grid& grid, float age_s, float step_
 }
 
 Solids add_solids(gpu::Graph& graph, const Grid& grid, gpu::BufferId shapes,
-                  const shared::FluidShapes& constants, gpu::BufferId cells)
+                  const shared::FluidShapes& constants, gpu::BufferId standing, gpu::BufferId cells)
 {
+    const bool are_standing = graph.describe(standing).size_bytes >= sizeof(uint32_t) * grid.cell_count();
     auto pass = graph.compute("fluid/solids", shaders::fluid_solids_comp);
-    pass.read(shapes);
+    pass.read(shapes).sample(standing, gpu::Format::r32ui);
     const Solids solids{.cells = pass.write(cells), .are_any = true};
-    pass.push(WithGrid<shared::FluidShapes>{grid_constants(grid), constants}).variant(grid_bits(grid));
+    pass.push(WithGrid<shared::FluidShapes>{grid_constants(grid), constants})
+        .variant(grid_bits(grid) | (are_standing ? shared::fluid_bit_standing : 0U));
     dispatch_over_cells(pass, grid);
     return solids;
 }

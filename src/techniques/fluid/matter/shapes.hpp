@@ -64,9 +64,11 @@ private:
     uint32_t obstacle_count_ = 0;
 };
 
-/// Which cells are in obstacles, written over `cells`.
+/// Which cells are in obstacles, written over `cells`. `standing` has a word a cell, fluid_stands_still or 0,
+/// or is too small for that where nothing stands still for good.
 [[nodiscard]] Solids add_solids(gpu::Graph& graph, const Grid& grid, gpu::BufferId shapes,
-                                const shared::FluidShapes& constants, gpu::BufferId cells);
+                                const shared::FluidShapes& constants, gpu::BufferId standing,
+                                gpu::BufferId cells);
 
 /// `velocity` with that of obstacles on their faces, and pushed by sources.
 [[nodiscard]] gpu::ImageId add_push(gpu::Graph& graph, const Grid& grid, gpu::BufferId shapes,

@@ -13,7 +13,8 @@ layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray velocity;
 layout(binding = 1) uniform sampler2DArray quantities;
-layout(binding = 2, r32f) writeonly uniform image2DArray out_velocity;
+layout(binding = 2) uniform sampler2DArray curl; // of volumes
+layout(binding = 3, r32f) writeonly uniform image2DArray out_velocity;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -48,11 +49,14 @@ void main()
         gain.y += buoyancy(cell);
     }
     if ((variant & fluid_bit_confined) != 0u) {
-        gain += forces.confinement * vec3(confining_force(cell), 0.0);
+        gain += forces.confinement *
+                (is_volume() ? confining_force_of_volume(cell) : vec3(confining_force(cell), 0.0));
     }
     for (int i = 0; i < fluid_dimensions(); ++i) {
         ivec3 texel = ivec3(cell.xy, i * int(grid.depth) + cell.z);
         float speed = forces.kept * texelFetch(velocity, texel, 0).x + gain[i];
+        float closeness = closeness_to_rim(vec3(cell) + place_of_node(i), forces.rim_cells);
+        speed = mix(speed, forces.outside[i], closeness * forces.rim_share);
         imageStore(out_velocity, texel, vec4(is_on_wall(i, cell) ? 0.0 : speed));
     }
 }

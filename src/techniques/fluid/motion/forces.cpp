@@ -3,9 +3,24 @@
 
 #include <cmath>
 
+#include "shaders/fluid_curl_comp.hpp"
 #include "shaders/fluid_forces_comp.hpp"
 
 namespace estampe::fluid {
+
+namespace {
+
+gpu::ImageId curl_of(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity)
+{
+    auto pass = graph.compute("fluid/curl", shaders::fluid_curl_comp);
+    pass.sample(velocity);
+    const gpu::ImageId curl = pass.write(graph.image("fluid/curl", velocity_desc(grid)));
+    pass.push(grid_constants(grid)).variant(grid_bits(grid));
+    dispatch_over_cells(pass, grid);
+    return curl;
+}
+
+} // namespace
 
 gpu::ImageId add_forces(gpu::Graph& graph, const Grid& grid, const ForceStyle& style, gpu::ImageId velocity,
                         std::optional<gpu::ImageId> quantities, float time_s)
@@ -14,16 +29,20 @@ gpu::ImageId add_forces(gpu::Graph& graph, const Grid& grid, const ForceStyle& s
         return velocity;
     }
     const bool is_buoyant = quantities.has_value() && (style.lift_m_s2 != 0.0F || style.weight_m_s2 != 0.0F);
-    const bool is_confined = style.confinement_per_s != 0.0F && !grid.is_volume();
+    const bool is_confined = style.confinement_per_s != 0.0F;
+    const gpu::ImageId curl = is_confined && grid.is_volume() ? curl_of(graph, grid, velocity) : velocity;
     auto pass = graph.compute("fluid/forces", shaders::fluid_forces_comp);
-    pass.sample(velocity, gpu::Sampling::linear_repeat).sample(quantities.value_or(velocity));
+    pass.sample(velocity, gpu::Sampling::linear_repeat).sample(quantities.value_or(velocity)).sample(curl);
     const gpu::ImageId forced = pass.write(graph.image("fluid/forced", velocity_desc(grid)));
     pass.push(WithGrid<shared::FluidForces>{grid_constants(grid),
                                             {.speed_gain = time_s * style.acceleration_m_s2,
                                              .kept = std::exp(-style.friction_per_s * time_s),
                                              .lift = time_s * style.lift_m_s2,
                                              .weight = time_s * style.weight_m_s2,
-                                             .confinement = time_s * style.confinement_per_s}})
+                                             .confinement = time_s * style.confinement_per_s,
+                                             .rim_share = 1.0F - std::exp(-style.rim.share_per_s * time_s),
+                                             .rim_cells = style.rim.breadth_m / grid.cell_m,
+                                             .outside = style.outside_m_s}})
         .variant(grid_bits(grid) | (is_buoyant ? shared::fluid_bit_buoyant : 0U) |
                  (is_confined ? shared::fluid_bit_confined : 0U));
     dispatch_over_cells(pass, grid);

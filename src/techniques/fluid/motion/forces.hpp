@@ -12,9 +12,10 @@ struct ForceStyle {
     float friction_per_s = 0.0F;       ///< share of the speed that is lost, at first
     float lift_m_s2 = 0.0F;            ///< up y, by a unit of temperature
     float weight_m_s2 = 0.0F;          ///< down y, by a unit of density
-    /// Feeds the vortices, in two dimensions, with so much of the speed that they have within a cell, each
-    /// second.
+    /// Feeds the vortices with so much of the speed that they have within a cell, each second.
     float confinement_per_s = 0.0F;
+    Rim rim; ///< where what moves takes up `outside_m_s`
+    glm::vec3 outside_m_s{0.0F};
 
     bool operator==(const ForceStyle&) const = default;
 };

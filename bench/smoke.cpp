@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// What smoke costs, pass by pass: a step of its fluid, its shape and light, and its drawing on a page that it
+// fills. estampe_bench_smoke --help
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "frame/view.hpp"
+#include "gpu/fills.hpp"
+#include "gpu/graph/execute.hpp"
+#include "gpu/imports.hpp"
+#include "gpu/read_back.hpp"
+#include "gpu/upload.hpp"
+#include "techniques/fluid/fluid.hpp"
+#include "techniques/smoke/smoke.hpp"
+
+namespace {
+
+using namespace estampe; // NOLINT(google-build-using-namespace): a program of one file
+
+struct Options {
+    std::string device = "auto";
+    uint32_t cells = 128;
+    glm::uvec2 size_px{1920, 1080};
+    uint32_t steps = 120;
+    uint32_t rounds = 40;
+    std::string sampling = "rays";
+    bool puffs = true;
+};
+
+/// Times of passes by name, as means over rounds, and of all of them as a median.
+class Stopwatch {
+public:
+    explicit Stopwatch(const Options& options)
+        : device(RendererOptions{.device = options.device}), executor(device)
+    {
+    }
+
+    void run(const gpu::Graph& graph)
+    {
+        const auto begin = std::chrono::steady_clock::now();
+        executor.run(graph);
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        double sum_ms = 0.0;
+        for (const PassTiming& timing : executor.timings()) {
+            pass_ms_[timing.name] += timing.gpu_ms;
+            sum_ms += timing.gpu_ms;
+        }
+        // A processor's own clock is wrong for short passes.
+        times_ms_.push_back(device.info().software ? took.count() : sum_ms);
+    }
+
+    void print(const char* what)
+    {
+        std::ranges::sort(times_ms_);
+        fmt::print("{}: {:.4f} ms\n  ", what, times_ms_[times_ms_.size() / 2]);
+        for (const auto& [name, ms] : pass_ms_) {
+            fmt::print(" {} {:.4f}", name, ms / static_cast<double>(times_ms_.size()));
+        }
+        fmt::print("\n");
+        times_ms_.clear();
+        pass_ms_.clear();
+    }
+
+    gpu::Device device;
+    gpu::Executor executor;
+
+private:
+    std::vector<double> times_ms_;
+    std::map<std::string, double> pass_ms_;
+};
+
+/// A box of two metres about the origin.
+smoke::Box box_of(uint32_t cells)
+{
+    glm::dmat4 anchor_from_grid = glm::dmat4(2.0 / cells);
+    anchor_from_grid[3] = glm::dvec4(-1.0, -1.0, -1.0, 1.0);
+    return {.cells = glm::uvec3(cells),
+            .cell_m = 2.0F / static_cast<float>(cells),
+            .grid_from_anchor = glm::mat4(glm::inverse(anchor_from_grid))};
+}
+
+fluid::FluidStyle solving()
+{
+    const fluid::Rim rim{.breadth_m = 0.3F, .share_per_s = 8.0F};
+    return {.step_s = 1.0F / 24.0F,
+            .stepping = fluid::Stepping::project,
+            .forces = {.lift_m_s2 = 2.0F, .confinement_per_s = 1.0F, .rim = rim},
+            .matter = {.fading_per_s = 0.25F, .cooling_per_s = 0.5F, .rim = rim}};
+}
+
+void measure(const Options& options)
+{
+    Stopwatch watch(options);
+    const smoke::Box box = box_of(options.cells);
+    const fluid::Edge open = fluid::Edge::periodic;
+    fluid::Fluid fluid(watch.device, {.cells = box.cells, .cell_m = box.cell_m, .edges = {open, open, open}},
+                       2);
+    fluid::Source source{.shape = fluid::disc({1.0F, 0.4F, 1.0F}, 0.3F)};
+    source.gain_per_s = {6.0F, 2.0F};
+    fluid.set_shapes({}, std::vector{source});
+    for (uint32_t i = 0; i < options.steps; ++i) {
+        gpu::Graph graph;
+        static_cast<void>(fluid.add_steps(graph, solving(), 1));
+        watch.run(graph);
+    }
+    fmt::print("{0} x {0} x {0} cells, {1} x {2} pixels, {3}\n", options.cells, options.size_px.x,
+               options.size_px.y, watch.device.info().name);
+    watch.print("a step");
+
+    smoke::SmokeStyle style{.drawn = true};
+    style.puffs = options.puffs;
+    style.sampling = options.sampling == "axis"   ? smoke::Sampling::axis
+                     : options.sampling == "view" ? smoke::Sampling::view
+                                                  : smoke::Sampling::rays;
+    const std::vector<smoke::Lamp> sun{{.place = {0.5F, 0.7F, 0.4F}, .luminance = 1.0F}};
+    const shared::SmokeGlobals around = smoke::globals_of(box, style, {.lamps = sun});
+    auto globals = gpu::upload_buffer(watch.device, "smoke", std::vector{around});
+    // The box is as high as the page.
+    const Camera camera{.eye = {0.6, 0.3, 4.4}, .target = {0.0, 0.0, 0.0}};
+    auto frame = gpu::upload_buffer(
+        watch.device, "frame",
+        std::vector{frame::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = options.size_px})});
+    smoke::VolumeMemory memory;
+    memory.provide(watch.device, box.cells);
+    gpu::Buffer pixels(watch.device, "pixels", uint64_t{4} * options.size_px.x * options.size_px.y,
+                       gpu::MemoryUse::readback);
+    for (uint32_t i = 0; i < options.rounds; ++i) {
+        gpu::Graph graph;
+        const fluid::FluidFields fields = fluid.add_steps(graph, solving(), 0);
+        smoke::add_volume(graph, memory, style,
+                          {.globals = gpu::import_whole(graph, "smoke", globals),
+                           .density = *fields.quantities,
+                           .puff_count = smoke::puff_count_of(around)});
+        watch.run(graph);
+    }
+    watch.print("shape and light");
+    for (uint32_t i = 0; i < options.rounds; ++i) {
+        gpu::Graph graph;
+        const gpu::ImageDesc page{.width = options.size_px.x, .height = options.size_px.y};
+        gpu::ImageDesc depths = page;
+        depths.format = gpu::Format::r32f;
+        const smoke::ViewInputs view{.frame = gpu::import_whole(graph, "frame", frame),
+                                     .globals = gpu::import_whole(graph, "smoke", globals),
+                                     .depth = gpu::add_filled_image(graph, "depth", depths, glm::vec4(0.0F)),
+                                     .size_px = options.size_px};
+        const gpu::ImageId marched = smoke::add_march(graph, memory.import(graph), style, view);
+        const smoke::Layer layer =
+            smoke::add_ink(graph, style,
+                           {.view = view,
+                            .marched = marched,
+                            .lines = gpu::add_filled_image(graph, "lines", page, glm::vec4(0.0F)),
+                            .pixels_per_mm = static_cast<float>(options.size_px.y) / 150.0F,
+                            .width_m = box.width_m()});
+        gpu::add_read_back(graph, "read back", layer.paint, pixels);
+        watch.run(graph);
+    }
+    watch.print("drawing, and reading it back");
+}
+
+} // namespace
+
+int main(int count, char** arguments)
+{
+    Options options;
+    CLI::App app("Measures smoke");
+    app.add_option("--device", options.device);
+    app.add_option("--cells", options.cells, "Along each side of the box, a power of two")
+        ->check(CLI::Range(16, 256));
+    app.add_option("--width", options.size_px.x)->check(CLI::Range(16, 8192));
+    app.add_option("--height", options.size_px.y)->check(CLI::Range(16, 8192));
+    app.add_option("--steps", options.steps, "Before it is drawn")->check(CLI::Range(1, 100000));
+    app.add_option("--rounds", options.rounds)->check(CLI::Range(1, 100000));
+    app.add_option("--sampling", options.sampling)->check(CLI::IsMember({"rays", "axis", "view"}));
+    app.add_flag("!--plain", options.puffs, "Without puffs");
+    CLI11_PARSE(app, count, arguments);
+    try {
+        measure(options);
+    } catch (const Error& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// One thread a puff: where its middle is and how large it is. Puffs are balls on a lattice that rises with
+// the smoke, each as large as it is dense in the ball's middle.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/hash.glsl"
+#include "shaders/items.glsl"
+#include "techniques/smoke/smoke.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) uniform Smoke
+{
+    SmokeGlobals smoke;
+};
+
+layout(binding = 1) uniform sampler2DArray density; // the first `depth` layers
+
+layout(scalar, binding = 2) writeonly buffer Puffs
+{
+    vec4 out_puffs[]; // middle and radius, in cells
+};
+
+float density_near(vec3 place)
+{
+    ivec3 cell = clamp(ivec3(floor(place)), ivec3(0), ivec3(smoke.cells) - 1);
+    return texelFetch(density, cell, 0).x;
+}
+
+void main()
+{
+    uint item = item_index();
+    uvec3 counts = smoke.puff_counts;
+    if (item >= counts.x * counts.y * counts.z) {
+        return;
+    }
+    uvec3 number = uvec3(item % counts.x, item / counts.x % counts.y, item / (counts.x * counts.y));
+    vec3 knot = smoke.puffs_from + vec3(number);
+    uvec3 key = uvec3(ivec3(knot));
+    uint identity = hash(key.x, key.y, key.z ^ smoke.seed);
+    vec3 stray = vec3(unit_float(identity), unit_float(hash(identity + 1u)), unit_float(hash(identity + 2u)));
+    vec3 middle = (knot + mix(vec3(0.2), vec3(0.8), stray)) * smoke.puff_cells + smoke.puffs_risen;
+    float most = mix(0.5, 0.95, unit_float(hash(identity + 3u))) * smoke.puff_cells;
+    float radius = most * sqrt(smoothstep(0.1, 0.7, density_near(middle)));
+    // The box cuts none of them but by its floor.
+    vec3 inside = min(middle, vec3(smoke.cells) - middle);
+    inside.y = float(smoke.cells.y) - middle.y;
+    out_puffs[item] = vec4(middle, min(radius, min(inside.x, min(inside.y, inside.z))));
+}
