@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Cloth: what sheets are made of, and how they move.
+// Cloth: what sheets are made of, and what they run into.
 
 #include <cstdint>
 
@@ -22,14 +22,23 @@ struct Cloth {
     float bending_n_m = 3e-5F;   ///< flexural rigidity: torque on a metre of width for a curvature of 1 / m
     float fold = 0.9F; ///< how near what lies two vertices apart may come, as a share of how far it lay:
                        ///< sharp creases at 0, none at 1
-    float drag = 1.2F;          ///< of air that meets it flat
-    float lift = 0.8F;          ///< of air that meets it aslant
+    float drag = 1.2F; ///< of air that meets it flat
+    float lift = 0.8F; ///< of air that meets it aslant
     float damping_per_s = 0.4F; ///< share of its speed that it loses in a second by itself
     float friction = 0.4F;      ///< on what it lies on
     float thickness_m = 0.006F; ///< how far from things it is held
     ClothSolver solver = ClothSolver::automatic;
 
     bool operator==(const Cloth& other) const = default;
+};
+
+/// What of an object cloth runs into: the smallest such solid about its mesh, which goes along with its node.
+enum class ClothCollider : uint8_t {
+    none,
+    box,
+    ellipsoid,
+    cylinder, ///< upright, along y
+    capsule   ///< the same with round ends
 };
 
 } // namespace estampe

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "gpu/imports.hpp"
+#include "gpu/read_back.hpp"
 #include "shaders/cloth_carry_comp.hpp"
 #include "shaders/cloth_push_comp.hpp"
 #include "shaders/cloth_small_comp.hpp"
@@ -17,6 +18,8 @@
 
 namespace estampe::cloth {
 namespace {
+
+constexpr float longest_step_s = 1.0F / 30.0F; // a longer one is taken for that
 
 /// What keeps the defaults' stretch at a hundredth or two: as many as a third of the particles of a side in a
 /// sixtieth of a second.
@@ -59,7 +62,7 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
     float longest_small_s = 0.0F;
     for (Kind& kind : kinds_) {
         const shared::ClothRun run{.gravity_m_s2 = surroundings.gravity_m_s2,
-                                   .step_s = surroundings.step_s,
+                                   .step_s = std::min(surroundings.step_s, longest_step_s),
                                    .step_count = count,
                                    .small_steps = small_steps(kind, surroundings),
                                    .collider_count = static_cast<uint32_t>(solids_.size()),
@@ -206,13 +209,30 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     targets_move_ = false;
 }
 
+void Cloths::add_snapshot(gpu::Graph& graph, const Handles& handles)
+{
+    gpu::add_copy_out(graph, "cloth/snapshot", handles.places, places_before_);
+}
+
 gpu::BufferId Cloths::add_vertices(gpu::Graph& graph, const Handles& handles, gpu::BufferId posed_vertices)
+{
+    return add_vertices_at(graph, handles, handles.places, posed_vertices);
+}
+
+gpu::BufferId Cloths::add_vertices_before(gpu::Graph& graph, const Handles& handles,
+                                          gpu::BufferId posed_vertices)
+{
+    return add_vertices_at(graph, handles, gpu::import_whole(graph, "cloth/places before", places_before_),
+                           posed_vertices);
+}
+
+gpu::BufferId Cloths::add_vertices_at(gpu::Graph& graph, const Handles& handles, gpu::BufferId places,
+                                      gpu::BufferId posed_vertices)
 {
     for (const Kind& kind : vertex_kinds_) {
         auto pass = graph.compute("cloth/vertices", shaders::cloth_vertices_comp);
         bind_common(graph, pass, handles, kinds_.front().run, sheet_of_vertex_group_);
-        pass.sample(handles.places, gpu::Format::rgba32f)
-            .read(gpu::import_whole(graph, "cloth/vertices", vertices_));
+        pass.sample(places, gpu::Format::rgba32f).read(gpu::import_whole(graph, "cloth/vertices", vertices_));
         posed_vertices = pass.modify(posed_vertices);
         pass.variant(kind.variant).push(shared::ClothMoment{.first_group = kind.first_group});
         pass.dispatch(kind.group_count);

@@ -18,8 +18,8 @@ namespace estampe::cloth {
 
 /// What all sheets are in; any of it may change from run to run.
 struct Surroundings {
-    float step_s = 1.0F / 120.0F;
-    double time_s = 0.0; ///< at the beginning of the run, for the wind
+    float step_s = 1.0F / 120.0F; ///< a thirtieth is the longest there is
+    double time_s = 0.0;          ///< at the beginning of the run, for the wind
     glm::vec3 gravity_m_s2{0.0F, -9.81F, 0.0F};
     float air_kg_m3 = 1.2F;
     WindStyle wind{.speed_m_s = 0.0F};
@@ -75,9 +75,18 @@ public:
     /// As many as one graph takes, at least one.
     [[nodiscard]] uint32_t most_steps(const Surroundings& surroundings) const;
 
-    /// Overwrites the drawn vertices' places and normals.
+    /// The next targets hold for the beginning of their run too.
+    void forget_targets() { has_targets_ = false; }
+
+    /// Keeps where sheets are, for add_vertices_before().
+    void add_snapshot(gpu::Graph& graph, const Handles& handles);
+
+    /// Overwrites the drawn vertices' places and normals: as sheets are, or as they were at the last
+    /// add_snapshot().
     [[nodiscard]] gpu::BufferId add_vertices(gpu::Graph& graph, const Handles& handles,
                                              gpu::BufferId posed_vertices);
+    [[nodiscard]] gpu::BufferId add_vertices_before(gpu::Graph& graph, const Handles& handles,
+                                                    gpu::BufferId posed_vertices);
 
     [[nodiscard]] uint32_t first_of(size_t sheet) const { return records_.at(sheet).first; }
 
@@ -104,6 +113,8 @@ private:
     void group_sheets(gpu::Device& device);
     [[nodiscard]] uint32_t kind_of(size_t sheet) const;
     [[nodiscard]] uint32_t small_steps(const Kind& kind, const Surroundings& surroundings) const;
+    [[nodiscard]] gpu::BufferId add_vertices_at(gpu::Graph& graph, const Handles& handles,
+                                                gpu::BufferId places, gpu::BufferId posed_vertices);
     void fill_runs(const Surroundings& surroundings, uint32_t count);
     void bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
                      gpu::Buffer& sheet_of_group);
@@ -129,6 +140,7 @@ private:
     bool has_targets_ = false;
     bool targets_move_ = false;
     gpu::Buffer places_;
+    gpu::Buffer places_before_; ///< at the last snapshot
     gpu::Buffer speeds_;
     gpu::Buffer pushes_;
     std::array<gpu::Buffer, 2> predicted_;

@@ -84,6 +84,7 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
     faces_ = gpu::upload_buffer(device, "cloth faces", faces);
     tethers_ = gpu::upload_buffer(device, "cloth tethers", tethers);
     places_ = gpu::upload_buffer(device, "cloth places", places);
+    places_before_ = gpu::upload_buffer(device, "cloth places before", places);
     pushes_ = gpu::upload_buffer(device, "cloth pushes", pushes);
     speeds_ = gpu::upload_buffer(device, "cloth speeds", std::vector<glm::vec4>(particle_count_));
     for (gpu::Buffer& predicted : predicted_) {

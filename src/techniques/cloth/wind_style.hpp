@@ -16,12 +16,16 @@ struct WindStyle {
     float gust_m = 6.0F;
     float turbulence = 0.5F;
     float eddy_m = 1.2F;
+
+    bool operator==(const WindStyle&) const = default;
 };
 
 /// How cloth is worked out.
 struct ClothStyle {
     float settle_s = 3.0F;
     float effort = 1.0F;
+
+    bool operator==(const ClothStyle&) const = default;
 };
 
 inline const style::Table<WindStyle>& wind_table()
