@@ -85,11 +85,10 @@ void banner(Making& m)
     for (const double x : {-1.8, 1.8}) {
         column(m.scene(), {x, 0.0, 0.0}, 0.22F, 4.0F);
     }
-    kit::add_sheet(m.scene(), m.particles(57, 29), {-1.5, 3.2, 0.0}, {3.0F, 0.0F, 0.0F}, {0.0F, -1.3F, 0.0F},
-                   [](glm::vec2 share) {
-                       return (share.x == 0.0F || share.x == 1.0F) && share.y == 0.0F ? 1.0F : 0.0F;
-                   });
-    m.wind(3.0F, 70.0F);
+    kit::add(m.scene(), "rope", kit::block({1.6F, 0.012F, 0.012F}), {0.0, 3.2, 0.0});
+    kit::add_sheet(m.scene(), m.particles(57, 33), {-1.3, 3.19, 0.0}, {2.6F, 0.0F, 0.0F}, {0.0F, -1.5F, 0.0F},
+                   hooks(4.0F, m.finer * 56.0F + 1.0F));
+    m.wind(2.0F, 60.0F);
     m.seen({-3.6, 2.2, 9.0}, {0.2, 1.8, 0.0});
 }
 
@@ -122,8 +121,8 @@ void sail(Making& m)
                                   ? 1.0F
                                   : 0.0F;
                    });
-    m.wind(6.0F, 75.0F);
-    m.seen({5.5, 2.0, 7.5}, {1.0, 2.3, 0.0});
+    m.wind(4.0F, 75.0F);
+    m.seen({6.2, 2.2, 8.6}, {0.9, 2.45, 0.0});
 }
 
 void round_table(Making& m)
@@ -202,7 +201,7 @@ void washing(Making& m)
                        {0.0F, -1.2F, 0.0F}, hooks(3.0F, m.finer * 32.0F + 1.0F));
         x += width_m + 0.2;
     }
-    m.wind(5.0F, 65.0F);
+    m.wind(2.2F, 65.0F);
     m.seen({3.4, 1.8, 6.8}, {0.0, 1.35, 0.0});
 }
 
@@ -221,7 +220,7 @@ void hammock(Making& m)
                    [](glm::vec2 share) { return share.x == 0.0F || share.x == 1.0F ? 1.0F : 0.0F; },
                    {.stretch_n_m = 400.0F});
     m.wind(0.0F, 0.0F);
-    m.seen({1.2, 1.9, 5.0}, {0.0, 1.0, 0.0}, 0.5);
+    m.seen({1.4, 2.3, 5.6}, {0.0, 1.05, 0.0}, 0.5);
 }
 
 void steps(Making& m)
@@ -250,7 +249,7 @@ void awning(Making& m)
                                   : 0.0F;
                    });
     m.wind(1.5F, 30.0F);
-    m.seen({3.0, 1.9, 5.8}, {0.0, 1.3, 0.4});
+    m.seen({3.4, 2.1, 6.8}, {0.0, 1.45, 0.4});
 }
 
 void pennants(Making& m)
@@ -262,7 +261,7 @@ void pennants(Making& m)
         kit::add_sheet(m.scene(), m.particles(33, 13), {x + 0.03, 3.1, z}, {1.3F, 0.0F, 0.0F},
                        {0.0F, -0.45F, 0.0F}, held_left, {.bending_n_m = 1e-5F});
     }
-    m.wind(8.0F, 15.0F);
+    m.wind(6.0F, 15.0F);
     m.seen({1.5, 1.6, 9.5}, {0.2, 1.7, -0.8});
 }
 

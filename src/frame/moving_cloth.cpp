@@ -131,6 +131,7 @@ MovingCloth::MovingCloth(gpu::Device& device, Cut&& cut)
 MovingCloth::MovingCloth(gpu::Device& device, const Scene& scene, const pose::MeshData& layout)
     : MovingCloth(device, cut(scene, layout))
 {
+    bones_ = bone_capsules(scene);
 }
 
 std::optional<ClothRun> MovingCloth::plan(const RenderSettings& settings, const StyleTables& style,
@@ -194,6 +195,9 @@ void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const Sc
         for (const glm::mat4& instance : node.instances) {
             solids.push_back(cloth::placed(solid, place * glm::dmat4(instance)));
         }
+    }
+    for (const BoneCapsule& bone : bones_) {
+        solids.push_back(placed_bone(bone, pose, layout.anchor));
     }
     if (!scene.terrain && !layout.bounds.empty()) {
         const auto floor_m = static_cast<float>(layout.bounds.min.y - layout.anchor.y);

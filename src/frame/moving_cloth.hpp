@@ -3,11 +3,13 @@
 
 // The cloth of a scene: which draws are sheets, what they run into, and how far they have come.
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include <estampe/renderer.hpp>
 
+#include "frame/bone_capsules.hpp"
 #include "frame/style_tables.hpp"
 #include "techniques/cloth/cloth.hpp"
 #include "techniques/pose/mesh_data.hpp"
@@ -58,8 +60,14 @@ public:
 
     [[nodiscard]] std::optional<double> time_s() const { return time_s_; }
 
-    /// The next picture goes on from sheets that were put there by hand.
-    void recall(double time_s) { time_s_ = time_s; }
+    /// The next picture goes on from sheets as they were then.
+    void recall(double time_s, std::array<gpu::Buffer, 2> state)
+    {
+        sheets_.recall(std::move(state));
+        places_before_.clear();
+        time_s_ = time_s;
+        is_still_ = false;
+    }
 
     bool has_moved = false; ///< the device has yet to pose the sheets' vertices
 
@@ -75,6 +83,7 @@ private:
 
     cloth::Cloths sheets_;
     std::vector<uint32_t> draws_;
+    std::vector<BoneCapsule> bones_;
     std::vector<glm::mat4> places_before_;
     glm::dvec3 anchor_before_{0.0};
     std::optional<double> time_s_;

@@ -97,6 +97,14 @@ public:
     /// Places and inverse masses, and speeds: all that the next run goes on from.
     [[nodiscard]] std::array<gpu::Buffer*, 2> state() { return {&places_, &speeds_}; }
 
+    /// Goes on from what state() of the same sheets was; buffers of the same sizes.
+    void recall(std::array<gpu::Buffer, 2> state)
+    {
+        places_ = std::move(state[0]);
+        speeds_ = std::move(state[1]);
+        forget_targets();
+    }
+
 private:
     /// Sheets that one dispatch serves.
     struct Kind {

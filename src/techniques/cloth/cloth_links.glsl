@@ -30,6 +30,7 @@ vec3 link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, floa
         excess_m = max(excess_m, 0.0) + min(length_m - sheet.fold * rest_m, 0.0);
     }
     float share = is_far ? 1.0 : cloth_near_share;
+    share *= is_relaxing ? cloth_knights_share : 1.0;
     float give = max(split_masses / (over_relaxation * share), is_relaxing ? 0.0 : softness);
     return towards * (excess_m / (max(length_m, 1e-9) * give));
 }
@@ -81,7 +82,9 @@ vec3 pull_of_grid(uint local, vec4 own, float inverse_mass, float time_s)
         [[unroll]] for (int x = -2; x <= 2; ++x)
         {
             ivec2 there = at + ivec2(x, y);
-            bool is_there = there.x >= 0 && there.y >= 0 && there.x < size.x && there.y < size.y;
+            // Those a knight's move away only relaxation is better for.
+            bool is_linked = is_relaxing || abs(x) * abs(y) != 2;
+            bool is_there = is_linked && there.x >= 0 && there.y >= 0 && there.x < size.x && there.y < size.y;
             vec4 other =
                 x == 0 && y == 0 ? own : predicted_at(is_there ? uint(there.y * size.x + there.x) : local);
             vec3 to_other = other.xyz - own.xyz;

@@ -264,18 +264,17 @@ void fill_lists(Structure& structure, const Sheet& sheet, const Pairs& pairs, co
 void fill_grid(Structure& structure, const Sheet& sheet)
 {
     const GridForm& grid = *structure.grid;
-    const auto within = [&](uint32_t i, uint32_t reach) {
+    const auto links = [&](uint32_t i, uint32_t reach) { // straight and aslant, so many apart
         const auto along = [&](uint32_t at, uint32_t size) {
-            return std::min(at + reach, size - 1) - (std::max(at, reach) - reach) + 1;
+            return (at >= reach ? 1U : 0U) + (at + reach < size ? 1U : 0U);
         };
-        return static_cast<float>(along(i % grid.columns, grid.columns) * along(i / grid.columns, grid.rows) -
-                                  1);
+        return static_cast<float>(
+            (1 + along(i % grid.columns, grid.columns)) * (1 + along(i / grid.columns, grid.rows)) - 1);
     };
     for (uint32_t i = 0; i < sheet.rest_m.size(); ++i) {
-        const float near = within(i, 1);
-        structure.link_shares.push_back(within(i, 2) - near + shared::cloth_near_share * near);
+        structure.link_shares.push_back(shared::cloth_near_share * links(i, 1) + links(i, 2));
     }
-    constexpr uint32_t all_links = 24;
+    constexpr uint32_t all_links = 16;
     const glm::vec2 s = grid.spacing_m;
     structure.softness = softness_of(sheet.cloth, s.x * s.y, all_links);
     const float stencil = 16.0F * (s.x / (s.y * s.y * s.y) + s.y / (s.x * s.x * s.x)) + 32.0F / (s.x * s.y);
