@@ -15,6 +15,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <estampe/cloth.hpp>
 #include <estampe/image.hpp>
 #include <estampe/terrain.hpp>
 
@@ -90,6 +91,7 @@ struct Material {
     bool unlit = false;
     std::optional<ToonShade> toon;
     LightLinks links;
+    std::optional<Cloth> cloth; ///< what is made of it moves as cloth
 };
 
 /// What a primitive is a list of.
@@ -118,6 +120,8 @@ struct Primitive {
     std::vector<uint8_t> edge_marks; ///< empty, or one a triangle: bit k marks the edge from corner k to the
                                      ///< next, as EXT_mesh_primitive_edge_visibility does
     std::vector<MorphTarget> morph_targets;
+    std::vector<float> held; ///< of cloth, how much each vertex is held where its node, skin or morph targets
+                             ///< put it: 0 free, 1 wholly; empty: all are free
 };
 
 /// A thing to be drawn, in its node's space; any number of nodes may show the same one.
@@ -147,6 +151,8 @@ struct Node {
     Index camera = no_index;
     Index light = no_index;
     LightLinks links;
+    std::optional<Cloth> cloth; ///< its mesh moves as cloth
+    ClothCollider collider = ClothCollider::none;
     std::vector<float> morph_weights; ///< empty: the mesh's own
     std::vector<glm::mat4>
         instances; ///< EXT_mesh_gpu_instancing: node_from_instance; empty means one, identity
@@ -240,6 +246,15 @@ struct Scene {
     std::vector<std::string> extensions_ignored;
     std::vector<std::string> warnings; ///< what was repaired on the way in, one line each
 };
+
+/// What a primitive of a node is made of if it is cloth, else null; the node's own goes before its
+/// material's.
+[[nodiscard]] const Cloth* cloth_of(const Scene& scene, const Node& node, const Primitive& primitive);
+
+/// A rectangle of cloth, as a regular grid of so many vertices a side: `along` and `down` are its sides, and
+/// its front is where they turn from one to the other clockwise. UVs are metres on it. At least 3 x 3.
+[[nodiscard]] Primitive cloth_sheet(uint32_t columns, uint32_t rows, const glm::vec3& corner_m,
+                                    const glm::vec3& along_m, const glm::vec3& down_m);
 
 /// Reads a scene: .gltf and .glb, and .obj .ply .stl .fbx .dae.
 ///

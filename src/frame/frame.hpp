@@ -3,6 +3,7 @@
 
 #include "frame/deep_page.hpp"
 #include "frame/local_maps.hpp"
+#include "frame/moving_cloth.hpp"
 #include "frame/plan.hpp"
 #include "frame/style_tables.hpp"
 #include "frame/tonal_maps.hpp"
@@ -52,6 +53,7 @@ struct FrameResources {
     gpu::Buffer& look_of_draw;       ///< where surfaces differ, as LookPlan has it
     gpu::Buffer& line_looks;         ///< then, contour's LineLook of each look
     GroundShadow& ground_shadow;
+    MovingCloth* cloth;               ///< where the scene has any
     terrain::TerrainBuffers* terrain; ///< where the scene has one
     terrain::TroddenSand* trodden;    ///< then
     contour::LineMesh* line_mesh;     ///< where lines are chains

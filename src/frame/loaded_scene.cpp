@@ -21,11 +21,33 @@ Scene without_images(const Scene& scene)
 
 } // namespace
 
+namespace {
+
+/// Cloth is seen from both sides.
+Scene with_both_sides(const Scene& scene)
+{
+    Scene result = scene;
+    for (const Node& node : result.nodes) {
+        for (const Primitive& primitive : node.mesh < result.meshes.size()
+                                              ? result.meshes[node.mesh].primitives
+                                              : std::vector<Primitive>()) {
+            if (cloth_of(result, node, primitive) != nullptr) {
+                result.materials.at(primitive.material).double_sided = true;
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace
+
 LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Lightmap* lightmap)
 {
     check_drawn_size(given);
     const Scene grounded = given.terrain ? with_terrain_node(given) : Scene{};
-    const Scene& scene = given.terrain ? grounded : given;
+    const bool has_cloth = MovingCloth::is_in(given);
+    const Scene two_sided = has_cloth ? with_both_sides(given.terrain ? grounded : given) : Scene{};
+    const Scene& scene = has_cloth ? two_sided : given.terrain ? grounded : given;
     LoadedScene loaded;
     if (lightmap != nullptr) {
         loaded.lightmap = *lightmap;
@@ -60,6 +82,9 @@ void lay_out(gpu::Device& device, LoadedScene& loaded)
         loaded.layout = pose::build_meshes(loaded.scene, ground_material);
     }
     loaded.meshes = pose::upload_meshes(device, loaded.layout);
+    loaded.cloth = MovingCloth::is_in(loaded.scene)
+                       ? std::make_unique<MovingCloth>(device, loaded.scene, loaded.layout)
+                       : nullptr;
     loaded.baked =
         upload_baked(device, loaded.lightmap ? &*loaded.lightmap : nullptr, loaded.scene, loaded.layout);
     loaded.has_plain_links = pose::has_plain_links(loaded.layout);

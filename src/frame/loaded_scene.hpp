@@ -11,6 +11,7 @@
 #include "frame/light_links.hpp"
 #include "frame/lightmaps.hpp"
 #include "frame/line_meshes.hpp"
+#include "frame/moving_cloth.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
@@ -34,6 +35,7 @@ struct LoadedScene {
     std::optional<pose::PoseData> pose; ///< what the device holds now
     LineMeshes line_meshes;
     HouseLight house_light;
+    std::unique_ptr<MovingCloth> cloth; ///< where the scene has any
     std::unique_ptr<terrain::TerrainBuffers> terrain; ///< where the scene has one
     std::unique_ptr<terrain::TroddenSand> trodden;    ///< then
     bool terrain_moved = false;                       ///< the device has yet to pose its vertices

@@ -302,6 +302,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .look_of_draw = look_of_draw,
                                     .line_looks = line_looks,
                                     .ground_shadow = ground_shadow,
+                                    .cloth = loaded->cloth.get(),
                                     .terrain = loaded->terrain.get(),
                                     .trodden = loaded->trodden.get(),
                                     .line_mesh =
@@ -328,6 +329,9 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
     executor.run(graph);
     loaded->pose_moved = false;
     loaded->terrain_moved = false;
+    if (loaded->cloth) {
+        loaded->cloth->has_moved = false;
+    }
     if (plan.lines.are_remembered && sample.is_first) {
         line_history.end_frame(sample.clip_from_anchor);
     }
@@ -407,12 +411,17 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     const pose::MeshData& layout = loaded->layout;
     const ScenePose scene_pose = pose_scene(loaded->scene, settings.time_s, settings.animation);
     check_places(loaded->scene, scene_pose);
+    update_cloth(settings, tables);
+    const bool has_cloth_moved = loaded->cloth && loaded->cloth->has_moved;
     if (settings.motion_since) {
         pose_before(pose_scene(loaded->scene, settings.motion_since->time_s, settings.animation));
-    } else if (const auto ink_s = flowing_ink.before_s(settings, tables.ink); ink_s && !loaded->pose) {
-        pose_before(pose_scene(loaded->scene, *ink_s, settings.animation)); // drawn by another renderer
+    } else if (const auto ink_s = flowing_ink.before_s(settings, tables.ink);
+               ink_s && (!loaded->pose || has_cloth_moved)) {
+        // Drawn by another renderer, or posed otherwise meanwhile.
+        pose_before(pose_scene(loaded->scene, *ink_s, settings.animation));
     }
     update_pose(scene_pose);
+    loaded->pose_moved = loaded->pose_moved || has_cloth_moved;
     update_terrain(camera, settings, tables.ink);
     light::Lighting lighting =
         light::gather_lights(loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,

@@ -107,6 +107,8 @@ struct Head {
     double exposure_time_s = 0.0;
     InkHead ink;
     SmokeHead smoke;
+    uint64_t has_cloth = 0;
+    double cloth_time_s = 0.0;
 };
 
 class Writer {
@@ -190,6 +192,11 @@ std::vector<std::byte> Renderer::film_memory() const
               .exposure_time_s = impl.exposure.time_s().value_or(0.0),
               .ink = ink_head(impl.flowing_ink),
               .smoke = smoke_head(smoke)};
+    frame::MovingCloth* const cloth = impl.loaded ? impl.loaded->cloth.get() : nullptr;
+    if (cloth != nullptr && cloth->time_s()) {
+        head.has_cloth = 1;
+        head.cloth_time_s = *cloth->time_s();
+    }
     Download download;
     for (size_t i = 0; i < line_classes.size(); ++i) {
         const contour::LineClass lines = line_classes.at(i);
@@ -207,6 +214,11 @@ std::vector<std::byte> Renderer::film_memory() const
     }
     if (head.ink.is_there != 0) {
         for (gpu::Buffer* const buffer : impl.flowing_ink.memory().kept_buffers()) {
+            download.add(impl.device, *buffer);
+        }
+    }
+    if (head.has_cloth != 0) {
+        for (gpu::Buffer* const buffer : cloth->sheets().state()) {
             download.add(impl.device, *buffer);
         }
     }
@@ -256,6 +268,13 @@ void Renderer::recall_film(std::span<const std::byte> memory)
         ink = {next_buffer("ink cells", bytes[0]), next_buffer("ink depths", bytes[1]),
                next_buffer("ink sums", bytes[2])};
     }
+    frame::MovingCloth* const cloth = impl.loaded->cloth.get();
+    std::array<gpu::Buffer, 2> sheets;
+    if (head.has_cloth != 0 && cloth != nullptr) {
+        for (size_t i = 0; i < sheets.size(); ++i) {
+            sheets.at(i) = next_buffer("cloth state", cloth->sheets().state().at(i)->size_bytes());
+        }
+    }
     std::optional<frame::KeptSmoke> smoke;
     if (head.smoke.is_there != 0) {
         smoke = {.cells = head.smoke.cells, .cell_m = head.smoke.cell_m, .time_s = head.smoke.time_s};
@@ -270,6 +289,9 @@ void Renderer::recall_film(std::span<const std::byte> memory)
     impl.exposure.forget();
     if (exposure) {
         impl.exposure.recall(std::move(*exposure), head.exposure_time_s);
+    }
+    if (head.has_cloth != 0 && cloth != nullptr) {
+        cloth->recall(head.cloth_time_s, std::move(sheets));
     }
     impl.flowing_ink.forget();
     if (head.ink.is_there != 0) {

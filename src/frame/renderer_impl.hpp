@@ -61,6 +61,14 @@ struct Renderer::Impl {
     void follow_eye(const Camera& camera);
     /// Brings the ground to where the eye is.
     void update_terrain(const Camera& camera, const RenderSettings& settings, const ink::InkStyle& ink);
+    /// Brings cloth to where the picture wants it; afterwards the scene is posed as it was somewhere on the
+    /// way.
+    void update_cloth(const RenderSettings& settings, const frame::StyleTables& style);
+    void start_cloth(const frame::ClothRun& run, const RenderSettings& settings);
+    void step_cloth(double from_s, double to_s, const RenderSettings& settings,
+                    const frame::StyleTables& style);
+    /// Poses all, and tells cloth where solids are.
+    [[nodiscard]] gpu::BufferId pose_for_cloth(gpu::Graph& graph, double time_s, Index animation);
     /// The ink of a picture that has been prepared.
     [[nodiscard]] std::optional<frame::InkPlan>
     plan_ink(const Camera& camera, const frame::StyleTables& tables, const RenderSettings& settings);

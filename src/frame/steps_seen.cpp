@@ -46,6 +46,12 @@ PosedScene add_posed_scene(const Making& making)
                         : gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]),
         .before = gpu::import_whole(graph, "vertices before", meshes.posed_vertices[1]),
         .stroke_coordinates = gpu::import_whole(graph, "stroke coordinates", meshes.stroke_coordinates)};
+    if (making.resources.cloth != nullptr && making.sample.pose_moved) {
+        cloth::Cloths& sheets = making.resources.cloth->sheets();
+        const cloth::Cloths::Handles handles = sheets.import(graph);
+        posed.vertices = sheets.add_vertices(graph, handles, posed.vertices);
+        posed.before = sheets.add_vertices_before(graph, handles, posed.before);
+    }
     std::optional<gpu::BufferId> terrain_texels;
     if (making.resources.terrain != nullptr) {
         terrain_texels = making.resources.terrain->add_texels(graph);

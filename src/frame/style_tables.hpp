@@ -5,6 +5,7 @@
 
 #include "style/sheet.hpp"
 #include "techniques/bleed/bleed.hpp"
+#include "techniques/cloth/wind_style.hpp"
 #include "techniques/contour/contour.hpp"
 #include "techniques/focus/focus.hpp"
 #include "techniques/hatch/hatch.hpp"
@@ -61,6 +62,8 @@ struct StyleTables {
     wash::WashStyle wash;
     haze::HazeStyle haze;
     terrain::DriftStyle drift;
+    cloth::WindStyle wind;
+    cloth::ClothStyle cloth;
     sky::SkyStyle sky;
     paper::PaperStyle paper;
     std::vector<style::Override> overrides; ///< what single materials and objects have otherwise
@@ -87,6 +90,8 @@ struct StyleTables {
     sheet.bind(wash::wash_table(), tables.wash);
     sheet.bind(haze::haze_table(), tables.haze);
     sheet.bind(terrain::drift_table(), tables.drift);
+    sheet.bind(cloth::wind_table(), tables.wind);
+    sheet.bind(cloth::cloth_table(), tables.cloth);
     sheet.bind(sky::sky_table(), tables.sky);
     sheet.bind(paper::paper_table(), tables.paper);
     sheet.bind_overrides(tables.overrides);

@@ -33,7 +33,8 @@ std::vector<bool> moving_nodes(const Scene& scene)
 
 bool can_move(const Scene& scene, const std::vector<bool>& moving, Index node, const Primitive& primitive)
 {
-    return moving[node] || scene.nodes[node].skin != no_index || !primitive.morph_targets.empty();
+    return moving[node] || scene.nodes[node].skin != no_index || !primitive.morph_targets.empty() ||
+           cloth_of(scene, scene.nodes[node], primitive) != nullptr;
 }
 
 namespace {

@@ -20,6 +20,10 @@ void import_meshes(Data& data, Scene& scene);
 /// Nodes, lights, cameras, skins, and which of them belong to the file's scene.
 void import_nodes(Data& data, Scene& scene);
 
+/// What is cloth: by the names of nodes and materials, or their extras. The red of its vertices' colours says
+/// how much they are held, and colours nothing.
+void import_cloth(const Data& data, Scene& scene);
+
 void import_animations(Data& data, Scene& scene);
 
 } // namespace estampe::gltf

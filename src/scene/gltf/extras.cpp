@@ -17,9 +17,14 @@ public:
     Reader(const Data& data, const tinygltf::Value& extras, const std::string& pointer)
         : data_(data), value_(extras.Get(our_key)), pointer_(pointer + "/extras/" + our_key)
     {
-        if (!value_.IsObject()) {
-            data.fail(pointer_, "should be an object");
-        }
+        check_object();
+    }
+
+    /// Of an object within it.
+    Reader(const Reader& whole, const std::string& key)
+        : data_(whole.data_), value_(whole.value_.Get(key)), pointer_(whole.at(key))
+    {
+        check_object();
     }
 
     /// Fails at the first key that is not among `known`.
@@ -86,6 +91,13 @@ public:
     }
 
 private:
+    void check_object() const
+    {
+        if (!value_.IsObject()) {
+            data_.fail(pointer_, "should be an object");
+        }
+    }
+
     [[nodiscard]] std::string at(const std::string& key) const { return pointer_ + "/" + key; }
 
     const Data& data_;
@@ -143,7 +155,8 @@ void read_link_extras(const Data& data, const tinygltf::Value& extras, const std
     if (!has_extras(extras)) {
         return;
     }
-    static constexpr std::string_view keys[] = {"casts", "groups", "lightmap", "receives"};
+    static constexpr std::string_view keys[] = {"casts",  "cloth",    "collider",
+                                                "groups", "lightmap", "receives"};
     const Reader reader(data, extras, pointer);
     reader.expect_only(keys);
     if (reader.has("groups")) {
@@ -156,6 +169,56 @@ void read_link_extras(const Data& data, const tinygltf::Value& extras, const std
     }
     if (reader.has("receives")) {
         links.receives_shadows = reader.boolean("receives");
+    }
+}
+
+void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+                       std::optional<Cloth>& cloth)
+{
+    if (!has_extras(extras)) {
+        return;
+    }
+    const Reader reader(data, extras, pointer);
+    if (!reader.has("cloth")) {
+        return;
+    }
+    if (reader.is_boolean("cloth")) {
+        cloth = reader.boolean("cloth") ? std::optional(cloth.value_or(Cloth{})) : std::nullopt;
+        return;
+    }
+    static constexpr std::string_view keys[] = {"bending",  "damping", "density", "drag",    "fold",
+                                                "friction", "lift",    "solver",  "stretch", "thickness"};
+    static constexpr std::string_view solvers[] = {"automatic", "small_steps", "verlet"};
+    const Reader own(reader, "cloth");
+    own.expect_only(keys);
+    Cloth& read = cloth.emplace();
+    const auto take = [&](const char* key, float& number) {
+        number = own.has(key) ? own.positive_number(key) : number;
+    };
+    take("bending", read.bending_n_m);
+    take("damping", read.damping_per_s);
+    take("density", read.density_kg_m2);
+    take("drag", read.drag);
+    take("fold", read.fold);
+    take("friction", read.friction);
+    take("lift", read.lift);
+    take("stretch", read.stretch_n_m);
+    take("thickness", read.thickness_m);
+    if (own.has("solver")) {
+        read.solver = static_cast<ClothSolver>(own.choice("solver", solvers));
+    }
+}
+
+void read_collider_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+                          ClothCollider& collider)
+{
+    if (!has_extras(extras)) {
+        return;
+    }
+    static constexpr std::string_view shapes[] = {"none", "box", "ellipsoid", "cylinder", "capsule"};
+    const Reader reader(data, extras, pointer);
+    if (reader.has("collider")) {
+        collider = static_cast<ClothCollider>(reader.choice("collider", shapes));
     }
 }
 

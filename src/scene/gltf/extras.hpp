@@ -7,6 +7,9 @@
 //                     "type": "ambient"                              "shadows": true or false
 //                     "groups": [1, 2]    lights objects of these    "casters": [1]    is blocked by those
 //                     "radius": 0.1       metres, of what glows
+//     node            "collider": "box", "ellipsoid", "cylinder" or "capsule", which cloth runs into
+//     node, material  "cloth": true, or {"density": 0.15, ...}: its members' names without units, see
+//                     estampe/cloth.hpp, and "solver": "automatic", "small_steps" or "verlet"
 //     node, material  "groups": [1]       lit by lights of these     "casts": [1], true or false
 //                     "receives": true or false               "lightmap": see estampe/lightmap.hpp
 //
@@ -22,6 +25,11 @@ void read_light_extras(const Data& data, const tinygltf::Value& extras, const st
                        Light& light);
 void read_link_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
                       LightLinks& links);
+
+void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+                       std::optional<Cloth>& cloth);
+void read_collider_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+                          ClothCollider& collider);
 
 /// Whether `extras` has an object of ours at all.
 [[nodiscard]] bool has_extras(const tinygltf::Value& extras);

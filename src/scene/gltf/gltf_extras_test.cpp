@@ -66,6 +66,29 @@ TEST(GltfExtras, OfNodesGoDownAndOfMaterials)
     EXPECT_EQ(scene.materials[0].links, LightLinks{.lit_by = 8});
 }
 
+TEST(GltfExtras, SayWhatIsClothAndWhatItRunsInto)
+{
+    TestFile file = triangle_file();
+    file.document["nodes"] = json::parse(R"([
+        {"mesh": 0, "name": "Cloth_flag"},
+        {"mesh": 0, "name": "clothes", "extras": {"estampe": {"collider": "capsule"}}},
+        {"mesh": 0, "extras": {"estampe": {"cloth": {"density": 0.5, "solver": "verlet"}}}},
+        {"mesh": 0, "name": "cloth", "extras": {"estampe": {"cloth": false}}}
+    ])");
+    file.document["scenes"] = json::parse(R"([{"nodes": [0, 1, 2, 3]}])");
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.nodes[0].cloth, Cloth{});
+    EXPECT_FALSE(scene.nodes[1].cloth);
+    EXPECT_EQ(scene.nodes[1].collider, ClothCollider::capsule);
+    EXPECT_EQ(scene.nodes[2].cloth, (Cloth{.density_kg_m2 = 0.5F, .solver = ClothSolver::verlet}));
+    EXPECT_FALSE(scene.nodes[3].cloth);
+    file.document["materials"] = json::parse(R"([{"name": "CLOTH.001"}])");
+    file.document["meshes"][0]["primitives"][0]["material"] = 0;
+    EXPECT_TRUE(file.load().materials[0].cloth);
+    file.document["nodes"][2]["extras"]["estampe"]["cloth"]["weight"] = 1;
+    EXPECT_EQ(failure(file).find("test.glb#/nodes/2/extras/estampe/cloth/weight: is not known"), 0U);
+}
+
 TEST(GltfExtras, ErrorsNameThePlace)
 {
     const std::string light = "test.glb#/extensions/KHR_lights_punctual/lights/0/extras/estampe";

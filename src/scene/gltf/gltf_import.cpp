@@ -42,6 +42,7 @@ Scene import(std::span<const std::byte> bytes, const std::string& file,
         gltf::import_materials(data, scene);
         gltf::import_meshes(data, scene);
         gltf::import_nodes(data, scene);
+        gltf::import_cloth(data, scene);
         gltf::import_animations(data, scene);
         check_drawable(scene, file);
         scene.warnings = data.take_warnings();

@@ -187,11 +187,22 @@ private:
                     {.node = node_index,
                      .primitive = static_cast<uint32_t>(&original - mesh.primitives.data()),
                      .instance = instance,
-                     .local_bounds = uploaded.bounds});
+                     .local_bounds = reached_bounds(node, original, uploaded.bounds)});
                 draw_moves_.push_back(can_move(scene_, moving_nodes_, node_index, original));
                 add_draw(primitive, draw, place_of(node_index, instance), joints);
             }
         }
+    }
+
+    /// Cloth swings, and falls, about as far as it is large.
+    Bounds reached_bounds(const Node& node, const Primitive& primitive, const Bounds& bounds) const
+    {
+        Bounds reached = bounds;
+        if (cloth_of(scene_, node, primitive) != nullptr && !bounds.empty()) {
+            reached.extend(bounds.min - bounds.radius());
+            reached.extend(bounds.max + bounds.radius());
+        }
+        return reached;
     }
 
     static bool is_cut(const Material& material)

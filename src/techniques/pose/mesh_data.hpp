@@ -34,7 +34,7 @@ struct DrawSource {
     Index node = 0;
     uint32_t primitive = 0; ///< of the node's mesh
     uint32_t instance = 0;  ///< into Node::instances; 0 when there are none
-    Bounds local_bounds;    ///< of the rest vertices, in object space
+    Bounds local_bounds;    ///< of the rest vertices, in object space; of cloth, about where it can come to
 };
 
 /// A mesh that is posed by somebody else: what is known of it before. It throws no shadow into maps and has

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// What a frame of cloth costs: a sixtieth of a second with everything, from steps to normals.
+// estampe_bench_cloth --help
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "gpu/graph/execute.hpp"
+#include "gpu/imports.hpp"
+#include "shaders/mesh.glsl.h"
+#include "techniques/cloth/cloth.hpp"
+
+namespace {
+
+using namespace estampe; // NOLINT(google-build-using-namespace): a program of one file
+
+struct Options {
+    std::string device = "auto";
+    uint32_t side = 32;
+    uint32_t sheets = 50;
+    uint32_t colliders = 0;
+    uint32_t rounds = 40;
+    float wind_m_s = 5.0F;
+    float step_s = 1.0F / 120.0F;
+    float effort = 1.0F;
+    bool verlet = false;
+    bool passes = false;
+};
+
+struct Hung {
+    std::vector<cloth::Sheet> sheets;
+    std::vector<cloth::DrawnSheet> drawn;
+    uint32_t vertex_count = 0;
+};
+
+Hung hang_up(const Options& options)
+{
+    Hung hung;
+    for (uint32_t i = 0; i < options.sheets; ++i) {
+        const glm::vec3 corner(2.0F * static_cast<float>(i), 0.0F, 0.0F);
+        cloth::Sheet sheet =
+            cloth::grid_sheet(glm::uvec2(options.side), corner, {1.0F, 0.0F, 0.0F}, {0.0F, -1.0F, 0.0F});
+        cloth::DrawnSheet drawn{.first_vertex = hung.vertex_count};
+        for (uint32_t k = 0; k < sheet.rest_m.size(); ++k) {
+            sheet.held.push_back(k % options.side == 0 ? 1.0F : 0.0F);
+            drawn.particle_of_vertex.push_back(k);
+        }
+        hung.vertex_count += static_cast<uint32_t>(sheet.rest_m.size());
+        hung.sheets.push_back(std::move(sheet));
+        hung.drawn.push_back(std::move(drawn));
+    }
+    return hung;
+}
+
+std::vector<cloth::Solid> solids_of(const Options& options)
+{
+    std::vector<cloth::Solid> solids;
+    for (uint32_t i = 0; i < options.colliders; ++i) {
+        const glm::vec3 centre(0.15F + 0.23F * static_cast<float>(i % 4),
+                               -0.15F - 0.23F * static_cast<float>(i / 4 % 4), 0.1F);
+        cloth::Solid solid = cloth::ball(centre, 0.09F);
+        solid.kind = std::array{cloth::SolidKind::ellipsoid, cloth::SolidKind::box, cloth::SolidKind::cylinder,
+                                cloth::SolidKind::capsule}
+                         .at(i % 4);
+        solids.push_back(solid);
+    }
+    return solids;
+}
+
+double median(std::vector<double> numbers)
+{
+    std::ranges::sort(numbers);
+    return numbers[numbers.size() / 2];
+}
+
+void measure(const Options& options)
+{
+    gpu::Device device(RendererOptions{.device = options.device});
+    gpu::Executor executor(device);
+    const Hung hung = hang_up(options);
+    cloth::Cloths cloths(device, hung.sheets, hung.drawn);
+    if (options.verlet) {
+        cloths.set_solver(device, ClothSolver::verlet);
+    }
+    cloths.set_solids(device, solids_of(options));
+    gpu::Buffer posed(device, "posed vertices", hung.vertex_count * sizeof(shared::PosedVertex),
+                      gpu::MemoryUse::device);
+    cloth::Surroundings surroundings{.step_s = options.step_s, .effort = options.effort};
+    surroundings.wind.speed_m_s = options.wind_m_s;
+    const auto steps = static_cast<uint32_t>(std::max(1.0F, std::round(1.0F / 60.0F / options.step_s)));
+    std::vector<double> device_ms;
+    std::vector<double> wall_ms;
+    for (uint32_t round = 0; round < options.rounds + 2; ++round) {
+        const auto begin = std::chrono::steady_clock::now();
+        double device_sum = 0.0;
+        for (uint32_t left = steps; left > 0;) {
+            const uint32_t now = std::min(left, cloths.most_steps(surroundings));
+            left -= now;
+            gpu::Graph graph;
+            cloth::Cloths::Handles handles = cloths.import(graph);
+            cloths.add_steps(graph, handles, surroundings, now);
+            surroundings.time_s += static_cast<double>(now) * options.step_s;
+            if (left == 0) {
+                graph.export_buffer(
+                    cloths.add_vertices(graph, handles, gpu::import_whole(graph, "posed", posed)));
+            }
+            executor.run(graph);
+            for (const PassTiming& timing : executor.timings()) {
+                device_sum += timing.gpu_ms;
+                if (options.passes && round == options.rounds + 1) {
+                    fmt::print("  {} {:.4f}\n", timing.name, timing.gpu_ms);
+                }
+            }
+        }
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        if (round >= 2) { // the first ones compile
+            device_ms.push_back(device_sum);
+            wall_ms.push_back(took.count());
+        }
+    }
+    fmt::print("{}: {} sheets of {} x {}, {} colliders, {} steps a frame: {:.3f} ms by passes, {:.3f} ms by the wall\n",
+               device.info().name, options.sheets, options.side, options.side, options.colliders, steps,
+               median(device_ms), median(wall_ms));
+}
+
+} // namespace
+
+int main(int count, char** arguments)
+{
+    Options options;
+    CLI::App app("Measures what cloth costs");
+    app.add_option("--device", options.device);
+    app.add_option("--side", options.side, "Particles of a side")->check(CLI::Range(3, 2048));
+    app.add_option("--sheets", options.sheets)->check(CLI::Range(1, 10000));
+    app.add_option("--colliders", options.colliders)->check(CLI::Range(0, 1000));
+    app.add_option("--rounds", options.rounds, "Frames to take the median of")->check(CLI::Range(1, 100000));
+    app.add_option("--wind", options.wind_m_s, "Metres a second, with gusts and eddies");
+    app.add_option("--step", options.step_s, "Seconds; a frame is a sixtieth")->check(CLI::Range(1e-4, 1.0 / 30));
+    app.add_option("--effort", options.effort)->check(CLI::Range(0.05, 8.0));
+    app.add_flag("--verlet", options.verlet, "The thesis's relaxation");
+    app.add_flag("--passes", options.passes, "Tells each pass of the last frame");
+    CLI11_PARSE(app, count, arguments);
+    try {
+        measure(options);
+    } catch (const Error& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 1;
+    }
+    return 0;
+}

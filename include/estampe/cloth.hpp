@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Cloth: what sheets are made of, and what they run into.
+
+#include <cstdint>
+
+namespace estampe {
+
+/// How cloth is kept from stretching. All take the same sheets and may be swapped while a film goes on.
+enum class ClothSolver : uint8_t {
+    automatic,   ///< small_steps
+    small_steps, ///< extended position-based dynamics: many short steps of one iteration each
+    verlet,      ///< one step and many relaxations, as Zanuttini, "Recherches en rendu non réaliste temps
+                 ///< réel", Université Paris 8, 2008, chapter 7: stretches more the finer the mesh
+};
+
+/// What a sheet is made of; the defaults are a light cotton.
+struct Cloth {
+    float density_kg_m2 = 0.15F;
+    float stretch_n_m = 8000.0F; ///< newtons on a metre of width that would make it twice as long
+    float bending_n_m = 3e-5F;   ///< flexural rigidity: torque on a metre of width for a curvature of 1 / m
+    float fold = 0.9F; ///< how near what lies two vertices apart may come, as a share of how far it lay:
+                       ///< sharp creases at 0, none at 1
+    float drag = 1.2F; ///< of air that meets it flat
+    float lift = 0.8F; ///< of air that meets it aslant
+    float damping_per_s = 0.4F; ///< share of its speed that it loses in a second by itself
+    float friction = 0.4F;      ///< on what it lies on
+    float thickness_m = 0.006F; ///< how far from things it is held
+    ClothSolver solver = ClothSolver::automatic;
+
+    bool operator==(const Cloth& other) const = default;
+};
+
+/// What of an object cloth runs into: the smallest such solid about its mesh, which goes along with its node.
+enum class ClothCollider : uint8_t {
+    none,
+    box,
+    ellipsoid,
+    cylinder, ///< upright, along y
+    capsule   ///< the same with round ends
+};
+
+} // namespace estampe

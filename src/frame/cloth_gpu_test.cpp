@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Cloth in a frame: what a picture shows of it, and when it is the same.
+#include <gtest/gtest.h>
+
+#include "set_ups.hpp"
+#include "support/gpu_device.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr RenderSettings small{.width = 96, .height = 72};
+
+Style style_of(const SetUp& set_up, const char* more = nullptr)
+{
+    Style style;
+    for (const std::string& assignment : set_up.style) {
+        style.set(assignment);
+    }
+    style.set("cloth.settle_s=1");
+    if (more != nullptr) {
+        style.set(more);
+    }
+    return style;
+}
+
+size_t differing(const Image& a, const Image& b)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < a.rgba.size(); i += 4) {
+        count += std::equal(a.rgba.begin() + static_cast<ptrdiff_t>(i),
+                            a.rgba.begin() + static_cast<ptrdiff_t>(i) + 4,
+                            b.rgba.begin() + static_cast<ptrdiff_t>(i))
+                     ? 0
+                     : 1;
+    }
+    return count;
+}
+
+Image film_frame(Renderer& renderer, const SetUp& set_up, const Style& style, uint32_t frame)
+{
+    RenderSettings settings = small;
+    settings.time_s = frame / 24.0;
+    settings.continuity = frame == 0 ? Continuity::starts : Continuity::follows;
+    return renderer.render(set_up.camera, style, settings);
+}
+
+TEST(ClothFrame, StillsHaveTheSameBytesWhateverWasDrawnBefore)
+{
+    const SetUp set_up = make_set_up("flag", 0.5F);
+    const Style style = style_of(set_up);
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(set_up.scene);
+    const Image first = renderer.render(set_up.camera, style, small);
+    EXPECT_EQ(renderer.render(set_up.camera, style, small).rgba, first.rgba);
+    RenderSettings later = small;
+    later.time_s = 0.7;
+    EXPECT_GT(differing(renderer.render(set_up.camera, style, later), first), 50U); // it blows
+    for (uint32_t frame = 0; frame < 3; ++frame) {
+        static_cast<void>(film_frame(renderer, set_up, style, frame));
+    }
+    EXPECT_EQ(renderer.render(set_up.camera, style, small).rgba, first.rgba);
+    renderer.set_scene(set_up.scene);
+    EXPECT_EQ(renderer.render(set_up.camera, style, small).rgba, first.rgba);
+}
+
+TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
+{
+    const SetUp set_up = make_set_up("swing", 0.4F); // held by what an animation moves
+    const Style style = style_of(set_up);
+    Renderer& renderer = test::shared_renderer();
+    const auto film = [&](uint32_t count) {
+        renderer.set_scene(set_up.scene);
+        std::vector<Image> frames;
+        for (uint32_t i = 0; i < count; ++i) {
+            frames.push_back(film_frame(renderer, set_up, style, i));
+        }
+        return frames;
+    };
+    const std::vector<Image> whole = film(4);
+    EXPECT_GT(differing(whole[3], whole[0]), 20U);
+    static_cast<void>(film(2));
+    const auto memory = renderer.film_memory();
+    renderer.set_scene(set_up.scene);
+    renderer.recall_film(memory);
+    EXPECT_EQ(film_frame(renderer, set_up, style, 2).rgba, whole[2].rgba);
+    EXPECT_EQ(film_frame(renderer, set_up, style, 3).rgba, whole[3].rgba);
+}
+
+TEST(ClothFrame, MotionIsOfTheSheetToo)
+{
+    const SetUp set_up = make_set_up("flag", 0.5F);
+    const Style style = style_of(set_up);
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(set_up.scene);
+    RenderSettings settings = small;
+    settings.time_s = 1.0;
+    settings.motion_since = Moment{.camera = set_up.camera, .time_s = 0.95};
+    static_cast<void>(renderer.render(set_up.camera, style, settings));
+    size_t moved = 0;
+    float most_px = 0.0F;
+    for (const glm::vec4& pixel : renderer.motion().pixels) {
+        const glm::vec2 motion(pixel);
+        moved += glm::length(motion) > 0.02F ? 1 : 0;
+        most_px = std::max(most_px, glm::length(motion));
+    }
+    EXPECT_GT(moved, 50U);
+    EXPECT_LT(moved, renderer.motion().pixels.size() / 3);
+    EXPECT_LT(most_px, 15.0F);
+}
+
+TEST(ClothFrame, ScenesWithoutClothHaveNoPassesOfIt)
+{
+    SetUp set_up = make_set_up("flag", 0.5F);
+    Renderer& renderer = test::shared_renderer();
+    for (Node& node : set_up.scene.nodes) {
+        node.cloth.reset();
+    }
+    renderer.set_scene(set_up.scene);
+    static_cast<void>(renderer.render(set_up.camera, style_of(set_up), small));
+    EXPECT_EQ(renderer.graph_dot().find("cloth"), std::string::npos);
+    renderer.set_scene(make_set_up("flag", 0.5F).scene);
+    static_cast<void>(renderer.render(set_up.camera, style_of(set_up), small));
+    EXPECT_NE(renderer.graph_dot().find("cloth"), std::string::npos);
+}
+
+} // namespace
+} // namespace estampe

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "frame/moving_cloth.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "shaders/mesh.glsl.h"
+
+namespace estampe::frame {
+namespace {
+
+/// Vertices that lie in one place are one particle, so that sheets hang together along the seams of their
+/// UVs.
+cloth::DrawnSheet welded(const pose::MeshData& layout, const shared::DrawRecord& draw,
+                         const std::vector<float>& held, cloth::Sheet& sheet)
+{
+    std::map<std::tuple<float, float, float>, uint32_t> particles;
+    cloth::DrawnSheet drawn{.first_vertex = draw.first_posed_vertex};
+    const auto unit_m = static_cast<float>(layout.stroke_unit_m);
+    for (uint32_t i = 0; i < draw.vertex_count; ++i) {
+        const glm::vec3 place = unit_m * layout.stroke_coordinates[draw.first_posed_vertex + i];
+        const auto [found, is_new] =
+            particles.try_emplace({place.x, place.y, place.z}, static_cast<uint32_t>(sheet.rest_m.size()));
+        if (is_new) {
+            sheet.rest_m.push_back(place);
+            sheet.held.push_back(0.0F);
+        }
+        float& hold = sheet.held[found->second];
+        hold = std::max(hold, i < held.size() ? held[i] : 0.0F);
+        drawn.particle_of_vertex.push_back(found->second);
+    }
+    return drawn;
+}
+
+cloth::SolidKind solid_kind(ClothCollider collider)
+{
+    switch (collider) {
+    case ClothCollider::box:
+        return cloth::SolidKind::box;
+    case ClothCollider::cylinder:
+        return cloth::SolidKind::cylinder;
+    case ClothCollider::capsule:
+        return cloth::SolidKind::capsule;
+    default:
+        return cloth::SolidKind::ellipsoid;
+    }
+}
+
+/// The smallest solid of its kind about a mesh, for capsules with the ends within the box about it.
+cloth::Solid solid_about(const Mesh& mesh, ClothCollider collider)
+{
+    Bounds bounds;
+    for (const Primitive& primitive : mesh.primitives) {
+        for (const glm::vec3& position : primitive.positions) {
+            bounds.extend(position);
+        }
+    }
+    cloth::Solid solid{.kind = solid_kind(collider)};
+    if (bounds.empty()) {
+        return solid;
+    }
+    const glm::vec3 half(0.5 * (bounds.max - bounds.min));
+    solid.centre_m = glm::vec3(bounds.center());
+    solid.half_m = half;
+    if (collider == ClothCollider::cylinder || collider == ClothCollider::capsule) {
+        const float radius_m = std::max(half.x, half.z);
+        const float ends_m = collider == ClothCollider::capsule ? radius_m : 0.0F;
+        solid.half_m = {radius_m, std::max(half.y - ends_m, 0.0F), radius_m};
+    }
+    return solid;
+}
+
+} // namespace
+
+bool MovingCloth::is_in(const Scene& scene)
+{
+    return std::ranges::any_of(scene.nodes, [&](const Node& node) {
+        return node.mesh < scene.meshes.size() &&
+               std::ranges::any_of(scene.meshes[node.mesh].primitives, [&](const Primitive& primitive) {
+                   return cloth_of(scene, node, primitive) != nullptr;
+               });
+    });
+}
+
+MovingCloth::Cut MovingCloth::cut(const Scene& scene, const pose::MeshData& layout)
+{
+    Cut cut;
+    std::map<uint32_t, size_t> sheet_of_draw;
+    const ScenePose rest = pose_scene(scene, 0.0, no_index);
+    std::vector<bool> is_mirrored;
+    for (uint32_t i = 0; i < layout.sources.size(); ++i) {
+        const pose::DrawSource& source = layout.sources[i];
+        const Node& node = scene.nodes[source.node];
+        const Primitive& primitive = scene.meshes[node.mesh].primitives[source.primitive];
+        const Cloth* const cloth = cloth_of(scene, node, primitive);
+        if (cloth == nullptr || primitive.indices.empty()) {
+            continue;
+        }
+        sheet_of_draw[i] = cut.sheets.size();
+        cut.draws.push_back(i);
+        cloth::Sheet& sheet = cut.sheets.emplace_back();
+        sheet.cloth = *cloth;
+        cut.drawn.push_back(welded(layout, layout.draws[i], primitive.held, sheet));
+        is_mirrored.push_back(glm::determinant(glm::dmat3(rest.world_from_node[source.node])) < 0.0);
+    }
+    for (const glm::uvec4& triangle : layout.triangles) {
+        const auto found = sheet_of_draw.find(triangle.w & shared::triangle_draw_mask);
+        if (found == sheet_of_draw.end()) {
+            continue;
+        }
+        const cloth::DrawnSheet& drawn = cut.drawn[found->second];
+        const glm::uvec3 own = glm::uvec3(triangle) - drawn.first_vertex;
+        glm::uvec3 particles(drawn.particle_of_vertex[own.x], drawn.particle_of_vertex[own.y],
+                             drawn.particle_of_vertex[own.z]);
+        if (is_mirrored[found->second]) {
+            std::swap(particles.y, particles.z);
+        }
+        if (particles.x != particles.y && particles.y != particles.z && particles.z != particles.x) {
+            cut.sheets[found->second].triangles.push_back(particles);
+        }
+    }
+    return cut;
+}
+
+MovingCloth::MovingCloth(gpu::Device& device, Cut&& cut)
+    : sheets_(device, cut.sheets, cut.drawn), draws_(std::move(cut.draws))
+{
+}
+
+MovingCloth::MovingCloth(gpu::Device& device, const Scene& scene, const pose::MeshData& layout)
+    : MovingCloth(device, cut(scene, layout))
+{
+    bones_ = bone_capsules(scene);
+}
+
+std::optional<ClothRun> MovingCloth::plan(const RenderSettings& settings, const StyleTables& style,
+                                          std::optional<double> before_s) const
+{
+    constexpr double longest_gap_s = 10.0;
+    const bool is_same_still = is_still_ && settings.continuity == Continuity::still && !before_s &&
+                               time_s_ == settings.time_s && animation_ == settings.animation &&
+                               wind_ == style.wind && style_ == style.cloth;
+    if (is_same_still) {
+        return std::nullopt;
+    }
+    const bool goes_on = settings.continuity == Continuity::follows && time_s_ &&
+                         *time_s_ <= settings.time_s && settings.time_s - *time_s_ < longest_gap_s;
+    ClothRun run{.starts_anew = !goes_on, .to_s = settings.time_s};
+    run.from_s = goes_on ? *time_s_ : settings.time_s - style.cloth.settle_s;
+    if (before_s) {
+        run.snapshot_s = std::clamp(*before_s, run.from_s, run.to_s);
+    }
+    return run;
+}
+
+void MovingCloth::done(const RenderSettings& settings, const StyleTables& style)
+{
+    time_s_ = settings.time_s;
+    is_still_ = settings.continuity == Continuity::still;
+    animation_ = settings.animation;
+    wind_ = style.wind;
+    style_ = style.cloth;
+    has_moved = true;
+}
+
+cloth::Surroundings MovingCloth::surroundings(const Scene& scene, const StyleTables& style, double time_s,
+                                              const glm::dvec3& anchor) const
+{
+    cloth::Surroundings result{
+        .time_s = time_s, .wind = style.wind, .origin_m = anchor, .effort = style.cloth.effort};
+    if (style.wind.from == cloth::WindSource::automatic && scene.terrain) {
+        const TerrainWind& wind = scene.terrain->description().wind;
+        result.wind.speed_m_s = wind.speed_m_s;
+        result.wind.direction_deg = wind.direction_deg;
+    }
+    return result;
+}
+
+void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const ScenePose& pose,
+                               const pose::MeshData& layout)
+{
+    const glm::dmat4 anchor_from_world = glm::translate(glm::dmat4(1.0), -layout.anchor);
+    std::vector<cloth::Solid> solids;
+    for (size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        if (node.collider == ClothCollider::none || node.mesh >= scene.meshes.size()) {
+            continue;
+        }
+        const cloth::Solid solid = solid_about(scene.meshes[node.mesh], node.collider);
+        const glm::dmat4 place = anchor_from_world * pose.world_from_node[i];
+        if (node.instances.empty()) {
+            solids.push_back(cloth::placed(solid, place));
+        }
+        for (const glm::mat4& instance : node.instances) {
+            solids.push_back(cloth::placed(solid, place * glm::dmat4(instance)));
+        }
+    }
+    for (const BoneCapsule& bone : bones_) {
+        solids.push_back(placed_bone(bone, pose, layout.anchor));
+    }
+    if (!scene.terrain && !layout.bounds.empty()) {
+        const auto floor_m = static_cast<float>(layout.bounds.min.y - layout.anchor.y);
+        solids.push_back(cloth::below({0.0F, floor_m, 0.0F}, {0.0F, 1.0F, 0.0F}));
+    }
+    sheets_.set_solids(device, solids);
+}
+
+std::vector<glm::mat4> MovingCloth::carries(const pose::PoseData& pose, const glm::dvec3& anchor,
+                                            double time_s)
+{
+    constexpr double quick_m_s = 25.0; // what moves at that was put elsewhere
+    constexpr double jump_m = 1.0;
+    std::vector<glm::mat4> places;
+    for (const uint32_t draw : draws_) {
+        const shared::DrawRecord& record = pose.draws[draw];
+        places.push_back(record.first_skin_vertex == shared::no_skin ? record.anchor_from_object
+                                                                     : pose.joints[record.first_joint]);
+    }
+    std::vector<glm::mat4> carries;
+    if (places_before_.size() == places.size()) {
+        const glm::dmat4 shift = glm::translate(glm::dmat4(1.0), anchor_before_ - anchor);
+        bool is_any = anchor != anchor_before_;
+        for (size_t i = 0; i < places.size(); ++i) {
+            const glm::dmat4 before = shift * glm::dmat4(places_before_[i]);
+            const glm::dmat4 now(places[i]);
+            const bool jumps = glm::length(glm::dvec3(now[3] - before[3])) > jump_m + quick_m_s * time_s &&
+                               std::abs(glm::determinant(before)) > 0.0;
+            carries.emplace_back(jumps ? now * glm::inverse(before) * shift : shift);
+            is_any = is_any || jumps;
+        }
+        if (!is_any) {
+            carries.clear();
+        }
+    }
+    places_before_ = std::move(places);
+    anchor_before_ = anchor;
+    return carries;
+}
+
+} // namespace estampe::frame

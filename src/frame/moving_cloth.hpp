@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The cloth of a scene: which draws are sheets, what they run into, and how far they have come.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+
+#include "frame/bone_capsules.hpp"
+#include "frame/style_tables.hpp"
+#include "techniques/cloth/cloth.hpp"
+#include "techniques/pose/mesh_data.hpp"
+
+namespace estampe::frame {
+
+/// Steps that lie between what sheets are and what a picture shows.
+struct ClothRun {
+    bool starts_anew = false;
+    double from_s = 0.0; ///< of the scene's time; before 0 the scene stands as it does then
+    double to_s = 0.0;
+    std::optional<double> snapshot_s; ///< where the picture wants to know how sheets were before
+};
+
+class MovingCloth {
+public:
+    /// Whether anything of `scene` is cloth.
+    [[nodiscard]] static bool is_in(const Scene& scene);
+
+    /// Throws Error for sheets that cannot be made, as cloth::build_structure() does.
+    MovingCloth(gpu::Device& device, const Scene& scene, const pose::MeshData& layout);
+
+    [[nodiscard]] cloth::Cloths& sheets() { return sheets_; }
+
+    /// What is to be done before a picture; nothing where sheets are as it wants them. `before_s` is the
+    /// moment that motion is told from.
+    [[nodiscard]] std::optional<ClothRun> plan(const RenderSettings& settings, const StyleTables& style,
+                                               std::optional<double> before_s) const;
+
+    /// To be called when that has been done.
+    void done(const RenderSettings& settings, const StyleTables& style);
+
+    /// What sheets are in at the beginning of steps from `time_s` on.
+    [[nodiscard]] cloth::Surroundings surroundings(const Scene& scene, const StyleTables& style,
+                                                   double time_s, const glm::dvec3& anchor) const;
+
+    /// Tells sheets where solids are in this pose.
+    void place_solids(gpu::Device& device, const Scene& scene, const ScenePose& pose,
+                      const pose::MeshData& layout);
+
+    /// Where sheets are carried to since the last call: none, unless one hangs on what was put elsewhere
+    /// within `time_s`, or the anchor moved.
+    [[nodiscard]] std::vector<glm::mat4> carries(const pose::PoseData& pose, const glm::dvec3& anchor,
+                                                 double time_s);
+
+    /// The next picture is of something else.
+    void forget() { time_s_.reset(); }
+
+    [[nodiscard]] std::optional<double> time_s() const { return time_s_; }
+
+    /// The next picture goes on from sheets as they were then.
+    void recall(double time_s, std::array<gpu::Buffer, 2> state)
+    {
+        sheets_.recall(std::move(state));
+        places_before_.clear();
+        time_s_ = time_s;
+        is_still_ = false;
+    }
+
+    bool has_moved = false; ///< the device has yet to pose the sheets' vertices
+
+private:
+    struct Cut {
+        std::vector<uint32_t> draws; ///< one a sheet
+        std::vector<cloth::Sheet> sheets;
+        std::vector<cloth::DrawnSheet> drawn;
+    };
+
+    [[nodiscard]] static Cut cut(const Scene& scene, const pose::MeshData& layout);
+    MovingCloth(gpu::Device& device, Cut&& cut);
+
+    cloth::Cloths sheets_;
+    std::vector<uint32_t> draws_;
+    std::vector<BoneCapsule> bones_;
+    std::vector<glm::mat4> places_before_;
+    glm::dvec3 anchor_before_{0.0};
+    std::optional<double> time_s_;
+    bool is_still_ = false; ///< and nothing but a still's
+    uint32_t animation_ = 0;
+    cloth::WindStyle wind_;
+    cloth::ClothStyle style_;
+};
+
+} // namespace estampe::frame

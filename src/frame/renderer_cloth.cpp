@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// What the renderer does for cloth: steps between pictures.
+#include <algorithm>
+#include <cmath>
+
+#include "frame/renderer_impl.hpp"
+#include "gpu/imports.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr double usual_step_s = 1.0 / 120.0;
+constexpr uint32_t steps_between_poses = 4; // in between all that is held goes straight
+
+} // namespace
+
+void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::StyleTables& style)
+{
+    if (!loaded->cloth) {
+        return;
+    }
+    std::optional<double> before_s = flowing_ink.before_s(settings, style.ink);
+    if (settings.motion_since) {
+        before_s = settings.motion_since->time_s;
+    }
+    const auto run = loaded->cloth->plan(settings, style, before_s);
+    if (!run) {
+        return;
+    }
+    if (run->starts_anew) {
+        start_cloth(*run, settings);
+    }
+    double from_s = run->from_s;
+    if (run->snapshot_s) {
+        step_cloth(from_s, *run->snapshot_s, settings, style);
+        from_s = *run->snapshot_s;
+        gpu::Graph graph;
+        cloth::Cloths& sheets = loaded->cloth->sheets();
+        sheets.add_snapshot(graph, sheets.import(graph));
+        executor.run(graph);
+    }
+    step_cloth(from_s, run->to_s, settings, style);
+    loaded->cloth->done(settings, style);
+    sun_map.forget();
+    moved.push_back({.min = glm::dvec3(-std::numeric_limits<double>::infinity()),
+                     .max = glm::dvec3(std::numeric_limits<double>::infinity())});
+}
+
+gpu::BufferId Renderer::Impl::pose_for_cloth(gpu::Graph& graph, double time_s, Index animation)
+{
+    const ScenePose pose = pose_scene(loaded->scene, std::max(time_s, 0.0), animation);
+    update_pose(pose);
+    loaded->cloth->place_solids(device, loaded->scene, pose, loaded->layout);
+    pose::MeshBuffers& meshes = loaded->meshes;
+    return pose::add_pose(graph, meshes, loaded->layout, gpu::import_whole(graph, "draws", meshes.draws),
+                          gpu::import_whole(graph, "rest vertices", meshes.rest_vertices));
+}
+
+void Renderer::Impl::start_cloth(const frame::ClothRun& run, const RenderSettings& settings)
+{
+    cloth::Cloths& sheets = loaded->cloth->sheets();
+    gpu::Graph graph;
+    const gpu::BufferId posed = pose_for_cloth(graph, run.from_s, settings.animation);
+    sheets.forget_targets();
+    cloth::Cloths::Handles handles = sheets.import(graph);
+    sheets.add_targets(graph, handles, posed);
+    const std::vector<glm::mat4> anew(sheets.sheet_count(), glm::mat4(0.0F));
+    sheets.add_carry(graph, handles, anew);
+    sheets.add_snapshot(graph, handles);
+    std::ignore = loaded->cloth->carries(*loaded->pose, loaded->layout.anchor, 0.0);
+    executor.run(graph);
+}
+
+void Renderer::Impl::step_cloth(double from_s, double to_s, const RenderSettings& settings,
+                                const frame::StyleTables& style)
+{
+    frame::MovingCloth& cloth = *loaded->cloth;
+    cloth::Cloths& sheets = cloth.sheets();
+    const auto count = static_cast<uint32_t>(std::lround((to_s - from_s) / usual_step_s));
+    if (!(to_s > from_s)) {
+        return;
+    }
+    const uint32_t step_count = std::max(count, 1U);
+    const double step_s = (to_s - from_s) / step_count;
+    const bool is_animated = !loaded->scene.animations.empty();
+    for (uint32_t done = 0; done < step_count;) {
+        const double time_s = from_s + done * step_s;
+        cloth::Surroundings surroundings =
+            cloth.surroundings(loaded->scene, style, time_s, loaded->layout.anchor);
+        surroundings.step_s = static_cast<float>(step_s);
+        const uint32_t most = sheets.most_steps(surroundings);
+        const uint32_t now = std::min({step_count - done, most, is_animated ? steps_between_poses : most});
+        done += now;
+        gpu::Graph graph;
+        const gpu::BufferId posed = pose_for_cloth(graph, from_s + done * step_s, settings.animation);
+        const auto carries = cloth.carries(*loaded->pose, loaded->layout.anchor, now * step_s);
+        if (!carries.empty()) {
+            sheets.forget_targets();
+        }
+        cloth::Cloths::Handles handles = sheets.import(graph);
+        sheets.add_targets(graph, handles, posed);
+        if (!carries.empty()) {
+            sheets.add_carry(graph, handles, carries);
+        }
+        sheets.add_steps(graph, handles, surroundings, now);
+        executor.run(graph);
+    }
+}
+
+} // namespace estampe

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/cloth/cloth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <stdexcept>
+
+#include "gpu/imports.hpp"
+#include "gpu/read_back.hpp"
+#include "shaders/cloth_carry_comp.hpp"
+#include "shaders/cloth_push_comp.hpp"
+#include "shaders/cloth_small_comp.hpp"
+#include "shaders/cloth_step_comp.hpp"
+#include "shaders/cloth_target_comp.hpp"
+#include "shaders/cloth_vertices_comp.hpp"
+
+namespace estampe::cloth {
+namespace {
+
+constexpr float longest_step_s = 1.0F / 30.0F; // a longer one is taken for that
+
+/// What keeps the defaults' stretch at a hundredth or two: as many as a third of the particles of a side in a
+/// sixtieth of a second.
+float small_steps_per_s(uint32_t particles)
+{
+    const float side = std::sqrt(static_cast<float>(particles));
+    return 60.0F * std::clamp(0.31F * side, 8.0F, 40.0F);
+}
+
+glm::vec3 direction_of(const WindStyle& wind)
+{
+    const float angle_rad = wind.direction_deg * std::numbers::pi_v<float> / 180.0F;
+    return {std::cos(angle_rad), 0.0F, std::sin(angle_rad)};
+}
+
+} // namespace
+
+uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings) const
+{
+    const float wanted = small_steps_per_s(kind.most_particles) * surroundings.effort * surroundings.step_s;
+    return static_cast<uint32_t>(std::clamp(std::ceil(wanted - 0.01F), 1.0F, 1000.0F));
+}
+
+uint32_t Cloths::most_steps(const Surroundings& surroundings) const
+{
+    constexpr uint32_t most_passes = 240; // others need some too
+    constexpr uint32_t most_at_once = 120;
+    uint32_t passes = 0;
+    for (const Kind& kind : kinds_) {
+        passes += kind.is_small ? 0 : 1 + small_steps(kind, surroundings);
+    }
+    return passes == 0 ? most_at_once : std::clamp(most_passes / passes, 1U, most_at_once);
+}
+
+void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
+{
+    const WindStyle& wind = surroundings.wind;
+    const bool moves = std::memcmp(solids_before_.data(), solids_.data(),
+                                   solids_.size() * sizeof(shared::ClothCollider)) != 0;
+    float longest_small_s = 0.0F;
+    for (Kind& kind : kinds_) {
+        const shared::ClothRun run{.gravity_m_s2 = surroundings.gravity_m_s2,
+                                   .step_s = std::min(surroundings.step_s, longest_step_s),
+                                   .step_count = count,
+                                   .small_steps = small_steps(kind, surroundings),
+                                   .collider_count = static_cast<uint32_t>(solids_.size()),
+                                   .collider_stride = moves ? static_cast<uint32_t>(solids_.size()) : 0,
+                                   .wind_m_s = wind.speed_m_s * direction_of(wind),
+                                   .gustiness = wind.gustiness,
+                                   .gust_m = wind.gust_m,
+                                   .turbulence = wind.turbulence,
+                                   .eddy_m = wind.eddy_m,
+                                   .time_s = static_cast<float>(surroundings.time_s),
+                                   .air_kg_m3 = surroundings.air_kg_m3,
+                                   .most_speed_m_s = 60.0F,
+                                   .origin_m = glm::vec3(surroundings.origin_m)};
+        std::memcpy(kind.run.mapped().data(), &run, sizeof run);
+        const bool is_cut = (kind.variant & shared::cloth_bit_relax) == 0;
+        longest_small_s =
+            std::max(longest_small_s, is_cut ? run.step_s / static_cast<float>(run.small_steps) : 0.0F);
+    }
+    for (size_t i = 0; i < records_.size(); ++i) {
+        const float most = 1.0F / std::max(bending_rates_s2_[i] * longest_small_s * longest_small_s, 1e-12F);
+        records_[i].bending_n_m = std::min(rigidities_n_m_[i], most);
+    }
+    std::memcpy(sheets_.mapped().data(), records_.data(), records_.size() * sizeof(shared::ClothSheet));
+    std::byte* const solids = colliders_.mapped().data();
+    const size_t size_bytes = solids_.size() * sizeof(shared::ClothCollider);
+    if (size_bytes > 0) {
+        std::memcpy(solids, solids_before_.data(), size_bytes);
+        std::memcpy(solids + size_bytes, solids_.data(), size_bytes);
+    }
+    solids_before_ = solids_;
+}
+
+Cloths::Handles Cloths::import(gpu::Graph& graph)
+{
+    return {.places = gpu::import_whole(graph, "cloth/places", places_),
+            .speeds = gpu::import_whole(graph, "cloth/speeds", speeds_),
+            .pushes = gpu::import_whole(graph, "cloth/pushes", pushes_),
+            .predicted = {gpu::import_whole(graph, "cloth/predicted", predicted_[0]),
+                          gpu::import_whole(graph, "cloth/predicted", predicted_[1])},
+            .targets = {gpu::import_whole(graph, "cloth/targets", targets_[0]),
+                        gpu::import_whole(graph, "cloth/targets", targets_[1])}};
+}
+
+void Cloths::bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
+                         gpu::Buffer& sheet_of_group)
+{
+    pass.read(gpu::import_whole(graph, "cloth/sheets", sheets_))
+        .uniform(gpu::import_whole(graph, "cloth/run", run))
+        .sample(gpu::import_whole(graph, "cloth/links", links_))
+        .sample(gpu::import_whole(graph, "cloth/faces", faces_), gpu::Format::rg32ui)
+        .sample(gpu::import_whole(graph, "cloth/tethers", tethers_), gpu::Format::rg32ui)
+        .sample(gpu::import_whole(graph, "cloth/colliders", colliders_))
+        .sample(handles.targets[targets_move_ ? 0 : 1], gpu::Format::rgba32f)
+        .sample(handles.targets[1], gpu::Format::rgba32f)
+        .read(gpu::import_whole(graph, "cloth/groups", sheet_of_group));
+}
+
+void Cloths::add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices)
+{
+    const auto add = [&](gpu::BufferId& targets) {
+        auto pass = graph.compute("cloth/targets", shaders::cloth_target_comp);
+        pass.read(gpu::import_whole(graph, "cloth/holds", holds_)).read(posed_vertices);
+        targets = pass.write(targets);
+        pass.push(particle_count_).dispatch_items(particle_count_);
+    };
+    std::swap(targets_[0], targets_[1]);
+    std::swap(handles.targets[0], handles.targets[1]);
+    targets_move_ = has_targets_;
+    has_targets_ = true;
+    add(handles.targets[1]);
+}
+
+void Cloths::add_carry(gpu::Graph& graph, Handles& handles, std::span<const glm::mat4> carries)
+{
+    std::memcpy(carries_.mapped().data(), carries.data(), carries.size_bytes());
+    std::memcpy(sheets_.mapped().data(), records_.data(), records_.size() * sizeof(shared::ClothSheet));
+    auto pass = graph.compute("cloth/carry", shaders::cloth_carry_comp);
+    bind_common(graph, pass, handles, kinds_.front().run, sheet_of_group_);
+    handles.places = pass.modify(handles.places);
+    handles.speeds = pass.modify(handles.speeds);
+    pass.read(gpu::import_whole(graph, "cloth/carries", carries_));
+    pass.push(shared::ClothMoment{.first_group = 0}).dispatch(all_groups_);
+}
+
+void Cloths::add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind)
+{
+    auto pass = graph.compute("cloth/small", shaders::cloth_small_comp);
+    bind_common(graph, pass, handles, kind.run, sheet_of_group_);
+    handles.places = pass.modify(handles.places);
+    handles.speeds = pass.modify(handles.speeds);
+    handles.pushes = pass.modify(handles.pushes);
+    pass.variant(kind.variant).push(shared::ClothMoment{.first_group = kind.first_group});
+    pass.dispatch(kind.group_count);
+}
+
+void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
+                              uint32_t small_steps)
+{
+    auto push = graph.compute("cloth/push", shaders::cloth_push_comp);
+    bind_common(graph, push, handles, kind.run, sheet_of_group_);
+    push.sample(handles.places, gpu::Format::rgba32f).read(handles.speeds);
+    handles.pushes = push.modify(handles.pushes);
+    handles.predicted[0] = push.modify(handles.predicted[0]);
+    push.variant(kind.variant).push(shared::ClothMoment{.step = step, .first_group = kind.first_group});
+    push.dispatch(kind.group_count);
+    for (uint32_t i = 0; i < small_steps; ++i) {
+        auto pass = graph.compute("cloth/step", shaders::cloth_step_comp);
+        bind_common(graph, pass, handles, kind.run, sheet_of_group_);
+        handles.places = pass.modify(handles.places);
+        handles.speeds = pass.modify(handles.speeds);
+        pass.read(handles.pushes).sample(handles.predicted[i % 2], gpu::Format::rgba32f);
+        handles.predicted[1 - i % 2] = pass.modify(handles.predicted[1 - i % 2]);
+        const bool is_last = i + 1 == small_steps;
+        pass.variant(kind.variant | (is_last ? shared::cloth_bit_last : 0U))
+            .push(shared::ClothMoment{.step = step, .small_step = i, .first_group = kind.first_group});
+        pass.dispatch(kind.group_count);
+    }
+}
+
+void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& surroundings, uint32_t count)
+{
+    if (count == 0 || count > most_steps(surroundings) || !(surroundings.step_s > 0.0F)) {
+        throw std::logic_error("a run of cloth has some steps, as many as one graph takes");
+    }
+    fill_runs(surroundings, count);
+    const WindStyle& wind = surroundings.wind;
+    const uint32_t surrounded =
+        (solids_.empty() ? 0U : shared::cloth_bit_colliders) |
+        (wind.speed_m_s > 0.0F && (wind.gustiness > 0.0F || wind.turbulence > 0.0F) ? shared::cloth_bit_gusts
+                                                                                    : 0U);
+    for (Kind& kind : kinds_) {
+        constexpr uint32_t changing = shared::cloth_bit_colliders | shared::cloth_bit_gusts;
+        kind.variant = (kind.variant & ~changing) | surrounded;
+        if (kind.is_small) {
+            add_small_sheets(graph, handles, kind);
+        } else {
+            for (uint32_t step = 0; step < count; ++step) {
+                add_large_sheets(graph, handles, kind, step, small_steps(kind, surroundings));
+            }
+        }
+    }
+    graph.export_buffer(handles.places);
+    graph.export_buffer(handles.speeds);
+    targets_move_ = false;
+}
+
+void Cloths::add_snapshot(gpu::Graph& graph, const Handles& handles)
+{
+    gpu::add_copy_out(graph, "cloth/snapshot", handles.places, places_before_);
+}
+
+gpu::BufferId Cloths::add_vertices(gpu::Graph& graph, const Handles& handles, gpu::BufferId posed_vertices)
+{
+    return add_vertices_at(graph, handles, handles.places, posed_vertices);
+}
+
+gpu::BufferId Cloths::add_vertices_before(gpu::Graph& graph, const Handles& handles,
+                                          gpu::BufferId posed_vertices)
+{
+    return add_vertices_at(graph, handles, gpu::import_whole(graph, "cloth/places before", places_before_),
+                           posed_vertices);
+}
+
+gpu::BufferId Cloths::add_vertices_at(gpu::Graph& graph, const Handles& handles, gpu::BufferId places,
+                                      gpu::BufferId posed_vertices)
+{
+    for (const Kind& kind : vertex_kinds_) {
+        auto pass = graph.compute("cloth/vertices", shaders::cloth_vertices_comp);
+        bind_common(graph, pass, handles, kinds_.front().run, sheet_of_vertex_group_);
+        pass.sample(places, gpu::Format::rgba32f).read(gpu::import_whole(graph, "cloth/vertices", vertices_));
+        posed_vertices = pass.modify(posed_vertices);
+        pass.variant(kind.variant).push(shared::ClothMoment{.first_group = kind.first_group});
+        pass.dispatch(kind.group_count);
+    }
+    return posed_vertices;
+}
+
+} // namespace estampe::cloth

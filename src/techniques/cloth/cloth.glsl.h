@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CLOTH_GLSL_H
+#define ESTAMPE_CLOTH_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
+#endif
+
+// Bits of the shaders' variants.
+SHARED_CONSTANT uint cloth_bit_grid = 1U;      // sheets are regular grids: neighbours need no lists
+SHARED_CONSTANT uint cloth_bit_colliders = 2U; // there is something to run into
+SHARED_CONSTANT uint cloth_bit_relax = 4U;     // springs alone, without compliance: the thesis's relaxation
+SHARED_CONSTANT uint cloth_bit_last = 8U;      // this pass ends a step, or a small one
+SHARED_CONSTANT uint cloth_bit_gusts = 16U;    // the wind is not the same everywhere
+
+SHARED_CONSTANT uint cloth_group = 64U;        // particles of a sheet are padded to whole workgroups
+SHARED_CONSTANT uint cloth_small_group = 256U; // threads that share a small sheet
+SHARED_CONSTANT uint cloth_small_share = 4U;   // particles of each of them
+SHARED_CONSTANT uint cloth_most_tethers = 4U;
+
+// A particle's mass is shared among its links: those to direct neighbours have so much more than far ones.
+SHARED_CONSTANT float cloth_near_share = 3.0F;
+SHARED_CONSTANT float cloth_knights_share = 0.8F; // what links a knight's move away leave the others, on a grid
+
+SHARED_CONSTANT uint cloth_plane = 0U; // all below y = 0
+SHARED_CONSTANT uint cloth_ellipsoid = 1U;
+SHARED_CONSTANT uint cloth_box = 2U;
+SHARED_CONSTANT uint cloth_cylinder = 3U; // about y
+SHARED_CONSTANT uint cloth_capsule = 4U;  // along y
+
+// A sheet. Its particles begin at `first` and are `count`, padded to `stride`; the k-th link of particle i is
+// at first_link + k * stride + i, and so are faces and tethers.
+struct ClothSheet {
+    uint first;
+    uint count;
+    uint stride;
+    uint columns; // of a grid, 0 of others
+    uint rows;
+    uint link_width;
+    uint first_link;
+    uint face_width;
+    uint first_face;
+    uint tether_width;
+    uint first_tether;
+    float spacing_x_m; // of a grid
+    float spacing_y_m;
+    float softness;    // of a grid's links: compliance in m / N for a link of 1 m
+    float bending_n_m; // flexural rigidity, less where a step is too long for it
+    float fold;
+    float mass_kg_m2;
+    float drag;
+    float lift;
+    float damping_per_s;
+    float friction;
+    float thickness_m;
+    float winding; // of a grid: which way its faces look, 1 or -1
+};
+
+// To a particle nearby. Its rest length is negative where others lie between the two.
+struct ClothLink {
+    uint other;
+    float rest_m;
+    float compliance_m_n;
+    float bending; // of flexural rigidity 1: force a metre
+};
+
+// Of a run of steps, all sheets alike.
+struct ClothRun {
+    vec3 gravity_m_s2;
+    float step_s;
+    uint step_count;
+    uint small_steps; // a step is cut into
+    uint collider_count;
+    uint collider_stride; // from the beginning of the run to its end, 0 where all stand still
+    vec3 wind_m_s;
+    float gustiness;  // share of the speed that comes and goes
+    float gust_m;     // from one gust to the next, about
+    float turbulence; // speed of eddies, as a share
+    float eddy_m;     // their size
+    float time_s;     // of the first step's beginning
+    float air_kg_m3;
+    float most_speed_m_s;
+    vec3 origin_m; // of places, in that of the wind
+};
+
+// Where a pass is within a run.
+struct ClothMoment {
+    uint step;
+    uint small_step;
+    uint first_group; // into the list of sheets by group
+};
+
+// At the beginning of a run, or at its end: turned, then moved.
+struct ClothCollider {
+    vec3 centre_m;
+    uint kind;
+    vec4 rotation; // quaternion, the scalar last
+    vec3 half_m;   // radii of an ellipsoid, half a box, radius, half height and radius of the others
+    float reach_m; // what is farther from the centre is outside
+};
+
+// Where a particle is held: at a posed vertex, and how much.
+struct ClothHold {
+    uint vertex;
+    float share;
+};
+
+SHARED_CONSTANT uint cloth_no_vertex = 0xffffffffU; // of what fills a workgroup up
+
+// A vertex that is drawn.
+struct ClothVertex {
+    uint vertex;
+    uint particle; // within its sheet
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(ClothSheet) == 92);
+static_assert(sizeof(ClothLink) == 16);
+static_assert(sizeof(ClothCollider) == 48);
+} // namespace estampe::shared
+#endif
+
+#endif

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Sheets of cloth on the device, all in a few dispatches.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gpu/graph/graph.hpp"
+#include "gpu/resources.hpp"
+#include "techniques/cloth/colliders.hpp"
+#include "techniques/cloth/structure.hpp"
+#include "techniques/cloth/wind_style.hpp"
+
+namespace estampe::cloth {
+
+/// What all sheets are in; any of it may change from run to run.
+struct Surroundings {
+    float step_s = 1.0F / 120.0F; ///< a thirtieth is the longest there is
+    double time_s = 0.0;          ///< at the beginning of the run, for the wind
+    glm::vec3 gravity_m_s2{0.0F, -9.81F, 0.0F};
+    float air_kg_m3 = 1.2F;
+    WindStyle wind{.speed_m_s = 0.0F};
+    glm::dvec3 origin_m{0.0}; ///< of places, in the world
+    float effort = 1.0F;      ///< see ClothStyle
+};
+
+/// The drawn vertices of a sheet.
+struct DrawnSheet {
+    uint32_t first_vertex = 0;
+    std::vector<uint32_t> particle_of_vertex; ///< from `first_vertex` on
+};
+
+/// The same sheets and runs give the same places on the same device, bit for bit.
+class Cloths {
+public:
+    /// Sheets lie still where they were cut. `drawn` is one a sheet, or empty. Throws Error as
+    /// build_structure(), and where they do not fit the device.
+    Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<const DrawnSheet> drawn = {});
+
+    /// Which solver takes all sheets, in place of their own; what they do goes on.
+    void set_solver(gpu::Device& device, std::optional<ClothSolver> solver);
+
+    /// Where solids are at the end of the next run; until then they go there from where they were, if there
+    /// were as many. Later runs find them there.
+    void set_solids(gpu::Device& device, std::span<const Solid> solids);
+
+    /// Where particles are wanted at the end of the next run, if they are held, sheet by sheet. The same
+    /// holds as of solids.
+    void set_targets(gpu::Device& device, std::span<const glm::vec3> places_m);
+
+    /// What the passes of a graph hand on to each other; once a graph, and before them.
+    struct Handles {
+        gpu::BufferId places;
+        gpu::BufferId speeds;
+        gpu::BufferId pushes;
+        std::array<gpu::BufferId, 2> predicted;
+        std::array<gpu::BufferId, 2> targets;
+    };
+
+    [[nodiscard]] Handles import(gpu::Graph& graph);
+
+    /// set_targets() as a pass: the drawn vertices as they are posed.
+    void add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
+
+    /// Carries sheets as they stand, one matrix each: with what they hang on when that is put elsewhere. A
+    /// matrix of zeros puts a sheet where its particles are wanted, at rest.
+    void add_carry(gpu::Graph& graph, Handles& handles, std::span<const glm::mat4> carries);
+
+    /// A run of so many steps; one a graph. Throws std::logic_error for none, or more than most_steps().
+    void add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& surroundings, uint32_t count);
+
+    /// As many as one graph takes, at least one.
+    [[nodiscard]] uint32_t most_steps(const Surroundings& surroundings) const;
+
+    /// The next targets hold for the beginning of their run too.
+    void forget_targets() { has_targets_ = false; }
+
+    /// Keeps where sheets are, for add_vertices_before().
+    void add_snapshot(gpu::Graph& graph, const Handles& handles);
+
+    /// Overwrites the drawn vertices' places and normals: as sheets are, or as they were at the last
+    /// add_snapshot().
+    [[nodiscard]] gpu::BufferId add_vertices(gpu::Graph& graph, const Handles& handles,
+                                             gpu::BufferId posed_vertices);
+    [[nodiscard]] gpu::BufferId add_vertices_before(gpu::Graph& graph, const Handles& handles,
+                                                    gpu::BufferId posed_vertices);
+
+    [[nodiscard]] uint32_t first_of(size_t sheet) const { return records_.at(sheet).first; }
+
+    [[nodiscard]] uint32_t particle_count() const { return particle_count_; } ///< with those that fill up
+
+    [[nodiscard]] size_t sheet_count() const { return records_.size(); }
+
+    /// Places and inverse masses, and speeds: all that the next run goes on from.
+    [[nodiscard]] std::array<gpu::Buffer*, 2> state() { return {&places_, &speeds_}; }
+
+    /// Goes on from what state() of the same sheets was; buffers of the same sizes.
+    void recall(std::array<gpu::Buffer, 2> state)
+    {
+        places_ = std::move(state[0]);
+        speeds_ = std::move(state[1]);
+        forget_targets();
+    }
+
+private:
+    /// Sheets that one dispatch serves.
+    struct Kind {
+        uint32_t variant = 0;
+        bool is_small = false;
+        uint32_t first_group = 0;
+        uint32_t group_count = 0;
+        uint32_t most_particles = 0; ///< of a sheet
+        gpu::Buffer run;
+    };
+
+    void lay_out(gpu::Device& device, std::span<const Sheet> sheets);
+    void lay_out_vertices(gpu::Device& device, std::span<const DrawnSheet> drawn);
+    void group_sheets(gpu::Device& device);
+    [[nodiscard]] uint32_t kind_of(size_t sheet) const;
+    [[nodiscard]] uint32_t small_steps(const Kind& kind, const Surroundings& surroundings) const;
+    [[nodiscard]] gpu::BufferId add_vertices_at(gpu::Graph& graph, const Handles& handles,
+                                                gpu::BufferId places, gpu::BufferId posed_vertices);
+    void fill_runs(const Surroundings& surroundings, uint32_t count);
+    void bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
+                     gpu::Buffer& sheet_of_group);
+    void add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind);
+    void add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
+                          uint32_t small_steps);
+
+    std::vector<shared::ClothSheet> records_;
+    std::vector<float> rigidities_n_m_;
+    std::vector<float> bending_rates_s2_;
+    std::vector<ClothSolver> solvers_;
+    std::optional<ClothSolver> solver_;
+    uint32_t particle_count_ = 0;
+    std::vector<float> held_; ///< one a particle
+    gpu::Buffer sheets_;
+    gpu::Buffer links_;
+    gpu::Buffer faces_;
+    gpu::Buffer tethers_;
+    gpu::Buffer holds_; ///< ClothHold, one a particle
+    std::vector<shared::ClothCollider> solids_before_, solids_;
+    gpu::Buffer colliders_;
+    std::array<gpu::Buffer, 2> targets_; ///< of the run's beginning and its end
+    bool has_targets_ = false;
+    bool targets_move_ = false;
+    gpu::Buffer places_;
+    gpu::Buffer places_before_; ///< at the last snapshot
+    gpu::Buffer speeds_;
+    gpu::Buffer pushes_;
+    std::array<gpu::Buffer, 2> predicted_;
+    std::vector<Kind> kinds_;
+    gpu::Buffer sheet_of_group_; ///< of kinds_; all groups of all sheets come first
+    uint32_t all_groups_ = 0;
+    gpu::Buffer carries_;
+    std::vector<Kind> vertex_kinds_;
+    gpu::Buffer vertices_; ///< of vertex_kinds_, group by group
+    gpu::Buffer sheet_of_vertex_group_;
+};
+
+} // namespace estampe::cloth

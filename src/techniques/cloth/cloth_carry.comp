@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// One thread a particle: puts it where it is wanted, at rest, or carries it along with its sheet.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+layout(local_size_x = 64) in;
+
+#include "techniques/cloth/cloth_data.glsl"
+
+layout(scalar, binding = 9) buffer Places
+{
+    vec4 places[];
+};
+
+layout(scalar, binding = 10) buffer Speeds
+{
+    vec4 speeds[];
+};
+
+layout(scalar, binding = 11) readonly buffer Carries
+{
+    mat4 carries[]; // one a sheet; all zeros where it starts anew
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    ClothMoment moment;
+};
+
+void main()
+{
+    uint group = moment.first_group + gl_WorkGroupID.x;
+    uint sheet_index = sheet_of_group[2u * group];
+    sheet = sheets[sheet_index];
+    uint local = sheet_of_group[2u * group + 1u] + gl_LocalInvocationID.x;
+    if (local >= sheet.count) {
+        return;
+    }
+    uint particle = sheet.first + local;
+    vec4 place = places[particle];
+    mat4 carry = carries[sheet_index];
+    if (carry[3][3] == 0.0) {
+        places[particle] = vec4(target_of(local, 1.0).xyz, place.w);
+        speeds[particle] = vec4(0.0);
+    } else {
+        places[particle] = vec4((carry * vec4(place.xyz, 1.0)).xyz, place.w);
+        speeds[particle] = vec4(mat3(carry) * speeds[particle].xyz, 0.0);
+    }
+}

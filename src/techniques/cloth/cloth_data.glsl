@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CLOTH_DATA
+#define ESTAMPE_CLOTH_DATA
+
+// What all passes over cloth read. Those after it bind from 9 on.
+
+#include "techniques/cloth/cloth.glsl.h"
+
+layout(constant_id = 0) const uint variant = 0u;
+
+layout(scalar, binding = 0) readonly buffer Sheets
+{
+    ClothSheet sheets[];
+};
+
+layout(scalar, binding = 1) uniform Run
+{
+    ClothRun run;
+};
+
+layout(binding = 2) uniform usamplerBuffer link_texels; // ClothLink
+layout(binding = 3) uniform usamplerBuffer face_texels; // the other two corners, in order
+layout(binding = 4) uniform usamplerBuffer
+    tether_texels; // particle that is held, and how far from it at most
+layout(binding = 5) uniform usamplerBuffer collider_texels;
+layout(binding = 6) uniform samplerBuffer target_before_texels; // where held particles are at the beginning
+layout(binding = 7) uniform samplerBuffer target_after_texels;  // of a run, and at its end; how much, last
+
+layout(scalar, binding = 8) readonly buffer SheetOfGroup
+{
+    uint sheet_of_group[];
+};
+
+ClothSheet sheet; // of this thread
+
+// Of a run, from 0 to 1.
+float part_of_run(uint step, float steps)
+{
+    return (float(step) + steps / float(run.small_steps)) / float(run.step_count);
+}
+
+// Where a particle is wanted that is held, and how much it is.
+vec4 target_of(uint local, float part)
+{
+    vec4 before = texelFetch(target_before_texels, int(sheet.first + local));
+    vec4 after = texelFetch(target_after_texels, int(sheet.first + local));
+    return mix(before, after, part);
+}
+
+float small_step_s()
+{
+    return run.step_s / float(run.small_steps);
+}
+
+// Where a particle goes by itself in a small step, or is put.
+vec3 foreseen(uint local, vec3 place, vec3 speed, vec3 push, float inverse_mass, float part)
+{
+    if (inverse_mass == 0.0) {
+        return target_of(local, part).xyz;
+    }
+    float time_s = small_step_s();
+    return place + time_s * (speed + time_s * push);
+}
+
+#endif

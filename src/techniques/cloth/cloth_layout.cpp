@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// How sheets lie on the device.
+#include <algorithm>
+
+#include "gpu/upload.hpp"
+#include "techniques/cloth/cloth.hpp"
+
+namespace estampe::cloth {
+namespace {
+
+constexpr uint32_t small_sheet = shared::cloth_small_group * shared::cloth_small_share;
+
+uint32_t whole_groups(size_t count)
+{
+    constexpr uint32_t group = shared::cloth_group;
+    return (static_cast<uint32_t>(count) + group - 1) / group;
+}
+
+/// Lists of one sheet behind those of the others, padded.
+template <class Item>
+uint32_t append(std::vector<Item>& all, const Lists<Item>& lists, uint32_t count, uint32_t stride)
+{
+    const auto first = static_cast<uint32_t>(all.size());
+    for (uint32_t k = 0; k < lists.width; ++k) {
+        const auto row = lists.items.begin() + static_cast<ptrdiff_t>(k) * count;
+        all.insert(all.end(), row, row + count);
+        all.resize(all.size() + stride - count);
+    }
+    return first;
+}
+
+} // namespace
+
+void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
+{
+    std::vector<shared::ClothLink> links;
+    std::vector<glm::uvec2> faces;
+    std::vector<Tether> tethers;
+    std::vector<glm::vec4> places;
+    std::vector<glm::vec4> pushes;
+    for (const Sheet& sheet : sheets) {
+        const Structure structure = build_structure(sheet);
+        const auto count = static_cast<uint32_t>(sheet.rest_m.size());
+        const uint32_t stride = whole_groups(count) * shared::cloth_group;
+        const GridForm grid = structure.grid.value_or(GridForm{});
+        const Cloth& cloth = sheet.cloth;
+        records_.push_back({.first = particle_count_,
+                            .count = count,
+                            .stride = stride,
+                            .columns = grid.columns,
+                            .rows = grid.rows,
+                            .link_width = structure.links.width,
+                            .first_link = append(links, structure.links, count, stride),
+                            .face_width = structure.faces.width,
+                            .first_face = append(faces, structure.faces, count, stride),
+                            .tether_width = structure.tethers.width,
+                            .first_tether = append(tethers, structure.tethers, count, stride),
+                            .spacing_x_m = grid.spacing_m.x,
+                            .spacing_y_m = grid.spacing_m.y,
+                            .softness = structure.softness,
+                            .fold = cloth.fold,
+                            .mass_kg_m2 = cloth.density_kg_m2,
+                            .drag = cloth.drag,
+                            .lift = cloth.lift,
+                            .damping_per_s = cloth.damping_per_s,
+                            .friction = cloth.friction,
+                            .thickness_m = cloth.thickness_m,
+                            .winding = grid.winding});
+        rigidities_n_m_.push_back(cloth.bending_n_m);
+        bending_rates_s2_.push_back(structure.bending_rate_s2);
+        solvers_.push_back(cloth.solver);
+        for (uint32_t i = 0; i < stride; ++i) {
+            const float held =
+                i < count && !sheet.held.empty() ? glm::clamp(sheet.held[i], 0.0F, 1.0F) : 0.0F;
+            const float inverse_mass = i < count && held < 1.0F ? 1.0F / structure.masses_kg[i] : 0.0F;
+            const float shares = i < count ? structure.link_shares[i] : 0.0F;
+            places.emplace_back(i < count ? sheet.rest_m[i] : glm::vec3(0.0F), inverse_mass);
+            pushes.emplace_back(0.0F, 0.0F, 0.0F, inverse_mass * shares);
+            held_.push_back(held);
+        }
+        particle_count_ += stride;
+    }
+    links_ = gpu::upload_buffer(device, "cloth links", links);
+    faces_ = gpu::upload_buffer(device, "cloth faces", faces);
+    tethers_ = gpu::upload_buffer(device, "cloth tethers", tethers);
+    places_ = gpu::upload_buffer(device, "cloth places", places);
+    places_before_ = gpu::upload_buffer(device, "cloth places before", places);
+    pushes_ = gpu::upload_buffer(device, "cloth pushes", pushes);
+    speeds_ = gpu::upload_buffer(device, "cloth speeds", std::vector<glm::vec4>(particle_count_));
+    for (gpu::Buffer& predicted : predicted_) {
+        predicted = gpu::Buffer(device, "cloth predicted", places_.size_bytes(), gpu::MemoryUse::device);
+    }
+    sheets_ = gpu::Buffer(device, "cloth sheets", records_.size() * sizeof(shared::ClothSheet),
+                          gpu::MemoryUse::upload);
+    carries_ =
+        gpu::Buffer(device, "cloth carries", records_.size() * sizeof(glm::mat4), gpu::MemoryUse::upload);
+}
+
+uint32_t Cloths::kind_of(size_t sheet) const
+{
+    const shared::ClothSheet& record = records_[sheet];
+    const bool is_verlet = solver_.value_or(solvers_[sheet]) == ClothSolver::verlet;
+    return (record.columns > 0 ? 1U : 0U) | (is_verlet ? 2U : record.count <= small_sheet ? 4U : 0U);
+}
+
+void Cloths::group_sheets(gpu::Device& device)
+{
+    std::vector<uint32_t> groups; // sheet and first particle, two by two; of small sheets the sheet alone
+    const auto append_large = [&](uint32_t sheet) {
+        for (uint32_t first = 0; first < records_[sheet].count; first += shared::cloth_group) {
+            groups.insert(groups.end(), {sheet, first});
+        }
+    };
+    const auto sheet_count = static_cast<uint32_t>(records_.size());
+    for (uint32_t sheet = 0; sheet < sheet_count; ++sheet) {
+        append_large(sheet);
+    }
+    all_groups_ = static_cast<uint32_t>(groups.size() / 2);
+    kinds_.clear();
+    for (uint32_t number = 0; number < 6; ++number) {
+        Kind kind{.variant = ((number & 1U) != 0 ? shared::cloth_bit_grid : 0U) |
+                             ((number & 2U) != 0 ? shared::cloth_bit_relax : 0U),
+                  .is_small = (number & 4U) != 0};
+        kind.first_group = static_cast<uint32_t>(kind.is_small ? groups.size() : groups.size() / 2);
+        for (uint32_t sheet = 0; sheet < sheet_count; ++sheet) {
+            if (kind_of(sheet) == number) {
+                kind.most_particles = std::max(kind.most_particles, records_[sheet].count);
+                kind.group_count += kind.is_small ? 1 : whole_groups(records_[sheet].count);
+                if (kind.is_small) {
+                    groups.push_back(sheet);
+                } else {
+                    append_large(sheet);
+                }
+            }
+        }
+        if (kind.group_count > 0) {
+            kind.run = gpu::Buffer(device, "cloth run", sizeof(shared::ClothRun), gpu::MemoryUse::upload);
+            kinds_.push_back(std::move(kind));
+        }
+    }
+    sheet_of_group_ = gpu::upload_buffer(device, "cloth groups", groups);
+}
+
+void Cloths::lay_out_vertices(gpu::Device& device, std::span<const DrawnSheet> drawn)
+{
+    std::vector<shared::ClothHold> holds;
+    for (const float held : held_) {
+        holds.push_back({.vertex = shared::cloth_no_vertex, .share = held});
+    }
+    std::vector<shared::ClothVertex> vertices;
+    std::vector<uint32_t> groups;
+    for (const uint32_t variant : {0U, uint32_t{shared::cloth_bit_grid}}) {
+        Kind kind{.variant = variant, .first_group = static_cast<uint32_t>(groups.size())};
+        for (size_t sheet = 0; sheet < drawn.size(); ++sheet) {
+            const auto& particles = drawn[sheet].particle_of_vertex;
+            if ((records_[sheet].columns > 0) != (variant != 0)) {
+                continue;
+            }
+            for (uint32_t i = 0; i < particles.size(); ++i) {
+                vertices.push_back({.vertex = drawn[sheet].first_vertex + i, .particle = particles[i]});
+                holds[records_[sheet].first + particles[i]].vertex = drawn[sheet].first_vertex + i;
+            }
+            const uint32_t group_count = whole_groups(particles.size());
+            groups.insert(groups.end(), group_count, static_cast<uint32_t>(sheet));
+            vertices.resize(groups.size() * shared::cloth_group, {.vertex = shared::cloth_no_vertex});
+            kind.group_count += group_count;
+        }
+        if (kind.group_count > 0) {
+            vertex_kinds_.push_back(std::move(kind));
+        }
+    }
+    holds_ = gpu::upload_buffer(device, "cloth holds", holds);
+    vertices_ = gpu::upload_buffer(device, "cloth vertices", vertices);
+    sheet_of_vertex_group_ = gpu::upload_buffer(device, "cloth vertex groups", groups);
+}
+
+Cloths::Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<const DrawnSheet> drawn)
+{
+    lay_out(device, sheets);
+    group_sheets(device);
+    lay_out_vertices(device, drawn);
+    std::vector<glm::vec4> targets;
+    for (size_t i = 0; i < sheets.size(); ++i) {
+        for (uint32_t k = 0; k < records_[i].stride; ++k) {
+            const glm::vec3 place = k < records_[i].count ? sheets[i].rest_m[k] : glm::vec3(0.0F);
+            targets.emplace_back(place, held_[targets.size()]);
+        }
+    }
+    for (gpu::Buffer& buffer : targets_) {
+        buffer = gpu::upload_buffer(device, "cloth targets", targets);
+    }
+    set_solids(device, {});
+}
+
+void Cloths::set_solver(gpu::Device& device, std::optional<ClothSolver> solver)
+{
+    if (solver_ != solver) {
+        solver_ = solver;
+        group_sheets(device);
+    }
+}
+
+void Cloths::set_solids(gpu::Device& device, std::span<const Solid> solids)
+{
+    solids_before_ = std::move(solids_);
+    solids_.clear();
+    for (const Solid& solid : solids) {
+        solids_.push_back(as_shared(solid));
+    }
+    if (solids_before_.size() != solids_.size()) {
+        solids_before_ = solids_;
+    }
+    const uint64_t size_bytes = 2 * std::max<size_t>(solids_.size(), 1) * sizeof(shared::ClothCollider);
+    if (colliders_.empty() || colliders_.size_bytes() < size_bytes) {
+        colliders_ = gpu::Buffer(device, "cloth colliders", size_bytes, gpu::MemoryUse::upload);
+    }
+}
+
+void Cloths::set_targets(gpu::Device& device, std::span<const glm::vec3> places_m)
+{
+    std::vector<glm::vec4> targets(particle_count_, glm::vec4(0.0F));
+    size_t next = 0;
+    for (const shared::ClothSheet& record : records_) {
+        for (uint32_t i = 0; i < record.count; ++i) {
+            targets[record.first + i] = glm::vec4(places_m[next++], held_[record.first + i]);
+        }
+    }
+    std::swap(targets_[0], targets_[1]);
+    targets_[1] = gpu::upload_buffer(device, "cloth targets", targets);
+    targets_move_ = true;
+}
+
+} // namespace estampe::cloth

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CLOTH_LINKS
+#define ESTAMPE_CLOTH_LINKS
+
+// What its neighbours move a particle by. Each link is solved by itself as if the mass at either end were
+// shared among all links there, those to direct neighbours having more, and what all of them want is added:
+// momentum is kept, and no order matters. A link that is softer than that can be solved is a spring, of
+// exactly its compliance. Macklin et al., "Small Steps in Physics Simulation", SCA 2019; Tonge et al., "Mass
+// Splitting for Jitter-Free Parallel Rigid Body Simulation", SIGGRAPH 2012.
+//
+// Wanted before: vec4 predicted_at(uint local), a place and the inverse mass times the shares of the links
+// there.
+
+#include "techniques/cloth/cloth_data.glsl"
+
+#extension GL_EXT_control_flow_attributes : require
+
+// Of 4 / 3 no sheet, and not even a thread, shakes; grids, which no wave moves all links of at once, bear
+// more.
+const float over_relaxation = (variant & cloth_bit_grid) != 0u ? 1.6 : 4.0 / 3.0;
+const bool is_relaxing = (variant & cloth_bit_relax) != 0u;
+
+// Times the inverse mass. `split_masses` is of a far link; `softness` is the compliance by the square of the
+// step.
+vec3 link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, float softness)
+{
+    float length_m = length(towards);
+    float excess_m = length_m - rest_m;
+    if (is_far && !is_relaxing) {
+        excess_m = max(excess_m, 0.0) + min(length_m - sheet.fold * rest_m, 0.0);
+    }
+    float share = is_far ? 1.0 : cloth_near_share;
+    share *= is_relaxing ? cloth_knights_share : 1.0;
+    float give = max(split_masses / (over_relaxation * share), is_relaxing ? 0.0 : softness);
+    return towards * (excess_m / (max(length_m, 1e-9) * give));
+}
+
+// Force by bending of rigidity 1: that of a thin plate in finite differences, of which those are left out
+// that reach beyond the edge.
+vec3 grid_bend(vec3 towards[25], ivec2 at, ivec2 size)
+{
+    vec3 sum = vec3(0.0);
+    vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
+    [[unroll]] for (int axis = 0; axis < 2; ++axis)
+    {
+        int way = axis == 0 ? 1 : 5;
+        vec3 along = vec3(0.0);
+        if (at[axis] >= 1 && at[axis] + 1 < size[axis]) {
+            along += 2.0 * (towards[12 - way] + towards[12 + way]);
+        }
+        if (at[axis] >= 2) {
+            along -= towards[12 - 2 * way] - 2.0 * towards[12 - way];
+        }
+        if (at[axis] + 2 < size[axis]) {
+            along -= towards[12 + 2 * way] - 2.0 * towards[12 + way];
+        }
+        sum += along * spacing[1 - axis] / (spacing[axis] * spacing[axis] * spacing[axis]);
+    }
+    vec3 twist = vec3(0.0);
+    [[unroll]] for (int y = -1; y <= 1; y += 2)
+    {
+        [[unroll]] for (int x = -1; x <= 1; x += 2)
+        {
+            ivec2 corner = at + ivec2(x, y);
+            if (all(greaterThanEqual(corner, ivec2(0))) && all(lessThan(corner, size))) {
+                twist -= towards[12 + 5 * y + x] - towards[12 + 5 * y] - towards[12 + x];
+            }
+        }
+    }
+    return sum + twist * (2.0 / (spacing.x * spacing.y));
+}
+
+vec3 pull_of_grid(uint local, vec4 own, float inverse_mass, float time_s)
+{
+    ivec2 size = ivec2(sheet.columns, sheet.rows);
+    ivec2 at = ivec2(local % sheet.columns, local / sheet.columns);
+    float softness = sheet.softness / (time_s * time_s);
+    vec3 towards[25];
+    vec3 stretch = vec3(0.0);
+    [[unroll]] for (int y = -2; y <= 2; ++y)
+    {
+        [[unroll]] for (int x = -2; x <= 2; ++x)
+        {
+            ivec2 there = at + ivec2(x, y);
+            // Those a knight's move away only relaxation is better for.
+            bool is_linked = is_relaxing || abs(x) * abs(y) != 2;
+            bool is_there = is_linked && there.x >= 0 && there.y >= 0 && there.x < size.x && there.y < size.y;
+            vec4 other =
+                x == 0 && y == 0 ? own : predicted_at(is_there ? uint(there.y * size.x + there.x) : local);
+            vec3 to_other = other.xyz - own.xyz;
+            towards[12 + 5 * y + x] = to_other;
+            vec2 rest = vec2(abs(x) * sheet.spacing_x_m, abs(y) * sheet.spacing_y_m);
+            if (is_there && (x != 0 || y != 0)) {
+                stretch += link_pull(to_other, own.w + other.w, length(rest), max(abs(x), abs(y)) > 1,
+                                     softness * dot(rest, rest));
+            }
+        }
+    }
+    vec3 bend = is_relaxing ? vec3(0.0) : grid_bend(towards, at, size);
+    return inverse_mass * (stretch + time_s * time_s * sheet.bending_n_m * bend);
+}
+
+vec3 pull_of_lists(uint local, vec4 own, float inverse_mass, float time_s)
+{
+    vec3 stretch = vec3(0.0);
+    vec3 bend = vec3(0.0);
+    for (uint k = 0u; k < sheet.link_width; ++k) {
+        uvec4 words = texelFetch(link_texels, int(sheet.first_link + k * sheet.stride + local));
+        vec3 link = uintBitsToFloat(words.yzw); // rest length, compliance, bending
+        if (link.x != 0.0) {
+            vec4 other = predicted_at(words.x);
+            vec3 to_other = other.xyz - own.xyz;
+            stretch +=
+                link_pull(to_other, own.w + other.w, abs(link.x), link.x < 0.0, link.y / (time_s * time_s));
+            bend += link.z * to_other;
+        }
+    }
+    bend = is_relaxing ? vec3(0.0) : bend;
+    return inverse_mass * (stretch + time_s * time_s * sheet.bending_n_m * bend);
+}
+
+vec3 pull_of(uint local, vec4 own, float inverse_mass)
+{
+    float time_s = small_step_s();
+    return (variant & cloth_bit_grid) != 0u ? pull_of_grid(local, own, inverse_mass, time_s)
+                                            : pull_of_lists(local, own, inverse_mass, time_s);
+}
+
+// No farther from particles that are held than the sheet reaches: Kim, Chentanez and Müller, "Long Range
+// Attachments", SCA 2012.
+vec3 tethered(uint local, vec3 place)
+{
+    for (uint k = 0u; k < (is_relaxing ? 0u : sheet.tether_width); ++k) {
+        uvec2 tether = texelFetch(tether_texels, int(sheet.first_tether + k * sheet.stride + local)).xy;
+        vec3 held = predicted_at(tether.x).xyz;
+        float length_m = distance(place, held);
+        float most_m = uintBitsToFloat(tether.y);
+        if (length_m > most_m) {
+            place = held + (place - held) * (most_m / length_m);
+        }
+    }
+    return place;
+}
+
+#endif

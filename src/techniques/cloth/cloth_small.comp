@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// One workgroup a sheet of up to 1,024 particles: all steps of a run, with places in shared memory.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+layout(local_size_x = 256) in;
+
+#include "techniques/cloth/cloth_data.glsl"
+
+layout(scalar, binding = 9) buffer Places
+{
+    vec4 places[]; // and inverse mass
+};
+
+layout(scalar, binding = 10) buffer Speeds
+{
+    vec4 speeds[];
+};
+
+layout(scalar, binding = 11) buffer Pushes
+{
+    vec4 pushes[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    ClothMoment moment;
+};
+
+shared vec4 predicted[2][cloth_small_group * cloth_small_share]; // by turns
+uint newest = 0u;
+
+vec4 predicted_at(uint local)
+{
+    return predicted[newest][local];
+}
+
+vec3 place_at(uint local)
+{
+    return predicted[newest][local].xyz;
+}
+
+#include "techniques/cloth/cloth_air.glsl"
+#include "techniques/cloth/cloth_move.glsl"
+
+// What is written is seen by all, and what was read is free.
+void take_turns()
+{
+    barrier();
+    newest = 1u - newest;
+}
+
+void begin_step(uint step)
+{
+    for (uint local = gl_LocalInvocationID.x; local < sheet.count; local += cloth_small_group) {
+        predicted[1u - newest][local] = places[sheet.first + local];
+    }
+    take_turns();
+    float time_s = run.time_s + float(step) * run.step_s;
+    for (uint local = gl_LocalInvocationID.x; local < sheet.count; local += cloth_small_group) {
+        uint particle = sheet.first + local;
+        vec4 place = places[particle];
+        vec3 speed = speeds[particle].xyz;
+        vec3 push = place.w == 0.0 ? vec3(0.0) : push_on(local, place.xyz, speed, place.w, time_s);
+        float split = pushes[particle].w;
+        pushes[particle] = vec4(push, split);
+        predicted[1u - newest][local] =
+            vec4(foreseen(local, place.xyz, speed, push, place.w, part_of_run(step, 1.0)), split);
+    }
+    take_turns();
+}
+
+void small_step(uint step, uint number)
+{
+    float next = part_of_run(step, float(number + 2u));
+    for (uint local = gl_LocalInvocationID.x; local < sheet.count; local += cloth_small_group) {
+        uint particle = sheet.first + local;
+        vec4 from = places[particle];
+        vec3 to = moved(local, from.xyz, from.w, step, number);
+        vec3 speed = speed_after(from.xyz, to);
+        vec4 push = pushes[particle];
+        places[particle] = vec4(to, from.w);
+        speeds[particle] = vec4(speed, 0.0);
+        predicted[1u - newest][local] = vec4(foreseen(local, to, speed, push.xyz, from.w, next), push.w);
+    }
+    take_turns();
+}
+
+void main()
+{
+    sheet = sheets[sheet_of_group[moment.first_group + gl_WorkGroupID.x]];
+    for (uint step = 0u; step < run.step_count; ++step) {
+        begin_step(step);
+        for (uint i = 0u; i < run.small_steps; ++i) {
+            small_step(step, i);
+        }
+    }
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Sheets that tests move and look at.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "gpu/imports.hpp"
+#include "support/gpu_device.hpp"
+#include "techniques/cloth/cloth.hpp"
+
+namespace estampe::cloth {
+
+struct State {
+    std::vector<glm::dvec3> places_m;
+    std::vector<glm::dvec3> speeds_m_s;
+};
+
+/// One sheet, on the tests' device.
+class Lab {
+public:
+    explicit Lab(const Sheet& sheet) : sheet_(sheet), cloths_(test::shared_device(), {&sheet_, 1}) {}
+
+    [[nodiscard]] Cloths& cloths() { return cloths_; }
+
+    [[nodiscard]] const Sheet& sheet() const { return sheet_; }
+
+    Surroundings air{.air_kg_m3 = 0.0F}; ///< there is none unless a test wants some
+
+    State run(double seconds)
+    {
+        const auto wanted = static_cast<uint32_t>(std::lround(seconds / air.step_s));
+        State state;
+        for (uint32_t left = wanted; left > 0;) {
+            const uint32_t now = std::min(left, cloths_.most_steps(air));
+            gpu::Graph graph;
+            Cloths::Handles handles = cloths_.import(graph);
+            cloths_.add_steps(graph, handles, air, now);
+            left -= now;
+            air.time_s += static_cast<double>(now) * air.step_s;
+            state = read(graph, handles);
+        }
+        return state;
+    }
+
+    State carry(const glm::mat4& place)
+    {
+        gpu::Graph graph;
+        Cloths::Handles handles = cloths_.import(graph);
+        cloths_.add_carry(graph, handles, {&place, 1});
+        return read(graph, handles);
+    }
+
+    /// Moves what is held.
+    void move_to(const std::function<glm::vec3(glm::vec3)>& place)
+    {
+        std::vector<glm::vec3> targets;
+        for (const glm::vec3& rest : sheet_.rest_m) {
+            targets.push_back(place(rest));
+        }
+        cloths_.set_targets(test::shared_device(), targets);
+    }
+
+private:
+    State read(gpu::Graph& graph, const Cloths::Handles& handles) const
+    {
+        const auto bytes = test::run_and_read(graph, std::array{handles.places, handles.speeds});
+        State state;
+        for (size_t i = 0; i < sheet_.rest_m.size(); ++i) {
+            state.places_m.emplace_back(glm::vec3(test::items_of<glm::vec4>(bytes[0])[i]));
+            state.speeds_m_s.emplace_back(glm::vec3(test::items_of<glm::vec4>(bytes[1])[i]));
+        }
+        return state;
+    }
+
+    Sheet sheet_;
+    Cloths cloths_;
+};
+
+/// A square metre that hangs down from y = 0 in the plane z = 0, its left corner at x = 0.
+[[nodiscard]] inline Sheet hanging_square(uint32_t particles, const Cloth& cloth = {})
+{
+    Sheet sheet =
+        grid_sheet(glm::uvec2(particles), {0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, -1.0F, 0.0F}, cloth);
+    sheet.held.assign(sheet.rest_m.size(), 0.0F);
+    return sheet;
+}
+
+/// The same square lying at a height, about the y axis.
+[[nodiscard]] inline Sheet lying_square(uint32_t particles, float height_m, const Cloth& cloth = {})
+{
+    return grid_sheet(glm::uvec2(particles), {-0.5F, height_m, -0.5F}, {0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F},
+                      cloth);
+}
+
+/// A sheet whose particles stand a little out of rank: no grid, the same cloth.
+[[nodiscard]] inline Sheet out_of_rank(Sheet sheet, float shift_m)
+{
+    for (size_t i = 0; i < sheet.rest_m.size(); ++i) {
+        const auto n = static_cast<float>(i);
+        sheet.rest_m[i] += shift_m * glm::vec3(std::sin(12.9F * n), std::sin(78.2F * n), 0.0F);
+    }
+    return sheet;
+}
+
+/// How much longer, or shorter, edges are than at rest: sorted.
+[[nodiscard]] inline std::vector<double> strains(const Sheet& sheet, const State& state)
+{
+    std::vector<double> result;
+    for (const glm::uvec3& triangle : sheet.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const uint32_t a = triangle[k];
+            const uint32_t b = triangle[(k + 1) % 3];
+            const double rest_m = glm::distance(sheet.rest_m[a], sheet.rest_m[b]);
+            result.push_back(std::abs(glm::distance(state.places_m[a], state.places_m[b]) / rest_m - 1.0));
+        }
+    }
+    std::ranges::sort(result);
+    return result;
+}
+
+[[nodiscard]] inline double percentile(const std::vector<double>& sorted, double share)
+{
+    return sorted.at(static_cast<size_t>(share * static_cast<double>(sorted.size() - 1)));
+}
+
+} // namespace estampe::cloth

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What cloth runs into.
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "techniques/cloth/cloth.glsl.h"
+
+namespace estampe::cloth {
+
+enum class SolidKind : uint8_t { plane, ellipsoid, box, cylinder, capsule };
+
+/// A solid at a moment: in its own space, turned, then moved.
+struct Solid {
+    SolidKind kind = SolidKind::plane; ///< all below its y = 0
+    glm::vec3 half_m{1.0F}; ///< radii, or half a box; of a cylinder or capsule about y the radius, and half
+                            ///< the length of its axis, without a capsule's ends
+    glm::vec3 centre_m{0.0F};
+    glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};
+};
+
+/// All below a plane.
+[[nodiscard]] Solid below(glm::vec3 point_m, glm::vec3 normal);
+[[nodiscard]] Solid ball(glm::vec3 centre_m, float radius_m);
+[[nodiscard]] Solid capsule_between(glm::vec3 from_m, glm::vec3 to_m, float radius_m);
+
+/// A solid of its own space in a place of any matrix. An ellipsoid stays one whatever the matrix is; of
+/// others shear is left out, and cylinders and capsules keep round. Half sizes of 1e-4 m are the least there
+/// are.
+[[nodiscard]] Solid placed(const Solid& solid, const glm::dmat4& place);
+
+[[nodiscard]] shared::ClothCollider as_shared(const Solid& solid);
+
+} // namespace estampe::cloth

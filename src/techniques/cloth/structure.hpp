@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Who pulls whom in a sheet, in lists that particles gather from.
+
+#include <span>
+#include <vector>
+
+#include "techniques/cloth/cloth.glsl.h"
+#include "techniques/cloth/sheet.hpp"
+
+namespace estampe::cloth {
+
+/// Lists of up to `width` items, one a particle: the k-th of particle i is items[k * particles + i], and
+/// those that are missing are zeros.
+template <class Item>
+struct Lists {
+    uint32_t width = 0;
+    std::vector<Item> items;
+};
+
+/// To a particle that is held, and how far from it the sheet reaches.
+struct Tether {
+    uint32_t held = 0;
+    float most_m = 0.0F;
+};
+
+struct Structure {
+    std::optional<GridForm> grid; ///< then neither links nor faces have lists
+    std::vector<float> masses_kg;
+    std::vector<float>
+        link_shares; ///< sum over a particle's links: cloth_near_share of near ones, 1 of far ones
+    Lists<shared::ClothLink> links;
+    Lists<glm::uvec2> faces; ///< the other two corners, in order; of none twice the particle itself
+    Lists<Tether> tethers;
+    float softness = 0.0F;        ///< of a grid's links: compliance in m / N of one of 1 m
+    float bending_rate_s2 = 0.0F; ///< squared frequency of the quickest bending at rigidity 1
+};
+
+/// Particles next to each other, and those two apart, are linked: to as many as 24 on a grid. Throws Error
+/// for triangles or threads that name no particle, a particle that more than 64 edges meet at, numbers that
+/// are not finite, and a sheet without mass. Cost: n log n in particles for each group of those that are
+/// held.
+[[nodiscard]] Structure build_structure(const Sheet& sheet);
+
+/// Up to four a particle, each to another group of held particles that hang together; of none more than zero
+/// long. Part of build_structure().
+[[nodiscard]] Lists<Tether> build_tethers(const Sheet& sheet, const std::optional<GridForm>& grid,
+                                          std::span<const std::vector<uint32_t>> neighbours);
+
+} // namespace estampe::cloth
