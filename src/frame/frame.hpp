@@ -32,6 +32,14 @@ struct StrungPart {
     contour::PartOfPage part;
 };
 
+/// The clouds of the plan.
+struct CloudBuffers {
+    gpu::Buffer globals;
+    gpu::Buffer starts;
+    gpu::Buffer puffs;
+    gpu::Buffer streaks;
+};
+
 /// The buffers of the outside world that a frame reads and writes.
 struct FrameResources {
     gpu::Device& device;
@@ -57,6 +65,7 @@ struct FrameResources {
     contour::LineMesh* line_mesh;     ///< where lines are chains
     contour::LineHistory& line_history;
     gpu::Buffer& focus_lines;              ///< of the plan
+    CloudBuffers& clouds;                  ///< where the plan has any
     contour::BrushImages* brushes;         ///< where lines have others than the pen
     gpu::Image& sums;                      ///< of a picture of several samples
     gpu::Buffer& pixels;                   ///< the picture, four bytes a pixel, for reading back

@@ -95,6 +95,7 @@ struct FramePlan {
     FocusPlan focus;
     std::optional<shared::RippleConstants> ripples; ///< of a terrain's sand
     std::optional<terrain::DriftPlan> drift;        ///< of it in the air
+    std::optional<sky::CloudPlan> clouds;
     std::optional<MotionPlan> motion;
     std::optional<InkPlan> ink; ///< that flows
 };

@@ -251,6 +251,13 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
     if (!plan.focus.lines.empty()) {
         focus_lines = mapped_buffer(device, "focus lines", plan.focus.lines.data(), plan.focus.lines.size());
     }
+    if (plan.clouds) {
+        const sky::CloudPlan& of = *plan.clouds;
+        clouds.globals = mapped_buffer(device, "clouds", &of.globals, 1);
+        clouds.starts = mapped_buffer(device, "cloud cells", of.starts.data(), of.starts.size());
+        clouds.puffs = mapped_buffer(device, "puffs", of.puffs.data(), of.puffs.size());
+        clouds.streaks = mapped_buffer(device, "streaks", of.streaks.data(), of.streaks.size());
+    }
     if (plan.looks.has_several()) {
         const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
         look_of_draw = mapped_buffer(device, "looks", looks.data(), looks.size());
@@ -306,6 +313,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                         loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines),
                                     .line_history = line_history,
                                     .focus_lines = focus_lines,
+                                    .clouds = clouds,
                                     .brushes = line_brushes.provide(device, plan.looks.lines),
                                     .sums = page.sums,
                                     .pixels = page.pixels,

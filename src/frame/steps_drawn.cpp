@@ -184,7 +184,7 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                   gpu::ImageId light, const SeenThrough& screen)
 {
     const FramePlan& plan = making.plan;
-    const sky::Sky sky = sky::add_sky(making.graph,
+    sky::Sky sky = sky::add_sky(making.graph,
                                       {.frame = scene.frame,
                                        .towards_sun = plan.sun.towards,
                                        .daylight_rad = plan.sun.daylight_rad,
@@ -192,6 +192,21 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                        .drawn = plan.page.has_sky,
                                        .size_px = making.sample.size_px},
                                       making.style.sky);
+    if (plan.clouds) {
+        CloudBuffers& buffers = making.resources.clouds;
+        const auto import = [&](const char* name, gpu::Buffer& buffer) {
+            return gpu::import_whole(making.graph, name, buffer);
+        };
+        sky = sky::add_clouds(making.graph,
+                              {.frame = scene.frame,
+                               .globals = import("clouds", buffers.globals),
+                               .starts = import("cloud cells", buffers.starts),
+                               .puffs = import("puffs", buffers.puffs),
+                               .streaks = import("streaks", buffers.streaks),
+                               .variant = plan.clouds->variant,
+                               .size_px = making.sample.size_px},
+                              sky);
+    }
     const gpu::ImageId wash = wash::add_wash(making.graph,
                                              {.frame = scene.frame,
                                               .draw = surface.draw,

@@ -16,6 +16,7 @@
 #include "techniques/paper/paper.hpp"
 #include "techniques/screen/screen.hpp"
 #include "techniques/shadow/shadow_style.hpp"
+#include "techniques/sky/clouds/clouds.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/tam/tam_style.hpp"
 #include "techniques/terrain/drift/drift.hpp"
@@ -60,6 +61,7 @@ struct StyleTables {
     haze::HazeStyle haze;
     terrain::DriftStyle drift;
     sky::SkyStyle sky;
+    sky::CloudStyle clouds;
     paper::PaperStyle paper;
     std::vector<style::Override> overrides; ///< what single materials and objects have otherwise
 };
@@ -85,6 +87,7 @@ struct StyleTables {
     sheet.bind(haze::haze_table(), tables.haze);
     sheet.bind(terrain::drift_table(), tables.drift);
     sheet.bind(sky::sky_table(), tables.sky);
+    sheet.bind(sky::cloud_table(), tables.clouds);
     sheet.bind(paper::paper_table(), tables.paper);
     sheet.bind_overrides(tables.overrides);
     return sheet;
