@@ -3,6 +3,7 @@
 
 #include "frame/deep_page.hpp"
 #include "frame/local_maps.hpp"
+#include "frame/particles.hpp"
 #include "frame/plan.hpp"
 #include "frame/style_tables.hpp"
 #include "frame/tonal_maps.hpp"
@@ -66,6 +67,7 @@ struct FrameResources {
     contour::LineHistory& line_history;
     gpu::Buffer& focus_lines;              ///< of the plan
     CloudBuffers& clouds;                  ///< where the plan has any
+    ParticleBuffers& particles;            ///< where the plan has any
     contour::BrushImages* brushes;         ///< where lines have others than the pen
     gpu::Image& sums;                      ///< of a picture of several samples
     gpu::Buffer& pixels;                   ///< the picture, four bytes a pixel, for reading back

@@ -314,6 +314,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .line_history = line_history,
                                     .focus_lines = focus_lines,
                                     .clouds = clouds,
+                                    .particles = particles,
                                     .brushes = line_brushes.provide(device, plan.looks.lines),
                                     .sums = page.sums,
                                     .pixels = page.pixels,
@@ -444,6 +445,12 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
                                                .device = device,
                                                .raster_path = raster_path});
     plan.light.lightmap_scale = lightmap_scale;
+    plan.particles = frame::provide_particles(device, particles,
+                                              {.loaded = *loaded,
+                                               .pose = scene_pose,
+                                               .camera = camera,
+                                               .settings = settings,
+                                               .style = tables});
     if (settings.motion_since) {
         plan.motion = plan_motion(camera, settings);
     }

@@ -125,6 +125,7 @@ struct Renderer::Impl {
     gpu::Buffer line_looks;
     gpu::Buffer focus_lines;
     frame::CloudBuffers clouds;
+    frame::ParticleBuffers particles;
     contour::LineHistory line_history;
     frame::LineBrushes line_brushes;
     frame::FlowingInk flowing_ink;

@@ -165,6 +165,30 @@ gpu::ImageId add_drift(const Making& making, const PosedScene& scene, const surf
         plan->streaks, making.style.drift.ink, lines);
 }
 
+haze::HazeLayers add_particles(const Making& making, const PosedScene& scene, const surface::Surface& surface,
+                               const haze::HazeLayers& layers)
+{
+    if (!making.plan.particles) {
+        return layers;
+    }
+    ParticleBuffers& buffers = making.resources.particles;
+    const auto import = [&](const char* name, gpu::Buffer& buffer) {
+        return gpu::import_whole(making.graph, name, buffer);
+    };
+    const particles::ParticleLayers drawn =
+        particles::add_particles(making.graph,
+                                 {.frame = scene.frame,
+                                  .sprites = import("sprites", buffers.sprites),
+                                  .starts = import("sprite tiles", buffers.starts),
+                                  .listed = import("listed sprites", buffers.listed),
+                                  .sheet = import("particle sheet", buffers.sheet.texels()),
+                                  .depth = surface.depth,
+                                  .size_px = making.sample.size_px},
+                                 making.plan.particles->constants,
+                                 {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines});
+    return {.wash = drawn.wash, .hatch = drawn.hatch, .lines = drawn.lines};
+}
+
 gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
 {
     const FocusPlan& plan = making.plan.focus;

@@ -14,9 +14,10 @@
 #include "techniques/light/sun_style.hpp"
 #include "techniques/lightmap/lightmap.hpp"
 #include "techniques/paper/paper.hpp"
+#include "techniques/particles/particle_style.hpp"
 #include "techniques/screen/screen.hpp"
 #include "techniques/shadow/shadow_style.hpp"
-#include "techniques/sky/clouds/clouds.hpp"
+#include "techniques/sky/clouds/cloud_style.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/tam/tam_style.hpp"
 #include "techniques/terrain/drift/drift.hpp"
@@ -60,6 +61,7 @@ struct StyleTables {
     wash::WashStyle wash;
     haze::HazeStyle haze;
     terrain::DriftStyle drift;
+    particles::ParticleStyle particles;
     sky::SkyStyle sky;
     sky::CloudStyle clouds;
     paper::PaperStyle paper;
@@ -86,6 +88,7 @@ struct StyleTables {
     sheet.bind(wash::wash_table(), tables.wash);
     sheet.bind(haze::haze_table(), tables.haze);
     sheet.bind(terrain::drift_table(), tables.drift);
+    sheet.bind(particles::particle_table(), tables.particles);
     sheet.bind(sky::sky_table(), tables.sky);
     sheet.bind(sky::cloud_table(), tables.clouds);
     sheet.bind(paper::paper_table(), tables.paper);

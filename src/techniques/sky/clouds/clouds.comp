@@ -41,15 +41,6 @@ vec3 in_wind(vec3 d)
     return vec3(dot(d.xz, along), d.y, d.z * along.x - d.x * along.y);
 }
 
-// 0 in light, 1 in shade; between them a band where there are three tones.
-float shade_of(SeenPuffs seen)
-{
-    float low = smoothstep(-seen.soft, seen.soft, clouds.shade_below - seen.facing);
-    float lower =
-        smoothstep(-seen.soft, seen.soft, clouds.shade_below - clouds.middle_band - seen.facing);
-    return 0.5 * (low + lower);
-}
-
 vec3 tone_of(float shade)
 {
     return shade < 0.5 ? mix(clouds.lit_color, clouds.middle_color, 2.0 * shade)
@@ -82,10 +73,9 @@ void main()
     float hatched = 0.0;
     for (int i = rounds(int(clouds.puff_layer_count), pixel.x) - 1; i >= 0; --i) {
         SeenPuffs seen = puffs_along(clouds.puffs[i], in_layer, pixel_rad);
-        float shade = shade_of(seen);
-        wash = mix(wash, tone_of(shade), seen.cover);
+        wash = mix(wash, tone_of(seen.shade), seen.cover);
         ink = max(ink * (1.0 - seen.cover), seen.line);
-        hatched = mix(hatched, shade, seen.cover);
+        hatched = mix(hatched, seen.shade, seen.cover);
     }
     if (have_hatching) {
         ink = max(ink, line_ink(level_strokes(d, position), level_pen(clouds.hatch_width_px),

@@ -20,6 +20,8 @@ struct Kind {
     glm::vec3 cell_m; ///< along the wind, up, across
     uint32_t mass_cells;
     PuffShape shape;
+    float pen;   ///< share of the outlines' width
+    float under; ///< how much less light their base has
     uint32_t seed;
 };
 
@@ -32,6 +34,8 @@ Kind heaps(const CloudStyle& style)
             .cell_m = {cell_m, cell_m * style.heaped, cell_m},
             .mass_cells = mass_cells,
             .shape = {.levels = 4},
+            .pen = 1.0F,
+            .under = 0.3F,
             .seed = 2U * static_cast<uint32_t>(style.seed)};
 }
 
@@ -44,6 +48,8 @@ Kind flocks(const CloudStyle& style)
             .cell_m = {0.7F * cell_m, 0.25F * cell_m, 1.6F * cell_m},
             .mass_cells = mass_cells,
             .shape = {.radius = 0.62F, .growth = 0.2F},
+            .pen = 0.6F,
+            .under = -0.6F,
             .seed = 2U * static_cast<uint32_t>(style.seed) + 1U};
 }
 
@@ -103,6 +109,8 @@ void add_kind(CloudPlan& plan, const Kind& kind, const CloudStyle& style, const 
         .base_m = static_cast<float>(base_m),
         .per_m = 1.0F / kind.cell_m,
         .thick_m = top * kind.cell_m.y,
+        .pen = kind.pen,
+        .under = kind.under,
         .cells = tile_cells,
         .first_cell = static_cast<uint32_t>(plan.starts.size())};
     for (const uint32_t start : lists.starts) {

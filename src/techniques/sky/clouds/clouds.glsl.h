@@ -31,6 +31,8 @@ struct PuffLayer {
     float base_m;  // above the eye
     vec3 per_m;    // the layer's space from metres
     float thick_m; // of the slab that holds them
+    float pen;     // share of the outlines' width
+    float under;   // how much less light their base has
     uint cells;
     uint first_cell; // in the list of starts
 };

@@ -14,8 +14,7 @@ const float no_hit_m = 1e9;
 struct SeenPuffs {
     float cover;  // of the pixel
     float away_m; // of the nearest puff; no_hit_m where there is none
-    float facing; // -1 to 1: the light
-    float soft;   // change of that over a pixel
+    float shade;  // of that: 0 in light, 1 in shade, half in the band between
     float line;   // ink of outlines
     float line_m; // how far they lie
 };
@@ -25,7 +24,9 @@ struct PuffRay {
     vec3 d;          // along the wind, up, across: unit, in metres
     vec3 step;       // the same in the layer's space: a metre's way
     vec3 aside;      // level, unit, across it
-    float enter_m;   // into the slab
+    float per_step_squared;
+    float enter_m; // into the slab
+    float leave_m;
     float pixel_rad;
 };
 
@@ -37,21 +38,35 @@ CloudPuff puff_at(int i)
 }
 
 // How wide the pen is drawn at a place of an outline: heavy away from the light, thin and broken towards it.
-float pen_px(float facing, float angle, float trait, float away_m)
+float pen_px(float widest_px, float facing, float angle, float trait, float away_m)
 {
     float lit = smoothstep(-0.5, 0.8, facing);
     float pressed = 0.5 + 0.5 * wave(2.0 * angle + trait);
     float left_out = clouds.broken * lit * smoothstep(0.35, 0.75, pressed);
     float thinned = clamp(pow(6000.0 / away_m, 0.35), 0.5, 1.25);
-    return clouds.outline_px * thinned * mix(1.0, 0.45, lit) * mix(1.0, 0.7, pressed) * (1.0 - left_out);
+    return widest_px * thinned * mix(1.0, 0.45, lit) * mix(1.0, 0.7, pressed) * (1.0 - left_out);
+}
+
+// Of the light, -1 to 1, on what faces outward, moved towards where the whole mass does.
+float light_on(vec3 outward, vec3 lean)
+{
+    return dot(normalize(mix(outward, lean, 0.45)), clouds.towards_sun);
+}
+
+// 0 in light, 1 in shade; between them a band where there are three tones. `soft` is the change of light over
+// a pixel.
+float shade_of(float light, float soft)
+{
+    float low = smoothstep(-soft, soft, clouds.shade_below - light);
+    float lower = smoothstep(-soft, soft, clouds.shade_below - clouds.middle_band - light);
+    return 0.5 * (low + lower);
 }
 
 // Adds a puff to what is seen.
 void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff, vec3 tile_from)
 {
     vec3 from_centre = layer.eye - puff.centre - tile_from;
-    float step_squared = dot(ray.step, ray.step);
-    float nearest_m = -dot(from_centre, ray.step) / step_squared;
+    float nearest_m = -dot(from_centre, ray.step) * ray.per_step_squared;
     float at_m = max(nearest_m, ray.enter_m);
     vec3 offset = from_centre + ray.step * at_m;
     float away = max(length(offset), 1e-6);
@@ -65,7 +80,7 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
     float span = max(at_m * ray.pixel_rad * length(slope), 1e-9);
     float beyond_px = (away - radius) / span;
     vec3 facing_out = normalize(normal * layer.per_m);
-    float width_px = pen_px(dot(facing_out, clouds.towards_sun), angle, puff.trait, at_m);
+    float width_px = pen_px(layer.pen * clouds.outline_px, dot(facing_out, clouds.towards_sun), angle, puff.trait, at_m);
     float line = clamp(beyond_px + 0.5, 0.0, min(width_px, 1.0)) * clamp(width_px - beyond_px + 0.5, 0.0, 1.0);
     if (line > seen.line && at_m < seen.away_m && at_m < clouds.reach_m) {
         seen.line = line;
@@ -75,21 +90,96 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
     seen.cover = max(seen.cover, fade * clamp(0.5 - beyond_px, 0.0, 1.0));
     if (beyond_px < -0.5) {
         vec3 closest = from_centre + ray.step * nearest_m;
-        float half_chord_m =
-            sqrt(max(radius * radius - dot(closest, closest), 0.0) / step_squared);
+        float half_chord_m = sqrt(max(radius * radius - dot(closest, closest), 0.0) * ray.per_step_squared);
         float into_m = nearest_m - half_chord_m;
-        bool is_under = into_m < ray.enter_m;
         float hit_m = max(into_m, ray.enter_m);
-        if (hit_m < seen.away_m) {
-            vec3 outward = is_under ? vec3(0.0, -1.0, 0.0)
-                                    : normalize((from_centre + ray.step * hit_m) * layer.per_m);
-            // Moved towards where the whole mass faces.
-            vec3 moved = normalize(mix(outward, puff.lean, 0.45));
+        if (hit_m <= seen.away_m) {
+            // Where the base's rim crosses the pixel, some of both.
+            float under = clamp((ray.enter_m - into_m) * ray.d.y / (ray.enter_m * ray.pixel_rad) + 0.5, 0.0, 1.0);
+            vec3 side = normalize((from_centre + ray.step * hit_m) * layer.per_m);
+            float soft = hit_m * ray.pixel_rad * length(layer.per_m) / radius;
+            float shade =
+                mix(shade_of(light_on(side, puff.lean), soft),
+                    shade_of(light_on(vec3(0.0, -1.0, 0.0), puff.lean) - layer.under, 1e-3), under);
+            // All bases are in one plane: no rim is seen within another's.
+            seen.shade = hit_m == seen.away_m ? max(shade, seen.shade) : shade;
             seen.away_m = hit_m;
-            seen.facing = dot(moved, clouds.towards_sun) - (is_under ? 0.3 : 0.0);
-            seen.soft = is_under ? 1e-3 : hit_m * ray.pixel_rad * length(layer.per_m) / radius;
         }
     }
+}
+
+// The walk of a ray from cell to cell of a layer, and through the list of each.
+struct PuffWalk {
+    ivec2 cell;
+    ivec2 forth;
+    vec2 border_m; // where the ray leaves the cell, along and across
+    vec2 cell_m;
+    float at_m; // where it came in
+    int next;   // puff to look at
+    int end;    // of the list
+};
+
+void enter_cell(inout PuffWalk walk, PuffLayer layer)
+{
+    int mask = int(layer.cells) - 1;
+    int index = int(layer.first_cell) + (walk.cell.y & mask) * int(layer.cells) + (walk.cell.x & mask);
+    walk.next = int(texelFetch(start_texels, index).x);
+    walk.end = int(texelFetch(start_texels, index + 1).x);
+}
+
+void leave_cell(inout PuffWalk walk)
+{
+    bool is_along = walk.border_m.x < walk.border_m.y;
+    walk.at_m = min(walk.border_m.x, walk.border_m.y);
+    walk.cell += is_along ? ivec2(walk.forth.x, 0) : ivec2(0, walk.forth.y);
+    walk.border_m += is_along ? vec2(walk.cell_m.x, 0.0) : vec2(0.0, walk.cell_m.y);
+}
+
+PuffWalk start_walk(PuffLayer layer, PuffRay ray)
+{
+    PuffWalk walk;
+    walk.cell = ivec2(floor(layer.eye.xz + ray.step.xz * ray.enter_m));
+    walk.forth = ivec2(sign(ray.step.xz));
+    walk.border_m = (vec2(walk.cell + max(walk.forth, ivec2(0))) - layer.eye.xz) / ray.step.xz;
+    walk.cell_m = 1.0 / abs(ray.step.xz);
+    walk.at_m = ray.enter_m;
+    enter_cell(walk, layer);
+    return walk;
+}
+
+vec3 tile_from(PuffWalk walk, PuffLayer layer)
+{
+    ivec2 in_tile = walk.cell & (int(layer.cells) - 1);
+    return vec3(walk.cell.x - in_tile.x, 0.0, walk.cell.y - in_tile.y);
+}
+
+// Whether the ray comes near the puff, and nothing nearer hides that.
+bool is_near(SeenPuffs seen, PuffLayer layer, PuffRay ray, vec4 ball, vec3 from)
+{
+    const float wavers = 1.2;
+    vec3 from_centre = layer.eye - ball.xyz - from;
+    float nearest_m = -dot(from_centre, ray.step) * ray.per_step_squared;
+    vec3 offset = from_centre + ray.step * max(nearest_m, ray.enter_m);
+    return dot(offset, offset) < wavers * wavers * ball.w * ball.w &&
+           nearest_m - ball.w * sqrt(ray.per_step_squared) < seen.away_m;
+}
+
+// To the next puff that the ray comes near; false where there is none. A loop of little, so that processors,
+// which run several rays in step, do all the rest for as few puffs as they can.
+bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray)
+{
+    bool is_found = false;
+    while (!is_found && walk.at_m < ray.leave_m && walk.at_m < seen.away_m) {
+        if (walk.next < walk.end) {
+            is_found = is_near(seen, layer, ray, texelFetch(puff_texels, 2 * walk.next),
+                               tile_from(walk, layer));
+            walk.next += is_found ? 0 : 1;
+        } else {
+            leave_cell(walk);
+            enter_cell(walk, layer);
+        }
+    }
+    return is_found;
 }
 
 // `d` is a unit vector well above the horizon, along the wind, up and across.
@@ -100,30 +190,19 @@ SeenPuffs puffs_along(PuffLayer layer, vec3 d, float pixel_rad)
     ray.step = d * layer.per_m;
     ray.step.xz += vec2(lessThan(abs(ray.step.xz), vec2(1e-9))) * 1e-9;
     ray.aside = normalize(vec3(-ray.step.z, 0.0, ray.step.x));
+    ray.per_step_squared = 1.0 / dot(ray.step, ray.step);
     ray.enter_m = layer.base_m / d.y;
+    ray.leave_m = min((layer.base_m + layer.thick_m) / d.y, clouds.reach_m);
     ray.pixel_rad = pixel_rad;
-    float leave_m = min((layer.base_m + layer.thick_m) / d.y, clouds.reach_m);
-    SeenPuffs seen = SeenPuffs(0.0, no_hit_m, 0.0, 1e-3, 0.0, no_hit_m);
-    ivec2 cell = ivec2(floor(layer.eye.xz + ray.step.xz * ray.enter_m));
-    ivec2 forth = ivec2(sign(ray.step.xz));
-    vec2 border_m = (vec2(cell + max(forth, ivec2(0))) - layer.eye.xz) / ray.step.xz;
-    vec2 cell_m = 1.0 / abs(ray.step.xz);
-    int mask = int(layer.cells) - 1;
-    for (float at_m = ray.enter_m; at_m < leave_m && seen.away_m > at_m;) {
-        int index = int(layer.first_cell) + (cell.y & mask) * int(layer.cells) + (cell.x & mask);
-        vec3 tile_from = vec3(cell.x - (cell.x & mask), 0.0, cell.y - (cell.y & mask));
-        int last = int(texelFetch(start_texels, index + 1).x);
-        for (int i = int(texelFetch(start_texels, index).x); i < last; ++i) {
-            see_puff(seen, layer, ray, puff_at(i), tile_from);
-        }
-        bool is_along = border_m.x < border_m.y;
-        at_m = min(border_m.x, border_m.y);
-        cell += is_along ? ivec2(forth.x, 0) : ivec2(0, forth.y);
-        border_m += is_along ? vec2(cell_m.x, 0.0) : vec2(0.0, cell_m.y);
+    SeenPuffs seen = SeenPuffs(0.0, no_hit_m, 0.0, 0.0, no_hit_m);
+    PuffWalk walk = start_walk(layer, ray);
+    while (find_puff(walk, seen, layer, ray)) {
+        see_puff(seen, layer, ray, puff_at(walk.next), tile_from(walk, layer));
+        ++walk.next;
     }
     // Of two puffs that touch, the outline of the nearer tapers away where they meet.
     float gap_cells = (seen.away_m - seen.line_m) * length(ray.step);
-    seen.line *= smoothstep(0.25, 1.1, gap_cells);
+    seen.line *= smoothstep(0.15, 0.8, gap_cells);
     seen.line *= 1.0 - smoothstep(0.35 * clouds.reach_m, 0.8 * clouds.reach_m, seen.line_m);
     return seen;
 }

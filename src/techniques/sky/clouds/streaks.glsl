@@ -11,7 +11,7 @@ vec2 streak_place(StreakLayer layer, vec3 d)
 {
     vec2 at = layer.eye + d.xz * (layer.base_m / (max(d.y, 1e-3) * layer.cell_m));
     float turns = 2.0 / float(layer.cells); // whole ones on the tile
-    at.y += 0.5 * wave(at.x * turns) + 0.16 * wave(4.0 * turns * at.x + turns * at.y);
+    at.y += 0.35 * wave(at.x * turns) + 0.05 * wave(4.0 * turns * at.x + turns * at.y);
     return at;
 }
 
@@ -48,7 +48,7 @@ float streaks_along(StreakLayer layer, vec3 d, vec3 right, vec3 down)
     float pen = layer.width_px;
     float away_m = layer.base_m / max(d.y, 1e-3);
     float dark = density_at(layer, here) * (1.0 - smoothstep(0.8, 2.5, away_m / clouds.reach_m));
-    return line_ink(field, LineLook(pen, 0.6 * pen, 14.0 * pen, 60.0 * pen, 110.0 * pen, 0.6, 0.0), dark, 91u);
+    return line_ink(field, LineLook(pen, 0.6 * pen, 10.0 * pen, 90.0 * pen, 120.0 * pen, 0.6, 0.0), dark, 91u);
 }
 
 #endif
