@@ -57,8 +57,8 @@ float sheet_at(vec2 at, int which)
 // How dense a sprite is at a place from its middle, in radii: a ragged disc, or what its frame shows.
 float density_at(vec2 uv, float trait, float shown)
 {
-    float ragged = value_noise(2.6 * uv + 97.0 * trait, 3u) + 0.5 * value_noise(5.6 * uv - 61.0 * trait, 4u);
-    float r = length(uv) * (0.72 + 0.5 * ragged);
+    float ragged = value_noise(2.6 * uv + 97.0 * trait, 3u) + 0.2 * value_noise(5.6 * uv - 61.0 * trait, 4u);
+    float r = length(uv) * (0.8 + 0.4 * ragged);
     float density = max(1.0 - r * r, 0.0);
     density *= density * 1.6;
     if (constants.frames.x > 0u) {
@@ -98,7 +98,7 @@ Mass mass_at(vec2 place, float surface_m)
         mass.soft = mass.soft + min(density, 1.0) * (1.0 - mass.soft);
         float beyond_px = (length(away) - edge) * a.z;
         float hides = clamp(0.5 - beyond_px, 0.0, 1.0) * smoothstep(0.1, 0.3, b.w * before);
-        float lower = clamp((dot(away, vec2(0.45, 0.9)) - 0.22) * a.z + 0.5, 0.0, 1.0);
+        float lower = clamp((length(away + vec2(0.24, 0.4)) - 0.68) * a.z + 0.5, 0.0, 1.0);
         // An arc on the upper side, widest in its middle.
         float up = dot(normalize(away + 1e-6), normalize(vec2(c.x - 0.5, -1.0)));
         float width_px = 0.8 * constants.outline_px * smoothstep(0.3, 1.0, up);

@@ -15,8 +15,10 @@ struct SeenPuffs {
     float cover;  // of the pixel
     float away_m; // of the nearest puff; no_hit_m where there is none
     float shade;  // of that: 0 in light, 1 in shade, half in the band between
-    float line;   // ink of outlines
-    float line_m; // how far they lie
+    float line;     // ink of the outline here
+    float line_m;   // how far it lies
+    float line_px;  // how far outside of what it goes around
+    float width_px; // of it
 };
 
 // A ray, as a layer has it.
@@ -62,6 +64,12 @@ float shade_of(float light, float soft)
     return 0.5 * (low + lower);
 }
 
+// Of a pixel so far outside of what a line goes around, the share that is ink.
+float line_ink_at(float beyond_px, float width_px)
+{
+    return clamp(beyond_px + 0.5, 0.0, min(width_px, 1.0)) * clamp(width_px - beyond_px + 0.5, 0.0, 1.0);
+}
+
 // Adds a puff to what is seen.
 void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff, vec3 tile_from)
 {
@@ -81,10 +89,12 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
     float beyond_px = (away - radius) / span;
     vec3 facing_out = normalize(normal * layer.per_m);
     float width_px = pen_px(layer.pen * clouds.outline_px, dot(facing_out, clouds.towards_sun), angle, puff.trait, at_m);
-    float line = clamp(beyond_px + 0.5, 0.0, min(width_px, 1.0)) * clamp(width_px - beyond_px + 0.5, 0.0, 1.0);
+    float line = line_ink_at(beyond_px, width_px);
     if (line > seen.line && at_m < seen.away_m && at_m < clouds.reach_m) {
         seen.line = line;
         seen.line_m = at_m;
+        seen.line_px = beyond_px;
+        seen.width_px = width_px;
     }
     float fade = 1.0 - smoothstep(0.35 * clouds.reach_m, clouds.reach_m, at_m);
     seen.cover = max(seen.cover, fade * clamp(0.5 - beyond_px, 0.0, 1.0));
@@ -169,7 +179,7 @@ bool is_near(SeenPuffs seen, PuffLayer layer, PuffRay ray, vec4 ball, vec3 from)
 bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray)
 {
     bool is_found = false;
-    while (!is_found && walk.at_m < ray.leave_m && walk.at_m < seen.away_m) {
+    while (!is_found && walk.at_m < ray.leave_m && walk.at_m <= seen.away_m) {
         if (walk.next < walk.end) {
             is_found = is_near(seen, layer, ray, texelFetch(puff_texels, 2 * walk.next),
                                tile_from(walk, layer));
@@ -194,7 +204,7 @@ SeenPuffs puffs_along(PuffLayer layer, vec3 d, float pixel_rad)
     ray.enter_m = layer.base_m / d.y;
     ray.leave_m = min((layer.base_m + layer.thick_m) / d.y, clouds.reach_m);
     ray.pixel_rad = pixel_rad;
-    SeenPuffs seen = SeenPuffs(0.0, no_hit_m, 0.0, 0.0, no_hit_m);
+    SeenPuffs seen = SeenPuffs(0.0, no_hit_m, 0.0, 0.0, no_hit_m, 0.0, 0.0);
     PuffWalk walk = start_walk(layer, ray);
     while (find_puff(walk, seen, layer, ray)) {
         see_puff(seen, layer, ray, puff_at(walk.next), tile_from(walk, layer));
@@ -202,7 +212,8 @@ SeenPuffs puffs_along(PuffLayer layer, vec3 d, float pixel_rad)
     }
     // Of two puffs that touch, the outline of the nearer tapers away where they meet.
     float gap_cells = (seen.away_m - seen.line_m) * length(ray.step);
-    seen.line *= smoothstep(0.15, 0.8, gap_cells);
+    float tapered = smoothstep(0.15, 0.9, gap_cells);
+    seen.line = min(seen.line, line_ink_at(seen.line_px, tapered * seen.width_px));
     seen.line *= 1.0 - smoothstep(0.35 * clouds.reach_m, 0.8 * clouds.reach_m, seen.line_m);
     return seen;
 }
