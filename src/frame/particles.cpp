@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "frame/smoke_sheet.hpp"
 #include "frame/view.hpp"
 #include "style/surfaces.hpp"
 
@@ -48,7 +49,8 @@ std::vector<particles::Emitter> emitters_of(const Scene& scene, const ScenePose&
     return emitters;
 }
 
-std::optional<particles::ParticlePlan> provide_particles(gpu::Device& device, ParticleBuffers& buffers,
+std::optional<particles::ParticlePlan> provide_particles(gpu::Device& device, gpu::Executor& executor,
+                                                         ParticleBuffers& buffers,
                                                          const ParticlePlanInputs& in)
 {
     const particles::ParticleStyle& style = in.style.particles;
@@ -62,16 +64,16 @@ std::optional<particles::ParticlePlan> provide_particles(gpu::Device& device, Pa
                       {.size_px = page_px, .page_height_mm = in.style.paper.height_mm});
     const PixelSize pixel = pixel_size(in.camera, page_px.y);
     const auto alive = particles::particles_at(style, emitters, in.settings.time_s);
-    buffers.sheet.provide(device, style);
-    particles::ParticlePlan plan =
-        particles::plan_particles(style, alive,
-                                  {.clip_from_anchor = page.clip_from_anchor,
-                                   .anchor = in.loaded.layout.anchor,
-                                   .page_px = page_px,
-                                   .pixels_per_mm = page.pixels_per_mm,
-                                   .pixel_m = pixel.at_one_m,
-                                   .is_parallel = pixel.is_parallel});
-    plan.constants.sheet_px = buffers.sheet.size_px();
+    buffers.sheet.provide(device, style, [&] { return smoke_sheet(device, executor); });
+    particles::ParticlePlan plan = particles::plan_particles(style, alive,
+                                                             {.clip_from_anchor = page.clip_from_anchor,
+                                                              .anchor = in.loaded.layout.anchor,
+                                                              .page_px = page_px,
+                                                              .pixels_per_mm = page.pixels_per_mm,
+                                                              .pixel_m = pixel.at_one_m,
+                                                              .is_parallel = pixel.is_parallel,
+                                                              .sheet_px = buffers.sheet.size_px(),
+                                                              .sheet_frames = buffers.sheet.frames()});
     buffers.sprites = mapped(device, "sprites", plan.sprites);
     buffers.starts = mapped(device, "sprite tiles", plan.starts);
     buffers.listed = mapped(device, "listed sprites", plan.listed);

@@ -11,6 +11,7 @@
 
 #include "frame/loaded_scene.hpp"
 #include "frame/style_tables.hpp"
+#include "gpu/graph/execute.hpp"
 #include "techniques/particles/particles.hpp"
 
 namespace estampe::frame {
@@ -37,7 +38,9 @@ struct ParticlePlanInputs {
 
 /// Plans the particles of a picture and makes room for them; none where no node gives any. Throws Error for a
 /// sheet that cannot be read.
-[[nodiscard]] std::optional<particles::ParticlePlan>
-provide_particles(gpu::Device& device, ParticleBuffers& buffers, const ParticlePlanInputs& in);
+[[nodiscard]] std::optional<particles::ParticlePlan> provide_particles(gpu::Device& device,
+                                                                       gpu::Executor& executor,
+                                                                       ParticleBuffers& buffers,
+                                                                       const ParticlePlanInputs& in);
 
 } // namespace estampe::frame

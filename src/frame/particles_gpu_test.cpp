@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Particles and clouds in whole pictures.
 #include "frame/particles.hpp"
+#include "frame/smoke_sheet.hpp"
 
 #include <gtest/gtest.h>
 
@@ -60,6 +61,37 @@ TEST(ParticlesInFrame, AreTheSameWhateverWasDrawnBefore)
     EXPECT_NE(first.rgba, bare.rgba);
     EXPECT_NE(renderer.render(camera, {}, moment(9.0)).rgba, first.rgba);
     EXPECT_EQ(renderer.render(camera, {}, moment(2.0)).rgba, first.rgba);
+}
+
+TEST(ParticlesInFrame, SmokeRisesAndThinsFromFrameToFrame)
+{
+    gpu::Device& device = test::shared_device();
+    gpu::Executor executor(device);
+    const particles::SheetImage sheet = smoke_sheet(device, executor);
+    EXPECT_EQ(smoke_sheet(device, executor).brightness, sheet.brightness);
+    const glm::uvec2 cell_px = sheet.size_px / sheet.frames;
+    const auto amount_and_height = [&](uint32_t frame) {
+        const glm::uvec2 from = cell_px * glm::uvec2(frame % sheet.frames.x, frame / sheet.frames.x);
+        glm::dvec2 sums(0.0);
+        for (uint32_t y = 0; y < cell_px.y; ++y) {
+            for (uint32_t x = 0; x < cell_px.x; ++x) {
+                const float value = sheet.brightness[size_t{from.y + y} * sheet.size_px.x + from.x + x];
+                EXPECT_GE(value, 0.0F);
+                EXPECT_LE(value, 1.0F);
+                sums += static_cast<double>(value) * glm::dvec2(1.0, cell_px.y - y);
+            }
+        }
+        return glm::dvec2(sums.x, sums.y / sums.x / cell_px.y);
+    };
+    glm::dvec2 before = amount_and_height(0);
+    EXPECT_NEAR(before.y, 0.36, 0.03);
+    for (const uint32_t frame : {9U, 18U, 27U}) {
+        const glm::dvec2 now = amount_and_height(frame);
+        EXPECT_GT(now.y, before.y + 0.01) << frame;
+        EXPECT_LT(now.x, before.x) << frame;
+        EXPECT_GT(now.x, 0.75 * before.x) << frame;
+        before = now;
+    }
 }
 
 TEST(CloudsInFrame, AreTheSameInTilesAndCostNothingUnasked)

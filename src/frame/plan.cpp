@@ -120,14 +120,13 @@ std::optional<sky::CloudPlan> plan_clouds(const PlanInputs& in, const PagePlan& 
         return std::nullopt;
     }
     const sky::SkyStyle& style = in.style.sky;
-    return sky::plan_clouds(
-        in.style.clouds,
-        {.eye_m = in.camera.eye,
-         .time_s = in.settings.time_s,
-         .towards_sun = sun.towards,
-         .follows_elevation_rad = sky::followed_elevation_rad(style, sun.towards, sun.daylight_rad),
-         .look = sky::look_under(style, sun.towards, sun.daylight_rad),
-         .pixels_per_mm = page.pixels_per_mm});
+    return sky::plan_clouds(in.style.clouds, {.eye_m = in.camera.eye,
+                                              .time_s = in.settings.time_s,
+                                              .towards_sun = sun.towards,
+                                              .follows_elevation_rad = sky::followed_elevation_rad(
+                                                  style, sun.towards, sun.daylight_rad),
+                                              .look = sky::look_under(style, sun.towards, sun.daylight_rad),
+                                              .pixels_per_mm = page.pixels_per_mm});
 }
 
 bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& map)

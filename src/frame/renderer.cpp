@@ -445,12 +445,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
                                                .device = device,
                                                .raster_path = raster_path});
     plan.light.lightmap_scale = lightmap_scale;
-    plan.particles = frame::provide_particles(device, particles,
-                                              {.loaded = *loaded,
-                                               .pose = scene_pose,
-                                               .camera = camera,
-                                               .settings = settings,
-                                               .style = tables});
+    plan.particles = frame::provide_particles(
+        device, executor, particles,
+        {.loaded = *loaded, .pose = scene_pose, .camera = camera, .settings = settings, .style = tables});
     if (settings.motion_since) {
         plan.motion = plan_motion(camera, settings);
     }

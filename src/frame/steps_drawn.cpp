@@ -209,13 +209,13 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
 {
     const FramePlan& plan = making.plan;
     sky::Sky sky = sky::add_sky(making.graph,
-                                      {.frame = scene.frame,
-                                       .towards_sun = plan.sun.towards,
-                                       .daylight_rad = plan.sun.daylight_rad,
-                                       .pixels_per_mm = plan.page.pixels_per_mm,
-                                       .drawn = plan.page.has_sky,
-                                       .size_px = making.sample.size_px},
-                                      making.style.sky);
+                                {.frame = scene.frame,
+                                 .towards_sun = plan.sun.towards,
+                                 .daylight_rad = plan.sun.daylight_rad,
+                                 .pixels_per_mm = plan.page.pixels_per_mm,
+                                 .drawn = plan.page.has_sky,
+                                 .size_px = making.sample.size_px},
+                                making.style.sky);
     if (plan.clouds) {
         CloudBuffers& buffers = making.resources.clouds;
         const auto import = [&](const char* name, gpu::Buffer& buffer) {

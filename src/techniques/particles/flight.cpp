@@ -39,7 +39,8 @@ glm::dvec3 noise_gradient(const glm::dvec3& place, uint32_t seed)
     for (uint32_t corner = 0; corner < 8; ++corner) {
         const glm::dvec3 at((corner & 1U) != 0 ? 1.0 : 0.0, (corner & 2U) != 0 ? 1.0 : 0.0,
                             (corner & 4U) != 0 ? 1.0 : 0.0);
-        const double value = hashed(lattice(cell.x + at.x), lattice(cell.y + at.y), lattice(cell.z + at.z), seed);
+        const double value =
+            hashed(lattice(cell.x + at.x), lattice(cell.y + at.y), lattice(cell.z + at.z), seed);
         const glm::dvec3 weight = glm::mix(1.0 - s, s, at);
         const glm::dvec3 change = slope * (2.0 * at - 1.0);
         gradient += value * glm::dvec3(change.x * weight.y * weight.z, weight.x * change.y * weight.z,
@@ -107,7 +108,8 @@ glm::dvec3 swirl(const glm::dvec3& place, uint32_t seed)
     return {z.y - y.z, x.z - z.x, y.x - x.y};
 }
 
-std::vector<Particle> particles_at(const ParticleStyle& style, std::span<const Emitter> emitters, double time_s)
+std::vector<Particle> particles_at(const ParticleStyle& style, std::span<const Emitter> emitters,
+                                   double time_s)
 {
     std::vector<Particle> particles;
     const auto per_s = static_cast<double>(style.per_s);
@@ -121,7 +123,8 @@ std::vector<Particle> particles_at(const ParticleStyle& style, std::span<const E
         for (int64_t i = oldest; i <= newest; ++i) {
             const auto number = static_cast<uint32_t>(i);
             const double born =
-                (static_cast<double>(i) + hashed(number, emitter, 9U, static_cast<uint32_t>(style.seed))) / per_s;
+                (static_cast<double>(i) + hashed(number, emitter, 9U, static_cast<uint32_t>(style.seed))) /
+                per_s;
             const double age_s = time_s - born;
             if (age_s >= 0.0 && age_s < life_s) {
                 particles.push_back(fly(style, emitters[emitter], number, emitter, age_s));

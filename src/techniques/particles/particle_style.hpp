@@ -57,15 +57,16 @@ inline const style::Table<ParticleStyle>& particle_table()
                     "Speed of the wind that takes it along")
             .number("wind_deg", &ParticleStyle::wind_deg, {-360.0F, 360.0F}, "deg",
                     "Bearing the wind blows to: 0 is +z, 90 +x")
-            .number("swirl_mps", &ParticleStyle::swirl_mps, {0.0F, 100.0F}, "m/s", "Speed of swirls in the air")
+            .number("swirl_mps", &ParticleStyle::swirl_mps, {0.0F, 100.0F}, "m/s",
+                    "Speed of swirls in the air")
             .number("swirl_m", &ParticleStyle::swirl_m, {0.01F, 1000.0F}, "m", "Size of a swirl")
             .number("size_m", &ParticleStyle::size_m, {0.001F, 100.0F}, "m", "Width of a new particle")
             .number("grown_m", &ParticleStyle::grown_m, {0.001F, 100.0F}, "m", "And of an old one")
-            .file("sheet", &ParticleStyle::sheet,
-                  "Picture of rows and columns of frames, shown one after the other: white is dense; without "
-                  "one particles are ragged discs")
-            .integer("rows", &ParticleStyle::rows, {1, 64}, "", "Of the sheet")
-            .integer("columns", &ParticleStyle::columns, {1, 64}, "", "Of the sheet")
+            .file_or_name("sheet", &ParticleStyle::sheet, {"smoke"},
+                          "Picture of rows and columns of frames, shown one after the other: white is dense; "
+                          "or a puff of smoke that is worked out; without one particles are ragged discs")
+            .integer("rows", &ParticleStyle::rows, {1, 64}, "", "Of a picture's sheet")
+            .integer("columns", &ParticleStyle::columns, {1, 64}, "", "Of a picture's sheet")
             .color("color", &ParticleStyle::color, "Colour of drawn and soft ones")
             .number("opacity", &ParticleStyle::opacity, {0.0F, 1.0F}, "", "How dense a particle is")
             .number("outline_mm", &ParticleStyle::outline_mm, {0.0F, 10.0F}, "mm", "Width of drawn outlines")

@@ -49,9 +49,9 @@ float sheet_at(vec2 at, int which)
     int width = int(constants.sheet_px.x);
     int upper = (from.y + low.y) * width + from.x;
     int lower = (from.y + high.y) * width + from.x;
-    return mix(mix(texelFetch(sheet_texels, upper + low.x).x, texelFetch(sheet_texels, upper + high.x).x, f.x),
-               mix(texelFetch(sheet_texels, lower + low.x).x, texelFetch(sheet_texels, lower + high.x).x, f.x),
-               f.y);
+    return mix(
+        mix(texelFetch(sheet_texels, upper + low.x).x, texelFetch(sheet_texels, upper + high.x).x, f.x),
+        mix(texelFetch(sheet_texels, lower + low.x).x, texelFetch(sheet_texels, lower + high.x).x, f.x), f.y);
 }
 
 // How dense a sprite is at a place from its middle, in radii: a ragged disc, or what its frame shows.
@@ -96,15 +96,18 @@ Mass mass_at(vec2 place, float surface_m)
         float density = density_at(uv, c.x, c.y) * b.w * before;
         mass.density += density;
         mass.soft = mass.soft + min(density, 1.0) * (1.0 - mass.soft);
+        // What a sheet shows has its own shape within.
+        float solid = constants.frames.x > 0u ? 0.0 : b.w * before;
         float beyond_px = (length(away) - edge) * a.z;
-        float hides = clamp(0.5 - beyond_px, 0.0, 1.0) * smoothstep(0.1, 0.3, b.w * before);
+        float hides = clamp(0.5 - beyond_px, 0.0, 1.0) * smoothstep(0.1, 0.3, solid);
         float lower = clamp((length(away + vec2(0.24, 0.4)) - 0.68) * a.z + 0.5, 0.0, 1.0);
         // An arc on the upper side, widest in its middle.
         float up = dot(normalize(away + 1e-6), normalize(vec2(c.x - 0.5, -1.0)));
-        float width_px = 0.8 * constants.outline_px * smoothstep(0.3, 1.0, up);
+        float width_px =
+            constants.outline_px * smoothstep(0.35, 1.0, up) * smoothstep(0.3, 0.8, fract(7.3 * c.x));
         float arc = clamp(width_px + 0.5 - abs(beyond_px), 0.0, min(width_px, 1.0));
         mass.shade = mix(mass.shade, lower, hides);
-        mass.fold = max(mass.fold * (1.0 - hides), arc * smoothstep(0.2, 0.5, b.w * before));
+        mass.fold = max(mass.fold * (1.0 - hides), arc * smoothstep(0.2, 0.5, solid));
     }
     return mass;
 }
@@ -113,7 +116,8 @@ Mass mass_at(vec2 place, float surface_m)
 float within_px(vec2 place, float density, float surface_m)
 {
     vec2 slope = vec2(mass_at(place + vec2(1.0, 0.0), surface_m).density,
-                      mass_at(place + vec2(0.0, 1.0), surface_m).density) - density;
+                      mass_at(place + vec2(0.0, 1.0), surface_m).density) -
+                 density;
     return (density - 0.35) / max(length(slope), 1e-4);
 }
 

@@ -63,6 +63,24 @@ void list_sprites(ParticlePlan& plan, glm::uvec2 tiles)
     }
 }
 
+SheetImage read_sheet(const std::string& path, glm::uvec2 frames)
+{
+    const Image picture = load_image(path);
+    SheetImage sheet{.size_px = {picture.width, picture.height}, .frames = frames, .brightness = {}};
+    if (glm::any(glm::lessThan(sheet.size_px, frames))) {
+        throw Error(fmt::format("a sheet of {} x {} pixels cannot have {} columns and {} rows",
+                                sheet.size_px.x, sheet.size_px.y, frames.x, frames.y),
+                    path, "set particles.columns and particles.rows to those of the picture");
+    }
+    sheet.brightness.reserve(picture.rgba.size() / 4);
+    for (size_t i = 0; i < picture.rgba.size(); i += 4) {
+        const glm::vec3 color(picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]);
+        sheet.brightness.push_back(glm::dot(color, glm::vec3(1.0F / 3.0F)) / 255.0F *
+                                   (static_cast<float>(picture.rgba[i + 3]) / 255.0F));
+    }
+    return sheet;
+}
+
 } // namespace
 
 ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle> particles,
@@ -71,7 +89,7 @@ ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle
     constexpr double nearest_m = 0.05;
     constexpr float widest_px = 16384.0F;
     ParticlePlan plan;
-    const auto frames = static_cast<float>(style.rows * style.columns);
+    const auto frames = static_cast<float>(view.sheet_frames.x * view.sheet_frames.y);
     for (const Particle& particle : particles) {
         double away_m = 0.0;
         const glm::dvec2 centre = projected_px(view, particle.place, away_m);
@@ -84,7 +102,8 @@ ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle
         const float radius = 0.5F * width_m / static_cast<float>(pixel_m);
         const glm::vec2 centre_px(centre);
         const glm::vec2 page(view.page_px);
-        if (radius < 0.2F || radius > widest_px || glm::any(glm::lessThan(centre_px + 8.0F * radius, glm::vec2(0.0F))) ||
+        if (radius < 0.2F || radius > widest_px ||
+            glm::any(glm::lessThan(centre_px + 8.0F * radius, glm::vec2(0.0F))) ||
             glm::any(glm::greaterThan(centre_px - 8.0F * radius, page))) {
             continue;
         }
@@ -93,7 +112,8 @@ ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle
         float length = 1.0F;
         if (style.look == Look::strokes) {
             double ahead_m = 0.0;
-            const glm::vec2 ahead(projected_px(view, particle.place + 0.02 * particle.velocity, ahead_m) - centre);
+            const glm::vec2 ahead(projected_px(view, particle.place + 0.02 * particle.velocity, ahead_m) -
+                                  centre);
             turn = glm::length(ahead) > 1e-4F ? glm::normalize(ahead) : turn;
             length = 6.0F;
         }
@@ -115,36 +135,28 @@ ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle
                       .soft_m = style.soft_m,
                       .look = static_cast<uint32_t>(style.look),
                       .tiles_across = tiles.x,
-                      .frames = style.sheet.empty() ? glm::uvec2(0) : glm::uvec2(style.columns, style.rows)};
+                      .frames = view.sheet_frames,
+                      .sheet_px = view.sheet_px};
     return plan;
 }
 
-void Sheet::provide(gpu::Device& device, const ParticleStyle& style)
+void Sheet::provide(gpu::Device& device, const ParticleStyle& style,
+                    const std::function<SheetImage()>& simulate)
 {
-    if (!texels_.empty() && path_ == style.sheet) {
+    const glm::uvec2 asked_frames(style.columns, style.rows);
+    if (!texels_.empty() && name_ == style.sheet && asked_frames_ == asked_frames) {
         return;
     }
-    std::vector<float> brightness(1, 1.0F);
-    glm::uvec2 size_px(1);
-    if (!style.sheet.empty()) {
-        const Image picture = load_image(style.sheet);
-        size_px = {picture.width, picture.height};
-        brightness.clear();
-        for (size_t i = 0; i < picture.rgba.size(); i += 4) {
-            const glm::vec3 color(picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]);
-            brightness.push_back(glm::dot(color, glm::vec3(1.0F / 3.0F)) / 255.0F *
-                                 (static_cast<float>(picture.rgba[i + 3]) / 255.0F));
-        }
-    }
-    if (size_px.x < static_cast<uint32_t>(style.columns) || size_px.y < static_cast<uint32_t>(style.rows)) {
-        throw Error(fmt::format("a sheet of {} x {} pixels cannot have {} columns and {} rows", size_px.x,
-                                size_px.y, style.columns, style.rows),
-                    style.sheet, "set particles.columns and particles.rows to those of the picture");
-    }
-    texels_ = gpu::Buffer(device, "particle sheet", sizeof(float) * brightness.size(), gpu::MemoryUse::upload);
-    std::ranges::copy(std::as_bytes(std::span(brightness)), texels_.mapped().begin());
-    size_px_ = size_px;
-    path_ = style.sheet;
+    const SheetImage image = style.sheet.empty()      ? SheetImage()
+                             : style.sheet == "smoke" ? simulate()
+                                                      : read_sheet(style.sheet, asked_frames);
+    texels_ = gpu::Buffer(device, "particle sheet", sizeof(float) * image.brightness.size(),
+                          gpu::MemoryUse::upload);
+    std::ranges::copy(std::as_bytes(std::span(image.brightness)), texels_.mapped().begin());
+    size_px_ = image.size_px;
+    frames_ = image.frames;
+    name_ = style.sheet;
+    asked_frames_ = asked_frames;
 }
 
 ParticleLayers add_particles(gpu::Graph& graph, const ParticleInputs& in,

@@ -19,9 +19,9 @@ SHARED_CONSTANT uint particles_strokes = 3U;
 struct Sprite {
     vec2 centre_px; // on the page
     float radius_px;
-    float away_m;  // from the eye, along the view
-    vec2 turn;     // cosine and sine
-    float length;  // in radii, along the turn: 1 for round ones
+    float away_m; // from the eye, along the view
+    vec2 turn;    // cosine and sine
+    float length; // in radii, along the turn: 1 for round ones
     float opacity;
     float trait; // 0 to 1, its own
     float frame; // of the sheet, with a fraction
@@ -35,7 +35,7 @@ struct ParticleConstants {
     float soft_m;
     uint look;
     uint tiles_across;
-    uvec2 frames;  // of the sheet: columns, rows; none where there is no sheet
+    uvec2 frames; // of the sheet: columns, rows; none where there is no sheet
     uvec2 sheet_px;
 };
 

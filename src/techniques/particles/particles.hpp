@@ -4,7 +4,9 @@
 // Particles: each leaves an emitter, is carried by wind and swirls while it ages, and is drawn as a soft
 // sprite.
 
+#include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "gpu/graph/graph.hpp"
@@ -34,8 +36,8 @@ struct Particle {
 
 /// All particles alive at a moment. Each is a function of its number and its age alone: the same whatever was
 /// asked for before, and as if emitters had always stood where they stand. Cost: 10 us a particle.
-[[nodiscard]] std::vector<Particle> particles_at(const ParticleStyle& style, std::span<const Emitter> emitters,
-                                                 double time_s);
+[[nodiscard]] std::vector<Particle> particles_at(const ParticleStyle& style,
+                                                 std::span<const Emitter> emitters, double time_s);
 
 /// The page that they are seen on.
 struct ParticleView {
@@ -45,6 +47,8 @@ struct ParticleView {
     float pixels_per_mm = 1.0F;
     float pixel_m = 0.001F; ///< what a pixel spans at a distance of one
     bool is_parallel = false;
+    glm::uvec2 sheet_px{0};
+    glm::uvec2 sheet_frames{0}; ///< columns and rows; none without a sheet
 };
 
 /// Sprites from the farthest to the nearest, and which of them each tile of the page has.
@@ -59,19 +63,32 @@ struct ParticlePlan {
 [[nodiscard]] ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle> particles,
                                           const ParticleView& view);
 
-/// The frames of a style's sheet, read when that changes.
+/// Frames of brightness, beside and below each other.
+struct SheetImage {
+    glm::uvec2 size_px{1};
+    glm::uvec2 frames{0}; ///< columns and rows; none: there is no sheet
+    std::vector<float> brightness = {1.0F};
+};
+
+/// The frames of a style's sheet, made when that changes.
 class Sheet {
 public:
-    /// Throws Error naming the file when it is no picture, or smaller than its rows and columns.
-    void provide(gpu::Device& device, const ParticleStyle& style);
+    /// Reads a picture, or takes what `simulate` works out. Throws Error naming the file when it is no
+    /// picture, or smaller than its rows and columns.
+    void provide(gpu::Device& device, const ParticleStyle& style,
+                 const std::function<SheetImage()>& simulate);
 
     [[nodiscard]] glm::uvec2 size_px() const { return size_px_; }
+
+    [[nodiscard]] glm::uvec2 frames() const { return frames_; }
 
     [[nodiscard]] gpu::Buffer& texels() { return texels_; }
 
 private:
-    std::string path_;
+    std::string name_;
+    glm::uvec2 asked_frames_{0};
     glm::uvec2 size_px_{0};
+    glm::uvec2 frames_{0};
     gpu::Buffer texels_;
 };
 

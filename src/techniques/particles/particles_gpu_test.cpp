@@ -39,14 +39,14 @@ public:
         const shared::FrameGlobals globals =
             frame::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
         Sheet sheet;
-        sheet.provide(device, style);
-        ParticlePlan plan = plan_particles(
-            style, particles,
-            {.clip_from_anchor = globals.clip_from_anchor,
-             .page_px = size_px,
-             .pixels_per_mm = 2.0F,
-             .pixel_m = frame::pixel_size(camera, size_px.y).at_one_m});
-        plan.constants.sheet_px = sheet.size_px();
+        sheet.provide(device, style, [] { return SheetImage(); });
+        const ParticlePlan plan = plan_particles(style, particles,
+                                                 {.clip_from_anchor = globals.clip_from_anchor,
+                                                  .page_px = size_px,
+                                                  .pixels_per_mm = 2.0F,
+                                                  .pixel_m = frame::pixel_size(camera, size_px.y).at_one_m,
+                                                  .sheet_px = sheet.size_px(),
+                                                  .sheet_frames = sheet.frames()});
         gpu::Buffer frame = gpu::upload_buffer(device, "frame", std::vector{globals});
         gpu::Buffer sprites = gpu::upload_buffer(device, "sprites", plan.sprites);
         gpu::Buffer starts = gpu::upload_buffer(device, "starts", plan.starts);
@@ -54,24 +54,23 @@ public:
         const auto near = static_cast<double>(camera.near_m);
         const auto add = [&](gpu::Graph& graph, test::Layer& wash, test::Layer& hatch, test::Layer& lines,
                              test::Layer& depth) {
-            return add_particles(graph,
-                                 {.frame = gpu::import_whole(graph, "frame", frame),
-                                  .sprites = gpu::import_whole(graph, "sprites", sprites),
-                                  .starts = gpu::import_whole(graph, "starts", starts),
-                                  .listed = gpu::import_whole(graph, "listed", listed),
-                                  .sheet = gpu::import_whole(graph, "sheet", sheet.texels()),
-                                  .depth = depth.in(graph),
-                                  .size_px = size_px},
-                                 plan.constants,
-                                 {.wash = wash.in(graph), .hatch = hatch.in(graph), .lines = lines.in(graph)});
+            return add_particles(
+                graph,
+                {.frame = gpu::import_whole(graph, "frame", frame),
+                 .sprites = gpu::import_whole(graph, "sprites", sprites),
+                 .starts = gpu::import_whole(graph, "starts", starts),
+                 .listed = gpu::import_whole(graph, "listed", listed),
+                 .sheet = gpu::import_whole(graph, "sheet", sheet.texels()),
+                 .depth = depth.in(graph),
+                 .size_px = size_px},
+                plan.constants, {.wash = wash.in(graph), .hatch = hatch.in(graph), .lines = lines.in(graph)});
         };
         const auto layers = [&] {
             return std::array{
                 test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(1.0F, 1.0F, 1.0F, 0.0F); }),
                 test::Layer::coverage(size_px, [](glm::uvec2) { return 1.0F; }),
                 test::Layer::root_color(size_px, [](glm::uvec2) { return glm::vec4(0.0F); }),
-                test::Layer::depth(size_px,
-                                   [&](glm::uvec2) { return static_cast<float>(near / wall_m); })};
+                test::Layer::depth(size_px, [&](glm::uvec2) { return static_cast<float>(near / wall_m); })};
         };
         auto a = layers();
         auto b = layers();
@@ -90,11 +89,8 @@ Particle at(const glm::dvec3& place)
 
 ParticleStyle soft()
 {
-    return {.look = Look::wash,
-            .size_m = 3.0F,
-            .grown_m = 3.0F,
-            .color = {1.0F, 0.0F, 0.0F},
-            .opacity = 1.0F};
+    return {
+        .look = Look::wash, .size_m = 3.0F, .grown_m = 3.0F, .color = {1.0F, 0.0F, 0.0F}, .opacity = 1.0F};
 }
 
 double cover(const Drawn& drawn)
@@ -110,7 +106,8 @@ TEST(Particles, ColourWhatTheyAreBeforeAndHideItsStrokes)
 {
     const Page page;
     const Drawn drawn = page.draw(soft(), {at({0.0, 0.0, 0.0})});
-    const double radius_px = 1.5 / (10.0 * static_cast<double>(frame::pixel_size(page.camera, size_px.y).at_one_m));
+    const double radius_px =
+        1.5 / (10.0 * static_cast<double>(frame::pixel_size(page.camera, size_px.y).at_one_m));
     for (size_t i = 0; i < drawn.wash.size(); ++i) {
         const glm::dvec2 from_middle(static_cast<double>(i % size_px.x) + 0.5 - 64.0,
                                      static_cast<double>(i / size_px.x) + 0.5 - 48.0);

@@ -76,7 +76,8 @@ inline const style::Table<SkyStyle>& sky_table()
                     "Width of the sun's disc, and by night of the moon's; 0 draws neither, 0.53 is nature's")
             .color("sun_color", &SkyStyle::sun_color, "Colour of the sun's disc")
             .color("moon_color", &SkyStyle::moon_color, "Colour of the moon's")
-            .number("moon_lit", &SkyStyle::moon_lit, {0.0F, 1.0F}, "", "Share of the moon's width that shines");
+            .number("moon_lit", &SkyStyle::moon_lit, {0.0F, 1.0F}, "",
+                    "Share of the moon's width that shines");
     return table;
 }
 
@@ -106,7 +107,8 @@ struct SkyLook {
                                  const std::optional<float>& daylight_rad);
 
 /// The height of the sun that colours go by; none where they stay.
-[[nodiscard]] std::optional<double> followed_elevation_rad(const SkyStyle& style, const glm::vec3& towards_sun,
+[[nodiscard]] std::optional<double> followed_elevation_rad(const SkyStyle& style,
+                                                           const glm::vec3& towards_sun,
                                                            const std::optional<float>& daylight_rad);
 
 /// The look under a sun at that height: night up to -10 degrees, dusk at -2, the style's horizon and zenith

@@ -231,8 +231,8 @@ TEST(Sky, DiscStandsWhereTheSunDoesAndIsAsWide)
     style.follow = SkyFollow::none;
     View view{.camera = looking(22.0, 40.0, 0.5), .size_px = {160, 120}};
     const auto cover = [&](const glm::vec4& color, const glm::vec3& disc) {
-        const float share = glm::dot(glm::vec3(color) - horizon, disc - horizon) /
-                            glm::dot(disc - horizon, disc - horizon);
+        const float share =
+            glm::dot(glm::vec3(color) - horizon, disc - horizon) / glm::dot(disc - horizon, disc - horizon);
         return share > 0.01F ? static_cast<double>(share) : 0.0; // not what halves of floats leave
     };
     const auto expect_disc = [&](const glm::dvec3& towards, const glm::vec3& color, double lit) {
@@ -291,8 +291,7 @@ TEST(Sky, BandsAreWipedInFromAboveAndBelow)
     style.low_band_deg = 5.0F;
     const auto banded = paint(view, style).wash;
     for (size_t i = 0; i < banded.size(); ++i) {
-        const double deg =
-            std::asin(view.direction(centre_of(i, view.size_px)).y) * 180.0 / std::numbers::pi;
+        const double deg = std::asin(view.direction(centre_of(i, view.size_px)).y) * 180.0 / std::numbers::pi;
         if (deg > 52.5) {
             EXPECT_EQ(glm::vec3(banded[i]), style.high_band);
         } else if (deg > 8.5 && deg < 27.5) {
@@ -310,7 +309,8 @@ TEST(Sky, BandsAreWipedInFromAboveAndBelow)
     const auto flat = [&](float share) {
         return std::ranges::count_if(shares, [&](float x) { return std::abs(x - share) < 2e-3F; });
     };
-    EXPECT_GT(flat(0.0F) + flat(0.5F) + flat(1.0F), static_cast<int>(0.6 * static_cast<double>(shares.size())));
+    EXPECT_GT(flat(0.0F) + flat(0.5F) + flat(1.0F),
+              static_cast<int>(0.6 * static_cast<double>(shares.size())));
     EXPECT_GT(flat(0.5F), 500);
 }
 

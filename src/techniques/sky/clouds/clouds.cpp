@@ -101,7 +101,8 @@ void add_kind(CloudPlan& plan, const Kind& kind, const CloudStyle& style, const 
         top = std::max(top, puff.centre.y + 1.1F * puff.radius);
     }
     const glm::dvec3 cell_m(kind.cell_m);
-    const glm::dvec2 eye = wind_of(style, view.time_s).from_world(view.eye_m) / glm::dvec2(cell_m.x, cell_m.z);
+    const glm::dvec2 eye =
+        wind_of(style, view.time_s).from_world(view.eye_m) / glm::dvec2(cell_m.x, cell_m.z);
     const glm::vec2 eye_on_tile = on_tile(eye, tile_cells);
     const auto first_puff = static_cast<uint32_t>(plan.puffs.size());
     plan.globals.puffs[plan.globals.puff_layer_count++] = {

@@ -14,8 +14,8 @@ SHARED_CONSTANT uint clouds_have_streaks = 1U << 1U;
 
 SHARED_CONSTANT uint most_puff_layers = 2U;
 
-// Space "layer": along the wind, above the base, across the wind, in cells, of which a tile of `cells` x `cells`
-// repeats. Puffs, which may be flat or long in metres, are balls there.
+// Space "layer": along the wind, above the base, across the wind, in cells, of which a tile of `cells` x
+// `cells` repeats. Puffs, which may be flat or long in metres, are balls there.
 
 // A ball of cloud: two texels of four floats.
 struct CloudPuff {
@@ -50,9 +50,9 @@ struct CloudGlobals {
     PuffLayer puffs[most_puff_layers]; // the lowest first
     StreakLayer streaks;
     uint puff_layer_count;
-    vec2 along_wind; // x and z of a unit vector
+    vec2 along_wind;  // x and z of a unit vector
     vec3 towards_sun; // along the wind, up and across
-    vec3 lit_color; // what the paint lets through
+    vec3 lit_color;   // what the paint lets through
     vec3 middle_color;
     vec3 shade_color;
     float shade_below; // what faces the light less than this is shaded

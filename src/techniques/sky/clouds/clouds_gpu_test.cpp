@@ -42,7 +42,8 @@ Painted paint(const View& view, CloudStyle style, double time_s = 0.0)
     const auto add = [&](gpu::Graph& graph) {
         const gpu::BufferId frame_id = gpu::import_whole(graph, "frame", frame);
         const Sky bare = add_sky(
-            graph, {.frame = frame_id, .towards_sun = view.towards_sun, .drawn = true, .size_px = view.size_px},
+            graph,
+            {.frame = frame_id, .towards_sun = view.towards_sun, .drawn = true, .size_px = view.size_px},
             sky);
         return plan ? add_clouds(graph,
                                  {.frame = frame_id,
@@ -127,8 +128,7 @@ TEST(Clouds, StandStillInTheWorldAsTheCameraTurns)
     size_t different = 0;
     for (size_t i = 0; i < first.white.size(); ++i) {
         const glm::dvec3 d = view.direction(centre_of(i, view.size_px));
-        const glm::dvec4 clip =
-            glm::dmat4(turned.globals().clip_from_anchor) * glm::dvec4(1000.0 * d, 1.0);
+        const glm::dvec4 clip = glm::dmat4(turned.globals().clip_from_anchor) * glm::dvec4(1000.0 * d, 1.0);
         const glm::ivec2 at(glm::floor((0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(view.size_px)));
         if (clip.w <= 0.0 || at.x < 1 || at.y < 1 || at.x > 158 || at.y > 98) {
             continue;
@@ -162,7 +162,8 @@ TEST(Clouds, DriftAsFastAsTheWindAndPassOverAnEyeThatMoves)
     moved.camera.target += way;
     const Painted first = paint(view, style);
     EXPECT_LT(differing(first.white, paint(moved, style, 60.0).white), 0.01) << "with the wind for a minute";
-    EXPECT_GT(differing(first.white, paint(view, style, 60.0).white), 0.05) << "which one who stays sees pass";
+    EXPECT_GT(differing(first.white, paint(view, style, 60.0).white), 0.05)
+        << "which one who stays sees pass";
     EXPECT_GT(differing(first.white, paint(moved, style, 58.0).white), 0.015) << "nor in 58 seconds";
     EXPECT_EQ(first.white, paint(view, style).white) << "whatever was painted before";
 }
@@ -229,7 +230,10 @@ TEST(Clouds, AreHatchedInTheirShadeAlone)
 {
     CloudStyle style{.coverage = 0.4F, .outline_mm = 0.0F, .hatch = 0.5F, .hatch_mm = 0.1F, .reach_m = 2e5F};
     style.shade_color = glm::vec3(0.5F);
-    const View view{.camera = looking(12.0, 0.0, 0.9), .size_px = {160, 100}, .towards_sun = {0.5F, 0.3F, 0.0F}, .pixels_per_mm = 20.0F};
+    const View view{.camera = looking(12.0, 0.0, 0.9),
+                    .size_px = {160, 100},
+                    .towards_sun = {0.5F, 0.3F, 0.0F},
+                    .pixels_per_mm = 20.0F};
     const Painted painted = paint(view, style);
     double shaded = 0.0;
     double ink = 0.0;

@@ -79,6 +79,7 @@ CoverField cover_field(const CoverNoise& noise)
         uint32_t period;
         float weight;
     };
+
     const uint32_t masses = std::max(noise.cells / std::max(noise.mass_cells, 1U), 2U);
     const std::array octaves{Octave{std::max(masses / 3U, 2U), 0.7F}, Octave{masses, 1.0F},
                              Octave{2U * masses + 1U, 0.5F}};

@@ -31,9 +31,9 @@ struct CoverField {
 };
 
 struct CoverNoise {
-    uint32_t cells = 64;       ///< a side of the tile
-    uint32_t mass_cells = 5;   ///< across a usual mass
-    float turn = 0.0F;         ///< 0 to 1: how far through its changes the field is
+    uint32_t cells = 64;     ///< a side of the tile
+    uint32_t mass_cells = 5; ///< across a usual mass
+    float turn = 0.0F;       ///< 0 to 1: how far through its changes the field is
     uint32_t seed = 1;
 };
 
@@ -43,10 +43,10 @@ struct CoverNoise {
 
 /// How large puffs are, in cells, and how they are piled.
 struct PuffShape {
-    float radius = 0.85F;     ///< where cloud is thick
-    float growth = 0.10F;     ///< of the field, above the limit, over which a puff grows to that
-    uint32_t levels = 1;      ///< puffs over each other
-    float level_rise = 0.62F; ///< from one to the next, in radii
+    float radius = 0.85F;      ///< where cloud is thick
+    float growth = 0.10F;      ///< of the field, above the limit, over which a puff grows to that
+    uint32_t levels = 1;       ///< puffs over each other
+    float level_rise = 0.62F;  ///< from one to the next, in radii
     float level_limit = 0.06F; ///< each is there where the field is by so much higher
 };
 
@@ -57,8 +57,8 @@ struct PuffShape {
 [[nodiscard]] std::vector<shared::CloudPuff> puffs_of(const CoverField& field, const PuffShape& shape,
                                                       float limit, uint32_t seed);
 
-/// Puffs by the cell of a tile, as the walk along a ray finds them: each stands in the list of every cell that
-/// its outline may touch.
+/// Puffs by the cell of a tile, as the walk along a ray finds them: each stands in the list of every cell
+/// that its outline may touch.
 struct PuffLists {
     std::vector<uint32_t> starts; ///< one a cell, row by row, and the end
     std::vector<shared::CloudPuff> puffs;

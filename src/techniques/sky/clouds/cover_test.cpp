@@ -33,8 +33,8 @@ double covered_share(std::span<const shared::CloudPuff> puffs)
     for (uint32_t i = 0; i < side * side; ++i) {
         const glm::vec2 place = (glm::vec2(i % side, i / side) + 0.37F) * (static_cast<float>(cells) / side);
         const size_t cell = static_cast<size_t>(place.y) * cells + static_cast<size_t>(place.x);
-        const auto in_cell = std::span(lists.puffs).subspan(lists.starts[cell],
-                                                            lists.starts[cell + 1] - lists.starts[cell]);
+        const auto in_cell =
+            std::span(lists.puffs).subspan(lists.starts[cell], lists.starts[cell + 1] - lists.starts[cell]);
         covered += std::ranges::any_of(in_cell, [&](const shared::CloudPuff& puff) {
             return puff.centre.y == 0.0F && away(place, {puff.centre.x, puff.centre.z}) < puff.radius;
         });
@@ -117,8 +117,8 @@ TEST(CloudCover, ListsHaveEveryPuffThatAPlaceIsUnder)
         const auto covers = [&](const shared::CloudPuff& puff) {
             return away(place, {puff.centre.x, puff.centre.z}) < 1.15F * puff.radius;
         };
-        const auto in_cell = std::span(lists.puffs).subspan(lists.starts[cell],
-                                                            lists.starts[cell + 1] - lists.starts[cell]);
+        const auto in_cell =
+            std::span(lists.puffs).subspan(lists.starts[cell], lists.starts[cell + 1] - lists.starts[cell]);
         EXPECT_EQ(std::ranges::count_if(in_cell, covers), std::ranges::count_if(puffs, covers)) << i;
     }
 }

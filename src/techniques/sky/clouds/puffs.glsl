@@ -12,9 +12,9 @@ const float no_hit_m = 1e9;
 
 // What is seen of a layer along a ray.
 struct SeenPuffs {
-    float cover;  // of the pixel
-    float away_m; // of the nearest puff; no_hit_m where there is none
-    float shade;  // of that: 0 in light, 1 in shade, half in the band between
+    float cover;    // of the pixel
+    float away_m;   // of the nearest puff; no_hit_m where there is none
+    float shade;    // of that: 0 in light, 1 in shade, half in the band between
     float line;     // ink of the outline here
     float line_m;   // how far it lies
     float line_px;  // how far outside of what it goes around
@@ -23,9 +23,9 @@ struct SeenPuffs {
 
 // A ray, as a layer has it.
 struct PuffRay {
-    vec3 d;          // along the wind, up, across: unit, in metres
-    vec3 step;       // the same in the layer's space: a metre's way
-    vec3 aside;      // level, unit, across it
+    vec3 d;     // along the wind, up, across: unit, in metres
+    vec3 step;  // the same in the layer's space: a metre's way
+    vec3 aside; // level, unit, across it
     float per_step_squared;
     float enter_m; // into the slab
     float leave_m;
@@ -80,15 +80,16 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
     float away = max(length(offset), 1e-6);
     vec3 normal = offset / away;
     float angle = atan(dot(offset, ray.aside), offset.y) * 0.15915494;
-    float radius =
-        puff.radius * (1.0 + 0.05 * wave(3.0 * angle + puff.trait) + 0.035 * wave(7.0 * angle + 5.0 * puff.trait));
+    float radius = puff.radius * (1.0 + 0.05 * wave(3.0 * angle + puff.trait) +
+                                  0.035 * wave(7.0 * angle + 5.0 * puff.trait));
     // What a pixel spans across the outline: on the base, where that cuts the ball, else across the ray.
     vec3 slope = normal * layer.per_m;
     slope.y -= at_m > nearest_m ? dot(slope, ray.d) / ray.d.y : 0.0;
     float span = max(at_m * ray.pixel_rad * length(slope), 1e-9);
     float beyond_px = (away - radius) / span;
     vec3 facing_out = normalize(normal * layer.per_m);
-    float width_px = pen_px(layer.pen * clouds.outline_px, dot(facing_out, clouds.towards_sun), angle, puff.trait, at_m);
+    float width_px =
+        pen_px(layer.pen * clouds.outline_px, dot(facing_out, clouds.towards_sun), angle, puff.trait, at_m);
     float line = line_ink_at(beyond_px, width_px);
     if (line > seen.line && at_m < seen.away_m && at_m < clouds.reach_m) {
         seen.line = line;
@@ -105,12 +106,12 @@ void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff
         float hit_m = max(into_m, ray.enter_m);
         if (hit_m <= seen.away_m) {
             // Where the base's rim crosses the pixel, some of both.
-            float under = clamp((ray.enter_m - into_m) * ray.d.y / (ray.enter_m * ray.pixel_rad) + 0.5, 0.0, 1.0);
+            float under =
+                clamp((ray.enter_m - into_m) * ray.d.y / (ray.enter_m * ray.pixel_rad) + 0.5, 0.0, 1.0);
             vec3 side = normalize((from_centre + ray.step * hit_m) * layer.per_m);
             float soft = hit_m * ray.pixel_rad * length(layer.per_m) / radius;
-            float shade =
-                mix(shade_of(light_on(side, puff.lean), soft),
-                    shade_of(light_on(vec3(0.0, -1.0, 0.0), puff.lean) - layer.under, 1e-3), under);
+            float shade = mix(shade_of(light_on(side, puff.lean), soft),
+                              shade_of(light_on(vec3(0.0, -1.0, 0.0), puff.lean) - layer.under, 1e-3), under);
             // All bases are in one plane: no rim is seen within another's.
             seen.shade = hit_m == seen.away_m ? max(shade, seen.shade) : shade;
             seen.away_m = hit_m;
@@ -181,8 +182,8 @@ bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray
     bool is_found = false;
     while (!is_found && walk.at_m < ray.leave_m && walk.at_m <= seen.away_m) {
         if (walk.next < walk.end) {
-            is_found = is_near(seen, layer, ray, texelFetch(puff_texels, 2 * walk.next),
-                               tile_from(walk, layer));
+            is_found =
+                is_near(seen, layer, ray, texelFetch(puff_texels, 2 * walk.next), tile_from(walk, layer));
             walk.next += is_found ? 0 : 1;
         } else {
             leave_cell(walk);
