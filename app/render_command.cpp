@@ -12,6 +12,7 @@
 #include "core/at_once.hpp"
 #include "drawing.hpp"
 #include "film.hpp"
+#include "frame/particles.hpp"
 #include "output/svg.hpp"
 #include "pass_history.hpp"
 #include "picture_output.hpp"
@@ -48,9 +49,18 @@ private:
     std::vector<std::pair<std::string, double>> steps_;
 };
 
+/// Whether clouds drift over the scene, or particles fly in it.
+bool has_weather(const DrawOptions& draw, const Scene& scene)
+{
+    const frame::StyleTables& style = draw.style.tables();
+    const sky::CloudStyle& clouds = style.clouds;
+    return clouds.coverage > 0.0F || clouds.flocks > 0.0F || clouds.streaks > 0.0F ||
+           !frame::emitters_of(scene, pose_scene(scene, 0.0), style.particles.emitters).empty();
+}
+
 void warn_of_idle_time(const DrawOptions& draw, const Scene& scene)
 {
-    if (draw.time_s != 0.0 && scene.animations.empty() && !scene.terrain) {
+    if (draw.time_s != 0.0 && scene.animations.empty() && !scene.terrain && !has_weather(draw, scene)) {
         print_warnings({fmt::format("{}: has no animation, so --time changes nothing", draw.scene)});
     }
 }

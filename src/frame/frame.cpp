@@ -53,6 +53,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     haze::HazeLayers faded = add_haze(making, scene, surface, colors.sky_wash,
                                       {.wash = colors.wash, .hatch = ink, .lines = lines});
     faded.lines = add_drift(making, scene, surface, faded.lines);
+    faded = add_particles(making, scene, surface, faded);
     faded.lines = add_focus_lines(making, faded.lines);
     const auto flowing = add_flowing_ink(making, scene, visibility, surface, lit.light, faded);
     const auto smoke = add_smoke(making, scene, surface, faded.lines);

@@ -4,6 +4,7 @@
 #include "frame/deep_page.hpp"
 #include "frame/local_maps.hpp"
 #include "frame/moving_cloth.hpp"
+#include "frame/particles.hpp"
 #include "frame/plan.hpp"
 #include "frame/style_tables.hpp"
 #include "frame/tonal_maps.hpp"
@@ -33,6 +34,14 @@ struct StrungPart {
     contour::PartOfPage part;
 };
 
+/// The clouds of the plan.
+struct CloudBuffers {
+    gpu::Buffer globals;
+    gpu::Buffer starts;
+    gpu::Buffer puffs;
+    gpu::Buffer streaks;
+};
+
 /// The buffers of the outside world that a frame reads and writes.
 struct FrameResources {
     gpu::Device& device;
@@ -59,6 +68,8 @@ struct FrameResources {
     contour::LineMesh* line_mesh;     ///< where lines are chains
     contour::LineHistory& line_history;
     gpu::Buffer& focus_lines;              ///< of the plan
+    CloudBuffers& clouds;                  ///< where the plan has any
+    ParticleBuffers& particles;            ///< where the plan has any
     contour::BrushImages* brushes;         ///< where lines have others than the pen
     gpu::Image& sums;                      ///< of a picture of several samples
     gpu::Buffer& pixels;                   ///< the picture, four bytes a pixel, for reading back

@@ -114,6 +114,21 @@ std::optional<terrain::DriftPlan> plan_drift(const PlanInputs& in, const PagePla
                               .pixels_per_mm = page.pixels_per_mm});
 }
 
+std::optional<sky::CloudPlan> plan_clouds(const PlanInputs& in, const PagePlan& page, const SunPlan& sun)
+{
+    if (!page.has_sky) {
+        return std::nullopt;
+    }
+    const sky::SkyStyle& style = in.style.sky;
+    return sky::plan_clouds(in.style.clouds, {.eye_m = in.camera.eye,
+                                              .time_s = in.settings.time_s,
+                                              .towards_sun = sun.towards,
+                                              .follows_elevation_rad = sky::followed_elevation_rad(
+                                                  style, sun.towards, sun.daylight_rad),
+                                              .look = sky::look_under(style, sun.towards, sun.daylight_rad),
+                                              .pixels_per_mm = page.pixels_per_mm});
+}
+
 bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& map)
 {
     return style.drawn && style.lines == contour::Lines::chains &&
@@ -140,6 +155,7 @@ FramePlan plan_frame(const PlanInputs& in)
     const LightPlan light = plan_light(in, strokes);
     SunPlan sun = plan_sun(in, page);
     const EdgePlan edges = plan_edges(in.style, sun, strokes, page.pixels_per_mm);
+    std::optional<sky::CloudPlan> clouds = plan_clouds(in, page, sun);
     const LinePlan lines{.of_shadows = draws_shadow_lines(looks.lines, sun.map)};
     return {.page_px = page.size_px,
             .page = page,
@@ -153,7 +169,8 @@ FramePlan plan_frame(const PlanInputs& in)
             .lines = lines,
             .focus = plan_focus(in, page),
             .ripples = plan_ripples(in),
-            .drift = plan_drift(in, page)};
+            .drift = plan_drift(in, page),
+            .clouds = std::move(clouds)};
 }
 
 } // namespace estampe::frame

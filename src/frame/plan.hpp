@@ -21,7 +21,9 @@
 #include "frame/view.hpp"
 #include "gpu/device.hpp"
 #include "techniques/light/daylight.hpp"
+#include "techniques/particles/particles.hpp"
 #include "techniques/raster/raster.hpp"
+#include "techniques/sky/clouds/clouds.hpp"
 #include "techniques/terrain/drift/drift.hpp"
 #include "techniques/terrain/ripples/ripples.hpp"
 
@@ -97,6 +99,8 @@ struct FramePlan {
     FocusPlan focus;
     std::optional<shared::RippleConstants> ripples; ///< of a terrain's sand
     std::optional<terrain::DriftPlan> drift;        ///< of it in the air
+    std::optional<sky::CloudPlan> clouds;
+    std::optional<particles::ParticlePlan> particles;
     std::optional<MotionPlan> motion;
     std::optional<InkPlan> ink;     ///< that flows
     std::vector<smoke::Lamp> lamps; ///< that smoke stands in, where the style has any

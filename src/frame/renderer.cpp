@@ -253,6 +253,13 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
     if (!plan.focus.lines.empty()) {
         focus_lines = mapped_buffer(device, "focus lines", plan.focus.lines.data(), plan.focus.lines.size());
     }
+    if (plan.clouds) {
+        const sky::CloudPlan& of = *plan.clouds;
+        clouds.globals = mapped_buffer(device, "clouds", &of.globals, 1);
+        clouds.starts = mapped_buffer(device, "cloud cells", of.starts.data(), of.starts.size());
+        clouds.puffs = mapped_buffer(device, "puffs", of.puffs.data(), of.puffs.size());
+        clouds.streaks = mapped_buffer(device, "streaks", of.streaks.data(), of.streaks.size());
+    }
     if (plan.looks.has_several()) {
         const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
         look_of_draw = mapped_buffer(device, "looks", looks.data(), looks.size());
@@ -309,6 +316,8 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                         loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines),
                                     .line_history = line_history,
                                     .focus_lines = focus_lines,
+                                    .clouds = clouds,
+                                    .particles = particles,
                                     .brushes = line_brushes.provide(device, plan.looks.lines),
                                     .sums = page.sums,
                                     .pixels = page.pixels,
@@ -448,6 +457,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
                                                .device = device,
                                                .raster_path = raster_path});
     plan.light.lightmap_scale = lightmap_scale;
+    plan.particles = frame::provide_particles(
+        device, executor, particles,
+        {.loaded = *loaded, .pose = scene_pose, .camera = camera, .settings = settings, .style = tables});
     if (settings.motion_since) {
         plan.motion = plan_motion(camera, settings);
     }

@@ -137,6 +137,8 @@ struct Renderer::Impl {
     gpu::Buffer look_of_draw;
     gpu::Buffer line_looks;
     gpu::Buffer focus_lines;
+    frame::CloudBuffers clouds;
+    frame::ParticleBuffers particles;
     contour::LineHistory line_history;
     frame::LineBrushes line_brushes;
     frame::FlowingInk flowing_ink;

@@ -108,6 +108,10 @@ void add_strung_lines(const Making& making, const contour::ContourInputs& in);
 [[nodiscard]] gpu::ImageId add_drift(const Making& making, const PosedScene& scene,
                                      const surface::Surface& surface, gpu::ImageId lines);
 
+/// Particles over colour and ink.
+[[nodiscard]] haze::HazeLayers add_particles(const Making& making, const PosedScene& scene,
+                                             const surface::Surface& surface, const haze::HazeLayers& layers);
+
 /// Focus lines over those of the scene.
 [[nodiscard]] gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines);
 

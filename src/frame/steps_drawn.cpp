@@ -176,6 +176,30 @@ gpu::ImageId add_drift(const Making& making, const PosedScene& scene, const surf
         plan->streaks, making.style.drift.ink, lines);
 }
 
+haze::HazeLayers add_particles(const Making& making, const PosedScene& scene, const surface::Surface& surface,
+                               const haze::HazeLayers& layers)
+{
+    if (!making.plan.particles) {
+        return layers;
+    }
+    ParticleBuffers& buffers = making.resources.particles;
+    const auto import = [&](const char* name, gpu::Buffer& buffer) {
+        return gpu::import_whole(making.graph, name, buffer);
+    };
+    const particles::ParticleLayers drawn =
+        particles::add_particles(making.graph,
+                                 {.frame = scene.frame,
+                                  .sprites = import("sprites", buffers.sprites),
+                                  .starts = import("sprite tiles", buffers.starts),
+                                  .listed = import("listed sprites", buffers.listed),
+                                  .sheet = import("particle sheet", buffers.sheet.texels()),
+                                  .depth = surface.depth,
+                                  .size_px = making.sample.size_px},
+                                 making.plan.particles->constants,
+                                 {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines});
+    return {.wash = drawn.wash, .hatch = drawn.hatch, .lines = drawn.lines};
+}
+
 gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
 {
     const FocusPlan& plan = making.plan.focus;
@@ -195,14 +219,29 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                   gpu::ImageId light, const SeenThrough& screen)
 {
     const FramePlan& plan = making.plan;
-    const sky::Sky sky = sky::add_sky(making.graph,
-                                      {.frame = scene.frame,
-                                       .towards_sun = plan.sun.towards,
-                                       .daylight_rad = plan.sun.daylight_rad,
-                                       .pixels_per_mm = plan.page.pixels_per_mm,
-                                       .drawn = plan.page.has_sky,
-                                       .size_px = making.sample.size_px},
-                                      making.style.sky);
+    sky::Sky sky = sky::add_sky(making.graph,
+                                {.frame = scene.frame,
+                                 .towards_sun = plan.sun.towards,
+                                 .daylight_rad = plan.sun.daylight_rad,
+                                 .pixels_per_mm = plan.page.pixels_per_mm,
+                                 .drawn = plan.page.has_sky,
+                                 .size_px = making.sample.size_px},
+                                making.style.sky);
+    if (plan.clouds) {
+        CloudBuffers& buffers = making.resources.clouds;
+        const auto import = [&](const char* name, gpu::Buffer& buffer) {
+            return gpu::import_whole(making.graph, name, buffer);
+        };
+        sky = sky::add_clouds(making.graph,
+                              {.frame = scene.frame,
+                               .globals = import("clouds", buffers.globals),
+                               .starts = import("cloud cells", buffers.starts),
+                               .puffs = import("puffs", buffers.puffs),
+                               .streaks = import("streaks", buffers.streaks),
+                               .variant = plan.clouds->variant,
+                               .size_px = making.sample.size_px},
+                              sky);
+    }
     const gpu::ImageId wash = wash::add_wash(making.graph,
                                              {.frame = scene.frame,
                                               .draw = surface.draw,

@@ -15,8 +15,10 @@
 #include "techniques/light/sun_style.hpp"
 #include "techniques/lightmap/lightmap.hpp"
 #include "techniques/paper/paper.hpp"
+#include "techniques/particles/particle_style.hpp"
 #include "techniques/screen/screen.hpp"
 #include "techniques/shadow/shadow_style.hpp"
+#include "techniques/sky/clouds/cloud_style.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/smoke/smoke_style.hpp"
 #include "techniques/tam/tam_style.hpp"
@@ -64,7 +66,9 @@ struct StyleTables {
     terrain::DriftStyle drift;
     cloth::WindStyle wind;
     cloth::ClothStyle cloth;
+    particles::ParticleStyle particles;
     sky::SkyStyle sky;
+    sky::CloudStyle clouds;
     paper::PaperStyle paper;
     std::vector<style::Override> overrides; ///< what single materials and objects have otherwise
 };
@@ -92,7 +96,9 @@ struct StyleTables {
     sheet.bind(terrain::drift_table(), tables.drift);
     sheet.bind(cloth::wind_table(), tables.wind);
     sheet.bind(cloth::cloth_table(), tables.cloth);
+    sheet.bind(particles::particle_table(), tables.particles);
     sheet.bind(sky::sky_table(), tables.sky);
+    sheet.bind(sky::cloud_table(), tables.clouds);
     sheet.bind(paper::paper_table(), tables.paper);
     sheet.bind_overrides(tables.overrides);
     return sheet;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // One thread paints one pixel of the background: a wash from the horizon to the zenith, and long level
-// strokes that thin out towards the light.
+// strokes that thin out towards the light; and the disc of sun or moon.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "shaders/camera.glsl"
-#include "shaders/line_ink.glsl"
+#include "shaders/frame.glsl.h"
 #include "techniques/sky/sky.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -24,24 +23,46 @@ layout(push_constant, scalar) uniform Constants
     SkyConstants constants;
 };
 
-// By a point far off: of one near the eye, what the two places have in common would use up the digits.
-vec3 direction_at(vec2 position_px)
+#include "techniques/sky/vault.glsl"
+
+// Share of the way from horizon to zenith that is drawn in flat tones, each wiped into the next.
+float stepped(float share, float steps)
 {
-    return -towards_eye(frame, anchor_at(frame, position_px, 1e-5));
+    const float wiped = 0.3; // of a tone
+    float at = share * (steps - 1.0);
+    float edge = floor(at) + 0.5;
+    return (edge - 0.5 + smoothstep(edge - 0.5 * wiped, edge + 0.5 * wiped, at)) / max(steps - 1.0, 1.0);
 }
 
-// Height above the horizon, bent so that the strokes bow like a vault.
-vec2 vault(vec3 d)
+// The wash without discs: colours between horizon and zenith, and bands wiped in from above and from below.
+vec3 graded(vec3 d, float height)
 {
-    return vec2(atan(d.x, -d.z), d.y / (0.35 + length(d.xz)));
+    float share = smoothstep(0.0, 1.0, sqrt(height));
+    share = constants.steps > 0.5 ? stepped(share, constants.steps) : share;
+    vec3 wash = mix(constants.horizon_color, constants.zenith_color, share);
+    float up = asin(clamp(d.y, -1.0, 1.0));
+    float low = constants.low_rad > 0.0 ? 1.0 - smoothstep(0.4, 1.6, up / constants.low_rad) : 0.0;
+    float breadth = 0.3 * constants.high_rad;
+    float high = constants.high_rad < 1.57
+                     ? smoothstep(constants.high_rad - breadth, constants.high_rad + breadth, up)
+                     : 0.0;
+    return mix(mix(wash, constants.low_color, low), constants.high_color, high);
 }
 
-// Along the strokes: the bearing, which must jump by a turn somewhere. It does so behind, at a place of its
-// own for each height, so that no two strokes break at the same bearing.
-float along_strokes(vec2 here)
+// How much of a pixel the disc of sun or moon covers, `pixel_rad` wide.
+float disc_cover(vec3 d, float pixel_rad)
 {
-    float middle = 1.2 * sin(53.0 * here.y);
-    return here.x + 6.2831853 * round((middle - here.x) / 6.2831853);
+    vec3 to_sun = vec3(constants.towards_sun.x, 0.0, constants.towards_sun.z) + 1e-6;
+    vec3 right = normalize(cross(constants.towards_disc, vec3(0.0, 1.0, 0.0)) + 1e-6);
+    right *= dot(right, to_sun) < 0.0 ? -1.0 : 1.0;
+    vec2 at = vec2(dot(d, right), dot(d, cross(right, constants.towards_disc)));
+    float away = dot(d, constants.towards_disc) > 0.0 ? asin(min(length(at), 1.0)) : 3.0;
+    float cover = clamp((constants.disc_rad - away) / pixel_rad + 0.5, 0.0, 1.0);
+    // What shines of the moon ends at half an ellipse.
+    float half_width = sqrt(max(constants.disc_rad * constants.disc_rad - at.y * at.y, 0.0));
+    float from = at.x - (1.0 - 2.0 * constants.disc_lit) * half_width;
+    cover *= constants.disc_lit < 1.0 ? clamp(from / pixel_rad + 0.5, 0.0, 1.0) : 1.0;
+    return constants.disc_rad > 0.0 ? cover * clamp(d.y / pixel_rad + 0.5, 0.0, 1.0) : 0.0;
 }
 
 void main()
@@ -53,28 +74,17 @@ void main()
     vec2 position = vec2(pixel) + 0.5;
     vec3 d = direction_at(position);
     float height = clamp(d.y * 1.9, 0.0, 1.0);
-    vec3 wash = mix(constants.horizon_color, constants.zenith_color, smoothstep(0.0, 1.0, sqrt(height)));
-    vec2 here = vault(d);
-    vec2 right = vault(direction_at(position + vec2(1.0, 0.0))) - here;
-    vec2 down = vault(direction_at(position + vec2(0.0, 1.0))) - here;
-    right.x -= 6.2831853 * round(right.x / 6.2831853);
-    down.x -= 6.2831853 * round(down.x / 6.2831853);
-    vec2 gradient = vec2(right.y, down.y);
-    LineField field;
-    field.v = here.y;
-    field.v_per_px = length(gradient);
-    vec2 along = vec2(-gradient.y, gradient.x) / max(field.v_per_px, 1e-12);
-    field.u = along_strokes(here);
-    field.u_per_px = abs(right.x * along.x + down.x * along.y);
-    field.wander = vec2(field.u, here.y);
-    field.wraps = false;
+    vec3 wash = graded(d, height);
+    LineField field = level_strokes(d, position);
     float towards_light =
         0.5 + 0.5 * dot(normalize(vec3(d.x, 0.0, d.z) + 1e-6),
                         normalize(vec3(constants.towards_sun.x, 0.0, constants.towards_sun.z) + 1e-6));
     float dark = constants.darkness * smoothstep(0.04, 0.55, height) * mix(1.0, 0.25, towards_light);
     float pen = constants.stroke_width_px;
-    float ink =
-        line_ink(field, LineLook(pen, 0.9 * pen, 26.0 * pen, 40.0 * pen, 190.0 * pen, 0.35, 0.0), dark, 77u);
+    float ink = line_ink(field, level_pen(pen), dark, 77u);
+    float disc = disc_cover(d, distance(d, direction_at(position + vec2(1.0, 0.0))));
+    wash = mix(wash, constants.disc_color, disc);
+    ink *= 1.0 - disc;
     imageStore(out_wash, pixel, vec4(wash, 1.0));
     imageStore(out_ink, pixel, vec4(ink));
 }

@@ -17,6 +17,27 @@ SkyLook mix(const SkyLook& a, const SkyLook& b, float share)
             glm::mix(a.darkness, b.darkness, share)};
 }
 
+struct Disc {
+    glm::vec3 towards{0.0F};
+    glm::vec3 color{0.0F};
+    float lit = 1.0F; ///< share of its width
+};
+
+/// The sun where it stands, or the moon across from one that has set.
+Disc disc_of(const SkyStyle& style, const glm::vec3& towards_sun, const std::optional<float>& daylight_rad)
+{
+    if (!daylight_rad) {
+        return {.towards = glm::normalize(towards_sun), .color = style.sun_color};
+    }
+    const glm::vec2 level = glm::normalize(glm::vec2(towards_sun.x, towards_sun.z) + glm::vec2(0.0F, 1e-6F));
+    const float up = std::sin(*daylight_rad);
+    const glm::vec2 along = level * std::cos(*daylight_rad);
+    constexpr float set_rad = -0.035F; // by when the glow is gone
+    return *daylight_rad > set_rad
+               ? Disc{.towards = {along.x, up, along.y}, .color = style.sun_color}
+               : Disc{.towards = {-along.x, -up, -along.y}, .color = style.moon_color, .lit = style.moon_lit};
+}
+
 } // namespace
 
 SkyLook look_at(const SkyStyle& style, double sun_elevation_rad)
@@ -29,6 +50,24 @@ SkyLook look_at(const SkyStyle& style, double sun_elevation_rad)
     return mix(
         mix(mix(night, dusk, glm::smoothstep(-10.0F, -2.0F, deg)), low, glm::smoothstep(-2.0F, 4.0F, deg)),
         noon, glm::smoothstep(12.0F, 40.0F, deg));
+}
+
+std::optional<double> followed_elevation_rad(const SkyStyle& style, const glm::vec3& towards_sun,
+                                             const std::optional<float>& daylight_rad)
+{
+    if (style.follow == SkyFollow::none || (style.follow == SkyFollow::automatic && !daylight_rad)) {
+        return std::nullopt;
+    }
+    return daylight_rad ? static_cast<double>(*daylight_rad)
+                        : std::asin(std::clamp(static_cast<double>(towards_sun.y), -1.0, 1.0));
+}
+
+SkyLook look_under(const SkyStyle& style, const glm::vec3& towards_sun,
+                   const std::optional<float>& daylight_rad)
+{
+    const auto elevation_rad = followed_elevation_rad(style, towards_sun, daylight_rad);
+    return elevation_rad ? look_at(style, *elevation_rad)
+                         : SkyLook{style.horizon, style.zenith, style.darkness};
 }
 
 Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
@@ -44,18 +83,22 @@ Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
     pass.uniform(in.frame);
     const gpu::ImageId wash = pass.write(graph.image("sky/wash", wash_image));
     const gpu::ImageId ink = pass.write(graph.image("sky/ink", ink_image));
-    const bool follows =
-        style.follow == SkyFollow::sun || (style.follow == SkyFollow::automatic && in.daylight_rad);
-    const double elevation_rad =
-        in.daylight_rad ? static_cast<double>(*in.daylight_rad)
-                        : std::asin(std::clamp(static_cast<double>(in.towards_sun.y), -1.0, 1.0));
-    const SkyLook look =
-        follows ? look_at(style, elevation_rad) : SkyLook{style.horizon, style.zenith, style.darkness};
+    const SkyLook look = look_under(style, in.towards_sun, in.daylight_rad);
+    const Disc disc = disc_of(style, in.towards_sun, in.daylight_rad);
     pass.push(shared::SkyConstants{.horizon_color = look.horizon,
                                    .stroke_width_px = style.width_mm * in.pixels_per_mm,
                                    .zenith_color = look.zenith,
                                    .darkness = look.darkness,
-                                   .towards_sun = in.towards_sun})
+                                   .towards_sun = in.towards_sun,
+                                   .high_color = style.high_band,
+                                   .high_rad = glm::radians(style.high_band_deg),
+                                   .low_color = style.low_band,
+                                   .low_rad = glm::radians(style.low_band_deg),
+                                   .disc_color = disc.color,
+                                   .disc_rad = 0.5F * glm::radians(style.disc_deg),
+                                   .towards_disc = disc.towards,
+                                   .disc_lit = disc.lit,
+                                   .steps = static_cast<float>(style.steps)})
         .dispatch_over(size_px.x, size_px.y);
     return {wash, ink};
 }

@@ -12,6 +12,15 @@ struct SkyConstants {
     vec3 zenith_color;
     float darkness; // of the strokes at the zenith, away from the sun
     vec3 towards_sun;
+    vec3 high_color; // of the band above
+    float high_rad;  // height of the middle of its edge
+    vec3 low_color;
+    float low_rad;
+    vec3 disc_color;
+    float disc_rad; // half the disc's width; 0 is none
+    vec3 towards_disc;
+    float disc_lit; // share of its width that shines
+    float steps;    // flat tones; 0 is an even grade
 };
 
 #ifdef __cplusplus

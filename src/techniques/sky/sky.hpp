@@ -27,6 +27,15 @@ struct SkyStyle {
     glm::vec3 night_horizon = style::srgb(0x4a5c74);
     glm::vec3 night_zenith = style::srgb(0x1d2740);
     float night_darkness = 0.5F;
+    int steps = 0;
+    glm::vec3 high_band = style::srgb(0x1f3f6e);
+    float high_band_deg = 90.0F;
+    glm::vec3 low_band = style::srgb(0xd98a5f);
+    float low_band_deg = 0.0F;
+    float disc_deg = 0.0F;
+    glm::vec3 sun_color = style::srgb(0xc8452f);
+    glm::vec3 moon_color = style::srgb(0xf6efd6);
+    float moon_lit = 1.0F;
 };
 
 inline const style::Table<SkyStyle>& sky_table()
@@ -54,7 +63,21 @@ inline const style::Table<SkyStyle>& sky_table()
             .color("night_zenith", &SkyStyle::night_zenith,
                    "Zenith when the sun is 10 degrees under the horizon and lower")
             .number("night_darkness", &SkyStyle::night_darkness, {0.0F, 1.0F}, "",
-                    "Darkness of the strokes high above at night");
+                    "Darkness of the strokes high above at night")
+            .integer("steps", &SkyStyle::steps, {0, 12}, "",
+                     "Flat tones from horizon to zenith, each wiped a little into the next; 0 grades evenly")
+            .color("high_band", &SkyStyle::high_band, "Colour of a band that is wiped in from above")
+            .number("high_band_deg", &SkyStyle::high_band_deg, {0.0F, 90.0F}, "deg",
+                    "Height of the middle of its edge; 90 draws none")
+            .color("low_band", &SkyStyle::low_band, "Colour of a band that is wiped in at the horizon")
+            .number("low_band_deg", &SkyStyle::low_band_deg, {0.0F, 90.0F}, "deg",
+                    "Height of the middle of its edge; 0 draws none")
+            .number("disc_deg", &SkyStyle::disc_deg, {0.0F, 45.0F}, "deg",
+                    "Width of the sun's disc, and by night of the moon's; 0 draws neither, 0.53 is nature's")
+            .color("sun_color", &SkyStyle::sun_color, "Colour of the sun's disc")
+            .color("moon_color", &SkyStyle::moon_color, "Colour of the moon's")
+            .number("moon_lit", &SkyStyle::moon_lit, {0.0F, 1.0F}, "",
+                    "Share of the moon's width that shines");
     return table;
 }
 
@@ -78,6 +101,15 @@ struct SkyLook {
     glm::vec3 zenith{0.0F};
     float darkness = 0.0F; ///< of the strokes high above
 };
+
+/// The look that the style has under this sun: by its height where the style follows that.
+[[nodiscard]] SkyLook look_under(const SkyStyle& style, const glm::vec3& towards_sun,
+                                 const std::optional<float>& daylight_rad);
+
+/// The height of the sun that colours go by; none where they stay.
+[[nodiscard]] std::optional<double> followed_elevation_rad(const SkyStyle& style,
+                                                           const glm::vec3& towards_sun,
+                                                           const std::optional<float>& daylight_rad);
 
 /// The look under a sun at that height: night up to -10 degrees, dusk at -2, the style's horizon and zenith
 /// from 4 to 12, noon from 40, smooth between.

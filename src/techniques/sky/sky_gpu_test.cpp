@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "frame/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
+#include "techniques/sky/sky_test_support.hpp"
 
 namespace estampe::sky {
 namespace {
@@ -23,28 +23,6 @@ constexpr glm::vec3 zenith(0.1F, 0.3F, 0.5F);
 struct SkyPixels {
     std::vector<glm::vec4> wash;
     std::vector<float> ink;
-};
-
-struct View {
-    Camera camera;
-    glm::uvec2 size_px{120, 90};
-    glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
-    float pixels_per_mm = 3.0F;
-    bool drawn = true;
-    std::optional<float> daylight_rad = {};
-
-    [[nodiscard]] shared::FrameGlobals globals() const
-    {
-        return frame::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
-    }
-
-    /// Where a place of the page looks.
-    [[nodiscard]] glm::dvec3 direction(glm::dvec2 position_px) const
-    {
-        const glm::dvec2 ndc = 2.0 * position_px / glm::dvec2(size_px) - 1.0;
-        const glm::dvec4 p = glm::inverse(glm::dmat4(globals().clip_from_anchor)) * glm::dvec4(ndc, 0.5, 1.0);
-        return glm::normalize(glm::dvec3(p) / p.w);
-    }
 };
 
 SkyPixels paint(const View& view, SkyStyle style)
@@ -78,22 +56,6 @@ double smoothstep(double low, double high, double x)
 double zenith_share(const glm::vec4& wash)
 {
     return static_cast<double>((wash.x - horizon.x) / (zenith.x - horizon.x));
-}
-
-glm::dvec2 centre_of(size_t i, glm::uvec2 size_px)
-{
-    const size_t row = i / size_px.x;
-    return {static_cast<double>(i % size_px.x) + 0.5, static_cast<double>(row) + 0.5};
-}
-
-Camera looking(double elevation_deg, double bearing_deg, double fov_rad)
-{
-    const double up = elevation_deg * std::numbers::pi / 180.0;
-    const double around = bearing_deg * std::numbers::pi / 180.0;
-    return {.eye = {3.0, 2.0, 1.0},
-            .target = glm::dvec3(3.0, 2.0, 1.0) + glm::dvec3(std::cos(up) * std::sin(around), std::sin(up),
-                                                             -std::cos(up) * std::cos(around)),
-            .vertical_fov_rad = fov_rad};
 }
 
 TEST(Sky, WashGoesFromHorizonToZenithByItsEquation)
@@ -258,6 +220,98 @@ TEST(Sky, StrokesHaveNoSeamBehind)
         largest = x == 100 ? largest : std::max(largest, step(x));
     }
     EXPECT_LE(step(100), largest) << "between two pixels that look due south";
+}
+
+TEST(Sky, DiscStandsWhereTheSunDoesAndIsAsWide)
+{
+    SkyStyle style;
+    style.disc_deg = 6.0F;
+    style.sun_color = {1.0F, 0.0F, 0.0F};
+    style.moon_color = {0.0F, 1.0F, 0.0F};
+    style.follow = SkyFollow::none;
+    View view{.camera = looking(22.0, 40.0, 0.5), .size_px = {160, 120}};
+    const auto cover = [&](const glm::vec4& color, const glm::vec3& disc) {
+        const float share =
+            glm::dot(glm::vec3(color) - horizon, disc - horizon) / glm::dot(disc - horizon, disc - horizon);
+        return share > 0.01F ? static_cast<double>(share) : 0.0; // not what halves of floats leave
+    };
+    const auto expect_disc = [&](const glm::dvec3& towards, const glm::vec3& color, double lit) {
+        style.low_band = horizon; // one colour behind
+        style.low_band_deg = 90.0F;
+        double solid_angle = 0.0;
+        glm::dvec3 sum(0.0);
+        const auto wash = paint(view, style).wash;
+        for (size_t i = 0; i < wash.size(); ++i) {
+            const glm::dvec2 px = centre_of(i, view.size_px);
+            const glm::dvec3 d = view.direction(px);
+            const double pixel = glm::length(glm::cross(view.direction(px + glm::dvec2(1.0, 0.0)) - d,
+                                                        view.direction(px + glm::dvec2(0.0, 1.0)) - d));
+            solid_angle += cover(wash[i], color) * pixel;
+            sum += cover(wash[i], color) * pixel * d;
+        }
+        const double radius = 3.0 * std::numbers::pi / 180.0;
+        const double disc = 2.0 * std::numbers::pi * (1.0 - std::cos(radius));
+        EXPECT_NEAR(solid_angle, lit * disc, 0.02 * disc);
+        if (lit == 1.0) {
+            EXPECT_LT(glm::distance(glm::normalize(sum), towards), 0.02 * radius);
+        }
+    };
+    const glm::dvec3 ahead = glm::normalize(looking(18.0, 46.0, 0.5).target - view.camera.eye);
+    view.towards_sun = glm::vec3(ahead);
+    expect_disc(ahead, style.sun_color, 1.0);
+    view.towards_sun = glm::vec3(glm::normalize(glm::dvec3(ahead.x, 0.1, ahead.z)));
+    view.daylight_rad = static_cast<float>(std::asin(ahead.y)); // its light may come from elsewhere
+    expect_disc(ahead, style.sun_color, 1.0);
+    view.daylight_rad = -*view.daylight_rad; // it has set across from the moon
+    view.towards_sun = glm::vec3(-ahead.x, 0.05F, -ahead.z);
+    expect_disc(ahead, style.moon_color, 1.0);
+    style.moon_lit = 0.3F;
+    expect_disc(ahead, style.moon_color, 0.3);
+}
+
+TEST(Sky, NothingOfADiscIsUnderTheHorizon)
+{
+    SkyStyle style;
+    style.disc_deg = 20.0F;
+    style.sun_color = {1.0F, 0.0F, 0.0F};
+    View view{.camera = looking(0.0, 0.0, 0.6), .size_px = {60, 60}, .towards_sun = {0.0F, 0.0F, -1.0F}};
+    const auto wash = paint(view, style).wash;
+    EXPECT_EQ(glm::vec3(wash[27 * 60 + 30]), style.sun_color);
+    EXPECT_NEAR(wash[32 * 60 + 30].y, horizon.y, 1e-3F);
+}
+
+TEST(Sky, BandsAreWipedInFromAboveAndBelow)
+{
+    SkyStyle style;
+    const View view{.camera = looking(30.0, 25.0, 1.2)};
+    const auto plain = paint(view, style).wash;
+    style.high_band = {0.0F, 1.0F, 0.0F};
+    style.high_band_deg = 40.0F;
+    style.low_band = {1.0F, 0.0F, 0.0F};
+    style.low_band_deg = 5.0F;
+    const auto banded = paint(view, style).wash;
+    for (size_t i = 0; i < banded.size(); ++i) {
+        const double deg = std::asin(view.direction(centre_of(i, view.size_px)).y) * 180.0 / std::numbers::pi;
+        if (deg > 52.5) {
+            EXPECT_EQ(glm::vec3(banded[i]), style.high_band);
+        } else if (deg > 8.5 && deg < 27.5) {
+            EXPECT_EQ(banded[i], plain[i]);
+        } else if (deg < 1.5) {
+            EXPECT_EQ(glm::vec3(banded[i]), style.low_band);
+        }
+    }
+    style = {};
+    style.steps = 3;
+    std::vector<float> shares;
+    for (const glm::vec4& color : paint(view, style).wash) {
+        shares.push_back(static_cast<float>(zenith_share(color)));
+    }
+    const auto flat = [&](float share) {
+        return std::ranges::count_if(shares, [&](float x) { return std::abs(x - share) < 2e-3F; });
+    };
+    EXPECT_GT(flat(0.0F) + flat(0.5F) + flat(1.0F),
+              static_cast<int>(0.6 * static_cast<double>(shares.size())));
+    EXPECT_GT(flat(0.5F), 500);
 }
 
 TEST(Sky, NoDarknessIsNoInkAndNoSkyIsOneBlankTexel)

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Which nodes of a scene give particles, and where those are on the page.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+
+#include "frame/loaded_scene.hpp"
+#include "frame/style_tables.hpp"
+#include "gpu/graph/execute.hpp"
+#include "techniques/particles/particles.hpp"
+
+namespace estampe::frame {
+
+/// The nodes that the patterns between commas name, as they stand; those with a mesh give none.
+[[nodiscard]] std::vector<particles::Emitter> emitters_of(const Scene& scene, const ScenePose& pose,
+                                                          const std::string& patterns);
+
+/// What particles are drawn from.
+struct ParticleBuffers {
+    gpu::Buffer sprites;
+    gpu::Buffer starts;
+    gpu::Buffer listed;
+    particles::Sheet sheet;
+};
+
+struct ParticlePlanInputs {
+    const LoadedScene& loaded;
+    const ScenePose& pose;
+    const Camera& camera;
+    const RenderSettings& settings;
+    const StyleTables& style;
+};
+
+/// Plans the particles of a picture and makes room for them; none where no node gives any. Throws Error for a
+/// sheet that cannot be read.
+[[nodiscard]] std::optional<particles::ParticlePlan> provide_particles(gpu::Device& device,
+                                                                       gpu::Executor& executor,
+                                                                       ParticleBuffers& buffers,
+                                                                       const ParticlePlanInputs& in);
+
+} // namespace estampe::frame

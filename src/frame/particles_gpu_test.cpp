@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Particles and clouds in whole pictures.
+#include "frame/particles.hpp"
+#include "frame/smoke_sheet.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scene/shapes.hpp"
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe::frame {
+namespace {
+
+const Camera camera{.eye = {2.0, 1.5, 7.0}, .target = {0.0, 1.5, 0.0}, .vertical_fov_rad = 0.7};
+constexpr RenderSettings small{.width = 120, .height = 80};
+
+Scene with_empty(const std::string& name)
+{
+    Scene scene = test::scene_of(shapes::box({1.0F, 1.0F, 1.0F}));
+    Node node{.name = name};
+    node.transform.translation = {0.0, 1.2, 0.0};
+    scene.nodes.push_back(node);
+    scene.roots.push_back(static_cast<Index>(scene.nodes.size() - 1));
+    return scene;
+}
+
+RenderSettings moment(double time_s)
+{
+    RenderSettings settings = small;
+    settings.time_s = time_s;
+    return settings;
+}
+
+bool has_pass(const std::string& name)
+{
+    return test::shared_renderer().graph_dot().find(name) != std::string::npos;
+}
+
+TEST(ParticlesInFrame, ComeFromNodesThatArePatternsSay)
+{
+    const Scene scene = with_empty("emitter of steam");
+    const ScenePose pose = pose_scene(scene, 0.0);
+    EXPECT_EQ(emitters_of(scene, pose, "emitter*").size(), 1U);
+    EXPECT_EQ(emitters_of(scene, pose, "lamp, *steam").size(), 1U);
+    EXPECT_EQ(emitters_of(scene, pose, "steam").size(), 0U);
+    EXPECT_EQ(emitters_of(scene, pose, "").size(), 0U);
+    EXPECT_EQ(emitters_of(scene, pose, "*").size(), 1U) << "what has a mesh gives none";
+    EXPECT_NEAR(emitters_of(scene, pose, "*").front().place.y, 1.2, 1e-9);
+}
+
+TEST(ParticlesInFrame, AreTheSameWhateverWasDrawnBefore)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(with_empty("stand"));
+    const Image bare = renderer.render(camera, {}, moment(2.0));
+    EXPECT_FALSE(has_pass("particles"));
+    renderer.set_scene(with_empty("emitter"));
+    const Image first = renderer.render(camera, {}, moment(2.0));
+    EXPECT_TRUE(has_pass("particles"));
+    EXPECT_NE(first.rgba, bare.rgba);
+    EXPECT_NE(renderer.render(camera, {}, moment(9.0)).rgba, first.rgba);
+    EXPECT_EQ(renderer.render(camera, {}, moment(2.0)).rgba, first.rgba);
+}
+
+TEST(ParticlesInFrame, SmokeRisesAndThinsFromFrameToFrame)
+{
+    gpu::Device& device = test::shared_device();
+    gpu::Executor executor(device);
+    const particles::SheetImage sheet = smoke_sheet(device, executor);
+    EXPECT_EQ(smoke_sheet(device, executor).brightness, sheet.brightness);
+    const glm::uvec2 cell_px = sheet.size_px / sheet.frames;
+    const auto amount_and_height = [&](uint32_t frame) {
+        const glm::uvec2 from = cell_px * glm::uvec2(frame % sheet.frames.x, frame / sheet.frames.x);
+        glm::dvec2 sums(0.0);
+        for (uint32_t y = 0; y < cell_px.y; ++y) {
+            for (uint32_t x = 0; x < cell_px.x; ++x) {
+                const float value = sheet.brightness[size_t{from.y + y} * sheet.size_px.x + from.x + x];
+                EXPECT_GE(value, 0.0F);
+                EXPECT_LE(value, 1.0F);
+                sums += static_cast<double>(value) * glm::dvec2(1.0, cell_px.y - y);
+            }
+        }
+        return glm::dvec2(sums.x, sums.y / sums.x / cell_px.y);
+    };
+    glm::dvec2 before = amount_and_height(0);
+    EXPECT_NEAR(before.y, 0.36, 0.03);
+    for (const uint32_t frame : {9U, 18U, 27U}) {
+        const glm::dvec2 now = amount_and_height(frame);
+        EXPECT_GT(now.y, before.y + 0.01) << frame;
+        EXPECT_LT(now.x, before.x) << frame;
+        EXPECT_GT(now.x, 0.75 * before.x) << frame;
+        before = now;
+    }
+}
+
+TEST(CloudsInFrame, AreTheSameInTilesAndCostNothingUnasked)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(with_empty("emitter"));
+    Style style;
+    style.set("sky.mode=drawn");
+    style.set("hatch.width_mm=0.5");
+    std::ignore = renderer.render(camera, style, moment(2.0));
+    EXPECT_FALSE(has_pass("clouds"));
+    style.set("clouds.coverage=0.5");
+    const Camera up{.eye = camera.eye, .target = {0.0, 3.5, 0.0}, .vertical_fov_rad = 0.9};
+    RenderSettings settings = moment(2.0);
+    settings.width = 320;
+    settings.height = 220;
+    const Image whole = renderer.render(up, style, settings);
+    EXPECT_TRUE(has_pass("clouds"));
+    settings.tile_px = 200;
+    const Image tiled = renderer.render(up, style, settings);
+    ASSERT_EQ(whole.rgba.size(), tiled.rgba.size());
+    size_t different = 0;
+    for (size_t i = 0; i < whole.rgba.size(); ++i) {
+        different += std::abs(whole.rgba[i] - tiled.rgba[i]) > 8 ? 1 : 0;
+    }
+    EXPECT_LT(different, whole.rgba.size() / 200);
+}
+
+} // namespace
+} // namespace estampe::frame

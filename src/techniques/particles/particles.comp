@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// One thread lays the sprites over one pixel of the layers, the farthest first.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/camera.glsl"
+#include "shaders/noise.glsl"
+#include "techniques/particles/particles.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(binding = 1) uniform samplerBuffer sprite_texels;
+layout(binding = 2) uniform usamplerBuffer start_texels;
+layout(binding = 3) uniform usamplerBuffer listed_texels;
+layout(binding = 4) uniform samplerBuffer sheet_texels;
+layout(binding = 5) uniform sampler2D depth_image;
+layout(binding = 6, rgba16f) uniform image2D wash_image;
+layout(binding = 7, r16f) uniform image2D hatch_image;
+layout(binding = 8, rgba8) uniform image2D line_image;
+
+layout(push_constant, scalar) uniform Constants
+{
+    ParticleConstants constants;
+};
+
+// From the eye along the view, of what is seen; far beyond all where nothing is.
+float seen_at_m(ivec2 pixel)
+{
+    float depth = texelFetch(depth_image, pixel, 0).x;
+    vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9));
+    return depth > 0.0 ? (frame.clip_from_anchor * vec4(point, 1.0)).w : 1e12;
+}
+
+// Brightness of one frame of the sheet, `at` from 0 to 1.
+float sheet_at(vec2 at, int which)
+{
+    ivec2 cell_px = ivec2(constants.sheet_px / constants.frames);
+    ivec2 from = cell_px * ivec2(which % int(constants.frames.x), which / int(constants.frames.x));
+    vec2 texel = clamp(at, 0.0, 1.0) * vec2(cell_px - 1);
+    ivec2 low = ivec2(texel);
+    ivec2 high = min(low + 1, cell_px - 1);
+    vec2 f = texel - vec2(low);
+    int width = int(constants.sheet_px.x);
+    int upper = (from.y + low.y) * width + from.x;
+    int lower = (from.y + high.y) * width + from.x;
+    return mix(
+        mix(texelFetch(sheet_texels, upper + low.x).x, texelFetch(sheet_texels, upper + high.x).x, f.x),
+        mix(texelFetch(sheet_texels, lower + low.x).x, texelFetch(sheet_texels, lower + high.x).x, f.x), f.y);
+}
+
+// How dense a sprite is at a place from its middle, in radii: a ragged disc, or what its frame shows.
+float density_at(vec2 uv, float trait, float shown)
+{
+    float ragged = value_noise(2.6 * uv + 97.0 * trait, 3u) + 0.2 * value_noise(5.6 * uv - 61.0 * trait, 4u);
+    float r = length(uv) * (0.8 + 0.4 * ragged);
+    float density = max(1.0 - r * r, 0.0);
+    density *= density * 1.6;
+    if (constants.frames.x > 0u) {
+        vec2 at = 0.5 * uv + 0.5;
+        int last = int(constants.frames.x * constants.frames.y) - 1;
+        int which = clamp(int(shown), 0, last);
+        density = mix(sheet_at(at, which), sheet_at(at, min(which + 1, last)), fract(shown));
+    }
+    return max(abs(uv.x), abs(uv.y)) < 1.0 ? density : 0.0;
+}
+
+// What all sprites over a place add up to.
+struct Mass {
+    float density;
+    float soft;  // the same, one over the other
+    float shade; // 0 to 1: on the lower side of the nearest
+    float fold;  // ink where one lies before others
+};
+
+Mass mass_at(vec2 place, float surface_m)
+{
+    const float edge = 0.6; // of a sprite, in radii: where it hides those behind
+    uvec2 tile = min(uvec2(place), frame.page_px - 1u) / particle_tile_px;
+    int index = int(tile.y * constants.tiles_across + tile.x);
+    int last = int(texelFetch(start_texels, index + 1).x);
+    Mass mass = Mass(0.0, 0.0, 0.0, 0.0);
+    for (int i = int(texelFetch(start_texels, index).x); i < last; ++i) {
+        int sprite = 3 * int(texelFetch(listed_texels, i).x);
+        vec4 a = texelFetch(sprite_texels, sprite);
+        vec4 b = texelFetch(sprite_texels, sprite + 1);
+        vec4 c = texelFetch(sprite_texels, sprite + 2);
+        vec2 away = (place - a.xy) / a.z;
+        vec2 uv = vec2(dot(away, b.xy) / b.z, dot(away, vec2(-b.y, b.x)));
+        float before = clamp((surface_m - a.w) / constants.soft_m, 0.0, 1.0);
+        float density = density_at(uv, c.x, c.y) * b.w * before;
+        mass.density += density;
+        mass.soft = mass.soft + min(density, 1.0) * (1.0 - mass.soft);
+        // What a sheet shows has its own shape within.
+        float solid = constants.frames.x > 0u ? 0.0 : b.w * before;
+        float beyond_px = (length(away) - edge) * a.z;
+        float hides = clamp(0.5 - beyond_px, 0.0, 1.0) * smoothstep(0.1, 0.3, solid);
+        float lower = clamp((length(away + vec2(0.24, 0.4)) - 0.68) * a.z + 0.5, 0.0, 1.0);
+        // An arc on the upper side, widest in its middle.
+        float up = dot(normalize(away + 1e-6), normalize(vec2(c.x - 0.5, -1.0)));
+        float width_px =
+            constants.outline_px * smoothstep(0.35, 1.0, up) * smoothstep(0.3, 0.8, fract(7.3 * c.x));
+        float arc = clamp(width_px + 0.5 - abs(beyond_px), 0.0, min(width_px, 1.0));
+        mass.shade = mix(mass.shade, lower, hides);
+        mass.fold = max(mass.fold * (1.0 - hides), arc * smoothstep(0.2, 0.5, solid));
+    }
+    return mass;
+}
+
+// Where density passes a limit, as a distance in pixels, above 0 within.
+float within_px(vec2 place, float density, float surface_m)
+{
+    vec2 slope = vec2(mass_at(place + vec2(1.0, 0.0), surface_m).density,
+                      mass_at(place + vec2(0.0, 1.0), surface_m).density) -
+                 density;
+    return (density - 0.35) / max(length(slope), 1e-4);
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
+        return;
+    }
+    vec2 place = page_place(frame, vec2(pixel) + 0.5);
+    float surface_m = seen_at_m(pixel);
+    Mass mass = mass_at(place, surface_m);
+    if (mass.density <= 0.0) {
+        return;
+    }
+    bool is_crisp = constants.look != particles_wash;
+    float inside_px = is_crisp ? within_px(place, mass.density, surface_m) : 0.0;
+    float cover = is_crisp ? clamp(inside_px + 0.5, 0.0, 1.0) : mass.soft;
+    bool is_ink = constants.look == particles_blots || constants.look == particles_strokes;
+    float outline = constants.look == particles_drawn
+                        ? max(clamp(constants.outline_px - inside_px + 0.5, 0.0, 1.0), mass.fold) * cover
+                        : 0.0;
+    float ink = is_ink ? cover : outline;
+    vec4 line = imageLoad(line_image, pixel);
+    float hidden = is_ink ? 0.0 : cover;
+    if (!is_ink) {
+        vec4 wash = imageLoad(wash_image, pixel);
+        const vec3 shaded = vec3(0.8, 0.83, 0.84);
+        vec3 color = constants.color * mix(vec3(1.0), shaded, is_crisp ? mass.shade : 0.0);
+        imageStore(wash_image, pixel, vec4(mix(wash.rgb, color, cover), max(wash.a, cover)));
+        imageStore(hatch_image, pixel, imageLoad(hatch_image, pixel) * (1.0 - hidden));
+    }
+    float below = line.a * (1.0 - hidden);
+    float both = ink + below * (1.0 - ink);
+    vec3 color = mix(line.rgb, sqrt(constants.ink), ink / max(both, 1e-6));
+    imageStore(line_image, pixel, vec4(color, both));
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/particles/particles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+#include <estampe/image.hpp>
+
+#include "shaders/particles_comp.hpp"
+
+namespace estampe::particles {
+namespace {
+
+glm::dvec2 projected_px(const ParticleView& view, const glm::dvec3& place, double& away_m)
+{
+    const glm::dvec4 clip = glm::dmat4(view.clip_from_anchor) * glm::dvec4(place - view.anchor, 1.0);
+    away_m = clip.w;
+    return (0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(view.page_px);
+}
+
+/// How dense a particle is at an age: it comes quickly and goes slowly.
+float density_at(float age)
+{
+    return glm::smoothstep(0.0F, 0.12F, age) * (1.0F - glm::smoothstep(0.45F, 1.0F, age));
+}
+
+glm::vec2 turn_by(float angle)
+{
+    return {std::cos(angle), std::sin(angle)};
+}
+
+/// Lists of what each tile has, in the order of the sprites.
+void list_sprites(ParticlePlan& plan, glm::uvec2 tiles)
+{
+    constexpr float beyond_px = 2.0F; // soft edges, shifts of samples
+    const auto for_tiles = [&](const shared::Sprite& sprite, const auto& visit) {
+        const float reach = sprite.radius_px * sprite.length + beyond_px;
+        const glm::vec2 side(shared::particle_tile_px);
+        const glm::ivec2 last_tile = glm::ivec2(tiles) - 1;
+        const glm::ivec2 first(glm::max(glm::floor((sprite.centre_px - reach) / side), glm::vec2(0.0F)));
+        const glm::ivec2 last = glm::min(
+            glm::ivec2(glm::floor(glm::max((sprite.centre_px + reach) / side, glm::vec2(-1.0F)))), last_tile);
+        for (int y = first.y; y <= last.y; ++y) {
+            for (int x = first.x; x <= last.x; ++x) {
+                visit(static_cast<size_t>(y) * tiles.x + static_cast<size_t>(x));
+            }
+        }
+    };
+    plan.starts.assign(size_t{tiles.x} * tiles.y + 1, 0);
+    for (const shared::Sprite& sprite : plan.sprites) {
+        for_tiles(sprite, [&](size_t tile) { ++plan.starts[tile + 1]; });
+    }
+    std::partial_sum(plan.starts.begin(), plan.starts.end(), plan.starts.begin());
+    plan.listed.resize(plan.starts.back());
+    std::vector<uint32_t> next = plan.starts;
+    for (uint32_t i = 0; i < plan.sprites.size(); ++i) {
+        for_tiles(plan.sprites[i], [&](size_t tile) { plan.listed[next[tile]++] = i; });
+    }
+}
+
+SheetImage read_sheet(const std::string& path, glm::uvec2 frames)
+{
+    const Image picture = load_image(path);
+    SheetImage sheet{.size_px = {picture.width, picture.height}, .frames = frames, .brightness = {}};
+    if (glm::any(glm::lessThan(sheet.size_px, frames))) {
+        throw Error(fmt::format("a sheet of {} x {} pixels cannot have {} columns and {} rows",
+                                sheet.size_px.x, sheet.size_px.y, frames.x, frames.y),
+                    path, "set particles.columns and particles.rows to those of the picture");
+    }
+    sheet.brightness.reserve(picture.rgba.size() / 4);
+    for (size_t i = 0; i < picture.rgba.size(); i += 4) {
+        const glm::vec3 color(picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]);
+        sheet.brightness.push_back(glm::dot(color, glm::vec3(1.0F / 3.0F)) / 255.0F *
+                                   (static_cast<float>(picture.rgba[i + 3]) / 255.0F));
+    }
+    return sheet;
+}
+
+} // namespace
+
+ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle> particles,
+                            const ParticleView& view)
+{
+    constexpr double nearest_m = 0.05;
+    constexpr float widest_px = 16384.0F;
+    ParticlePlan plan;
+    const auto frames = static_cast<float>(view.sheet_frames.x * view.sheet_frames.y);
+    for (const Particle& particle : particles) {
+        double away_m = 0.0;
+        const glm::dvec2 centre = projected_px(view, particle.place, away_m);
+        if (!view.is_parallel && away_m < nearest_m) {
+            continue;
+        }
+        const double pixel_m = static_cast<double>(view.pixel_m) * (view.is_parallel ? 1.0 : away_m);
+        const float width_m =
+            glm::mix(style.size_m, style.grown_m, std::sqrt(particle.age)) * (0.7F + 0.6F * particle.trait);
+        const float radius = 0.5F * width_m / static_cast<float>(pixel_m);
+        const glm::vec2 centre_px(centre);
+        const glm::vec2 page(view.page_px);
+        if (radius < 0.2F || radius > widest_px ||
+            glm::any(glm::lessThan(centre_px + 8.0F * radius, glm::vec2(0.0F))) ||
+            glm::any(glm::greaterThan(centre_px - 8.0F * radius, page))) {
+            continue;
+        }
+        glm::vec2 turn = turn_by(2.0F * std::numbers::pi_v<float> * particle.trait_b +
+                                 (particle.trait - 0.5F) * 2.0F * particle.age);
+        float length = 1.0F;
+        if (style.look == Look::strokes) {
+            double ahead_m = 0.0;
+            const glm::vec2 ahead(projected_px(view, particle.place + 0.02 * particle.velocity, ahead_m) -
+                                  centre);
+            turn = glm::length(ahead) > 1e-4F ? glm::normalize(ahead) : turn;
+            length = 6.0F;
+        }
+        plan.sprites.push_back({.centre_px = centre_px,
+                                .radius_px = style.look == Look::strokes ? 0.25F * radius : radius,
+                                .away_m = static_cast<float>(away_m),
+                                .turn = turn,
+                                .length = length,
+                                .opacity = style.opacity * density_at(particle.age),
+                                .trait = particle.trait,
+                                .frame = particle.age * std::max(frames - 1.0F, 0.0F)});
+    }
+    std::ranges::stable_sort(plan.sprites, std::greater(), &shared::Sprite::away_m);
+    const glm::uvec2 tiles = (view.page_px + (shared::particle_tile_px - 1)) / shared::particle_tile_px;
+    list_sprites(plan, tiles);
+    plan.constants = {.color = style.color,
+                      .outline_px = style.outline_mm * view.pixels_per_mm,
+                      .ink = style.ink,
+                      .soft_m = style.soft_m,
+                      .look = static_cast<uint32_t>(style.look),
+                      .tiles_across = tiles.x,
+                      .frames = view.sheet_frames,
+                      .sheet_px = view.sheet_px};
+    return plan;
+}
+
+void Sheet::provide(gpu::Device& device, const ParticleStyle& style,
+                    const std::function<SheetImage()>& simulate)
+{
+    const glm::uvec2 asked_frames(style.columns, style.rows);
+    if (!texels_.empty() && name_ == style.sheet && asked_frames_ == asked_frames) {
+        return;
+    }
+    const SheetImage image = style.sheet.empty()      ? SheetImage()
+                             : style.sheet == "smoke" ? simulate()
+                                                      : read_sheet(style.sheet, asked_frames);
+    texels_ = gpu::Buffer(device, "particle sheet", sizeof(float) * image.brightness.size(),
+                          gpu::MemoryUse::upload);
+    std::ranges::copy(std::as_bytes(std::span(image.brightness)), texels_.mapped().begin());
+    size_px_ = image.size_px;
+    frames_ = image.frames;
+    name_ = style.sheet;
+    asked_frames_ = asked_frames;
+}
+
+ParticleLayers add_particles(gpu::Graph& graph, const ParticleInputs& in,
+                             const shared::ParticleConstants& constants, const ParticleLayers& layers)
+{
+    auto pass = graph.compute("particles", shaders::particles_comp);
+    pass.uniform(in.frame).sample(in.sprites, gpu::Format::rgba32f);
+    pass.sample(in.starts, gpu::Format::r32ui).sample(in.listed, gpu::Format::r32ui);
+    pass.sample(in.sheet, gpu::Format::r32f).sample(in.depth);
+    const gpu::ImageId wash = pass.modify(layers.wash);
+    const gpu::ImageId hatch = pass.modify(layers.hatch);
+    const gpu::ImageId lines = pass.modify(layers.lines);
+    pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    return {.wash = wash, .hatch = hatch, .lines = lines};
+}
+
+} // namespace estampe::particles

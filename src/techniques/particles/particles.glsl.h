@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_PARTICLES_GLSL_H
+#define ESTAMPE_PARTICLES_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
+#endif
+
+SHARED_CONSTANT uint particle_tile_px = 32U; // side of a tile of the page that has a list of sprites
+
+SHARED_CONSTANT uint particles_drawn = 0U;
+SHARED_CONSTANT uint particles_wash = 1U;
+SHARED_CONSTANT uint particles_blots = 2U;
+SHARED_CONSTANT uint particles_strokes = 3U;
+
+// A particle on the page: three texels of four floats.
+struct Sprite {
+    vec2 centre_px; // on the page
+    float radius_px;
+    float away_m; // from the eye, along the view
+    vec2 turn;    // cosine and sine
+    float length; // in radii, along the turn: 1 for round ones
+    float opacity;
+    float trait; // 0 to 1, its own
+    float frame; // of the sheet, with a fraction
+    vec2 unused;
+};
+
+struct ParticleConstants {
+    vec3 color;
+    float outline_px;
+    vec3 ink;
+    float soft_m;
+    uint look;
+    uint tiles_across;
+    uvec2 frames; // of the sheet: columns, rows; none where there is no sheet
+    uvec2 sheet_px;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(Sprite) == 48);
+} // namespace estampe::shared
+#endif
+
+#endif

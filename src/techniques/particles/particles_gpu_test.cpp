@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Sprites over layers that a test paints.
+#include "techniques/particles/particles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <estampe/error.hpp>
+#include <estampe/image.hpp>
+#include <gtest/gtest.h>
+
+#include "frame/view.hpp"
+#include "gpu/imports.hpp"
+#include "gpu/upload.hpp"
+#include "support/folder.hpp"
+#include "support/gpu_device.hpp"
+#include "support/layers.hpp"
+
+namespace estampe::particles {
+namespace {
+
+constexpr glm::uvec2 size_px(128, 96);
+
+struct Drawn {
+    std::vector<glm::vec4> wash;
+    std::vector<float> hatch;
+};
+
+/// Sprites over white wash and full ink of strokes, before a wall `wall_m` away.
+class Page {
+public:
+    Camera camera{.eye = {0.0, 0.0, 10.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.8};
+    double wall_m = 1e4;
+
+    [[nodiscard]] Drawn draw(const ParticleStyle& style, const std::vector<Particle>& particles) const
+    {
+        gpu::Device& device = test::shared_device();
+        const shared::FrameGlobals globals =
+            frame::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
+        Sheet sheet;
+        sheet.provide(device, style, [] { return SheetImage(); });
+        const ParticlePlan plan = plan_particles(style, particles,
+                                                 {.clip_from_anchor = globals.clip_from_anchor,
+                                                  .page_px = size_px,
+                                                  .pixels_per_mm = 2.0F,
+                                                  .pixel_m = frame::pixel_size(camera, size_px.y).at_one_m,
+                                                  .sheet_px = sheet.size_px(),
+                                                  .sheet_frames = sheet.frames()});
+        gpu::Buffer frame = gpu::upload_buffer(device, "frame", std::vector{globals});
+        gpu::Buffer sprites = gpu::upload_buffer(device, "sprites", plan.sprites);
+        gpu::Buffer starts = gpu::upload_buffer(device, "starts", plan.starts);
+        gpu::Buffer listed = gpu::upload_buffer(device, "listed", plan.listed);
+        const auto near = static_cast<double>(camera.near_m);
+        const auto add = [&](gpu::Graph& graph, test::Layer& wash, test::Layer& hatch, test::Layer& lines,
+                             test::Layer& depth) {
+            return add_particles(
+                graph,
+                {.frame = gpu::import_whole(graph, "frame", frame),
+                 .sprites = gpu::import_whole(graph, "sprites", sprites),
+                 .starts = gpu::import_whole(graph, "starts", starts),
+                 .listed = gpu::import_whole(graph, "listed", listed),
+                 .sheet = gpu::import_whole(graph, "sheet", sheet.texels()),
+                 .depth = depth.in(graph),
+                 .size_px = size_px},
+                plan.constants, {.wash = wash.in(graph), .hatch = hatch.in(graph), .lines = lines.in(graph)});
+        };
+        const auto layers = [&] {
+            return std::array{
+                test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(1.0F, 1.0F, 1.0F, 0.0F); }),
+                test::Layer::coverage(size_px, [](glm::uvec2) { return 1.0F; }),
+                test::Layer::root_color(size_px, [](glm::uvec2) { return glm::vec4(0.0F); }),
+                test::Layer::depth(size_px, [&](glm::uvec2) { return static_cast<float>(near / wall_m); })};
+        };
+        auto a = layers();
+        auto b = layers();
+        gpu::Graph for_wash;
+        gpu::Graph for_hatch;
+        return {test::run_and_read_colors(for_wash, add(for_wash, a[0], a[1], a[2], a[3]).wash),
+                test::run_and_read_coverage(for_hatch, add(for_hatch, b[0], b[1], b[2], b[3]).hatch)};
+    }
+};
+
+/// In its prime, with full density.
+Particle at(const glm::dvec3& place)
+{
+    return {.place = place, .age = 0.3F, .trait = 0.5F, .trait_b = 0.2F};
+}
+
+ParticleStyle soft()
+{
+    return {
+        .look = Look::wash, .size_m = 3.0F, .grown_m = 3.0F, .color = {1.0F, 0.0F, 0.0F}, .opacity = 1.0F};
+}
+
+double cover(const Drawn& drawn)
+{
+    double sum = 0.0;
+    for (const glm::vec4& color : drawn.wash) {
+        sum += 1.0 - static_cast<double>(color.y);
+    }
+    return sum;
+}
+
+TEST(Particles, ColourWhatTheyAreBeforeAndHideItsStrokes)
+{
+    const Page page;
+    const Drawn drawn = page.draw(soft(), {at({0.0, 0.0, 0.0})});
+    const double radius_px =
+        1.5 / (10.0 * static_cast<double>(frame::pixel_size(page.camera, size_px.y).at_one_m));
+    for (size_t i = 0; i < drawn.wash.size(); ++i) {
+        const glm::dvec2 from_middle(static_cast<double>(i % size_px.x) + 0.5 - 64.0,
+                                     static_cast<double>(i / size_px.x) + 0.5 - 48.0);
+        EXPECT_NEAR(drawn.hatch[i], drawn.wash[i].y, 2e-3F);
+        if (glm::length(from_middle) > std::sqrt(2.0) * radius_px) {
+            EXPECT_EQ(drawn.hatch[i], 1.0F);
+        }
+    }
+    EXPECT_LT(drawn.wash[48 * size_px.x + 64].y, 0.15F);
+    EXPECT_GT(cover(drawn), 1.0 * radius_px * radius_px);
+}
+
+TEST(Particles, FadeBeforeASurfaceAndAreNotSeenBehindIt)
+{
+    ParticleStyle style = soft();
+    style.soft_m = 2.0F;
+    Page page;
+    const double open = cover(page.draw(style, {at({0.0, 0.0, 0.0})}));
+    page.wall_m = 11.0;
+    const double halfway = cover(page.draw(style, {at({0.0, 0.0, 0.0})}));
+    EXPECT_GT(halfway, 0.3 * open);
+    EXPECT_LT(halfway, 0.75 * open);
+    page.wall_m = 9.9;
+    EXPECT_EQ(cover(page.draw(style, {at({0.0, 0.0, 0.0})})), 0.0);
+    EXPECT_EQ(cover(page.draw(style, {at({0.0, 0.0, 12.0})})), 0.0) << "nor behind the eye";
+}
+
+TEST(Particles, HaveNoSeamsBetweenTilesOfThePage)
+{
+    const Page page;
+    const double pixel_m = 10.0 * static_cast<double>(frame::pixel_size(page.camera, size_px.y).at_one_m);
+    const Drawn here = page.draw(soft(), {at({-8.0 * pixel_m, 0.0, 0.0})});
+    const Drawn there = page.draw(soft(), {at({3.0 * pixel_m, -5.0 * pixel_m, 0.0})});
+    for (uint32_t y = 0; y + 5 < size_px.y; ++y) {
+        for (uint32_t x = 0; x + 11 < size_px.x; ++x) {
+            EXPECT_NEAR(here.wash[y * size_px.x + x].y, there.wash[(y + 5) * size_px.x + x + 11].y, 0.02F)
+                << x << ", " << y;
+        }
+    }
+}
+
+TEST(Particles, DrawInkInPlaceOfColourAsTheirLookSays)
+{
+    const Page page;
+    for (const Look look : {Look::blots, Look::strokes}) {
+        ParticleStyle style = soft();
+        style.look = look;
+        const Drawn drawn = page.draw(style, {at({0.0, 0.0, 0.0})});
+        EXPECT_EQ(cover(drawn), 0.0);
+        EXPECT_EQ(std::ranges::min(drawn.hatch), 1.0F);
+    }
+    ParticleStyle drawn_style = soft();
+    drawn_style.look = Look::drawn;
+    EXPECT_EQ(std::ranges::min(page.draw(drawn_style, {at({0.0, 0.0, 0.0})}).hatch), 0.0F);
+}
+
+TEST(Particles, ShowTheFrameOfTheSheetThatTheirAgeHas)
+{
+    const test::Folder folder;
+    Image picture{.width = 16, .height = 8, .rgba = std::vector<uint8_t>(size_t{16} * 8 * 4, 255)};
+    for (size_t i = 0; i < picture.rgba.size(); ++i) {
+        const bool is_first_frame = (i / 4) % 16 < 8;
+        picture.rgba[i] = is_first_frame && i % 4 != 3 ? 0 : 255;
+    }
+    const std::string path = (folder.path() / "sheet.png").string();
+    save_png(picture, path);
+    ParticleStyle style = soft();
+    style.sheet = path;
+    style.columns = 2;
+    const Page page;
+    const auto at_age = [&](float age) {
+        Particle particle = at({0.0, 0.0, 0.0});
+        particle.age = age;
+        return cover(page.draw(style, {particle}));
+    };
+    const double quarter = at_age(0.25F);
+    EXPECT_GT(quarter, 10.0);
+    EXPECT_NEAR(at_age(0.4F) / quarter, 0.4 / 0.25, 0.1) << "the next frame comes in evenly";
+    EXPECT_NEAR(at_age(0.02F), 0.0, 0.03 * quarter);
+    style.columns = 17;
+    EXPECT_THROW(static_cast<void>(page.draw(style, {})), Error);
+    style.sheet = "no such.png";
+    EXPECT_THROW(static_cast<void>(page.draw(style, {})), Error);
+}
+
+} // namespace
+} // namespace estampe::particles

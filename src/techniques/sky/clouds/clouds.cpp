@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/sky/clouds/clouds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shaders/clouds_comp.hpp"
+#include "techniques/sky/clouds/cover.hpp"
+
+namespace estampe::sky {
+namespace {
+
+constexpr uint32_t tile_cells = 64;
+constexpr uint32_t streak_cells = 32;
+
+/// One kind of clouds made of puffs.
+struct Kind {
+    float coverage;
+    float base_m;
+    glm::vec3 cell_m; ///< along the wind, up, across
+    uint32_t mass_cells;
+    PuffShape shape;
+    float pen;   ///< share of the outlines' width
+    float under; ///< how much less light their base has
+    uint32_t seed;
+};
+
+Kind heaps(const CloudStyle& style)
+{
+    constexpr uint32_t mass_cells = 6;
+    const float cell_m = style.size_m / static_cast<float>(mass_cells);
+    return {.coverage = style.coverage,
+            .base_m = style.base_m,
+            .cell_m = {cell_m, cell_m * style.heaped, cell_m},
+            .mass_cells = mass_cells,
+            .shape = {.levels = 4},
+            .pen = 1.0F,
+            .under = 0.3F,
+            .seed = 2U * static_cast<uint32_t>(style.seed)};
+}
+
+Kind flocks(const CloudStyle& style)
+{
+    constexpr uint32_t mass_cells = 9;
+    const float cell_m = style.flocks_size_m / static_cast<float>(mass_cells);
+    return {.coverage = style.flocks,
+            .base_m = style.flocks_base_m,
+            .cell_m = {0.7F * cell_m, 0.25F * cell_m, 1.6F * cell_m},
+            .mass_cells = mass_cells,
+            .shape = {.radius = 0.62F, .growth = 0.2F},
+            .pen = 0.6F,
+            .under = -0.6F,
+            .seed = 2U * static_cast<uint32_t>(style.seed) + 1U};
+}
+
+/// The wind, in the plane of x and z.
+struct Wind {
+    glm::dvec2 along{0.0, 1.0};
+    double drifted_m = 0.0;
+
+    /// A place in the world as the clouds see it that drift, along the wind and across.
+    [[nodiscard]] glm::dvec2 from_world(const glm::dvec3& place) const
+    {
+        return {place.x * along.x + place.z * along.y - drifted_m, place.z * along.x - place.x * along.y};
+    }
+};
+
+Wind wind_of(const CloudStyle& style, double time_s)
+{
+    const double bearing = glm::radians(static_cast<double>(style.wind_deg));
+    return {.along = {std::sin(bearing), std::cos(bearing)},
+            .drifted_m = static_cast<double>(style.wind_mps) * time_s};
+}
+
+/// Within the tile.
+glm::vec2 on_tile(const glm::dvec2& place, double tile)
+{
+    return glm::vec2(place - tile * glm::floor(place / tile));
+}
+
+float turn_of(const CloudStyle& style, double time_s)
+{
+    const double turns = time_s / static_cast<double>(style.change_s);
+    return static_cast<float>(turns - std::floor(turns));
+}
+
+void add_kind(CloudPlan& plan, const Kind& kind, const CloudStyle& style, const CloudView& view)
+{
+    const double base_m = static_cast<double>(kind.base_m) - view.eye_m.y;
+    if (kind.coverage <= 0.0F || base_m <= 0.0) {
+        return;
+    }
+    const CoverField field = cover_field({.cells = tile_cells,
+                                          .mass_cells = kind.mass_cells,
+                                          .turn = turn_of(style, view.time_s),
+                                          .seed = kind.seed});
+    const float limit = limit_for(field, kind.shape, kind.coverage, kind.seed);
+    const PuffLists lists = list_puffs(puffs_of(field, kind.shape, limit, kind.seed), tile_cells);
+    float top = 0.0F;
+    for (const shared::CloudPuff& puff : lists.puffs) {
+        top = std::max(top, puff.centre.y + 1.1F * puff.radius);
+    }
+    const glm::dvec3 cell_m(kind.cell_m);
+    const glm::dvec2 eye =
+        wind_of(style, view.time_s).from_world(view.eye_m) / glm::dvec2(cell_m.x, cell_m.z);
+    const glm::vec2 eye_on_tile = on_tile(eye, tile_cells);
+    const auto first_puff = static_cast<uint32_t>(plan.puffs.size());
+    plan.globals.puffs[plan.globals.puff_layer_count++] = {
+        .eye = {eye_on_tile.x, -static_cast<float>(base_m / cell_m.y), eye_on_tile.y},
+        .base_m = static_cast<float>(base_m),
+        .per_m = 1.0F / kind.cell_m,
+        .thick_m = top * kind.cell_m.y,
+        .pen = kind.pen,
+        .under = kind.under,
+        .cells = tile_cells,
+        .first_cell = static_cast<uint32_t>(plan.starts.size())};
+    for (const uint32_t start : lists.starts) {
+        plan.starts.push_back(first_puff + start);
+    }
+    plan.puffs.insert(plan.puffs.end(), lists.puffs.begin(), lists.puffs.end());
+}
+
+void add_streaks(CloudPlan& plan, const CloudStyle& style, const CloudView& view)
+{
+    const double base_m = static_cast<double>(style.streaks_base_m) - view.eye_m.y;
+    if (style.streaks <= 0.0F || base_m <= 0.0) {
+        return;
+    }
+    constexpr uint32_t mass_cells = 4;
+    const double cell_m = static_cast<double>(style.streaks_size_m) / mass_cells;
+    const CoverField field = cover_field({.cells = streak_cells,
+                                          .mass_cells = mass_cells,
+                                          .turn = turn_of(style, view.time_s),
+                                          .seed = static_cast<uint32_t>(style.seed) + 40503U});
+    plan.streaks = streak_density(field, style.streaks);
+    plan.variant |= shared::clouds_have_streaks;
+    plan.globals.streaks = {
+        .eye = on_tile(wind_of(style, view.time_s).from_world(view.eye_m) / cell_m, streak_cells),
+        .base_m = static_cast<float>(base_m),
+        .cell_m = static_cast<float>(cell_m),
+        .cells = streak_cells,
+        .width_px = style.streaks_mm * view.pixels_per_mm};
+}
+
+/// The style's colours by the light of the hour: a low sun's horizon colours what it reaches, and night takes
+/// both into the sky's.
+void set_colors(shared::CloudGlobals& globals, const CloudStyle& style, const CloudView& view)
+{
+    glm::vec3 lit = style.color;
+    glm::vec3 shade = style.shade_color;
+    if (view.follows_elevation_rad) {
+        const auto deg = static_cast<float>(glm::degrees(*view.follows_elevation_rad));
+        const float low = 1.0F - glm::smoothstep(4.0F, 25.0F, deg);
+        const float night = 1.0F - glm::smoothstep(-8.0F, 1.0F, deg);
+        lit = glm::mix(lit, view.look.horizon, 0.3F * low);
+        lit = glm::mix(lit, glm::mix(view.look.zenith, view.look.horizon, 0.8F), 0.85F * night);
+        shade = glm::mix(shade, view.look.zenith, 0.25F * low);
+        shade = glm::mix(shade, glm::mix(view.look.zenith, view.look.horizon, 0.4F), 0.85F * night);
+    }
+    globals.lit_color = lit;
+    globals.shade_color = shade;
+    globals.middle_color = glm::mix(lit, shade, 0.45F);
+}
+
+} // namespace
+
+std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view)
+{
+    CloudPlan plan;
+    add_kind(plan, heaps(style), style, view);
+    add_kind(plan, flocks(style), style, view);
+    add_streaks(plan, style, view);
+    shared::CloudGlobals& globals = plan.globals;
+    if (globals.puff_layer_count == 0 && plan.variant == 0) {
+        return std::nullopt;
+    }
+    plan.variant |= style.hatch > 0.0F ? shared::clouds_have_hatching : 0U;
+    const glm::vec2 along(wind_of(style, view.time_s).along);
+    const glm::vec3 sun = glm::normalize(view.towards_sun);
+    globals.along_wind = along;
+    globals.towards_sun = {sun.x * along.x + sun.z * along.y, sun.y, sun.z * along.x - sun.x * along.y};
+    set_colors(globals, style, view);
+    globals.shade_below = style.tones > 1 ? 1.6F * style.shade - 0.9F : -2.0F;
+    globals.middle_band = style.tones > 2 ? 0.4F : 0.0F;
+    globals.outline_px = style.outline_mm * view.pixels_per_mm;
+    globals.broken = style.broken;
+    globals.hatch_darkness = style.hatch;
+    globals.hatch_width_px = style.hatch_mm * view.pixels_per_mm;
+    globals.reach_m = style.reach_m;
+    return plan;
+}
+
+Sky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky)
+{
+    auto pass = graph.compute("clouds", shaders::clouds_comp);
+    pass.uniform(in.frame).uniform(in.globals);
+    pass.sample(in.starts, gpu::Format::r32ui).sample(in.puffs, gpu::Format::rgba32f);
+    pass.sample(in.streaks, gpu::Format::r32f).variant(in.variant);
+    const gpu::ImageId wash = pass.modify(sky.wash);
+    const gpu::ImageId ink = pass.modify(sky.ink);
+    pass.dispatch_over(in.size_px.x, in.size_px.y);
+    return {wash, ink};
+}
+
+} // namespace estampe::sky

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CLOUDS_GLSL_H
+#define ESTAMPE_CLOUDS_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
+#endif
+
+// Variant bits of clouds.comp.
+SHARED_CONSTANT uint clouds_have_hatching = 1U << 0U;
+SHARED_CONSTANT uint clouds_have_streaks = 1U << 1U;
+
+SHARED_CONSTANT uint most_puff_layers = 2U;
+
+// Space "layer": along the wind, above the base, across the wind, in cells, of which a tile of `cells` x
+// `cells` repeats. Puffs, which may be flat or long in metres, are balls there.
+
+// A ball of cloud: two texels of four floats.
+struct CloudPuff {
+    vec3 centre; // in the layer's space, on the tile
+    float radius;
+    vec3 lean;   // unit, in metres: where the mass about it faces
+    float trait; // 0 to 1, its own
+};
+
+// The base cuts them flat.
+struct PuffLayer {
+    vec3 eye;      // in the layer's space, on the tile
+    float base_m;  // above the eye
+    vec3 per_m;    // the layer's space from metres
+    float thick_m; // of the slab that holds them
+    float pen;     // share of the outlines' width
+    float under;   // how much less light their base has
+    uint cells;
+    uint first_cell; // in the list of starts
+};
+
+// Strokes of white on a plane; how dense they are is known at the corners of cells.
+struct StreakLayer {
+    vec2 eye; // along the wind and across, in cells, on the tile
+    float base_m;
+    float cell_m;
+    uint cells;
+    float width_px;
+};
+
+struct CloudGlobals {
+    PuffLayer puffs[most_puff_layers]; // the lowest first
+    StreakLayer streaks;
+    uint puff_layer_count;
+    vec2 along_wind;  // x and z of a unit vector
+    vec3 towards_sun; // along the wind, up and across
+    vec3 lit_color;   // what the paint lets through
+    vec3 middle_color;
+    vec3 shade_color;
+    float shade_below; // what faces the light less than this is shaded
+    float middle_band; // and of that all but this much is so fully
+    float outline_px;
+    float broken; // share of an outline's lit side that is left out
+    float hatch_darkness;
+    float hatch_width_px;
+    float reach_m; // what is farther dissolves
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(CloudPuff) == 32);
+} // namespace estampe::shared
+#endif
+
+#endif

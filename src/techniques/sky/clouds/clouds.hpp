@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Clouds: heaps of round puffs on a flat base, flocks of small flat ones above them, and streaks above all,
+// in layers that stand in the world and drift with the wind.
+
+#include <optional>
+#include <vector>
+
+#include "gpu/graph/graph.hpp"
+#include "techniques/sky/clouds/cloud_style.hpp"
+#include "techniques/sky/clouds/clouds.glsl.h"
+#include "techniques/sky/sky.hpp"
+
+namespace estampe::sky {
+
+/// From where clouds are seen, and under which light.
+struct CloudView {
+    glm::dvec3 eye_m{0.0}; ///< in the world
+    double time_s = 0.0;
+    glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
+    std::optional<double> follows_elevation_rad; ///< height of the sun that colours go by, if they do
+    SkyLook look;                                ///< of the sky behind
+    float pixels_per_mm = 1.0F;
+};
+
+/// The clouds of a picture.
+struct CloudPlan {
+    shared::CloudGlobals globals{};
+    uint32_t variant = 0;
+    std::vector<uint32_t> starts; ///< of each cell of each layer, where its puffs begin; and the end
+    std::vector<shared::CloudPuff> puffs;
+    std::vector<float> streaks; ///< how dense they are at each corner, row by row
+};
+
+/// Nothing where the style has no clouds, or the eye is above all of them. The same for the same arguments,
+/// whatever was planned before. Cost: about 5 ms a layer.
+[[nodiscard]] std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view);
+
+struct CloudInputs {
+    gpu::BufferId frame;   ///< FrameGlobals
+    gpu::BufferId globals; ///< CloudGlobals
+    gpu::BufferId starts;
+    gpu::BufferId puffs;
+    gpu::BufferId streaks;
+    uint32_t variant = 0;
+    glm::uvec2 size_px{0};
+};
+
+/// Paints clouds into a sky: its wash is theirs where they are, its strokes end at them. Not in parallel
+/// projection, which sees one direction alone.
+///
+/// Cost    one full-screen dispatch
+/// Source  the union of balls: Blinn, "A Generalization of Algebraic Surface Drawing", 1982, in its spirit;
+///         the walk through cells: Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987
+[[nodiscard]] Sky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky);
+
+} // namespace estampe::sky

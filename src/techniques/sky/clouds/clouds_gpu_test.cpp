@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// Clouds as they are seen: that they stand in the world, drift, and cover what they should.
+#include "techniques/sky/clouds/clouds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "gpu/imports.hpp"
+#include "gpu/upload.hpp"
+#include "support/gpu_device.hpp"
+#include "support/layers.hpp"
+#include "techniques/sky/sky_test_support.hpp"
+
+namespace estampe::sky {
+namespace {
+
+struct Painted {
+    std::vector<float> white; ///< share of a pixel that is cloud, where clouds are of one tone
+    std::vector<float> ink;
+};
+
+/// White clouds over a black sky, in the light of the view's sun.
+Painted paint(const View& view, CloudStyle style, double time_s = 0.0)
+{
+    const SkyStyle sky{.horizon = glm::vec3(0.0F), .zenith = glm::vec3(0.0F), .darkness = 0.0F};
+    style.color = glm::vec3(1.0F);
+    const auto plan = plan_clouds(style, {.eye_m = view.camera.eye,
+                                          .time_s = time_s,
+                                          .towards_sun = view.towards_sun,
+                                          .pixels_per_mm = view.pixels_per_mm});
+    gpu::Device& device = test::shared_device();
+    gpu::Buffer frame = gpu::upload_buffer(device, "frame", std::vector{view.globals()});
+    const CloudPlan none;
+    const CloudPlan& of = plan ? *plan : none;
+    gpu::Buffer globals = gpu::upload_buffer(device, "clouds", std::vector{of.globals});
+    gpu::Buffer starts = gpu::upload_buffer(device, "cloud cells", of.starts);
+    gpu::Buffer puffs = gpu::upload_buffer(device, "puffs", of.puffs);
+    gpu::Buffer streaks = gpu::upload_buffer(device, "streaks", of.streaks);
+    const auto add = [&](gpu::Graph& graph) {
+        const gpu::BufferId frame_id = gpu::import_whole(graph, "frame", frame);
+        const Sky bare = add_sky(
+            graph,
+            {.frame = frame_id, .towards_sun = view.towards_sun, .drawn = true, .size_px = view.size_px},
+            sky);
+        return plan ? add_clouds(graph,
+                                 {.frame = frame_id,
+                                  .globals = gpu::import_whole(graph, "clouds", globals),
+                                  .starts = gpu::import_whole(graph, "cloud cells", starts),
+                                  .puffs = gpu::import_whole(graph, "puffs", puffs),
+                                  .streaks = gpu::import_whole(graph, "streaks", streaks),
+                                  .variant = of.variant,
+                                  .size_px = view.size_px},
+                                 bare)
+                    : bare;
+    };
+    gpu::Graph for_wash;
+    gpu::Graph for_ink;
+    Painted painted{.ink = test::run_and_read_coverage(for_ink, add(for_ink).ink)};
+    for (const glm::vec4& color : test::run_and_read_colors(for_wash, add(for_wash).wash)) {
+        painted.white.push_back(color.x);
+    }
+    return painted;
+}
+
+double mean(const std::vector<float>& values)
+{
+    double sum = 0.0;
+    for (const float value : values) {
+        sum += static_cast<double>(value);
+    }
+    return sum / static_cast<double>(values.size());
+}
+
+/// Share of pixels in which two pictures differ by more than a tenth.
+double differing(const std::vector<float>& a, const std::vector<float>& b)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < a.size(); ++i) {
+        count += std::abs(a[i] - b[i]) > 0.1F ? 1 : 0;
+    }
+    return static_cast<double>(count) / static_cast<double>(a.size());
+}
+
+const CloudStyle heaps{.coverage = 0.4F, .tones = 1};
+const CloudStyle all_kinds{.coverage = 0.25F, .flocks = 0.25F, .streaks = 0.2F, .tones = 1};
+
+TEST(Clouds, CoverTheShareOfTheSkyThatIsAskedFor)
+{
+    // The page sees one tile, and puffs that hardly rise show no sides.
+    constexpr float up_m = 1000.0F;
+    const View up{.camera = looking(89.9, 0.0, 1.9), .size_px = {240, 240}};
+    const float eye_m = static_cast<float>(up.camera.eye.y);
+    const float tile_m = 2.0F * up_m * std::tan(0.95F);
+    double before = 0.0;
+    for (const float share : {0.15F, 0.45F, 0.75F}) {
+        const double heaped = mean(paint(up, {.coverage = share,
+                                              .base_m = eye_m + up_m,
+                                              .size_m = tile_m * 6.0F / 64.0F,
+                                              .heaped = 0.1F,
+                                              .tones = 1,
+                                              .reach_m = 2e5F})
+                                       .white);
+        EXPECT_NEAR(heaped, static_cast<double>(share), 0.03);
+        EXPECT_GT(heaped, before);
+        before = heaped;
+        const double streaked = mean(paint(up, {.streaks = share,
+                                                .streaks_base_m = eye_m + up_m,
+                                                .streaks_size_m = tile_m * 4.0F / 32.0F,
+                                                .streaks_mm = 0.3F,
+                                                .tones = 1,
+                                                .reach_m = 2e5F})
+                                         .white);
+        EXPECT_NEAR(streaked, static_cast<double>(share), 0.05);
+    }
+}
+
+TEST(Clouds, StandStillInTheWorldAsTheCameraTurns)
+{
+    const View view{.camera = looking(14.0, 30.0, 0.7), .size_px = {160, 100}};
+    const View turned{.camera = looking(19.0, 37.0, 0.7), .size_px = {160, 100}};
+    const Painted first = paint(view, all_kinds);
+    const Painted second = paint(turned, all_kinds);
+    EXPECT_GT(mean(first.white), 0.2);
+    size_t seen_twice = 0;
+    size_t different = 0;
+    for (size_t i = 0; i < first.white.size(); ++i) {
+        const glm::dvec3 d = view.direction(centre_of(i, view.size_px));
+        const glm::dvec4 clip = glm::dmat4(turned.globals().clip_from_anchor) * glm::dvec4(1000.0 * d, 1.0);
+        const glm::ivec2 at(glm::floor((0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(view.size_px)));
+        if (clip.w <= 0.0 || at.x < 1 || at.y < 1 || at.x > 158 || at.y > 98) {
+            continue;
+        }
+        // Nothing like it within a pixel: an edge alone may fall on either side.
+        float least = 1.0F;
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                const size_t there = static_cast<size_t>(at.y + dy) * 160 + static_cast<size_t>(at.x + dx);
+                least = std::min(least, std::abs(second.white[there] - first.white[i]));
+            }
+        }
+        ++seen_twice;
+        different += least > 0.25F ? 1 : 0;
+    }
+    EXPECT_GT(seen_twice, 6000U);
+    EXPECT_LT(static_cast<double>(different), 0.01 * static_cast<double>(seen_twice));
+}
+
+TEST(Clouds, DriftAsFastAsTheWindAndPassOverAnEyeThatMoves)
+{
+    CloudStyle style = all_kinds;
+    style.wind_mps = 20.0F;
+    style.wind_deg = 60.0F;
+    style.change_s = 1e6F;
+    const View view{.camera = looking(14.0, 30.0, 0.7), .size_px = {160, 100}};
+    View moved = view;
+    const glm::dvec3 wind(std::sin(std::numbers::pi / 3.0), 0.0, 0.5);
+    const glm::dvec3 way = 20.0 * 60.0 * wind;
+    moved.camera.eye += way;
+    moved.camera.target += way;
+    const Painted first = paint(view, style);
+    EXPECT_LT(differing(first.white, paint(moved, style, 60.0).white), 0.01) << "with the wind for a minute";
+    EXPECT_GT(differing(first.white, paint(view, style, 60.0).white), 0.05)
+        << "which one who stays sees pass";
+    EXPECT_GT(differing(first.white, paint(moved, style, 58.0).white), 0.015) << "nor in 58 seconds";
+    EXPECT_EQ(first.white, paint(view, style).white) << "whatever was painted before";
+}
+
+TEST(Clouds, LookTheSameInEveryBearing)
+{
+    CloudStyle style = all_kinds;
+    style.broken = 0.0F;
+    style.outline_mm = 0.8F;
+    const auto towards = [&](double bearing_deg) {
+        Camera camera = looking(16.0, bearing_deg, 0.7);
+        camera.target -= camera.eye;
+        camera.eye = glm::dvec3(0.0, 2.0, 0.0);
+        camera.target += camera.eye;
+        // Bearings of cameras are counted from -z.
+        style.wind_deg = static_cast<float>(180.0 - bearing_deg + 30.0);
+        return paint({.camera = camera, .size_px = {120, 80}}, style);
+    };
+    const Painted north = towards(0.0);
+    EXPECT_GT(mean(north.ink), 0.005);
+    for (const double bearing_deg : {90.0, 180.0, 213.0, 359.9}) {
+        const Painted other = towards(bearing_deg);
+        EXPECT_LT(differing(north.white, other.white), 0.005) << bearing_deg;
+        EXPECT_LT(differing(north.ink, other.ink), 0.01) << bearing_deg;
+    }
+}
+
+TEST(Clouds, AreNotUnderTheHorizonNorUnderTheEyeNorThereUnasked)
+{
+    const View level{.camera = looking(0.0, 10.0, 0.9), .size_px = {80, 60}};
+    const Painted painted = paint(level, all_kinds);
+    for (size_t i = 0; i < painted.white.size(); ++i) {
+        if (level.direction(centre_of(i, level.size_px)).y < 0.0) {
+            EXPECT_EQ(painted.white[i], 0.0F);
+            EXPECT_EQ(painted.ink[i], 0.0F);
+        }
+    }
+    EXPECT_GT(mean(painted.white), 0.02);
+    EXPECT_FALSE(plan_clouds({}, {}));
+    EXPECT_FALSE(plan_clouds(heaps, {.eye_m = {0.0, heaps.base_m + 1.0F, 0.0}}));
+    EXPECT_TRUE(plan_clouds(heaps, {.eye_m = {0.0, heaps.base_m - 1.0F, 0.0}}));
+}
+
+TEST(Clouds, ShowTheirLitSideTowardsTheSun)
+{
+    CloudStyle style{.coverage = 0.3F, .tones = 2, .shade = 0.55F, .outline_mm = 0.0F, .reach_m = 2e5F};
+    style.shade_color = glm::vec3(0.5F);
+    View view{.camera = looking(12.0, 0.0, 0.9), .size_px = {120, 80}};
+    const auto lit_share = [&](const glm::vec3& towards_sun) {
+        view.towards_sun = glm::normalize(towards_sun);
+        const auto white = paint(view, style).white;
+        const auto lit = std::ranges::count_if(white, [](float value) { return value > 0.8F; });
+        const auto cloud = std::ranges::count_if(white, [](float value) { return value > 0.4F; });
+        return static_cast<double>(lit) / static_cast<double>(cloud);
+    };
+    const double behind_the_eye = lit_share({0.0F, 0.25F, 1.0F});
+    const double behind_them = lit_share({0.0F, 0.25F, -1.0F});
+    EXPECT_GT(behind_the_eye, behind_them + 0.3);
+    style.tones = 1;
+    EXPECT_GT(lit_share({0.0F, 0.25F, -1.0F}), 0.9) << "of one tone there is no shade";
+}
+
+TEST(Clouds, AreHatchedInTheirShadeAlone)
+{
+    CloudStyle style{.coverage = 0.4F, .outline_mm = 0.0F, .hatch = 0.5F, .hatch_mm = 0.1F, .reach_m = 2e5F};
+    style.shade_color = glm::vec3(0.5F);
+    const View view{.camera = looking(12.0, 0.0, 0.9),
+                    .size_px = {160, 100},
+                    .towards_sun = {0.5F, 0.3F, 0.0F},
+                    .pixels_per_mm = 20.0F};
+    const Painted painted = paint(view, style);
+    double shaded = 0.0;
+    double ink = 0.0;
+    for (size_t i = 0; i < painted.ink.size(); ++i) {
+        const bool is_shade = std::abs(painted.white[i] - 0.5F) < 0.01F;
+        shaded += is_shade ? 1.0 : 0.0;
+        ink += is_shade ? static_cast<double>(painted.ink[i]) : 0.0;
+        if (painted.white[i] == 0.0F || painted.white[i] == 1.0F) {
+            EXPECT_EQ(painted.ink[i], 0.0F) << i;
+        }
+    }
+    ASSERT_GT(shaded, 1000.0);
+    EXPECT_NEAR(ink / shaded, 0.5, 0.06);
+}
+
+} // namespace
+} // namespace estampe::sky

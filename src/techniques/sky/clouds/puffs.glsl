@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_PUFFS
+#define ESTAMPE_PUFFS
+
+// One ray through one layer of puffs: balls whose outlines waver, cut flat by the base, found cell by cell
+// (Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987). The includer has `clouds`,
+// `start_texels` and `puff_texels`.
+
+#include "shaders/lines.glsl"
+
+const float no_hit_m = 1e9;
+
+// What is seen of a layer along a ray.
+struct SeenPuffs {
+    float cover;    // of the pixel
+    float away_m;   // of the nearest puff; no_hit_m where there is none
+    float shade;    // of that: 0 in light, 1 in shade, half in the band between
+    float line;     // ink of the outline here
+    float line_m;   // how far it lies
+    float line_px;  // how far outside of what it goes around
+    float width_px; // of it
+};
+
+// A ray, as a layer has it.
+struct PuffRay {
+    vec3 d;     // along the wind, up, across: unit, in metres
+    vec3 step;  // the same in the layer's space: a metre's way
+    vec3 aside; // level, unit, across it
+    float per_step_squared;
+    float enter_m; // into the slab
+    float leave_m;
+    float pixel_rad;
+};
+
+CloudPuff puff_at(int i)
+{
+    vec4 ball = texelFetch(puff_texels, 2 * i);
+    vec4 lean = texelFetch(puff_texels, 2 * i + 1);
+    return CloudPuff(ball.xyz, ball.w, lean.xyz, lean.w);
+}
+
+// How wide the pen is drawn at a place of an outline: heavy away from the light, thin and broken towards it.
+float pen_px(float widest_px, float facing, float angle, float trait, float away_m)
+{
+    float lit = smoothstep(-0.5, 0.8, facing);
+    float pressed = 0.5 + 0.5 * wave(2.0 * angle + trait);
+    float left_out = clouds.broken * lit * smoothstep(0.35, 0.75, pressed);
+    float thinned = clamp(pow(6000.0 / away_m, 0.35), 0.5, 1.25);
+    return widest_px * thinned * mix(1.0, 0.45, lit) * mix(1.0, 0.7, pressed) * (1.0 - left_out);
+}
+
+// Of the light, -1 to 1, on what faces outward, moved towards where the whole mass does.
+float light_on(vec3 outward, vec3 lean)
+{
+    return dot(normalize(mix(outward, lean, 0.45)), clouds.towards_sun);
+}
+
+// 0 in light, 1 in shade; between them a band where there are three tones. `soft` is the change of light over
+// a pixel.
+float shade_of(float light, float soft)
+{
+    float low = smoothstep(-soft, soft, clouds.shade_below - light);
+    float lower = smoothstep(-soft, soft, clouds.shade_below - clouds.middle_band - light);
+    return 0.5 * (low + lower);
+}
+
+// Of a pixel so far outside of what a line goes around, the share that is ink.
+float line_ink_at(float beyond_px, float width_px)
+{
+    return clamp(beyond_px + 0.5, 0.0, min(width_px, 1.0)) * clamp(width_px - beyond_px + 0.5, 0.0, 1.0);
+}
+
+// Adds a puff to what is seen.
+void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff, vec3 tile_from)
+{
+    vec3 from_centre = layer.eye - puff.centre - tile_from;
+    float nearest_m = -dot(from_centre, ray.step) * ray.per_step_squared;
+    float at_m = max(nearest_m, ray.enter_m);
+    vec3 offset = from_centre + ray.step * at_m;
+    float away = max(length(offset), 1e-6);
+    vec3 normal = offset / away;
+    float angle = atan(dot(offset, ray.aside), offset.y) * 0.15915494;
+    float radius = puff.radius * (1.0 + 0.05 * wave(3.0 * angle + puff.trait) +
+                                  0.035 * wave(7.0 * angle + 5.0 * puff.trait));
+    // What a pixel spans across the outline: on the base, where that cuts the ball, else across the ray.
+    vec3 slope = normal * layer.per_m;
+    slope.y -= at_m > nearest_m ? dot(slope, ray.d) / ray.d.y : 0.0;
+    float span = max(at_m * ray.pixel_rad * length(slope), 1e-9);
+    float beyond_px = (away - radius) / span;
+    vec3 facing_out = normalize(normal * layer.per_m);
+    float width_px =
+        pen_px(layer.pen * clouds.outline_px, dot(facing_out, clouds.towards_sun), angle, puff.trait, at_m);
+    float line = line_ink_at(beyond_px, width_px);
+    if (line > seen.line && at_m < seen.away_m && at_m < clouds.reach_m) {
+        seen.line = line;
+        seen.line_m = at_m;
+        seen.line_px = beyond_px;
+        seen.width_px = width_px;
+    }
+    float fade = 1.0 - smoothstep(0.35 * clouds.reach_m, clouds.reach_m, at_m);
+    seen.cover = max(seen.cover, fade * clamp(0.5 - beyond_px, 0.0, 1.0));
+    if (beyond_px < -0.5) {
+        vec3 closest = from_centre + ray.step * nearest_m;
+        float half_chord_m = sqrt(max(radius * radius - dot(closest, closest), 0.0) * ray.per_step_squared);
+        float into_m = nearest_m - half_chord_m;
+        float hit_m = max(into_m, ray.enter_m);
+        if (hit_m <= seen.away_m) {
+            // Where the base's rim crosses the pixel, some of both.
+            float under =
+                clamp((ray.enter_m - into_m) * ray.d.y / (ray.enter_m * ray.pixel_rad) + 0.5, 0.0, 1.0);
+            vec3 side = normalize((from_centre + ray.step * hit_m) * layer.per_m);
+            float soft = hit_m * ray.pixel_rad * length(layer.per_m) / radius;
+            float shade = mix(shade_of(light_on(side, puff.lean), soft),
+                              shade_of(light_on(vec3(0.0, -1.0, 0.0), puff.lean) - layer.under, 1e-3), under);
+            // All bases are in one plane: no rim is seen within another's.
+            seen.shade = hit_m == seen.away_m ? max(shade, seen.shade) : shade;
+            seen.away_m = hit_m;
+        }
+    }
+}
+
+// The walk of a ray from cell to cell of a layer, and through the list of each.
+struct PuffWalk {
+    ivec2 cell;
+    ivec2 forth;
+    vec2 border_m; // where the ray leaves the cell, along and across
+    vec2 cell_m;
+    float at_m; // where it came in
+    int next;   // puff to look at
+    int end;    // of the list
+};
+
+void enter_cell(inout PuffWalk walk, PuffLayer layer)
+{
+    int mask = int(layer.cells) - 1;
+    int index = int(layer.first_cell) + (walk.cell.y & mask) * int(layer.cells) + (walk.cell.x & mask);
+    walk.next = int(texelFetch(start_texels, index).x);
+    walk.end = int(texelFetch(start_texels, index + 1).x);
+}
+
+void leave_cell(inout PuffWalk walk)
+{
+    bool is_along = walk.border_m.x < walk.border_m.y;
+    walk.at_m = min(walk.border_m.x, walk.border_m.y);
+    walk.cell += is_along ? ivec2(walk.forth.x, 0) : ivec2(0, walk.forth.y);
+    walk.border_m += is_along ? vec2(walk.cell_m.x, 0.0) : vec2(0.0, walk.cell_m.y);
+}
+
+PuffWalk start_walk(PuffLayer layer, PuffRay ray)
+{
+    PuffWalk walk;
+    walk.cell = ivec2(floor(layer.eye.xz + ray.step.xz * ray.enter_m));
+    walk.forth = ivec2(sign(ray.step.xz));
+    walk.border_m = (vec2(walk.cell + max(walk.forth, ivec2(0))) - layer.eye.xz) / ray.step.xz;
+    walk.cell_m = 1.0 / abs(ray.step.xz);
+    walk.at_m = ray.enter_m;
+    enter_cell(walk, layer);
+    return walk;
+}
+
+vec3 tile_from(PuffWalk walk, PuffLayer layer)
+{
+    ivec2 in_tile = walk.cell & (int(layer.cells) - 1);
+    return vec3(walk.cell.x - in_tile.x, 0.0, walk.cell.y - in_tile.y);
+}
+
+// Whether the ray comes near the puff, and nothing nearer hides that.
+bool is_near(SeenPuffs seen, PuffLayer layer, PuffRay ray, vec4 ball, vec3 from)
+{
+    const float wavers = 1.2;
+    vec3 from_centre = layer.eye - ball.xyz - from;
+    float nearest_m = -dot(from_centre, ray.step) * ray.per_step_squared;
+    vec3 offset = from_centre + ray.step * max(nearest_m, ray.enter_m);
+    return dot(offset, offset) < wavers * wavers * ball.w * ball.w &&
+           nearest_m - ball.w * sqrt(ray.per_step_squared) < seen.away_m;
+}
+
+// To the next puff that the ray comes near; false where there is none. A loop of little, so that processors,
+// which run several rays in step, do all the rest for as few puffs as they can.
+bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray)
+{
+    bool is_found = false;
+    while (!is_found && walk.at_m < ray.leave_m && walk.at_m <= seen.away_m) {
+        if (walk.next < walk.end) {
+            is_found =
+                is_near(seen, layer, ray, texelFetch(puff_texels, 2 * walk.next), tile_from(walk, layer));
+            walk.next += is_found ? 0 : 1;
+        } else {
+            leave_cell(walk);
+            enter_cell(walk, layer);
+        }
+    }
+    return is_found;
+}
+
+// `d` is a unit vector well above the horizon, along the wind, up and across.
+SeenPuffs puffs_along(PuffLayer layer, vec3 d, float pixel_rad)
+{
+    PuffRay ray;
+    ray.d = d;
+    ray.step = d * layer.per_m;
+    ray.step.xz += vec2(lessThan(abs(ray.step.xz), vec2(1e-9))) * 1e-9;
+    ray.aside = normalize(vec3(-ray.step.z, 0.0, ray.step.x));
+    ray.per_step_squared = 1.0 / dot(ray.step, ray.step);
+    ray.enter_m = layer.base_m / d.y;
+    ray.leave_m = min((layer.base_m + layer.thick_m) / d.y, clouds.reach_m);
+    ray.pixel_rad = pixel_rad;
+    SeenPuffs seen = SeenPuffs(0.0, no_hit_m, 0.0, 0.0, no_hit_m, 0.0, 0.0);
+    PuffWalk walk = start_walk(layer, ray);
+    while (find_puff(walk, seen, layer, ray)) {
+        see_puff(seen, layer, ray, puff_at(walk.next), tile_from(walk, layer));
+        ++walk.next;
+    }
+    // Of two puffs that touch, the outline of the nearer tapers away where they meet.
+    float gap_cells = (seen.away_m - seen.line_m) * length(ray.step);
+    float tapered = smoothstep(0.15, 0.9, gap_cells);
+    seen.line = min(seen.line, line_ink_at(seen.line_px, tapered * seen.width_px));
+    seen.line *= 1.0 - smoothstep(0.35 * clouds.reach_m, 0.8 * clouds.reach_m, seen.line_m);
+    return seen;
+}
+
+#endif

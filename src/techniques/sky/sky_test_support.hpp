@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What tests of the sky look at it from.
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "frame/view.hpp"
+
+namespace estampe::sky {
+
+struct View {
+    Camera camera;
+    glm::uvec2 size_px{120, 90};
+    glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
+    float pixels_per_mm = 3.0F;
+    bool drawn = true;
+    std::optional<float> daylight_rad = {};
+
+    [[nodiscard]] shared::FrameGlobals globals() const
+    {
+        return frame::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
+    }
+
+    /// Where a place of the page looks.
+    [[nodiscard]] glm::dvec3 direction(glm::dvec2 position_px) const
+    {
+        const glm::dvec2 ndc = 2.0 * position_px / glm::dvec2(size_px) - 1.0;
+        const glm::dvec4 p = glm::inverse(glm::dmat4(globals().clip_from_anchor)) * glm::dvec4(ndc, 0.5, 1.0);
+        return glm::normalize(glm::dvec3(p) / p.w);
+    }
+};
+
+inline glm::dvec2 centre_of(size_t i, glm::uvec2 size_px)
+{
+    const size_t row = i / size_px.x;
+    return {static_cast<double>(i % size_px.x) + 0.5, static_cast<double>(row) + 0.5};
+}
+
+inline Camera looking(double elevation_deg, double bearing_deg, double fov_rad)
+{
+    const double up = elevation_deg * std::numbers::pi / 180.0;
+    const double around = bearing_deg * std::numbers::pi / 180.0;
+    return {.eye = {3.0, 2.0, 1.0},
+            .target = glm::dvec3(3.0, 2.0, 1.0) + glm::dvec3(std::cos(up) * std::sin(around), std::sin(up),
+                                                             -std::cos(up) * std::cos(around)),
+            .vertical_fov_rad = fov_rad};
+}
+
+} // namespace estampe::sky

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_VAULT
+#define ESTAMPE_VAULT
+
+// Strokes on the sky. The includer has `frame`.
+
+#include "shaders/camera.glsl"
+#include "shaders/line_ink.glsl"
+
+// By a point far off: of one near the eye, what the two places have in common would use up the digits.
+vec3 direction_at(vec2 position_px)
+{
+    return -towards_eye(frame, anchor_at(frame, position_px, 1e-5));
+}
+
+// Height above the horizon, bent so that the strokes bow like a vault.
+vec2 vault(vec3 d)
+{
+    return vec2(atan(d.x, -d.z), d.y / (0.35 + length(d.xz)));
+}
+
+// Along the strokes: the bearing, which must jump by a turn somewhere. It does so behind, at a place of its
+// own for each height, so that no two strokes break at the same bearing.
+float along_strokes(vec2 here)
+{
+    float middle = 1.2 * sin(53.0 * here.y);
+    return here.x + 6.2831853 * round((middle - here.x) / 6.2831853);
+}
+
+// Level strokes at the direction `d`, that of the place `position_px`.
+LineField level_strokes(vec3 d, vec2 position_px)
+{
+    vec2 here = vault(d);
+    vec2 right = vault(direction_at(position_px + vec2(1.0, 0.0))) - here;
+    vec2 down = vault(direction_at(position_px + vec2(0.0, 1.0))) - here;
+    right.x -= 6.2831853 * round(right.x / 6.2831853);
+    down.x -= 6.2831853 * round(down.x / 6.2831853);
+    vec2 gradient = vec2(right.y, down.y);
+    LineField field;
+    field.v = here.y;
+    field.v_per_px = length(gradient);
+    vec2 along = vec2(-gradient.y, gradient.x) / max(field.v_per_px, 1e-12);
+    field.u = along_strokes(here);
+    field.u_per_px = abs(right.x * along.x + down.x * along.y);
+    field.wander = vec2(field.u, here.y);
+    field.wraps = false;
+    return field;
+}
+
+// A pen for such strokes.
+LineLook level_pen(float pen_px)
+{
+    return LineLook(pen_px, 0.9 * pen_px, 26.0 * pen_px, 40.0 * pen_px, 190.0 * pen_px, 0.35, 0.0);
+}
+
+#endif
