@@ -6,6 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
+#include "shaders/line_ink.glsl"
 #include "shaders/rounds.glsl"
 #include "shaders/stroke_field.glsl"
 #include "techniques/smoke/smoke.glsl.h"
