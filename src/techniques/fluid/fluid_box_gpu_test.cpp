@@ -19,7 +19,7 @@ float number_at(const std::vector<float>& numbers, uint32_t channel, glm::uvec3 
     return numbers[((channel * side + cell.z) * side + cell.y) * side + cell.x];
 }
 
-double energy(const std::vector<float>& velocity)
+double energy(std::span<const float> velocity)
 {
     double sum = 0.0;
     for (const float speed : velocity) {
@@ -109,6 +109,11 @@ TEST(FluidBox, ConfinementFeedsVorticesOfVolumesAcrossTheirAxis)
         Fluid fed(test::shared_device(), grid, 0, start);
         const auto with = velocity_after(fed, style, 3);
         EXPECT_GT(energy(with), 1.02 * energy(without)) << axis;
+        const auto of_component = [&](int component) {
+            const auto count = static_cast<size_t>(grid.cell_count());
+            return energy(std::span(with).subspan(count * static_cast<size_t>(component % 3), count));
+        };
+        EXPECT_NEAR(of_component(axis + 1) / of_component(axis + 2), 1.0, 1e-3) << "it stays round";
         for (uint32_t i = 0; i < grid.cell_count(); ++i) {
             EXPECT_NEAR(with[static_cast<uint32_t>(axis) * grid.cell_count() + i], 0.0F, 1e-4F) << axis;
         }

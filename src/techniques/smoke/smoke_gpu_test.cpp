@@ -237,6 +237,21 @@ TEST(Smoke, ThreeWaysOfLookingUpAgreeWithABallsChord)
     }
 }
 
+TEST(Smoke, PlanesOfTheGridStandFast)
+{
+    // Between planes four cells apart there is smoke that none of them sees, at whatever slant.
+    const Density between = [](glm::vec3 place) {
+        const auto layer = static_cast<uint32_t>(place.z / cell_m) % 4;
+        return layer == 1 || layer == 2 ? 1.0F : 0.0F;
+    };
+    const auto most = [&](Sampling sampling) {
+        const Drawn drawn = draw(between, plain(8.0F, sampling, 4.0F));
+        return std::ranges::max(drawn.marched, {}, &glm::vec4::x).x;
+    };
+    EXPECT_EQ(most(Sampling::axis), 0.0F);
+    EXPECT_GT(most(Sampling::rays), 0.5F);
+}
+
 TEST(Smoke, LightIsWeakenedOnItsWayIn)
 {
     constexpr double extinction_per_m = 2.0;
