@@ -16,7 +16,7 @@ namespace {
 
 void draw(const std::string& name, const std::string& path, uint32_t frames)
 {
-    const SetUp set_up = make_set_up(name);
+    const ClothScene set_up = make_set_up(name);
     estampe::Style style = estampe::Style::load("chirico");
     for (const std::string& assignment : set_up.style) {
         style.set(assignment);

@@ -14,7 +14,7 @@ namespace {
 using namespace estampe; // NOLINT(google-build-using-namespace): all of it is about one library
 
 struct Making {
-    SetUp set_up;
+    ClothScene set_up;
     float finer = 1.0F;
 
     [[nodiscard]] Scene& scene() { return set_up.scene; }
@@ -332,7 +332,7 @@ std::vector<std::string> set_up_names()
     return names;
 }
 
-SetUp make_set_up(const std::string& name, float finer)
+ClothScene make_set_up(const std::string& name, float finer)
 {
     const auto found = makers().find(name);
     if (found == makers().end()) {

@@ -8,7 +8,7 @@
 
 #include <estampe/scene.hpp>
 
-struct SetUp {
+struct ClothScene {
     std::string name;
     estampe::Scene scene;
     estampe::Camera camera;
@@ -19,4 +19,4 @@ struct SetUp {
 [[nodiscard]] std::vector<std::string> set_up_names();
 
 /// Throws estampe::Error for a name that is none of those. `finer` has so many times the particles a side.
-[[nodiscard]] SetUp make_set_up(const std::string& name, float finer = 1.0F);
+[[nodiscard]] ClothScene make_set_up(const std::string& name, float finer = 1.0F);

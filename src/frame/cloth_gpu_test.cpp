@@ -10,7 +10,7 @@ namespace {
 
 constexpr RenderSettings small{.width = 96, .height = 72};
 
-Style style_of(const SetUp& set_up, const char* more = nullptr)
+Style style_of(const ClothScene& set_up, const char* more = nullptr)
 {
     Style style;
     for (const std::string& assignment : set_up.style) {
@@ -36,7 +36,7 @@ size_t differing(const Image& a, const Image& b)
     return count;
 }
 
-Image film_frame(Renderer& renderer, const SetUp& set_up, const Style& style, uint32_t frame)
+Image film_frame(Renderer& renderer, const ClothScene& set_up, const Style& style, uint32_t frame)
 {
     RenderSettings settings = small;
     settings.time_s = frame / 24.0;
@@ -46,7 +46,7 @@ Image film_frame(Renderer& renderer, const SetUp& set_up, const Style& style, ui
 
 TEST(ClothFrame, StillsHaveTheSameBytesWhateverWasDrawnBefore)
 {
-    const SetUp set_up = make_set_up("flag", 0.5F);
+    const ClothScene set_up = make_set_up("flag", 0.5F);
     const Style style = style_of(set_up);
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(set_up.scene);
@@ -65,7 +65,7 @@ TEST(ClothFrame, StillsHaveTheSameBytesWhateverWasDrawnBefore)
 
 TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
 {
-    const SetUp set_up = make_set_up("swing", 0.4F); // held by what an animation moves
+    const ClothScene set_up = make_set_up("swing", 0.4F); // held by what an animation moves
     const Style style = style_of(set_up);
     Renderer& renderer = test::shared_renderer();
     const auto film = [&](uint32_t count) {
@@ -88,7 +88,7 @@ TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
 
 TEST(ClothFrame, MotionIsOfTheSheetToo)
 {
-    const SetUp set_up = make_set_up("flag", 0.5F);
+    const ClothScene set_up = make_set_up("flag", 0.5F);
     const Style style = style_of(set_up);
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(set_up.scene);
@@ -110,7 +110,7 @@ TEST(ClothFrame, MotionIsOfTheSheetToo)
 
 TEST(ClothFrame, ScenesWithoutClothHaveNoPassesOfIt)
 {
-    SetUp set_up = make_set_up("flag", 0.5F);
+    ClothScene set_up = make_set_up("flag", 0.5F);
     Renderer& renderer = test::shared_renderer();
     for (Node& node : set_up.scene.nodes) {
         node.cloth.reset();

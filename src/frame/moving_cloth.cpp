@@ -146,7 +146,7 @@ std::optional<ClothRun> MovingCloth::plan(const RenderSettings& settings, const 
     }
     const bool goes_on = settings.continuity == Continuity::follows && time_s_ &&
                          *time_s_ <= settings.time_s && settings.time_s - *time_s_ < longest_gap_s;
-    ClothRun run{.starts_anew = !goes_on, .to_s = settings.time_s};
+    ClothRun run{.starts_anew = !goes_on, .is_taken_up = goes_on && is_taken_up_, .to_s = settings.time_s};
     run.from_s = goes_on ? *time_s_ : settings.time_s - style.cloth.settle_s;
     if (before_s) {
         run.snapshot_s = std::clamp(*before_s, run.from_s, run.to_s);
@@ -161,6 +161,7 @@ void MovingCloth::done(const RenderSettings& settings, const StyleTables& style)
     animation_ = settings.animation;
     wind_ = style.wind;
     style_ = style.cloth;
+    is_taken_up_ = false;
     has_moved = true;
 }
 

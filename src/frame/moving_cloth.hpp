@@ -19,7 +19,8 @@ namespace estampe::frame {
 /// Steps that lie between what sheets are and what a picture shows.
 struct ClothRun {
     bool starts_anew = false;
-    double from_s = 0.0; ///< of the scene's time; before 0 the scene stands as it does then
+    bool is_taken_up = false; ///< after recall(): what sheets hang on has to be put where it was
+    double from_s = 0.0;      ///< of the scene's time; before 0 the scene stands as it does then
     double to_s = 0.0;
     std::optional<double> snapshot_s; ///< where the picture wants to know how sheets were before
 };
@@ -67,6 +68,7 @@ public:
         places_before_.clear();
         time_s_ = time_s;
         is_still_ = false;
+        is_taken_up_ = true;
     }
 
     bool has_moved = false; ///< the device has yet to pose the sheets' vertices
@@ -88,6 +90,7 @@ private:
     glm::dvec3 anchor_before_{0.0};
     std::optional<double> time_s_;
     bool is_still_ = false; ///< and nothing but a still's
+    bool is_taken_up_ = false;
     uint32_t animation_ = 0;
     cloth::WindStyle wind_;
     cloth::ClothStyle style_;

@@ -422,12 +422,21 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     check_places(loaded->scene, scene_pose);
     update_cloth(settings, tables);
     const bool has_cloth_moved = loaded->cloth && loaded->cloth->has_moved;
+    std::optional<double> before_s = flowing_ink.before_s(settings, tables.ink);
+    if (loaded->pose && !has_cloth_moved) {
+        before_s.reset(); // the device has it, of the picture before
+    }
     if (settings.motion_since) {
-        pose_before(pose_scene(loaded->scene, settings.motion_since->time_s, settings.animation));
-    } else if (const auto ink_s = flowing_ink.before_s(settings, tables.ink);
-               ink_s && (!loaded->pose || has_cloth_moved)) {
-        // Drawn by another renderer, or posed otherwise meanwhile.
-        pose_before(pose_scene(loaded->scene, *ink_s, settings.animation));
+        before_s = settings.motion_since->time_s;
+    }
+    if (before_s) {
+        if (has_cloth_moved) {
+            loaded->pose.reset(); // both moments are posed, though nothing but cloth may differ
+        }
+        pose_before(pose_scene(loaded->scene, *before_s, settings.animation));
+    }
+    if (before_s && has_cloth_moved) {
+        loaded->pose.reset();
     }
     update_pose(scene_pose);
     loaded->pose_moved = loaded->pose_moved || has_cloth_moved;

@@ -2,6 +2,8 @@
 // What the renderer does for cloth: steps between pictures.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 #include "frame/renderer_impl.hpp"
 #include "gpu/imports.hpp"
@@ -27,7 +29,7 @@ void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
     if (!run) {
         return;
     }
-    if (run->starts_anew) {
+    if (run->starts_anew || run->is_taken_up) {
         start_cloth(*run, settings);
     }
     double from_s = run->from_s;
@@ -64,8 +66,10 @@ void Renderer::Impl::start_cloth(const frame::ClothRun& run, const RenderSetting
     sheets.forget_targets();
     cloth::Cloths::Handles handles = sheets.import(graph);
     sheets.add_targets(graph, handles, posed);
-    const std::vector<glm::mat4> anew(sheets.sheet_count(), glm::mat4(0.0F));
-    sheets.add_carry(graph, handles, anew);
+    if (run.starts_anew) {
+        const std::vector<glm::mat4> anew(sheets.sheet_count(), glm::mat4(0.0F));
+        sheets.add_carry(graph, handles, anew);
+    }
     sheets.add_snapshot(graph, handles);
     std::ignore = loaded->cloth->carries(*loaded->pose, loaded->layout.anchor, 0.0);
     executor.run(graph);

@@ -13,7 +13,7 @@ TEST(ClothSheet, SetUps)
 {
     std::vector<Image> tiles;
     for (const std::string& name : set_up_names()) {
-        const SetUp set_up = make_set_up(name, 0.7F);
+        const ClothScene set_up = make_set_up(name, 0.7F);
         Style style = Style::load("chirico");
         for (const std::string& assignment : set_up.style) {
             style.set(assignment);

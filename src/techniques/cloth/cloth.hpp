@@ -145,7 +145,7 @@ private:
     std::vector<shared::ClothCollider> solids_before_, solids_;
     gpu::Buffer colliders_;
     std::array<gpu::Buffer, 2> targets_; ///< of the run's beginning and its end
-    bool has_targets_ = false;
+    bool has_targets_ = true;
     bool targets_move_ = false;
     gpu::Buffer places_;
     gpu::Buffer places_before_; ///< at the last snapshot

@@ -227,7 +227,8 @@ void Cloths::set_targets(gpu::Device& device, std::span<const glm::vec3> places_
     }
     std::swap(targets_[0], targets_[1]);
     targets_[1] = gpu::upload_buffer(device, "cloth targets", targets);
-    targets_move_ = true;
+    targets_move_ = has_targets_;
+    has_targets_ = true;
 }
 
 } // namespace estampe::cloth
