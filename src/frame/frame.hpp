@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "frame/clouds.hpp"
 #include "frame/deep_page.hpp"
 #include "frame/local_maps.hpp"
 #include "frame/moving_cloth.hpp"
@@ -32,14 +33,6 @@ struct StrungPart {
 
     contour::StrungLines& lines;
     contour::PartOfPage part;
-};
-
-/// The clouds of the plan.
-struct CloudBuffers {
-    gpu::Buffer globals;
-    gpu::Buffer starts;
-    gpu::Buffer puffs;
-    gpu::Buffer streaks;
 };
 
 /// The buffers of the outside world that a frame reads and writes.

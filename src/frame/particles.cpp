@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "frame/particles.hpp"
 
-#include <algorithm>
 #include <sstream>
+#include <utility>
 
+#include "frame/mapped_buffer.hpp"
 #include "frame/smoke_sheet.hpp"
 #include "frame/view.hpp"
 #include "style/surfaces.hpp"
 
 namespace estampe::frame {
 namespace {
-
-template <class T>
-gpu::Buffer mapped(gpu::Device& device, const char* name, const std::vector<T>& items)
-{
-    gpu::Buffer buffer(device, name, std::max<size_t>(items.size(), 1) * sizeof(T), gpu::MemoryUse::upload);
-    std::ranges::copy(std::as_bytes(std::span(items)), buffer.mapped().begin());
-    return buffer;
-}
 
 bool is_named(const std::string& name, const std::string& patterns)
 {
@@ -74,9 +67,9 @@ std::optional<particles::ParticlePlan> provide_particles(gpu::Device& device, gp
                                                               .is_parallel = pixel.is_parallel,
                                                               .sheet_px = buffers.sheet.size_px(),
                                                               .sheet_frames = buffers.sheet.frames()});
-    buffers.sprites = mapped(device, "sprites", plan.sprites);
-    buffers.starts = mapped(device, "sprite tiles", plan.starts);
-    buffers.listed = mapped(device, "listed sprites", plan.listed);
+    buffers.sprites = mapped_buffer(device, "sprites", std::span(std::as_const(plan.sprites)));
+    buffers.starts = mapped_buffer(device, "sprite tiles", std::span(std::as_const(plan.starts)));
+    buffers.listed = mapped_buffer(device, "listed sprites", std::span(std::as_const(plan.listed)));
     return plan;
 }
 

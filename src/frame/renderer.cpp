@@ -15,6 +15,7 @@
 #include "core/progress_watch.hpp"
 #include "frame/baked_lights.hpp"
 #include "frame/form_strokes.hpp"
+#include "frame/mapped_buffer.hpp"
 #include "gpu/upload.hpp"
 #include "scene/extent.hpp"
 #include "shaders/stroke_kind.glsl.h"
@@ -52,9 +53,7 @@ float nearby_m(const pose::MeshData& layout, const glm::dvec3& eye)
 template <class T>
 gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const T* items, size_t count)
 {
-    gpu::Buffer buffer(device, name, std::max<size_t>(count, 1) * sizeof(T), gpu::MemoryUse::upload);
-    std::ranges::copy(std::as_bytes(std::span(items, count)), buffer.mapped().begin());
-    return buffer;
+    return frame::mapped_buffer(device, name, std::span(items, count));
 }
 
 } // namespace
@@ -254,11 +253,7 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
         focus_lines = mapped_buffer(device, "focus lines", plan.focus.lines.data(), plan.focus.lines.size());
     }
     if (plan.clouds) {
-        const sky::CloudPlan& of = *plan.clouds;
-        clouds.globals = mapped_buffer(device, "clouds", &of.globals, 1);
-        clouds.starts = mapped_buffer(device, "cloud cells", of.starts.data(), of.starts.size());
-        clouds.puffs = mapped_buffer(device, "puffs", of.puffs.data(), of.puffs.size());
-        clouds.streaks = mapped_buffer(device, "streaks", of.streaks.data(), of.streaks.size());
+        clouds = frame::cloud_buffers(device, *plan.clouds);
     }
     if (plan.looks.has_several()) {
         const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
@@ -610,6 +605,9 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
         tables.ink.drawn || tables.smoke.drawn) {
         impl.notes.emplace_back(
             "a drawing of strokes has neither wash nor sky, nor ink that runs or flows, nor smoke");
+    }
+    if (plan.particles) {
+        impl.notes.emplace_back("a drawing of strokes has no particles");
     }
     if (!frame::is_drawn_by_pen(tables.contour)) {
         impl.notes.emplace_back("a drawing of strokes has lines of the pen in place of other brushes");

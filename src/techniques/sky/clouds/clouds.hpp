@@ -34,7 +34,7 @@ struct CloudPlan {
 };
 
 /// Nothing where the style has no clouds, or the eye is above all of them. The same for the same arguments,
-/// whatever was planned before. Cost: about 5 ms a layer.
+/// whatever was planned before. Cost: about 10 ms a layer.
 [[nodiscard]] std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view);
 
 struct CloudInputs {
@@ -51,8 +51,8 @@ struct CloudInputs {
 /// projection, which sees one direction alone.
 ///
 /// Cost    one full-screen dispatch
-/// Source  the union of balls: Blinn, "A Generalization of Algebraic Surface Drawing", 1982, in its spirit;
-///         the walk through cells: Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987
+/// Source  the walk through cells: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
+///         Eurographics 1987
 [[nodiscard]] Sky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky);
 
 } // namespace estampe::sky

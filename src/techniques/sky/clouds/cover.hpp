@@ -50,7 +50,7 @@ struct PuffShape {
     float level_limit = 0.06F; ///< each is there where the field is by so much higher
 };
 
-/// The limit for which puffs cover `share` of the base. Cost: linear in cells, 2 ms for 64 x 64.
+/// The limit for which puffs cover `share` of the base. Cost: linear in cells.
 [[nodiscard]] float limit_for(const CoverField& field, const PuffShape& shape, float share, uint32_t seed);
 
 /// The puffs where the field is above the limit, in cells.
