@@ -13,18 +13,18 @@ TEST(ClothSheet, SetUps)
 {
     std::vector<Image> tiles;
     for (const std::string& name : set_up_names()) {
-        const ClothScene set_up = make_set_up(name, 0.7F);
+        const ClothScene set_up = make_set_up(name, 0.5F);
         Style style = Style::load("chirico");
         for (const std::string& assignment : set_up.style) {
             style.set(assignment);
         }
-        style.set("paper.height_mm=75");
+        style.set("paper.height_mm=56");
+        style.set("cloth.settle_s=2");
         style.set("paper.margin_mm=0");
         style.set("paper.border_mm=0");
         Renderer& renderer = test::shared_renderer();
         renderer.set_scene(set_up.scene);
-        tiles.push_back(renderer.render(set_up.camera, style,
-                                        {.width = 320, .height = 270, .samples = 2, .time_s = 1.5}));
+        tiles.push_back(renderer.render(set_up.camera, style, {.width = 240, .height = 200, .time_s = 1.5}));
     }
     test::expect_matches_golden(test::sheet_of(tiles, 5), "cloth");
 }

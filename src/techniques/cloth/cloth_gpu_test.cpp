@@ -28,7 +28,7 @@ std::vector<double> strained_by_hanging(uint32_t particles, std::optional<ClothS
 
 TEST(Cloth, HangsByTwoCornersWithoutStretching)
 {
-    // As it does by 64 x 64 and by 128 x 128, see the README: they take a minute here.
+    // Finer ones take minutes here, see below.
     const auto strained = strained_by_hanging(32);
     EXPECT_LE(percentile(strained, 0.99), 0.02);
     EXPECT_LE(strained.back(), 0.03);

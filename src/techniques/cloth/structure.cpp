@@ -120,7 +120,7 @@ void add_hinge(Pairs& pairs, const Sheet& sheet, const std::array<uint32_t, 4>& 
     for (size_t i = 0; i < 4; ++i) {
         for (size_t j = i + 1; j < 4; ++j) {
             pairs.at(ordered(corners.at(i), corners.at(j))).bending -=
-                3.0F / std::max(area, 1e-12F) * k.at(i) * k.at(j);
+                k.at(i) * k.at(j) / std::max(area, 1e-12F);
         }
     }
 }

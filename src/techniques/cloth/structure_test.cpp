@@ -59,7 +59,9 @@ TEST(ClothStructure, TethersReachAlongTheSheet)
             for (uint32_t i = 0; i < hung.rest_m.size(); ++i) {
                 const Tether& tether = tethers.items[k * hung.rest_m.size() + i];
                 const float straight_m = glm::distance(hung.rest_m[i], hung.rest_m[tether.held]);
-                EXPECT_NEAR(tether.most_m, 1.003F * straight_m, 1e-4F);
+                EXPECT_GE(tether.most_m, 1.003F * straight_m - 1e-4F);
+                // Within an edge or two a way from particle to particle may be a detour.
+                EXPECT_LE(tether.most_m, 1.003F * straight_m + (straight_m < 0.25F ? 0.06F : 1e-4F));
             }
         }
     };
