@@ -67,8 +67,8 @@ std::vector<cloth::Solid> solids_of(const Options& options)
         const glm::vec3 centre(0.15F + 0.23F * static_cast<float>(i % 4),
                                -0.15F - 0.23F * static_cast<float>(i / 4 % 4), 0.1F);
         cloth::Solid solid = cloth::ball(centre, 0.09F);
-        solid.kind = std::array{cloth::SolidKind::ellipsoid, cloth::SolidKind::box, cloth::SolidKind::cylinder,
-                                cloth::SolidKind::capsule}
+        solid.kind = std::array{cloth::SolidKind::ellipsoid, cloth::SolidKind::box,
+                                cloth::SolidKind::cylinder, cloth::SolidKind::capsule}
                          .at(i % 4);
         solids.push_back(solid);
     }
@@ -126,7 +126,8 @@ void measure(const Options& options)
             wall_ms.push_back(took.count());
         }
     }
-    fmt::print("{}: {} sheets of {} x {}, {} colliders, {} steps a frame: {:.3f} ms by passes, {:.3f} ms by the wall\n",
+    fmt::print("{}: {} sheets of {} x {}, {} colliders, {} steps a frame: {:.3f} ms by passes, {:.3f} ms by "
+               "the wall\n",
                device.info().name, options.sheets, options.side, options.side, options.colliders, steps,
                median(device_ms), median(wall_ms));
 }
@@ -143,7 +144,8 @@ int main(int count, char** arguments)
     app.add_option("--colliders", options.colliders)->check(CLI::Range(0, 1000));
     app.add_option("--rounds", options.rounds, "Frames to take the median of")->check(CLI::Range(1, 100000));
     app.add_option("--wind", options.wind_m_s, "Metres a second, with gusts and eddies");
-    app.add_option("--step", options.step_s, "Seconds; a frame is a sixtieth")->check(CLI::Range(1e-4, 1.0 / 30));
+    app.add_option("--step", options.step_s, "Seconds; a frame is a sixtieth")
+        ->check(CLI::Range(1e-4, 1.0 / 30));
     app.add_option("--effort", options.effort)->check(CLI::Range(0.05, 8.0));
     app.add_flag("--verlet", options.verlet, "The thesis's relaxation");
     app.add_flag("--passes", options.passes, "Tells each pass of the last frame");

@@ -24,7 +24,7 @@ void show_problem(const std::string& text)
     ImGui::PopStyleColor();
 }
 
-void show_save_field(Studio& studio)
+void show_ground_save_field(Studio& studio)
 {
     if (!ImGui::BeginPopup("save terrain")) {
         return;
@@ -74,7 +74,7 @@ void show_buttons(Studio& studio, const PanelRequests& requests)
         ImGui::OpenPopup("save terrain");
     }
     ImGui::NewLine();
-    show_save_field(studio);
+    show_ground_save_field(studio);
 }
 
 /// The text of a node, and below it what is wrong with it.

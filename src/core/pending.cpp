@@ -33,7 +33,7 @@ Registry& registry()
     return *all;
 }
 
-std::string reason(int error)
+std::string reason_of(int error)
 {
     return std::generic_category().message(error);
 }
@@ -48,7 +48,7 @@ std::string name_beside(const std::filesystem::path& target)
 
 [[noreturn]] void fail_to_begin(const std::filesystem::path& target, int error)
 {
-    throw Error(fmt::format("cannot write: {}", reason(error)), target.string(),
+    throw Error(fmt::format("cannot write: {}", reason_of(error)), target.string(),
                 "choose a folder that exists and may be written");
 }
 
@@ -63,7 +63,7 @@ void write_all(const std::filesystem::path& path, std::span<const std::byte> byt
         error = errno;
     }
     if (!is_written) {
-        throw Error(fmt::format("cannot write: {}", reason(error)), target.string(),
+        throw Error(fmt::format("cannot write: {}", reason_of(error)), target.string(),
                     "make room, or write elsewhere");
     }
 }

@@ -35,7 +35,7 @@ struct LoadedScene {
     std::optional<pose::PoseData> pose; ///< what the device holds now
     LineMeshes line_meshes;
     HouseLight house_light;
-    std::unique_ptr<MovingCloth> cloth; ///< where the scene has any
+    std::unique_ptr<MovingCloth> cloth;               ///< where the scene has any
     std::unique_ptr<terrain::TerrainBuffers> terrain; ///< where the scene has one
     std::unique_ptr<terrain::TroddenSand> trodden;    ///< then
     bool terrain_moved = false;                       ///< the device has yet to pose its vertices

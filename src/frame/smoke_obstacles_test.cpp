@@ -82,7 +82,8 @@ TEST(SmokeBox, StandsOnItsNodeInWholeCells)
     const ScenePose pose{.world_from_node = {glm::dmat4(1.0), node.transform.matrix()}, .morph_weights = {}};
     const glm::dvec3 anchor(90.0, 0.0, 0.0);
     EXPECT_FALSE(smoke_box(scene, pose, anchor, "fog*", 64));
-    EXPECT_FALSE(smoke_box(scene, {.world_from_node = {glm::dmat4(1.0), glm::dmat4(0.0)}, .morph_weights = {}},
+    EXPECT_FALSE(smoke_box(scene,
+                           {.world_from_node = {glm::dmat4(1.0), glm::dmat4(0.0)}, .morph_weights = {}},
                            anchor, "smoke*", 64));
     const auto box = smoke_box(scene, pose, anchor, "smoke*", 64);
     ASSERT_TRUE(box);

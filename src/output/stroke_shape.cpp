@@ -118,7 +118,7 @@ std::vector<dvec2> middle_of(const VectorStroke& stroke)
     return points;
 }
 
-dvec2 unit(const dvec2& v)
+dvec2 direction_of(const dvec2& v)
 {
     const double length = glm::length(v);
     return length > 0.0 ? v / length : dvec2(1.0, 0.0);
@@ -135,7 +135,7 @@ std::vector<dvec2> side_of(std::span<const dvec2> middle, std::span<const Vector
         const bool is_end = i == 0 || i == last;
         const dvec2 along = is_end && seam != nullptr
                                 ? *seam
-                                : unit(middle[std::min(i + 1, last)] - middle[i > 0 ? i - 1 : 0]);
+                                : direction_of(middle[std::min(i + 1, last)] - middle[i > 0 ? i - 1 : 0]);
         side.push_back(middle[i] +
                        sign * 0.5 * static_cast<double>(points[i].width_mm) * dvec2(along.y, -along.x));
     }
@@ -211,7 +211,7 @@ std::string area_path(const VectorStroke& stroke, double tolerance_mm)
     const std::span<const VectorPoint> points(stroke.points);
     const std::vector<size_t> corners = corners_of(all);
     const bool is_ring = stroke.is_closed && corners.size() == 2 && middle.size() > 3;
-    const dvec2 seam = is_ring ? unit(middle[1] - middle[middle.size() - 2]) : dvec2(0.0);
+    const dvec2 seam = is_ring ? direction_of(middle[1] - middle[middle.size() - 2]) : dvec2(0.0);
     PathText path;
     for (size_t i = 0; i + 1 < corners.size(); ++i) {
         const size_t count = corners[i + 1] - corners[i] + 1;

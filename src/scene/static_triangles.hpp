@@ -42,8 +42,8 @@ struct StaticTriangles {
 /// and channels.
 [[nodiscard]] std::vector<bool> moving_nodes(const Scene& scene);
 
-/// Whether a primitive of a node can move, given moving_nodes(): with its node, by a skin, by morph targets, or
-/// as cloth.
+/// Whether a primitive of a node can move, given moving_nodes(): with its node, by a skin, by morph targets,
+/// or as cloth.
 [[nodiscard]] bool can_move(const Scene& scene, const std::vector<bool>& moving, Index node,
                             const Primitive& primitive);
 

@@ -25,7 +25,7 @@
 namespace estampe {
 namespace {
 
-constexpr const char* remedy = "check that the file opens in other programs, or convert it to glTF";
+constexpr const char* try_others = "check that the file opens in other programs, or convert it to glTF";
 
 // The first byte that the child sends says how it went.
 constexpr std::byte went_well{'+'};
@@ -176,17 +176,17 @@ std::vector<std::byte> run_in_child(const std::function<std::vector<std::byte>()
         (void)kill(child, SIGKILL);
     const int status = wait_for(child);
     if (!in_time || (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)))
-        throw Error("reading it took too long, and was given up", where, remedy);
+        throw Error("reading it took too long, and was given up", where, try_others);
     if (WIFSIGNALED(status))
-        throw Error(fmt::format("reading it crashed (signal {})", WTERMSIG(status)), where, remedy);
+        throw Error(fmt::format("reading it crashed (signal {})", WTERMSIG(status)), where, try_others);
     if (bytes.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        throw Error("reading it failed without a word", where, remedy);
+        throw Error("reading it failed without a word", where, try_others);
     const std::byte outcome = bytes.front();
     bytes.erase(bytes.begin());
     if (outcome == ran_out_of_memory)
-        throw Error("reading it takes more memory than a file of this size should", where, remedy);
+        throw Error("reading it takes more memory than a file of this size should", where, try_others);
     if (outcome != went_well)
-        throw Error(one_line(bytes), where, remedy);
+        throw Error(one_line(bytes), where, try_others);
     return bytes;
 }
 

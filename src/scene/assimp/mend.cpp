@@ -14,7 +14,7 @@
 namespace estampe {
 namespace {
 
-constexpr float farthest_m = 1e15F; ///< beyond it, squares of lengths leave the range of floats
+constexpr float most_m = 1e15F; ///< beyond it, squares of lengths leave the range of floats
 constexpr float crease_rad =
     0.82F; ///< 47 degrees, so that the eight sides of a coarse tube still run together
 
@@ -26,8 +26,7 @@ size_t corners_of(Topology topology)
 bool usable(const glm::vec3& position)
 {
     // Written so that NaN fails.
-    return std::abs(position.x) < farthest_m && std::abs(position.y) < farthest_m &&
-           std::abs(position.z) < farthest_m;
+    return std::abs(position.x) < most_m && std::abs(position.y) < most_m && std::abs(position.z) < most_m;
 }
 
 void drop_bad_elements(Primitive& primitive, const std::string& name, std::vector<std::string>& warnings)

@@ -66,9 +66,9 @@ std::array<uint32_t, 3> corners_of(int mode, std::span<const uint32_t> indices, 
     }
 }
 
-class Reader {
+class MarkReader {
 public:
-    Reader(Data& data, std::span<const uint32_t> indices, int mode, std::string pointer)
+    MarkReader(Data& data, std::span<const uint32_t> indices, int mode, std::string pointer)
         : data_(data), indices_(indices), mode_(mode), pointer_(std::move(pointer))
     {
     }
@@ -178,7 +178,7 @@ void read_edge_marks(Data& data, const tinygltf::Primitive& source, std::span<co
     if (!extension.Has("visibility") && !extension.Has("lineStrings")) {
         data.fail(at, "lacks both \"visibility\" and \"lineStrings\"");
     }
-    Reader reader(data, indices, source.mode < 0 ? TINYGLTF_MODE_TRIANGLES : source.mode, at);
+    MarkReader reader(data, indices, source.mode < 0 ? TINYGLTF_MODE_TRIANGLES : source.mode, at);
     if (extension.Has("visibility")) {
         reader.read_visibility(extension.Get("visibility").GetNumberAsInt());
     }

@@ -22,7 +22,8 @@ SHARED_CONSTANT uint cloth_most_tethers = 4U;
 
 // A particle's mass is shared among its links: those to direct neighbours have so much more than far ones.
 SHARED_CONSTANT float cloth_near_share = 3.0F;
-SHARED_CONSTANT float cloth_knights_share = 0.8F; // what links a knight's move away leave the others, on a grid
+SHARED_CONSTANT float cloth_knights_share =
+    0.8F; // what links a knight's move away leave the others, on a grid
 
 SHARED_CONSTANT uint cloth_plane = 0U; // all below y = 0
 SHARED_CONSTANT uint cloth_ellipsoid = 1U;

@@ -65,8 +65,8 @@ float cover_at(ivec2 pixel, float opacity)
     return clamp(0.5 + (opacity - smoke.edge) / max(length(slope), 0.02), 0.0, 1.0);
 }
 
-// How far, in pixels, the nearest place is where the smoke ends or is farther off, by `gap_m` more than a steep
-// slope would have it, of those that nothing of the scene hides.
+// How far, in pixels, the nearest place is where the smoke ends or is farther off, by `gap_m` more than a
+// steep slope would have it, of those that nothing of the scene hides.
 float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel_m)
 {
     const float steep = 3.0;

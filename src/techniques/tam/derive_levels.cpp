@@ -13,7 +13,7 @@
 namespace estampe::tam {
 namespace {
 
-constexpr size_t directions = 3;
+constexpr size_t direction_count = 3;
 
 /// Which third of the half circle a stroke points to.
 size_t direction_of(const PaintedStroke& stroke)
@@ -80,7 +80,7 @@ private:
 class DerivedLevel {
 public:
     explicit DerivedLevel(uint32_t size_px)
-        : canvas_(size_px), spacing_(directions, Spacing(size_px)), random_(size_px)
+        : canvas_(size_px), spacing_(direction_count, Spacing(size_px)), random_(size_px)
     {
         for (uint32_t size = size_px; size >= 1; size /= 2) {
             pens_.emplace_back(size);

@@ -16,9 +16,9 @@
 namespace estampe::tam {
 namespace {
 
-constexpr const char* manifest_name = "tam.toml";
+constexpr const char* manifest_entry = "tam.toml";
 constexpr uint64_t max_manifest_bytes = uint64_t{1} << 16;
-constexpr uint64_t max_image_bytes = uint64_t{1} << 25;
+constexpr uint64_t max_entry_bytes = uint64_t{1} << 25;
 constexpr uint64_t max_file_bytes = uint64_t{1} << 29;
 constexpr zip_int64_t max_entries = 1024;
 
@@ -108,7 +108,7 @@ Gray8 inverted(Gray8 image)
 
 Gray8 read_level(ZipReader& archive, const std::string& entry, uint32_t size_px)
 {
-    Square square = decode_square(archive.read(entry, max_image_bytes), archive.place(entry));
+    Square square = decode_square(archive.read(entry, max_entry_bytes), archive.place(entry));
     if (square.size_px != size_px) {
         throw Error(fmt::format("is {} px wide", square.size_px), archive.place(entry),
                     fmt::format("this level is {} px", size_px));
@@ -135,7 +135,7 @@ std::vector<std::byte> encode_tam(const TonalArtMap& map)
         add(threshold_name(level), inverted(map.threshold_of_level[level]), level);
     }
     ZipWriter archive;
-    archive.add(manifest_name, std::as_bytes(std::span(manifest)), true);
+    archive.add(manifest_entry, std::as_bytes(std::span(manifest)), true);
     for (const auto& [name, bytes] : images) {
         archive.add(name, bytes, false);
     }
@@ -145,9 +145,9 @@ std::vector<std::byte> encode_tam(const TonalArtMap& map)
 TonalArtMap decode_tam(std::span<const std::byte> bytes, const std::string& name)
 {
     ZipReader archive(bytes, name);
-    const std::vector<std::byte> text = archive.read(manifest_name, max_manifest_bytes);
+    const std::vector<std::byte> text = archive.read(manifest_entry, max_manifest_bytes);
     const Manifest manifest = parse_manifest(
-        std::string(reinterpret_cast<const char*>(text.data()), text.size()), archive.place(manifest_name));
+        std::string(reinterpret_cast<const char*>(text.data()), text.size()), archive.place(manifest_entry));
     TonalArtMap map;
     map.size_px = manifest.size_px;
     map.darkness = manifest.darkness;

@@ -72,9 +72,9 @@ glm::vec4 turned(const glm::vec4& change, const glm::vec2& turn)
     return {between(along_x, x, x), between(along_x, x, y), between(along_x, y, y), between(along_y, y, y)};
 }
 
-class Finder {
+class BendingFinder {
 public:
-    explicit Finder(const RestSurface& surface)
+    explicit BendingFinder(const RestSurface& surface)
         : surface_(surface), triangles_(surface.mesh.triangles), bendings_(surface.positions.size()),
           faces_(triangles_.size())
     {
@@ -351,7 +351,7 @@ private:
 
 std::vector<Bending> find_bending(const RestSurface& surface)
 {
-    return Finder(surface).run();
+    return BendingFinder(surface).run();
 }
 
 Bending with_tangent(const Bending& bending, const glm::vec3& tangent)

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float smooth_crease_deg = 60.0F;
 constexpr float straight_cosine = 0.5F; // 60 degrees
-constexpr uint32_t none = ~0U;
+constexpr uint32_t no_end = ~0U;
 constexpr size_t most_edges_at_a_point = 64;
 
 bool is_chosen(const FeatureEdge& edge, const FeatureChoice& choice)
@@ -62,7 +62,7 @@ public:
         join_ends();
         is_strung_.assign(edges_.size(), false);
         for (uint32_t end = 0; end < partner_.size(); ++end) {
-            if (partner_[end] == none && !is_strung_[end / 2]) {
+            if (partner_[end] == no_end && !is_strung_[end / 2]) {
                 string_from(end, false);
             }
         }
@@ -105,7 +105,7 @@ private:
     /// Finds for each end the one it goes on at.
     void join_ends()
     {
-        partner_.assign(2 * edges_.size(), none);
+        partner_.assign(2 * edges_.size(), no_end);
         std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> ends_at; // by point and kind
         for (uint32_t end = 0; end < partner_.size(); ++end) {
             ends_at[{mesh_.points[vertex_at(end)], edges_[end / 2].kind}].push_back(end);
@@ -128,8 +128,8 @@ private:
             std::stable_sort(joints.begin(), joints.end(),
                              [](const Joint& x, const Joint& y) { return x.cosine > y.cosine; });
             for (const Joint& joint : joints) {
-                if (joint.cosine >= straight_cosine && partner_[joint.a] == none &&
-                    partner_[joint.b] == none) {
+                if (joint.cosine >= straight_cosine && partner_[joint.a] == no_end &&
+                    partner_[joint.b] == no_end) {
                     partner_[joint.a] = joint.b;
                     partner_[joint.b] = joint.a;
                 }
@@ -143,7 +143,7 @@ private:
         const auto chain = static_cast<uint32_t>(result_.chains.size());
         const auto first = static_cast<uint32_t>(result_.points.size());
         uint32_t last = end;
-        while (end != none && !is_strung_[end / 2]) {
+        while (end != no_end && !is_strung_[end / 2]) {
             is_strung_[end / 2] = true;
             const Edge& edge = edges_[end / 2];
             result_.points.push_back({.vertex = vertex_at(end),

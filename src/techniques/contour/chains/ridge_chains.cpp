@@ -9,7 +9,7 @@
 namespace estampe::contour {
 namespace {
 
-constexpr uint32_t none = ~0U;
+constexpr uint32_t nowhere = ~0U;
 constexpr float least_share = 2.0F / 3.0F; // of the sharpness that a line must have somewhere
 constexpr float shortest_share = 1.0F / 30.0F;
 constexpr float least_lead =
@@ -29,14 +29,14 @@ struct Crossing {
     uint32_t high = 0;
     float share = 0.0F; ///< of the way from low to high
     float sharpness_deg = 0.0F;
-    std::array<uint32_t, 2> next{none, none}; ///< crossings, on either side of the edge
-    std::array<uint32_t, 2> triangle{none, none};
+    std::array<uint32_t, 2> next{nowhere, nowhere}; ///< crossings, on either side of the edge
+    std::array<uint32_t, 2> triangle{nowhere, nowhere};
     bool is_strung = false;
 };
 
-class Finder {
+class RidgeFinder {
 public:
-    Finder(const RestSurface& surface, std::span<const Bending> bendings, float ridge_deg, uint32_t kind)
+    RidgeFinder(const RestSurface& surface, std::span<const Bending> bendings, float ridge_deg, uint32_t kind)
         : surface_(surface), bendings_(bendings), ridge_deg_(ridge_deg), kind_(kind)
     {
     }
@@ -51,13 +51,13 @@ public:
             }
         }
         for (uint32_t i = 0; i < crossings_.size(); ++i) {
-            const bool is_end = (crossings_[i].next[0] == none) != (crossings_[i].next[1] == none);
+            const bool is_end = (crossings_[i].next[0] == nowhere) != (crossings_[i].next[1] == nowhere);
             if (is_end && !crossings_[i].is_strung) {
                 string_from(i, features);
             }
         }
         for (uint32_t i = 0; i < crossings_.size(); ++i) {
-            if (crossings_[i].next[0] != none && !crossings_[i].is_strung) {
+            if (crossings_[i].next[0] != nowhere && !crossings_[i].is_strung) {
                 string_from(i, features);
             }
         }
@@ -84,7 +84,7 @@ private:
     void find_crossings()
     {
         const EdgeMesh& mesh = surface_.mesh;
-        of_side_.assign(3 * mesh.triangles.size(), none);
+        of_side_.assign(3 * mesh.triangles.size(), nowhere);
         for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             for (uint32_t k = 0; k < 3; ++k) {
                 const uint32_t beyond = mesh.neighbors[t][static_cast<int>(k)];
@@ -150,7 +150,7 @@ private:
         std::array<uint32_t, 3> found{};
         size_t count = 0;
         for (uint32_t k = 0; k < 3; ++k) {
-            if (of_side_[3 * size_t{t} + k] != none) {
+            if (of_side_[3 * size_t{t} + k] != nowhere) {
                 found.at(count++) = of_side_[3 * size_t{t} + k];
             }
         }
@@ -168,7 +168,7 @@ private:
     void link(uint32_t from, uint32_t to, uint32_t triangle)
     {
         Crossing& crossing = crossings_[from];
-        const size_t free = crossing.next[0] == none ? 0 : 1;
+        const size_t free = crossing.next[0] == nowhere ? 0 : 1;
         crossing.next.at(free) = to;
         crossing.triangle.at(free) = triangle;
     }
@@ -183,14 +183,14 @@ private:
     {
         std::vector<uint32_t> line;
         std::vector<uint32_t> triangles; // that lead to the next
-        uint32_t before = none;
+        uint32_t before = nowhere;
         uint32_t at = start;
-        while (at != none && !crossings_[at].is_strung) {
+        while (at != nowhere && !crossings_[at].is_strung) {
             Crossing& crossing = crossings_[at];
             crossing.is_strung = true;
             line.push_back(at);
             const bool came_from_0 =
-                crossing.next[0] == none || (before != none && crossing.next[0] == before);
+                crossing.next[0] == nowhere || (before != nowhere && crossing.next[0] == before);
             const size_t way = came_from_0 ? 1 : 0;
             triangles.push_back(crossing.triangle.at(way));
             before = at;
@@ -283,10 +283,10 @@ void add_ridges(const RestSurface& surface, std::span<const Bending> bendings, c
     }
     const std::vector<bool> is_taken = taken_triangles(surface.mesh, surface.positions.size(), features);
     if (choice.ridges) {
-        Finder(surface, bendings, choice.ridge_deg, shared::line_ridge).run(is_taken, features);
+        RidgeFinder(surface, bendings, choice.ridge_deg, shared::line_ridge).run(is_taken, features);
     }
     if (choice.valleys) {
-        Finder(surface, bendings, choice.ridge_deg, shared::line_valley).run(is_taken, features);
+        RidgeFinder(surface, bendings, choice.ridge_deg, shared::line_valley).run(is_taken, features);
     }
 }
 
