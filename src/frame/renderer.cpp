@@ -26,16 +26,6 @@ namespace estampe {
 
 namespace {
 
-/// Where the square lies in which trails are seen: before the eye, about it where that looks straight down.
-glm::dvec2 middle_of_trails(const Camera& camera, double extent_m)
-{
-    constexpr double ahead = 0.35; // of the side
-    const glm::dvec3 view = glm::normalize(camera.target - camera.eye);
-    const glm::dvec2 level(view.x, view.z);
-    return glm::dvec2(camera.eye.x, camera.eye.z) +
-           ahead * extent_m * level / std::max(glm::length(level), 0.1);
-}
-
 /// How far from the eye what stands in front is; a terrain, which is everywhere, keeps it near.
 float nearby_m(const pose::MeshData& layout, const glm::dvec3& eye)
 {
@@ -111,83 +101,6 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     loaded->pose = std::move(now);
     loaded->pose_moved = true;
     sun_map.forget();
-}
-
-void Renderer::set_terrain(const Terrain& terrain, bool at_once)
-{
-    if (!impl_->loaded || !impl_->loaded->terrain) {
-        throw Error("the scene has no terrain", "", "give it one before set_scene");
-    }
-    if (frame::swap_terrain(impl_->device, *impl_->loaded, terrain)) {
-        impl_->local_shadows.forget();
-        impl_->line_history.forget();
-    }
-    impl_->loaded->terrain->set_source(at_once ? terrain::HeightSource::compiled_meanwhile
-                                               : terrain::HeightSource::compiled);
-}
-
-bool Renderer::is_terrain_compiling() const
-{
-    return impl_->loaded && impl_->loaded->terrain && impl_->loaded->terrain->is_compiling();
-}
-
-void Renderer::press(std::span<const TrailStamp> stamps)
-{
-    if (!impl_->loaded || !impl_->loaded->trodden) {
-        throw Error("the scene has no terrain", "", "give it one before set_scene");
-    }
-    impl_->loaded->trodden->press(stamps);
-}
-
-void Renderer::Impl::follow_eye(const Camera& camera)
-{
-    constexpr double far_m = 4096.0;
-    const glm::dvec3 away = camera.eye - loaded->layout.anchor;
-    if (!loaded->terrain || std::max(std::abs(away.x), std::abs(away.z)) <= far_m) {
-        return;
-    }
-    const glm::dvec3 nearest = 64.0 * glm::round(camera.eye / 64.0);
-    loaded->layout.anchor.x = nearest.x;
-    loaded->layout.anchor.z = nearest.z;
-    loaded->pose.reset();
-    sun_map.forget();
-    ground_shadow.forget();
-    local_shadows.forget();
-    line_history.forget();
-    flowing_ink.forget();
-}
-
-void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& settings,
-                                    const ink::InkStyle& ink)
-{
-    if (!loaded->terrain) {
-        return;
-    }
-    std::optional<double> before_s = flowing_ink.before_s(settings, ink);
-    if (settings.motion_since) {
-        before_s = settings.motion_since->time_s;
-    }
-    const glm::dvec3 view = camera.target - camera.eye;
-    const bool has_moved = loaded->terrain->prepare(
-        device, {.eye = {.eye_m = {camera.eye.x, camera.eye.z}, .ahead = {view.x, view.z}},
-                 .anchor_m = loaded->layout.anchor,
-                 .time_s = settings.time_s,
-                 .before_s = before_s ? std::optional(settings.time_s - *before_s) : std::nullopt});
-    while (loaded->terrain->is_behind()) {
-        gpu::Graph graph;
-        loaded->terrain->add_catching_up(graph);
-        executor.run(graph);
-    }
-    loaded->trodden->prepare(device, {.time_s = settings.time_s,
-                                      .centre_m = middle_of_trails(camera, loaded->trodden->extent_m()),
-                                      .follows = settings.continuity == Continuity::follows});
-    while (loaded->trodden->is_behind()) {
-        gpu::Graph graph;
-        loaded->trodden->add_catching_up(graph);
-        executor.run(graph);
-    }
-    // What poses the rest writes over all.
-    loaded->terrain_moved = loaded->terrain_moved || has_moved || loaded->pose_moved;
 }
 
 frame::LocalMapPlan Renderer::Impl::provide_local_shadows(const frame::PagePlan& page_plan,
