@@ -93,8 +93,8 @@ Index add_sheet(Scene& scene, glm::uvec2 particles, glm::dvec3 corner_m, glm::ve
     Primitive sheet = cloth_sheet(particles.x, particles.y, glm::vec3(0.0F), along_m, down_m);
     sheet.material = 1;
     for (uint32_t i = 0; i < sheet.held.size(); ++i) {
-        const glm::vec2 share(static_cast<float>(i % particles.x) / static_cast<float>(particles.x - 1),
-                              static_cast<float>(i / particles.x) / static_cast<float>(particles.y - 1));
+        const glm::uvec2 place(i % particles.x, i / particles.x);
+        const glm::vec2 share = glm::vec2(place) / glm::vec2(particles - 1U);
         sheet.held[i] = hold ? hold(share) : 0.0F;
     }
     const Index node = add(scene, "sheet", std::move(sheet), corner_m, ClothCollider::none);
