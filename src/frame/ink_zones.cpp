@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "frame/assignments.hpp"
+#include "frame/between_commas.hpp"
 #include "style/raw.hpp"
 #include "style/surfaces.hpp"
 
@@ -18,19 +19,6 @@ namespace estampe::frame {
 namespace {
 
 constexpr const char* zones_key = "ink.zones";
-
-std::vector<std::string> between_commas(std::string_view text)
-{
-    std::vector<std::string> parts;
-    std::istringstream stream{std::string(text)};
-    for (std::string part; std::getline(stream, part, ',');) {
-        const size_t first = part.find_first_not_of(' ');
-        if (first != std::string::npos) {
-            parts.push_back(part.substr(first, part.find_last_not_of(' ') + 1 - first));
-        }
-    }
-    return parts;
-}
 
 bool is_named(const Scene& scene, Index node, const std::string& pattern)
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame/particles.hpp"
 
-#include <sstream>
-#include <utility>
+#include <algorithm>
 
+#include "frame/between_commas.hpp"
 #include "frame/mapped_buffer.hpp"
 #include "frame/smoke_sheet.hpp"
 #include "frame/view.hpp"
@@ -14,15 +14,8 @@ namespace {
 
 bool is_named(const std::string& name, const std::string& patterns)
 {
-    std::istringstream stream(patterns);
-    for (std::string pattern; std::getline(stream, pattern, ',');) {
-        const size_t first = pattern.find_first_not_of(' ');
-        if (first != std::string::npos &&
-            style::matches(pattern.substr(first, pattern.find_last_not_of(' ') + 1 - first), name)) {
-            return true;
-        }
-    }
-    return false;
+    return std::ranges::any_of(between_commas(patterns),
+                               [&](const std::string& pattern) { return style::matches(pattern, name); });
 }
 
 } // namespace
@@ -67,9 +60,9 @@ std::optional<particles::ParticlePlan> provide_particles(gpu::Device& device, gp
                                                               .is_parallel = pixel.is_parallel,
                                                               .sheet_px = buffers.sheet.size_px(),
                                                               .sheet_frames = buffers.sheet.frames()});
-    buffers.sprites = mapped_buffer(device, "sprites", std::span(std::as_const(plan.sprites)));
-    buffers.starts = mapped_buffer(device, "sprite tiles", std::span(std::as_const(plan.starts)));
-    buffers.listed = mapped_buffer(device, "listed sprites", std::span(std::as_const(plan.listed)));
+    buffers.sprites = mapped_buffer(device, "sprites", plan.sprites);
+    buffers.starts = mapped_buffer(device, "sprite tiles", plan.starts);
+    buffers.listed = mapped_buffer(device, "listed sprites", plan.listed);
     return plan;
 }
 

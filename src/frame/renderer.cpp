@@ -40,12 +40,6 @@ float nearby_m(const pose::MeshData& layout, const glm::dvec3& eye)
     return objects_m > 0.0F ? std::min(objects_m, near_ground_m) : near_ground_m;
 }
 
-template <class T>
-gpu::Buffer mapped_buffer(gpu::Device& device, const char* name, const T* items, size_t count)
-{
-    return frame::mapped_buffer(device, name, std::span(items, count));
-}
-
 } // namespace
 
 Renderer::Renderer(const RendererOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -124,10 +118,9 @@ frame::LocalMapPlan Renderer::Impl::provide_local_shadows(const frame::PagePlan&
         local = local_shadows.plan(lighting, {}, page_view, style, casters);
         local_shadow_buffers.layers = {};
     }
-    local_shadow_buffers.shadows =
-        mapped_buffer(device, "local shadows", local.shadows.data(), local.shadows.size());
+    local_shadow_buffers.shadows = frame::mapped_buffer(device, "local shadows", local.shadows);
     const auto to_device = [&](const char* name, const std::vector<shared::RasterView>& views) {
-        return mapped_buffer(device, name, views.data(), views.size());
+        return frame::mapped_buffer(device, name, views);
     };
     local_shadow_buffers.views = {.whole = to_device("local views", local.views.whole),
                                   .still = to_device("local views/still", local.views.still),
@@ -163,14 +156,14 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
 {
     tonal_maps.provide(device, plan.looks.styles);
     if (!plan.focus.lines.empty()) {
-        focus_lines = mapped_buffer(device, "focus lines", plan.focus.lines.data(), plan.focus.lines.size());
+        focus_lines = frame::mapped_buffer(device, "focus lines", plan.focus.lines);
     }
     if (plan.clouds) {
         clouds = frame::cloud_buffers(device, *plan.clouds);
     }
     if (plan.looks.has_several()) {
         const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
-        look_of_draw = mapped_buffer(device, "looks", looks.data(), looks.size());
+        look_of_draw = frame::mapped_buffer(device, "looks", looks);
     }
 }
 
@@ -186,7 +179,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
          .jitter_px = frame::jitter(accumulation.sample_index, accumulation.sample_count),
          .page_height_mm = style.paper.height_mm,
          .nearby_m = nearby_m(loaded->layout, camera.eye)});
-    frame_globals = mapped_buffer(device, "frame", &globals, 1);
+    frame_globals = frame::mapped_buffer(device, "frame", std::span(&globals, 1));
     const frame::SamplePlan sample{.accumulation = accumulation,
                                    .is_first = job.is_first,
                                    .size_px = globals.size_px,
@@ -281,15 +274,15 @@ Camera page_camera(const Camera& camera, const paper::PaperStyle& style, const R
 
 void Renderer::Impl::provide_pixel_sizes(const frame::FramePlan& plan, const frame::StyleTables& tables)
 {
-    edge_look = mapped_buffer(device, "edges", &plan.shadow_edges.look, 1);
+    edge_look = frame::mapped_buffer(device, "edges", std::span(&plan.shadow_edges.look, 1));
     const shared::SunShadow sun = frame::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
-    sun_shadow = mapped_buffer(device, "sun", &sun, 1);
+    sun_shadow = frame::mapped_buffer(device, "sun", std::span(&sun, 1));
     if (plan.looks.has_several()) {
         std::vector<shared::LineLook> lines;
         for (const frame::StyleTables& style : plan.looks.styles) {
             lines.push_back(contour::line_look(style.contour, plan.page.pixels_per_mm));
         }
-        line_looks = mapped_buffer(device, "line looks", lines.data(), lines.size());
+        line_looks = frame::mapped_buffer(device, "line looks", lines);
     }
 }
 
@@ -307,9 +300,9 @@ void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light:
                                        .falloff = tables.light.falloff,
                                        .paling = paling.share_per_m,
                                        .paling_at_anchor = paling.share_at_anchor};
-    light_globals = mapped_buffer(device, "lighting", &globals, 1);
+    light_globals = frame::mapped_buffer(device, "lighting", std::span(&globals, 1));
     provide_pixel_sizes(plan, tables);
-    lights = mapped_buffer(device, "lights", lighting.records.data(), lighting.records.size());
+    lights = frame::mapped_buffer(device, "lights", lighting.records);
 }
 
 frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::StyleTables& tables,
@@ -342,9 +335,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
             loaded->pose.reset(); // both moments are posed, though nothing but cloth may differ
         }
         pose_before(pose_scene(loaded->scene, *before_s, settings.animation));
-    }
-    if (before_s && has_cloth_moved) {
-        loaded->pose.reset();
+        if (has_cloth_moved) {
+            loaded->pose.reset();
+        }
     }
     update_pose(scene_pose);
     loaded->pose_moved = loaded->pose_moved || has_cloth_moved;

@@ -5,18 +5,11 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "core/pcg.hpp"
 #include "techniques/particles/particles.hpp"
 
 namespace estampe::particles {
 namespace {
-
-// O'Neill's PCG output permutation, as in shaders/hash.glsl.
-uint32_t hash(uint32_t x)
-{
-    const uint32_t state = x * 747796405U + 2891336453U;
-    const uint32_t word = ((state >> ((state >> 28U) + 4U)) ^ state) * 277803737U;
-    return (word >> 22U) ^ word;
-}
 
 double hashed(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 {

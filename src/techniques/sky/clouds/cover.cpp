@@ -7,16 +7,10 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/pcg.hpp"
+
 namespace estampe::sky {
 namespace {
-
-// O'Neill's PCG output permutation, as in shaders/hash.glsl.
-uint32_t hash(uint32_t x)
-{
-    const uint32_t state = x * 747796405U + 2891336453U;
-    const uint32_t word = ((state >> ((state >> 28U) + 4U)) ^ state) * 277803737U;
-    return (word >> 22U) ^ word;
-}
 
 /// Value noise with `period` features a side of the tile.
 float periodic_noise(glm::vec2 place, uint32_t period, uint32_t seed)
