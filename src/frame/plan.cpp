@@ -2,6 +2,7 @@
 #include "frame/plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "shaders/stroke_kind.glsl.h"
 
@@ -75,7 +76,7 @@ LightPlan plan_light(const PlanInputs& in, const StrokePlan& strokes)
 EdgePlan plan_edges(const StyleTables& style, const SunPlan& sun, const StrokePlan& strokes,
                     float pixels_per_mm)
 {
-    const auto lines = hatched_lines(style.hatch, sun.towards, strokes.has_directions());
+    const auto lines = hatched_lines(style.hatch, sun.towards, strokes);
     return {.look = shadow::edge_look(style.shadow, lines, pixels_per_mm),
             .variant = shadow::shadow_variant(style.shadow, lines)};
 }
@@ -152,6 +153,10 @@ FramePlan plan_frame(const PlanInputs& in)
     const PagePlan page = plan_page(in);
     LookPlan looks = plan_looks(in.loaded.layout, in.loaded.scene, in.style);
     StrokePlan strokes = plan_strokes(in.loaded.layout, in.loaded.scene.materials, looks);
+    if (in.loaded.scene.terrain) {
+        const float wind_rad = glm::radians(in.loaded.scene.terrain->description().wind.direction_deg);
+        strokes.ground_wind = {std::cos(wind_rad), std::sin(wind_rad)};
+    }
     const LightPlan light = plan_light(in, strokes);
     SunPlan sun = plan_sun(in, page);
     const EdgePlan edges = plan_edges(in.style, sun, strokes, page.pixels_per_mm);

@@ -54,20 +54,31 @@ std::map<Index, uint32_t> kinds_of_materials(const std::vector<Material>& materi
     return kinds;
 }
 
-uint32_t possible(uint32_t wanted, const shared::DrawRecord& draw, bool is_ground)
+enum class Ground : uint8_t { no, level, dunes };
+
+uint32_t possible(uint32_t wanted, const shared::DrawRecord& draw, Ground ground)
 {
     const bool has_uv = (draw.flags & shared::draw_has_uv) != 0;
     const bool usable_uv = (draw.flags & shared::draw_follows_uv) != 0;
+    const uint32_t without_uv = ground == Ground::dunes ? shared::strokes_slope : shared::strokes_solid;
     switch (wanted) {
     case shared::strokes_automatic:
-        return usable_uv ? shared::strokes_uv : shared::strokes_solid;
+        return usable_uv ? shared::strokes_uv : without_uv;
     case shared::strokes_uv:
-        return has_uv ? wanted : shared::strokes_solid;
+        return has_uv ? wanted : without_uv;
     case shared::strokes_form:
-        return is_ground ? shared::strokes_solid : wanted;
+        return ground == Ground::no ? wanted : without_uv;
     default:
         return wanted;
     }
+}
+
+Ground ground_of(const pose::MeshData& meshes, size_t draw)
+{
+    if (meshes.foreign_vertex && meshes.draw_of_vertex[*meshes.foreign_vertex] == draw) {
+        return Ground::dunes;
+    }
+    return draw == meshes.sources.size() ? Ground::level : Ground::no;
 }
 
 const StyleTables& look_of(const LookPlan& looks, size_t draw)
@@ -89,8 +100,7 @@ StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material
         const auto of_look =
             static_cast<uint32_t>(look_of(looks, plan.kind_of_draw.size()).hatch.coordinates);
         const uint32_t wanted = own != kinds.end() ? own->second : of_look;
-        const bool is_ground = plan.kind_of_draw.size() == meshes.sources.size();
-        const uint32_t kind = possible(wanted, draw, is_ground);
+        const uint32_t kind = possible(wanted, draw, ground_of(meshes, plan.kind_of_draw.size()));
         plan.kind_of_draw.push_back(kind);
         plan.present |= 1U << kind;
     }

@@ -16,18 +16,20 @@ namespace estampe::frame {
 struct StrokePlan {
     std::vector<uint32_t> kind_of_draw; ///< numbered as in shaders/stroke_kind.glsl.h
     uint32_t present = 0;               ///< a bit for each kind that occurs
+    glm::vec2 ground_wind{1.0F, 0.0F};  ///< horizontal direction x, z
 
     [[nodiscard]] bool has(uint32_t kind) const { return (present >> kind & 1U) != 0; }
 
-    /// Whether some strokes follow height, wind or light.
+    /// Whether some strokes follow height, wind, light or slope.
     [[nodiscard]] bool has_directions() const
     {
-        return has(shared::strokes_height) || has(shared::strokes_wind) || has(shared::strokes_light);
+        return has(shared::strokes_height) || has(shared::strokes_wind) || has(shared::strokes_light) ||
+               has(shared::strokes_slope);
     }
 };
 
 /// The wish of each surface's look, or that for a single material by `hatch.materials`. UVs are followed only
-/// where there are any; the ground keeps to the solid where the form or UVs are wanted. Throws Error when
+/// where there are any; grounds have no form, dunes keep to their slopes. Throws Error when
 /// `hatch.materials` cannot be read, or names what is not there. Cost: linear in draws.
 [[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
                                       const LookPlan& looks);

@@ -41,7 +41,8 @@ uint32_t level_size(uint32_t wanted, uint32_t levels, uint64_t most_bytes)
 } // namespace
 
 std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style,
-                                                  const glm::vec3& towards_light, bool has_directions)
+                                                  const glm::vec3& towards_light,
+                                                  const StrokePlan& strokes)
 {
     if (!style.drawn || style.strokes != hatch::Strokes::lines) {
         return std::nullopt;
@@ -52,8 +53,9 @@ std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style
                                 .seed = layer.seed,
                                 .flat_axis = layer.flat_axis,
                                 .wind = layer.wind,
+                                .ground_wind = strokes.ground_wind,
                                 .towards_light = towards_light,
-                                .has_directions = has_directions};
+                                .has_directions = strokes.has_directions()};
 }
 
 SunMapPlan plan_sun_map(const SunScene& scene, const Camera& camera, glm::uvec2 size_px,

@@ -8,6 +8,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "frame/strokes.hpp"
 #include "frame/style_tables.hpp"
 #include "frame/view.hpp"
 #include "gpu/graph/graph.hpp"
@@ -22,7 +23,8 @@ namespace estampe::frame {
 
 /// The lines of the hatching that edges of shadows can follow; none where no lines are drawn.
 [[nodiscard]] std::optional<shadow::HatchedLines>
-hatched_lines(const hatch::HatchStyle& style, const glm::vec3& towards_light, bool has_directions);
+hatched_lines(const hatch::HatchStyle& style, const glm::vec3& towards_light,
+                                                  const StrokePlan& strokes);
 
 /// What decides how the sun's shadow is kept.
 struct SunScene {

@@ -12,9 +12,10 @@ struct StrokeAxes {
     vec2 flat_axis_0; // across the strokes of each layer, over UVs and on the page
     vec2 flat_axis_1;
     vec2 flat_axis_2;
-    vec2 wind; // horizontal direction x, z
+    vec2 wind;        // horizontal direction x, z
+    vec2 ground_wind; // that which made the ground's dunes
     vec3 towards_light;
-    bool has_directions; // some strokes follow wind, light or height
+    bool has_directions; // some strokes follow wind, light, height or slope
 };
 
 // Each layer slices the solid by parallel planes; where a surface lies nearly in such a plane a second
@@ -34,10 +35,10 @@ vec3 level_axis(uint layer)
 }
 
 // The horizontal direction across the wind, turned as the layers of flat strokes are.
-vec3 across_wind(StrokeAxes axes, uint layer)
+vec3 across_wind(vec2 wind, uint layer)
 {
     vec2 turn = layer == 0u ? vec2(1.0, 0.0) : layer == 1u ? vec2(0.4695, 0.8829) : vec2(0.7547, -0.6561);
-    vec2 across = vec2(-axes.wind.y, axes.wind.x);
+    vec2 across = vec2(-wind.y, wind.x);
     return vec3(across.x * turn.x - across.y * turn.y, 0.0, across.x * turn.y + across.y * turn.x);
 }
 
@@ -55,18 +56,28 @@ vec3 along_light(StrokeAxes axes, uint family)
                           : 0.7071 * (upright + lying);
 }
 
+// Planes that lean against the wind, so that where a slope cuts them its form shows: level ground has lines as
+// its ripples lie, which bend with what rises and sinks; slip faces have those that run down them aslant.
+vec3 along_slope(vec2 wind, uint layer, bool is_level)
+{
+    vec3 across = across_wind(wind, layer);
+    return is_level ? normalize(vec3(-0.3 * across.z, 1.0, 0.3 * across.x))
+                    : normalize(across + vec3(0.0, 2.0, 0.0));
+}
+
 vec3 solid_axis(StrokeAxes axes, uint kind, uint family)
 {
     uint layer = family >> 1;
     bool is_level = (family & 1u) != 0u;
     vec3 axis = is_level ? level_axis(layer) : slice_axis(layer);
     if (axes.has_directions) {
-        vec3 wind = across_wind(axes, layer);
+        vec3 wind = across_wind(axes.wind, layer);
         vec3 height = layer == 0u ? vec3(0.0, 1.0, 0.0) : normalize(wind + vec3(0.0, 0.8, 0.0));
         axis = kind == strokes_light    ? along_light(axes, family)
                : kind == strokes_height ? (is_level ? wind : height)
                : kind == strokes_wind ? (is_level ? normalize(vec3(-0.3 * wind.z, 1.0, 0.3 * wind.x)) : wind)
-                                      : axis;
+               : kind == strokes_slope ? along_slope(axes.ground_wind, layer, is_level)
+                                       : axis;
     }
     return axis;
 }

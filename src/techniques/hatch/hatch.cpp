@@ -105,6 +105,7 @@ shared::LineConstants line_constants(const HatchInputs& in, const HatchStyle& st
             .flat_axis_1 = turned(style.slant_deg + 62.0F),
             .flat_axis_2 = turned(style.slant_deg - 41.0F),
             .wind = layer.wind,
+            .ground_wind = in.ground_wind,
             .towards_light = in.towards_light,
             .overrun_px = style.overrun_mm * in.pixels_per_mm};
 }

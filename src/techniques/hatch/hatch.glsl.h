@@ -68,6 +68,7 @@ struct LineConstants {
     vec2 flat_axis_1;
     vec2 flat_axis_2;
     vec2 wind; // horizontal direction x, z
+    vec2 ground_wind;
     vec3 towards_light;
     float overrun_px; // how far strokes run over silhouettes
 };

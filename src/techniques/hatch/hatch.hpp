@@ -22,6 +22,7 @@ enum class Coordinates : uint8_t {
     wind = shared::strokes_wind,
     light = shared::strokes_light,
     page = shared::strokes_page,
+    slope = shared::strokes_slope,
     automatic = shared::strokes_automatic
 };
 
@@ -76,9 +77,11 @@ inline const style::Table<HatchStyle>& hatch_table()
                  {"height", Coordinates::height},
                  {"wind", Coordinates::wind},
                  {"light", Coordinates::light},
-                 {"page", Coordinates::page}},
+                 {"page", Coordinates::page},
+                 {"slope", Coordinates::slope}},
                 "What strokes follow: UVs, slices through the solid, the form's curvature, level lines, the "
-                "wind, the light, the page, or (auto) UVs where they run unbroken and else the solid")
+                "wind, the light, the page, the ground's slopes and ripples, or (auto) the latter on the "
+                "ground, UVs where they run unbroken, and else the solid")
             .number("slant_deg", &HatchStyle::slant_deg, {-180.0F, 180.0F}, "deg",
                     "Turn of the first layer over UVs and on the page")
             .number("wind_deg", &HatchStyle::wind_deg, {-360.0F, 360.0F}, "deg",
@@ -161,11 +164,12 @@ struct HatchInputs {
     bool has_screen = false;
     shared::ToneConstants tone;
     uint32_t strokes_present =
-        0x7f; ///< a bit for each kind of stroke in `draw`, see shaders/stroke_kind.glsl.h
+        0xff; ///< a bit for each kind of stroke in `draw`, see shaders/stroke_kind.glsl.h
     /// Octahedral directions (r32ui) towards the local light that rules a pixel, 0 for none: strokes along
     /// the light follow it.
     std::optional<gpu::ImageId> strongest_light;
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
+    glm::vec2 ground_wind{1.0F, 0.0F}; ///< horizontal direction x, z, for strokes along the slope
     std::optional<MapInputs> map; ///< where the style asks for one
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};

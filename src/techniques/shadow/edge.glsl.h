@@ -18,12 +18,13 @@ struct EdgeLook {
     vec3 axis_2;    // waves of lamps
     vec2 flat_axis; // strokes: as the hatching's first layer has them
     vec2 wind;
+    vec2 ground_wind;
     vec3 towards_light;
     uint has_directions;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(EdgeLook) == 88);
+static_assert(sizeof(EdgeLook) == 96);
 } // namespace estampe::shared
 #endif
 

@@ -38,6 +38,7 @@ shared::EdgeLook edge_look(const ShadowStyle& style, const std::optional<Hatched
         look.seed = lines->seed;
         look.flat_axis = lines->flat_axis;
         look.wind = lines->wind;
+        look.ground_wind = lines->ground_wind;
         look.towards_light = lines->towards_light;
         look.has_directions = lines->has_directions ? 1U : 0U;
     }

@@ -18,8 +18,9 @@ struct HatchedLines {
     uint32_t seed = 1;
     glm::vec2 flat_axis{0.0F, 1.0F}; ///< across the strokes, over UVs and on the page
     glm::vec2 wind{0.0F, 1.0F};      ///< horizontal direction x, z
+    glm::vec2 ground_wind{1.0F, 0.0F};
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
-    bool has_directions = false; ///< some strokes follow height, wind or light
+    bool has_directions = false; ///< some strokes follow height, wind, light or slope
 };
 
 /// The teeth that `style` asks for, on a page of so many pixels a millimetre.
