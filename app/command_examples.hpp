@@ -38,13 +38,6 @@ a power of two; coarser levels are then derived. Or tone1_level0.png, tone1_leve
 
 Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
 
-inline constexpr const char* bench_examples = R"(Examples:
-  estampe bench lights -o lights.svg
-  estampe bench lights --counts 34 --shadowed 4 --million --size 1920x1080 --json
-
-Each count is measured in turn with frames without local lights, so that the ratio of the two does not hang
-on how busy the machine is.)";
-
 inline constexpr const char* view_examples = R"(Examples:
   estampe view helmet.gltf
   estampe view fox.glb --animation Run --style comic

@@ -7,6 +7,7 @@
 
 #include "bake_options.hpp"
 #include "batch_options.hpp"
+#include "bench/bench_options.hpp"
 #include "command_examples.hpp"
 #include "completion.hpp"
 #include "core/file.hpp"
@@ -25,7 +26,6 @@ namespace {
 struct Typed {
     std::string scene;
     std::string output;
-    std::string size = "1280x720"; // of benches
     PageOptions page;
     std::string camera;
     std::string style;
@@ -48,11 +48,6 @@ struct Typed {
     bool schema = false;
     bool manual_page = false;
     bool completion = false;
-    std::vector<uint32_t> light_counts;
-    uint32_t shadowed = 0;
-    uint32_t frames = 9;
-    bool million = false;
-    bool moving = false;
     std::string terrain;
     std::string lightmap;
     std::string motion;
@@ -198,37 +193,6 @@ void add_tam(CLI::App& app, Typed& typed)
                    "One parameter of the style, such as tam.width_px=3; may be\nrepeated (see --help-style)");
 }
 
-void add_bench(CLI::App& app, Typed& typed)
-{
-    CLI::App& bench = *app.add_subcommand("bench", "Measure what something costs, on scenes of its own");
-    bench.require_subcommand(1);
-    CLI::App& lights = *bench.add_subcommand("lights", "Cost against the number of lights");
-    lights.footer(bench_examples);
-    lights.add_option("--counts", typed.light_counts, "How many local lights [1 3 10 30 100 300 1000]")
-        ->type_name("N,N,...")
-        ->delimiter(',');
-    lights
-        .add_option("--shadowed", typed.shadowed, "How many of them throw shadows: spots and points in turn")
-        ->type_name("N")
-        ->capture_default_str();
-    lights.add_flag("--million", typed.million, "A million triangles instead of some ten thousand");
-    lights.add_flag("--moving", typed.moving, "Move the lights that throw shadows from frame to frame");
-    lights.add_option("--size", typed.size, "Width and height in pixels")
-        ->type_name("WxH")
-        ->capture_default_str();
-    lights.add_option("--frames", typed.frames, "Frames of each kind, of which the median counts")
-        ->type_name("N")
-        ->capture_default_str();
-    lights.add_option("--device", typed.device, "auto, cpu, or an index that estampe devices lists")
-        ->type_name("DEVICE")
-        ->capture_default_str();
-    lights.add_option("--raster", typed.raster, "hardware, compute, or auto")
-        ->type_name("PATH")
-        ->capture_default_str();
-    lights.add_option("-o,--output", typed.output, "Also write a plot, NAME.svg")->type_name("FILE");
-    lights.add_flag("--json", typed.json, "Print JSON");
-}
-
 /// An empty word is the trace of a variable that was not set, and no number, name or file.
 void refuse_empty_values(CLI::App& app)
 {
@@ -245,13 +209,14 @@ void refuse_empty_values(CLI::App& app)
 struct OwnOptions {
     BakeOptions bake;
     BatchOptions batch;
+    BenchOptions bench;
     PictureOptions picture;
     FilmOptions film;
 };
 
 void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
 {
-    add_bench(app, typed);
+    own.bench.add_to(app);
     add_render(app, typed, own.picture, own.film);
     add_view(app, typed);
     add_tam(app, typed);
@@ -389,33 +354,6 @@ TamCommand read_tam(const Typed& typed)
             .preview = typed.preview};
 }
 
-BenchLightsCommand read_bench(const Typed& typed)
-{
-    constexpr uint32_t most_lights = 100000;
-    constexpr uint32_t most_frames = 10000;
-    BenchLightsCommand bench{.shadowed = typed.shadowed,
-                             .million = typed.million,
-                             .moving = typed.moving,
-                             .frames = typed.frames,
-                             .output = typed.output,
-                             .json = typed.json};
-    if (!typed.light_counts.empty()) {
-        bench.counts = typed.light_counts;
-    }
-    for (const uint32_t count : bench.counts) {
-        check_count("--counts", count, most_lights);
-    }
-    check_count("--frames", typed.frames, most_frames);
-    std::tie(bench.width, bench.height) = parse_size(typed.size);
-    check_device(typed.device);
-    bench.device.device = typed.device;
-    bench.device.raster = parse_raster_path(typed.raster);
-    if (!typed.output.empty() && lower_extension(typed.output) != ".svg") {
-        throw UsageError("the plot is an SVG picture", "-o " + typed.output, "the name must end in .svg");
-    }
-    return bench;
-}
-
 Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& own)
 {
     if (typed.style_manual) {
@@ -431,7 +369,7 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
         return StylesCommand{typed.style, typed.schema};
     }
     if (app.got_subcommand("bench")) {
-        return read_bench(typed);
+        return own.bench.is_of_lights() ? Command(own.bench.read_lights()) : Command(own.bench.read());
     }
     if (app.got_subcommand("tam")) {
         return read_tam(typed);

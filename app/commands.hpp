@@ -14,6 +14,7 @@ void run(const DevicesCommand& command);
 void run(const StylesCommand& command);
 void run(const StyleManualCommand& command);
 void run(const TamCommand& command);
+void run(const BenchCommand& command);
 void run(const BenchLightsCommand& command);
 void run(const BakeCommand& command);
 void run(const ViewCommand& command);

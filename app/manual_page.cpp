@@ -64,16 +64,16 @@ std::string entry(const CLI::Option& option)
     return text + "\n";
 }
 
-/// Commands without commands of their own, and what is typed to come to them.
+/// All commands, and what is typed to come to them.
 void list_commands(const CLI::App& app, const std::string& typed,
                    std::vector<std::pair<std::string, const CLI::App*>>& found)
 {
     const std::vector<const CLI::App*> below = app.get_subcommands([](const CLI::App*) { return true; });
+    if (below.empty() || app.get_parent() != nullptr) {
+        found.emplace_back(typed, &app);
+    }
     for (const CLI::App* command : below) {
         list_commands(*command, typed + " " + command->get_name(), found);
-    }
-    if (below.empty()) {
-        found.emplace_back(typed, &app);
     }
 }
 

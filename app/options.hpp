@@ -111,6 +111,20 @@ struct TamCommand {
     std::string preview; ///< .png; empty: none
 };
 
+/// Measures what things cost on scenes that the program makes, or compares two such results.
+struct BenchCommand {
+    std::vector<std::string> names;    ///< of series; empty: all
+    std::vector<std::string> compared; ///< two .json; empty: measure
+    std::string json;                  ///< empty: none
+    std::string csv;                   ///< empty: none
+    std::string plots;                 ///< a folder; empty: none
+    double most_share = 1.0;           ///< of a series' greatest amount
+    uint32_t width = 1280;
+    uint32_t height = 720;
+    uint32_t frames = 9;
+    RendererOptions device;
+};
+
 /// Measures what lights cost on a scene that the program makes.
 struct BenchLightsCommand {
     std::vector<uint32_t> counts{1, 3, 10, 30, 100, 300, 1000};
@@ -144,8 +158,8 @@ struct BatchCommand {
 };
 
 using Command =
-    std::variant<BatchCommand, BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
-                 StylesCommand, StyleManualCommand, TamCommand, BakeCommand, ViewCommand>;
+    std::variant<BatchCommand, BenchCommand, BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand,
+                 DevicesCommand, StylesCommand, StyleManualCommand, TamCommand, BakeCommand, ViewCommand>;
 
 /// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or
 /// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file

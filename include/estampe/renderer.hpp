@@ -217,6 +217,9 @@ public:
     /// GPU time by pass of the last frame drawn, in the order of execution.
     [[nodiscard]] const std::vector<PassTiming>& timings() const;
 
+    /// What this renderer has in use of its device's memory, and keeps for the next frame.
+    [[nodiscard]] uint64_t device_memory_bytes() const;
+
     /// The frame graph of the last frame drawn, as Graphviz text, which is made when it is asked for.
     [[nodiscard]] std::string graph_dot() const;
 

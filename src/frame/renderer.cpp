@@ -543,6 +543,11 @@ const std::vector<PassTiming>& Renderer::timings() const
     return impl_->executor.timings();
 }
 
+uint64_t Renderer::device_memory_bytes() const
+{
+    return impl_->device.memory().used_bytes();
+}
+
 std::string Renderer::graph_dot() const
 {
     return gpu::to_dot(impl_->drawn, gpu::compile(impl_->drawn));

@@ -81,6 +81,18 @@ void MemoryAllocator::require_of_type(VkDeviceSize bytes, uint32_t memory_type) 
     }
 }
 
+VkDeviceSize MemoryAllocator::used_bytes() const
+{
+    VkDeviceSize used = 0;
+    for (const Block& block : blocks_) {
+        used += block.memory != VK_NULL_HANDLE ? block.size : 0;
+        for (const Range& range : block.free_ranges) {
+            used -= range.size;
+        }
+    }
+    return used;
+}
+
 VkDeviceSize MemoryAllocator::whole_bytes() const
 {
     const uint32_t type = pick_type(UINT32_MAX, MemoryUse::device);

@@ -42,6 +42,9 @@ public:
     /// before a lot is: drivers on the processor promise more than the machine has.
     void require(VkDeviceSize bytes) const;
 
+    /// All that was allocated and not freed.
+    [[nodiscard]] VkDeviceSize used_bytes() const;
+
     /// All that the device has for itself, taken or not.
     [[nodiscard]] VkDeviceSize whole_bytes() const;
 

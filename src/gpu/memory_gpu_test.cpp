@@ -50,7 +50,11 @@ TEST(GraphicsMemory, WhatIsTakenIsNotFree)
         most += has(most + step) ? step : 0;
     }
     {
+        const uint64_t used_before = device.memory().used_bytes();
         const Buffer taken(device, "taken", part, MemoryUse::device);
+        const uint64_t used = device.memory().used_bytes() - used_before;
+        EXPECT_GE(used, part);
+        EXPECT_LT(used, part + mib);
         EXPECT_FALSE(has(most));
         EXPECT_TRUE(has(most - part - 2 * mib));
     }

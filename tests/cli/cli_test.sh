@@ -321,7 +321,20 @@ expect_printed '^ *70 '
 [[ "$(head -c 4 lights.svg)" == "<svg" ]] || wrong "lights.svg is no SVG"
 expect_success bench lights --counts 1 --frames 1 --size 64x36 --device cpu --json
 expect_printed '"light_ms"'
-expect_error 2 'subcommand is required' bench
+expect_success bench triangles lamps --frames 1 --size 64x36 --most 0.02 --device cpu --json bench.json --csv bench.csv --plots plots
+expect_printed '^lamps, by lamps'
+expect_printed '^ *10000 '
+grep -q '^triangles,triangles,10000,' bench.csv || wrong "bench.csv lacks a row"
+[[ "$(head -c 4 plots/lamps.svg)" == "<svg" ]] || wrong "plots/lamps.svg is no SVG"
+expect_success bench --compare bench.json bench.json
+expect_printed ' 1.000 '
+expect_error 2 'no series .lumps.' bench lumps
+expect_error 2 'must end in .json' bench --json bench.txt
+expect_error 2 'leave out series' bench lamps --compare bench.json bench.json
+expect_error 2 '--most' bench --most 2
+expect_error 1 'nothing.json' bench --compare bench.json nothing.json
+echo "{}" >empty.json
+expect_error 1 "no result of estampe bench" bench --compare bench.json empty.json
 expect_error 2 '--counts' bench lights --counts 0
 expect_error 2 'must end in .svg' bench lights -o lights.png
 

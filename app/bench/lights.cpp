@@ -2,25 +2,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <random>
 #include <span>
 
 #include <fmt/format.h>
-#include <glm/gtc/constants.hpp>
 #include <nlohmann/json.hpp>
 
+#include "bench/series.hpp"
 #include "commands.hpp"
 #include "core/file.hpp"
 #include "pass_history.hpp"
-#include "scene/shapes.hpp"
 #include "text.hpp"
 
 namespace estampe::app {
 namespace {
 
 constexpr int shadow_texels = 512; // side of a spot's map, and of each of a lamp's six
-constexpr double field_m = 40.0;   // side of the square that the scene stands on
-const Camera view_of_lamps{.eye = {0.0, 22.0, 34.0}, .target = {0.0, 0.0, 2.0}, .vertical_fov_rad = 0.8};
 
 /// GPU time of a frame, by what it is for.
 struct Cost {
@@ -34,89 +30,6 @@ struct Row {
     Cost with;
     Cost without; ///< no local light
 };
-
-Index add_mesh(Scene& scene, Primitive primitive)
-{
-    scene.meshes.push_back({.primitives = {std::move(primitive)}});
-    return static_cast<Index>(scene.meshes.size() - 1);
-}
-
-void add_node(Scene& scene, Node node)
-{
-    scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
-    scene.nodes.push_back(std::move(node));
-}
-
-/// A floor with balls on it, 8 by 8: some 70,000 triangles, or a million.
-Scene field_of_balls(bool million)
-{
-    Scene scene;
-    scene.materials.push_back({.name = "chalk"});
-    const Index floor =
-        add_mesh(scene, shapes::plane(static_cast<float>(field_m), static_cast<float>(field_m), 32));
-    const Index ball =
-        add_mesh(scene, million ? shapes::sphere(1.2F, 128, 62) : shapes::sphere(1.2F, 32, 17));
-    add_node(scene, {.name = "floor", .mesh = floor});
-    for (int i = 0; i < 64; ++i) {
-        const int row = i / 8;
-        const double x = (i % 8 - 3.5) * field_m / 8.0;
-        const double z = (row - 3.5) * field_m / 8.0;
-        add_node(scene, {.name = "ball", .transform = {.translation = {x, 1.2, z}}, .mesh = ball});
-    }
-    // A weak light from everywhere, so that the program adds none of its own.
-    scene.lights.push_back({.type = LightType::ambient, .intensity = 0.1F});
-    add_node(scene, {.light = 0});
-    return scene;
-}
-
-/// Lights spread over the field at random, the same at each call; the first of them throw shadows. Their
-/// reach is such that a point gets light of three of them, however many there are, down to a reach of 1 m.
-void add_lights(Scene& scene, uint32_t count, uint32_t shadowed)
-{
-    std::mt19937 random(11);
-    const auto between = [&random](double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(random);
-    };
-    const double reach_m =
-        std::clamp(std::sqrt(3.0 * field_m * field_m / (glm::pi<double>() * count)), 1.5, 12.0);
-    for (uint32_t i = 0; i < count; ++i) {
-        const bool casts = i < shadowed;
-        const bool is_spot = casts ? i % 2 == 0 : i % 3 == 0;
-        Light light{.type = is_spot ? LightType::spot : LightType::point,
-                    .color = glm::vec3(between(0.5, 1.0), between(0.5, 1.0), between(0.5, 1.0)),
-                    .intensity = static_cast<float>(0.4 * reach_m * reach_m),
-                    .range_m = static_cast<float>(reach_m),
-                    .inner_cone_rad = 0.3F,
-                    .outer_cone_rad = 0.7F};
-        light.casters = casts ? all_groups : Groups{0};
-        const glm::dvec3 place(between(-0.5, 0.5) * field_m, between(0.2, 0.6) * reach_m + 1.0,
-                               between(-0.5, 0.5) * field_m);
-        const glm::dquat down = glm::angleAxis(-glm::half_pi<double>(), glm::dvec3(1.0, 0.0, 0.0));
-        add_node(scene, {.transform = {.translation = place, .rotation = down},
-                         .light = static_cast<Index>(scene.lights.size())});
-        scene.lights.push_back(light);
-    }
-}
-
-/// The lights circle once in a second, so that the moment moves them.
-void animate_shadowed(Scene& scene, uint32_t shadowed)
-{
-    Animation circle{.name = "circle", .duration_s = 1.0F};
-    const size_t first = scene.nodes.size() - (scene.lights.size() - 1);
-    for (uint32_t i = 0; i < shadowed; ++i) {
-        const auto node = static_cast<Index>(first + i);
-        const glm::vec3 middle(scene.nodes[node].transform.translation);
-        AnimationChannel channel{.node = node, .path = AnimatedPath::translation};
-        for (int k = 0; k <= 8; ++k) {
-            const float angle = glm::two_pi<float>() * static_cast<float>(k) / 8.0F;
-            channel.times_s.push_back(static_cast<float>(k) / 8.0F);
-            channel.values.insert(channel.values.end(), {middle.x + 0.3F * std::cos(angle), middle.y,
-                                                         middle.z + 0.3F * std::sin(angle)});
-        }
-        circle.channels.push_back(std::move(channel));
-    }
-    scene.animations.push_back(std::move(circle));
-}
 
 Cost cost_of(const std::vector<PassTiming>& passes)
 {
@@ -146,7 +59,7 @@ public:
     void draw(double time_s)
     {
         const RenderSettings settings{.width = command_.width, .height = command_.height, .time_s = time_s};
-        static_cast<void>(renderer_.render(view_of_lamps, style_, settings));
+        static_cast<void>(renderer_.render(view_of_field(), style_, settings));
         history_.add(renderer_.timings());
     }
 
@@ -163,7 +76,7 @@ private:
 
 Row measure(const BenchLightsCommand& command, uint32_t count, std::string& device)
 {
-    Scene scene = field_of_balls(command.million);
+    Scene scene = field_of_balls(command.million ? 1e6 : 70e3);
     Measured without(command, scene);
     const uint32_t shadowed = std::min(command.shadowed, count);
     add_lights(scene, count, shadowed);

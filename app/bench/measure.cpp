@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measure.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "pass_history.hpp"
+
+namespace estampe::app {
+namespace {
+
+/// Draws one picture again and again. The first frames, which compile and upload, do not count.
+class Drawn {
+public:
+    Drawn(const RendererOptions& device, BenchPicture picture)
+        : picture_(std::move(picture)), renderer_(device)
+    {
+        renderer_.set_scene(picture_.scene);
+        for (int i = 0; i < 2; ++i) {
+            draw();
+        }
+        passes_.forget();
+        gpu_ms_.clear();
+        wall_ms_.clear();
+    }
+
+    void draw()
+    {
+        RenderSettings settings{.width = picture_.width, .height = picture_.height};
+        if (picture_.moves) {
+            settings.time_s = frame_ / 60.0;
+            settings.continuity = frame_ == 0 ? Continuity::starts : Continuity::follows;
+        }
+        ++frame_;
+        const auto begin = std::chrono::steady_clock::now();
+        static_cast<void>(renderer_.render(picture_.camera, picture_.style, settings));
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        wall_ms_.push_back(took.count());
+        double sum_ms = 0.0;
+        for (const PassTiming& pass : renderer_.timings()) {
+            sum_ms += pass.gpu_ms;
+        }
+        gpu_ms_.push_back(sum_ms);
+        passes_.add(renderer_.timings());
+    }
+
+    [[nodiscard]] BenchPoint point(double amount) const
+    {
+        return {.amount = amount,
+                .gpu_ms = spread_of(gpu_ms_),
+                .wall_ms = spread_of(wall_ms_),
+                .memory_bytes = renderer_.device_memory_bytes(),
+                .techniques = techniques()};
+    }
+
+    [[nodiscard]] const std::vector<double>& costs() const
+    {
+        return renderer_.device().software ? wall_ms_ : gpu_ms_;
+    }
+
+    [[nodiscard]] const DeviceInfo& device() const { return renderer_.device(); }
+
+private:
+    [[nodiscard]] std::vector<TechniqueCost> techniques() const
+    {
+        std::map<std::string, double> sums_ms;
+        for (const PassTiming& pass : passes_.medians()) {
+            sums_ms[pass.name.substr(0, pass.name.find('/'))] += pass.gpu_ms;
+        }
+        std::vector<TechniqueCost> costs;
+        for (const auto& [name, gpu_ms] : sums_ms) {
+            costs.push_back({name, gpu_ms});
+        }
+        std::ranges::stable_sort(costs, std::ranges::greater{}, &TechniqueCost::gpu_ms);
+        return costs;
+    }
+
+    BenchPicture picture_;
+    Renderer renderer_;
+    PassHistory passes_;
+    std::vector<double> gpu_ms_;
+    std::vector<double> wall_ms_;
+    int frame_ = 0;
+};
+
+/// Of two rows of frames that were drawn in turn.
+double ratio_of(const std::vector<double>& costs, const std::vector<double>& base)
+{
+    return spread_of(costs).median / std::max(spread_of(base).median, 1e-9);
+}
+
+} // namespace
+
+Spread spread_of(std::vector<double> values)
+{
+    std::ranges::sort(values);
+    const auto at = [&](double share) {
+        return values[static_cast<size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
+    };
+    return {.low = at(0.25), .median = at(0.5), .high = at(0.75)};
+}
+
+const Spread& cost_of(const BenchPoint& point, bool software)
+{
+    return software ? point.wall_ms : point.gpu_ms;
+}
+
+double growth(const BenchSeries& series, size_t point, bool software)
+{
+    if (point == 0) {
+        return 0.0;
+    }
+    const BenchPoint& before = series.points[point - 1];
+    const BenchPoint& here = series.points[point];
+    return std::log(cost_of(here, software).median / cost_of(before, software).median) /
+           std::log(here.amount / before.amount);
+}
+
+BenchResult measure(const std::vector<const Series*>& series, const BenchPlan& plan,
+                    const std::function<void(const Series&, double amount)>& on_point)
+{
+    BenchResult result{.width = plan.width, .height = plan.height, .frames = plan.frames};
+    for (const Series* one : series) {
+        BenchSeries measured{.name = one->name, .work = one->work};
+        std::optional<Drawn> base;
+        for (const double amount : one->amounts) {
+            const bool is_first = !base;
+            if (!is_first && (amount > plan.most_share * one->amounts.back() ||
+                              (result.software && amount > one->most_on_processor))) {
+                break;
+            }
+            on_point(*one, amount);
+            if (is_first) {
+                base.emplace(plan.device, one->picture(amount, plan.width, plan.height));
+                result.device = base->device().name;
+                result.driver = base->device().driver;
+                result.software = base->device().software;
+                for (uint32_t frame = 0; frame < plan.frames; ++frame) {
+                    base->draw();
+                }
+                measured.points.push_back(base->point(amount));
+                continue;
+            }
+            Drawn here(plan.device, one->picture(amount, plan.width, plan.height));
+            const size_t first = base->costs().size();
+            for (uint32_t frame = 0; frame < plan.frames; ++frame) {
+                base->draw();
+                here.draw();
+            }
+            BenchPoint point = here.point(amount);
+            point.ratio = ratio_of(
+                here.costs(), {base->costs().begin() + static_cast<ptrdiff_t>(first), base->costs().end()});
+            measured.points.push_back(std::move(point));
+        }
+        result.series.push_back(std::move(measured));
+    }
+    return result;
+}
+
+} // namespace estampe::app
