@@ -12,16 +12,19 @@
 namespace estampe::app {
 namespace {
 
-/// Draws one picture again and again. The first frames, which compile and upload, do not count.
+/// Draws one picture again and again.
 class Drawn {
 public:
     Drawn(const RendererOptions& device, BenchPicture picture)
         : picture_(std::move(picture)), renderer_(device)
     {
         renderer_.set_scene(picture_.scene);
-        for (int i = 0; i < 2; ++i) {
-            draw();
-        }
+        draw(); // compiles and uploads
+    }
+
+    /// What was drawn so far does not count.
+    void forget()
+    {
         passes_.forget();
         gpu_ms_.clear();
         wall_ms_.clear();
@@ -86,10 +89,22 @@ private:
     int frame_ = 0;
 };
 
-/// Of two rows of frames that were drawn in turn.
-double ratio_of(const std::vector<double>& costs, const std::vector<double>& base)
+/// A GPU raises its clock only when it has had something to do for a while.
+void draw_in_turn(Drawn& base, Drawn* other, uint32_t frames)
 {
-    return spread_of(costs).median / std::max(spread_of(base).median, 1e-9);
+    const uint32_t warm_up = base.device().software ? 1 : 12;
+    for (uint32_t frame = 0; frame < warm_up + frames; ++frame) {
+        if (frame == warm_up) {
+            base.forget();
+            if (other != nullptr) {
+                other->forget();
+            }
+        }
+        base.draw();
+        if (other != nullptr) {
+            other->draw();
+        }
+    }
 }
 
 } // namespace
@@ -127,32 +142,24 @@ BenchResult measure(const std::vector<const Series*>& series, const BenchPlan& p
         BenchSeries measured{.name = one->name, .work = one->work};
         std::optional<Drawn> base;
         for (const double amount : one->amounts) {
-            const bool is_first = !base;
-            if (!is_first && (amount > plan.most_share * one->amounts.back() ||
-                              (result.software && amount > one->most_on_processor))) {
+            if (base && (amount > plan.most_share * one->amounts.back() ||
+                         (result.software && amount > one->most_on_processor))) {
                 break;
             }
             on_point(*one, amount);
-            if (is_first) {
+            if (!base) {
                 base.emplace(plan.device, one->picture(amount, plan.width, plan.height));
                 result.device = base->device().name;
                 result.driver = base->device().driver;
                 result.software = base->device().software;
-                for (uint32_t frame = 0; frame < plan.frames; ++frame) {
-                    base->draw();
-                }
+                draw_in_turn(*base, nullptr, plan.frames);
                 measured.points.push_back(base->point(amount));
                 continue;
             }
             Drawn here(plan.device, one->picture(amount, plan.width, plan.height));
-            const size_t first = base->costs().size();
-            for (uint32_t frame = 0; frame < plan.frames; ++frame) {
-                base->draw();
-                here.draw();
-            }
+            draw_in_turn(*base, &here, plan.frames);
             BenchPoint point = here.point(amount);
-            point.ratio = ratio_of(
-                here.costs(), {base->costs().begin() + static_cast<ptrdiff_t>(first), base->costs().end()});
+            point.ratio = spread_of(here.costs()).median / std::max(spread_of(base->costs()).median, 1e-9);
             measured.points.push_back(std::move(point));
         }
         result.series.push_back(std::move(measured));

@@ -7,7 +7,7 @@ namespace estampe::frame {
 
 GroundShadowPlan plan_ground_shadow(const Camera& camera, const glm::dvec3& anchor,
                                     const glm::dvec3& towards_sun, bool is_thrown,
-                                    const shadow::ShadowStyle& style)
+                                    const shadow::ShadowStyle& style, bool is_processor)
 {
     constexpr double texel_m = 0.5;
     constexpr uint32_t size = 512;
@@ -16,7 +16,8 @@ GroundShadowPlan plan_ground_shadow(const Camera& camera, const glm::dvec3& anch
             .sun_radius_rad = glm::radians(style.sun_radius_deg),
             .size = size,
             .levels = shadow::ground_levels_about({camera.eye.x, camera.eye.z}, {anchor.x, anchor.z},
-                                                  towards_sun, size, texel_m)};
+                                                  towards_sun, size, texel_m),
+            .method = is_processor ? shadow::HeightMethod::sweep : shadow::HeightMethod::pyramid};
 }
 
 void GroundShadow::provide(gpu::Device& device, const GroundShadowPlan& plan)
@@ -47,9 +48,10 @@ gpu::ImageId GroundShadow::add_share(gpu::Graph& graph, terrain::TerrainBuffers&
         const gpu::ImageId height = terrain.add_heights(
             graph, {.origin_m = place.origin_m, .texel_m = place.texel_m, .size = glm::uvec2(plan.size)},
             in.texels);
-        kept = shadow::add_ground_field(graph,
-                                        {.height = height, .level = level, .place = place, .size = plan.size},
-                                        plan.towards_sun, kept);
+        kept = shadow::add_ground_field(
+            graph,
+            {.height = height, .level = level, .place = place, .size = plan.size, .method = plan.method},
+            plan.towards_sun, kept);
     }
     return shadow::add_ground_share(graph, {.frame = in.frame,
                                             .depth = in.depth,

@@ -21,12 +21,14 @@ struct GroundShadowPlan {
     float sun_radius_rad = 0.0F;
     uint32_t size = 0; ///< texels a side of each field
     shadow::GroundLevels levels{};
+    shadow::HeightMethod method = shadow::HeightMethod::sweep;
 };
 
-/// Plans the fields about the camera.
+/// Plans the fields about the camera. Their horizons are found by sweeps on a processor, which does least
+/// then; a device of many threads keeps too few of them busy by that, and climbs pyramids.
 [[nodiscard]] GroundShadowPlan plan_ground_shadow(const Camera& camera, const glm::dvec3& anchor,
                                                   const glm::dvec3& towards_sun, bool is_thrown,
-                                                  const shadow::ShadowStyle& style);
+                                                  const shadow::ShadowStyle& style, bool is_processor);
 
 struct GroundShadowInputs {
     const GroundShadowPlan& plan;

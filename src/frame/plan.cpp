@@ -60,7 +60,8 @@ SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
             .ground = in.loaded.terrain == nullptr
                           ? GroundShadowPlan{}
                           : plan_ground_shadow(in.camera, layout.anchor, lighting.towards_sun,
-                                               scene.throws_shadow, in.style.shadow)};
+                                               scene.throws_shadow, in.style.shadow,
+                                               in.device.info().software)};
 }
 
 LightPlan plan_light(const PlanInputs& in, const StrokePlan& strokes)

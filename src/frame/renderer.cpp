@@ -237,6 +237,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
         compiling->start(graph);
     }
     executor.run(graph);
+    executor.replace_timings(); // by those of the next sample
     loaded->pose_moved = false;
     loaded->terrain_moved = false;
     if (loaded->cloth) {
@@ -317,6 +318,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         local_shadows.forget();
     }
     motion = {};
+    executor.add_timings();
     follow_eye(camera);
     const pose::MeshData& layout = loaded->layout;
     const ScenePose scene_pose = pose_scene(loaded->scene, settings.time_s, settings.animation);

@@ -64,7 +64,7 @@ uint32_t MemoryAllocator::pick_type(uint32_t allowed_types, MemoryUse use) const
     return type;
 }
 
-void MemoryAllocator::require_of_type(VkDeviceSize bytes, uint32_t memory_type) const
+VkDeviceSize MemoryAllocator::left_of_type(uint32_t memory_type) const
 {
     const uint32_t heap = properties_.memoryTypes[memory_type].heapIndex;
     VkDeviceSize taken = 0;
@@ -73,11 +73,24 @@ void MemoryAllocator::require_of_type(VkDeviceSize bytes, uint32_t memory_type) 
         taken += block.memory != VK_NULL_HANDLE && is_there ? block.size : 0;
     }
     const VkDeviceSize whole = properties_.memoryHeaps[heap].size;
-    const VkDeviceSize left = whole - std::min(taken, whole);
+    return whole - std::min(taken, whole);
+}
+
+bool MemoryAllocator::has(VkDeviceSize bytes) const
+{
+    return bytes <= left_of_type(pick_type(UINT32_MAX, MemoryUse::device));
+}
+
+void MemoryAllocator::require_of_type(VkDeviceSize bytes, uint32_t memory_type) const
+{
+    const VkDeviceSize left = left_of_type(memory_type);
     if (bytes > left) {
-        throw Error(fmt::format("out of graphics memory: {} more are needed, {} of {} are free",
-                                in_bytes(bytes), in_bytes(left), in_bytes(whole)),
-                    {}, "try a smaller --size or a lighter scene");
+        throw Error(
+            fmt::format(
+                "out of graphics memory: {} more are needed, {} of {} are free", in_bytes(bytes),
+                in_bytes(left),
+                in_bytes(properties_.memoryHeaps[properties_.memoryTypes[memory_type].heapIndex].size)),
+            {}, "try a smaller --size or a lighter scene");
     }
 }
 

@@ -41,6 +41,7 @@ public:
     /// Throws Error unless as many bytes that only the device touches can still be allocated. To be asked
     /// before a lot is: drivers on the processor promise more than the machine has.
     void require(VkDeviceSize bytes) const;
+    [[nodiscard]] bool has(VkDeviceSize bytes) const;
 
     /// All that was allocated and not freed.
     [[nodiscard]] VkDeviceSize used_bytes() const;
@@ -63,6 +64,7 @@ private:
     };
 
     [[nodiscard]] uint32_t pick_type(uint32_t allowed_types, MemoryUse use) const;
+    [[nodiscard]] VkDeviceSize left_of_type(uint32_t memory_type) const;
     void require_of_type(VkDeviceSize bytes, uint32_t memory_type) const;
     [[nodiscard]] uint32_t new_block(VkDeviceSize size, uint32_t memory_type, bool mapped, bool for_images);
     [[nodiscard]] bool take(Block& block, const VkMemoryRequirements& needs, VkDeviceSize& offset) const;

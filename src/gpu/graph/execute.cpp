@@ -83,7 +83,7 @@ const Image& Executor::image_of(uint32_t resource) const
     const ResourceRecord& record = graph_->resources()[resource];
     return record.imported_image != nullptr
                ? *record.imported_image
-               : images_[physical_of_slot_[compiled_.slot_of_resource[resource]]];
+               : images_[physical_of_slot_[compiled_.slot_of_resource[resource]]].resource;
 }
 
 const Buffer& Executor::buffer_of(uint32_t resource) const
@@ -94,7 +94,7 @@ const Buffer& Executor::buffer_of(uint32_t resource) const
     const ResourceRecord& record = graph_->resources()[resource];
     return record.imported_buffer != nullptr
                ? *record.imported_buffer
-               : buffers_[physical_of_slot_[compiled_.slot_of_resource[resource]]];
+               : buffers_[physical_of_slot_[compiled_.slot_of_resource[resource]]].resource;
 }
 
 void Executor::run(const Graph& graph)
@@ -116,39 +116,56 @@ void Executor::run(const Graph& graph)
     graph_ = nullptr;
 }
 
+void Executor::drop_unused(uint64_t runs)
+{
+    const auto is_old = [&](const auto& kept) { return kept.last_run + runs < run_; };
+    std::erase_if(images_, is_old);
+    std::erase_if(buffers_, is_old);
+}
+
+uint64_t Executor::find_slots()
+{
+    ++run_;
+    uint64_t missing_bytes = 0;
+    const auto find = [&](auto& all, const auto& desc, uint64_t bytes) {
+        const auto found = std::ranges::find_if(
+            all, [&](const auto& kept) { return kept.last_run != run_ && kept.desc == desc; });
+        missing_bytes += found == all.end() ? bytes : 0;
+        if (found == all.end()) {
+            return not_there;
+        }
+        found->last_run = run_;
+        return static_cast<uint32_t>(found - all.begin());
+    };
+    physical_of_slot_.clear();
+    for (const Slot& slot : compiled_.slots) {
+        physical_of_slot_.push_back(slot.is_image ? find(images_, slot.image, size_bytes(slot.image))
+                                                  : find(buffers_, slot.buffer, slot.buffer.size_bytes));
+    }
+    return missing_bytes;
+}
+
 void Executor::provide_slots()
 {
-    std::vector<Image> old_images = std::exchange(images_, {});
-    std::vector<Buffer> old_buffers = std::exchange(buffers_, {});
-    physical_of_slot_.clear();
-    uint64_t needed_bytes = 0;
-    for (const Slot& slot : compiled_.slots) {
-        needed_bytes += slot.is_image ? size_bytes(slot.image) : slot.buffer.size_bytes;
+    // Frames have other graphs between them, such as steps of cloth, and should find their own again.
+    constexpr uint64_t runs_kept = 8;
+    drop_unused(runs_kept);
+    uint64_t missing_bytes = find_slots();
+    if (!device_.memory().has(missing_bytes)) {
+        drop_unused(0);
+        missing_bytes = find_slots();
     }
-    for (const Image& image : old_images) {
-        needed_bytes -= std::min(needed_bytes, size_bytes(image.desc()));
-    }
-    for (const Buffer& buffer : old_buffers) {
-        needed_bytes -= std::min(needed_bytes, buffer.size_bytes());
-    }
-    device_.memory().require(needed_bytes);
-    for (const Slot& slot : compiled_.slots) {
-        if (slot.is_image) {
-            physical_of_slot_.push_back(static_cast<uint32_t>(images_.size()));
-            const auto fits = std::find_if(old_images.begin(), old_images.end(), [&](const Image& image) {
-                return !image.empty() && image.desc() == slot.image;
-            });
-            images_.push_back(fits != old_images.end() ? std::move(*fits)
-                                                       : Image(device_, "transient", slot.image));
-        } else {
-            physical_of_slot_.push_back(static_cast<uint32_t>(buffers_.size()));
-            const auto fits = std::find_if(old_buffers.begin(), old_buffers.end(), [&](const Buffer& buffer) {
-                return !buffer.empty() &&
-                       buffer.size_bytes() == std::max<uint64_t>(slot.buffer.size_bytes, 16);
-            });
-            buffers_.push_back(fits != old_buffers.end()
-                                   ? std::move(*fits)
-                                   : Buffer(device_, "transient", slot.buffer.size_bytes, MemoryUse::device));
+    device_.memory().require(missing_bytes);
+    for (size_t i = 0; i < compiled_.slots.size(); ++i) {
+        const Slot& slot = compiled_.slots[i];
+        if (physical_of_slot_[i] == not_there) {
+            physical_of_slot_[i] = static_cast<uint32_t>(slot.is_image ? images_.size() : buffers_.size());
+            if (slot.is_image) {
+                images_.push_back({Image(device_, "transient", slot.image), slot.image, run_});
+            } else {
+                buffers_.push_back({Buffer(device_, "transient", slot.buffer.size_bytes, MemoryUse::device),
+                                    slot.buffer, run_});
+            }
         }
     }
 }
@@ -315,7 +332,9 @@ void Executor::read_timings()
                                    ticks.data(), sizeof(uint64_t),
                                    VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
              "vkGetQueryPoolResults");
-    timings_.clear();
+    if (!adds_timings_) {
+        timings_.clear();
+    }
     for (uint32_t i = 0; i + 1 < count; ++i) {
         const double elapsed_ns =
             static_cast<double>(ticks[i + 1] - ticks[i]) * device_.timestamp_period_ns();

@@ -42,7 +42,7 @@ public:
     Executor(const Executor&) = delete;
     Executor& operator=(const Executor&) = delete;
 
-    /// Compiles and runs `graph`, and waits for it. Transient memory of the frame before is reused where it
+    /// Compiles and runs `graph`, and waits for it. Transient memory of the last runs is reused where it
     /// fits.
     void run(const Graph& graph);
 
@@ -50,12 +50,35 @@ public:
     /// says no: drivers that compile at first use compile them now. Touches nothing of the graph's resources.
     void use_shaders(const Graph& graph, const std::function<bool()>& go_on);
 
-    /// GPU time by pass of the last run, in order.
+    /// What is run until the next replace_timings() is timed together.
+    void add_timings()
+    {
+        timings_.clear();
+        adds_timings_ = true;
+    }
+
+    void replace_timings() { adds_timings_ = false; }
+
+    /// GPU time by pass of the last run, or of those timed together, in order.
     [[nodiscard]] const std::vector<PassTiming>& timings() const { return timings_; }
 
 private:
     friend class Recorder;
 
+    static constexpr uint32_t not_there = UINT32_MAX;
+
+    /// A transient resource, and the run that took it last.
+    template <class T, class Desc>
+    struct Kept {
+        T resource;
+        Desc desc;
+        uint64_t last_run = 0;
+    };
+
+    /// Those that no run took for so many.
+    void drop_unused(uint64_t runs);
+    /// Begins a run: finds what there is for the compiled graph. Returns how much is missing.
+    [[nodiscard]] uint64_t find_slots();
     void provide_slots();
     void record(VkCommandBuffer commands);
     void record_barriers(VkCommandBuffer commands, const std::vector<Barrier>& barriers);
@@ -81,12 +104,14 @@ private:
 
     const Graph* graph_ = nullptr; ///< during run() and use_shaders() only
     CompiledGraph compiled_;
-    std::vector<Image> images_;   ///< one per image slot
-    std::vector<Buffer> buffers_; ///< one per buffer slot
+    std::vector<Kept<Image, ImageDesc>> images_;
+    std::vector<Kept<Buffer, BufferDesc>> buffers_;
     std::vector<uint32_t> physical_of_slot_;
+    uint64_t run_ = 0;
     std::vector<Image> stand_in_images_;   ///< one a resource, during use_shaders() only
     std::vector<Buffer> stand_in_buffers_; ///< one a resource, during use_shaders() only
     std::vector<PassTiming> timings_;
+    bool adds_timings_ = false;
 };
 
 } // namespace estampe::gpu

@@ -79,6 +79,48 @@ TEST(Execute, TimesEachPass)
     ASSERT_EQ(executor.timings().size(), 1U);
     EXPECT_EQ(executor.timings().front().name, "fill");
     EXPECT_GE(executor.timings().front().gpu_ms, 0.0);
+    executor.add_timings();
+    EXPECT_TRUE(executor.timings().empty());
+    executor.run(graph);
+    executor.run(graph);
+    EXPECT_EQ(executor.timings().size(), 2U);
+    executor.replace_timings();
+    executor.run(graph);
+    EXPECT_EQ(executor.timings().size(), 1U);
+}
+
+/// Graphs that take turns find their transient memory as they left it.
+TEST(Execute, KeepsTransientMemoryWhileOtherGraphsRun)
+{
+    Device& device = test::shared_device();
+    Executor executor(device);
+    const auto run = [&](uint64_t bytes) {
+        Graph graph;
+        Buffer target(device, "target", bytes, MemoryUse::device);
+        auto fill = graph.custom("fill");
+        const BufferId passed =
+            fill.touch_write(graph.buffer("passed", {.size_bytes = bytes}), Access::transfer_write);
+        fill.execute(fill_with(passed, 1));
+        auto copy = graph.custom("copy");
+        copy.touch(passed, Access::transfer_read);
+        const BufferId copied = copy.touch_write(graph.import_buffer("target", target, {.size_bytes = bytes}),
+                                                 Access::transfer_write);
+        copy.execute(fill_with(copied, 2));
+        executor.run(graph);
+    };
+    constexpr uint64_t mib = 1U << 20U;
+    run(32 * mib);
+    const uint64_t alone = device.memory().used_bytes();
+    run(20 * mib);
+    run(17 * mib);
+    const uint64_t all = device.memory().used_bytes();
+    EXPECT_EQ((all - alone) / mib, 37U);
+    run(32 * mib);
+    EXPECT_EQ(device.memory().used_bytes(), all) << "nothing was made anew";
+    for (int i = 0; i < 10; ++i) {
+        run(20 * mib);
+    }
+    EXPECT_EQ((all - device.memory().used_bytes()) / mib, 49U) << "what is long unused is given back";
 }
 
 TEST(Memory, ReusesWhatIsFreed)

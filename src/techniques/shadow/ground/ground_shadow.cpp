@@ -32,7 +32,8 @@ gpu::BufferId add_ground_field(gpu::Graph& graph, const GroundField& field, cons
                                gpu::BufferId kept)
 {
     const gpu::ImageId horizon = add_height_horizon(
-        graph, {.height = field.height, .texel_m = field.place.texel_m, .towards_sun = towards_sun});
+        graph, {.height = field.height, .texel_m = field.place.texel_m, .towards_sun = towards_sun},
+        {.method = field.method});
     auto pass = graph.compute("ground/keep", shaders::ground_keep_comp);
     pass.sample(field.height).sample(horizon);
     const gpu::BufferId result = pass.modify(kept);

@@ -8,6 +8,7 @@
 
 #include "gpu/graph/graph.hpp"
 #include "techniques/shadow/ground/ground_shadow.glsl.h"
+#include "techniques/shadow/heightfield/height_shadow.hpp"
 
 namespace estampe::shadow {
 
@@ -24,10 +25,11 @@ struct GroundField {
     uint32_t level = 0;
     shared::GroundLevel place{};
     uint32_t size = 0;
+    HeightMethod method = HeightMethod::sweep; ///< not the march
 };
 
-/// Brings one field of `kept`, a word a texel, level by level, up to date. Cost: that of add_height_horizon()
-/// by its sweep, and one small dispatch.
+/// Brings one field of `kept`, a word a texel, level by level, up to date. Cost: that of add_height_horizon(),
+/// and one small dispatch.
 [[nodiscard]] gpu::BufferId add_ground_field(gpu::Graph& graph, const GroundField& field,
                                              const glm::dvec3& towards_sun, gpu::BufferId kept);
 
