@@ -7,7 +7,7 @@
 
 #include "bake_options.hpp"
 #include "batch_options.hpp"
-#include "bench/bench_options.hpp"
+#include "benches/bench_options.hpp"
 #include "command_examples.hpp"
 #include "completion.hpp"
 #include "core/file.hpp"

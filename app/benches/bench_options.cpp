@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "bench/bench_options.hpp"
+#include "benches/bench_options.hpp"
 
 #include <algorithm>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "bench/series.hpp"
+#include "benches/series.hpp"
 #include "option_values.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/tables.hpp"
+#include "benches/tables.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/tables.hpp"
+#include "benches/tables.hpp"
 
 namespace estampe::app {
 namespace {

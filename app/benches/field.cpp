@@ -5,7 +5,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "bench/series.hpp"
+#include "benches/series.hpp"
 #include "scene/shapes.hpp"
 
 namespace estampe::app {

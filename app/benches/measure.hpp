@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/series.hpp"
+#include "benches/series.hpp"
 
 namespace estampe::app {
 

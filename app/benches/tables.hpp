@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "bench/measure.hpp"
+#include "benches/measure.hpp"
 
 namespace estampe::app {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/measure.hpp"
+#include "benches/measure.hpp"
 
 #include <algorithm>
 #include <chrono>

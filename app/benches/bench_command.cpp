@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "bench/measure.hpp"
-#include "bench/tables.hpp"
+#include "benches/measure.hpp"
+#include "benches/tables.hpp"
 #include "commands.hpp"
 #include "core/file.hpp"
 #include "text.hpp"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "bench/series.hpp"
+#include "benches/series.hpp"
 #include "commands.hpp"
 #include "core/file.hpp"
 #include "pass_history.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/series.hpp"
+#include "benches/series.hpp"
 
 #include <algorithm>
 #include <cmath>
