@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/occlusion/occlusion.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -166,6 +167,8 @@ FramePlan plan_frame(const PlanInputs& in)
             .sun = std::move(sun),
             .light = light,
             .shadow_edges = edges,
+            .occlusion_radius_m = occlusion::radius_of(
+                in.style.occlusion, static_cast<float>(in.loaded.layout.bounds.radius())),
             .lines = lines,
             .focus = plan_focus(in, page),
             .ripples = plan_ripples(in),

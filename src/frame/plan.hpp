@@ -95,6 +95,7 @@ struct FramePlan {
     LightPlan light;
     EdgePlan shadow_edges;
     LocalMapPlan local_shadows;
+    float occlusion_radius_m = 1.0F;
     LinePlan lines;
     FocusPlan focus;
     std::optional<shared::RippleConstants> ripples; ///< of a terrain's sand

@@ -80,10 +80,15 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
 [[nodiscard]] std::optional<gpu::ImageId> add_known_light(const Making& making, const PosedScene& scene,
                                                           gpu::BufferId visibility);
 
+/// How much of the light from everywhere arrives there, where the style wants it.
+[[nodiscard]] std::optional<gpu::ImageId> add_occlusion(const Making& making, const PosedScene& scene,
+                                                        const surface::Surface& surface);
+
 /// The light that arrives there, exposed for the page where the style meters that.
 [[nodiscard]] light::LitPixels add_light(const Making& making, const PosedScene& scene,
                                          const surface::Surface& surface, const ShadowMaps& maps,
-                                         const std::optional<gpu::ImageId>& known);
+                                         const std::optional<gpu::ImageId>& known,
+                                         const std::optional<gpu::ImageId>& open);
 
 /// What strokes are drawn from.
 [[nodiscard]] std::vector<hatch::LookHatch> hatch_looks(const Making& making);
@@ -153,6 +158,7 @@ void add_picture(const Making& making, const paper::ComposeInputs& layers);
 
 /// The same in floats, whole or layer by layer, where it is asked for.
 void add_deep_picture(const Making& making, const paper::ComposeInputs& layers,
-                      const surface::Surface& surface, const light::LitPixels& lit);
+                      const surface::Surface& surface, const light::LitPixels& lit,
+                      const std::optional<gpu::ImageId>& open);
 
 } // namespace estampe::frame

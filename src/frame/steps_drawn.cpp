@@ -380,10 +380,12 @@ void add_picture(const Making& making, const paper::ComposeInputs& layers)
 }
 
 void add_deep_picture(const Making& making, const paper::ComposeInputs& layers,
-                      const surface::Surface& surface, const light::LitPixels& lit)
+                      const surface::Surface& surface, const light::LitPixels& lit,
+                      const std::optional<gpu::ImageId>& open)
 {
     if (making.resources.deep != nullptr) {
-        declare_deep_page(making.graph, {.layers = layers, .draw = surface.draw, .sun = lit.sun},
+        declare_deep_page(making.graph,
+                          {.layers = layers, .draw = surface.draw, .sun = lit.sun, .open = open},
                           making.style.paper, making.sample.accumulation, *making.resources.deep);
     }
 }

@@ -3,6 +3,7 @@
 #include "frame/steps.hpp"
 #include "gpu/imports.hpp"
 #include "techniques/light/exposure.hpp"
+#include "techniques/occlusion/occlusion.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -87,12 +88,31 @@ std::optional<gpu::ImageId> add_known_light(const Making& making, const PosedSce
                                   *making.resources.lightmaps);
 }
 
+std::optional<gpu::ImageId> add_occlusion(const Making& making, const PosedScene& scene,
+                                          const surface::Surface& surface)
+{
+    if (!making.style.occlusion.drawn) {
+        return std::nullopt;
+    }
+    return occlusion::add_horizon(making.graph,
+                                  {.frame = scene.frame,
+                                   .depth = surface.depth,
+                                   .normal = surface.normal,
+                                   .radius_m = making.plan.occlusion_radius_m,
+                                   .pixels_per_mm = making.plan.page.pixels_per_mm,
+                                   .size_px = making.sample.size_px,
+                                   .from_px = glm::uvec2(making.sample.from_px)},
+                                  making.style.occlusion);
+}
+
 light::LitPixels add_light(const Making& making, const PosedScene& scene, const surface::Surface& surface,
-                           const ShadowMaps& maps, const std::optional<gpu::ImageId>& known)
+                           const ShadowMaps& maps, const std::optional<gpu::ImageId>& known,
+                           const std::optional<gpu::ImageId>& open)
 {
     gpu::Graph& graph = making.graph;
     FrameResources& resources = making.resources;
     const FramePlan& plan = making.plan;
+    const occlusion::Feeds feeds = making.style.occlusion.feeds;
     light::LitPixels lit = light::add_light(
         graph,
         {.frame = scene.frame,
@@ -114,6 +134,8 @@ light::LitPixels add_light(const Making& making, const PosedScene& scene, const 
          .has_local_shadows = plan.local_shadows.is_there,
          .lightmap = known,
          .ground_share = add_ground_shadow(making, scene, surface),
+         .occlusion = feeds == occlusion::Feeds::layer ? std::nullopt : open,
+         .occludes_all = feeds == occlusion::Feeds::tone,
          .has_shadow = plan.sun.map.size > 0,
          .local_count = plan.light.local_count,
          .has_emissive = plan.needs.emissive,

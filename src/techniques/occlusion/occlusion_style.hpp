@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "style/parameter.hpp"
+
+namespace estampe::occlusion {
+
+/// What occlusion is let into: light from everywhere, all light, or nothing but its own mask.
+enum class Feeds : uint8_t { ambient, tone, layer };
+
+struct OcclusionStyle {
+    bool drawn = false;
+    Feeds feeds = Feeds::ambient;
+    float radius_m = 0.0F;
+    float reach_mm = 25.0F;
+    float thickness = 0.5F;
+    float strength = 1.0F;
+};
+
+inline const style::Table<OcclusionStyle>& occlusion_table()
+{
+    static const auto table =
+        style::Table<OcclusionStyle>("occlusion", "Corners and what lies close together are darker")
+            .toggle("drawn", &OcclusionStyle::drawn, "Whether there is any")
+            .choice("feeds", &OcclusionStyle::feeds,
+                    {{"ambient", Feeds::ambient}, {"tone", Feeds::tone}, {"layer", Feeds::layer}},
+                    "What it darkens: the light from everywhere and the fill, all light, or nothing: then "
+                    "it is there in layers alone")
+            .number("radius_m", &OcclusionStyle::radius_m, {0.0F, 1e6F}, "m",
+                    "How far off a thing may be that counts, less and less up to there; 0: a fifth of the "
+                    "scene's radius")
+            .number("reach_mm", &OcclusionStyle::reach_mm, {0.1F, 200.0F}, "mm",
+                    "The same on the page: where the radius is longer there, it is cut to this")
+            .number("thickness", &OcclusionStyle::thickness, {0.01F, 4.0F}, "",
+                    "How thick things are taken to be, since only one side is seen: a share of the radius")
+            .number("strength", &OcclusionStyle::strength, {0.0F, 8.0F}, "",
+                    "1 is what shuts out light; more is darker in corners");
+    return table;
+}
+
+} // namespace estampe::occlusion
