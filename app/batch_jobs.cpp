@@ -27,7 +27,7 @@ const std::vector<std::string>& job_keys()
     static const std::vector<std::string> keys{
         "scene",   "output",    "size",   "page",   "dpi",     "landscape", "camera",
         "time",    "animation", "style",  "set",    "samples", "lightmap",  "tile",
-        "quality", "depth",     "layers", "motion", "since",   "hidden",    "plotter"};
+        "quality", "depth",     "layers", "layer",  "motion",  "since",     "hidden", "plotter"};
     return keys;
 }
 

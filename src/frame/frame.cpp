@@ -25,8 +25,9 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     // What light falls on it.
     const ShadowMaps maps = add_shadow_maps(making, scene);
     const std::optional<gpu::ImageId> known = add_known_light(making, scene, visibility);
-    const std::optional<gpu::ImageId> open = add_occlusion(making, scene, surface);
-    const light::LitPixels lit = add_light(making, scene, surface, maps, known, open);
+    const std::optional<gpu::ImageId> open = add_occlusion(making, scene, visibility, surface);
+    const light::LitPixels lit =
+        add_light(making, scene, visibility, surface, {.maps = maps, .known = known, .open = open});
 
     // What ink that is: as paths, or as layers.
     const hatch::HatchInputs hatching = hatch_inputs(making, scene, surface, lit, screen);

@@ -82,13 +82,23 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
 
 /// How much of the light from everywhere arrives there, where the style wants it.
 [[nodiscard]] std::optional<gpu::ImageId> add_occlusion(const Making& making, const PosedScene& scene,
+                                                        gpu::BufferId visibility,
                                                         const surface::Surface& surface);
 
-/// The light that arrives there, exposed for the page where the style meters that.
+/// What keeps light from what is seen, or is known of it.
+struct LightBefore {
+    ShadowMaps maps;
+    std::optional<gpu::ImageId> known; ///< by add_known_light()
+    std::optional<gpu::ImageId> open;  ///< by add_occlusion()
+};
+
+/// The light that arrives there and goes into things, exposed for the page where the style meters that.
 [[nodiscard]] light::LitPixels add_light(const Making& making, const PosedScene& scene,
-                                         const surface::Surface& surface, const ShadowMaps& maps,
-                                         const std::optional<gpu::ImageId>& known,
-                                         const std::optional<gpu::ImageId>& open);
+                                         gpu::BufferId visibility, const surface::Surface& surface,
+                                         const LightBefore& before);
+
+/// The number of each draw's look, where surfaces differ.
+[[nodiscard]] std::optional<gpu::BufferId> look_of_draw(const Making& making);
 
 /// What strokes are drawn from.
 [[nodiscard]] std::vector<hatch::LookHatch> hatch_looks(const Making& making);

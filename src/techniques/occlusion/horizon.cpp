@@ -5,6 +5,7 @@
 #include "shaders/horizon_comp.hpp"
 #include "shaders/horizon_page_comp.hpp"
 #include "shaders/horizon_smooth_comp.hpp"
+#include "techniques/occlusion/half_page.hpp"
 #include "techniques/occlusion/horizon.glsl.h"
 #include "techniques/occlusion/occlusion.hpp"
 
@@ -13,14 +14,13 @@ namespace {
 
 shared::HorizonConstants constants_of(const OcclusionInputs& in, const OcclusionStyle& style)
 {
-    const glm::uvec2 from_half = (in.from_px + 1U) / 2U;
-    const glm::uvec2 last_half = (in.from_px + in.size_px - 1U) / 2U;
+    const HalfPage half = half_page(in);
     return {.radius_m = in.radius_m,
             .reach_px = style.reach_mm * in.pixels_per_mm,
             .thickness = style.thickness,
             .strength = style.strength,
-            .from_half = from_half,
-            .half_px = glm::max(last_half + 1U, from_half + 1U) - from_half};
+            .from_half = half.from_half,
+            .half_px = half.half_px};
 }
 
 } // namespace

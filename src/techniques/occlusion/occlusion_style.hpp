@@ -5,11 +5,15 @@
 
 namespace estampe::occlusion {
 
+/// How it is found: from the depths on the page, between all vertices, or as a mask of depth.
+enum class Method : uint8_t { horizon, discs, unsharp };
+
 /// What occlusion is let into: light from everywhere, all light, or nothing but its own mask.
 enum class Feeds : uint8_t { ambient, tone, layer };
 
 struct OcclusionStyle {
     bool drawn = false;
+    Method method = Method::horizon;
     Feeds feeds = Feeds::ambient;
     float radius_m = 0.0F;
     float reach_mm = 25.0F;
@@ -22,6 +26,10 @@ inline const style::Table<OcclusionStyle>& occlusion_table()
     static const auto table =
         style::Table<OcclusionStyle>("occlusion", "Corners and what lies close together are darker")
             .toggle("drawn", &OcclusionStyle::drawn, "Whether there is any")
+            .choice("method", &OcclusionStyle::method,
+                    {{"horizon", Method::horizon}, {"discs", Method::discs}, {"unsharp", Method::unsharp}},
+                    "From what is seen about each pixel; between discs at all vertices, seen or not, for fine "
+                    "meshes; or no light at all, but what lies behind what is about it is darker")
             .choice("feeds", &OcclusionStyle::feeds,
                     {{"ambient", Feeds::ambient}, {"tone", Feeds::tone}, {"layer", Feeds::layer}},
                     "What it darkens: the light from everywhere and the fill, all light, or nothing: then "
