@@ -53,9 +53,9 @@ bool is_written_as_drawn(const RenderCommand& command, const RenderSettings& set
 {
     constexpr uint64_t most_in_memory = uint64_t{1} << 24U;
     const PictureChoice& choice = command.picture;
-    return choice.format == PictureFormat::png && choice.depth == 8 && choice.layers.empty() && choice.layer.empty() &&
-           command.motion.empty() && command.repeat == 1 && command.draw.output != standard_output &&
-           pixels_of(settings) > most_in_memory;
+    return choice.format == PictureFormat::png && choice.depth == 8 && choice.layers.empty() &&
+           choice.layer.empty() && command.motion.empty() && command.repeat == 1 &&
+           command.draw.output != standard_output && pixels_of(settings) > most_in_memory;
 }
 
 /// Draws, and where it takes long says how far it is.

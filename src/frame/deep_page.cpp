@@ -44,8 +44,8 @@ DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, Dee
             gpu::Buffer(device, "draws of layers", sizeof(uint32_t) * count, gpu::MemoryUse::readback);
         page.sun = gpu::Buffer(device, "sun of layers", sizeof(float) * count, gpu::MemoryUse::readback);
         if (kind.has_occlusion) {
-            page.open =
-                gpu::Buffer(device, "occlusion of layers", sizeof(uint16_t) * count, gpu::MemoryUse::readback);
+            page.open = gpu::Buffer(device, "occlusion of layers", sizeof(uint16_t) * count,
+                                    gpu::MemoryUse::readback);
         }
     }
     return page;

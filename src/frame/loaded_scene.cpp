@@ -73,10 +73,10 @@ occlusion::DiscBuffers discs_of(gpu::Device& device, const pose::MeshData& layou
             }
         }
     }
-    return occlusion::upload_discs(device,
-                                   occlusion::list_discs(layout.stroke_coordinates,
-                                                         static_cast<float>(layout.stroke_unit_m), triangles),
-                                   static_cast<uint32_t>(layout.stroke_coordinates.size()));
+    return occlusion::upload_discs(
+        device,
+        occlusion::list_discs(layout.stroke_coordinates, static_cast<float>(layout.stroke_unit_m), triangles),
+        static_cast<uint32_t>(layout.stroke_coordinates.size()));
 }
 
 void lay_out(gpu::Device& device, LoadedScene& loaded)

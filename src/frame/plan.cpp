@@ -209,8 +209,8 @@ FramePlan plan_frame(const PlanInputs& in)
             .sun = std::move(sun),
             .light = light,
             .shadow_edges = edges,
-            .occlusion_radius_m = occlusion::radius_of(
-                in.style.occlusion, static_cast<float>(in.loaded.layout.bounds.radius())),
+            .occlusion_radius_m = occlusion::radius_of(in.style.occlusion,
+                                                       static_cast<float>(in.loaded.layout.bounds.radius())),
             .subsurface = std::move(subsurface),
             .lines = lines,
             .focus = plan_focus(in, page),

@@ -79,7 +79,8 @@ public:
     {
         const auto words = gpu::items_of<uint32_t>(page.draws);
         const auto sun = gpu::items_of<float>(page.sun);
-        const auto open = page.open.empty() ? std::span<const uint16_t>() : gpu::items_of<uint16_t>(page.open);
+        const auto open =
+            page.open.empty() ? std::span<const uint16_t>() : gpu::items_of<uint16_t>(page.open);
         for (uint32_t y = window_.first.y; y < window_.last.y; ++y) {
             for (uint32_t x = window_.first.x; x < window_.last.x; ++x) {
                 const size_t i = size_t{y} * width_ + x;
@@ -153,12 +154,11 @@ LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, c
     Impl& impl = *impl_;
     frame::check_size(impl.device, settings);
     const bool has_smoke = style.tables().smoke.drawn;
-    frame::DeepPage page = frame::make_deep_page(
-        impl.device, settings,
-        {.has_layers = true,
-         .has_ink = style.tables().ink.drawn,
-         .has_smoke = has_smoke,
-         .has_occlusion = style.tables().occlusion.drawn});
+    frame::DeepPage page = frame::make_deep_page(impl.device, settings,
+                                                 {.has_layers = true,
+                                                  .has_ink = style.tables().ink.drawn,
+                                                  .has_smoke = has_smoke,
+                                                  .has_occlusion = style.tables().occlusion.drawn});
     std::optional<Seen> seen;
     LayeredImage result;
     result.picture = impl.draw_picture(camera, style, settings, &page, [&] {

@@ -66,8 +66,8 @@ gpu::ImageId add_exposed(const Making& making, gpu::ImageId light, gpu::ImageId 
 }
 
 /// What light needs wherever it falls in the scene, set up for what is seen.
-light::LightInputs common_inputs(const Making& making, const PosedScene& scene, const surface::Surface& surface,
-                                 const ShadowMaps& maps)
+light::LightInputs common_inputs(const Making& making, const PosedScene& scene,
+                                 const surface::Surface& surface, const ShadowMaps& maps)
 {
     gpu::Graph& graph = making.graph;
     FrameResources& resources = making.resources;
@@ -103,8 +103,8 @@ std::optional<gpu::ImageId> add_disc_occlusion(const Making& making, const Posed
         return std::nullopt;
     }
     discs.is_found = discs.is_found && !making.sample.pose_moved;
-    const gpu::BufferId open =
-        occlusion::add_discs(making.graph, discs, scene.meshes.posed_vertices, making.plan.occlusion_radius_m, {});
+    const gpu::BufferId open = occlusion::add_discs(making.graph, discs, scene.meshes.posed_vertices,
+                                                    making.plan.occlusion_radius_m);
     return occlusion::add_disc_page(making.graph,
                                     {.frame = scene.frame,
                                      .visibility = visibility,
@@ -185,7 +185,9 @@ std::optional<gpu::ImageId> add_occlusion(const Making& making, const PosedScene
                                           gpu::BufferId visibility, const surface::Surface& surface)
 {
     const occlusion::OcclusionStyle& style = making.style.occlusion;
-    if (!style.drawn) {
+    const bool is_layer_alone = style.feeds == occlusion::Feeds::layer;
+    const bool has_layers = making.resources.deep != nullptr && making.resources.deep->has_layers();
+    if (!style.drawn || (is_layer_alone && !has_layers)) {
         return std::nullopt;
     }
     const float radius_m = making.plan.occlusion_radius_m;

@@ -20,8 +20,8 @@ LinearImage on_white(const LayeredImage& image)
 {
     return {.width = image.picture.width,
             .height = image.picture.height,
-            .pixels = std::vector<glm::vec4>(size_t{image.picture.width} * image.picture.height,
-                                             glm::vec4(1.0F))};
+            .pixels =
+                std::vector<glm::vec4>(size_t{image.picture.width} * image.picture.height, glm::vec4(1.0F))};
 }
 
 void take_away(LinearImage& white, const PictureMask& mask)

@@ -9,8 +9,8 @@
 
 namespace estampe::output {
 
-/// The layer of that name on white, or what its mask leaves of white. Throws Error naming those that there are
-/// when none has it, and as flattened() does.
+/// The layer of that name on white, or what its mask leaves of white. Throws Error naming those that there
+/// are when none has it, and as flattened() does.
 [[nodiscard]] LinearImage one_layer(const LayeredImage& image, const std::string& name);
 
 /// In bytes, sRGB-encoded.

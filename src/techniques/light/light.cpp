@@ -57,9 +57,10 @@ uint32_t light_variant(const LightInputs& in, const Lists& lists)
            (in.has_local_shadows ? shared::light_has_local_shadows : 0U) |
            (in.ground_share ? shared::light_has_ground_shadow : 0U) |
            (in.lightmap ? shared::light_has_lightmap : 0U) |
-           (!in.occlusion        ? 0U
-            : in.occludes_all    ? shared::light_occludes_all
-                                 : shared::light_occludes_ambient) | (in.keeps_sun ? shared::light_keeps_sun : 0U);
+           (!in.occlusion     ? 0U
+            : in.occludes_all ? shared::light_occludes_all
+                              : shared::light_occludes_ambient) |
+           (in.keeps_sun ? shared::light_keeps_sun : 0U);
 }
 
 } // namespace

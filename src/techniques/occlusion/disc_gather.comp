@@ -63,7 +63,8 @@ void main()
         first -= goes_down ? constants.counts[level] : 0u;
         node = goes_down ? node * disc_children : goes_past ? node + 1u : node;
         for (uint i = 0u; i < most_disc_levels - 1u; ++i) {
-            bool goes_up = goes_past && level < top && (node % disc_children == 0u || node == constants.counts[level]);
+            bool goes_up =
+                goes_past && level < top && (node % disc_children == 0u || node == constants.counts[level]);
             first += goes_up ? constants.counts[level] : 0u;
             node = goes_up ? (node + disc_children - 1u) / disc_children : node;
             level += goes_up ? 1u : 0u;

@@ -18,12 +18,7 @@ layout(scalar, binding = 1) readonly buffer Vertices
     uvec2 vertices[]; // number, and area as bits
 };
 
-layout(scalar, binding = 2) readonly buffer Open
-{
-    float open[]; // a vertex; of the pass before
-};
-
-layout(scalar, binding = 3) writeonly buffer Discs
+layout(scalar, binding = 2) writeonly buffer Discs
 {
     Disc discs[];
 };
@@ -32,8 +27,6 @@ layout(push_constant, scalar) uniform Constants
 {
     DiscConstants constants;
 };
-
-layout(constant_id = 0) const uint has_open = 0u;
 
 void main()
 {
@@ -44,6 +37,5 @@ void main()
     uvec2 vertex = vertices[item];
     uvec4 words = texelFetch(posed_vertices, int(vertex.x));
     float area_m2 = uintBitsToFloat(vertex.y);
-    float left = has_open != 0u ? open[vertex.x] : 1.0;
-    discs[item] = Disc(uintBitsToFloat(words.xyz), 0.0, area_m2 * unpack_normal(words.w), area_m2, left, vec3(0.0));
+    discs[item] = Disc(uintBitsToFloat(words.xyz), 0.0, area_m2 * unpack_normal(words.w), area_m2);
 }

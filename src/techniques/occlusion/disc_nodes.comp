@@ -32,16 +32,14 @@ void main()
     }
     uint first = disc_children * item;
     uint count = min(disc_children, constants.counts[level - 1u] - first);
-    Disc sum = Disc(vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, vec3(0.0));
+    Disc sum = Disc(vec3(0.0), 0.0, vec3(0.0), 0.0);
     for (uint i = 0u; i < count; ++i) {
         Disc disc = discs[below + first + i];
         sum.place += disc.area_m2 * disc.place;
         sum.facing_m2 += disc.facing_m2;
         sum.area_m2 += disc.area_m2;
-        sum.open += disc.area_m2 * disc.open;
     }
     sum.place /= sum.area_m2;
-    sum.open /= sum.area_m2;
     for (uint i = 0u; i < count; ++i) {
         Disc disc = discs[below + first + i];
         sum.radius_m = max(sum.radius_m, distance(disc.place, sum.place) + disc.radius_m);

@@ -10,10 +10,9 @@ layout(binding = DISCS_BINDING) uniform samplerBuffer disc_texels;
 
 Disc disc_at(uint disc)
 {
-    vec4 a = texelFetch(disc_texels, int(3u * disc));
-    vec4 b = texelFetch(disc_texels, int(3u * disc + 1u));
-    vec4 c = texelFetch(disc_texels, int(3u * disc + 2u));
-    return Disc(a.xyz, a.w, b.xyz, b.w, c.x, c.yzw);
+    vec4 a = texelFetch(disc_texels, int(2u * disc));
+    vec4 b = texelFetch(disc_texels, int(2u * disc + 1u));
+    return Disc(a.xyz, a.w, b.xyz, b.w);
 }
 
 // Of the first node of a level.

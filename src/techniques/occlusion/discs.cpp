@@ -42,7 +42,7 @@ void sort_by_place(std::span<uint32_t> vertices, std::span<const glm::vec3> plac
     sort_by_place(vertices.subspan(half), places);
 }
 
-shared::DiscConstants constants_of(uint32_t disc_count, float radius_m, const DiscTuning& tuning)
+shared::DiscConstants constants_of(uint32_t disc_count, float radius_m, float apart)
 {
     shared::DiscConstants constants{.counts = {disc_count}, .level_count = 1};
     uint32_t count = disc_count;
@@ -51,7 +51,7 @@ shared::DiscConstants constants_of(uint32_t disc_count, float radius_m, const Di
         constants.counts[constants.level_count++] = count;
     }
     constants.radius_m = radius_m;
-    constants.apart = tuning.apart;
+    constants.apart = apart;
     return constants;
 }
 
@@ -62,8 +62,8 @@ DiscList list_discs(std::span<const glm::vec3> places, float unit_m, std::span<c
     std::vector<float> areas_m2(places.size(), 0.0F);
     for (const glm::uvec4& corners : triangles) {
         const glm::vec3 a = places[corners.x];
-        const float third = unit_m * unit_m / 6.0F *
-                            glm::length(glm::cross(places[corners.y] - a, places[corners.z] - a));
+        const float third =
+            unit_m * unit_m / 6.0F * glm::length(glm::cross(places[corners.y] - a, places[corners.z] - a));
         for (int corner = 0; corner < 3; ++corner) {
             areas_m2[corners[corner]] += third;
         }
@@ -90,41 +90,39 @@ DiscBuffers upload_discs(gpu::Device& device, const DiscList& list, uint32_t ver
     DiscBuffers buffers{.disc_count = static_cast<uint32_t>(words.size()), .vertex_count = vertex_count};
     if (!words.empty()) {
         buffers.vertices = gpu::upload_buffer(device, "discs", words);
-        buffers.open =
-            gpu::upload_buffer(device, "open of vertices", std::vector<float>(vertex_count, 1.0F));
+        buffers.open = gpu::upload_buffer(device, "open of vertices", std::vector<float>(vertex_count, 1.0F));
     }
     return buffers;
 }
 
 gpu::BufferId add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices, float radius_m,
-                        const DiscTuning& tuning)
+                        float apart)
 {
-    gpu::BufferId open = gpu::import_whole(graph, "open of vertices", buffers.open);
+    const gpu::BufferId open = gpu::import_whole(graph, "open of vertices", buffers.open);
     if (buffers.is_found && buffers.radius_m == radius_m) {
         return open;
     }
     const gpu::BufferId vertices = gpu::import_whole(graph, "discs", buffers.vertices);
-    shared::DiscConstants constants = constants_of(buffers.disc_count, radius_m, tuning);
-    const uint64_t node_count = std::accumulate(std::begin(constants.counts), std::end(constants.counts), 0ULL);
-    for (int round = 0; round < tuning.passes; ++round) {
-        auto leaves = graph.compute("occlusion/discs", shaders::disc_leaves_comp);
-        leaves.sample(posed_vertices).read(vertices).read(open);
-        gpu::BufferId discs = leaves.write(
-            graph.buffer("occlusion/tree", {.size_bytes = sizeof(shared::Disc) * node_count}));
-        leaves.variant(round > 0 ? 1U : 0U).push(constants).dispatch_items(constants.counts[0]);
-        for (constants.level = 1; constants.level < constants.level_count; ++constants.level) {
-            auto nodes = graph.compute("occlusion/nodes", shaders::disc_nodes_comp);
-            discs = nodes.modify(discs);
-            nodes.push(constants).dispatch_items(constants.counts[constants.level]);
-        }
-        auto gather = graph.compute("occlusion/gather", shaders::disc_gather_comp);
-        gather.sample(posed_vertices).read(vertices).sample(discs, gpu::Format::rgba32f);
-        open = gather.modify(open);
-        gather.push(constants).dispatch_items(constants.counts[0]);
+    shared::DiscConstants constants = constants_of(buffers.disc_count, radius_m, apart);
+    const uint64_t node_count =
+        std::accumulate(std::begin(constants.counts), std::end(constants.counts), 0ULL);
+    auto leaves = graph.compute("occlusion/discs", shaders::disc_leaves_comp);
+    leaves.sample(posed_vertices).read(vertices);
+    gpu::BufferId discs =
+        leaves.write(graph.buffer("occlusion/tree", {.size_bytes = sizeof(shared::Disc) * node_count}));
+    leaves.push(constants).dispatch_items(constants.counts[0]);
+    for (constants.level = 1; constants.level < constants.level_count; ++constants.level) {
+        auto nodes = graph.compute("occlusion/nodes", shaders::disc_nodes_comp);
+        discs = nodes.modify(discs);
+        nodes.push(constants).dispatch_items(constants.counts[constants.level]);
     }
+    auto gather = graph.compute("occlusion/gather", shaders::disc_gather_comp);
+    gather.sample(posed_vertices).read(vertices).sample(discs, gpu::Format::rgba32f);
+    const gpu::BufferId found = gather.modify(open);
+    gather.push(constants).dispatch_items(constants.counts[0]);
     buffers.is_found = true;
     buffers.radius_m = radius_m;
-    return open;
+    return found;
 }
 
 gpu::ImageId add_disc_page(gpu::Graph& graph, const DiscPageInputs& in, float strength)
@@ -133,6 +131,7 @@ gpu::ImageId add_disc_page(gpu::Graph& graph, const DiscPageInputs& in, float st
         float strength;
         uint32_t vertex_count;
     };
+
     auto pass = graph.compute("occlusion/page", shaders::disc_page_comp);
     pass.uniform(in.frame).sample(in.visibility, gpu::Format::rg32ui);
     pass.sample(in.triangles).sample(in.posed_vertices).read(in.open);

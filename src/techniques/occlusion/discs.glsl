@@ -25,7 +25,7 @@ float hidden_by_disc(Disc disc, vec3 way, vec3 normal, float radius_m)
     vec3 towards = way * inversesqrt(r_2);
     float left = max(1.0f - r_2 / (radius_m * radius_m), 0.0f);
     float above = max(dot(normal, towards), 0.0f);
-    return left * disc.open * facing_area(disc, -towards) * above / (3.14159265f * r_2 + disc.area_m2);
+    return left * facing_area(disc, -towards) * above / (3.14159265f * r_2 + disc.area_m2);
 }
 
 #endif

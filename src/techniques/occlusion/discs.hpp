@@ -39,24 +39,20 @@ struct DiscBuffers {
 
 [[nodiscard]] DiscBuffers upload_discs(gpu::Device& device, const DiscList& list, uint32_t vertex_count);
 
-/// How finely discs are looked at. A node of the tree counts as a whole where its radius is less than `apart`
-/// of its distance; 0: each disc by itself, at a cost of n^2.
-struct DiscTuning {
-    float apart = 0.35F;
-    /// Passes. What the second finds counts each occluder by what the first left open of it, so that one
-    /// behind another does not hide the same light twice.
-    int passes = 2;
-};
+/// A node of the tree counts as a whole where its radius is less than this of its distance.
+inline constexpr float usual_apart = 0.35F;
 
 /// Finds how much of the light from everywhere each vertex gets: 1 less the sum of A cos cos / (pi r^2 + A)
 /// over all discs that face it, less with distance up to `radius_m`.
 ///
-/// Returns a float a posed vertex; of those without a disc what was there before
-/// Cost    for each pass about n log n, and a small dispatch for each level of the tree
+/// Returns a float a posed vertex; 1 for those without a disc
+/// Cost    about n log n, and a small dispatch for each level of the tree; n^2 where `apart` is 0, which
+/// looks
+///         at each disc by itself
 /// Source  Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 8.4;
 ///         Bunnell, "Dynamic Ambient Occlusion and Indirect Lighting", GPU Gems 2, 2005
 [[nodiscard]] gpu::BufferId add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
-                                      float radius_m, const DiscTuning& tuning);
+                                      float radius_m, float apart = usual_apart);
 
 struct DiscPageInputs {
     gpu::BufferId frame; ///< FrameGlobals

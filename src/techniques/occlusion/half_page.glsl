@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_HALF_PAGE
 #define ESTAMPE_HALF_PAGE
 
-// The half page, and whether two of its pixels lie on one surface. Wanted before: `frame`, a FrameGlobals, and
-// `constants` with `from_half`.
+// The half page, and whether two of its pixels lie on one surface. Wanted before: `frame`, a FrameGlobals,
+// and `constants` with `from_half`.
 
 #include "shaders/camera.glsl"
 
@@ -12,12 +12,6 @@ ivec2 whole_pixel(ivec2 half_pixel)
 {
     return min(2 * (half_pixel + ivec2(constants.from_half)) - ivec2(frame.tile_from_px),
                ivec2(frame.size_px) - 1);
-}
-
-// How far along the view a point lies.
-float ahead_m(vec3 point)
-{
-    return dot(point - frame.eye_anchor, frame.view_forward);
 }
 
 // How reversed depth goes on from a pixel over the page where the surface there is flat: it is linear over

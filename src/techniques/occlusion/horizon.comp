@@ -35,9 +35,9 @@ layout(push_constant, scalar) uniform Constants
 // Places of a 4 x 4 pattern in an order in which neighbours lie far from each other.
 const uint pattern_order[16] = uint[](0u, 8u, 2u, 10u, 12u, 4u, 14u, 6u, 3u, 11u, 1u, 9u, 15u, 7u, 13u, 5u);
 
-// What a thing hides of the slice that it lies in, front and back, as places of the hemisphere: 0 is its horizon
-// on the other side. Its own slice, not that of the step, which the middles of pixels lie beside: so what lies
-// on the plane of the surface lies on its horizon.
+// What a thing hides of the slice that it lies in, front and back, as places of the hemisphere: 0 is its
+// horizon on the other side. Its own slice, not that of the step, which the middles of pixels lie beside: so
+// what lies on the plane of the surface lies on its horizon.
 vec2 hidden_by(vec3 way, vec3 normal, vec3 eye, float up, float thickness_m)
 {
     float z = dot(way, eye);
@@ -55,11 +55,13 @@ vec2 hidden_by(vec3 way, vec3 normal, vec3 eye, float up, float thickness_m)
     vec2 sine = x * inverse;
     vec2 angle = acos(clamp(cosine, -1.0, 1.0));
     float horizon = n + 1.57079633;
-    float front = slice_light(angle.x, cosine.x, sine.x, n, cos_n, sin_n);
-    float back = slice_light(angle.y, cosine.y, sine.y, n, cos_n, sin_n);
+    float front = slice_light(angle.x, cosine.x, sine.x, cos_n, sin_n);
+    float back = slice_light(angle.y, cosine.y, sine.y, cos_n, sin_n);
     vec2 light = vec2(angle.x < horizon ? front : here, angle.y < horizon ? back : here);
     return (other + light) / (other + here);
 }
+
+const float hides_from = 0.98; // what hides less of its side may be the surface itself
 
 void main()
 {
@@ -104,6 +106,7 @@ void main()
         float weight = share * (slice_light_whole(n, up / share, aside / share) +
                                 slice_light_whole(-n, up / share, -aside / share));
         uvec4 hidden = uvec4(0u);
+        vec2 fronts = vec2(1.0); // of the step before, on both sides; 1 is the surface's own horizon
         for (int i = 0; i < rounds(2 * int(horizon_steps), pixel.x); ++i) {
             float side = (i & 1) == 0 ? 1.0 : -1.0;
             float way = (float(i >> 1) + ahead) / float(horizon_steps);
@@ -113,10 +116,17 @@ void main()
             float occluder = texelFetch(depth_image, held, 0).x;
             bool counts = looked == held && occluder > 0.0 && looked != pixel;
             vec2 by = vec2(looked - pixel);
-            vec4 at = seen + per_px_x * by.x + per_px_y * by.y + frame.anchor_from_clip[2] * (occluder - depth);
+            vec4 at =
+                seen + per_px_x * by.x + per_px_y * by.y + frame.anchor_from_clip[2] * (occluder - depth);
             vec3 way_there = counts ? at.xyz / at.w - point : normal;
             float distance_2 = dot(way_there, way_there);
             vec2 places = hidden_by(way_there, normal, eye, up, constants.thickness * radius_m);
+            // What goes on from step to step ends half a step farther on than it was last seen, in the mean.
+            float before = side > 0.0 ? fronts.x : fronts.y;
+            float front = places.x;
+            places.x -= before < hides_from ? 0.5 * max(before - front, 0.0) : 0.0;
+            front = counts ? front : 1.0;
+            fronts = side > 0.0 ? vec2(front, fronts.y) : vec2(fronts.x, front);
             places = side > 0.0 ? places : 1.0 - places;
             uint sectors = sectors_between(min(places.x, places.y), max(places.x, places.y), shift);
             bvec4 within = lessThan(vec4(distance_2), counts ? radii_2 : vec4(0.0));

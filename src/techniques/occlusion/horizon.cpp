@@ -41,9 +41,9 @@ gpu::ImageId add_horizon(gpu::Graph& graph, const OcclusionInputs& in, const Occ
 {
     const shared::HorizonConstants constants = constants_of(in, style);
     const auto half_image = [&](const char* name) {
-        return graph.image(name, {.width = constants.half_px.x,
-                                  .height = constants.half_px.y,
-                                  .format = gpu::Format::rg32ui});
+        return graph.image(
+            name,
+            {.width = constants.half_px.x, .height = constants.half_px.y, .format = gpu::Format::rg32ui});
     };
     auto looking = graph.compute("occlusion", shaders::horizon_comp);
     looking.uniform(in.frame).sample(in.depth).sample(in.normal);

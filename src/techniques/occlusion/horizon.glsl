@@ -8,8 +8,8 @@
 const uint horizon_sectors = 32u;
 
 // Light that arrives in the slice from angle 0 to `angle`, whose cosine and sine these are, on a surface
-// whose normal leans by the angle n: the integral of cos(a - n) sin(a).
-float slice_light(float angle, float cosine, float sine, float n, float cos_n, float sin_n)
+// whose normal leans by an angle n of that cosine and sine: the integral of cos(a - n) sin(a).
+float slice_light(float angle, float cosine, float sine, float cos_n, float sin_n)
 {
     float cos_double = (2.0f * cosine * cosine - 1.0f) * cos_n + 2.0f * sine * cosine * sin_n;
     return 0.25f * (cos_n - cos_double + 2.0f * angle * sin_n);

@@ -8,9 +8,9 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint horizon_slices = 2U;   // planes through the eye's ray that a pixel looks along
-SHARED_CONSTANT uint horizon_steps = 5U;    // of each slice to either side
-SHARED_CONSTANT uint horizon_pattern = 4U;  // pixels a side after which directions repeat
+SHARED_CONSTANT uint horizon_slices = 2U;      // planes through the eye's ray that a pixel looks along
+SHARED_CONSTANT uint horizon_steps = 5U;       // of each slice to either side
+SHARED_CONSTANT uint horizon_pattern = 4U;     // pixels a side after which directions repeat
 SHARED_CONSTANT float horizon_least_px = 2.0F; // a smaller neighbourhood hides nothing
 
 // Occlusion is found at every second pixel of the page each way: pixel `i` of the half page is pixel

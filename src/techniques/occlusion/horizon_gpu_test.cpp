@@ -160,7 +160,8 @@ Grain grain_along(bool is_upright)
         const glm::dvec3 moved = is_upright ? glm::dvec3(0.0, along_m, 0.0) : glm::dvec3(along_m, 0.0, 0.0);
         const glm::dvec3 aside = is_upright ? glm::dvec3(3.0, 30.0, 5.0) : glm::dvec3(0.0, 33.0, 5.0);
         const Camera camera{.eye = aside + moved,
-                            .target = glm::dvec3(is_upright ? 0.9 : 0.0, is_upright ? 30.0 : 30.4, 0.5) + moved,
+                            .target =
+                                glm::dvec3(is_upright ? 0.9 : 0.0, is_upright ? 30.0 : 30.4, 0.5) + moved,
                             .vertical_fov_rad = 0.6};
         frames.push_back(SeenPage(scene, camera, size_px).open(far_reaching, 1.0F));
     }
@@ -177,7 +178,8 @@ Grain grain_along(bool is_upright)
                 values.push_back(static_cast<double>(open[pixel]));
             }
         }
-        const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+        const double mean =
+            std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
         for (const double value : values) {
             grain.deviation += (value - mean) * (value - mean);
             grain.most = std::max(grain.most, std::abs(value - mean));

@@ -44,7 +44,8 @@ void main()
     for (int i = 0; i < 4; ++i) {
         ivec2 corner = ivec2(i & 1, i >> 1);
         ivec2 looked = ivec2(on_page / 2u) + corner - ivec2(constants.from_half);
-        bool is_there = all(greaterThanEqual(looked, ivec2(0))) && all(lessThan(uvec2(looked), constants.half_px));
+        bool is_there =
+            all(greaterThanEqual(looked, ivec2(0))) && all(lessThan(uvec2(looked), constants.half_px));
         looked = clamp(looked, ivec2(0), ivec2(constants.half_px) - 1);
         vec2 other = uintBitsToFloat(texelFetch(open_image, looked, 0).xy);
         vec2 bilinear = mix(1.0 - between, between, vec2(corner));

@@ -45,7 +45,8 @@ void main()
     for (int i = 1; i <= 4; ++i) {
         int step = i <= 2 ? -i : i - 2;
         ivec2 looked = half_pixel + step * along;
-        bool is_there = all(greaterThanEqual(looked, ivec2(0))) && all(lessThan(uvec2(looked), constants.half_px));
+        bool is_there =
+            all(greaterThanEqual(looked, ivec2(0))) && all(lessThan(uvec2(looked), constants.half_px));
         vec2 other = uintBitsToFloat(texelFetch(open_image, is_there ? looked : half_pixel, 0).xy);
         float share = abs(step) == 2 ? 0.5 : 1.0;
         float weight = is_there ? share * on_plane(plane, vec2(2 * step * along), other.y) : 0.0;

@@ -26,10 +26,11 @@ inline const style::Table<OcclusionStyle>& occlusion_table()
     static const auto table =
         style::Table<OcclusionStyle>("occlusion", "Corners and what lies close together are darker")
             .toggle("drawn", &OcclusionStyle::drawn, "Whether there is any")
-            .choice("method", &OcclusionStyle::method,
-                    {{"horizon", Method::horizon}, {"discs", Method::discs}, {"unsharp", Method::unsharp}},
-                    "From what is seen about each pixel; between discs at all vertices, seen or not, for fine "
-                    "meshes; or no light at all, but what lies behind what is about it is darker")
+            .choice(
+                "method", &OcclusionStyle::method,
+                {{"horizon", Method::horizon}, {"discs", Method::discs}, {"unsharp", Method::unsharp}},
+                "From what is seen about each pixel; between discs at all vertices, seen or not, for fine "
+                "meshes; or no light at all, but what lies behind what is about it is darker")
             .choice("feeds", &OcclusionStyle::feeds,
                     {{"ambient", Feeds::ambient}, {"tone", Feeds::tone}, {"layer", Feeds::layer}},
                     "What it darkens: the light from everywhere and the fill, all light, or nothing: then "

@@ -63,8 +63,8 @@ struct SeenPage {
     /// Whether the camera sees a place of the world.
     [[nodiscard]] bool sees(const glm::dvec3& place) const
     {
-        const glm::dvec4 clip = glm::dmat4(drawing.globals.clip_from_anchor) *
-                                glm::dvec4(place - drawing.layout.anchor, 1.0);
+        const glm::dvec4 clip =
+            glm::dmat4(drawing.globals.clip_from_anchor) * glm::dvec4(place - drawing.layout.anchor, 1.0);
         const glm::dvec2 at_px = (0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(size_px);
         if (clip.w <= 0.0 || at_px.x < 0.0 || at_px.y < 0.0 || at_px.x >= size_px.x || at_px.y >= size_px.y) {
             return false;

@@ -21,9 +21,9 @@ gpu::ImageId add_unsharp(gpu::Graph& graph, const OcclusionInputs& in, const Occ
         auto pass = graph.compute(is_upright != 0 ? "occlusion/columns" : "occlusion/rows",
                                   shaders::unsharp_blur_comp);
         pass.uniform(in.frame).sample(in.depth).sample(mean);
-        mean = pass.write(graph.image("occlusion/mean", {.width = half.half_px.x,
-                                                         .height = half.half_px.y,
-                                                         .format = gpu::Format::r32f}));
+        mean = pass.write(
+            graph.image("occlusion/mean",
+                        {.width = half.half_px.x, .height = half.half_px.y, .format = gpu::Format::r32f}));
         pass.variant(is_upright).push(constants).dispatch_over(half.half_px.x, half.half_px.y);
     }
     auto pass = graph.compute("occlusion/page", shaders::unsharp_page_comp);

@@ -12,8 +12,8 @@ SHARED_CONSTANT uint unsharp_taps = 8U; // of the Gaussian, to either side
 
 // The half page as HorizonConstants has it.
 struct UnsharpConstants {
-    float reach_px;  // of the Gaussian, on the page: two standard deviations
-    float radius_m;  // that far behind what is about it a place is black
+    float reach_px; // of the Gaussian, on the page: two standard deviations
+    float radius_m; // that far behind what is about it a place is black
     float strength;
     uint unused;
     uvec2 from_half;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread a pixel of the half page lets light spread along rows, or along columns, by a Gaussian of the
-// distance in the scene. What lies too far off along the view gives nothing, and gets nothing: its share stays.
+// distance in the scene. What lies too far off along the view gives nothing, and gets nothing: its share
+// stays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -138,9 +138,9 @@ TEST(Scatter, SpreadsColorsByTheirShare)
 TEST(Scatter, KeepsTheEnergyOfAPoint)
 {
     for (const glm::uvec2 point : {glm::uvec2(80, 48), glm::uvec2(81, 48), glm::uvec2(81, 49)}) {
-        const std::vector<glm::vec4> result = spread(
-            {.light = [&](glm::uvec2 pixel) { return glm::vec4(pixel == point ? 1000.0F : 0.0F); }},
-            spreading(2.2));
+        const std::vector<glm::vec4> result =
+            spread({.light = [&](glm::uvec2 pixel) { return glm::vec4(pixel == point ? 1000.0F : 0.0F); }},
+                   spreading(2.2));
         glm::dvec4 sum(0.0);
         for (const glm::vec4& pixel : result) {
             sum += glm::dvec4(pixel);

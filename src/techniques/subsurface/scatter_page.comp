@@ -34,7 +34,7 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/subsurface/scatter.glsl"
 
 const float kept_deviation = 0.0809; // of d
-const float least_px = 0.5; // what spreads less than this on the page is left as it is
+const float least_px = 0.5;          // what spreads less than this on the page is left as it is
 
 void main()
 {

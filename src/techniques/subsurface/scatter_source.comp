@@ -22,7 +22,7 @@ layout(binding = 3) uniform sampler2D light_image;
 layout(constant_id = 0) const uint variant = 0u;
 #include "techniques/subsurface/looks.glsl"
 
-layout(binding = 6, rgba32f) writeonly uniform image2D out_light; // and how far ahead of the eye it is
+layout(binding = 6, rgba32f) writeonly uniform image2D out_light;  // and how far ahead of the eye it is
 layout(binding = 7, rgba32f) writeonly uniform image2D out_spread; // on the page, in the scene; the look
 
 layout(push_constant, scalar) uniform Constants

@@ -26,12 +26,14 @@ constexpr std::array<shared::ScatterLevel, shared::scatter_levels> levels{
 // Of the sum of all blurs, three standard deviations each.
 constexpr float reach_of_d = 3.0F * (0.4704F + 1.5209F + 4.3009F);
 
-/// Weights of the taps, which come to one: what of a Gaussian lies about each, up to the middle between it and
-/// the next.
+/// Weights of the taps, which come to one: what of a Gaussian lies about each, up to the middle between it
+/// and the next.
 std::array<float, shared::scatter_taps + 1> weights_of(float deviation)
 {
     const auto place = [](float tap) { return shared::scatter_spacing * (tap + 0.25F * tap * tap); };
-    const auto below = [&](float x) { return 0.5F * std::erf(x / (deviation * std::numbers::sqrt2_v<float>)); };
+    const auto below = [&](float x) {
+        return 0.5F * std::erf(x / (deviation * std::numbers::sqrt2_v<float>));
+    };
     std::array<float, shared::scatter_taps + 1> weights{};
     float from = 0.0F;
     for (uint32_t i = 0; i < weights.size(); ++i) {
@@ -156,7 +158,7 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
                          (is_first ? shared::subsurface_is_first : 0U));
             const gpu::ImageId next = pass.write(half_image("subsurface/blurred"));
             const gpu::ImageId next_sum = pass.write(is_upright ? half_image("subsurface/sum")
-                                                               : image("subsurface/no sum", glm::uvec2(1)));
+                                                                : image("subsurface/no sum", glm::uvec2(1)));
             pass.push(constants).dispatch_over(constants.half_px.x, constants.half_px.y);
             blurred = next;
             sum = is_upright ? next_sum : sum;

@@ -42,8 +42,8 @@ struct FarSide {
     gpu::ImageId normal; ///< rg32ui: away from the eye, twice
 };
 
-/// Finds where the eye's ray leaves what it entered. `behind` is the visibility of what takes light in and lies
-/// behind what is seen. Cost: one full-screen dispatch.
+/// Finds where the eye's ray leaves what it entered. `behind` is the visibility of what takes light in and
+/// lies behind what is seen. Cost: one full-screen dispatch.
 [[nodiscard]] FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferId behind,
                                    gpu::BufferId triangles, gpu::BufferId posed_vertices);
 
@@ -58,8 +58,8 @@ struct FarSide {
 ///         that take light in
 /// Source  Christensen and Burley, "Approximate Reflectance Profiles for Efficient Subsurface Scattering",
 ///         2015; Gaussians after d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007; on
-///         the page after Jimenez, Sundstedt and Gutierrez, "Screen-Space Perceptual Rendering of Human Skin",
-///         2009
+///         the page after Jimenez, Sundstedt and Gutierrez, "Screen-Space Perceptual Rendering of Human
+///         Skin", 2009
 [[nodiscard]] gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::ImageId light);
 
 } // namespace estampe::subsurface

@@ -125,7 +125,8 @@ TEST(Through, KnowsHowThickASphereIs)
 
 TEST(Through, AbsorbsAsBeerAndLambertSay)
 {
-    const Camera camera{.eye = {0.0, 0.25, 3.0}, .target = {0.0, 0.25, 0.0}, .orthographic_half_height_m = 0.4};
+    const Camera camera{
+        .eye = {0.0, 0.25, 3.0}, .target = {0.0, 0.25, 0.0}, .orthographic_half_height_m = 0.4};
     for (const float thickness_m : {0.05F, 0.2F, 0.5F}) {
         const Scene scene = test::scene_of(shapes::box({0.5F, 0.5F, thickness_m}));
         const SubsurfaceStyle style{
