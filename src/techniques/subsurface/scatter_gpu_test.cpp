@@ -132,7 +132,6 @@ TEST(Scatter, SpreadsColorsByTheirShare)
     EXPECT_LT(worst.x, 0.01);
     EXPECT_LT(worst.y, 0.015);
     EXPECT_LT(worst.z, 0.03);
-    fmt::print("step: {:.4f} {:.4f} {:.4f}\n", worst.x, worst.y, worst.z);
 }
 
 TEST(Scatter, KeepsTheEnergyOfAPoint)

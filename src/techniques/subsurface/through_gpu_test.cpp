@@ -116,7 +116,6 @@ TEST(Through, KnowsHowThickASphereIs)
                     EXPECT_EQ(far.draw[i], 0U);
                 }
             }
-            fmt::print("sphere: worst {:.5f} of {}\n", worst, count);
             EXPECT_GT(count, 2000);
             EXPECT_LT(worst, 0.01);
         }
