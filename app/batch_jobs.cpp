@@ -25,9 +25,9 @@ using style::WordTable;
 const std::vector<std::string>& job_keys()
 {
     static const std::vector<std::string> keys{
-        "scene",   "output",    "size",   "page",   "dpi",     "landscape", "camera",
-        "time",    "animation", "style",  "set",    "samples", "lightmap",  "tile",
-        "quality", "depth",     "layers", "motion", "since",   "hidden",    "plotter"};
+        "scene",     "output", "size",   "page",    "dpi",      "landscape", "camera",  "time",
+        "animation", "style",  "set",    "samples", "lightmap", "tile",      "quality", "depth",
+        "layers",    "layer",  "motion", "since",   "hidden",   "plotter"};
     return keys;
 }
 

@@ -56,6 +56,7 @@ struct PictureChoice {
     int depth = 8;              ///< bits a channel
     std::optional<int> quality; ///< of JPEG and WebP; none: the usual one, or without loss
     std::string layers;         ///< a folder, or an .exr, for the layers too; empty: none
+    std::string layer;          ///< the one that is drawn in place of the picture; empty: all of it
 };
 
 struct RenderCommand {

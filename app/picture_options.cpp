@@ -100,13 +100,26 @@ void PictureOptions::add_to(CLI::App& command)
             "Also write paper, wash, hatching and lines apart, with masks of\nobjects: PNG files in a "
             "new folder, or one .exr")
         ->type_name("DIR");
+    command
+        .add_option("--layer", layer_,
+                    "Draw one layer or mask alone, on white: wash, hatch, lines, shadow,\nocclusion or an "
+                    "object's name")
+        ->type_name("NAME");
 }
 
 PictureChoice PictureOptions::read(const std::string& output, uint32_t width, uint32_t height) const
 {
     const FormatFacts& facts = chosen_format(output, format_);
-    PictureChoice choice{
-        .format = facts.format, .depth = facts.depths[0], .quality = quality_, .layers = layers_};
+    PictureChoice choice{.format = facts.format,
+                         .depth = facts.depths[0],
+                         .quality = quality_,
+                         .layers = layers_,
+                         .layer = layer_};
+    if (!layer_.empty() &&
+        (facts.format == PictureFormat::svg || facts.format == PictureFormat::openraster)) {
+        throw UsageError(fmt::format("{} does not hold a layer alone", facts.name), "--layer",
+                         "write PNG, JPEG, WebP or OpenEXR");
+    }
     if (depth_) {
         if (*depth_ == 0 || std::ranges::find(facts.depths, *depth_) == facts.depths.end()) {
             throw UsageError(fmt::format("{} is no depth of {}", *depth_, facts.name), "--depth",
@@ -135,8 +148,9 @@ PictureChoice PictureOptions::read(const std::string& output, uint32_t width, ui
 
 PictureChoice PictureOptions::of_film() const
 {
-    const std::array<std::pair<const char*, bool>, 4> of_pictures{{{"--format", !format_.empty()},
+    const std::array<std::pair<const char*, bool>, 5> of_pictures{{{"--format", !format_.empty()},
                                                                    {"--layers", !layers_.empty()},
+                                                                   {"--layer", !layer_.empty()},
                                                                    {"--quality", quality_.has_value()},
                                                                    {"--depth", depth_.has_value()}}};
     for (const auto& [option, is_given] : of_pictures) {

@@ -28,6 +28,7 @@ public:
 private:
     std::string format_;
     std::string layers_;
+    std::string layer_;
     std::optional<int> quality_;
     std::optional<int> depth_;
 };

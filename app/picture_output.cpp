@@ -16,6 +16,7 @@
 #include "core/pending.hpp"
 #include "film_frames.hpp"
 #include "output/layer_files.hpp"
+#include "output/one_layer.hpp"
 #include "output/pictures.hpp"
 #include "progress.hpp"
 #include "text.hpp"
@@ -53,8 +54,8 @@ bool is_written_as_drawn(const RenderCommand& command, const RenderSettings& set
     constexpr uint64_t most_in_memory = uint64_t{1} << 24U;
     const PictureChoice& choice = command.picture;
     return choice.format == PictureFormat::png && choice.depth == 8 && choice.layers.empty() &&
-           command.motion.empty() && command.repeat == 1 && command.draw.output != standard_output &&
-           pixels_of(settings) > most_in_memory;
+           choice.layer.empty() && command.motion.empty() && command.repeat == 1 &&
+           command.draw.output != standard_output && pixels_of(settings) > most_in_memory;
 }
 
 /// Draws, and where it takes long says how far it is.
@@ -141,11 +142,18 @@ DrawnPicture draw_picture(Renderer& renderer, const Camera& camera, const Render
     const bool is_deep =
         choice.format == PictureFormat::exr || (choice.format == PictureFormat::png && choice.depth > 8);
     DrawnPicture picture;
-    if (choice.format == PictureFormat::openraster || !choice.layers.empty()) {
+    if (choice.format == PictureFormat::openraster || !choice.layers.empty() || !choice.layer.empty()) {
         picture.layers = renderer.render_layers(camera, style, settings);
         picture.bytes = picture.layers->picture;
         if (is_deep) {
             picture.floats = flattened(*picture.layers);
+        }
+        if (!choice.layer.empty()) {
+            picture.floats = output::one_layer(*picture.layers, choice.layer);
+            picture.bytes = output::encoded_bytes(*picture.floats);
+            if (!is_deep) {
+                picture.floats.reset();
+            }
         }
     } else if (is_deep) {
         picture.floats = renderer.render_linear(camera, style, settings);

@@ -43,6 +43,10 @@ DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, Dee
         page.draws =
             gpu::Buffer(device, "draws of layers", sizeof(uint32_t) * count, gpu::MemoryUse::readback);
         page.sun = gpu::Buffer(device, "sun of layers", sizeof(float) * count, gpu::MemoryUse::readback);
+        if (kind.has_occlusion) {
+            page.open = gpu::Buffer(device, "occlusion of layers", sizeof(uint16_t) * count,
+                                    gpu::MemoryUse::readback);
+        }
     }
     return page;
 }
@@ -65,6 +69,9 @@ void declare_deep_page(gpu::Graph& graph, const DeepInputs& in, const paper::Pap
     if (page.has_layers()) {
         gpu::add_read_back(graph, "read back draws", in.draw, page.draws);
         gpu::add_read_back(graph, "read back sun", in.sun, page.sun);
+        if (in.open) {
+            gpu::add_read_back(graph, "read back occlusion", *in.open, page.open);
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 
 // A picture in floats, whole or layer by layer.
 
+#include <optional>
 #include <vector>
 
 #include <estampe/renderer.hpp>
@@ -23,6 +24,7 @@ struct DeepPage {
     std::vector<Stage> stages;
     gpu::Buffer draws; ///< of the last sample, see shaders/draw_word.glsl; empty where no layers are wanted
     gpu::Buffer sun;   ///< of the last sample, see light::LitPixels; empty where no layers are wanted
+    gpu::Buffer open;  ///< of the last sample, halves; empty where no layers are wanted, or no occlusion
 
     [[nodiscard]] bool has_layers() const { return !draws.empty(); }
 };
@@ -32,6 +34,7 @@ struct DeepKind {
     bool has_layers = false; ///< each of them; else the picture alone
     bool has_ink = false;    ///< one of ink that flows besides
     bool has_smoke = false;  ///< and one of smoke
+    bool has_occlusion = false;
 };
 
 /// A page for the whole picture, or for each of its layers. Throws Error naming the device's limit when there
@@ -43,6 +46,7 @@ struct DeepInputs {
     paper::ComposeInputs layers;
     gpu::ImageId draw;
     gpu::ImageId sun;
+    std::optional<gpu::ImageId> open;
 };
 
 /// Declares what fills `page`, which must outlive the graph.

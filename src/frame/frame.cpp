@@ -25,7 +25,9 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     // What light falls on it.
     const ShadowMaps maps = add_shadow_maps(making, scene);
     const std::optional<gpu::ImageId> known = add_known_light(making, scene, visibility);
-    const light::LitPixels lit = add_light(making, scene, surface, maps, known);
+    const std::optional<gpu::ImageId> open = add_occlusion(making, scene, visibility, surface);
+    const light::LitPixels lit =
+        add_light(making, scene, visibility, surface, {.maps = maps, .known = known, .open = open});
 
     // What ink that is: as paths, or as layers.
     const hatch::HatchInputs hatching = hatch_inputs(making, scene, surface, lit, screen);
@@ -60,7 +62,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const paper::ComposeInputs layers =
         page_layers(making, scene, faded, colors, {.ink = flowing, .smoke = smoke}, lit.light);
     add_picture(making, layers);
-    add_deep_picture(making, layers, surface, lit);
+    add_deep_picture(making, layers, surface, lit, open);
 }
 
 } // namespace estampe::frame

@@ -17,6 +17,7 @@
 #include "techniques/contour/chains/strung_lines.hpp"
 #include "techniques/ink/ink.hpp"
 #include "techniques/lightmap/lightmap.hpp"
+#include "techniques/occlusion/discs.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
@@ -54,6 +55,8 @@ struct FrameResources {
     TonalMaps& maps;                 ///< one a look
     gpu::Buffer& look_of_draw;       ///< where surfaces differ, as LookPlan has it
     gpu::Buffer& line_looks;         ///< then, contour's LineLook of each look
+    gpu::Buffer& subsurface_looks;   ///< where light goes into things
+    occlusion::DiscBuffers& discs;   ///< where occlusion is found between them
     GroundShadow& ground_shadow;
     MovingCloth* cloth;               ///< where the scene has any
     terrain::TerrainBuffers* terrain; ///< where the scene has one

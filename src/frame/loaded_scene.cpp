@@ -63,6 +63,22 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Ligh
     return loaded;
 }
 
+occlusion::DiscBuffers discs_of(gpu::Device& device, const pose::MeshData& layout)
+{
+    std::vector<glm::uvec4> triangles;
+    for (const pose::Range& range : {layout.opaque, layout.masked}) {
+        for (uint32_t i = range.first; i < range.first + range.count; ++i) {
+            if (layout.triangles[i].x < layout.foreign_vertex.value_or(UINT32_MAX)) {
+                triangles.push_back(layout.triangles[i]);
+            }
+        }
+    }
+    return occlusion::upload_discs(
+        device,
+        occlusion::list_discs(layout.stroke_coordinates, static_cast<float>(layout.stroke_unit_m), triangles),
+        static_cast<uint32_t>(layout.stroke_coordinates.size()));
+}
+
 void lay_out(gpu::Device& device, LoadedScene& loaded)
 {
     const auto ground_material = static_cast<Index>(loaded.scene.materials.size());
@@ -90,6 +106,7 @@ void lay_out(gpu::Device& device, LoadedScene& loaded)
     loaded.has_plain_links = pose::has_plain_links(loaded.layout);
     loaded.stroke_kinds.clear();
     loaded.line_meshes.forget();
+    loaded.discs = {};
     loaded.pose.reset();
     loaded.pose_moved = true;
 }

@@ -12,6 +12,7 @@
 #include "frame/lightmaps.hpp"
 #include "frame/line_meshes.hpp"
 #include "frame/moving_cloth.hpp"
+#include "techniques/occlusion/discs.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
@@ -34,6 +35,7 @@ struct LoadedScene {
     std::vector<uint32_t> stroke_kinds; ///< what the strokes of each draw follow, on the device
     std::optional<pose::PoseData> pose; ///< what the device holds now
     LineMeshes line_meshes;
+    occlusion::DiscBuffers discs; ///< made when a style first asks for them
     HouseLight house_light;
     std::unique_ptr<MovingCloth> cloth;               ///< where the scene has any
     std::unique_ptr<terrain::TerrainBuffers> terrain; ///< where the scene has one
@@ -46,6 +48,9 @@ struct LoadedScene {
 /// Uploads `scene`, with a lightmap unless that is null. Throws Error when it does not fit the device, or
 /// when the lightmap is another scene's.
 [[nodiscard]] LoadedScene load_onto_device(gpu::Device& device, const Scene& scene, const Lightmap* lightmap);
+
+/// The discs of all that is neither blank ground nor terrain. Cost: n log n in vertices.
+[[nodiscard]] occlusion::DiscBuffers discs_of(gpu::Device& device, const pose::MeshData& layout);
 
 /// Makes the meshes of the loaded scene as its objects' links want them, and forgets what was made of those
 /// before.

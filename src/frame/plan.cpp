@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "shaders/stroke_kind.glsl.h"
+#include "techniques/occlusion/occlusion.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -131,6 +132,47 @@ std::optional<sky::CloudPlan> plan_clouds(const PlanInputs& in, const PagePlan& 
                                               .pixels_per_mm = page.pixels_per_mm});
 }
 
+/// Runs of triangles whose looks let light through.
+std::vector<raster::Batch> bodies_of(const pose::MeshData& layout, const LookPlan& looks)
+{
+    std::vector<raster::Batch> bodies;
+    const auto takes_in = [&](uint32_t triangle) {
+        const uint32_t draw = layout.triangles[triangle].w & shared::triangle_draw_mask;
+        const uint32_t look = looks.has_several() ? looks.look_of_draw[draw] : 0U;
+        return subsurface::shines(looks.styles[look].subsurface);
+    };
+    for (const pose::Range& range : {layout.opaque, layout.masked}) {
+        bool goes_on = false;
+        for (uint32_t triangle = range.first; triangle < range.first + range.count; ++triangle) {
+            const bool is_body = takes_in(triangle);
+            if (is_body && !goes_on) {
+                bodies.push_back({.first_triangle = triangle, .masked = true});
+            }
+            if (is_body) {
+                ++bodies.back().triangle_count;
+            }
+            goes_on = is_body;
+        }
+    }
+    return bodies;
+}
+
+std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout, const LookPlan& looks)
+{
+    SubsurfacePlan plan;
+    bool is_drawn = false;
+    for (const StyleTables& style : looks.styles) {
+        plan.looks.push_back(subsurface::look_of(style.subsurface));
+        plan.scatters |= subsurface::scatters(style.subsurface);
+        is_drawn |= style.subsurface.drawn;
+    }
+    if (!is_drawn) {
+        return std::nullopt;
+    }
+    plan.bodies = bodies_of(layout, looks);
+    return plan;
+}
+
 bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& map)
 {
     return style.drawn && style.lines == contour::Lines::chains &&
@@ -163,6 +205,7 @@ FramePlan plan_frame(const PlanInputs& in)
     const EdgePlan edges = plan_edges(in.style, sun, strokes, page.pixels_per_mm);
     std::optional<sky::CloudPlan> clouds = plan_clouds(in, page, sun);
     const LinePlan lines{.of_shadows = draws_shadow_lines(looks.lines, sun.map)};
+    std::optional<SubsurfacePlan> subsurface = plan_subsurface(in.loaded.layout, looks);
     return {.page_px = page.size_px,
             .page = page,
             .raster = plan_raster(in),
@@ -172,6 +215,9 @@ FramePlan plan_frame(const PlanInputs& in)
             .sun = std::move(sun),
             .light = light,
             .shadow_edges = edges,
+            .occlusion_radius_m = occlusion::radius_of(in.style.occlusion,
+                                                       static_cast<float>(in.loaded.layout.bounds.radius())),
+            .subsurface = std::move(subsurface),
             .lines = lines,
             .focus = plan_focus(in, page),
             .ripples = plan_ripples(in),

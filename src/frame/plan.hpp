@@ -24,6 +24,7 @@
 #include "techniques/particles/particles.hpp"
 #include "techniques/raster/raster.hpp"
 #include "techniques/sky/clouds/clouds.hpp"
+#include "techniques/subsurface/subsurface.hpp"
 #include "techniques/terrain/drift/drift.hpp"
 #include "techniques/terrain/ripples/ripples.hpp"
 
@@ -66,6 +67,13 @@ struct LightPlan {
     float adapt_stops = -1.0F; ///< most that the exposure by the page changes; negative: any
 };
 
+/// Light that goes into things.
+struct SubsurfacePlan {
+    std::vector<shared::SubsurfaceLook> looks; ///< as many as LookPlan has styles
+    std::vector<raster::Batch> bodies;         ///< that light comes through
+    bool scatters = false;
+};
+
 /// How the edges of shadows look.
 struct EdgePlan {
     shared::EdgeLook look; ///< their teeth
@@ -95,6 +103,8 @@ struct FramePlan {
     LightPlan light;
     EdgePlan shadow_edges;
     LocalMapPlan local_shadows;
+    float occlusion_radius_m = 1.0F;
+    std::optional<SubsurfacePlan> subsurface;
     LinePlan lines;
     FocusPlan focus;
     std::optional<shared::RippleConstants> ripples; ///< of a terrain's sand

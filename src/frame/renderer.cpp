@@ -161,6 +161,13 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
     if (plan.clouds) {
         clouds = frame::cloud_buffers(device, *plan.clouds);
     }
+    if (const occlusion::OcclusionStyle& style = plan.looks.styles.front().occlusion;
+        style.drawn && style.method == occlusion::Method::discs && loaded->discs.empty()) {
+        loaded->discs = frame::discs_of(device, loaded->layout);
+    }
+    if (plan.subsurface) {
+        subsurface_looks = frame::mapped_buffer(device, "subsurface looks", plan.subsurface->looks);
+    }
     if (plan.looks.has_several()) {
         const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
         look_of_draw = frame::mapped_buffer(device, "looks", looks);
@@ -209,6 +216,8 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .maps = tonal_maps,
                                     .look_of_draw = look_of_draw,
                                     .line_looks = line_looks,
+                                    .subsurface_looks = subsurface_looks,
+                                    .discs = loaded->discs,
                                     .ground_shadow = ground_shadow,
                                     .cloth = loaded->cloth.get(),
                                     .terrain = loaded->terrain.get(),

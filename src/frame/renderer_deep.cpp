@@ -6,6 +6,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <glm/gtc/packing.hpp>
 
 #include "frame/layers.hpp"
 #include "gpu/read_back.hpp"
@@ -46,7 +47,7 @@ public:
     }
 
 private:
-    std::set<std::string> taken_{"paper", "wash", "ink", "hatch", "lines", "smoke", "shadow"};
+    std::set<std::string> taken_{"paper", "wash", "ink", "hatch", "lines", "smoke", "shadow", "occlusion"};
 };
 
 /// The part of the page that its margin leaves: from the first pixel to before the last.
@@ -70,7 +71,7 @@ public:
     Seen(const pose::MeshData& layout, const RenderSettings& settings, const PixelWindow& window)
         : things_(thing_of_draw(layout)), width_(settings.width), window_(window),
           pixel_things_(size_t{settings.width} * settings.height), shares_(pixel_things_.size()),
-          shadow_(pixel_things_.size())
+          shadow_(pixel_things_.size()), closed_(pixel_things_.size())
     {
     }
 
@@ -78,6 +79,8 @@ public:
     {
         const auto words = gpu::items_of<uint32_t>(page.draws);
         const auto sun = gpu::items_of<float>(page.sun);
+        const auto open =
+            page.open.empty() ? std::span<const uint16_t>() : gpu::items_of<uint16_t>(page.open);
         for (uint32_t y = window_.first.y; y < window_.last.y; ++y) {
             for (uint32_t x = window_.first.x; x < window_.last.x; ++x) {
                 const size_t i = size_t{y} * width_ + x;
@@ -85,6 +88,7 @@ public:
                 pixel_things_[i] = number > 0 ? things_.at(number - 1) : 0;
                 // Negative: turned away from the sun, or never lit by it.
                 shadow_[i] += sun[i] >= 0.0F ? 1.0F - std::min(sun[i], 1.0F) : 0.0F;
+                closed_[i] += number > 0 && !open.empty() ? 1.0F - glm::unpackHalf1x16(open[i]) : 0.0F;
             }
         }
         shares_.add(pixel_things_);
@@ -95,17 +99,22 @@ public:
     {
         constexpr uint32_t above_wash = 2;
         std::vector<PictureMask> masks;
-        if (std::ranges::any_of(shadow_, [](float sum) { return sum > 0.0F; })) {
-            masks.push_back({.name = "shadow",
+        const auto add_shares = [&](const char* name, const std::vector<float>& sums) {
+            if (std::ranges::none_of(sums, [](float sum) { return sum > 0.0F; })) {
+                return;
+            }
+            masks.push_back({.name = name,
                              .is_object = false,
                              .above = above_wash,
                              .width = settings.width,
                              .height = settings.height,
-                             .cover = shadow_});
+                             .cover = sums});
             for (float& share : masks.back().cover) {
                 share /= static_cast<float>(settings.samples);
             }
-        }
+        };
+        add_shares("shadow", shadow_);
+        add_shares("occlusion", closed_);
         Names names;
         for (const auto& [thing, places] : shares_.places()) {
             masks.push_back(frame::cropped_mask(names.make(name_of_thing(scene, thing)), settings.width,
@@ -122,6 +131,7 @@ private:
     std::vector<uint32_t> pixel_things_; ///< of the sample in hand
     frame::Shares shares_;
     std::vector<float> shadow_; ///< sum over the samples
+    std::vector<float> closed_; ///< the same, of light that occlusion takes
 };
 
 } // namespace
@@ -144,9 +154,11 @@ LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, c
     Impl& impl = *impl_;
     frame::check_size(impl.device, settings);
     const bool has_smoke = style.tables().smoke.drawn;
-    frame::DeepPage page = frame::make_deep_page(
-        impl.device, settings,
-        {.has_layers = true, .has_ink = style.tables().ink.drawn, .has_smoke = has_smoke});
+    frame::DeepPage page = frame::make_deep_page(impl.device, settings,
+                                                 {.has_layers = true,
+                                                  .has_ink = style.tables().ink.drawn,
+                                                  .has_smoke = has_smoke,
+                                                  .has_occlusion = style.tables().occlusion.drawn});
     std::optional<Seen> seen;
     LayeredImage result;
     result.picture = impl.draw_picture(camera, style, settings, &page, [&] {

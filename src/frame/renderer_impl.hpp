@@ -136,6 +136,7 @@ struct Renderer::Impl {
     frame::TonalMaps tonal_maps;
     gpu::Buffer look_of_draw;
     gpu::Buffer line_looks;
+    gpu::Buffer subsurface_looks;
     gpu::Buffer focus_lines;
     frame::CloudBuffers clouds;
     frame::ParticleBuffers particles;

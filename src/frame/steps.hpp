@@ -80,10 +80,25 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
 [[nodiscard]] std::optional<gpu::ImageId> add_known_light(const Making& making, const PosedScene& scene,
                                                           gpu::BufferId visibility);
 
-/// The light that arrives there, exposed for the page where the style meters that.
+/// How much of the light from everywhere arrives there, where the style wants it.
+[[nodiscard]] std::optional<gpu::ImageId> add_occlusion(const Making& making, const PosedScene& scene,
+                                                        gpu::BufferId visibility,
+                                                        const surface::Surface& surface);
+
+/// What keeps light from what is seen, or is known of it.
+struct LightBefore {
+    ShadowMaps maps;
+    std::optional<gpu::ImageId> known; ///< by add_known_light()
+    std::optional<gpu::ImageId> open;  ///< by add_occlusion()
+};
+
+/// The light that arrives there and goes into things, exposed for the page where the style meters that.
 [[nodiscard]] light::LitPixels add_light(const Making& making, const PosedScene& scene,
-                                         const surface::Surface& surface, const ShadowMaps& maps,
-                                         const std::optional<gpu::ImageId>& known);
+                                         gpu::BufferId visibility, const surface::Surface& surface,
+                                         const LightBefore& before);
+
+/// The number of each draw's look, where surfaces differ.
+[[nodiscard]] std::optional<gpu::BufferId> look_of_draw(const Making& making);
 
 /// What strokes are drawn from.
 [[nodiscard]] std::vector<hatch::LookHatch> hatch_looks(const Making& making);
@@ -153,6 +168,7 @@ void add_picture(const Making& making, const paper::ComposeInputs& layers);
 
 /// The same in floats, whole or layer by layer, where it is asked for.
 void add_deep_picture(const Making& making, const paper::ComposeInputs& layers,
-                      const surface::Surface& surface, const light::LitPixels& lit);
+                      const surface::Surface& surface, const light::LitPixels& lit,
+                      const std::optional<gpu::ImageId>& open);
 
 } // namespace estampe::frame

@@ -10,14 +10,6 @@
 namespace estampe::frame {
 namespace {
 
-std::optional<gpu::BufferId> look_of_draw(const Making& making)
-{
-    if (!making.plan.looks.has_several()) {
-        return std::nullopt;
-    }
-    return gpu::import_whole(making.graph, "looks", making.resources.look_of_draw);
-}
-
 std::vector<wash::LookWash> wash_looks(const LookPlan& plan)
 {
     std::vector<wash::LookWash> looks;
@@ -52,6 +44,14 @@ gpu::ImageId add_motion_for_ink(const Making& making, const PosedScene& scene, g
 }
 
 } // namespace
+
+std::optional<gpu::BufferId> look_of_draw(const Making& making)
+{
+    if (!making.plan.looks.has_several()) {
+        return std::nullopt;
+    }
+    return gpu::import_whole(making.graph, "looks", making.resources.look_of_draw);
+}
 
 std::vector<hatch::LookHatch> hatch_looks(const Making& making)
 {
@@ -381,10 +381,12 @@ void add_picture(const Making& making, const paper::ComposeInputs& layers)
 }
 
 void add_deep_picture(const Making& making, const paper::ComposeInputs& layers,
-                      const surface::Surface& surface, const light::LitPixels& lit)
+                      const surface::Surface& surface, const light::LitPixels& lit,
+                      const std::optional<gpu::ImageId>& open)
 {
     if (making.resources.deep != nullptr) {
-        declare_deep_page(making.graph, {.layers = layers, .draw = surface.draw, .sun = lit.sun},
+        declare_deep_page(making.graph,
+                          {.layers = layers, .draw = surface.draw, .sun = lit.sun, .open = open},
                           making.style.paper, making.sample.accumulation, *making.resources.deep);
     }
 }

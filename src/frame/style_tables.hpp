@@ -14,6 +14,7 @@
 #include "techniques/light/light_style.hpp"
 #include "techniques/light/sun_style.hpp"
 #include "techniques/lightmap/lightmap.hpp"
+#include "techniques/occlusion/occlusion_style.hpp"
 #include "techniques/paper/paper.hpp"
 #include "techniques/particles/particle_style.hpp"
 #include "techniques/screen/screen.hpp"
@@ -21,6 +22,7 @@
 #include "techniques/sky/clouds/cloud_style.hpp"
 #include "techniques/sky/sky.hpp"
 #include "techniques/smoke/smoke_style.hpp"
+#include "techniques/subsurface/subsurface_style.hpp"
 #include "techniques/tam/tam_style.hpp"
 #include "techniques/terrain/drift/drift.hpp"
 #include "techniques/wash/wash.hpp"
@@ -52,6 +54,8 @@ struct StyleTables {
     light::SunStyle sun;
     shadow::ShadowStyle shadow;
     lightmap::LightmapStyle lightmap;
+    occlusion::OcclusionStyle occlusion;
+    subsurface::SubsurfaceStyle subsurface;
     light::ToneStyle tone;
     screen::ScreenStyle screen;
     hatch::HatchStyle hatch;
@@ -82,6 +86,8 @@ struct StyleTables {
     sheet.bind(light::sun_table(), tables.sun);
     sheet.bind(shadow::shadow_table(), tables.shadow);
     sheet.bind(lightmap::lightmap_table(), tables.lightmap);
+    sheet.bind(occlusion::occlusion_table(), tables.occlusion);
+    sheet.bind(subsurface::subsurface_table(), tables.subsurface);
     sheet.bind(light::tone_table(), tables.tone);
     sheet.bind(screen::screen_table(), tables.screen);
     sheet.bind(hatch::hatch_table(), tables.hatch);

@@ -19,6 +19,7 @@
 #include "core/file.hpp"
 #include "core/srgb.hpp"
 #include "output/layer_bytes.hpp"
+#include "output/one_layer.hpp"
 #include "support/folder.hpp"
 #include "support/open_raster.hpp"
 
@@ -281,6 +282,35 @@ TEST(Layers, WhatIsNoPictureIsAnError)
     EXPECT_THROW(save_layers(image, folder / "layers", 12), Error);
     EXPECT_THROW(save_openraster(image, folder / "none/a.ora"), Error);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Layers, AreLookedAtAlone)
+{
+    LayeredImage image;
+    image.picture = {.width = 2, .height = 2, .rgba = std::vector<uint8_t>(16, 255)};
+    const auto layer = [](const char* name, LayerBlend blend, const glm::vec4& pixel) {
+        return PictureLayer{.name = name,
+                            .blend = blend,
+                            .image = {.width = 2, .height = 2, .pixels = std::vector<glm::vec4>(4, pixel)}};
+    };
+    image.layers = {layer("paper", LayerBlend::normal, {0.5F, 0.4F, 0.3F, 1.0F}),
+                    layer("wash", LayerBlend::multiply, {0.5F, 1.0F, 0.25F, 1.0F}),
+                    layer("lines", LayerBlend::normal, {0.1F, 0.0F, 0.0F, 0.5F})};
+    image.masks = {{.name = "occlusion",
+                    .is_object = false,
+                    .x = 1,
+                    .y = 0,
+                    .width = 1,
+                    .height = 2,
+                    .cover = {0.25F, 1.0F}}};
+    EXPECT_EQ(output::one_layer(image, "wash").pixels[3], glm::vec4(0.5F, 1.0F, 0.25F, 1.0F));
+    EXPECT_EQ(glm::vec3(output::one_layer(image, "lines").pixels[0]), glm::vec3(0.6F, 0.5F, 0.5F));
+    const LinearImage mask = output::one_layer(image, "occlusion");
+    EXPECT_EQ(mask.pixels[0].x, 1.0F);
+    EXPECT_EQ(mask.pixels[1].x, 0.75F);
+    EXPECT_EQ(mask.pixels[3].x, 0.0F);
+    EXPECT_EQ(output::encoded_bytes(mask).rgba[4 * 1], 225) << "sRGB of three quarters";
+    EXPECT_THROW(std::ignore = output::one_layer(image, "hatch"), Error);
 }
 
 } // namespace

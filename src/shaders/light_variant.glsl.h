@@ -32,6 +32,10 @@ SHARED_CONSTANT uint light_has_soft_lamps = 1U << 16U;
 
 SHARED_CONSTANT uint light_has_ground_shadow = 1U << 17U; // known ahead, for each pixel
 
+// Occlusion darkens the light that has no one place, or all of it.
+SHARED_CONSTANT uint light_occludes_ambient = 1U << 18U;
+SHARED_CONSTANT uint light_occludes_all = 1U << 19U;
+
 #ifdef __cplusplus
 } // namespace estampe::shared
 #endif

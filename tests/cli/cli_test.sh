@@ -128,6 +128,8 @@ expect_success render scene.glb -o page.svg --page A5 --dpi 72 --device cpu
 grep -q 'width="148' page.svg || wrong "page.svg is not as wide as A5"
 rm -f page.png tiled.png page.svg
 expect_error 2 '--size: WebP holds no side of more than 16383 pixels' render scene.glb -o a.webp --size 16384x1
+expect_error 2 'SVG does not hold a layer alone' render scene.glb -o a.svg --layer lines
+expect_error 2 '--layer: goes with single pictures alone' render scene.glb -o a.mp4 --layer lines
 expect_error 2 '--layers: goes with pictures alone' render scene.glb -o a.svg --layers layers
 expect_error 2 '--layers: needs a place of its own' render scene.glb -o a.exr --layers a.exr
 expect_error 2 '--layers: needs a place of its own' render scene.glb -o a.png --layers -
@@ -280,6 +282,13 @@ expect_success render scene.glb -o deep.png "${small[@]}" --depth 16 --layers em
 expect_success render scene.glb -o with.ora "${small[@]}" --layers layers.exr
 cmp with.ora form.ora || wrong "--layers changes the OpenRaster file"
 grep -q 'paper\.R' layers.exr || wrong "layers.exr has no paper"
+
+# One of them alone
+expect_success render scene.glb -o lines.png "${small[@]}" --layer lines
+! cmp -s plain.png lines.png || wrong "--layer draws the whole picture"
+expect_success render scene.glb -o occlusion.png "${small[@]}" --set occlusion.drawn=true --layer occlusion
+expect_error 1 'has no layer "occlusion"' render scene.glb -o none.png "${small[@]}" --layer occlusion
+[[ ! -e none.png ]] || wrong "a layer that is not there was written"
 
 # Tonal art maps
 tiny=(--set tam.size_px=64 --set tam.tones=4 --set tam.candidates=8)

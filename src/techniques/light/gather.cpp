@@ -188,6 +188,7 @@ std::vector<shared::LightRecord> sun_and_fill(const LightStyle& style, const Out
     std::vector records{parallel_light(towards(azimuth_deg, elevation_deg), 1.0F)};
     if (style.fill > 0.0F) {
         records.push_back(parallel_light(towards(azimuth_deg + 100.0, 20.0), style.fill));
+        records.back().is_fill = 1;
     }
     return records;
 }

@@ -75,6 +75,7 @@ layout(binding = 17) uniform samplerBuffer local_maps;
 layout(binding = 18) uniform sampler2D lightmap_image;        // irradiance / pi, and whether it is known
 layout(binding = 19, r32f) writeonly uniform image2D out_sun; // see LitPixels
 layout(binding = 20) uniform sampler2D ground_share_image;    // of the sun, that a terrain leaves
+layout(binding = 21) uniform sampler2D occlusion_image;       // share of light from everywhere that arrives
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -101,6 +102,8 @@ const bool has_soft_lamps = (variant & light_has_soft_lamps) != 0u;
 const bool keeps_sun = (variant & light_keeps_sun) != 0u;
 const bool has_local_shadows = (variant & light_has_local_shadows) != 0u;
 const bool has_ground_shadow = (variant & light_has_ground_shadow) != 0u;
+const bool occludes_ambient = (variant & light_occludes_ambient) != 0u;
+const bool occludes_all = (variant & light_occludes_all) != 0u;
 
 const float most_light = 65504.0; // that half floats hold
 const uint lights_per_round = 256u;
@@ -128,7 +131,7 @@ LightRecord light_at(uint light)
     uvec4 e = texelFetch(light_texels, int(5u * light + 4u));
     return LightRecord(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz), b.w,
                        uintBitsToFloat(c.xyz), uintBitsToFloat(c.w), uintBitsToFloat(d.x),
-                       uintBitsToFloat(d.yzw), e.x, e.y, uintBitsToFloat(e.z), 0u);
+                       uintBitsToFloat(d.yzw), e.x, e.y, uintBitsToFloat(e.z), e.w);
 }
 
 shared uint reaching[lights_per_round / 32u];
@@ -231,7 +234,14 @@ void main()
         takes_shadow = (draw.flags & draw_unshadowed) == 0u;
     }
 
+    float open = 1.0;
+    if (occludes_ambient || occludes_all) {
+        open = texelFetch(occlusion_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
+    }
     vec3 light = mix(lighting.ground_ambient, lighting.sky_ambient, 0.5 + 0.5 * normal.y);
+    if (occludes_ambient) {
+        light *= open;
+    }
     if (has_lightmap) {
         // Where it is known what is thrown off all around, ambient need not stand for it.
         vec4 known = texelFetch(lightmap_image, min(pixel, ivec2(frame.size_px) - 1), 0);
@@ -262,6 +272,9 @@ void main()
         }
         vec3 arriving =
             is_linked && lambert > 0.0 ? sun.color * (pow(lambert, lighting.falloff) * visible) : vec3(0.0);
+        if (occludes_ambient && sun.is_fill != 0u) {
+            arriving *= open;
+        }
         weigh(arriving, vec3(0.0));
         light += arriving;
     } while (subgroupAny(++i < directional_count));
@@ -272,6 +285,9 @@ void main()
     }
     if (!on_page) {
         return;
+    }
+    if (occludes_all) {
+        light *= open;
     }
     if (has_emissive && (word & DRAW_EMISSIVE) != 0u) {
         light += emissive_of(draw_at(draw_of(word)).material);

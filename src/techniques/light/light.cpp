@@ -56,7 +56,11 @@ uint32_t light_variant(const LightInputs& in, const Lists& lists)
            (in.looks_at_all ? shared::light_looks_at_all : 0U) |
            (in.has_local_shadows ? shared::light_has_local_shadows : 0U) |
            (in.ground_share ? shared::light_has_ground_shadow : 0U) |
-           (in.lightmap ? shared::light_has_lightmap : 0U) | (in.keeps_sun ? shared::light_keeps_sun : 0U);
+           (in.lightmap ? shared::light_has_lightmap : 0U) |
+           (!in.occlusion     ? 0U
+            : in.occludes_all ? shared::light_occludes_all
+                              : shared::light_occludes_ambient) |
+           (in.keeps_sun ? shared::light_keeps_sun : 0U);
 }
 
 } // namespace
@@ -99,7 +103,7 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
     const glm::uvec2 sun_px = in.keeps_sun ? in.size_px : glm::uvec2(1);
     const gpu::ImageId sun = pass.write(
         graph.image("light/sun", {.width = sun_px.x, .height = sun_px.y, .format = gpu::Format::r32f}));
-    pass.sample(in.ground_share.value_or(in.depth));
+    pass.sample(in.ground_share.value_or(in.depth)).sample(in.occlusion.value_or(in.depth));
     pass.variant(light_variant(in, lists));
     pass.push(lists.tiles);
     pass.dispatch_over(in.size_px.x, in.size_px.y);

@@ -30,7 +30,7 @@ struct LightRecord {
     uint shadow;    // one more than the first of its views among the shadow maps; 0: none
     uint groups;    // lights those of bits 0-15, is blocked by those of bits 16-31
     float radius_m; // of the ball that glows, for its penumbrae; below 0: as the style says
-    uint unused;
+    uint is_fill;   // stands for light that is thrown about, so occlusion takes of it as of ambient
 };
 
 struct LightGlobals {

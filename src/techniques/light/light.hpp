@@ -79,6 +79,8 @@ struct LightInputs {
     bool has_local_shadows = false;
     std::optional<gpu::ImageId> lightmap; ///< light known ahead: takes the place of ambient where alpha is 1
     std::optional<gpu::ImageId> ground_share; ///< how much of the sun a terrain leaves
+    std::optional<gpu::ImageId> occlusion;    ///< share of the light from everywhere that arrives
+    bool occludes_all = false;                ///< it takes of all light
     bool has_shadow = false;
     uint32_t local_count = 0; ///< point and spot lights, after the directional ones
     bool has_emissive = false;

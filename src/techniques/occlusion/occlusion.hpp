@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// How much of the light from everywhere reaches what is seen.
+
+#include "gpu/graph/graph.hpp"
+#include "shaders/shared.hpp"
+#include "techniques/occlusion/occlusion_style.hpp"
+
+namespace estampe::occlusion {
+
+struct OcclusionInputs {
+    gpu::BufferId frame; ///< FrameGlobals
+    gpu::ImageId depth;
+    gpu::ImageId normal;
+    float radius_m = 1.0F; ///< as radius_of() has it
+    float pixels_per_mm = 1.0F;
+    glm::uvec2 size_px{0};
+    glm::uvec2 from_px{0}; ///< where on the page what is drawn begins
+};
+
+/// The style's radius, or what it is in a scene of this one.
+[[nodiscard]] float radius_of(const OcclusionStyle& style, float scene_radius_m);
+
+/// How far off the page the pixels may lie that one of this style hangs on.
+[[nodiscard]] uint32_t reach_px(const OcclusionStyle& style, float pixels_per_mm);
+
+/// Finds occlusion from what is seen about each pixel, and nothing else.
+///
+/// Writes  r16f, as large as what is drawn: the share of the light, 1 where nothing is seen
+/// Cost    four dispatches, all but the last over every second pixel each way: 20 depths, twice 4 neighbours,
+///         then 4 at every pixel
+/// Source  Therrien, Levesque and Gilet, "Screen Space Indirect Lighting with Visibility Bitmask", 2023;
+///         slices and their weights after Jimenez et al., "Practical Real-Time Strategies for Accurate
+///         Indirect Occlusion", 2016
+[[nodiscard]] gpu::ImageId add_horizon(gpu::Graph& graph, const OcclusionInputs& in,
+                                       const OcclusionStyle& style);
+
+/// Darkens what lies behind the mean of the depths about it, as a drawing does that lifts things off their
+/// ground: no light is worked out.
+///
+/// Writes  as add_horizon() does
+/// Cost    three dispatches, two over every second pixel each way: 16 depths each, then 4 at every pixel
+/// Source  Luft, Colditz and Deussen, "Image Enhancement by Unsharp Masking the Depth Buffer", SIGGRAPH 2006
+[[nodiscard]] gpu::ImageId add_unsharp(gpu::Graph& graph, const OcclusionInputs& in,
+                                       const OcclusionStyle& style);
+
+} // namespace estampe::occlusion

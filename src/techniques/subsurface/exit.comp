@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// One thread a pixel finds where the eye's ray leaves what it entered: the next surface behind, if its back
+// is turned; else what is seen is a sheet, whose other side lies where it does.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/camera.glsl"
+#include "shaders/draw_word.glsl"
+#include "shaders/octahedral.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(binding = 1) uniform usampler2D draw_image;
+layout(binding = 2) uniform sampler2D depth_image;
+layout(binding = 3) uniform usampler2D normal_image;
+
+#define VISIBILITY_BINDING 4
+#include "shaders/visibility_texels.glsl" // of what lies behind
+
+#define MESH_TEXELS_BINDING 5
+#include "shaders/mesh_texels.glsl"
+
+#define LOOKS_BINDING 7
+#define HAS_LOOKS ((variant & subsurface_has_looks) != 0u)
+layout(constant_id = 0) const uint variant = 0u;
+#include "techniques/subsurface/looks.glsl"
+
+layout(binding = 9, r32ui) writeonly uniform uimage2D out_draw;
+layout(binding = 10, r32f) writeonly uniform image2D out_depth;
+layout(binding = 11, rg32ui) writeonly uniform uimage2D out_normal; // away from the eye
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
+        return;
+    }
+    uint word = texelFetch(draw_image, pixel, 0).x;
+    if (!takes_light_in(word) || looks[look_of(word)].strength <= 0.0) {
+        imageStore(out_draw, pixel, uvec4(0u));
+        imageStore(out_depth, pixel, vec4(0.0));
+        imageStore(out_normal, pixel, uvec4(0u));
+        return;
+    }
+    float depth = texelFetch(depth_image, pixel, 0).x;
+    vec3 normal = -unpack_normal(texelFetch(normal_image, pixel, 0).y);
+    uvec2 seen = visibility_at(pixel);
+    if (sees_triangle(seen)) {
+        uvec4 corners = triangle_at(seen_triangle(seen));
+        vec3 a = posed_vertex_at(corners.x).position;
+        vec3 b = posed_vertex_at(corners.y).position;
+        vec3 c = posed_vertex_at(corners.z).position;
+        vec3 flat_normal = cross(b - a, c - a) * ((corners.w & triangle_mirrored) != 0u ? -1.0 : 1.0);
+        vec3 eye = towards_eye(frame, a);
+        bool turns_its_back = dot(flat_normal, eye) < 0.0;
+        normal = turns_its_back ? unit(flat_normal) : normal;
+        depth = turns_its_back ? seen_depth(seen) : depth;
+    }
+    uint packed = pack_normal(normal);
+    imageStore(out_draw, pixel, uvec4(draw_of(word) + 1u));
+    imageStore(out_depth, pixel, vec4(depth));
+    imageStore(out_normal, pixel, uvec4(packed, packed, 0u, 0u));
+}

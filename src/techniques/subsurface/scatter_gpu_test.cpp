@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Light that spreads under flat surfaces, against Burley's profile integrated.
+#include "techniques/subsurface/subsurface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "frame/view.hpp"
+#include "gpu/imports.hpp"
+#include "gpu/upload.hpp"
+#include "support/gpu_device.hpp"
+#include "support/layers.hpp"
+
+namespace estampe::subsurface {
+namespace {
+
+constexpr glm::uvec2 size_px(160, 96);
+constexpr double near_m = 0.1;
+constexpr double away_m = 5.0;
+const Camera camera{
+    .eye = {0.0, 0.0, away_m}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.5, .near_m = near_m};
+
+/// What a pixel spans on a sheet that faces the camera.
+double pixel_m()
+{
+    return 2.0 * away_m * std::tan(0.25) / size_px.y;
+}
+
+struct Painted {
+    test::Painter<glm::vec4> light;
+    test::Painter<float> depth = [](glm::uvec2) { return static_cast<float>(near_m / away_m); };
+    test::Painter<uint32_t> draw = [](glm::uvec2) { return 1U; };
+};
+
+SubsurfaceStyle spreading(double scatter_px, const glm::vec3& color = glm::vec3(1.0F))
+{
+    return {.drawn = true,
+            .scatter_m = static_cast<float>(scatter_px * pixel_m()),
+            .scatter_color = color,
+            .depth_m = 0.0F,
+            .reach_mm = 200.0F};
+}
+
+/// Of a part of the page, or of all.
+std::vector<glm::vec4> spread(const Painted& page, const SubsurfaceStyle& style, glm::uvec2 from_px = {0, 0},
+                              glm::uvec2 part_px = size_px)
+{
+    const auto shifted = [&](const auto& painter) {
+        return [&painter, from_px](glm::uvec2 pixel) { return painter(pixel + from_px); };
+    };
+    auto light = test::Layer::color(part_px, shifted(page.light));
+    auto depth = test::Layer::depth(part_px, shifted(page.depth));
+    auto draw = test::Layer::words(part_px, shifted(page.draw));
+    auto globals = frame::frame_globals(camera, {}, {}, {.size_px = size_px});
+    globals.size_px = part_px;
+    globals.tile_from_px = from_px;
+    auto frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
+    auto looks = gpu::upload_buffer(test::shared_device(), "looks", std::vector{look_of(style)});
+    gpu::Graph graph;
+    // What is imported stays as it is: the light is copied first.
+    const gpu::ImageId given = light.in(graph);
+    const gpu::ImageId result = add_scatter(graph,
+                                            {.frame = gpu::import_whole(graph, "frame", frame),
+                                             .draw = draw.in(graph),
+                                             .depth = depth.in(graph),
+                                             .normal = depth.in(graph),
+                                             .looks = gpu::import_whole(graph, "looks", looks),
+                                             .look_of_draw = std::nullopt,
+                                             .reach_mm = style.reach_mm,
+                                             .pixels_per_mm = 4.0F,
+                                             .size_px = part_px,
+                                             .from_px = from_px},
+                                            given);
+    return test::run_and_read_colors(graph, result);
+}
+
+/// Share of Burley's profile within `x` times d of a line through its middle, to one side: his profile
+/// integrated along lines, which gives modified Bessel functions, and then across, by x = s^2.
+double beside_line(double x)
+{
+    constexpr int steps = 4000;
+    double sum = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        const double s = (i + 0.5) * std::sqrt(x) / steps;
+        const double t = s * s;
+        sum += (std::cyl_bessel_k(0.0, t) + std::cyl_bessel_k(0.0, t / 3.0)) * 2.0 * s;
+    }
+    return sum * std::sqrt(x) / steps / (4.0 * std::numbers::pi);
+}
+
+TEST(Scatter, IntegratesTheProfileOnce)
+{
+    EXPECT_NEAR(beside_line(60.0), 0.5, 1e-4);
+}
+
+/// How far a blurred step is from the profile's integral, at most, by colour.
+glm::dvec3 worst_of_step(double scatter_px, const glm::vec3& color)
+{
+    const std::vector<glm::vec4> result =
+        spread({.light = [](glm::uvec2 pixel) { return glm::vec4(pixel.x < 80 ? 1.0F : 0.0F); }},
+               spreading(scatter_px, color));
+    glm::dvec3 worst(0.0);
+    for (uint32_t x = 0; x < size_px.x; ++x) {
+        for (int channel = 0; channel < 3; ++channel) {
+            const double off_px = x + 0.5 - 80.0;
+            const double beside =
+                beside_line(std::abs(off_px) / (scatter_px * static_cast<double>(color[channel])));
+            const double wanted = off_px < 0.0 ? 0.5 + beside : 0.5 - beside;
+            const double got = static_cast<double>(result[size_t{48} * size_px.x + x][channel]);
+            worst[channel] = std::max(worst[channel], std::abs(got - wanted));
+        }
+    }
+    return worst;
+}
+
+TEST(Scatter, BlursAStepAsTheProfileDoes)
+{
+    for (const double scatter_px : {4.0, 7.0, 9.0}) {
+        const double worst = worst_of_step(scatter_px, glm::vec3(1.0F)).x;
+        RecordProperty(fmt::format("worst_at_{}_px", scatter_px), fmt::format("{:.4f}", worst));
+        EXPECT_LT(worst, 0.01) << scatter_px;
+    }
+}
+
+TEST(Scatter, SpreadsColorsByTheirShare)
+{
+    // Blue spreads by two pixels and a bit, which is about what every second pixel can tell.
+    const glm::dvec3 worst = worst_of_step(9.0, {1.0F, 0.5F, 0.25F});
+    EXPECT_LT(worst.x, 0.01);
+    EXPECT_LT(worst.y, 0.015);
+    EXPECT_LT(worst.z, 0.03);
+}
+
+TEST(Scatter, KeepsTheEnergyOfAPoint)
+{
+    for (const glm::uvec2 point : {glm::uvec2(80, 48), glm::uvec2(81, 48), glm::uvec2(81, 49)}) {
+        const std::vector<glm::vec4> result =
+            spread({.light = [&](glm::uvec2 pixel) { return glm::vec4(pixel == point ? 1000.0F : 0.0F); }},
+                   spreading(2.2));
+        glm::dvec4 sum(0.0);
+        for (const glm::vec4& pixel : result) {
+            sum += glm::dvec4(pixel);
+        }
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_NEAR(sum[channel] / 1000.0, 1.0, 1e-3);
+        }
+    }
+}
+
+TEST(Scatter, LeavesEvenLightAsItIs)
+{
+    const std::vector<glm::vec4> result =
+        spread({.light = [](glm::uvec2) { return glm::vec4(0.5F, 0.25F, 2.0F, 0.0F); }}, spreading(6.0));
+    for (const glm::vec4& pixel : result) {
+        EXPECT_NEAR(pixel.x, 0.5F, 5e-4F);
+        EXPECT_NEAR(pixel.y, 0.25F, 2.5e-4F);
+        EXPECT_NEAR(pixel.z, 2.0F, 2e-3F);
+    }
+}
+
+TEST(Scatter, DoesNotCrossAGap)
+{
+    // A lit sheet before a dark one; light beside both that takes none in.
+    Painted page{.light = [](glm::uvec2 pixel) {
+        return glm::vec4(pixel.x < 60 ? 1.0F : pixel.x < 120 ? 0.0F : 5.0F);
+    }};
+    page.depth = [](glm::uvec2 pixel) {
+        return static_cast<float>(near_m / (pixel.x < 60 ? away_m : away_m + 40.0));
+    };
+    page.draw = [](glm::uvec2 pixel) { return pixel.x < 120 ? 1U : 0U; };
+    const std::vector<glm::vec4> result = spread(page, spreading(5.0));
+    for (uint32_t y = 0; y < size_px.y; ++y) {
+        for (uint32_t x = 0; x < size_px.x; ++x) {
+            const float wanted = x < 60 ? 1.0F : x < 120 ? 0.0F : 5.0F;
+            EXPECT_NEAR(result[size_t{y} * size_px.x + x].x, wanted, 2e-3F) << x;
+        }
+    }
+}
+
+TEST(Scatter, IsInTilesWhatItIsOnTheWholePage)
+{
+    const Painted page{.light = [](glm::uvec2 pixel) {
+        return glm::vec4(static_cast<float>((pixel.x / 7 + pixel.y / 5) % 3));
+    }};
+    SubsurfaceStyle style = spreading(3.0);
+    style.reach_mm = 7.0F;
+    const std::vector<glm::vec4> whole = spread(page, style);
+    const uint32_t reach = reach_px(style, 4.0F);
+    const glm::uvec2 part_px(90, 80);
+    for (const glm::uvec2 from_px : {glm::uvec2(31, 7), glm::uvec2(40, 16), glm::uvec2(70, 11)}) {
+        const std::vector<glm::vec4> part = spread(page, style, from_px, part_px);
+        int count = 0;
+        for (uint32_t y = reach; y < part_px.y - reach; ++y) {
+            for (uint32_t x = reach; x < part_px.x - reach; ++x) {
+                const glm::vec4 wanted = whole[size_t{y + from_px.y} * size_px.x + x + from_px.x];
+                EXPECT_EQ(part[size_t{y} * part_px.x + x], wanted) << x << ", " << y;
+                ++count;
+            }
+        }
+        EXPECT_GT(count, 100);
+    }
+}
+
+} // namespace
+} // namespace estampe::subsurface

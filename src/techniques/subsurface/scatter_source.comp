@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// One thread a pixel of the half page takes the light that spreads from there.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/frame.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(binding = 1) uniform usampler2D draw_image;
+layout(binding = 2) uniform sampler2D depth_image;
+layout(binding = 3) uniform sampler2D light_image;
+
+#define LOOKS_BINDING 4
+#define HAS_LOOKS ((variant & subsurface_has_looks) != 0u)
+layout(constant_id = 0) const uint variant = 0u;
+#include "techniques/subsurface/looks.glsl"
+
+layout(binding = 6, rgba32f) writeonly uniform image2D out_light;  // and how far ahead of the eye it is
+layout(binding = 7, rgba32f) writeonly uniform image2D out_spread; // on the page, in the scene; the look
+
+layout(push_constant, scalar) uniform Constants
+{
+    ScatterConstants constants;
+};
+
+#include "techniques/subsurface/scatter.glsl"
+
+void main()
+{
+    ivec2 half_pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(half_pixel), constants.half_px))) {
+        return;
+    }
+    ivec2 pixel = whole_pixel(half_pixel);
+    uint word = texelFetch(draw_image, pixel, 0).x;
+    uint look = look_of(word);
+    float scatter_m = takes_light_in(word) ? looks[look].scatter_m : 0.0;
+    vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(texelFetch(depth_image, pixel, 0).x, 1e-9));
+    // Light of the pixels about it counts, so that the edge of a shadow does not jump from one to the next.
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 4; ++i) {
+        ivec2 looked = min(pixel + ivec2(i & 1, i >> 1), ivec2(frame.size_px) - 1);
+        float share = texelFetch(draw_image, looked, 0).x == word ? 1.0 : 0.0;
+        sum += share * vec4(texelFetch(light_image, looked, 0).rgb, 1.0);
+    }
+    float ahead = scatter_m > 0.0 ? ahead_m(point) : nowhere_m;
+    imageStore(out_light, half_pixel, vec4(sum.rgb / max(sum.w, 1.0), ahead));
+    imageStore(out_spread, half_pixel, vec4(spread_at(scatter_m, point), float(look), 0.0));
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Light that goes into what is seen: it comes through from behind, and out again beside where it went in.
+
+#include <optional>
+
+#include "gpu/graph/graph.hpp"
+#include "techniques/subsurface/subsurface.glsl.h"
+#include "techniques/subsurface/subsurface_style.hpp"
+
+namespace estampe::subsurface {
+
+/// What the shaders know of a style.
+[[nodiscard]] shared::SubsurfaceLook look_of(const SubsurfaceStyle& style);
+
+/// Whether light comes through, or spreads.
+[[nodiscard]] bool shines(const SubsurfaceStyle& style);
+[[nodiscard]] bool scatters(const SubsurfaceStyle& style);
+
+/// How far off the page the pixels may lie that one of this style hangs on.
+[[nodiscard]] uint32_t reach_px(const SubsurfaceStyle& style, float pixels_per_mm);
+
+/// What is seen, and which of it takes light in.
+struct SubsurfaceInputs {
+    gpu::BufferId frame; ///< FrameGlobals
+    gpu::ImageId draw;
+    gpu::ImageId depth;
+    gpu::ImageId normal;
+    gpu::BufferId looks;                       ///< SubsurfaceLook
+    std::optional<gpu::BufferId> look_of_draw; ///< where there are several
+    float reach_mm = 20.0F;
+    float pixels_per_mm = 1.0F;
+    glm::uvec2 size_px{0};
+    glm::uvec2 from_px{0}; ///< where on the page what is drawn begins
+};
+
+/// The far side of what is seen, for light to fall on: a surface as that of the near side.
+struct FarSide {
+    gpu::ImageId draw;   ///< r32ui: draw + 1, 0 where no light comes through
+    gpu::ImageId depth;  ///< r32f: reversed
+    gpu::ImageId normal; ///< rg32ui: away from the eye, twice
+};
+
+/// Finds where the eye's ray leaves what it entered. `behind` is the visibility of what takes light in and
+/// lies behind what is seen. Cost: one full-screen dispatch.
+[[nodiscard]] FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferId behind,
+                                   gpu::BufferId triangles, gpu::BufferId posed_vertices);
+
+/// Adds to `light` what of `far_light`, which falls on the far side, comes through: Beer and Lambert's law.
+/// Returns the new version of `light`. Cost: one full-screen dispatch.
+[[nodiscard]] gpu::ImageId add_through(gpu::Graph& graph, const SubsurfaceInputs& in, const FarSide& far_side,
+                                       gpu::ImageId far_light, gpu::ImageId light);
+
+/// Lets `light` spread under the surface. Returns its new version.
+///
+/// Cost    eight dispatches, all but the last over every second pixel each way; time goes with the pixels
+///         that take light in
+/// Source  Christensen and Burley, "Approximate Reflectance Profiles for Efficient Subsurface Scattering",
+///         2015; Gaussians after d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007; on
+///         the page after Jimenez, Sundstedt and Gutierrez, "Screen-Space Perceptual Rendering of Human
+///         Skin", 2009
+[[nodiscard]] gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::ImageId light);
+
+} // namespace estampe::subsurface

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// One thread a pixel adds the light that falls on the far side of what is seen, as far as the thickness lets
+// it through.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/camera.glsl"
+#include "shaders/color.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+layout(binding = 1) uniform usampler2D draw_image; // of what light may come through; 0 elsewhere
+layout(binding = 2) uniform sampler2D depth_image;
+layout(binding = 3) uniform sampler2D exit_image; // depth of the far side
+layout(binding = 4) uniform sampler2D far_light_image;
+
+#define LOOKS_BINDING 5
+#define HAS_LOOKS ((variant & subsurface_has_looks) != 0u)
+layout(constant_id = 0) const uint variant = 0u;
+#include "techniques/subsurface/looks.glsl"
+
+layout(binding = 7, rgba16f) uniform image2D light; // irradiance / pi; its luminance in alpha
+
+const float most_light = 65504.0; // that half floats hold
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    uint word = texelFetch(draw_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
+    if (any(greaterThanEqual(uvec2(pixel), frame.size_px)) || word == 0u) {
+        return;
+    }
+    SubsurfaceLook look = looks[look_of(word)];
+    vec2 middle_px = vec2(pixel) + 0.5;
+    vec3 front = anchor_at(frame, middle_px, texelFetch(depth_image, pixel, 0).x);
+    vec3 back = anchor_at(frame, middle_px, texelFetch(exit_image, pixel, 0).x);
+    vec3 left = look.strength * exp(-look.absorbed_per_m * distance(front, back));
+    vec3 sum = imageLoad(light, pixel).rgb + left * texelFetch(far_light_image, pixel, 0).rgb;
+    sum = min(sum, vec3(most_light));
+    imageStore(light, pixel, vec4(sum, luminance(sum)));
+}

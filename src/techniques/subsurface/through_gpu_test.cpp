@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// How thick things are, and what light comes through them.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "frame/view.hpp"
+#include "gpu/imports.hpp"
+#include "gpu/upload.hpp"
+#include "scene/shapes.hpp"
+#include "support/drawing.hpp"
+#include "support/gpu_device.hpp"
+#include "support/layers.hpp"
+#include "support/scenes.hpp"
+#include "techniques/subsurface/subsurface.hpp"
+
+namespace estampe::subsurface {
+namespace {
+
+constexpr glm::uvec2 size_px(120, 96);
+
+struct Far {
+    std::vector<uint32_t> draw;
+    std::vector<double> thickness_m;
+    std::vector<glm::vec4> light; ///< that came through, of white light on the far side
+};
+
+/// All of a scene takes light in.
+Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle& style,
+                RasterPath path = RasterPath::compute)
+{
+    test::Drawing drawing(scene, camera, size_px);
+    drawing.path = path;
+    const test::SurfacePixels seen = drawing.surface();
+    const auto at = [](glm::uvec2 pixel) { return size_t{pixel.y} * size_px.x + pixel.x; };
+    auto draw = test::Layer::words(size_px, [&](glm::uvec2 p) { return seen.draw[at(p)]; });
+    auto depth = test::Layer::depth(size_px, [&](glm::uvec2 p) { return seen.depth[at(p)]; });
+    auto normal = test::Layer::normals(size_px, [&](glm::uvec2 p) {
+        return seen.depth[at(p)] > 0.0F ? seen.smooth_normal[at(p)] : glm::vec3(0.0F, 0.0F, 1.0F);
+    });
+    auto far_light = test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(1.0F); });
+    auto frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{drawing.globals});
+    auto looks = gpu::upload_buffer(test::shared_device(), "looks", std::vector{look_of(style)});
+    std::vector<uint64_t> words = drawing.visibility();
+    words.resize((words.size() + 1) / 2 * 2);
+    auto visibility = gpu::upload_buffer(test::shared_device(), "visibility", words);
+    Far result;
+    for (int wanted = 0; wanted < 3; ++wanted) {
+        auto light = test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(0.0F); });
+        gpu::Graph graph;
+        const raster::RasterInputs meshes = drawing.raster_inputs(graph);
+        const gpu::BufferId behind =
+            raster::add_visibility(graph, "behind", meshes,
+                                   {{.first_triangle = drawing.layout.opaque.first,
+                                     .triangle_count = drawing.layout.opaque.count,
+                                     .masked = true}},
+                                   {.clip_from_anchor = drawing.globals.clip_from_anchor,
+                                    .size_px = size_px,
+                                    .cull_back_faces = false,
+                                    .path = path,
+                                    .behind = gpu::import_whole(graph, "visibility", visibility)});
+        const SubsurfaceInputs inputs{.frame = gpu::import_whole(graph, "frame", frame),
+                                      .draw = draw.in(graph),
+                                      .depth = depth.in(graph),
+                                      .normal = normal.in(graph),
+                                      .looks = gpu::import_whole(graph, "looks", looks),
+                                      .look_of_draw = std::nullopt,
+                                      .size_px = size_px};
+        const FarSide far_side = add_far_side(graph, inputs, behind, meshes.triangles, meshes.posed_vertices);
+        if (wanted == 0) {
+            result.draw = test::run_and_read_as<uint32_t>(graph, far_side.draw);
+        } else if (wanted == 1) {
+            const auto depths = test::run_and_read_as<float>(graph, far_side.depth);
+            for (size_t i = 0; i < depths.size(); ++i) {
+                result.thickness_m.push_back(
+                    glm::distance(drawing.point_seen(i, depths[i]), drawing.point_seen(i, seen.depth[i])));
+            }
+        } else {
+            result.light = test::run_and_read_colors(
+                graph, add_through(graph, inputs, far_side, far_light.in(graph), light.in(graph)));
+        }
+    }
+    return result;
+}
+
+/// How long the eye's ray through a pixel is within a sphere about the origin.
+double chord_m(const Camera& camera, glm::uvec2 pixel, double radius_m)
+{
+    const auto globals = frame::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
+    const glm::dvec2 ndc = 2.0 * (glm::dvec2(pixel) + 0.5) / glm::dvec2(size_px) - 1.0;
+    const glm::dvec4 p = glm::inverse(glm::dmat4(globals.clip_from_anchor)) * glm::dvec4(ndc, 0.5, 1.0);
+    const glm::dvec3 way = glm::normalize(glm::dvec3(p) / p.w);
+    const double nearest = glm::dot(-camera.eye, way);
+    const double beside_2 = glm::dot(camera.eye, camera.eye) - nearest * nearest;
+    return beside_2 < radius_m * radius_m ? 2.0 * std::sqrt(radius_m * radius_m - beside_2) : 0.0;
+}
+
+TEST(Through, KnowsHowThickASphereIs)
+{
+    const Camera camera{.eye = {0.4, 0.7, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.6};
+    for (const bool is_two_sided : {false, true}) {
+        for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {
+            Scene scene = test::scene_of(shapes::sphere(1.0F, 256, 128));
+            scene.materials.front().double_sided = is_two_sided;
+            const Far far = far_side_of(scene, camera, {.drawn = true}, path);
+            double worst = 0.0;
+            int count = 0;
+            for (size_t i = 0; i < far.draw.size(); ++i) {
+                const double wanted = chord_m(camera, {i % size_px.x, i / size_px.x}, 1.0);
+                if (wanted > 0.3) {
+                    EXPECT_EQ(far.draw[i], 1U);
+                    worst = std::max(worst, std::abs(far.thickness_m[i] / wanted - 1.0));
+                    ++count;
+                } else if (wanted == 0.0) {
+                    EXPECT_EQ(far.draw[i], 0U);
+                }
+            }
+            EXPECT_GT(count, 2000);
+            EXPECT_LT(worst, 0.01);
+        }
+    }
+}
+
+TEST(Through, AbsorbsAsBeerAndLambertSay)
+{
+    const Camera camera{
+        .eye = {0.0, 0.25, 3.0}, .target = {0.0, 0.25, 0.0}, .orthographic_half_height_m = 0.4};
+    for (const float thickness_m : {0.05F, 0.2F, 0.5F}) {
+        const Scene scene = test::scene_of(shapes::box({0.5F, 0.5F, thickness_m}));
+        const SubsurfaceStyle style{
+            .drawn = true, .depth_m = 0.1F, .tint = {0.8F, 0.5F, 0.1F}, .strength = 0.75F};
+        const Far far = far_side_of(scene, camera, style);
+        const glm::vec4 through = far.light[size_t{size_px.y / 2} * size_px.x + size_px.x / 2];
+        for (int channel = 0; channel < 3; ++channel) {
+            const double wanted = 0.75 * std::pow(static_cast<double>(style.tint[channel]),
+                                                  static_cast<double>(thickness_m) / 0.1);
+            EXPECT_NEAR(through[channel], wanted, 1e-3 * wanted + 1e-6) << thickness_m;
+        }
+        EXPECT_EQ(far.light.front().x, 0.0F) << "beside it";
+    }
+}
+
+TEST(Through, TakesASheetForThin)
+{
+    // A leaf before a body: the next surface behind it turns its face.
+    Scene scene = test::scene_of(shapes::quad(1.0F, 1.0F));
+    test::add_object(scene, shapes::box({2.0F, 2.0F, 0.5F}), glm::vec3(1.0F), {0.0, -1.0, -2.0});
+    const Camera camera{.eye = {0.0, 0.5, 3.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.3};
+    const Far far = far_side_of(scene, camera, {.drawn = true});
+    EXPECT_EQ(far.draw[size_t{48} * size_px.x + 60], 1U);
+    EXPECT_NEAR(far.thickness_m[size_t{48} * size_px.x + 60], 0.0, 1e-4);
+}
+
+} // namespace
+} // namespace estampe::subsurface
