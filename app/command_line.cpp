@@ -53,6 +53,7 @@ struct Typed {
     uint32_t frames = 9;
     bool million = false;
     bool moving = false;
+    uint64_t seed = 1;
     std::string terrain;
     std::string lightmap;
     std::string motion;
@@ -86,6 +87,9 @@ void add_look_options(CLI::App& command, Typed& typed)
     add_set_option(
         command, typed,
         "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)");
+    command.add_option("--seed", typed.seed, "Of a scene that is made by chance: another number, another temple")
+        ->type_name("N")
+        ->capture_default_str();
     command
         .add_option("--terrain", typed.terrain,
                     "Ground without an end that the scene is put on, as a terrain's\nTOML describes it")
@@ -110,7 +114,8 @@ CLI::Option& add_scene(CLI::App& command, Typed& typed)
 {
     return *command
                 .add_option("SCENE", typed.scene,
-                            "Scene: .gltf .glb .obj .ply .stl .fbx .dae, or a terrain's .toml")
+                            "Scene: .gltf .glb .obj .ply .stl .fbx .dae, a terrain's .toml, or\n"
+                            "temple, a world that the program makes")
                 ->type_name("FILE");
 }
 
@@ -287,6 +292,7 @@ DrawOptions read_draw_options(const Typed& typed)
     DrawOptions draw;
     draw.scene = typed.scene;
     draw.output = typed.output;
+    draw.seed = typed.seed;
     draw.terrain = typed.terrain;
     draw.lightmap = typed.lightmap;
     draw.page = typed.page.read();
