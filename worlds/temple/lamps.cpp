@@ -68,7 +68,8 @@ public:
                              .intensity = 2.2F * (above_m + depth_m) * (above_m + depth_m),
                              .range_m = 3.0F * (above_m + depth_m),
                              .inner_cone_rad = 0.9F * std::atan(edge),
-                             .outer_cone_rad = 1.25F * std::atan(edge)};
+                             .outer_cone_rad = 1.1F * std::atan(edge),
+                             .shape = estampe::SpotShape::pyramid};
         lamps_.lights.push_back({std::move(light), hole_m + glm::vec3(0.0F, above_m, 0.0F)});
     }
 
@@ -86,7 +87,7 @@ private:
         estampe::Light light{.name = "lamp " + std::to_string(lamps_.lights.size()),
                              .color = fire,
                              .intensity = candela,
-                             .range_m = 2.6F * std::sqrt(candela) + 3.0F};
+                             .range_m = 1.5F * std::sqrt(candela) + 4.0F};
         light.casters = throws_shadows ? estampe::all_groups : estampe::Groups{0};
         lamps_.lights.push_back({std::move(light), place_m});
     }
@@ -106,7 +107,7 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
     case RoomKind::cell:
         // A cell has its lamp beside the wall, not in the way.
         hanger.lamp({middle.x + dice.between(-1.2F, 1.2F), floor_m + 2.5F, middle.y + dice.between(-1.2F, 1.2F)},
-                    ceiling, 2.6F);
+                    ceiling, 6.0F);
         break;
     case RoomKind::corridor:
     case RoomKind::fallen:
@@ -117,7 +118,7 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
             for (int x = 0; x < modules.x; ++x) {
                 hanger.lamp({low.x + module_m * (static_cast<float>(x) + 0.5F), floor_m + 2.9F,
                              low.y + module_m * (static_cast<float>(z) + 0.5F)},
-                            ceiling, 5.0F);
+                            ceiling, 11.0F);
             }
         }
         break;
@@ -132,12 +133,12 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
             // Two of the great halls' fires throw shadows.
             const bool throws_shadows = is_great && i == (room.kind == RoomKind::last ? 0U : 1U);
             if (is_great || i % 2 == 0) {
-                hanger.brazier({corners[i].x, floor_m, corners[i].y}, is_great ? 16.0F : 11.0F, throws_shadows);
+                hanger.brazier({corners[i].x, floor_m, corners[i].y}, is_great ? 32.0F : 24.0F, throws_shadows);
             }
         }
         for (int x = 0; x < modules.x; x += 2) {
             hanger.lamp({low.x + module_m * (static_cast<float>(x) + 0.5F), floor_m + 0.62F * room.height_m, middle.y},
-                        ceiling, 8.0F);
+                        ceiling, 14.0F);
         }
         if (const std::optional<glm::vec2> hole = shaft_of(plan, index)) {
             hanger.shaft({hole->x, ceiling, hole->y}, room.height_m);

@@ -102,7 +102,7 @@ float height_of(const Room& room, Dice& dice)
     case RoomKind::fallen:
         return dice.between(4.2F, 5.6F);
     case RoomKind::corridor:
-        return 4.6F;
+        return 6.3F;
     case RoomKind::cell:
         return 3.6F;
     }

@@ -13,11 +13,10 @@
 namespace temple {
 namespace {
 
-/// What is left of the walls about a room whose roof has come down.
-std::function<float(float)> ruined_top(float height_m, Dice& dice)
+/// What is left of a wall that stands in the open.
+std::function<float(float)> ruined_top(float height_m, float deep, Dice& dice)
 {
     const float phase = 6.0F * dice.share();
-    const float deep = dice.between(0.25F, 0.5F);
     return [=](float x_m) {
         const float wave = std::sin(0.55F * x_m + phase) + 0.5F * std::sin(1.31F * x_m + 2.0F * phase);
         return height_m * (1.0F - deep * std::max(0.0F, 0.35F + 0.65F * wave));
@@ -46,7 +45,9 @@ Kit build_run(const Plan& plan, const WallRun& run, Dice dice)
                                .ring_m = door.is_arched ? 0.3F + 0.16F * door.half_m : 0.0F});
     }
     if (stands_open(plan, run)) {
-        wall.top_m = ruined_top(run.height_m, dice);
+        wall.top_m = ruined_top(run.height_m, dice.between(0.25F, 0.5F), dice);
+    } else if (run.a == outside || run.b == outside) { // its parapet alone has suffered
+        wall.top_m = ruined_top(run.height_m, 1.3F / run.height_m, dice);
     }
     // From its beginning along +x; a wall along z begins at its end with the greater z.
     const glm::vec2 way = glm::normalize(run.to_m - run.from_m);
@@ -162,9 +163,9 @@ void add_vault(Kit& kit, const Room& room, Dice& dice)
                 return is_along_x ? glm::vec3(middle.x + along, y, middle.y - across)
                                   : glm::vec3(middle.x + across, y, middle.y + along);
             };
-            const std::array<glm::vec3, 4> face{{spot(k, to), spot(k, from), spot(k + 1, from), spot(k + 1, to)}};
+            const std::array<glm::vec3, 4> face{{spot(k, from), spot(k, to), spot(k + 1, to), spot(k + 1, from)}};
             const glm::vec3 normal = glm::normalize(glm::cross(face[1] - face[0], face[3] - face[0]));
-            const glm::vec3 along = glm::normalize(face[0] - face[1]);
+            const glm::vec3 along = glm::normalize(face[1] - face[0]);
             kit.add_face(Stuff::stone, face, normal,
                          {along, glm::normalize(face[3] - face[0]), {dice.between(0.0F, 8.0F), 0.0F}},
                          (dice.chance(0.3F) ? 2U : 0U) | (dice.chance(0.35F) ? 4U : 0U));

@@ -16,6 +16,7 @@ struct Thing {
     std::string name;
     Kit kit;
     glm::vec3 place_m{0.0F};
+    bool on_sand = false; ///< its place is so high over the sand
 };
 
 /// Walls, piers, and for each room its floor, roof, columns and bars.

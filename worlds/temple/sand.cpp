@@ -11,8 +11,8 @@
 namespace temple {
 namespace {
 
-constexpr float mask_m = 240.0F;
-constexpr int mask_texels = 480;
+constexpr float mask_m = 264.0F;
+constexpr int mask_texels = 528;
 
 /// The way from a place to a rectangle; negative within.
 float distance_m(const glm::vec2& place, const glm::vec2& low, const glm::vec2& high)
@@ -65,7 +65,7 @@ float banks_m(const glm::vec2& place, const Waves& waves)
         const float way = distance_m(place, prison_low, prison_high);
         const float is_east = glm::smoothstep(prison_high.x - 14.0F, prison_high.x, place.x);
         const float is_north = glm::smoothstep(prison_low.y + 8.0F, prison_low.y - 2.0F, place.y);
-        level = std::max(level, bank_m(way, glm::mix(1.2F, 4.4F, std::max(is_east, 0.75F * is_north)) *
+        level = std::max(level, bank_m(way, glm::mix(1.2F, 5.6F, std::max(is_east, 0.75F * is_north)) *
                                                 (0.8F + 0.3F * waves.at(place, 31.0F)),
                                        4.2F));
     }
@@ -133,7 +133,8 @@ float sand_level_m(const Plan& plan, uint64_t seed, const glm::vec2& place_m)
     }
     // The court is even; outside it the ground begins to move.
     const float out_m = distance_m(place_m, {court_west_m - 6.0F, front_z_m}, {court_east_m, court_south_m});
-    const float wild = glm::smoothstep(2.0F, 30.0F, out_m);
+    const float way_m = std::abs(place_m.x) - 4.0F; // the avenue lies fairly even
+    const float wild = glm::smoothstep(2.0F, 30.0F, out_m) * glm::smoothstep(0.0F, 30.0F, way_m + std::max(0.0F, -place_m.y));
     const float roll = (0.1F + 1.3F * wild) * waves.at(place_m, 46.0F) + 0.08F * waves.at(place_m, 11.0F);
     const bool is_platform = std::abs(place_m.x) < stairs_half_m - 1.0F && place_m.y < stairs_foot_m - 2.6F &&
                              place_m.y > front_z_m;
@@ -149,8 +150,8 @@ estampe::Terrain make_desert(const Plan& plan, uint64_t seed)
                              "height = \"lerp(wild, temple, near)\"\n"
                              "color = \"#dcb982\"\n"
                              "[nodes]\n"
-                             "temple = \"mask('temple', 240, texels = 480)\"\n"
-                             "near = \"1 - smoothstep(58, 104, polar(x, 0, -14))\"\n"
+                             "temple = \"mask('temple', 264, texels = 528)\"\n"
+                             "near = \"1 - smoothstep(84, 126, polar(x, 0, 4))\"\n"
                              "swell = \"5 * fbm(520, octaves = 2" +
                              seed_of_dunes +
                              "\"\n"
@@ -161,8 +162,10 @@ estampe::Terrain make_desert(const Plan& plan, uint64_t seed)
                              "small = \"dunes(14, 0.45, celerity = 0.1, seed = 7) * smoothstep(0.5, 3, great)\"\n"
                              "wild = \"swell + great + small - 1\"\n"
                              "[wind]\n"
-                             "direction_deg = 165\n"
-                             "speed_m_s = 7\n";
+                             "direction_deg = 200\n"
+                             "speed_m_s = 7\n"
+                             "[ripples]\n"
+                             "height_m = 0.004\n";
     estampe::Terrain desert(estampe::parse_terrain(text, "temple"));
     std::vector<float> levels;
     levels.reserve(static_cast<size_t>(mask_texels) * mask_texels);

@@ -72,7 +72,6 @@ void add_west(Site& site, uint64_t seed)
     const glm::mat4 placed = at({court_west_m, 0.0F, 24.0F}, 90.0F);
     Kit front = build_wall(wall, lay(wall, dice), dice);
     add_imposts(front, wall);
-    add_block(front, Stuff::stone, {-0.15F, 7.9F, 0.45F}, {51.15F, 8.12F, 0.7F});
     kit.add(front, placed);
     const Wall back{.length_m = 51.0F, .height_m = 7.6F, .thickness_m = 0.8F, .joints = 0.3F};
     kit.add(build_wall(back, lay(back, dice), dice), at({court_west_m - 6.0F, 0.0F, 24.0F}, 90.0F));
@@ -198,9 +197,15 @@ void stand_free_columns(Site& site, uint64_t seed)
                 site.drums.emplace_back(place.x, place.y, dice.between(0.0F, 180.0F));
                 continue;
             }
-            site.columns.push_back({place, -dice.between(0.2F, 1.6F), column});
+            column.lean_deg *= 0.6F;
+            site.columns.push_back({place, -dice.between(0.5F, 1.9F), column});
         }
     }
+    // One stands alone, far out, where those who come first see the temple.
+    Column lone = throw_column(dice, 0.85F, 9.0F, 0.0F);
+    lone.flutes = 20;
+    lone.left = 0.8F;
+    site.columns.push_back({{-54.5F, 84.5F}, -0.8F, lone});
     site.drums.emplace_back(1.6F, 9.5F, dice.between(15.0F, 40.0F));
     site.drums.emplace_back(-12.0F, -9.0F, dice.between(0.0F, 180.0F));
     site.drums.emplace_back(12.2F, -11.5F, dice.between(60.0F, 120.0F));
@@ -213,14 +218,21 @@ void add_statues(Site& site, uint64_t seed)
     Kit figure;
     figure.add(build_figure(dice), at({0.0F, 0.0F, 0.0F}, -30.0F));
     site.things.push_back({.name = "figure", .kit = std::move(figure), .place_m = {-5.4F, 0.0F, -4.0F}});
-    site.colossus_m = {44.0F, 34.0F};
-    const glm::vec3 place(site.colossus_m.x, 0.0F, site.colossus_m.y);
-    Kit giant;
-    giant.add(build_seated(dice), glm::rotate(at({0.0F, -2.4F, 0.0F}, 25.0F), 0.06F, {0.0F, 0.0F, 1.0F}));
-    giant.add(build_head(2.1F), glm::rotate(glm::rotate(at({8.6F, 0.6F, 9.0F}, 20.0F), 1.15F, {0.0F, 0.0F, 1.0F}),
-                                            -0.35F, {1.0F, 0.0F, 0.0F}));
-    giant.add(build_hand(4.2F), glm::rotate(at({-5.6F, 0.6F, 12.5F}, -30.0F), 0.22F, {0.0F, 0.0F, 1.0F}));
-    site.things.push_back({.name = "colossus", .kit = std::move(giant), .place_m = place});
+    site.colossus_m = {46.0F, 30.0F};
+    const auto part = [&](const char* name, const Kit& kit, const glm::vec2& off, const glm::mat4& turned) {
+        Thing thing{.name = name, .on_sand = true};
+        thing.kit.add(kit, turned);
+        const glm::vec2 place = site.colossus_m + off;
+        thing.place_m = {place.x, 0.0F, place.y};
+        site.things.push_back(std::move(thing));
+    };
+    constexpr glm::vec3 forward(1.0F, 0.0F, 0.0F);
+    constexpr glm::vec3 along(0.0F, 0.0F, 1.0F);
+    const glm::mat4 grown = glm::scale(glm::mat4(1.0F), glm::vec3(1.6F));
+    part("colossus", build_seated(dice), {}, glm::rotate(at({0.0F, -4.0F, 0.0F}, 25.0F), 0.07F, along) * grown);
+    part("head", build_head(3.0F), {13.0F, 11.0F},
+         glm::rotate(glm::rotate(at({0.0F, 0.9F, 0.0F}, -20.0F), 1.1F, along), -0.3F, forward));
+    part("hand", build_hand(5.6F), {-8.5F, 15.0F}, glm::rotate(at({0.0F, 0.4F, 0.0F}, -30.0F), 0.22F, along));
 }
 
 /// A pole with a ball, whose foot is deep in the ground.
@@ -229,7 +241,7 @@ void add_pole(Site& site, Kit& kit, const glm::vec3& foot, float height_m, const
     kit.add(Stuff::iron, rod(foot - glm::vec3(0, 2.5F, 0), foot + glm::vec3(0, height_m, 0), 0.08F, 0.055F, 8));
     kit.add(Stuff::iron, shapes::sphere(0.17F, 10, 6), at(foot + glm::vec3(0, height_m + 0.12F, 0)));
     // It begins as the wind would have it.
-    const glm::vec3 along = cloth_m.x * glm::normalize(glm::vec3(-1.0F, 0.0F, 0.35F));
+    const glm::vec3 along = cloth_m.x * glm::normalize(glm::vec3(-0.94F, 0.0F, -0.34F));
     site.sheets.push_back({foot + glm::vec3(0.0F, height_m - 0.15F, 0.0F) + 0.02F * along, along,
                            {0.0F, -cloth_m.y, 0.0F}});
 }
@@ -244,8 +256,8 @@ void add_flags(Site& site, uint64_t seed)
         }
     }
     add_pole(site, poles, {-8.6F, 15.0F, court_south_m}, 6.0F, {3.6F, 1.9F});
-    for (const float z : {-13.5F, -4.5F, 4.5F}) {
-        add_pole(site, poles, {4.6F, 0.0F, z - 2.0F}, dice.between(7.0F, 9.0F), {3.0F, 1.6F});
+    for (const float z : {-14.5F, -9.5F, -4.5F}) {
+        add_pole(site, poles, {9.6F, 0.0F, z}, dice.between(7.0F, 9.0F), {3.0F, 1.6F});
     }
     // Banners hang between the arches of the western arcade.
     for (const float z : {-18.6F, -7.4F, 3.8F, 15.0F}) {

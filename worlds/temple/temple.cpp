@@ -121,12 +121,13 @@ estampe::Scene build_temple(uint64_t seed)
     for (const Thing& thing : build_prison(plan, seed)) {
         stage.mesh(thing.kit.mesh(thing.name), thing.place_m);
     }
-    for (const Thing& thing : site.things) {
-        stage.mesh(thing.kit.mesh(thing.name), thing.place_m);
-    }
     const auto ground_m = [&](const glm::vec2& place) {
         return static_cast<float>(desert.sample(place.x, place.y).height_m);
     };
+    for (const Thing& thing : site.things) {
+        const float ground = thing.on_sand ? ground_m({thing.place_m.x, thing.place_m.z}) : 0.0F;
+        stage.mesh(thing.kit.mesh(thing.name), thing.place_m + glm::vec3(0.0F, ground, 0.0F));
+    }
     for (size_t i = 0; i < site.columns.size(); ++i) {
         const StandingColumn& standing = site.columns[i];
         const float foot_m = standing.foot_m >= floor_m ? standing.foot_m : ground_m(standing.place_m) + standing.foot_m;

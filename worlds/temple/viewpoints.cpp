@@ -71,17 +71,17 @@ std::vector<Viewpoint> find_viewpoints(const Plan& plan, const Site& site, const
 {
     Finder finder(desert);
     finder.outside("arrival", {-62.0F, 92.0F}, 3.2F, {4.0F, 6.0F, -10.0F}, 34.0F);
-    finder.outside("avenue", {-3.4F, 86.0F}, 1.9F, {1.4F, 4.2F, 27.0F}, 40.0F);
+    finder.outside("avenue", {-1.2F, 80.0F}, 2.0F, {0.6F, 5.0F, 27.0F}, 42.0F);
     finder.outside("gate", {9.5F, 43.5F}, 1.7F, {-3.5F, 6.4F, court_south_m}, 58.0F);
     finder.outside("court", {1.5F, 22.0F}, 3.4F, {-1.8F, 4.6F, -20.0F}, 50.0F);
     finder.outside("arcade", {court_west_m - 3.2F, 20.0F}, 1.7F, {court_west_m - 2.2F, 2.9F, -20.0F}, 54.0F);
     finder.outside("shadows", {-11.0F, -13.5F}, 2.6F, {16.0F, 2.4F, 8.0F}, 54.0F);
     const glm::vec2 giant = site.colossus_m;
-    finder.outside("colossus", giant + glm::vec2(4.0F, 27.0F), 1.6F, {giant.x + 0.5F, 4.6F, giant.y}, 44.0F);
-    finder.outside("tower", {66.0F, -28.0F}, 4.0F, {10.0F, 9.0F, -62.0F}, 46.0F);
+    finder.outside("colossus", giant + glm::vec2(6.0F, 33.0F), 1.6F, {giant.x + 1.5F, 6.2F, giant.y}, 44.0F);
+    finder.outside("tower", {-50.0F, -98.0F}, 3.0F, {18.0F, 9.0F, -68.0F}, 46.0F);
 
     const Room& entrance = plan.rooms.front();
-    finder.inside("threshold", entrance.middle_m() + glm::vec2(-2.2F, -4.6F),
+    finder.inside("threshold", entrance.middle_m() + glm::vec2(-0.6F, -4.9F),
                   plan.doors.front().place_m + glm::vec2(0.7F, 0.0F), 2.3F, 58.0F);
     look_along(finder, "hall", plan.rooms[static_cast<size_t>(largest(plan, RoomKind::hall))], 1.6F, 62.0F);
     look_along(finder, "corridor", plan.rooms[static_cast<size_t>(largest(plan, RoomKind::corridor))], 0.9F, 60.0F);

@@ -17,6 +17,12 @@ glm::vec3 hewn(const glm::vec3& normal, const glm::vec3& along, Dice& dice)
     return glm::normalize(normal + dice.between(-lean, lean) * along + dice.between(-lean, lean) * up);
 }
 
+/// How wide an arch is beside a stone at a height: the stones of the piers end where its round part begins.
+float half_beside_m(const Arch& arch, const Stone& stone, float height_m)
+{
+    return stone.low_m < arch.springing_m - 0.01F ? arch.half_m : cut_half_m(arch, height_m);
+}
+
 /// The place of a stone's side at a height.
 float left_at(const Wall& wall, const Stone& stone, float height_m)
 {
@@ -24,7 +30,7 @@ float left_at(const Wall& wall, const Stone& stone, float height_m)
         return stone.left_m;
     }
     const Arch& arch = wall.arches[static_cast<size_t>(stone.arch_left)];
-    return std::min(arch.x_m + cut_half_m(arch, height_m), stone.right_m);
+    return std::min(arch.x_m + half_beside_m(arch, stone, height_m), stone.right_m);
 }
 
 float right_at(const Wall& wall, const Stone& stone, float height_m)
@@ -33,7 +39,7 @@ float right_at(const Wall& wall, const Stone& stone, float height_m)
         return stone.right_m;
     }
     const Arch& arch = wall.arches[static_cast<size_t>(stone.arch_right)];
-    return std::max(arch.x_m - cut_half_m(arch, height_m), stone.left_m);
+    return std::max(arch.x_m - half_beside_m(arch, stone, height_m), stone.left_m);
 }
 
 /// The share of a stone's top on which nothing lies.
