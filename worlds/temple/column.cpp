@@ -87,7 +87,7 @@ private:
 
     [[nodiscard]] float radius_at(float angle, float height_m) const
     {
-        const float up = height_m / height_m_;
+        const float up = std::max(height_m / height_m_, 0.0F); // normals ask below the foot too
         const float taper = 1.0F - 0.17F * std::pow(up, 1.4F);
         const auto after = std::ranges::upper_bound(joints_m_, height_m);
         const size_t drum = static_cast<size_t>(std::max<std::ptrdiff_t>(after - joints_m_.begin() - 1, 0));

@@ -136,8 +136,12 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
                 hanger.brazier({corners[i].x, floor_m, corners[i].y}, is_great ? 32.0F : 24.0F, throws_shadows);
             }
         }
-        for (int x = 0; x < modules.x; x += 2) {
-            hanger.lamp({low.x + module_m * (static_cast<float>(x) + 0.5F), floor_m + 0.62F * room.height_m, middle.y},
+        // Along the middle, where no columns stand.
+        const bool is_along_x = modules.x >= modules.y;
+        for (int i = 0; i < std::max(modules.x, modules.y); i += 2) {
+            const float along = module_m * (static_cast<float>(i) + 0.5F);
+            hanger.lamp({is_along_x ? low.x + along : middle.x, floor_m + 0.62F * room.height_m,
+                         is_along_x ? middle.y : low.y + along},
                         ceiling, 14.0F);
         }
         if (const std::optional<glm::vec2> hole = shaft_of(plan, index)) {

@@ -73,24 +73,24 @@ float banks_m(const glm::vec2& place, const Waves& waves)
     const bool is_along_court = std::abs(place.y) < court_south_m;
     const float before_west = place.x - (court_west_m + 0.5F);
     if (is_along_court && before_west > -8.0F) {
-        level = std::max(level, bank_m(std::abs(before_west), 0.9F * uneven, 1.3F));
+        level = std::max(level, bank_m(std::abs(before_west), 1.5F * uneven, 1.5F));
     }
     // The eastern one stands in its own bank.
     const float from_east = place.x - court_east_m;
     if (is_along_court) {
-        level = std::max(level, bank_m(from_east > 0.0F ? from_east : -2.2F * from_east, 1.3F * uneven, 3.5F));
+        level = std::max(level, bank_m(from_east > 0.0F ? from_east : -2.2F * from_east, 1.9F * uneven, 3.8F));
     }
     // Corners fill first.
     const auto corner = [&](float x, float z, float high, float half_way) {
         level = std::max(level, bank_m(glm::distance(place, glm::vec2(x, z)), high, half_way));
     };
-    corner(court_west_m + 1.0F, front_z_m + 1.0F, 2.4F, 2.4F);
-    corner(court_west_m + 1.0F, court_south_m - 1.0F, 1.9F, 2.6F);
-    corner(court_east_m, front_z_m + 1.0F, 2.2F, 3.0F);
+    corner(court_west_m + 1.0F, front_z_m + 1.0F, 3.4F, 3.0F);
+    corner(court_west_m + 1.0F, court_south_m - 1.0F, 2.8F, 3.0F);
+    corner(court_east_m, front_z_m + 1.0F, 3.0F, 3.4F);
     corner(stairs_half_m + 1.0F, stairs_foot_m - 4.0F, 1.5F, 2.6F);
-    corner(-stairs_half_m + 2.5F, stairs_foot_m - 0.2F, 1.15F, 1.7F);
+    corner(-stairs_half_m + 2.5F, stairs_foot_m - 0.2F, 1.3F, 2.2F);
     if (std::abs(place.y - court_south_m) < 20.0F && std::abs(place.x) > gate_half_m + 2.0F) {
-        level = std::max(level, bank_m(std::abs(place.y - court_south_m), 0.8F * uneven, 2.4F));
+        level = std::max(level, bank_m(std::abs(place.y - court_south_m), 1.3F * uneven, 3.0F));
     }
     return level;
 }
@@ -164,8 +164,8 @@ estampe::Terrain make_desert(const Plan& plan, uint64_t seed)
                              "[wind]\n"
                              "direction_deg = 200\n"
                              "speed_m_s = 7\n"
-                             "[ripples]\n"
-                             "height_m = 0.004\n";
+                             "[ripples]\n" // the pen draws the sand's own streaks
+                             "height_m = 0\n";
     estampe::Terrain desert(estampe::parse_terrain(text, "temple"));
     std::vector<float> levels;
     levels.reserve(static_cast<size_t>(mask_texels) * mask_texels);

@@ -19,6 +19,9 @@ namespace {
 
 namespace shapes = estampe::shapes;
 
+constexpr float step_run_m = 0.44F;
+constexpr float portico_pitch_m = 4.9F;
+
 /// A row of arches as wide as will fit between piers of at least that width.
 std::vector<Arch> row_of_arches(float length_m, float half_m, float springing_m, float pier_m)
 {
@@ -129,16 +132,13 @@ void add_gate(Site& site, uint64_t seed)
     site.things.push_back({.name = "gate", .kit = std::move(kit)});
 }
 
-/// The stairs and the platform before the portal, and the great columns on it.
-void add_portico(Site& site, uint64_t seed)
+/// The stairs and the platform before the portal, and what the great columns on it carry.
+void add_portico(Site& site)
 {
-    Dice dice(seed, 15);
     Kit kit;
     constexpr int steps = 6;
-    constexpr float run_m = 0.44F;
-    const float top_z = stairs_foot_m - run_m * (steps - 1);
     for (int i = 0; i < steps; ++i) {
-        const float z = stairs_foot_m - run_m * static_cast<float>(i);
+        const float z = stairs_foot_m - step_run_m * static_cast<float>(i);
         const float low = i == 0 ? -3.0F : floor_m * static_cast<float>(i) / steps;
         add_block(kit, Stuff::paving, {-stairs_half_m, low, front_z_m},
                   {stairs_half_m, floor_m * static_cast<float>(i + 1) / steps, z});
@@ -147,69 +147,35 @@ void add_portico(Site& site, uint64_t seed)
         add_block(kit, Stuff::stone, {side * stairs_half_m - 0.6F, -3.0F, front_z_m},
                   {side * stairs_half_m + 0.6F, floor_m + 0.5F, stairs_foot_m + 0.8F});
     }
-    constexpr int count = 6;
-    constexpr float pitch_m = 4.9F;
-    constexpr float height_m = 10.5F;
-    std::vector<bool> is_whole;
-    const int first_broken = dice.chance(0.5F) ? 0 : 4;
-    for (int i = 0; i < count; ++i) {
-        const float x = pitch_m * (static_cast<float>(i) - 0.5F * (count - 1));
-        Column column = throw_column(dice, 0.92F, height_m, 0.0F);
-        column.order = Order::doric;
-        column.wear = dice.between(0.2F, 0.8F);
-        if (i == first_broken || i == first_broken + 1) {
-            column.left = dice.between(0.25F, 0.75F);
-        }
-        is_whole.push_back(column.left >= 1.0F);
-        site.columns.push_back({{x, top_z - 1.8F}, floor_m, column});
-    }
     // Beams lie where there is a column at either end.
-    for (int i = 0; i + 1 < count; ++i) {
-        if (is_whole[static_cast<size_t>(i)] && is_whole[static_cast<size_t>(i + 1)]) {
-            const float x = pitch_m * (static_cast<float>(i) - 0.5F * (count - 1));
-            const float over = 0.85F;
-            const bool starts = i == 0 || !is_whole[static_cast<size_t>(i - 1)];
-            const bool ends = i + 2 == count || !is_whole[static_cast<size_t>(i + 2)];
-            const float from = x - (starts ? over : 0.0F);
-            const float to = x + pitch_m + (ends ? over : 0.0F);
-            const float y = floor_m + height_m;
-            add_block(kit, Stuff::marble, {from, y, top_z - 2.7F}, {to, y + 0.95F, top_z - 0.9F});
-            add_block(kit, Stuff::marble, {from - (starts ? 0.3F : 0.0F), y + 0.95F, top_z - 3.0F},
-                      {to + (ends ? 0.3F : 0.0F), y + 1.3F, top_z - 0.6F});
+    const auto is_whole = [&](int i) {
+        return i >= 0 && i < portico_columns && site.columns[static_cast<size_t>(i)].column.left >= 1.0F;
+    };
+    for (int i = 0; i + 1 < portico_columns; ++i) {
+        if (!is_whole(i) || !is_whole(i + 1)) {
+            continue;
         }
+        constexpr float over_m = 0.85F;
+        const StandingColumn& column = site.columns[static_cast<size_t>(i)];
+        const float from = column.place_m.x - (is_whole(i - 1) ? 0.0F : over_m);
+        const float to = column.place_m.x + portico_pitch_m + (is_whole(i + 2) ? 0.0F : over_m);
+        const float y = floor_m + column.column.height_m;
+        const float z = column.place_m.y;
+        add_block(kit, Stuff::marble, {from, y, z - 0.9F}, {to, y + 0.95F, z + 0.9F});
+        add_block(kit, Stuff::marble, {from - (is_whole(i - 1) ? 0.0F : 0.3F), y + 0.95F, z - 1.2F},
+                  {to + (is_whole(i + 2) ? 0.0F : 0.3F), y + 1.3F, z + 1.2F});
     }
     site.things.push_back({.name = "portico", .kit = std::move(kit)});
 }
 
-void stand_free_columns(Site& site, uint64_t seed)
+void lay_drums(Site& site, uint64_t seed)
 {
-    Dice dice(seed, 16);
-    for (const float z : {15.0F, 4.5F, -6.0F}) { // along the court's east
-        site.columns.push_back({{13.6F, z}, 0.0F, throw_column(dice, 0.78F, 8.2F, 0.2F)});
-        site.columns.back().column.lean_deg *= 0.5F;
-    }
-    site.columns.back().column.left = 0.45F;
-    for (int pair = 0; pair < 6; ++pair) { // the avenue that leads to the gate
-        for (const float side : {-1.0F, 1.0F}) {
-            const glm::vec2 place(side * 7.4F, 36.5F + 9.0F * static_cast<float>(pair));
-            Column column = throw_column(dice, 0.8F, 8.6F, 0.5F);
-            if (dice.chance(0.12F)) {
-                site.drums.emplace_back(place.x, place.y, dice.between(0.0F, 180.0F));
-                continue;
-            }
-            column.lean_deg *= 0.6F;
-            site.columns.push_back({place, -dice.between(0.5F, 1.9F), column});
-        }
-    }
-    // One stands alone, far out, where those who come first see the temple.
-    Column lone = throw_column(dice, 0.85F, 9.0F, 0.0F);
-    lone.flutes = 20;
-    lone.left = 0.8F;
-    site.columns.push_back({{-54.5F, 84.5F}, -0.8F, lone});
+    Dice dice(seed, 21);
     site.drums.emplace_back(1.6F, 9.5F, dice.between(15.0F, 40.0F));
     site.drums.emplace_back(-12.0F, -9.0F, dice.between(0.0F, 180.0F));
     site.drums.emplace_back(12.2F, -11.5F, dice.between(60.0F, 120.0F));
     site.drums.emplace_back(-3.2F, 41.0F, dice.between(0.0F, 180.0F));
+    site.drums.emplace_back(6.0F, 59.0F, dice.between(0.0F, 180.0F));
 }
 
 void add_statues(Site& site, uint64_t seed)
@@ -282,14 +248,54 @@ void add_towers(Site& site, uint64_t seed)
 
 } // namespace
 
+std::vector<StandingColumn> stand_columns(uint64_t seed)
+{
+    Dice dice(seed, 15);
+    std::vector<StandingColumn> columns;
+    const int first_broken = dice.chance(0.5F) ? 0 : portico_columns - 2;
+    for (int i = 0; i < portico_columns; ++i) {
+        const float x = portico_pitch_m * (static_cast<float>(i) - 0.5F * (portico_columns - 1));
+        Column column = throw_column(dice, 0.92F, 10.5F, 0.0F);
+        column.order = Order::doric;
+        column.flutes = std::max(column.flutes, 18);
+        column.wear = dice.between(0.2F, 0.8F);
+        if (i == first_broken || i == first_broken + 1) {
+            column.left = dice.between(0.25F, 0.75F);
+        }
+        columns.push_back({{x, stairs_foot_m - 5.0F * step_run_m - 1.8F}, floor_m, true, column});
+    }
+    for (const float z : {15.0F, 4.5F, -6.0F}) { // along the court's east
+        columns.push_back({{13.6F, z}, -0.1F, false, throw_column(dice, 0.78F, 8.2F, 0.2F)});
+        columns.back().column.lean_deg *= 0.5F;
+    }
+    columns.back().column.left = 0.45F;
+    for (int pair = 0; pair < 6; ++pair) { // the avenue that leads to the gate
+        for (const float side : {-1.0F, 1.0F}) {
+            const glm::vec2 place(side * 7.4F, 36.5F + 9.0F * static_cast<float>(pair));
+            Column column = throw_column(dice, 0.8F, 8.6F, 0.5F);
+            column.lean_deg *= 0.6F;
+            if (!dice.chance(0.12F)) {
+                columns.push_back({place, -dice.between(0.5F, 1.9F), false, column});
+            }
+        }
+    }
+    // One stands alone, far out, where those who come first see the temple.
+    Column lone = throw_column(dice, 0.85F, 9.0F, 0.0F);
+    lone.flutes = 20;
+    lone.left = 0.8F;
+    columns.push_back({{-54.5F, 84.5F}, -0.8F, false, lone});
+    return columns;
+}
+
 Site make_site(uint64_t seed)
 {
     Site site;
+    site.columns = stand_columns(seed);
     add_west(site, seed);
     add_east(site, seed);
     add_gate(site, seed);
-    add_portico(site, seed);
-    stand_free_columns(site, seed);
+    add_portico(site);
+    lay_drums(site, seed);
     add_statues(site, seed);
     add_flags(site, seed);
     add_towers(site, seed);

@@ -21,7 +21,8 @@ inline constexpr float gate_half_m = 3.2F;
 
 struct StandingColumn {
     glm::vec2 place_m{0.0F};
-    float foot_m = 0.0F; ///< height of its foot
+    float foot_m = 0.0F;     ///< height of its foot, over the sand
+    bool is_on_floor = false; ///< it stands on stone: the foot's height is that over the court
     Column column;
 };
 
@@ -42,6 +43,11 @@ struct Site {
     glm::vec2 colossus_m{0.0F};
     glm::vec2 tower_m{0.0F};
 };
+
+/// The columns of portico, court and avenue: the portico's first, from the west.
+[[nodiscard]] std::vector<StandingColumn> stand_columns(uint64_t seed);
+
+inline constexpr int portico_columns = 6;
 
 [[nodiscard]] Site make_site(uint64_t seed);
 

@@ -130,7 +130,7 @@ estampe::Scene build_temple(uint64_t seed)
     }
     for (size_t i = 0; i < site.columns.size(); ++i) {
         const StandingColumn& standing = site.columns[i];
-        const float foot_m = standing.foot_m >= floor_m ? standing.foot_m : ground_m(standing.place_m) + standing.foot_m;
+        const float foot_m = standing.foot_m + (standing.is_on_floor ? 0.0F : ground_m(standing.place_m));
         stage.mesh(build_column(standing.column).mesh("column " + std::to_string(i)),
                    {standing.place_m.x, foot_m, standing.place_m.y});
     }

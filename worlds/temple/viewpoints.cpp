@@ -23,6 +23,21 @@ public:
         all_.push_back({name, {eye.x, ground_m(eye) + over_m, eye.y}, target, fov_deg});
     }
 
+    /// The highest place thereabouts.
+    [[nodiscard]] glm::vec2 crest_near(const glm::vec2& place) const
+    {
+        constexpr int steps = 6;
+        constexpr float step_m = 4.0F;
+        glm::vec2 best = place;
+        for (int z = -steps; z <= steps; ++z) {
+            for (int x = -steps; x <= steps; ++x) {
+                const glm::vec2 other = place + step_m * glm::vec2(x, z);
+                best = ground_m(other) > ground_m(best) ? other : best;
+            }
+        }
+        return best;
+    }
+
     void inside(const char* name, const glm::vec2& eye, const glm::vec2& target, float target_m, float fov_deg)
     {
         all_.push_back({name,
@@ -70,7 +85,7 @@ void look_along(Finder& finder, const char* name, const Room& room, float aside_
 std::vector<Viewpoint> find_viewpoints(const Plan& plan, const Site& site, const estampe::Terrain& desert)
 {
     Finder finder(desert);
-    finder.outside("arrival", {-62.0F, 92.0F}, 3.2F, {4.0F, 6.0F, -10.0F}, 34.0F);
+    finder.outside("arrival", finder.crest_near({-84.0F, 118.0F}), 2.2F, {2.0F, 5.0F, -4.0F}, 27.0F);
     finder.outside("avenue", {-1.2F, 80.0F}, 2.0F, {0.6F, 5.0F, 27.0F}, 42.0F);
     finder.outside("gate", {9.5F, 43.5F}, 1.7F, {-3.5F, 6.4F, court_south_m}, 58.0F);
     finder.outside("court", {1.5F, 22.0F}, 3.4F, {-1.8F, 4.6F, -20.0F}, 50.0F);
