@@ -87,7 +87,8 @@ void add_look_options(CLI::App& command, Typed& typed)
     add_set_option(
         command, typed,
         "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)");
-    command.add_option("--seed", typed.seed, "Of a scene that is made by chance: another number, another temple")
+    command
+        .add_option("--seed", typed.seed, "Of a scene that is made by chance: another number, another temple")
         ->type_name("N")
         ->capture_default_str();
     command

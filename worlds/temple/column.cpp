@@ -27,9 +27,10 @@ public:
     {
         const auto drums = static_cast<size_t>(std::max(2L, std::lround(height_m / (2.1F * radius_m))));
         for (size_t i = 0; i <= drums; ++i) {
-            joints_m_.push_back(height_m * (static_cast<float>(i) +
-                                            (i > 0 && i < drums ? dice_.between(-0.15F, 0.15F) : 0.0F)) /
-                                static_cast<float>(drums));
+            joints_m_.push_back(
+                height_m *
+                (static_cast<float>(i) + (i > 0 && i < drums ? dice_.between(-0.15F, 0.15F) : 0.0F)) /
+                static_cast<float>(drums));
             turns_.push_back(is_broken ? dice_.between(-0.06F, 0.06F) : dice_.between(-0.015F, 0.015F));
             swells_.push_back(dice_.between(-0.012F, 0.012F));
         }
@@ -65,7 +66,8 @@ public:
                 mesh.positions.push_back(place(angle, height));
                 mesh.normals.push_back(normal(angle, height));
                 // Strokes go round the shaft, slightly rising, and bend into the flutes.
-                const float around = radius_m_ * turn_rad * static_cast<float>(i) / static_cast<float>(columns);
+                const float around =
+                    radius_m_ * turn_rad * static_cast<float>(i) / static_cast<float>(columns);
                 mesh.uvs[0].emplace_back(around, height + 0.12F * around);
             }
         }
@@ -73,7 +75,8 @@ public:
         for (uint32_t row = 0; row + 1 < rows.size(); ++row) {
             for (uint32_t i = 0; i < width - 1; ++i) {
                 const uint32_t a = row * width + i;
-                mesh.indices.insert(mesh.indices.end(), {a, a + 1, a + width + 1, a, a + width + 1, a + width});
+                mesh.indices.insert(mesh.indices.end(),
+                                    {a, a + 1, a + width + 1, a, a + width + 1, a + width});
             }
         }
         add_top(mesh, columns);
@@ -104,7 +107,8 @@ private:
             radius -= std::max(0.0F, near) * chip.depth_m;
         }
         radius -= 0.02F * wear_ * radius_m_ *
-                  (std::sin(3.0F * angle + 2.3F * height_m + phases_[0]) + std::sin(5.0F * angle - 1.7F * height_m));
+                  (std::sin(3.0F * angle + 2.3F * height_m + phases_[0]) +
+                   std::sin(5.0F * angle - 1.7F * height_m));
         return radius;
     }
 
@@ -143,7 +147,8 @@ private:
             const glm::vec3 spot = place(angle, top_m(angle));
             middle_m += spot.y / static_cast<float>(columns + 1);
             mesh.positions.push_back(spot);
-            mesh.normals.push_back(glm::normalize(glm::vec3(0.0F, 1.0F, 0.0F) + 0.25F * (spot - glm::vec3(0, spot.y, 0))));
+            mesh.normals.push_back(
+                glm::normalize(glm::vec3(0.0F, 1.0F, 0.0F) + 0.25F * (spot - glm::vec3(0, spot.y, 0))));
             mesh.uvs[0].emplace_back(spot.x, spot.z);
         }
         mesh.positions.emplace_back(0.0F, middle_m - (is_broken_ ? 0.25F * radius_m_ : 0.0F), 0.0F);
@@ -180,22 +185,46 @@ Profile profile_of(Order order)
                                        {1.18F, 0.31F}, {1.06F, 0.36F}, {1.04F, 0.46F}, {0.0F, 0.46F}};
     switch (order) {
     case Order::tuscan:
-        return {torus,
-                {{0.0F, 0.0F}, {1.02F, 0.0F}, {1.1F, 0.06F}, {1.02F, 0.12F}, {1.0F, 0.3F}, {1.3F, 0.5F}, {0.0F, 0.5F}},
-                0.4F, 0.3F, 1.42F, 1.4F};
+        return {
+            torus,
+            {{0.0F, 0.0F}, {1.02F, 0.0F}, {1.1F, 0.06F}, {1.02F, 0.12F}, {1.0F, 0.3F}, {1.3F, 0.5F}, {0.0F, 0.5F}},
+            0.4F,
+            0.3F,
+            1.42F,
+            1.4F};
     case Order::doric:
         return {{},
-                {{0.0F, 0.0F}, {1.0F, 0.0F}, {1.04F, 0.12F}, {1.3F, 0.38F}, {1.46F, 0.62F}, {1.5F, 0.72F}, {0.0F, 0.72F}},
-                0.45F, 0.42F, 1.5F, 1.55F};
+                {{0.0F, 0.0F},
+                 {1.0F, 0.0F},
+                 {1.04F, 0.12F},
+                 {1.3F, 0.38F},
+                 {1.46F, 0.62F},
+                 {1.5F, 0.72F},
+                 {0.0F, 0.72F}},
+                0.45F,
+                0.42F,
+                1.5F,
+                1.55F};
     case Order::ionic:
-        return {torus,
-                {{0.0F, 0.0F}, {1.0F, 0.0F}, {1.06F, 0.08F}, {1.0F, 0.16F}, {1.2F, 0.34F}, {0.0F, 0.34F}},
-                0.4F, 0.22F, 1.42F, 1.32F};
+        return {
+            torus, {{0.0F, 0.0F}, {1.0F, 0.0F}, {1.06F, 0.08F}, {1.0F, 0.16F}, {1.2F, 0.34F}, {0.0F, 0.34F}},
+            0.4F,  0.22F,
+            1.42F, 1.32F};
     case Order::bell:
         return {{{0.0F, 0.0F}, {1.35F, 0.0F}, {1.3F, 0.18F}, {1.1F, 0.28F}, {0.0F, 0.28F}},
-                {{0.0F, 0.0F}, {1.0F, 0.0F}, {1.04F, 0.1F}, {1.0F, 0.2F}, {1.05F, 0.6F}, {1.22F, 1.0F}, {1.6F, 1.32F},
-                 {1.62F, 1.42F}, {0.0F, 1.42F}},
-                0.3F, 0.45F, 1.5F, 1.05F};
+                {{0.0F, 0.0F},
+                 {1.0F, 0.0F},
+                 {1.04F, 0.1F},
+                 {1.0F, 0.2F},
+                 {1.05F, 0.6F},
+                 {1.22F, 1.0F},
+                 {1.6F, 1.32F},
+                 {1.62F, 1.42F},
+                 {0.0F, 1.42F}},
+                0.3F,
+                0.45F,
+                1.5F,
+                1.05F};
     }
     return {};
 }
@@ -215,8 +244,13 @@ estampe::Primitive turned(std::vector<glm::vec2> profile, float radius_m)
 
 void add_scrolls(Kit& kit, float radius_m, float foot_m)
 {
-    const estampe::Primitive roll = turned({{0.0F, 0.0F}, {0.42F, 0.0F}, {0.36F, 0.4F}, {0.3F, 1.1F}, {0.36F, 1.8F},
-                                            {0.42F, 2.2F}, {0.0F, 2.2F}},
+    const estampe::Primitive roll = turned({{0.0F, 0.0F},
+                                            {0.42F, 0.0F},
+                                            {0.36F, 0.4F},
+                                            {0.3F, 1.1F},
+                                            {0.36F, 1.8F},
+                                            {0.42F, 2.2F},
+                                            {0.0F, 2.2F}},
                                            radius_m);
     for (const float side : {-1.0F, 1.0F}) {
         glm::mat4 placed = at({side * 1.05F * radius_m, foot_m + 0.02F * radius_m, -1.1F * radius_m});
@@ -283,7 +317,8 @@ Kit build_column(const Column& column)
             top += scrolls * top_radius;
         }
         const float slab = profile.abacus_half * top_radius;
-        add_block(straight, Stuff::marble, {-slab, top, -slab}, {slab, top + profile.abacus * top_radius, slab});
+        add_block(straight, Stuff::marble, {-slab, top, -slab},
+                  {slab, top + profile.abacus * top_radius, slab});
     }
     Kit kit;
     const float bearing = glm::radians(column.lean_to_deg);

@@ -24,10 +24,7 @@ public:
     [[nodiscard]] float between(float low, float high) { return low + (high - low) * share(); }
 
     /// 0 to count - 1.
-    [[nodiscard]] int below(int count)
-    {
-        return static_cast<int>(share() * static_cast<float>(count));
-    }
+    [[nodiscard]] int below(int count) { return static_cast<int>(share() * static_cast<float>(count)); }
 
     [[nodiscard]] bool chance(float of_one) { return share() < of_one; }
 

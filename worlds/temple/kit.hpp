@@ -39,8 +39,8 @@ public:
 
     /// A convex flat face, counter-clockwise from outside, of which the edges from corner k to the next are
     /// drawn where bit k of `drawn` is set, and no others. Its shading may lean away from its plane.
-    void add_face(Stuff stuff, std::span<const glm::vec3> corners, const glm::vec3& normal, const Grain& grain,
-                  uint32_t drawn);
+    void add_face(Stuff stuff, std::span<const glm::vec3> corners, const glm::vec3& normal,
+                  const Grain& grain, uint32_t drawn);
 
     [[nodiscard]] estampe::Mesh mesh(const std::string& name) const;
     [[nodiscard]] size_t triangles() const;

@@ -24,10 +24,16 @@ public:
     /// A bowl on three chains under a ceiling.
     void lamp(const glm::vec3& place_m, float ceiling_m, float candela)
     {
-        const std::array<glm::vec2, 7> bowl{
-            {{0.0F, -0.2F}, {0.08F, -0.19F}, {0.2F, -0.1F}, {0.26F, 0.0F}, {0.23F, 0.0F}, {0.16F, -0.08F}, {0.0F, -0.12F}}};
+        const std::array<glm::vec2, 7> bowl{{{0.0F, -0.2F},
+                                             {0.08F, -0.19F},
+                                             {0.2F, -0.1F},
+                                             {0.26F, 0.0F},
+                                             {0.23F, 0.0F},
+                                             {0.16F, -0.08F},
+                                             {0.0F, -0.12F}}};
         lamps_.kit.add(Stuff::iron, shapes::lathe(bowl, 18), at(place_m));
-        for (const glm::vec2 side : {glm::vec2(0.24F, 0.0F), glm::vec2(-0.12F, 0.2F), glm::vec2(-0.12F, -0.2F)}) {
+        for (const glm::vec2 side :
+             {glm::vec2(0.24F, 0.0F), glm::vec2(-0.12F, 0.2F), glm::vec2(-0.12F, -0.2F)}) {
             lamps_.kit.add(Stuff::iron, rod(place_m + glm::vec3(side.x, 0.0F, side.y),
                                             {place_m.x, ceiling_m, place_m.z}, 0.012F, 0.012F, 5));
         }
@@ -77,8 +83,12 @@ private:
     void flame(const glm::vec3& place_m, float height_m)
     {
         const float h = height_m;
-        const std::array<glm::vec2, 6> drop{
-            {{0.0F, 0.0F}, {0.3F * h, 0.15F * h}, {0.38F * h, 0.42F * h}, {0.22F * h, 0.9F * h}, {0.07F * h, 1.5F * h}, {0.0F, 1.9F * h}}};
+        const std::array<glm::vec2, 6> drop{{{0.0F, 0.0F},
+                                             {0.3F * h, 0.15F * h},
+                                             {0.38F * h, 0.42F * h},
+                                             {0.22F * h, 0.9F * h},
+                                             {0.07F * h, 1.5F * h},
+                                             {0.0F, 1.9F * h}}};
         lamps_.kit.add(Stuff::flame, shapes::lathe(drop, 10, 2.0F), at(place_m));
     }
 
@@ -106,8 +116,9 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
     switch (room.kind) {
     case RoomKind::cell:
         // A cell has its lamp beside the wall, not in the way.
-        hanger.lamp({middle.x + dice.between(-1.2F, 1.2F), floor_m + 2.5F, middle.y + dice.between(-1.2F, 1.2F)},
-                    ceiling, 6.0F);
+        hanger.lamp(
+            {middle.x + dice.between(-1.2F, 1.2F), floor_m + 2.5F, middle.y + dice.between(-1.2F, 1.2F)},
+            ceiling, 6.0F);
         break;
     case RoomKind::corridor:
     case RoomKind::fallen:
@@ -127,13 +138,16 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
     case RoomKind::last: {
         const bool is_great = room.kind != RoomKind::hall;
         const float in = 1.5F;
-        const std::array<glm::vec2, 4> corners{
-            {{low.x + in, low.y + in}, {high.x - in, low.y + in}, {high.x - in, high.y - in}, {low.x + in, high.y - in}}};
+        const std::array<glm::vec2, 4> corners{{{low.x + in, low.y + in},
+                                                {high.x - in, low.y + in},
+                                                {high.x - in, high.y - in},
+                                                {low.x + in, high.y - in}}};
         for (size_t i = 0; i < corners.size(); ++i) {
             // Two of the great halls' fires throw shadows.
             const bool throws_shadows = is_great && i == (room.kind == RoomKind::last ? 0U : 1U);
             if (is_great || i % 2 == 0) {
-                hanger.brazier({corners[i].x, floor_m, corners[i].y}, is_great ? 32.0F : 24.0F, throws_shadows);
+                hanger.brazier({corners[i].x, floor_m, corners[i].y}, is_great ? 32.0F : 24.0F,
+                               throws_shadows);
             }
         }
         // Along the middle, where no columns stand.

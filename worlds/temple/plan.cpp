@@ -136,7 +136,8 @@ std::vector<WallRun> find_walls(const Plan& plan)
                     const bool is_outer = run.a == outside || run.b == outside;
                     for (const int room : {run.a, run.b}) {
                         if (room != outside) {
-                            run.height_m = std::max(run.height_m, plan.rooms[static_cast<size_t>(room)].height_m);
+                            run.height_m =
+                                std::max(run.height_m, plan.rooms[static_cast<size_t>(room)].height_m);
                         }
                     }
                     run.height_m += is_outer ? 1.3F : 0.5F;
@@ -180,12 +181,13 @@ void open_doors(Plan& plan, Dice& dice)
         float weight;
         size_t wall;
     };
+
     std::vector<Choice> choices;
     for (size_t i = 0; i < plan.walls.size(); ++i) {
         const WallRun& wall = plan.walls[i];
         if (wall.a == outside || wall.b == outside) {
-            const bool is_portal = wall.is_along_x && std::max(wall.a, wall.b) == 0 &&
-                                   wall.from_m.y > front_z_m - 0.1F;
+            const bool is_portal =
+                wall.is_along_x && std::max(wall.a, wall.b) == 0 && wall.from_m.y > front_z_m - 0.1F;
             if (is_portal) {
                 plan.walls[i].door = plan.doors.size();
                 plan.doors.push_back(door_in(plan, wall));
@@ -261,7 +263,8 @@ void stand_columns(Plan& plan, Dice& dice)
                 const glm::vec2 share((static_cast<float>(x) + 0.5F) / static_cast<float>(count_x),
                                       (static_cast<float>(z) + 0.5F) / static_cast<float>(count_z));
                 PlacedColumn placed{.place_m = room.low_m() + share * size, .room = static_cast<int>(i)};
-                placed.column = throw_column(dice, 0.46F + 0.02F * room.height_m, room.height_m - 0.55F, ruin);
+                placed.column =
+                    throw_column(dice, 0.46F + 0.02F * room.height_m, room.height_m - 0.55F, ruin);
                 placed.column.lean_deg *= room.is_roofed() ? 0.0F : 1.0F;
                 plan.columns.push_back(placed);
             }

@@ -16,7 +16,7 @@ namespace temple {
 inline constexpr float module_m = 6.0F; ///< rooms are whole numbers of it long and wide
 inline constexpr int modules_x = 8;
 inline constexpr int modules_z = 6;
-inline constexpr float floor_m = 1.2F;    ///< of all rooms, over the court
+inline constexpr float floor_m = 1.2F;     ///< of all rooms, over the court
 inline constexpr float front_z_m = -27.0F; ///< the prison's front; its rooms lie behind, towards -z
 inline constexpr float post_half_m = 0.7F; ///< of the piers where walls meet
 
@@ -37,7 +37,9 @@ struct Room {
 
     [[nodiscard]] glm::vec2 low_m() const;  ///< corner with the least x and z
     [[nodiscard]] glm::vec2 high_m() const; ///< and with the greatest
+
     [[nodiscard]] glm::vec2 middle_m() const { return 0.5F * (low_m() + high_m()); }
+
     [[nodiscard]] bool is_roofed() const { return kind != RoomKind::fallen; }
 };
 

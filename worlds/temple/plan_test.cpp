@@ -46,11 +46,13 @@ TEST(TemplePlan, AWalkerComesFromThePortalToTheLastHall)
         const std::vector<glm::vec2> way = find_way(plan);
         ASSERT_FALSE(way.empty()) << seed;
         EXPECT_GT(way.front().y, front_z_m) << seed;
-        EXPECT_LT(glm::distance(way.back(), plan.rooms[static_cast<size_t>(plan.last_room)].middle_m()), 0.5F) << seed;
+        EXPECT_LT(glm::distance(way.back(), plan.rooms[static_cast<size_t>(plan.last_room)].middle_m()), 0.5F)
+            << seed;
         for (size_t i = 0; i + 1 < way.size(); ++i) {
             ASSERT_LT(glm::distance(way[i], way[i + 1]), 0.26F) << seed;
             for (const PlacedColumn& column : plan.columns) {
-                ASSERT_GT(gap_m(way[i], {}, column.place_m, glm::vec2(foot_half_m(column.column))), 0.2F) << seed;
+                ASSERT_GT(gap_m(way[i], {}, column.place_m, glm::vec2(foot_half_m(column.column))), 0.2F)
+                    << seed;
             }
         }
     }
@@ -81,7 +83,8 @@ TEST(TemplePlan, ColumnsStandClearOfEachOtherAndOfWalls)
             }
             for (const WallRun& wall : plan.walls) {
                 const glm::vec2 wall_half = 0.5F * (glm::abs(wall.to_m - wall.from_m) + wall.thickness_m);
-                ASSERT_GT(gap_m(column.place_m, half, 0.5F * (wall.from_m + wall.to_m), wall_half), 0.8F) << seed;
+                ASSERT_GT(gap_m(column.place_m, half, 0.5F * (wall.from_m + wall.to_m), wall_half), 0.8F)
+                    << seed;
             }
         }
         const std::vector<StandingColumn> outside_columns = stand_columns(seed);
@@ -146,8 +149,9 @@ float carried_share(const Wall& wall, const Laid& laid, size_t course, const Sto
         });
         for (size_t k = 0; k < wall.arches.size(); ++k) {
             const Arch& arch = wall.arches[k];
-            is_carried = is_carried || (laid.is_whole[k] && std::abs(x - arch.x_m) < arch.half_m + arch.ring_m &&
-                                        stone.low_m > arch.springing_m - 0.01F);
+            is_carried =
+                is_carried || (laid.is_whole[k] && std::abs(x - arch.x_m) < arch.half_m + arch.ring_m &&
+                               stone.low_m > arch.springing_m - 0.01F);
         }
         carried += is_carried ? 1 : 0;
     }
@@ -162,10 +166,8 @@ TEST(TempleWalls, NoStoneFloats)
         Dice dice(seed, 99);
         Wall wall{.length_m = 30.0F, .height_m = 8.0F};
         for (float x = 3.0F; x < 28.0F; x += 5.6F) {
-            wall.arches.push_back({.x_m = x,
-                                   .half_m = 1.8F,
-                                   .springing_m = 3.5F,
-                                   .ring_m = dice.chance(0.8F) ? 0.6F : 0.0F});
+            wall.arches.push_back(
+                {.x_m = x, .half_m = 1.8F, .springing_m = 3.5F, .ring_m = dice.chance(0.8F) ? 0.6F : 0.0F});
         }
         const float phase = 6.0F * dice.share();
         wall.top_m = [=](float x) { return 5.0F + 4.0F * std::sin(0.4F * x + phase); };

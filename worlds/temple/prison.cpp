@@ -80,12 +80,10 @@ void add_floor(Kit& kit, const Room& room, Dice& dice)
         float x = low.x;
         while (x < high.x - 0.01F) {
             const float to = high.x - x < 2.2F ? high.x : std::min(high.x, x + dice.between(1.2F, 2.1F));
-            const std::array<glm::vec3, 4> flag{{{x, floor_m, z + row_m},
-                                                 {to, floor_m, z + row_m},
-                                                 {to, floor_m, z},
-                                                 {x, floor_m, z}}};
-            const glm::vec3 normal = glm::normalize(
-                glm::vec3(dice.between(-0.03F, 0.03F), 1.0F, dice.between(-0.03F, 0.03F)));
+            const std::array<glm::vec3, 4> flag{
+                {{x, floor_m, z + row_m}, {to, floor_m, z + row_m}, {to, floor_m, z}, {x, floor_m, z}}};
+            const glm::vec3 normal =
+                glm::normalize(glm::vec3(dice.between(-0.03F, 0.03F), 1.0F, dice.between(-0.03F, 0.03F)));
             const uint32_t drawn = (dice.chance(0.3F) ? 1U : 0U) | (dice.chance(0.3F) ? 2U : 0U);
             kit.add_face(Stuff::paving, flag, normal,
                          {{1, 0, 0}, {0, 0, -1}, {dice.between(0.0F, 8.0F), 0.0F}}, drawn);
@@ -163,7 +161,8 @@ void add_vault(Kit& kit, const Room& room, Dice& dice)
                 return is_along_x ? glm::vec3(middle.x + along, y, middle.y - across)
                                   : glm::vec3(middle.x + across, y, middle.y + along);
             };
-            const std::array<glm::vec3, 4> face{{spot(k, from), spot(k, to), spot(k + 1, to), spot(k + 1, from)}};
+            const std::array<glm::vec3, 4> face{
+                {spot(k, from), spot(k, to), spot(k + 1, to), spot(k + 1, from)}};
             const glm::vec3 normal = glm::normalize(glm::cross(face[1] - face[0], face[3] - face[0]));
             const glm::vec3 along = glm::normalize(face[1] - face[0]);
             kit.add_face(Stuff::stone, face, normal,
@@ -175,9 +174,8 @@ void add_vault(Kit& kit, const Room& room, Dice& dice)
 
 void add_bars(Kit& kit, const Plan& plan, const Door& door)
 {
-    const auto wall = std::ranges::find_if(plan.walls, [&](const WallRun& run) {
-        return run.door && &plan.doors[*run.door] == &door;
-    });
+    const auto wall = std::ranges::find_if(
+        plan.walls, [&](const WallRun& run) { return run.door && &plan.doors[*run.door] == &door; });
     const glm::vec2 along = wall->is_along_x ? glm::vec2(1, 0) : glm::vec2(0, 1);
     const float top_m = floor_m + door.springing_m;
     constexpr int bars = 6;

@@ -61,25 +61,24 @@ float banks_m(const glm::vec2& place, const Waves& waves)
     const glm::vec2 prison_high(-prison_low.x, front_z_m);
     float level = 0.0F;
     // The prison stands in the wind with its eastern side, and lies deep in its lee.
-    if (place.y < front_z_m + 3.0F) {
+    const float behind = glm::smoothstep(front_z_m + 10.0F, front_z_m - 2.0F, place.y);
+    if (behind > 0.0F) {
         const float way = distance_m(place, prison_low, prison_high);
         const float is_east = glm::smoothstep(prison_high.x - 14.0F, prison_high.x, place.x);
         const float is_north = glm::smoothstep(prison_low.y + 8.0F, prison_low.y - 2.0F, place.y);
-        level = std::max(level, bank_m(way, glm::mix(1.2F, 5.6F, std::max(is_east, 0.75F * is_north)) *
-                                                (0.8F + 0.3F * waves.at(place, 31.0F)),
-                                       4.2F));
+        level = std::max(level, behind * bank_m(way,
+                                                glm::mix(1.2F, 5.6F, std::max(is_east, 0.75F * is_north)) *
+                                                    (0.8F + 0.3F * waves.at(place, 31.0F)),
+                                                4.2F));
     }
     // The western arcade catches what blows over the court.
-    const bool is_along_court = std::abs(place.y) < court_south_m;
+    const float along_court = glm::smoothstep(court_south_m + 5.0F, court_south_m - 4.0F, std::abs(place.y));
     const float before_west = place.x - (court_west_m + 0.5F);
-    if (is_along_court && before_west > -8.0F) {
-        level = std::max(level, bank_m(std::abs(before_west), 1.5F * uneven, 1.5F));
-    }
+    level = std::max(level, along_court * bank_m(std::abs(before_west), 1.5F * uneven, 1.5F));
     // The eastern one stands in its own bank.
     const float from_east = place.x - court_east_m;
-    if (is_along_court) {
-        level = std::max(level, bank_m(from_east > 0.0F ? from_east : -2.2F * from_east, 1.9F * uneven, 3.8F));
-    }
+    level = std::max(
+        level, along_court * bank_m(from_east > 0.0F ? from_east : -2.2F * from_east, 1.9F * uneven, 3.8F));
     // Corners fill first.
     const auto corner = [&](float x, float z, float high, float half_way) {
         level = std::max(level, bank_m(glm::distance(place, glm::vec2(x, z)), high, half_way));
@@ -89,9 +88,9 @@ float banks_m(const glm::vec2& place, const Waves& waves)
     corner(court_east_m, front_z_m + 1.0F, 3.0F, 3.4F);
     corner(stairs_half_m + 1.0F, stairs_foot_m - 4.0F, 1.5F, 2.6F);
     corner(-stairs_half_m + 2.5F, stairs_foot_m - 0.2F, 1.3F, 2.2F);
-    if (std::abs(place.y - court_south_m) < 20.0F && std::abs(place.x) > gate_half_m + 2.0F) {
-        level = std::max(level, bank_m(std::abs(place.y - court_south_m), 1.3F * uneven, 3.0F));
-    }
+    const float beside_gate = glm::smoothstep(gate_half_m + 1.0F, gate_half_m + 7.0F, std::abs(place.x)) *
+                              glm::smoothstep(34.0F, 24.0F, std::abs(place.x));
+    level = std::max(level, beside_gate * bank_m(std::abs(place.y - court_south_m), 1.3F * uneven, 3.0F));
     return level;
 }
 
@@ -134,7 +133,8 @@ float sand_level_m(const Plan& plan, uint64_t seed, const glm::vec2& place_m)
     // The court is even; outside it the ground begins to move.
     const float out_m = distance_m(place_m, {court_west_m - 6.0F, front_z_m}, {court_east_m, court_south_m});
     const float way_m = std::abs(place_m.x) - 4.0F; // the avenue lies fairly even
-    const float wild = glm::smoothstep(2.0F, 30.0F, out_m) * glm::smoothstep(0.0F, 30.0F, way_m + std::max(0.0F, -place_m.y));
+    const float wild = glm::smoothstep(2.0F, 30.0F, out_m) *
+                       glm::smoothstep(0.0F, 30.0F, way_m + std::max(0.0F, -place_m.y));
     const float roll = (0.1F + 1.3F * wild) * waves.at(place_m, 46.0F) + 0.08F * waves.at(place_m, 11.0F);
     const bool is_platform = std::abs(place_m.x) < stairs_half_m - 1.0F && place_m.y < stairs_foot_m - 2.6F &&
                              place_m.y > front_z_m;
@@ -146,26 +146,27 @@ estampe::Terrain make_desert(const Plan& plan, uint64_t seed)
 {
     Dice dice(seed, 31);
     const std::string seed_of_dunes = ", seed = " + std::to_string(dice.below(1000)) + ")";
-    const std::string text = "[terrain]\n"
-                             "height = \"lerp(wild, temple, near)\"\n"
-                             "color = \"#dcb982\"\n"
-                             "[nodes]\n"
-                             "temple = \"mask('temple', 264, texels = 528)\"\n"
-                             "near = \"1 - smoothstep(84, 126, polar(x, 0, 4))\"\n"
-                             "swell = \"5 * fbm(520, octaves = 2" +
-                             seed_of_dunes +
-                             "\"\n"
-                             "great = \"warp(dunes(95, 11, celerity = 0.02, meander = 0.35, variation = 0.9, "
-                             "crest = 160" +
-                             seed_of_dunes +
-                             ", 14 * noise(260), 0)\"\n"
-                             "small = \"dunes(14, 0.45, celerity = 0.1, seed = 7) * smoothstep(0.5, 3, great)\"\n"
-                             "wild = \"swell + great + small - 1\"\n"
-                             "[wind]\n"
-                             "direction_deg = 200\n"
-                             "speed_m_s = 7\n"
-                             "[ripples]\n" // the pen draws the sand's own streaks
-                             "height_m = 0\n";
+    const std::string text =
+        "[terrain]\n"
+        "height = \"lerp(wild, temple, near)\"\n"
+        "color = \"#dcb982\"\n"
+        "[nodes]\n"
+        "temple = \"mask('temple', 264, texels = 528)\"\n"
+        "near = \"1 - smoothstep(84, 126, polar(x, 0, 4))\"\n"
+        "swell = \"5 * fbm(520, octaves = 2" +
+        seed_of_dunes +
+        "\"\n"
+        "great = \"warp(dunes(95, 11, celerity = 0.02, meander = 0.35, variation = 0.9, "
+        "crest = 160" +
+        seed_of_dunes +
+        ", 14 * noise(260), 0)\"\n"
+        "small = \"dunes(14, 0.45, celerity = 0.1, seed = 7) * smoothstep(0.5, 3, great)\"\n"
+        "wild = \"swell + great + small - 1\"\n"
+        "[wind]\n"
+        "direction_deg = 200\n"
+        "speed_m_s = 7\n"
+        "[ripples]\n" // the pen draws the sand's own streaks
+        "height_m = 0\n";
     estampe::Terrain desert(estampe::parse_terrain(text, "temple"));
     std::vector<float> levels;
     levels.reserve(static_cast<size_t>(mask_texels) * mask_texels);

@@ -195,7 +195,8 @@ void add_statues(Site& site, uint64_t seed)
     constexpr glm::vec3 forward(1.0F, 0.0F, 0.0F);
     constexpr glm::vec3 along(0.0F, 0.0F, 1.0F);
     const glm::mat4 grown = glm::scale(glm::mat4(1.0F), glm::vec3(1.6F));
-    part("colossus", build_seated(dice), {}, glm::rotate(at({0.0F, -4.0F, 0.0F}, 25.0F), 0.07F, along) * grown);
+    part("colossus", build_seated(dice), {},
+         glm::rotate(at({0.0F, -4.0F, 0.0F}, 25.0F), 0.07F, along) * grown);
     part("head", build_head(3.0F), {13.0F, 11.0F},
          glm::rotate(glm::rotate(at({0.0F, 0.9F, 0.0F}, -20.0F), 1.1F, along), -0.3F, forward));
     part("hand", build_hand(5.6F), {-8.5F, 15.0F}, glm::rotate(at({0.0F, 0.4F, 0.0F}, -30.0F), 0.22F, along));
@@ -204,12 +205,13 @@ void add_statues(Site& site, uint64_t seed)
 /// A pole with a ball, whose foot is deep in the ground.
 void add_pole(Site& site, Kit& kit, const glm::vec3& foot, float height_m, const glm::vec2& cloth_m)
 {
-    kit.add(Stuff::iron, rod(foot - glm::vec3(0, 2.5F, 0), foot + glm::vec3(0, height_m, 0), 0.08F, 0.055F, 8));
+    kit.add(Stuff::iron,
+            rod(foot - glm::vec3(0, 2.5F, 0), foot + glm::vec3(0, height_m, 0), 0.08F, 0.055F, 8));
     kit.add(Stuff::iron, shapes::sphere(0.17F, 10, 6), at(foot + glm::vec3(0, height_m + 0.12F, 0)));
     // It begins as the wind would have it.
     const glm::vec3 along = cloth_m.x * glm::normalize(glm::vec3(-0.94F, 0.0F, -0.34F));
-    site.sheets.push_back({foot + glm::vec3(0.0F, height_m - 0.15F, 0.0F) + 0.02F * along, along,
-                           {0.0F, -cloth_m.y, 0.0F}});
+    site.sheets.push_back(
+        {foot + glm::vec3(0.0F, height_m - 0.15F, 0.0F) + 0.02F * along, along, {0.0F, -cloth_m.y, 0.0F}});
 }
 
 void add_flags(Site& site, uint64_t seed)

@@ -21,7 +21,7 @@ inline constexpr float gate_half_m = 3.2F;
 
 struct StandingColumn {
     glm::vec2 place_m{0.0F};
-    float foot_m = 0.0F;     ///< height of its foot, over the sand
+    float foot_m = 0.0F;      ///< height of its foot, over the sand
     bool is_on_floor = false; ///< it stands on stone: the foot's height is that over the court
     Column column;
 };

@@ -102,8 +102,9 @@ Kit build_figure(Dice dice)
     add_block(kit, Stuff::stone, {-1.1F, -2.0F, -1.1F}, {1.1F, 0.3F, 1.1F});
     add_block(kit, Stuff::stone, {-0.85F, 0.3F, -0.85F}, {0.85F, 1.7F, 0.85F});
     add_block(kit, Stuff::stone, {-1.0F, 1.7F, -1.0F}, {1.0F, 1.95F, 1.0F});
-    const std::vector<glm::vec2> robe{{0.0F, 0.0F},   {0.5F, 0.0F},   {0.46F, 0.4F},  {0.38F, 1.1F}, {0.31F, 1.6F},
-                                      {0.34F, 1.95F}, {0.39F, 2.25F}, {0.33F, 2.45F}, {0.14F, 2.6F}, {0.0F, 2.62F}};
+    const std::vector<glm::vec2> robe{{0.0F, 0.0F},  {0.5F, 0.0F},   {0.46F, 0.4F},  {0.38F, 1.1F},
+                                      {0.31F, 1.6F}, {0.34F, 1.95F}, {0.39F, 2.25F}, {0.33F, 2.45F},
+                                      {0.14F, 2.6F}, {0.0F, 2.62F}};
     estampe::Primitive folds = shapes::lathe(robe, 56, 2.5F);
     // Its folds fall straight, deeper towards the hem.
     for (size_t i = 0; i < folds.positions.size(); ++i) {

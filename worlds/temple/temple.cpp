@@ -50,7 +50,9 @@ public:
     void camera(const Viewpoint& view)
     {
         scene_.cameras.push_back(
-            {.name = view.name, .vertical_fov_rad = glm::radians(static_cast<double>(view.vertical_fov_deg)), .near_m = 0.1});
+            {.name = view.name,
+             .vertical_fov_rad = glm::radians(static_cast<double>(view.vertical_fov_deg)),
+             .near_m = 0.1});
         estampe::Node& placed = node(view.name, view.eye_m);
         placed.camera = static_cast<Index>(scene_.cameras.size() - 1);
         placed.transform.rotation = looking(glm::dvec3(view.target_m - view.eye_m));
@@ -63,7 +65,8 @@ private:
     static glm::dquat looking(const glm::dvec3& towards)
     {
         const glm::dvec3 way = glm::normalize(towards);
-        const glm::dvec3 up = std::abs(way.y) > 0.999 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0);
+        const glm::dvec3 up =
+            std::abs(way.y) > 0.999 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0);
         return glm::quatLookAtRH(way, up);
     }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The temple in the sand: a half-buried prison in a desert of dunes, all of it made by chance from one number.
+// The temple in the sand: a half-buried prison in a desert of dunes, all of it made by chance from one
+// number.
 
 #include <cstdint>
 

@@ -81,7 +81,8 @@ TEST(Temple, IsOfASizeThatCanBeDrawn)
             for (const glm::vec3& normal : part.normals) {
                 ASSERT_NEAR(glm::length(normal), 1.0F, 1e-3F) << mesh.name;
             }
-            ASSERT_TRUE(part.edge_marks.empty() || part.edge_marks.size() == part.indices.size() / 3) << mesh.name;
+            ASSERT_TRUE(part.edge_marks.empty() || part.edge_marks.size() == part.indices.size() / 3)
+                << mesh.name;
         }
     }
 }
@@ -107,10 +108,11 @@ TEST(Temple, NothingFloatsOverTheSand)
     for (const uint64_t seed : {1U, 2U, 3U}) {
         const Scene scene = build_temple(seed);
         for (const estampe::Node& node : scene.nodes) {
-            constexpr std::array in_sand{"arcade", "eastern arcade", "gate", "poles", "figure",    "colossus", "head",   "hand",
-                                         "tower",  "far tower",      "walls", "piers", "portico", "drum",     "column"};
-            const bool is_in_sand = std::ranges::any_of(
-                in_sand, [&](const char* name) { return node.name.starts_with(name); });
+            constexpr std::array in_sand{"arcade",   "eastern arcade", "gate",    "poles", "figure",
+                                         "colossus", "head",           "hand",    "tower", "far tower",
+                                         "walls",    "piers",          "portico", "drum",  "column"};
+            const bool is_in_sand =
+                std::ranges::any_of(in_sand, [&](const char* name) { return node.name.starts_with(name); });
             if (!is_in_sand || node.mesh == estampe::no_index) {
                 continue;
             }
@@ -122,7 +124,8 @@ TEST(Temple, NothingFloatsOverTheSand)
             }
             const glm::dvec3& foot = node.transform.translation;
             // The portico's columns stand on its platform.
-            const bool is_on_platform = std::abs(foot.x) < stairs_half_m && foot.z < stairs_foot_m && foot.z > front_z_m;
+            const bool is_on_platform =
+                std::abs(foot.x) < stairs_half_m && foot.z < stairs_foot_m && foot.z > front_z_m;
             const double ground_m = is_on_platform ? floor_m : scene.terrain->sample(foot.x, foot.z).height_m;
             EXPECT_LT(foot.y + lowest_m, ground_m + 0.01) << node.name << " of " << seed;
         }

@@ -20,7 +20,9 @@ void add_shell(Kit& kit, const Wall& side, float half_m, Dice dice)
     for (int i = 0; i < 4; ++i) {
         Wall wall = side;
         if (side.top_m) {
-            wall.top_m = [top = side.top_m, i](float x_m) { return top(x_m + 17.0F * static_cast<float>(i)); };
+            wall.top_m = [top = side.top_m, i](float x_m) {
+                return top(x_m + 17.0F * static_cast<float>(i));
+            };
         }
         Kit standing = build_wall(wall, lay(wall, dice), dice);
         const float turn = 90.0F * static_cast<float>(i);

@@ -26,8 +26,8 @@ public:
     /// The highest place thereabouts.
     [[nodiscard]] glm::vec2 crest_near(const glm::vec2& place) const
     {
-        constexpr int steps = 6;
-        constexpr float step_m = 4.0F;
+        constexpr int steps = 8;
+        constexpr float step_m = 5.0F;
         glm::vec2 best = place;
         for (int z = -steps; z <= steps; ++z) {
             for (int x = -steps; x <= steps; ++x) {
@@ -38,7 +38,8 @@ public:
         return best;
     }
 
-    void inside(const char* name, const glm::vec2& eye, const glm::vec2& target, float target_m, float fov_deg)
+    void inside(const char* name, const glm::vec2& eye, const glm::vec2& target, float target_m,
+                float fov_deg)
     {
         all_.push_back({name,
                         {eye.x, floor_m + eye_height_m, eye.y},
@@ -77,7 +78,8 @@ void look_along(Finder& finder, const char* name, const Room& room, float aside_
     const bool is_along_x = half.x >= half.y;
     const glm::vec2 along = is_along_x ? glm::vec2(half.x - 1.1F, 0.0F) : glm::vec2(0.0F, half.y - 1.1F);
     const glm::vec2 aside = is_along_x ? glm::vec2(0.0F, aside_m) : glm::vec2(aside_m, 0.0F);
-    finder.inside(name, middle + along + aside, middle - along - 0.4F * aside, 0.42F * room.height_m, fov_deg);
+    finder.inside(name, middle + along + aside, middle - along - 0.4F * aside, 0.42F * room.height_m,
+                  fov_deg);
 }
 
 } // namespace
@@ -87,7 +89,7 @@ std::vector<Viewpoint> find_viewpoints(const Plan& plan, const Site& site, const
     Finder finder(desert);
     finder.outside("arrival", finder.crest_near({-84.0F, 118.0F}), 2.2F, {2.0F, 5.0F, -4.0F}, 27.0F);
     finder.outside("avenue", {-1.2F, 80.0F}, 2.0F, {0.6F, 5.0F, 27.0F}, 42.0F);
-    finder.outside("gate", {9.5F, 43.5F}, 1.7F, {-3.5F, 6.4F, court_south_m}, 58.0F);
+    finder.outside("gate", {5.0F, 45.0F}, 1.7F, {-3.6F, 6.6F, court_south_m}, 58.0F);
     finder.outside("court", {1.5F, 22.0F}, 3.4F, {-1.8F, 4.6F, -20.0F}, 50.0F);
     finder.outside("arcade", {court_west_m - 3.2F, 20.0F}, 1.7F, {court_west_m - 2.2F, 2.9F, -20.0F}, 54.0F);
     finder.outside("shadows", {-11.0F, -13.5F}, 2.6F, {16.0F, 2.4F, 8.0F}, 54.0F);
@@ -98,8 +100,9 @@ std::vector<Viewpoint> find_viewpoints(const Plan& plan, const Site& site, const
     const Room& entrance = plan.rooms.front();
     finder.inside("threshold", entrance.middle_m() + glm::vec2(-0.6F, -4.9F),
                   plan.doors.front().place_m + glm::vec2(0.7F, 0.0F), 2.3F, 58.0F);
-    look_along(finder, "hall", plan.rooms[static_cast<size_t>(largest(plan, RoomKind::hall))], 1.6F, 62.0F);
-    look_along(finder, "corridor", plan.rooms[static_cast<size_t>(largest(plan, RoomKind::corridor))], 0.9F, 60.0F);
+    look_along(finder, "hall", plan.rooms[static_cast<size_t>(largest(plan, RoomKind::hall))], 0.0F, 56.0F);
+    look_along(finder, "corridor", plan.rooms[static_cast<size_t>(largest(plan, RoomKind::corridor))], 0.9F,
+               60.0F);
     look_along(finder, "last hall", plan.rooms[static_cast<size_t>(plan.last_room)], 0.0F, 60.0F);
     return finder.take();
 }

@@ -39,7 +39,7 @@ struct Wall {
 struct Stone {
     float low_m, high_m;
     float left_m, right_m;
-    int arch_left = -1, arch_right = -1; ///< what cuts it there
+    int arch_left = -1, arch_right = -1;        ///< what cuts it there
     bool ends_left = false, ends_right = false; ///< the side there is open to the air
 };
 

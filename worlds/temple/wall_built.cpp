@@ -50,7 +50,8 @@ bool is_open_above(const Stone& stone, const std::vector<Stone>* above)
     }
     float covered_m = 0.0F;
     for (const Stone& other : *above) {
-        covered_m += std::max(0.0F, std::min(other.right_m, stone.right_m) - std::max(other.left_m, stone.left_m));
+        covered_m +=
+            std::max(0.0F, std::min(other.right_m, stone.right_m) - std::max(other.left_m, stone.left_m));
     }
     return covered_m < 0.98F * (stone.right_m - stone.left_m);
 }
@@ -80,8 +81,8 @@ public:
                                                 {right, stone.high_m, half_m_},
                                                 {right, stone.high_m, -half_m_},
                                                 {left, stone.high_m, -half_m_}}};
-            kit_.add_face(Stuff::stone, top, hewn({0, 1, 0}, {1, 0, 0}, dice_), {{1, 0, 0}, {0, 0, -1}, chance()},
-                          0b0101);
+            kit_.add_face(Stuff::stone, top, hewn({0, 1, 0}, {1, 0, 0}, dice_),
+                          {{1, 0, 0}, {0, 0, -1}, chance()}, 0b0101);
         }
     }
 
@@ -98,14 +99,16 @@ public:
         const glm::vec3 out(std::cos(middle), std::sin(middle), 0.0F);
         const glm::vec3 round(-out.y, out.x, 0.0F);
         for (const float side : {1.0F, -1.0F}) {
-            std::array<glm::vec3, 4> face{
-                spot(arch.half_m, voussoir.from_rad, side * z), spot(voussoir.outer_m, voussoir.from_rad, side * z),
-                spot(voussoir.outer_m, voussoir.to_rad, side * z), spot(arch.half_m, voussoir.to_rad, side * z)};
+            std::array<glm::vec3, 4> face{spot(arch.half_m, voussoir.from_rad, side * z),
+                                          spot(voussoir.outer_m, voussoir.from_rad, side * z),
+                                          spot(voussoir.outer_m, voussoir.to_rad, side * z),
+                                          spot(arch.half_m, voussoir.to_rad, side * z)};
             if (side < 0.0F) {
                 std::reverse(face.begin(), face.end());
             }
             const glm::vec3 normal(0.0F, 0.0F, side);
-            kit_.add_face(Stuff::stone, face, hewn(normal, {1, 0, 0}, dice_), {out, side * round, chance()}, 0b1111);
+            kit_.add_face(Stuff::stone, face, hewn(normal, {1, 0, 0}, dice_), {out, side * round, chance()},
+                          0b1111);
         }
         add_ring_side(spot, voussoir, arch.half_m, z, -out);
         add_ring_side(spot, voussoir, voussoir.outer_m, z, out);
@@ -154,7 +157,8 @@ private:
         const bool draws_bed = stone.low_m > 0.05F && is_drawn(x, stone.low_m);
         const bool draws_joint = is_drawn(x, stone.high_m);
         for (int row = 0; row < rows; ++row) {
-            const float low = glm::mix(stone.low_m, stone.high_m, static_cast<float>(row) / static_cast<float>(rows));
+            const float low =
+                glm::mix(stone.low_m, stone.high_m, static_cast<float>(row) / static_cast<float>(rows));
             const float high =
                 glm::mix(stone.low_m, stone.high_m, static_cast<float>(row + 1) / static_cast<float>(rows));
             std::array<glm::vec3, 4> face{{{left_at(wall_, stone, low), low, side * half_m_},
@@ -195,7 +199,8 @@ private:
         };
         const Grain grain{{0, 0, -side}, {0, 1, 0}, chance()};
         for (int row = 0; row < rows; ++row) {
-            const float low = glm::mix(stone.low_m, stone.high_m, static_cast<float>(row) / static_cast<float>(rows));
+            const float low =
+                glm::mix(stone.low_m, stone.high_m, static_cast<float>(row) / static_cast<float>(rows));
             const float high =
                 glm::mix(stone.low_m, stone.high_m, static_cast<float>(row + 1) / static_cast<float>(rows));
             const float z = side * half_m_;
@@ -207,10 +212,12 @@ private:
     }
 
     template <typename Spot>
-    void add_ring_side(const Spot& spot, const Voussoir& voussoir, float radius_m, float z_m, const glm::vec3& normal)
+    void add_ring_side(const Spot& spot, const Voussoir& voussoir, float radius_m, float z_m,
+                       const glm::vec3& normal)
     {
         constexpr int pieces = 2;
-        const bool is_inner = glm::dot(normal, spot(1.0F, voussoir.from_rad, 0.0F) - spot(0.0F, 0.0F, 0.0F)) < 0.0F;
+        const bool is_inner =
+            glm::dot(normal, spot(1.0F, voussoir.from_rad, 0.0F) - spot(0.0F, 0.0F, 0.0F)) < 0.0F;
         for (int i = 0; i < pieces; ++i) {
             const auto angle_at = [&](int k) {
                 return glm::mix(voussoir.from_rad, voussoir.to_rad, static_cast<float>(k) / pieces);

@@ -140,8 +140,8 @@ void lay_arches(const Wall& wall, Dice& dice, Laid& laid)
         const bool stands_right = !wall.top_m || wall.top_m(arch.x_m + arch.half_m) > arch.springing_m;
         for (int k = 0; k < stones; ++k) {
             // Counted from +x: the right pier carries the first ones.
-            const bool holds = laid.is_whole[i] || (k < right && stands_right) ||
-                               (k >= stones - left && stands_left);
+            const bool holds =
+                laid.is_whole[i] || (k < right && stands_right) || (k >= stones - left && stands_left);
             if (!holds) {
                 continue;
             }
@@ -164,9 +164,8 @@ float cut_half_m(const Arch& arch, float height_m)
     // The wall reaches in behind the ring, so that nothing shows between.
     const float radius_m = arch.half_m + 0.5F * arch.ring_m;
     const float rise_m = height_m - arch.springing_m;
-    return arch.ring_m == 0.0F || rise_m >= radius_m
-               ? 0.0F
-               : std::sqrt(radius_m * radius_m - rise_m * rise_m);
+    return arch.ring_m == 0.0F || rise_m >= radius_m ? 0.0F
+                                                     : std::sqrt(radius_m * radius_m - rise_m * rise_m);
 }
 
 Laid lay(const Wall& wall, Dice dice)

@@ -17,7 +17,8 @@ class Floor {
 public:
     explicit Floor(float radius_m)
         : low_m_(-0.5F * module_m * modules_x - margin_m, front_z_m - module_m * modules_z - margin_m),
-          size_(glm::ivec2(glm::round((glm::vec2(modules_x, modules_z) * module_m + 2.0F * margin_m) / cell_m))),
+          size_(glm::ivec2(
+              glm::round((glm::vec2(modules_x, modules_z) * module_m + 2.0F * margin_m) / cell_m))),
           radius_m_(radius_m), state_(static_cast<size_t>(size_.x) * static_cast<size_t>(size_.y), free)
     {
     }
@@ -41,8 +42,8 @@ public:
         const glm::ivec2 goal((from_m - low_m_) / cell_m);
         std::queue<glm::ivec2> next;
         const auto reach = [&](const glm::ivec2& cell, int from) {
-            if (glm::all(glm::greaterThanEqual(cell, glm::ivec2(0))) && glm::all(glm::lessThan(cell, size_)) &&
-                state_[index(cell)] == free) {
+            if (glm::all(glm::greaterThanEqual(cell, glm::ivec2(0))) &&
+                glm::all(glm::lessThan(cell, size_)) && state_[index(cell)] == free) {
                 state_[index(cell)] = from;
                 next.push(cell);
             }
