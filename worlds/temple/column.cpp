@@ -40,7 +40,7 @@ public:
         const int chips = static_cast<int>(wear * 9.0F);
         for (int i = 0; i < chips; ++i) {
             // Most of what is knocked off a shaft goes at its joints.
-            const size_t joint = static_cast<size_t>(dice_.below(static_cast<int>(drums) + 1));
+            const auto joint = static_cast<size_t>(dice_.below(static_cast<int>(drums) + 1));
             chips_.push_back({turn_rad * dice_.share(), joints_m_[joint] + dice_.between(-0.2F, 0.2F),
                               radius_m * dice_.between(0.25F, 0.8F), radius_m * dice_.between(0.06F, 0.22F)});
         }

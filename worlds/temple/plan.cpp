@@ -240,6 +240,7 @@ std::vector<Post> find_posts(const std::vector<WallRun>& walls)
         }
     }
     std::vector<Post> posts;
+    posts.reserve(heights.size());
     for (const auto& [place, height] : heights) {
         posts.push_back({{place.first, place.second}, height});
     }

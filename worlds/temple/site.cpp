@@ -28,6 +28,7 @@ std::vector<Arch> row_of_arches(float length_m, float half_m, float springing_m,
     const int count = static_cast<int>((length_m - pier_m) / (2.0F * half_m + pier_m));
     const float pitch_m = (length_m - pier_m) / static_cast<float>(count);
     std::vector<Arch> arches;
+    arches.reserve(static_cast<size_t>(count));
     for (int i = 0; i < count; ++i) {
         arches.push_back({.x_m = 0.5F * pier_m + (static_cast<float>(i) + 0.5F) * pitch_m,
                           .half_m = half_m,
