@@ -129,7 +129,7 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
             for (int x = 0; x < modules.x; ++x) {
                 hanger.lamp({low.x + module_m * (static_cast<float>(x) + 0.5F), floor_m + 2.9F,
                              low.y + module_m * (static_cast<float>(z) + 0.5F)},
-                            ceiling, 11.0F);
+                            ceiling, 5.5F);
             }
         }
         break;
