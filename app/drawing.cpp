@@ -60,7 +60,7 @@ Scene load_scene_of(const DrawOptions& draw)
 
 bool is_temple(const std::string& scene)
 {
-    return scene == "temple" && !std::filesystem::exists(scene);
+    return scene == "temple" && !std::filesystem::is_regular_file(scene);
 }
 
 bool has_camera_of_file(const DrawOptions& draw, const Scene& scene)
