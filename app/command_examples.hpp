@@ -21,6 +21,7 @@ inline constexpr const char* examples = R"(Examples:
   estampe render fox.glb -o fox.png --time 0.4 --motion fox.exr --since 0.36
   estampe view helmet.gltf
   estampe info helmet.gltf --json
+  estampe render temple -o temple.png --camera court --style temple-day --seed 7
   estampe tam -o pen.tam --preview pen.png
   estampe bake room.glb -o room.exr
 

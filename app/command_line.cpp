@@ -48,6 +48,7 @@ struct Typed {
     bool schema = false;
     bool manual_page = false;
     bool completion = false;
+    uint64_t seed = 1;
     std::string terrain;
     std::string lightmap;
     std::string motion;
@@ -82,6 +83,10 @@ void add_look_options(CLI::App& command, Typed& typed)
         command, typed,
         "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)");
     command
+        .add_option("--seed", typed.seed, "Of a scene that is made by chance: another number, another temple")
+        ->type_name("N")
+        ->capture_default_str();
+    command
         .add_option("--terrain", typed.terrain,
                     "Ground without an end that the scene is put on, as a terrain's\nTOML describes it")
         ->type_name("TOML");
@@ -105,7 +110,8 @@ CLI::Option& add_scene(CLI::App& command, Typed& typed)
 {
     return *command
                 .add_option("SCENE", typed.scene,
-                            "Scene: .gltf .glb .obj .ply .stl .fbx .dae, or a terrain's .toml")
+                            "Scene: .gltf .glb .obj .ply .stl .fbx .dae, a terrain's .toml, or\n"
+                            "temple, a world that the program makes")
                 ->type_name("FILE");
 }
 
@@ -252,6 +258,7 @@ DrawOptions read_draw_options(const Typed& typed)
     DrawOptions draw;
     draw.scene = typed.scene;
     draw.output = typed.output;
+    draw.seed = typed.seed;
     draw.terrain = typed.terrain;
     draw.lightmap = typed.lightmap;
     draw.page = typed.page.read();

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "core/file.hpp"
+#include "temple/temple.hpp"
 #include "text.hpp"
 
 namespace estampe::app {
@@ -40,6 +42,9 @@ void lift(Scene& scene, double height_m)
 
 Scene load_scene_of(const DrawOptions& draw)
 {
+    if (is_temple(draw.scene)) {
+        return temple::build_temple(draw.seed);
+    }
     if (lower_extension(draw.scene) == ".toml") {
         Scene scene{.name = draw.scene, .materials = {Material{}}};
         scene.terrain = Terrain(load_terrain(draw.scene));
@@ -51,6 +56,11 @@ Scene load_scene_of(const DrawOptions& draw)
         lift(scene, scene.terrain->sample(0.0, 0.0, draw.time_s).height_m);
     }
     return scene;
+}
+
+bool is_temple(const std::string& scene)
+{
+    return scene == "temple" && !std::filesystem::is_regular_file(scene);
 }
 
 bool has_camera_of_file(const DrawOptions& draw, const Scene& scene)

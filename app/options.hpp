@@ -33,6 +33,7 @@ struct CameraChoice {
 struct DrawOptions {
     std::string scene;
     std::string output;
+    uint64_t seed = 1;    ///< of a scene that is made by chance
     std::string terrain;  ///< a terrain's file, that the scene is put on; empty: none
     std::string lightmap; ///< what `estampe bake` wrote; empty: what the scene's file names
     PageSize page;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/mesh_building.hpp"
-#include "scene/shapes.hpp"
+#include <estampe/shapes.hpp>
 
 namespace estampe::shapes {
 namespace {

@@ -57,6 +57,9 @@ expect_success devices
 expect_printed 'raster: hardware'
 expect_success devices --json
 expect_printed '"compute_raster": true'
+expect_success info temple
+expect_printed 'camera  *"last hall"'
+expect_error 1 'no camera "nowhere"; .*"court"' render temple -o out.png --camera nowhere --seed 3 "${small[@]}"
 expect_success info scene.glb
 expect_printed 'triangles  *[1-9]'
 expect_printed '  light  *its own'

@@ -5,7 +5,8 @@ set -euo pipefail
 check="$(cd "$(dirname "$0")" && pwd)/check"
 tree="$(mktemp -d)"
 trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree"/src/{core,scene,style,gpu,frame,techniques/hatch,techniques/light,techniques/shadow} "$tree"/{app,bench,examples,tests/support}
+mkdir -p "$tree"/src/{core,scene,style,gpu,frame,techniques/hatch,techniques/light,techniques/shadow} \
+    "$tree"/{app,bench,examples,tests/support,worlds/hill}
 
 # write FILE INCLUDE: one file with one include
 write() { printf '#include "%s"\n' "$2" >"$tree/$1"; }
@@ -22,6 +23,7 @@ write src/scene/scene.cpp core/file.hpp
 write src/scene/scene_test_support.hpp support/drawing.hpp
 write bench/speed.cpp scene/pose.hpp
 write tests/support/drawing.cpp frame/frame.hpp
+write worlds/hill/hill.cpp estampe/scene.hpp
 bash "$check" "$tree" || { echo "right includes were refused"; exit 1; }
 
 failures=0
@@ -46,6 +48,7 @@ expect_refused src/frame/bad.cpp app/text.hpp
 expect_refused src/frame/bad.cpp bench/speed.hpp
 expect_refused src/frame/bad.cpp support/drawing.hpp
 expect_refused src/frame/bad.cpp scene/scene_test_support.hpp
+expect_refused worlds/hill/bad.cpp scene/shapes.hpp
 expect_refused bench/bad.cpp app/text.hpp
 expect_refused bench/bad.cpp support/drawing.hpp
 expect_refused tests/support/bad.cpp app/text.hpp

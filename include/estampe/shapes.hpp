@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Procedural meshes: triangles with unit normals, counter-clockwise from outside. Texture coordinates are
+// metres on the surface, u along the way a pen would hatch it (courses of a wall, shafts of a column, rings
+// of a turned form), so that strokes have one scale everywhere. Sizes are metres and must be positive; counts
+// below the least that makes a solid are raised to it. Solids are watertight once vertices at equal places
+// are merged: seams repeat positions bit for bit. Everything stands on y = 0, centred on the y axis, unless
+// said otherwise. Cost: linear in vertices, but quadratic in the corners of an extruded outline.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <estampe/scene.hpp>
+
+namespace estampe::shapes {
+
+/// A rectangle on the ground, facing up: u along x, v along z, `cells` squares a side.
+[[nodiscard]] Primitive plane(float width, float depth, uint32_t cells = 1);
+
+/// A rectangle in the plane z = 0, facing +z, its lower edge on the ground.
+[[nodiscard]] Primitive quad(float width, float height);
+
+/// A box with hard edges; u runs level on its sides.
+[[nodiscard]] Primitive box(const glm::vec3& size);
+
+/// A sphere about the origin; u along the parallels.
+[[nodiscard]] Primitive sphere(float radius, uint32_t segments = 32, uint32_t rings = 16);
+
+/// A torus about the y axis, centred on the origin; u around the axis, v around the tube.
+[[nodiscard]] Primitive torus(float radius, float tube_radius, uint32_t segments = 48,
+                              uint32_t tube_segments = 20);
+
+[[nodiscard]] Primitive cylinder(float radius, float height, uint32_t segments = 32);
+
+[[nodiscard]] Primitive cone(float radius, float height, uint32_t segments = 32);
+
+/// Turns a profile of (radius, height) points about the y axis. The outside lies to the right of the way from
+/// point to point, so a vase is listed from its foot up. Corners sharper than `crease_rad` stay hard. Solid
+/// when it starts and ends on the axis, or ends where it starts.
+[[nodiscard]] Primitive lathe(std::span<const glm::vec2> profile, uint32_t segments = 32,
+                              float crease_rad = 0.7F);
+
+/// Pushes an outline in the xy plane (counter-clockwise seen from +z, simple, without holes) along z, from
+/// -depth / 2 to depth / 2. u runs along x on the two faces and along z on the sides. Corners sharper than
+/// `crease_rad` stay hard. An outline of fewer than three corners gives an empty mesh.
+[[nodiscard]] Primitive extrude(std::span<const glm::vec2> outline, float depth, float crease_rad = 0.7F);
+
+/// A wall along x with round arches through it, their piers on the ground.
+struct ArchWall {
+    float height = 6.0F;
+    float thickness = 1.0F;
+    uint32_t arches = 5;
+    float opening = 3.0F;   ///< width of an arch
+    float pier = 1.2F;      ///< between two arches, and at both ends
+    float springing = 2.5F; ///< height at which the round part begins
+    uint32_t arch_segments = 20;
+};
+
+[[nodiscard]] float arch_wall_length(const ArchWall& wall);
+
+/// Centred on x; the wall must be higher than springing + opening / 2, else it is raised to just above.
+[[nodiscard]] Primitive arch_wall(const ArchWall& wall);
+
+/// The shaft of a Doric column: round flutes between sharp arrises, narrowing with a slight swell; u runs up
+/// the shaft.
+struct FlutedColumn {
+    float radius_bottom = 0.6F;
+    float radius_top = 0.48F;
+    float height = 6.0F;
+    uint32_t flutes = 20;
+    uint32_t flute_segments = 6;
+    uint32_t rings = 8;
+    float flute_depth = 0.05F; ///< part of the radius
+    float break_height = 0.0F; ///< how far the top is broken off, unevenly; 0: cut level
+};
+
+[[nodiscard]] Primitive fluted_column(const FlutedColumn& column);
+
+/// Solid stairs that rise towards -z.
+[[nodiscard]] Primitive stairs(float width, float rise, float run, uint32_t steps);
+
+/// Adds `part`, placed by `to_from_part`, to `whole`; the material of `whole` stays. Mirroring turns
+/// triangles over.
+void append(Primitive& whole, const Primitive& part, const glm::mat4& to_from_part);
+
+} // namespace estampe::shapes

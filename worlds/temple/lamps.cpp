@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "lamps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <estampe/shapes.hpp>
+
+#include "dice.hpp"
+
+namespace temple {
+namespace {
+
+namespace shapes = estampe::shapes;
+
+const glm::vec3 fire(1.0F, 0.68F, 0.36F);
+const glm::vec3 daylight(0.86F, 0.95F, 1.0F);
+
+class Hanger {
+public:
+    explicit Hanger(Lamps& lamps) : lamps_(lamps) {}
+
+    /// A bowl on three chains under a ceiling.
+    void lamp(const glm::vec3& place_m, float ceiling_m, float candela)
+    {
+        const std::array<glm::vec2, 7> bowl{{{0.0F, -0.2F},
+                                             {0.08F, -0.19F},
+                                             {0.2F, -0.1F},
+                                             {0.26F, 0.0F},
+                                             {0.23F, 0.0F},
+                                             {0.16F, -0.08F},
+                                             {0.0F, -0.12F}}};
+        lamps_.kit.add(Stuff::iron, shapes::lathe(bowl, 18), at(place_m));
+        for (const glm::vec2 side :
+             {glm::vec2(0.24F, 0.0F), glm::vec2(-0.12F, 0.2F), glm::vec2(-0.12F, -0.2F)}) {
+            lamps_.kit.add(Stuff::iron, rod(place_m + glm::vec3(side.x, 0.0F, side.y),
+                                            {place_m.x, ceiling_m, place_m.z}, 0.012F, 0.012F, 5));
+        }
+        flame(place_m + glm::vec3(0.0F, -0.06F, 0.0F), 0.1F);
+        light(place_m + glm::vec3(0.0F, 0.22F, 0.0F), candela, false);
+    }
+
+    /// A bowl of embers on a foot.
+    void brazier(const glm::vec3& place_m, float candela, bool throws_shadows)
+    {
+        const std::array<glm::vec2, 11> foot{{{0.0F, 0.0F},
+                                              {0.36F, 0.0F},
+                                              {0.3F, 0.1F},
+                                              {0.09F, 0.2F},
+                                              {0.07F, 0.75F},
+                                              {0.16F, 0.86F},
+                                              {0.4F, 0.98F},
+                                              {0.5F, 1.16F},
+                                              {0.45F, 1.16F},
+                                              {0.3F, 1.05F},
+                                              {0.0F, 1.02F}}};
+        lamps_.kit.add(Stuff::iron, shapes::lathe(foot, 24), at(place_m));
+        for (const glm::vec3 tongue : {glm::vec3(0.0F, 1.04F, 0.0F), glm::vec3(0.17F, 1.03F, 0.1F),
+                                       glm::vec3(-0.13F, 1.03F, 0.14F), glm::vec3(-0.05F, 1.03F, -0.19F)}) {
+            flame(place_m + tongue, tongue.x == 0.0F ? 0.2F : 0.12F);
+        }
+        light(place_m + glm::vec3(0.0F, 1.75F, 0.0F), candela, throws_shadows);
+    }
+
+    /// What falls through a hole in the roof, as if the sky were a lamp above it.
+    void shaft(const glm::vec3& hole_m, float depth_m)
+    {
+        constexpr float above_m = 5.0F;
+        const float edge = shaft_half_m / above_m;
+        estampe::Light light{.name = "shaft",
+                             .type = estampe::LightType::spot,
+                             .color = daylight,
+                             .intensity = 2.2F * (above_m + depth_m) * (above_m + depth_m),
+                             .range_m = 3.0F * (above_m + depth_m),
+                             .inner_cone_rad = 0.9F * std::atan(edge),
+                             .outer_cone_rad = 1.1F * std::atan(edge),
+                             .shape = estampe::SpotShape::pyramid};
+        lamps_.lights.push_back({std::move(light), hole_m + glm::vec3(0.0F, above_m, 0.0F)});
+    }
+
+private:
+    void flame(const glm::vec3& place_m, float height_m)
+    {
+        const float h = height_m;
+        const std::array<glm::vec2, 6> drop{{{0.0F, 0.0F},
+                                             {0.3F * h, 0.15F * h},
+                                             {0.38F * h, 0.42F * h},
+                                             {0.22F * h, 0.9F * h},
+                                             {0.07F * h, 1.5F * h},
+                                             {0.0F, 1.9F * h}}};
+        lamps_.kit.add(Stuff::flame, shapes::lathe(drop, 10, 2.0F), at(place_m));
+    }
+
+    void light(const glm::vec3& place_m, float candela, bool throws_shadows)
+    {
+        estampe::Light light{.name = "lamp " + std::to_string(lamps_.lights.size()),
+                             .color = fire,
+                             .intensity = candela,
+                             .range_m = 1.5F * std::sqrt(candela) + 4.0F};
+        light.casters = throws_shadows ? estampe::all_groups : estampe::Groups{0};
+        lamps_.lights.push_back({std::move(light), place_m});
+    }
+
+    Lamps& lamps_;
+};
+
+void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
+{
+    const Room& room = plan.rooms[static_cast<size_t>(index)];
+    const glm::vec2 low = room.low_m();
+    const glm::vec2 high = room.high_m();
+    const glm::vec2 middle = room.middle_m();
+    const float ceiling = floor_m + room.height_m;
+    const glm::ivec2 modules = room.last - room.first;
+    switch (room.kind) {
+    case RoomKind::cell:
+        // A cell has its lamp beside the wall, not in the way.
+        hanger.lamp(
+            {middle.x + dice.between(-1.2F, 1.2F), floor_m + 2.5F, middle.y + dice.between(-1.2F, 1.2F)},
+            ceiling, 6.0F);
+        break;
+    case RoomKind::corridor:
+    case RoomKind::fallen:
+        if (!room.is_roofed()) {
+            break;
+        }
+        for (int z = 0; z < modules.y; ++z) {
+            for (int x = 0; x < modules.x; ++x) {
+                hanger.lamp({low.x + module_m * (static_cast<float>(x) + 0.5F), floor_m + 2.9F,
+                             low.y + module_m * (static_cast<float>(z) + 0.5F)},
+                            ceiling, 5.5F);
+            }
+        }
+        break;
+    case RoomKind::entrance:
+    case RoomKind::hall:
+    case RoomKind::last: {
+        const bool is_great = room.kind != RoomKind::hall;
+        const float in = 1.5F;
+        const std::array<glm::vec2, 4> corners{{{low.x + in, low.y + in},
+                                                {high.x - in, low.y + in},
+                                                {high.x - in, high.y - in},
+                                                {low.x + in, high.y - in}}};
+        for (size_t i = 0; i < corners.size(); ++i) {
+            // Two of the great halls' fires throw shadows.
+            const bool throws_shadows = is_great && i == (room.kind == RoomKind::last ? 0U : 1U);
+            if (is_great || i % 2 == 0) {
+                hanger.brazier({corners[i].x, floor_m, corners[i].y}, is_great ? 32.0F : 24.0F,
+                               throws_shadows);
+            }
+        }
+        // Along the middle, where no columns stand.
+        const bool is_along_x = modules.x >= modules.y;
+        for (int i = 0; i < std::max(modules.x, modules.y); i += 2) {
+            const float along = module_m * (static_cast<float>(i) + 0.5F);
+            hanger.lamp({is_along_x ? low.x + along : middle.x, floor_m + 0.62F * room.height_m,
+                         is_along_x ? middle.y : low.y + along},
+                        ceiling, 14.0F);
+        }
+        if (const std::optional<glm::vec2> hole = shaft_of(plan, index)) {
+            hanger.shaft({hole->x, ceiling, hole->y}, room.height_m);
+        }
+        break;
+    }
+    }
+}
+
+} // namespace
+
+Lamps hang_lamps(const Plan& plan, uint64_t seed)
+{
+    Dice dice(seed, 40);
+    Lamps lamps;
+    Hanger hanger(lamps);
+    for (size_t i = 0; i < plan.rooms.size(); ++i) {
+        light_room(hanger, plan, static_cast<int>(i), dice);
+    }
+    return lamps;
+}
+
+} // namespace temple

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+#include "plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "dice.hpp"
+
+namespace temple {
+namespace {
+
+constexpr float left_x_m = -0.5F * module_m * modules_x;
+
+glm::vec2 corner_m(glm::ivec2 module)
+{
+    return {left_x_m + module_m * static_cast<float>(module.x),
+            front_z_m - module_m * static_cast<float>(module.y)};
+}
+
+/// Fills what is free with rectangles.
+class Divider {
+public:
+    explicit Divider(Dice& dice) : dice_(dice) { taken_.fill(false); }
+
+    void take(RoomKind kind, glm::ivec2 first, glm::ivec2 size)
+    {
+        rooms_.push_back({.kind = kind, .first = first, .last = first + size});
+        for (int z = first.y; z < first.y + size.y; ++z) {
+            for (int x = first.x; x < first.x + size.x; ++x) {
+                taken_[index({x, z})] = true;
+            }
+        }
+    }
+
+    void fill()
+    {
+        constexpr std::array<glm::ivec2, 10> sizes{
+            {{1, 1}, {1, 1}, {1, 1}, {1, 3}, {3, 1}, {2, 1}, {1, 2}, {2, 2}, {3, 2}, {2, 3}}};
+        for (int z = 0; z < modules_z; ++z) {
+            for (int x = 0; x < modules_x; ++x) {
+                if (taken_[index({x, z})]) {
+                    continue;
+                }
+                glm::ivec2 size = sizes[static_cast<size_t>(dice_.below(static_cast<int>(sizes.size())))];
+                while (!is_free({x, z}, size)) {
+                    (size.x > size.y ? size.x : size.y) -= 1;
+                }
+                take(kind_of(size), {x, z}, size);
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<Room> rooms() const { return rooms_; }
+
+private:
+    [[nodiscard]] static size_t index(glm::ivec2 module)
+    {
+        return static_cast<size_t>(module.y * modules_x + module.x);
+    }
+
+    [[nodiscard]] bool is_free(glm::ivec2 first, glm::ivec2 size) const
+    {
+        for (int z = first.y; z < first.y + size.y; ++z) {
+            for (int x = first.x; x < first.x + size.x; ++x) {
+                if (x >= modules_x || z >= modules_z || taken_[index({x, z})]) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    [[nodiscard]] RoomKind kind_of(glm::ivec2 size)
+    {
+        if (size == glm::ivec2(1)) {
+            return RoomKind::cell;
+        }
+        if (size.x == 1 || size.y == 1) {
+            return RoomKind::corridor;
+        }
+        return dice_.chance(0.3F) ? RoomKind::fallen : RoomKind::hall;
+    }
+
+    Dice& dice_;
+    std::array<bool, static_cast<size_t>(modules_x) * modules_z> taken_{};
+    std::vector<Room> rooms_;
+};
+
+float height_of(const Room& room, Dice& dice)
+{
+    switch (room.kind) {
+    case RoomKind::entrance:
+        return 7.0F;
+    case RoomKind::last:
+        return 9.5F;
+    case RoomKind::hall:
+        return dice.between(5.2F, 6.8F);
+    case RoomKind::fallen:
+        return dice.between(4.2F, 5.6F);
+    case RoomKind::corridor:
+        return 6.3F;
+    case RoomKind::cell:
+        return 3.6F;
+    }
+    return 4.0F;
+}
+
+/// All stretches of wall, each between the same two rooms.
+std::vector<WallRun> find_walls(const Plan& plan)
+{
+    std::vector<WallRun> walls;
+    // Lines of the grid along x (`is_along_x`), then along z.
+    for (const bool is_along_x : {true, false}) {
+        const int lines = is_along_x ? modules_z : modules_x;
+        const int steps = is_along_x ? modules_x : modules_z;
+        for (int line = 0; line <= lines; ++line) {
+            for (int step = 0; step < steps;) {
+                const auto sides = [&](int s) {
+                    const glm::ivec2 after = is_along_x ? glm::ivec2(s, line) : glm::ivec2(line, s);
+                    const glm::ivec2 before = after - (is_along_x ? glm::ivec2(0, 1) : glm::ivec2(1, 0));
+                    return std::pair(plan.room_at(before), plan.room_at(after));
+                };
+                const auto pair = sides(step);
+                int end = step + 1;
+                while (end < steps && sides(end) == pair) {
+                    ++end;
+                }
+                if (pair.first != pair.second) {
+                    WallRun run{.a = pair.first, .b = pair.second, .is_along_x = is_along_x};
+                    run.from_m = corner_m(is_along_x ? glm::ivec2(step, line) : glm::ivec2(line, step));
+                    run.to_m = corner_m(is_along_x ? glm::ivec2(end, line) : glm::ivec2(line, end));
+                    const bool is_outer = run.a == outside || run.b == outside;
+                    for (const int room : {run.a, run.b}) {
+                        if (room != outside) {
+                            run.height_m =
+                                std::max(run.height_m, plan.rooms[static_cast<size_t>(room)].height_m);
+                        }
+                    }
+                    run.height_m += is_outer ? 1.3F : 0.5F;
+                    run.thickness_m = is_outer ? 1.2F : 0.9F;
+                    walls.push_back(run);
+                }
+                step = end;
+            }
+        }
+    }
+    return walls;
+}
+
+bool is_cell(const Plan& plan, int room)
+{
+    return plan.rooms[static_cast<size_t>(room)].kind == RoomKind::cell;
+}
+
+Door door_in(const Plan& plan, const WallRun& wall)
+{
+    Door door{.a = wall.a, .b = wall.b, .place_m = 0.5F * (wall.from_m + wall.to_m)};
+    if (wall.a == outside || wall.b == outside) { // the portal
+        door.half_m = 1.9F;
+        door.springing_m = 3.4F;
+    } else if (is_cell(plan, wall.a) || is_cell(plan, wall.b)) {
+        door.half_m = 0.75F;
+        door.is_arched = false;
+    } else {
+        const float lower_m = std::min(plan.rooms[static_cast<size_t>(wall.a)].height_m,
+                                       plan.rooms[static_cast<size_t>(wall.b)].height_m);
+        door.half_m = lower_m > 5.0F ? 1.5F : 1.15F;
+        door.springing_m = lower_m > 5.0F ? 2.5F : 2.1F;
+    }
+    return door;
+}
+
+/// Doors that join all rooms into one tree of chance, by Kruskal's way, and a few more that close rings.
+void open_doors(Plan& plan, Dice& dice)
+{
+    struct Choice {
+        float weight;
+        size_t wall;
+    };
+
+    std::vector<Choice> choices;
+    for (size_t i = 0; i < plan.walls.size(); ++i) {
+        const WallRun& wall = plan.walls[i];
+        if (wall.a == outside || wall.b == outside) {
+            const bool is_portal =
+                wall.is_along_x && std::max(wall.a, wall.b) == 0 && wall.from_m.y > front_z_m - 0.1F;
+            if (is_portal) {
+                plan.walls[i].door = plan.doors.size();
+                plan.doors.push_back(door_in(plan, wall));
+            }
+            continue;
+        }
+        // Cells open on what is no cell; and the last hall has few doors.
+        const bool is_last = wall.a == plan.last_room || wall.b == plan.last_room;
+        const int cells = (is_cell(plan, wall.a) ? 1 : 0) + (is_cell(plan, wall.b) ? 1 : 0);
+        choices.push_back({dice.share() + 2.0F * static_cast<float>(cells) + (is_last ? 1.0F : 0.0F), i});
+    }
+    std::ranges::sort(choices, {}, &Choice::weight);
+    std::vector<int> group(plan.rooms.size());
+    std::iota(group.begin(), group.end(), 0);
+    for (const Choice& choice : choices) {
+        WallRun& wall = plan.walls[choice.wall];
+        const int a = group[static_cast<size_t>(wall.a)];
+        const int b = group[static_cast<size_t>(wall.b)];
+        const bool is_ring = a == b;
+        if (is_ring && (choice.weight > 0.3F || dice.chance(0.5F))) {
+            continue;
+        }
+        wall.door = plan.doors.size();
+        plan.doors.push_back(door_in(plan, wall));
+        std::ranges::replace(group, b, a);
+    }
+    // Cells through which no way leads may be shut.
+    std::map<int, int> ways;
+    for (const Door& door : plan.doors) {
+        ++ways[door.a];
+        ++ways[door.b];
+    }
+    for (Door& door : plan.doors) {
+        for (const int room : {door.a, door.b}) {
+            if (room != outside && is_cell(plan, room) && ways[room] == 1) {
+                door.is_barred = dice.chance(0.7F);
+            }
+        }
+    }
+}
+
+/// A pier stands wherever walls end, as high as the highest of them.
+std::vector<Post> find_posts(const std::vector<WallRun>& walls)
+{
+    std::map<std::pair<float, float>, float> heights;
+    for (const WallRun& wall : walls) {
+        for (const glm::vec2& end : {wall.from_m, wall.to_m}) {
+            float& height = heights[{end.x, end.y}];
+            height = std::max(height, wall.height_m + 0.15F);
+        }
+    }
+    std::vector<Post> posts;
+    posts.reserve(heights.size());
+    for (const auto& [place, height] : heights) {
+        posts.push_back({{place.first, place.second}, height});
+    }
+    return posts;
+}
+
+void stand_columns(Plan& plan, Dice& dice)
+{
+    constexpr float apart_m = 5.5F;
+    for (size_t i = 0; i < plan.rooms.size(); ++i) {
+        const Room& room = plan.rooms[i];
+        const glm::vec2 size = room.high_m() - room.low_m();
+        if (std::min(size.x, size.y) < 1.5F * module_m) {
+            continue;
+        }
+        const int count_x = std::max(2, static_cast<int>(std::lround(size.x / apart_m)));
+        const int count_z = std::max(2, static_cast<int>(std::lround(size.y / apart_m)));
+        const float ruin = room.kind == RoomKind::fallen ? 0.9F : 0.12F;
+        for (int z = 0; z < count_z; ++z) {
+            for (int x = 0; x < count_x; ++x) {
+                const glm::vec2 share((static_cast<float>(x) + 0.5F) / static_cast<float>(count_x),
+                                      (static_cast<float>(z) + 0.5F) / static_cast<float>(count_z));
+                PlacedColumn placed{.place_m = room.low_m() + share * size, .room = static_cast<int>(i)};
+                placed.column =
+                    throw_column(dice, 0.46F + 0.02F * room.height_m, room.height_m - 0.55F, ruin);
+                placed.column.lean_deg *= room.is_roofed() ? 0.0F : 1.0F;
+                plan.columns.push_back(placed);
+            }
+        }
+    }
+}
+
+} // namespace
+
+glm::vec2 Room::low_m() const
+{
+    return {corner_m(first).x, corner_m(last).y};
+}
+
+glm::vec2 Room::high_m() const
+{
+    return {corner_m(last).x, corner_m(first).y};
+}
+
+int Plan::room_at(glm::ivec2 module) const
+{
+    for (size_t i = 0; i < rooms.size(); ++i) {
+        if (glm::all(glm::greaterThanEqual(module, rooms[i].first)) &&
+            glm::all(glm::lessThan(module, rooms[i].last))) {
+            return static_cast<int>(i);
+        }
+    }
+    return outside;
+}
+
+Plan make_plan(uint64_t seed)
+{
+    Dice dice(seed, 1);
+    Plan plan;
+    Divider divider(dice);
+    divider.take(RoomKind::entrance, {3, 0}, {2, 2});
+    divider.take(RoomKind::last, {dice.below(modules_x - 3), modules_z - 2}, {4, 2});
+    plan.last_room = 1;
+    divider.fill();
+    plan.rooms = divider.rooms();
+    for (Room& room : plan.rooms) {
+        room.height_m = height_of(room, dice);
+    }
+    plan.walls = find_walls(plan);
+    open_doors(plan, dice);
+    plan.posts = find_posts(plan.walls);
+    stand_columns(plan, dice);
+    return plan;
+}
+
+} // namespace temple

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The prison's rooms: who lies beside whom, where doors lead, where columns stand. Numbers alone, no shapes.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "column.hpp"
+
+namespace temple {
+
+inline constexpr float module_m = 6.0F; ///< rooms are whole numbers of it long and wide
+inline constexpr int modules_x = 8;
+inline constexpr int modules_z = 6;
+inline constexpr float floor_m = 1.2F;     ///< of all rooms, over the court
+inline constexpr float front_z_m = -27.0F; ///< the prison's front; its rooms lie behind, towards -z
+inline constexpr float post_half_m = 0.7F; ///< of the piers where walls meet
+
+enum class RoomKind : uint8_t {
+    entrance,
+    hall,
+    corridor,
+    cell,
+    fallen, ///< its roof has come down and sand lies in it
+    last,   ///< where the way ends
+};
+
+/// A rectangle of modules: from the first to before the last.
+struct Room {
+    RoomKind kind = RoomKind::hall;
+    glm::ivec2 first{0}, last{0};
+    float height_m = 4.0F;
+
+    [[nodiscard]] glm::vec2 low_m() const;  ///< corner with the least x and z
+    [[nodiscard]] glm::vec2 high_m() const; ///< and with the greatest
+
+    [[nodiscard]] glm::vec2 middle_m() const { return 0.5F * (low_m() + high_m()); }
+
+    [[nodiscard]] bool is_roofed() const { return kind != RoomKind::fallen; }
+};
+
+inline constexpr int outside = -1;
+
+/// A way through a wall.
+struct Door {
+    int a = outside, b = outside; ///< rooms
+    glm::vec2 place_m{0.0F};
+    float half_m = 1.0F;
+    float springing_m = 2.2F;
+    bool is_arched = true;
+    bool is_barred = false; ///< of a cell that is still shut
+};
+
+/// A wall between two rooms, or around all of them, along x or z.
+struct WallRun {
+    int a = outside, b = outside;
+    glm::vec2 from_m{0.0F}, to_m{0.0F}; ///< from pier to pier
+    bool is_along_x = true;
+    float height_m = 4.0F;
+    float thickness_m = 0.9F;
+    std::optional<size_t> door;
+};
+
+/// A pier at a corner of rooms.
+struct Post {
+    glm::vec2 place_m{0.0F};
+    float height_m = 4.0F;
+};
+
+struct PlacedColumn {
+    glm::vec2 place_m{0.0F};
+    int room = 0;
+    Column column;
+};
+
+struct Plan {
+    std::vector<Room> rooms; ///< the entrance first
+    std::vector<Door> doors; ///< the portal first
+    std::vector<WallRun> walls;
+    std::vector<Post> posts;
+    std::vector<PlacedColumn> columns;
+    int last_room = 0;
+
+    /// The room of a module.
+    [[nodiscard]] int room_at(glm::ivec2 module) const;
+};
+
+[[nodiscard]] Plan make_plan(uint64_t seed);
+
+/// The way a walker of that radius takes from before the portal to the middle of the last hall, on a grid of
+/// a quarter of a metre; empty where there is none.
+[[nodiscard]] std::vector<glm::vec2> find_way(const Plan& plan, float radius_m = 0.35F);
+
+} // namespace temple

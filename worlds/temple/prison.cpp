@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "prison.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "wall.hpp"
+
+namespace temple {
+namespace {
+
+/// What is left of a wall that stands in the open.
+std::function<float(float)> ruined_top(float height_m, float deep, Dice& dice)
+{
+    const float phase = 6.0F * dice.share();
+    return [=](float x_m) {
+        const float wave = std::sin(0.55F * x_m + phase) + 0.5F * std::sin(1.31F * x_m + 2.0F * phase);
+        return height_m * (1.0F - deep * std::max(0.0F, 0.35F + 0.65F * wave));
+    };
+}
+
+bool stands_open(const Plan& plan, const WallRun& wall)
+{
+    const auto is_open = [&](int room) {
+        return room == outside || !plan.rooms[static_cast<size_t>(room)].is_roofed();
+    };
+    return is_open(wall.a) && is_open(wall.b);
+}
+
+Kit build_run(const Plan& plan, const WallRun& run, Dice dice)
+{
+    Wall wall{.length_m = glm::distance(run.from_m, run.to_m) - 1.6F * post_half_m,
+              .height_m = run.height_m,
+              .thickness_m = run.thickness_m,
+              .foot_m = -5.0F};
+    if (run.door) {
+        const Door& door = plan.doors[*run.door];
+        wall.arches.push_back({.x_m = 0.5F * wall.length_m,
+                               .half_m = door.half_m,
+                               .springing_m = door.springing_m,
+                               .ring_m = door.is_arched ? 0.3F + 0.16F * door.half_m : 0.0F});
+    }
+    if (stands_open(plan, run)) {
+        wall.top_m = ruined_top(run.height_m, dice.between(0.25F, 0.5F), dice);
+    } else if (run.a == outside || run.b == outside) { // its parapet alone has suffered
+        wall.top_m = ruined_top(run.height_m, 1.3F / run.height_m, dice);
+    }
+    // From its beginning along +x; a wall along z begins at its end with the greater z.
+    const glm::vec2 way = glm::normalize(run.to_m - run.from_m);
+    const glm::vec2 from = run.from_m + 0.8F * post_half_m * way;
+    Kit kit;
+    kit.add(build_wall(wall, lay(wall, dice), dice),
+            at({from.x, floor_m, from.y}, run.is_along_x ? 0.0F : 90.0F));
+    return kit;
+}
+
+void add_post(Kit& kit, const Post& post, Dice& dice)
+{
+    const Wall pier{.length_m = 2.0F * post_half_m,
+                    .height_m = post.height_m,
+                    .thickness_m = 2.0F * post_half_m,
+                    .foot_m = -5.0F,
+                    .course_m = 0.7F,
+                    .stone_m = 2.0F};
+    kit.add(build_wall(pier, lay(pier, dice), dice),
+            at({post.place_m.x - post_half_m, floor_m, post.place_m.y}));
+}
+
+/// Flags in rows, a few of their joints drawn.
+void add_floor(Kit& kit, const Room& room, Dice& dice)
+{
+    const glm::vec2 low = room.low_m();
+    const glm::vec2 high = room.high_m();
+    constexpr float row_m = 1.5F;
+    for (float z = low.y; z < high.y - 0.01F; z += row_m) {
+        float x = low.x;
+        while (x < high.x - 0.01F) {
+            const float to = high.x - x < 2.2F ? high.x : std::min(high.x, x + dice.between(1.2F, 2.1F));
+            const std::array<glm::vec3, 4> flag{
+                {{x, floor_m, z + row_m}, {to, floor_m, z + row_m}, {to, floor_m, z}, {x, floor_m, z}}};
+            const glm::vec3 normal =
+                glm::normalize(glm::vec3(dice.between(-0.03F, 0.03F), 1.0F, dice.between(-0.03F, 0.03F)));
+            const uint32_t drawn = (dice.chance(0.3F) ? 1U : 0U) | (dice.chance(0.3F) ? 2U : 0U);
+            kit.add_face(Stuff::paving, flag, normal,
+                         {{1, 0, 0}, {0, 0, -1}, {dice.between(0.0F, 8.0F), 0.0F}}, drawn);
+            x = to;
+        }
+    }
+}
+
+/// A roof of slabs, with a hole where light is to fall through.
+void add_roof(Kit& kit, const Room& room, std::optional<glm::vec2> shaft)
+{
+    constexpr float thick_m = 0.5F;
+    const glm::vec2 low = room.low_m();
+    const glm::vec2 high = room.high_m();
+    const float y = floor_m + room.height_m;
+    const auto slab = [&](float x0, float z0, float x1, float z1) {
+        add_block(kit, Stuff::stone, {x0, y, z0}, {x1, y + thick_m, z1});
+    };
+    if (!shaft) {
+        slab(low.x, low.y, high.x, high.y);
+        return;
+    }
+    const glm::vec2 from = *shaft - shaft_half_m;
+    const glm::vec2 to = *shaft + shaft_half_m;
+    slab(low.x, low.y, high.x, from.y);
+    slab(low.x, to.y, high.x, high.y);
+    slab(low.x, from.y, from.x, to.y);
+    slab(to.x, from.y, high.x, to.y);
+}
+
+/// Beams over the columns, from wall to wall.
+void add_beams(Kit& kit, const Plan& plan, int index)
+{
+    const Room& room = plan.rooms[static_cast<size_t>(index)];
+    const glm::vec2 size = room.high_m() - room.low_m();
+    const bool is_along_x = size.x >= size.y;
+    std::vector<float> lines;
+    for (const PlacedColumn& placed : plan.columns) {
+        const float line = is_along_x ? placed.place_m.y : placed.place_m.x;
+        if (placed.room == index &&
+            std::ranges::none_of(lines, [&](float other) { return std::abs(other - line) < 0.5F; })) {
+            lines.push_back(line);
+        }
+    }
+    const float top = floor_m + room.height_m;
+    constexpr float half_m = 0.42F;
+    for (const float line : lines) {
+        const glm::vec3 low = is_along_x ? glm::vec3(room.low_m().x, top - 0.56F, line - half_m)
+                                         : glm::vec3(line - half_m, top - 0.56F, room.low_m().y);
+        const glm::vec3 high = is_along_x ? glm::vec3(room.high_m().x, top, line + half_m)
+                                          : glm::vec3(line + half_m, top, room.high_m().y);
+        add_block(kit, Stuff::stone, low, high);
+    }
+}
+
+/// A barrel under the roof of a corridor, along its length.
+void add_vault(Kit& kit, const Room& room, Dice& dice)
+{
+    const glm::vec2 size = room.high_m() - room.low_m();
+    const bool is_along_x = size.x > size.y;
+    const float length_m = is_along_x ? size.x : size.y;
+    const float half_m = 0.5F * module_m - 0.4F;
+    const float springing_m = floor_m + room.height_m - half_m * 0.78F;
+    const glm::vec2 middle = room.middle_m();
+    constexpr int stones = 11;
+    const int rows = static_cast<int>(std::lround(length_m / 1.5F));
+    for (int row = 0; row < rows; ++row) {
+        const float from = length_m * (static_cast<float>(row) / static_cast<float>(rows) - 0.5F);
+        const float to = length_m * (static_cast<float>(row + 1) / static_cast<float>(rows) - 0.5F);
+        for (int k = 0; k < stones; ++k) {
+            const auto spot = [&](int step, float along) {
+                const float angle = std::numbers::pi_v<float> * static_cast<float>(step) / stones;
+                const float across = half_m * std::cos(angle);
+                const float y = springing_m + 0.76F * half_m * std::sin(angle);
+                return is_along_x ? glm::vec3(middle.x + along, y, middle.y - across)
+                                  : glm::vec3(middle.x + across, y, middle.y + along);
+            };
+            const std::array<glm::vec3, 4> face{
+                {spot(k, from), spot(k, to), spot(k + 1, to), spot(k + 1, from)}};
+            const glm::vec3 normal = glm::normalize(glm::cross(face[1] - face[0], face[3] - face[0]));
+            const glm::vec3 along = glm::normalize(face[1] - face[0]);
+            kit.add_face(Stuff::stone, face, normal,
+                         {along, glm::normalize(face[3] - face[0]), {dice.between(0.0F, 8.0F), 0.0F}},
+                         (dice.chance(0.3F) ? 2U : 0U) | (dice.chance(0.35F) ? 4U : 0U));
+        }
+    }
+}
+
+void add_bars(Kit& kit, const Plan& plan, const Door& door)
+{
+    const auto wall = std::ranges::find_if(
+        plan.walls, [&](const WallRun& run) { return run.door && &plan.doors[*run.door] == &door; });
+    const glm::vec2 along = wall->is_along_x ? glm::vec2(1, 0) : glm::vec2(0, 1);
+    const float top_m = floor_m + door.springing_m;
+    constexpr int bars = 6;
+    for (int i = 0; i < bars; ++i) {
+        const float share = (static_cast<float>(i) + 0.5F) / bars * 2.0F - 1.0F;
+        const glm::vec2 foot = door.place_m + share * door.half_m * along;
+        kit.add(Stuff::iron, rod({foot.x, floor_m, foot.y}, {foot.x, top_m, foot.y}, 0.035F, 0.035F, 6));
+    }
+    for (const float height_m : {0.35F, 0.62F}) {
+        const glm::vec2 from = door.place_m - door.half_m * along;
+        const glm::vec2 to = door.place_m + door.half_m * along;
+        const float y = glm::mix(floor_m, top_m, height_m);
+        kit.add(Stuff::iron, rod({from.x, y, from.y}, {to.x, y, to.y}, 0.04F, 0.04F, 6));
+    }
+}
+
+} // namespace
+
+std::optional<glm::vec2> shaft_of(const Plan& plan, int room)
+{
+    const Room& asked = plan.rooms[static_cast<size_t>(room)];
+    if (asked.kind != RoomKind::last && asked.kind != RoomKind::hall) {
+        return std::nullopt;
+    }
+    return asked.middle_m();
+}
+
+std::vector<Thing> build_prison(const Plan& plan, uint64_t seed)
+{
+    std::vector<Thing> things;
+    Thing& walls = things.emplace_back(Thing{.name = "walls"});
+    for (size_t i = 0; i < plan.walls.size(); ++i) {
+        walls.kit.add(build_run(plan, plan.walls[i], Dice(seed, 1000 + i)));
+    }
+    Dice dice(seed, 2);
+    Kit posts;
+    for (const Post& post : plan.posts) {
+        add_post(posts, post, dice);
+    }
+    things.push_back({.name = "piers", .kit = std::move(posts)});
+    for (size_t i = 0; i < plan.rooms.size(); ++i) {
+        const Room& room = plan.rooms[i];
+        Kit kit;
+        add_floor(kit, room, dice);
+        if (room.is_roofed()) {
+            add_roof(kit, room, shaft_of(plan, static_cast<int>(i)));
+            add_beams(kit, plan, static_cast<int>(i));
+        }
+        if (room.kind == RoomKind::corridor) {
+            add_vault(kit, room, dice);
+        }
+        for (const PlacedColumn& placed : plan.columns) {
+            if (placed.room == static_cast<int>(i)) {
+                kit.add(build_column(placed.column), at({placed.place_m.x, floor_m, placed.place_m.y}));
+            }
+        }
+        things.push_back({.name = "room " + std::to_string(i), .kit = std::move(kit)});
+    }
+    Kit bars;
+    for (const Door& door : plan.doors) {
+        if (door.is_barred) {
+            add_bars(bars, plan, door);
+        }
+    }
+    things.push_back({.name = "bars", .kit = std::move(bars)});
+    return things;
+}
+
+} // namespace temple
