@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 
 #include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
+#include "gpu/read_back.hpp"
 #include "shaders/mesh.glsl.h"
 #include "techniques/cloth/cloth.hpp"
 
@@ -32,6 +34,8 @@ struct Options {
     float step_s = 1.0F / 120.0F;
     float effort = 1.0F;
     bool verlet = false;
+    bool descent = false;
+    bool strain = false;
     bool passes = false;
 };
 
@@ -81,15 +85,65 @@ double median(std::vector<double> numbers)
     return numbers[numbers.size() / 2];
 }
 
+void choose_solver(gpu::Device& device, cloth::Cloths& cloths, const Options& options)
+{
+    if (options.verlet || options.descent) {
+        cloths.set_solver(device, options.verlet ? ClothSolver::verlet : ClothSolver::block_descent);
+    }
+}
+
+/// How much longer or shorter the edges of a square metre are, let go where it lay and held by two corners,
+/// 5 s later.
+void measure_strain(const Options& options)
+{
+    gpu::Device device(RendererOptions{.device = options.device});
+    gpu::Executor executor(device);
+    cloth::Sheet sheet =
+        cloth::grid_sheet(glm::uvec2(options.side), {}, {0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, 0.0F});
+    sheet.held.assign(sheet.rest_m.size(), 0.0F);
+    sheet.held[0] = sheet.held[options.side - 1] = 1.0F;
+    cloth::Cloths cloths(device, {&sheet, 1});
+    choose_solver(device, cloths, options);
+    const cloth::Surroundings surroundings{.step_s = options.step_s, .effort = options.effort};
+    gpu::Buffer places(device, "places", cloths.state().front()->size_bytes(), gpu::MemoryUse::readback);
+    const auto begin = std::chrono::steady_clock::now();
+    for (auto left = static_cast<uint32_t>(std::lround(5.0F / options.step_s)); left > 0;) {
+        const uint32_t now = std::min(left, cloths.most_steps(surroundings));
+        left -= now;
+        gpu::Graph graph;
+        cloth::Cloths::Handles handles = cloths.import(graph);
+        cloths.add_steps(graph, handles, surroundings, now);
+        if (left == 0) {
+            gpu::add_read_back(graph, "places", handles.places, places);
+        }
+        executor.run(graph);
+    }
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    const auto at = gpu::items_of<glm::vec4>(places);
+    std::vector<double> strains;
+    for (const glm::uvec3& triangle : sheet.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const uint32_t a = triangle[k];
+            const uint32_t b = triangle[(k + 1) % 3];
+            strains.push_back(100.0 * std::abs(glm::distance(glm::vec3(at[a]), glm::vec3(at[b])) /
+                                                   glm::distance(sheet.rest_m[a], sheet.rest_m[b]) -
+                                               1.0F));
+        }
+    }
+    std::ranges::sort(strains);
+    fmt::print("{}: strain of {} x {} after 5 s: median {:.2f}, 99th percentile {:.2f}, most {:.2f} %; "
+               "{:.2f} ms a frame by the wall\n",
+               device.info().name, options.side, options.side, strains[strains.size() / 2],
+               strains[strains.size() * 99 / 100], strains.back(), took.count() / 300.0);
+}
+
 void measure(const Options& options)
 {
     gpu::Device device(RendererOptions{.device = options.device});
     gpu::Executor executor(device);
     const Hung hung = hang_up(options);
     cloth::Cloths cloths(device, hung.sheets, hung.drawn);
-    if (options.verlet) {
-        cloths.set_solver(device, ClothSolver::verlet);
-    }
+    choose_solver(device, cloths, options);
     cloths.set_solids(device, solids_of(options));
     gpu::Buffer posed(device, "posed vertices", hung.vertex_count * sizeof(shared::PosedVertex),
                       gpu::MemoryUse::device);
@@ -148,10 +202,16 @@ int main(int count, char** arguments)
         ->check(CLI::Range(1e-4, 1.0 / 30));
     app.add_option("--effort", options.effort)->check(CLI::Range(0.05, 8.0));
     app.add_flag("--verlet", options.verlet, "The thesis's relaxation");
+    app.add_flag("--descent", options.descent, "Vertex block descent");
+    app.add_flag("--strain", options.strain, "Tells what one sheet stretches instead");
     app.add_flag("--passes", options.passes, "Tells each pass of the last frame");
     CLI11_PARSE(app, count, arguments);
     try {
-        measure(options);
+        if (options.strain) {
+            measure_strain(options);
+        } else {
+            measure(options);
+        }
     } catch (const Error& error) {
         fmt::print(stderr, "{}\n", error.what());
         return 1;

@@ -8,6 +8,7 @@
 #include <estampe/error.hpp>
 
 #include "kit.hpp"
+#include "walker.hpp"
 
 namespace {
 
@@ -213,12 +214,16 @@ void hammock(Making& m)
     const Index node = ball(m, {0.0, 2.0, 0.0}, 0.28F);
     AnimationChannel fall{.node = node, .path = AnimatedPath::translation};
     fall.times_s = {0.0F, 0.6F, 100.0F};
-    fall.values = {0.0F, 2.1F, 0.0F, 0.0F, 1.22F, 0.0F, 0.0F, 1.22F, 0.0F};
+    fall.values = {0.0F, 2.1F, 0.0F, 0.0F, 1.3F, 0.0F, 0.0F, 1.3F, 0.0F};
     m.scene().animations.push_back({.name = "fall", .channels = {fall}, .duration_s = 100.0F});
-    kit::add_sheet(m.scene(), m.particles(61, 25), {-1.42, 1.55, -0.45}, {2.84F, 0.0F, 0.0F},
-                   {0.0F, 0.0F, 0.9F},
-                   [](glm::vec2 share) { return share.x == 0.0F || share.x == 1.0F ? 1.0F : 0.0F; },
-                   {.stretch_n_m = 400.0F});
+    const Index sling = kit::add_sheet(
+        m.scene(), m.particles(61, 25), {-1.42, 1.55, -0.45}, {2.84F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.9F},
+        [](glm::vec2 share) { return share.x == 0.0F || share.x == 1.0F ? 1.0F : 0.0F; });
+    // As long as the way about the ball: what is drawn tight from post to post cannot give way to it.
+    for (glm::vec3& place : m.scene().meshes[m.scene().nodes[sling].mesh].primitives[0].positions) {
+        const float along = place.x / 1.42F - 1.0F;
+        place.y -= 0.52F * (1.0F - along * along);
+    }
     m.wind(0.0F, 0.0F);
     m.seen({1.4, 2.3, 5.6}, {0.0, 1.05, 0.0}, 0.5);
 }
@@ -301,12 +306,51 @@ void swing(Making& m)
     m.seen({2.2, 1.9, 5.4}, {0.0, 1.35, 0.0});
 }
 
+void cape(Making& m)
+{
+    const kit::Walker walker = kit::add_walker(m.scene(), {0.0, 0.0, -1.6});
+    // Round the shoulders, and wider below: half a cone.
+    const glm::uvec2 particles = m.particles(41, 45);
+    Primitive sheet = cloth_sheet(particles.x, particles.y, {}, {1.0F, 0.0F, 0.0F}, {0.0F, -1.0F, 0.0F});
+    for (uint32_t i = 0; i < sheet.positions.size(); ++i) {
+        const glm::vec2 share(sheet.positions[i].x, -sheet.positions[i].y);
+        const float angle = (share.x - 0.5F) * 2.7F;
+        const float radius_m = 0.3F + 0.28F * share.y;
+        sheet.positions[i] = {-radius_m * std::sin(angle), 1.47F - 1.05F * share.y,
+                              -0.72F * radius_m * std::cos(angle) + 0.02F};
+        sheet.uvs[0][i] = {radius_m * angle, share.y};
+        sheet.held[i] = share.y == 0.0F ? 1.0F : 0.0F;
+    }
+    sheet.material = 1;
+    kit::bind(sheet, walker.chest);
+    const Index node = kit::add(m.scene(), "cape", std::move(sheet), {});
+    m.scene().nodes[node].skin = walker.skin;
+    m.scene().nodes[node].cloth = Cloth{.density_kg_m2 = 0.25F, .bending_n_m = 1e-4F};
+    m.wind(1.5F, 250.0F);
+    m.seen({-5.2, 1.9, -3.6}, {0.0, 0.9, 0.0}, 0.5);
+}
+
+void dunes(Making& m)
+{
+    m.scene().terrain = Terrain(parse_terrain("[terrain]\nheight = \"ridge\"\n[nodes]\nridge = "
+                                              "\"0.5 * sine(5) + 0.6 * fbm(9, octaves = 3)\"\n",
+                                              "dunes"));
+    const double height_m = m.scene().terrain->sample(0.0, 0.0).height_m;
+    kit::add_sheet(m.scene(), m.particles(65, 57), {-1.6, height_m + 0.7, -1.4}, {3.2F, 0.0F, 0.0F},
+                   {0.0F, 0.0F, 2.8F}, {}, {.density_kg_m2 = 0.3F, .friction = 0.8F});
+    m.set_up.style.emplace_back("wind.from=style");
+    m.wind(0.0F, 0.0F);
+    m.seen({3.2, height_m + 2.2, 5.4}, {0.0, height_m - 0.1, 0.0}, 0.5);
+}
+
 const std::map<std::string, void (*)(Making&)>& makers()
 {
     static const std::map<std::string, void (*)(Making&)> all{{"awning", awning},
                                                               {"ball", over_ball},
                                                               {"banner", banner},
+                                                              {"cape", cape},
                                                               {"curtain", curtain},
+                                                              {"dunes", dunes},
                                                               {"flag", flag},
                                                               {"hammock", hammock},
                                                               {"pennants", pennants},

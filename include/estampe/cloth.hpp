@@ -4,15 +4,18 @@
 // Cloth: what sheets are made of, and what they run into.
 
 #include <cstdint>
+#include <limits>
 
 namespace estampe {
 
 /// How cloth is kept from stretching. All take the same sheets and may be swapped while a film goes on.
 enum class ClothSolver : uint8_t {
-    automatic,   ///< small_steps
-    small_steps, ///< extended position-based dynamics: many short steps of one iteration each
-    verlet,      ///< one step and many relaxations, as Zanuttini, "Recherches en rendu non réaliste temps
-                 ///< réel", Université Paris 8, 2008, chapter 7: stretches more the finer the mesh
+    automatic,     ///< small_steps
+    small_steps,   ///< extended position-based dynamics: many short steps of one iteration each
+    verlet,        ///< one step and many relaxations, as Zanuttini, "Recherches en rendu non réaliste temps
+                   ///< réel", Université Paris 8, 2008, chapter 7: stretches more the finer the mesh
+    block_descent, ///< Chen, Liu, Yang and Yuksel, "Vertex Block Descent", SIGGRAPH 2024: each vertex in turn
+                   ///< goes to where its share of the energy is least, by colours
 };
 
 /// What a sheet is made of; the defaults are a light cotton.
@@ -27,18 +30,26 @@ struct Cloth {
     float damping_per_s = 0.4F; ///< share of its speed that it loses in a second by itself
     float friction = 0.4F;      ///< on what it lies on
     float thickness_m = 0.006F; ///< how far from things it is held
+    float self_m = 0.0F; ///< how far from each other its vertices are held, where they are more than twice
+                         ///< that apart at rest; it passes through itself at less than their spacing, and
+                         ///< at 0 nobody looks
+    uint32_t back_material =
+        std::numeric_limits<uint32_t>::max(); ///< the scene's material of its other side; else the same
     ClothSolver solver = ClothSolver::automatic;
 
     bool operator==(const Cloth& other) const = default;
 };
 
-/// What of an object cloth runs into: the smallest such solid about its mesh, which goes along with its node.
+/// What of an object cloth runs into: the smallest such solid about its mesh, or the mesh as it rests, which
+/// goes along with its node.
 enum class ClothCollider : uint8_t {
     none,
     box,
     ellipsoid,
     cylinder, ///< upright, along y
-    capsule   ///< the same with round ends
+    capsule,  ///< the same with round ends
+    mesh ///< its very form, if it is closed, to a fortieth of its length; neither skins nor morph targets
+         ///< bend it
 };
 
 } // namespace estampe

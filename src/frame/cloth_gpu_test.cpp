@@ -108,6 +108,38 @@ TEST(ClothFrame, MotionIsOfTheSheetToo)
     EXPECT_LT(most_px, 15.0F);
 }
 
+TEST(ClothFrame, BothSidesHaveTheirMaterial)
+{
+    ClothScene set_up = make_set_up("flag", 0.5F);
+    Node& flag =
+        *std::ranges::find_if(set_up.scene.nodes, [](const Node& node) { return node.cloth.has_value(); });
+    flag.cloth->back_material = static_cast<Index>(set_up.scene.materials.size());
+    set_up.scene.materials.push_back({.name = "lining", .base_color = {0.7F, 0.02F, 0.02F, 1.0F}});
+    set_up.style.emplace_back("wind.speed_m_s=3");
+    set_up.style.emplace_back("wind.gustiness=0");
+    set_up.style.emplace_back("wind.turbulence=0");
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(set_up.scene);
+    const auto red_from = [&](double z) {
+        Camera camera = set_up.camera;
+        camera.eye.z = z;
+        Style style = Style::load("chirico"); // which has colours
+        for (const std::string& assignment : set_up.style) {
+            style.set(assignment);
+        }
+        const Image image = renderer.render(camera, style, small);
+        size_t count = 0;
+        for (size_t i = 0; i < image.rgba.size(); i += 4) {
+            count += image.rgba[i] > 2 * image.rgba[i + 1] ? 1 : 0;
+        }
+        return count;
+    };
+    const size_t front = red_from(9.0);
+    const size_t back = red_from(-9.0);
+    EXPECT_GT(back, 100U); // its front looks along +z
+    EXPECT_LT(front, back / 4);
+}
+
 TEST(ClothFrame, ScenesWithoutClothHaveNoPassesOfIt)
 {
     ClothScene set_up = make_set_up("flag", 0.5F);

@@ -19,18 +19,72 @@ Scene without_images(const Scene& scene)
     return copy;
 }
 
-} // namespace
+/// The same triangles seen from behind.
+Primitive turned_over(const Primitive& primitive, Index material)
+{
+    Primitive back = primitive;
+    back.material = material;
+    for (size_t i = 0; i + 2 < back.indices.size(); i += 3) {
+        std::swap(back.indices[i + 1], back.indices[i + 2]);
+    }
+    for (glm::vec3& normal : back.normals) {
+        normal = -normal;
+    }
+    back.edge_marks.clear();
+    return back;
+}
 
-namespace {
+/// A material of one side, which is as it was otherwise.
+Index add_one_sided(Scene& scene, Index material)
+{
+    Material copy = scene.materials.at(material);
+    copy.double_sided = false;
+    scene.materials.push_back(std::move(copy));
+    return static_cast<Index>(scene.materials.size() - 1);
+}
+
+/// Gives the other side of a node's cloth, where it is of a material of its own, triangles of its own, each
+/// primitive's behind it.
+void part_sides(Scene& scene, Node& node)
+{
+    Mesh parted = scene.meshes[node.mesh];
+    parted.primitives.clear();
+    for (const Primitive& primitive : scene.meshes[node.mesh].primitives) {
+        parted.primitives.push_back(primitive);
+        const Cloth* const found = cloth_of(scene, node, primitive);
+        if (found == nullptr || found->back_material >= scene.materials.size()) {
+            continue;
+        }
+        Cloth cloth = *found;
+        const Index front = add_one_sided(scene, primitive.material);
+        const Index back = add_one_sided(scene, cloth.back_material);
+        cloth.back_material = back;
+        scene.materials[front].cloth = cloth;
+        scene.materials[back].cloth = cloth;
+        parted.primitives.back().material = front;
+        parted.primitives.push_back(turned_over(primitive, back));
+    }
+    if (parted.primitives.size() > scene.meshes[node.mesh].primitives.size()) {
+        node.mesh = static_cast<Index>(scene.meshes.size());
+        node.cloth.reset(); // its materials say so
+        scene.meshes.push_back(std::move(parted));
+    }
+}
 
 /// Cloth is seen from both sides.
 Scene with_both_sides(const Scene& scene)
 {
     Scene result = scene;
-    for (const Node& node : result.nodes) {
-        for (const Primitive& primitive : node.mesh < result.meshes.size()
-                                              ? result.meshes[node.mesh].primitives
-                                              : std::vector<Primitive>()) {
+    for (Node& node : result.nodes) {
+        if (node.mesh >= result.meshes.size()) {
+            continue;
+        }
+        const Index whole = node.mesh;
+        part_sides(result, node);
+        if (node.mesh != whole) {
+            continue;
+        }
+        for (const Primitive& primitive : result.meshes[node.mesh].primitives) {
             if (cloth_of(result, node, primitive) != nullptr) {
                 result.materials.at(primitive.material).double_sided = true;
             }
@@ -44,10 +98,11 @@ Scene with_both_sides(const Scene& scene)
 LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Lightmap* lightmap)
 {
     check_drawn_size(given);
-    const Scene grounded = given.terrain ? with_terrain_node(given) : Scene{};
     const bool has_cloth = MovingCloth::is_in(given);
-    const Scene two_sided = has_cloth ? with_both_sides(given.terrain ? grounded : given) : Scene{};
-    const Scene& scene = has_cloth ? two_sided : given.terrain ? grounded : given;
+    const Scene two_sided = has_cloth ? with_both_sides(given) : Scene{};
+    const Scene& whole = has_cloth ? two_sided : given;
+    const Scene grounded = whole.terrain ? with_terrain_node(whole) : Scene{}; // its material comes last
+    const Scene& scene = whole.terrain ? grounded : whole;
     LoadedScene loaded;
     if (lightmap != nullptr) {
         loaded.lightmap = *lightmap;

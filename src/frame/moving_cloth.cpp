@@ -97,6 +97,18 @@ MovingCloth::Cut MovingCloth::cut(const Scene& scene, const pose::MeshData& layo
         if (cloth == nullptr || primitive.indices.empty()) {
             continue;
         }
+        if (primitive.material == cloth->back_material) { // of the primitive before
+            const auto front = std::ranges::find_if(cut.draws, [&](uint32_t draw) {
+                const pose::DrawSource& other = layout.sources[draw];
+                return other.node == source.node && other.primitive + 1 == source.primitive &&
+                       other.instance == source.instance;
+            });
+            if (front != cut.draws.end()) {
+                cut.drawn[static_cast<size_t>(front - cut.draws.begin())].first_back_vertex =
+                    layout.draws[i].first_posed_vertex;
+                continue;
+            }
+        }
         sheet_of_draw[i] = cut.sheets.size();
         cut.draws.push_back(i);
         cloth::Sheet& sheet = cut.sheets.emplace_back();
@@ -132,6 +144,36 @@ MovingCloth::MovingCloth(gpu::Device& device, const Scene& scene, const pose::Me
     : MovingCloth(device, cut(scene, layout))
 {
     bones_ = bone_capsules(scene);
+    grids_ = SolidGrids(scene);
+    sheets_.set_grids(device, grids_.grids());
+    for (const uint32_t draw : draws_) {
+        reaches_.push_back(layout.sources[draw].local_bounds);
+    }
+}
+
+std::vector<glm::mat4> MovingCloth::places_of_draws(const pose::PoseData& pose) const
+{
+    std::vector<glm::mat4> places;
+    for (const uint32_t draw : draws_) {
+        const shared::DrawRecord& record = pose.draws[draw];
+        places.push_back(record.first_skin_vertex == shared::no_skin ? record.anchor_from_object
+                                                                     : pose.joints[record.first_joint]);
+    }
+    return places;
+}
+
+Bounds MovingCloth::reach(const pose::PoseData& pose) const
+{
+    Bounds reach;
+    const std::vector<glm::mat4> places = places_of_draws(pose);
+    for (size_t i = 0; i < places.size(); ++i) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::bvec3 upper((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
+            const glm::dvec3 place = glm::mix(reaches_[i].min, reaches_[i].max, upper);
+            reach.extend(glm::dvec3(glm::dmat4(places[i]) * glm::dvec4(place, 1.0)));
+        }
+    }
+    return reach;
 }
 
 std::optional<ClothRun> MovingCloth::plan(const RenderSettings& settings, const StyleTables& style,
@@ -178,9 +220,12 @@ cloth::Surroundings MovingCloth::surroundings(const Scene& scene, const StyleTab
     return result;
 }
 
-void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const ScenePose& pose,
+void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const ClothPose& pose,
                                const pose::MeshData& layout)
 {
+    if (grids_.follow_ground(scene, reach(pose.draws), layout.anchor, pose.time_s)) {
+        sheets_.set_grids(device, grids_.grids());
+    }
     const glm::dmat4 anchor_from_world = glm::translate(glm::dmat4(1.0), -layout.anchor);
     std::vector<cloth::Solid> solids;
     for (size_t i = 0; i < scene.nodes.size(); ++i) {
@@ -188,17 +233,22 @@ void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const Sc
         if (node.collider == ClothCollider::none || node.mesh >= scene.meshes.size()) {
             continue;
         }
-        const cloth::Solid solid = solid_about(scene.meshes[node.mesh], node.collider);
-        const glm::dmat4 place = anchor_from_world * pose.world_from_node[i];
-        if (node.instances.empty()) {
-            solids.push_back(cloth::placed(solid, place));
-        }
-        for (const glm::mat4& instance : node.instances) {
-            solids.push_back(cloth::placed(solid, place * glm::dmat4(instance)));
+        const glm::dmat4 place = anchor_from_world * pose.nodes.world_from_node[i];
+        const std::vector<glm::mat4> one{glm::mat4(1.0F)};
+        for (const glm::mat4& instance : node.instances.empty() ? one : node.instances) {
+            const glm::dmat4 own = place * glm::dmat4(instance);
+            if (node.collider != ClothCollider::mesh) {
+                solids.push_back(cloth::placed(solid_about(scene.meshes[node.mesh], node.collider), own));
+            } else if (const auto solid = grids_.placed_mesh(node.mesh, own)) {
+                solids.push_back(*solid);
+            }
         }
     }
     for (const BoneCapsule& bone : bones_) {
-        solids.push_back(placed_bone(bone, pose, layout.anchor));
+        solids.push_back(placed_bone(bone, pose.nodes, layout.anchor));
+    }
+    if (const auto ground = grids_.ground()) {
+        solids.push_back(*ground);
     }
     if (!scene.terrain && !layout.bounds.empty()) {
         const auto floor_m = static_cast<float>(layout.bounds.min.y - layout.anchor.y);
@@ -212,12 +262,7 @@ std::vector<glm::mat4> MovingCloth::carries(const pose::PoseData& pose, const gl
 {
     constexpr double quick_m_s = 25.0; // what moves at that was put elsewhere
     constexpr double jump_m = 1.0;
-    std::vector<glm::mat4> places;
-    for (const uint32_t draw : draws_) {
-        const shared::DrawRecord& record = pose.draws[draw];
-        places.push_back(record.first_skin_vertex == shared::no_skin ? record.anchor_from_object
-                                                                     : pose.joints[record.first_joint]);
-    }
+    std::vector<glm::mat4> places = places_of_draws(pose);
     std::vector<glm::mat4> carries;
     if (places_before_.size() == places.size()) {
         const glm::dmat4 shift = glm::translate(glm::dmat4(1.0), anchor_before_ - anchor);

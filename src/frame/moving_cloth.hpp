@@ -10,6 +10,7 @@
 #include <estampe/renderer.hpp>
 
 #include "frame/bone_capsules.hpp"
+#include "frame/solid_grids.hpp"
 #include "frame/style_tables.hpp"
 #include "techniques/cloth/cloth.hpp"
 #include "techniques/pose/mesh_data.hpp"
@@ -23,6 +24,13 @@ struct ClothRun {
     double from_s = 0.0;      ///< of the scene's time; before 0 the scene stands as it does then
     double to_s = 0.0;
     std::optional<double> snapshot_s; ///< where the picture wants to know how sheets were before
+};
+
+/// The scene at a moment, as cloth has to know it.
+struct ClothPose {
+    const ScenePose& nodes;
+    const pose::PoseData& draws;
+    double time_s = 0.0;
 };
 
 class MovingCloth {
@@ -48,7 +56,7 @@ public:
                                                    double time_s, const glm::dvec3& anchor) const;
 
     /// Tells sheets where solids are in this pose.
-    void place_solids(gpu::Device& device, const Scene& scene, const ScenePose& pose,
+    void place_solids(gpu::Device& device, const Scene& scene, const ClothPose& pose,
                       const pose::MeshData& layout);
 
     /// Where sheets are carried to since the last call: none, unless one hangs on what was put elsewhere
@@ -80,12 +88,16 @@ private:
         std::vector<cloth::DrawnSheet> drawn;
     };
 
+    [[nodiscard]] std::vector<glm::mat4> places_of_draws(const pose::PoseData& pose) const;
+    [[nodiscard]] Bounds reach(const pose::PoseData& pose) const;
     [[nodiscard]] static Cut cut(const Scene& scene, const pose::MeshData& layout);
     MovingCloth(gpu::Device& device, Cut&& cut);
 
     cloth::Cloths sheets_;
     std::vector<uint32_t> draws_;
     std::vector<BoneCapsule> bones_;
+    SolidGrids grids_;
+    std::vector<Bounds> reaches_; ///< one a sheet, in object space
     std::vector<glm::mat4> places_before_;
     glm::dvec3 anchor_before_{0.0};
     std::optional<double> time_s_;

@@ -52,7 +52,8 @@ gpu::BufferId Renderer::Impl::pose_for_cloth(gpu::Graph& graph, double time_s, I
 {
     const ScenePose pose = pose_scene(loaded->scene, std::max(time_s, 0.0), animation);
     update_pose(pose);
-    loaded->cloth->place_solids(device, loaded->scene, pose, loaded->layout);
+    loaded->cloth->place_solids(device, loaded->scene,
+                                {.nodes = pose, .draws = *loaded->pose, .time_s = time_s}, loaded->layout);
     pose::MeshBuffers& meshes = loaded->meshes;
     return pose::add_pose(graph, meshes, loaded->layout, gpu::import_whole(graph, "draws", meshes.draws),
                           gpu::import_whole(graph, "rest vertices", meshes.rest_vertices));

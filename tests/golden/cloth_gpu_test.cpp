@@ -29,7 +29,7 @@ TEST(ClothSheet, SetUps)
         renderer.set_scene(set_up.scene);
         tiles.push_back(renderer.render(set_up.camera, style, {.width = 240, .height = 200, .time_s = 1.5}));
     }
-    test::expect_matches_golden(test::sheet_of(tiles, 7), "cloth");
+    test::expect_matches_golden(test::sheet_of(tiles, 4), "cloth");
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
+
 #include <estampe/scene.hpp>
 
 #include "scene/gltf/data.hpp"
@@ -11,8 +13,8 @@
 namespace estampe::gltf {
 
 /// Materials, and the textures they use, decoded on up to four threads. The last one is the default, when a
-/// mesh needs it.
-void import_materials(Data& data, Scene& scene);
+/// mesh needs it. Returns the scene's textures that say how cloth is held, by the file's.
+std::map<Index, Index> import_materials(Data& data, Scene& scene);
 
 /// Meshes, decompressed, as plain lists, with normals and tangents.
 void import_meshes(Data& data, Scene& scene);
@@ -22,7 +24,7 @@ void import_nodes(Data& data, Scene& scene);
 
 /// What is cloth: by the names of nodes and materials, or their extras. The red of its vertices' colours says
 /// how much they are held, and colours nothing.
-void import_cloth(const Data& data, Scene& scene);
+void import_cloth(const Data& data, const std::map<Index, Index>& held_textures, Scene& scene);
 
 void import_animations(Data& data, Scene& scene);
 

@@ -59,6 +59,17 @@ public:
         return static_cast<float>(number);
     }
 
+    /// Of a list of so many things.
+    [[nodiscard]] Index index(const std::string& key, size_t count, std::string_view what) const
+    {
+        const tinygltf::Value& value = value_.Get(key);
+        const int number = value.IsInt() ? value.GetNumberAsInt() : -1;
+        if (number < 0 || static_cast<size_t>(number) >= count) {
+            data_.fail(at(key), fmt::format("should be the number of a {}", what));
+        }
+        return static_cast<Index>(number);
+    }
+
     /// The place of the word among `words`.
     [[nodiscard]] size_t choice(const std::string& key, std::span<const std::string_view> words) const
     {
@@ -186,9 +197,10 @@ void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const st
         cloth = reader.boolean("cloth") ? std::optional(cloth.value_or(Cloth{})) : std::nullopt;
         return;
     }
-    static constexpr std::string_view keys[] = {"bending",  "damping", "density", "drag",    "fold",
-                                                "friction", "lift",    "solver",  "stretch", "thickness"};
-    static constexpr std::string_view solvers[] = {"automatic", "small_steps", "verlet"};
+    static constexpr std::string_view keys[] = {"back",   "bending",  "damping",  "density", "drag",
+                                                "fold",   "friction", "held",     "lift",    "self",
+                                                "solver", "stretch",  "thickness"};
+    static constexpr std::string_view solvers[] = {"automatic", "small_steps", "verlet", "block_descent"};
     const Reader own(reader, "cloth");
     own.expect_only(keys);
     Cloth& read = cloth.emplace();
@@ -202,11 +214,29 @@ void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const st
     take("fold", read.fold);
     take("friction", read.friction);
     take("lift", read.lift);
+    take("self", read.self_m);
     take("stretch", read.stretch_n_m);
     take("thickness", read.thickness_m);
+    if (own.has("back")) {
+        read.back_material = own.index("back", data.model().materials.size(), "material");
+    }
     if (own.has("solver")) {
         read.solver = static_cast<ClothSolver>(own.choice("solver", solvers));
     }
+}
+
+std::optional<Index> held_texture(const Data& data, const tinygltf::Value& extras, const std::string& pointer)
+{
+    if (!has_extras(extras)) {
+        return std::nullopt;
+    }
+    const Reader reader(data, extras, pointer);
+    if (!reader.has("cloth") || reader.is_boolean("cloth")) {
+        return std::nullopt;
+    }
+    const Reader own(reader, "cloth");
+    return own.has("held") ? std::optional(own.index("held", data.model().textures.size(), "texture"))
+                           : std::nullopt;
 }
 
 void read_collider_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
@@ -215,7 +245,7 @@ void read_collider_extras(const Data& data, const tinygltf::Value& extras, const
     if (!has_extras(extras)) {
         return;
     }
-    static constexpr std::string_view shapes[] = {"none", "box", "ellipsoid", "cylinder", "capsule"};
+    static constexpr std::string_view shapes[] = {"none", "box", "ellipsoid", "cylinder", "capsule", "mesh"};
     const Reader reader(data, extras, pointer);
     if (reader.has("collider")) {
         collider = static_cast<ClothCollider>(reader.choice("collider", shapes));

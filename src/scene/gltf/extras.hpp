@@ -7,9 +7,11 @@
 //                     "type": "ambient"                              "shadows": true or false
 //                     "groups": [1, 2]    lights objects of these    "casters": [1]    is blocked by those
 //                     "radius": 0.1       metres, of what glows
-//     node            "collider": "box", "ellipsoid", "cylinder" or "capsule", which cloth runs into
+//     node            "collider": "box", "ellipsoid", "cylinder", "capsule" or "mesh", which cloth runs into
 //     node, material  "cloth": true, or {"density": 0.15, ...}: its members' names without units, see
-//                     estampe/cloth.hpp, and "solver": "automatic", "small_steps" or "verlet"
+//                     estampe/cloth.hpp, and "solver": "automatic", "small_steps", "verlet" or
+//                     "block_descent", "held": a texture whose red says how much, "back": the material of
+//                     the other side, "self": metres
 //     node, material  "groups": [1]       lit by lights of these     "casts": [1], true or false
 //                     "receives": true or false               "lightmap": see estampe/lightmap.hpp
 //
@@ -28,6 +30,9 @@ void read_link_extras(const Data& data, const tinygltf::Value& extras, const std
 
 void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
                        std::optional<Cloth>& cloth);
+/// The file's texture whose red says how much vertices of cloth are held, if it says so.
+[[nodiscard]] std::optional<Index> held_texture(const Data& data, const tinygltf::Value& extras,
+                                                const std::string& pointer);
 void read_collider_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
                           ClothCollider& collider);
 

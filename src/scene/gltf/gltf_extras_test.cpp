@@ -3,6 +3,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/image_codec.hpp"
 #include "scene/gltf/test_file.hpp"
 
 namespace estampe::gltf {
@@ -72,7 +73,7 @@ TEST(GltfExtras, SayWhatIsClothAndWhatItRunsInto)
     file.document["nodes"] = json::parse(R"([
         {"mesh": 0, "name": "Cloth_flag"},
         {"mesh": 0, "name": "clothes", "extras": {"estampe": {"collider": "capsule"}}},
-        {"mesh": 0, "extras": {"estampe": {"cloth": {"density": 0.5, "solver": "verlet"}}}},
+        {"mesh": 0, "extras": {"estampe": {"cloth": {"density": 0.5, "self": 0.02, "solver": "block_descent"}}}},
         {"mesh": 0, "name": "cloth", "extras": {"estampe": {"cloth": false}}}
     ])");
     file.document["scenes"] = json::parse(R"([{"nodes": [0, 1, 2, 3]}])");
@@ -80,13 +81,42 @@ TEST(GltfExtras, SayWhatIsClothAndWhatItRunsInto)
     EXPECT_EQ(scene.nodes[0].cloth, Cloth{});
     EXPECT_FALSE(scene.nodes[1].cloth);
     EXPECT_EQ(scene.nodes[1].collider, ClothCollider::capsule);
-    EXPECT_EQ(scene.nodes[2].cloth, (Cloth{.density_kg_m2 = 0.5F, .solver = ClothSolver::verlet}));
+    EXPECT_EQ(scene.nodes[2].cloth,
+              (Cloth{.density_kg_m2 = 0.5F, .self_m = 0.02F, .solver = ClothSolver::block_descent}));
     EXPECT_FALSE(scene.nodes[3].cloth);
     file.document["materials"] = json::parse(R"([{"name": "CLOTH.001"}])");
     file.document["meshes"][0]["primitives"][0]["material"] = 0;
     EXPECT_TRUE(file.load().materials[0].cloth);
     file.document["nodes"][2]["extras"]["estampe"]["cloth"]["weight"] = 1;
     EXPECT_EQ(failure(file).find("test.glb#/nodes/2/extras/estampe/cloth/weight: is not known"), 0U);
+}
+
+TEST(GltfExtras, TexturesAndColoursSayHowMuchClothIsHeld)
+{
+    TestFile file = triangle_file();
+    file.document["nodes"][0]["name"] = "cloth";
+    EXPECT_TRUE(file.load().meshes[0].primitives[0].held.empty());
+    json& attributes = file.document["meshes"][0]["primitives"][0]["attributes"];
+    attributes["COLOR_0"] =
+        file.add(std::vector<float>{1.0F, 0.2F, 0.0F, 0.25F, 1.0F, 0.0F, 0.0F, 1.0F, 1.0F}, "VEC3");
+    const Primitive coloured = file.load().meshes[0].primitives[0];
+    EXPECT_EQ(coloured.held, (std::vector<float>{1.0F, 0.25F, 0.0F}));
+    EXPECT_TRUE(coloured.colors.empty()); // they colour nothing
+    attributes["TEXCOORD_0"] = file.add(std::vector<float>{0.25F, 0.5F, 0.75F, 0.5F, 0.5F, 0.5F}, "VEC2");
+    const Bytes image = encode_png({.width = 2, .height = 1, .rgba = {255, 0, 9, 255, 51, 200, 9, 255}});
+    file.document["images"] =
+        json::array({{{"bufferView", file.add_view(image)}, {"mimeType", "image/png"}}});
+    file.document["textures"] = json::parse(R"([{"source": 0}])");
+    file.document["nodes"][0]["extras"] = json::parse(R"({"estampe": {"cloth": {"held": 0}}})");
+    const std::vector<float> held = file.load().meshes[0].primitives[0].held;
+    ASSERT_EQ(held.size(), 3U);
+    EXPECT_NEAR(held[0], 1.0F, 1e-5F);
+    EXPECT_NEAR(held[1], 0.2F, 1e-5F);
+    EXPECT_NEAR(held[2], 0.6F, 1e-5F);
+    file.document["nodes"][0]["extras"] = json::parse(R"({"estampe": {"cloth": {"held": 3}}})");
+    EXPECT_EQ(failure(file).find("test.glb#/nodes/0/extras/estampe/cloth/held: should be the number"), 0U);
+    file.document["nodes"][0]["extras"] = json::parse(R"({"estampe": {"cloth": {"back": 7}}})");
+    EXPECT_EQ(failure(file).find("test.glb#/nodes/0/extras/estampe/cloth/back: should be the number"), 0U);
 }
 
 TEST(GltfExtras, ErrorsNameThePlace)

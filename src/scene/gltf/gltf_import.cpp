@@ -39,10 +39,10 @@ Scene import(std::span<const std::byte> bytes, const std::string& file,
         gltf::check_accessors(data);
         Scene scene;
         list_extensions(data.model(), scene);
-        gltf::import_materials(data, scene);
+        const auto held_textures = gltf::import_materials(data, scene);
         gltf::import_meshes(data, scene);
         gltf::import_nodes(data, scene);
-        gltf::import_cloth(data, scene);
+        gltf::import_cloth(data, held_textures, scene);
         gltf::import_animations(data, scene);
         check_drawable(scene, file);
         scene.warnings = data.take_warnings();

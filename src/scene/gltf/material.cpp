@@ -200,7 +200,7 @@ bool needs_default_material(const tinygltf::Model& model)
 
 } // namespace
 
-void import_materials(Data& data, Scene& scene)
+std::map<Index, Index> import_materials(Data& data, Scene& scene)
 {
     TextureTable textures(data);
     const auto& sources = data.model().materials;
@@ -211,7 +211,20 @@ void import_materials(Data& data, Scene& scene)
     if (needs_default_material(data.model())) {
         scene.materials.emplace_back().name = "default";
     }
+    std::map<Index, Index> held_textures;
+    const auto hold = [&](const tinygltf::Value& extras, const std::string& pointer) {
+        if (const auto texture = held_texture(data, extras, pointer)) {
+            held_textures[*texture] = textures.use(static_cast<int>(*texture));
+        }
+    };
+    for (size_t i = 0; i < sources.size(); ++i) {
+        hold(sources[i].extras, fmt::format("/materials/{}", i));
+    }
+    for (size_t i = 0; i < data.model().nodes.size(); ++i) {
+        hold(data.model().nodes[i].extras, fmt::format("/nodes/{}", i));
+    }
     scene.textures = textures.decode();
+    return held_textures;
 }
 
 } // namespace estampe::gltf

@@ -2,14 +2,18 @@
 #include "techniques/cloth/cloth.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <numbers>
 #include <stdexcept>
 
+#include "gpu/fills.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/read_back.hpp"
 #include "shaders/cloth_carry_comp.hpp"
+#include "shaders/cloth_descend_comp.hpp"
+#include "shaders/cloth_near_comp.hpp"
 #include "shaders/cloth_push_comp.hpp"
 #include "shaders/cloth_small_comp.hpp"
 #include "shaders/cloth_step_comp.hpp"
@@ -19,6 +23,7 @@
 namespace estampe::cloth {
 namespace {
 
+constexpr uint32_t sweeps_of_descent = 4;      // over all colours in a small step
 constexpr float longest_step_s = 1.0F / 30.0F; // a longer one is taken for that
 
 /// What keeps the defaults' stretch at a hundredth or two: as many as a third of the particles of a side in a
@@ -35,11 +40,19 @@ glm::vec3 direction_of(const WindStyle& wind)
     return {std::cos(angle_rad), 0.0F, std::sin(angle_rad)};
 }
 
+bool is_of_grid(const shared::ClothCollider& solid)
+{
+    constexpr uint32_t kinds = (1U << shared::cloth_kind_bits) - 1;
+    return (solid.kind & kinds) >= shared::cloth_heights;
+}
+
 } // namespace
 
 uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings) const
 {
-    const float wanted = small_steps_per_s(kind.most_particles) * surroundings.effort * surroundings.step_s;
+    const bool descends = (kind.variant & shared::cloth_bit_descent) != 0;
+    const float per_s = small_steps_per_s(kind.most_particles) / (descends ? sweeps_of_descent : 1.0F);
+    const float wanted = per_s * surroundings.effort * surroundings.step_s;
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted - 0.01F), 1.0F, 1000.0F));
 }
 
@@ -49,7 +62,9 @@ uint32_t Cloths::most_steps(const Surroundings& surroundings) const
     constexpr uint32_t most_at_once = 120;
     uint32_t passes = 0;
     for (const Kind& kind : kinds_) {
-        passes += kind.is_small ? 0 : 1 + small_steps(kind, surroundings);
+        const auto descents = static_cast<uint32_t>(sweeps_of_descent * kind.colours.size());
+        const uint32_t searches = (kind.variant & shared::cloth_bit_self) != 0 ? 3 : 0;
+        passes += kind.is_small ? 0 : 1 + searches + small_steps(kind, surroundings) * (1 + descents);
     }
     return passes == 0 ? most_at_once : std::clamp(most_passes / passes, 1U, most_at_once);
 }
@@ -77,13 +92,14 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
                                    .most_speed_m_s = 60.0F,
                                    .origin_m = glm::vec3(surroundings.origin_m)};
         std::memcpy(kind.run.mapped().data(), &run, sizeof run);
-        const bool is_cut = (kind.variant & shared::cloth_bit_relax) == 0;
+        const bool is_cut = (kind.variant & (shared::cloth_bit_relax | shared::cloth_bit_descent)) == 0;
         longest_small_s =
             std::max(longest_small_s, is_cut ? run.step_s / static_cast<float>(run.small_steps) : 0.0F);
     }
     for (size_t i = 0; i < records_.size(); ++i) {
         const float most = 1.0F / std::max(bending_rates_s2_[i] * longest_small_s * longest_small_s, 1e-12F);
-        records_[i].bending_n_m = std::min(rigidities_n_m_[i], most);
+        const bool bears_all = solver_of(i) == ClothSolver::block_descent;
+        records_[i].bending_n_m = bears_all ? rigidities_n_m_[i] : std::min(rigidities_n_m_[i], most);
     }
     std::memcpy(sheets_.mapped().data(), records_.data(), records_.size() * sizeof(shared::ClothSheet));
     std::byte* const solids = colliders_.mapped().data();
@@ -100,6 +116,7 @@ Cloths::Handles Cloths::import(gpu::Graph& graph)
     return {.places = gpu::import_whole(graph, "cloth/places", places_),
             .speeds = gpu::import_whole(graph, "cloth/speeds", speeds_),
             .pushes = gpu::import_whole(graph, "cloth/pushes", pushes_),
+            .near = gpu::import_whole(graph, "cloth/near", near_),
             .predicted = {gpu::import_whole(graph, "cloth/predicted", predicted_[0]),
                           gpu::import_whole(graph, "cloth/predicted", predicted_[1])},
             .targets = {gpu::import_whole(graph, "cloth/targets", targets_[0]),
@@ -117,7 +134,8 @@ void Cloths::bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& hand
         .sample(gpu::import_whole(graph, "cloth/colliders", colliders_))
         .sample(handles.targets[targets_move_ ? 0 : 1], gpu::Format::rgba32f)
         .sample(handles.targets[1], gpu::Format::rgba32f)
-        .read(gpu::import_whole(graph, "cloth/groups", sheet_of_group));
+        .read(gpu::import_whole(graph, "cloth/groups", sheet_of_group))
+        .sample(gpu::import_whole(graph, "cloth/grids", grids_), gpu::Format::r32f);
 }
 
 void Cloths::add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices)
@@ -158,9 +176,50 @@ void Cloths::add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind)
     pass.dispatch(kind.group_count);
 }
 
+void Cloths::add_near(gpu::Graph& graph, Handles& handles, Kind& kind)
+{
+    const uint32_t cells = std::bit_ceil(std::max(2 * particle_count_, 64U));
+    gpu::BufferId first_in_cell = gpu::add_zeros(graph, "cloth/cells", sizeof(uint32_t) * cells);
+    gpu::BufferId next_in_cell =
+        graph.buffer("cloth/next in cell", {.size_bytes = sizeof(uint32_t) * particle_count_});
+    for (const uint32_t is_search : {0U, 1U}) {
+        auto pass = graph.compute(is_search != 0 ? "cloth/near" : "cloth/enter", shaders::cloth_near_comp);
+        bind_common(graph, pass, handles, kind.run, sheet_of_group_);
+        pass.sample(handles.places, gpu::Format::rgba32f)
+            .sample(gpu::import_whole(graph, "cloth/rest", rest_), gpu::Format::rgba32f);
+        first_in_cell = pass.modify(first_in_cell);
+        next_in_cell = is_search != 0 ? pass.modify(next_in_cell) : pass.write(next_in_cell);
+        handles.near = pass.modify(handles.near);
+        pass.variant(kind.variant)
+            .push(shared::ClothNearConstants{
+                .first_group = kind.first_group, .cell_mask = cells - 1, .is_search = is_search});
+        pass.dispatch(kind.group_count);
+    }
+}
+
+void Cloths::add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
+                         uint32_t predicted)
+{
+    for (uint32_t sweep = 0; sweep < sweeps_of_descent; ++sweep) {
+        for (const glm::uvec2& colour : kind.colours) {
+            auto pass = graph.compute("cloth/descend", shaders::cloth_descend_comp);
+            bind_common(graph, pass, handles, kind.run, sheet_of_group_);
+            pass.read(handles.places).read(handles.speeds).read(handles.pushes);
+            handles.predicted.at(predicted) = pass.modify(handles.predicted.at(predicted));
+            pass.sample(gpu::import_whole(graph, "cloth/by colour", by_colour_), gpu::Format::r32ui);
+            shared::ClothMoment own = moment;
+            own.first_group = colour.x;
+            pass.variant(kind.variant).push(own).dispatch(colour.y);
+        }
+    }
+}
+
 void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
                               uint32_t small_steps)
 {
+    if ((kind.variant & shared::cloth_bit_self) != 0) {
+        add_near(graph, handles, kind);
+    }
     auto push = graph.compute("cloth/push", shaders::cloth_push_comp);
     bind_common(graph, push, handles, kind.run, sheet_of_group_);
     push.sample(handles.places, gpu::Format::rgba32f).read(handles.speeds);
@@ -169,12 +228,14 @@ void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, u
     push.variant(kind.variant).push(shared::ClothMoment{.step = step, .first_group = kind.first_group});
     push.dispatch(kind.group_count);
     for (uint32_t i = 0; i < small_steps; ++i) {
+        add_descent(graph, handles, kind, {.step = step, .small_step = i}, i % 2);
         auto pass = graph.compute("cloth/step", shaders::cloth_step_comp);
         bind_common(graph, pass, handles, kind.run, sheet_of_group_);
         handles.places = pass.modify(handles.places);
         handles.speeds = pass.modify(handles.speeds);
         pass.read(handles.pushes).sample(handles.predicted[i % 2], gpu::Format::rgba32f);
         handles.predicted[1 - i % 2] = pass.modify(handles.predicted[1 - i % 2]);
+        pass.sample(handles.near);
         const bool is_last = i + 1 == small_steps;
         pass.variant(kind.variant | (is_last ? shared::cloth_bit_last : 0U))
             .push(shared::ClothMoment{.step = step, .small_step = i, .first_group = kind.first_group});
@@ -191,10 +252,12 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     const WindStyle& wind = surroundings.wind;
     const uint32_t surrounded =
         (solids_.empty() ? 0U : shared::cloth_bit_colliders) |
+        (std::ranges::any_of(solids_, is_of_grid) ? shared::cloth_bit_grids : 0U) |
         (wind.speed_m_s > 0.0F && (wind.gustiness > 0.0F || wind.turbulence > 0.0F) ? shared::cloth_bit_gusts
                                                                                     : 0U);
     for (Kind& kind : kinds_) {
-        constexpr uint32_t changing = shared::cloth_bit_colliders | shared::cloth_bit_gusts;
+        constexpr uint32_t changing =
+            shared::cloth_bit_colliders | shared::cloth_bit_grids | shared::cloth_bit_gusts;
         kind.variant = (kind.variant & ~changing) | surrounded;
         if (kind.is_small) {
             add_small_sheets(graph, handles, kind);

@@ -14,6 +14,9 @@ SHARED_CONSTANT uint cloth_bit_colliders = 2U; // there is something to run into
 SHARED_CONSTANT uint cloth_bit_relax = 4U;     // springs alone, without compliance: the thesis's relaxation
 SHARED_CONSTANT uint cloth_bit_last = 8U;      // this pass ends a step, or a small one
 SHARED_CONSTANT uint cloth_bit_gusts = 16U;    // the wind is not the same everywhere
+SHARED_CONSTANT uint cloth_bit_descent = 64U;  // links have been solved before, by block descent
+SHARED_CONSTANT uint cloth_bit_self = 128U;    // sheets do not pass through themselves
+SHARED_CONSTANT uint cloth_bit_grids = 32U;    // among what it runs into are grids of heights or distances
 
 SHARED_CONSTANT uint cloth_group = 64U;        // particles of a sheet are padded to whole workgroups
 SHARED_CONSTANT uint cloth_small_group = 256U; // threads that share a small sheet
@@ -30,6 +33,11 @@ SHARED_CONSTANT uint cloth_ellipsoid = 1U;
 SHARED_CONSTANT uint cloth_box = 2U;
 SHARED_CONSTANT uint cloth_cylinder = 3U; // about y
 SHARED_CONSTANT uint cloth_capsule = 4U;  // along y
+SHARED_CONSTANT uint cloth_heights =
+    5U; // all below heights on a grid in x and z, which go on level beyond it
+SHARED_CONSTANT uint cloth_distances = 6U; // what distances on a grid say
+SHARED_CONSTANT uint cloth_kind_bits = 3U;
+SHARED_CONSTANT uint cloth_grid_head = 6U; // numbers before those of a grid: nodes each way, half its size
 
 // A sheet. Its particles begin at `first` and are `count`, padded to `stride`; the k-th link of particle i is
 // at first_link + k * stride + i, and so are faces and tethers.
@@ -57,6 +65,7 @@ struct ClothSheet {
     float friction;
     float thickness_m;
     float winding; // of a grid: which way its faces look, 1 or -1
+    float self_m;  // how far it keeps from itself, 0 where it does not
 };
 
 // To a particle nearby. Its rest length is negative where others lie between the two.
@@ -93,12 +102,19 @@ struct ClothMoment {
     uint first_group; // into the list of sheets by group
 };
 
+// Who is near whom in a sheet that keeps from itself.
+struct ClothNearConstants {
+    uint first_group;
+    uint cell_mask; // cells of the table less 1
+    uint is_search; // else all enter themselves
+};
+
 // At the beginning of a run, or at its end: turned, then moved.
 struct ClothCollider {
     vec3 centre_m;
-    uint kind;
+    uint kind;     // and, above cloth_kind_bits, where the numbers of its grid begin
     vec4 rotation; // quaternion, the scalar last
-    vec3 half_m;   // radii of an ellipsoid, half a box, radius, half height and radius of the others
+    vec3 half_m;   // radii of an ellipsoid, half a box or grid, radius, half height and radius of the others
     float reach_m; // what is farther from the centre is outside
 };
 
@@ -113,11 +129,13 @@ SHARED_CONSTANT uint cloth_no_vertex = 0xffffffffU; // of what fills a workgroup
 // A vertex that is drawn.
 struct ClothVertex {
     uint vertex;
-    uint particle; // within its sheet
+    uint particle; // within its sheet; cloth_on_back for one of the other side
 };
 
+SHARED_CONSTANT uint cloth_on_back = 0x80000000U;
+
 #ifdef __cplusplus
-static_assert(sizeof(ClothSheet) == 92);
+static_assert(sizeof(ClothSheet) == 96);
 static_assert(sizeof(ClothLink) == 16);
 static_assert(sizeof(ClothCollider) == 48);
 } // namespace estampe::shared

@@ -30,7 +30,9 @@ struct Surroundings {
 /// The drawn vertices of a sheet.
 struct DrawnSheet {
     uint32_t first_vertex = 0;
-    std::vector<uint32_t> particle_of_vertex; ///< from `first_vertex` on
+    std::vector<uint32_t> particle_of_vertex;  ///< from `first_vertex` on
+    std::optional<uint32_t> first_back_vertex; ///< of the other side, if it has vertices of its own: as many,
+                                               ///< in the same order
 };
 
 /// The same sheets and runs give the same places on the same device, bit for bit.
@@ -47,6 +49,10 @@ public:
     /// were as many. Later runs find them there.
     void set_solids(gpu::Device& device, std::span<const Solid> solids);
 
+    /// What solids of heights and distances are told by, until the next call; before set_solids(). Cost: one
+    /// upload.
+    void set_grids(gpu::Device& device, std::span<const SolidGrid> grids);
+
     /// Where particles are wanted at the end of the next run, if they are held, sheet by sheet. The same
     /// holds as of solids.
     void set_targets(gpu::Device& device, std::span<const glm::vec3> places_m);
@@ -56,6 +62,7 @@ public:
         gpu::BufferId places;
         gpu::BufferId speeds;
         gpu::BufferId pushes;
+        gpu::BufferId near;
         std::array<gpu::BufferId, 2> predicted;
         std::array<gpu::BufferId, 2> targets;
     };
@@ -112,14 +119,20 @@ private:
         bool is_small = false;
         uint32_t first_group = 0;
         uint32_t group_count = 0;
-        uint32_t most_particles = 0; ///< of a sheet
+        uint32_t most_particles = 0;     ///< of a sheet
+        std::vector<glm::uvec2> colours; ///< for block descent: first group of each and how many
         gpu::Buffer run;
     };
 
     void lay_out(gpu::Device& device, std::span<const Sheet> sheets);
     void lay_out_vertices(gpu::Device& device, std::span<const DrawnSheet> drawn);
     void group_sheets(gpu::Device& device);
-    [[nodiscard]] uint32_t kind_of(size_t sheet) const;
+
+    [[nodiscard]] ClothSolver solver_of(size_t sheet) const { return solver_.value_or(solvers_[sheet]); }
+
+    [[nodiscard]] uint32_t variant_of(size_t sheet) const;
+    [[nodiscard]] bool is_small(size_t sheet) const;
+    void append_colours(Kind& kind, std::vector<uint32_t>& groups) const;
     [[nodiscard]] uint32_t small_steps(const Kind& kind, const Surroundings& surroundings) const;
     [[nodiscard]] gpu::BufferId add_vertices_at(gpu::Graph& graph, const Handles& handles,
                                                 gpu::BufferId places, gpu::BufferId posed_vertices);
@@ -127,6 +140,9 @@ private:
     void bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
                      gpu::Buffer& sheet_of_group);
     void add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind);
+    void add_near(gpu::Graph& graph, Handles& handles, Kind& kind);
+    void add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
+                     uint32_t predicted);
     void add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
                           uint32_t small_steps);
 
@@ -141,9 +157,15 @@ private:
     gpu::Buffer links_;
     gpu::Buffer faces_;
     gpu::Buffer tethers_;
-    gpu::Buffer holds_; ///< ClothHold, one a particle
+    gpu::Buffer rest_;      ///< places at rest
+    gpu::Buffer near_;      ///< four particles each, of sheets that keep from themselves
+    gpu::Buffer by_colour_; ///< particles of all sheets by colours, each padded to whole workgroups
+    std::vector<std::vector<glm::uvec2>> colours_; ///< of each sheet: where each begins there, and its length
+    gpu::Buffer holds_;                            ///< ClothHold, one a particle
     std::vector<shared::ClothCollider> solids_before_, solids_;
     gpu::Buffer colliders_;
+    gpu::Buffer grids_; ///< numbers of all grids, each behind its head
+    std::vector<uint32_t> first_of_grid_;
     std::array<gpu::Buffer, 2> targets_; ///< of the run's beginning and its end
     bool has_targets_ = true;
     bool targets_move_ = false;

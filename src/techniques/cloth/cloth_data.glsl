@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_CLOTH_DATA
 #define ESTAMPE_CLOTH_DATA
 
-// What all passes over cloth read. Those after it bind from 9 on.
+// What all passes over cloth read. Those after it bind from 10 on.
 
 #include "techniques/cloth/cloth.glsl.h"
 
@@ -25,6 +25,8 @@ layout(binding = 4) uniform usamplerBuffer
 layout(binding = 5) uniform usamplerBuffer collider_texels;
 layout(binding = 6) uniform samplerBuffer target_before_texels; // where held particles are at the beginning
 layout(binding = 7) uniform samplerBuffer target_after_texels;  // of a run, and at its end; how much, last
+
+layout(binding = 9) uniform samplerBuffer grid_texels; // of heights or distances, each behind its head
 
 layout(scalar, binding = 8) readonly buffer SheetOfGroup
 {

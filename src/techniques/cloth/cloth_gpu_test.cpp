@@ -48,14 +48,44 @@ TEST(Cloth, ThesisMethodStretchesMore)
     EXPECT_GT(percentile(strained_by_hanging(32, ClothSolver::verlet), 0.99), 0.03);
 }
 
+TEST(Cloth, BlockDescentStretchesLittle)
+{
+    const auto strained = strained_by_hanging(20, ClothSolver::block_descent);
+    EXPECT_LE(percentile(strained, 0.99), 0.03);
+    EXPECT_LE(percentile(strained, 0.5), 0.005); // which tethers alone would not see to
+}
+
+TEST(Cloth, BlockDescentAgreesWithSmallSteps)
+{
+    // A stiff strip clamped at one end droops as far, once as a grid and once as lists.
+    for (const bool is_grid : {true, false}) {
+        std::array<double, 2> droop_m{};
+        for (const bool descends : {false, true}) {
+            Sheet sheet = grid_sheet({13, 5}, {0.0F, 0.0F, 0.0F}, {0.4F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.13F},
+                                     {.bending_n_m = 2e-2F, .damping_per_s = 8.0F});
+            sheet.held.assign(sheet.rest_m.size(), 0.0F);
+            for (size_t i = 0; i < sheet.rest_m.size(); ++i) {
+                sheet.held[i] = i % 13 < 2 ? 1.0F : 0.0F;
+                sheet.rest_m[i].z += is_grid ? 0.0F : 2e-3F * std::sin(40.0F * sheet.rest_m[i].x);
+            }
+            Lab lab(sheet);
+            lab.cloths().set_solver(test::shared_device(),
+                                    descends ? ClothSolver::block_descent : ClothSolver::small_steps);
+            droop_m.at(descends ? 1 : 0) = -lab.run(1.5).places_m[13 * 2 + 12].y;
+        }
+        EXPECT_GT(droop_m[0], 0.05) << is_grid;
+        EXPECT_NEAR(droop_m[1], droop_m[0], 0.05 * droop_m[0]) << is_grid;
+    }
+}
+
 TEST(Cloth, SolversTakeTurns)
 {
     Sheet sheet = hanging_square(20);
     sheet.held.front() = 1.0F;
     Lab lab(sheet);
     double lowest_m = 0.0;
-    for (const ClothSolver solver :
-         {ClothSolver::small_steps, ClothSolver::verlet, ClothSolver::small_steps}) {
+    for (const ClothSolver solver : {ClothSolver::small_steps, ClothSolver::verlet,
+                                     ClothSolver::block_descent, ClothSolver::small_steps}) {
         lab.cloths().set_solver(test::shared_device(), solver);
         const State state = lab.run(2.0);
         lowest_m = 0.0;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How sheets lie on the device.
 #include <algorithm>
+#include <map>
+
+#include <estampe/error.hpp>
 
 #include "gpu/upload.hpp"
 #include "techniques/cloth/cloth.hpp"
@@ -38,6 +41,8 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
     std::vector<Tether> tethers;
     std::vector<glm::vec4> places;
     std::vector<glm::vec4> pushes;
+    std::vector<glm::vec4> rest;
+    std::vector<uint32_t> by_colour;
     for (const Sheet& sheet : sheets) {
         const Structure structure = build_structure(sheet);
         const auto count = static_cast<uint32_t>(sheet.rest_m.size());
@@ -65,7 +70,15 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
                             .damping_per_s = cloth.damping_per_s,
                             .friction = cloth.friction,
                             .thickness_m = cloth.thickness_m,
-                            .winding = grid.winding});
+                            .winding = grid.winding,
+                            .self_m = cloth.self_m});
+        auto& colours = colours_.emplace_back();
+        for (const std::vector<uint32_t>& colour : structure.colours) {
+            colours.emplace_back(by_colour.size(), colour.size());
+            by_colour.insert(by_colour.end(), colour.begin(), colour.end());
+            by_colour.resize(size_t{whole_groups(by_colour.size())} * shared::cloth_group,
+                             shared::cloth_no_vertex);
+        }
         rigidities_n_m_.push_back(cloth.bending_n_m);
         bending_rates_s2_.push_back(structure.bending_rate_s2);
         solvers_.push_back(cloth.solver);
@@ -75,6 +88,7 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
             const float inverse_mass = i < count && held < 1.0F ? 1.0F / structure.masses_kg[i] : 0.0F;
             const float shares = i < count ? structure.link_shares[i] : 0.0F;
             places.emplace_back(i < count ? sheet.rest_m[i] : glm::vec3(0.0F), inverse_mass);
+            rest.push_back(places.back());
             pushes.emplace_back(0.0F, 0.0F, 0.0F, inverse_mass * shares);
             held_.push_back(held);
         }
@@ -83,6 +97,13 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
     links_ = gpu::upload_buffer(device, "cloth links", links);
     faces_ = gpu::upload_buffer(device, "cloth faces", faces);
     tethers_ = gpu::upload_buffer(device, "cloth tethers", tethers);
+    by_colour_ = gpu::upload_buffer(device, "cloth by colour", by_colour);
+    const bool keeps_from_itself =
+        std::ranges::any_of(records_, [](const shared::ClothSheet& sheet) { return sheet.self_m > 0.0F; });
+    rest_ =
+        gpu::upload_buffer(device, "cloth at rest", keeps_from_itself ? rest : std::vector(1, glm::vec4()));
+    near_ = gpu::Buffer(device, "cloth near", sizeof(glm::uvec4) * (keeps_from_itself ? particle_count_ : 1),
+                        gpu::MemoryUse::device);
     places_ = gpu::upload_buffer(device, "cloth places", places);
     places_before_ = gpu::upload_buffer(device, "cloth places before", places);
     pushes_ = gpu::upload_buffer(device, "cloth pushes", pushes);
@@ -96,11 +117,40 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
         gpu::Buffer(device, "cloth carries", records_.size() * sizeof(glm::mat4), gpu::MemoryUse::upload);
 }
 
-uint32_t Cloths::kind_of(size_t sheet) const
+uint32_t Cloths::variant_of(size_t sheet) const
 {
-    const shared::ClothSheet& record = records_[sheet];
-    const bool is_verlet = solver_.value_or(solvers_[sheet]) == ClothSolver::verlet;
-    return (record.columns > 0 ? 1U : 0U) | (is_verlet ? 2U : record.count <= small_sheet ? 4U : 0U);
+    const ClothSolver solver = solver_of(sheet);
+    return (records_[sheet].columns > 0 ? shared::cloth_bit_grid : 0U) |
+           (solver == ClothSolver::verlet ? shared::cloth_bit_relax : 0U) |
+           (solver == ClothSolver::block_descent ? shared::cloth_bit_descent : 0U) |
+           (records_[sheet].self_m > 0.0F ? shared::cloth_bit_self : 0U);
+}
+
+bool Cloths::is_small(size_t sheet) const
+{
+    return (variant_of(sheet) & ~shared::cloth_bit_grid) == 0 && records_[sheet].count <= small_sheet;
+}
+
+void Cloths::append_colours(Kind& kind, std::vector<uint32_t>& groups) const
+{
+    for (size_t colour = 0;; ++colour) {
+        const size_t first = groups.size() / 2;
+        bool is_any = false;
+        for (uint32_t sheet = 0; sheet < records_.size(); ++sheet) {
+            if (variant_of(sheet) != kind.variant || colour >= colours_[sheet].size()) {
+                continue;
+            }
+            is_any = true;
+            const glm::uvec2 span = colours_[sheet][colour];
+            for (uint32_t i = 0; i < span.y; i += shared::cloth_group) {
+                groups.insert(groups.end(), {sheet, span.x + i});
+            }
+        }
+        if (!is_any) {
+            return;
+        }
+        kind.colours.emplace_back(first, groups.size() / 2 - first);
+    }
 }
 
 void Cloths::group_sheets(gpu::Device& device)
@@ -112,31 +162,30 @@ void Cloths::group_sheets(gpu::Device& device)
         }
     };
     const auto sheet_count = static_cast<uint32_t>(records_.size());
+    std::map<std::pair<bool, uint32_t>, std::vector<uint32_t>> alike; // large ones first
     for (uint32_t sheet = 0; sheet < sheet_count; ++sheet) {
         append_large(sheet);
+        alike[{is_small(sheet), variant_of(sheet)}].push_back(sheet);
     }
     all_groups_ = static_cast<uint32_t>(groups.size() / 2);
     kinds_.clear();
-    for (uint32_t number = 0; number < 6; ++number) {
-        Kind kind{.variant = ((number & 1U) != 0 ? shared::cloth_bit_grid : 0U) |
-                             ((number & 2U) != 0 ? shared::cloth_bit_relax : 0U),
-                  .is_small = (number & 4U) != 0};
+    for (const auto& [key, members] : alike) {
+        Kind kind{.variant = key.second, .is_small = key.first};
         kind.first_group = static_cast<uint32_t>(kind.is_small ? groups.size() : groups.size() / 2);
-        for (uint32_t sheet = 0; sheet < sheet_count; ++sheet) {
-            if (kind_of(sheet) == number) {
-                kind.most_particles = std::max(kind.most_particles, records_[sheet].count);
-                kind.group_count += kind.is_small ? 1 : whole_groups(records_[sheet].count);
-                if (kind.is_small) {
-                    groups.push_back(sheet);
-                } else {
-                    append_large(sheet);
-                }
+        for (const uint32_t sheet : members) {
+            kind.most_particles = std::max(kind.most_particles, records_[sheet].count);
+            kind.group_count += kind.is_small ? 1 : whole_groups(records_[sheet].count);
+            if (kind.is_small) {
+                groups.push_back(sheet);
+            } else {
+                append_large(sheet);
             }
         }
-        if (kind.group_count > 0) {
-            kind.run = gpu::Buffer(device, "cloth run", sizeof(shared::ClothRun), gpu::MemoryUse::upload);
-            kinds_.push_back(std::move(kind));
+        if ((kind.variant & shared::cloth_bit_descent) != 0) {
+            append_colours(kind, groups);
         }
+        kind.run = gpu::Buffer(device, "cloth run", sizeof(shared::ClothRun), gpu::MemoryUse::upload);
+        kinds_.push_back(std::move(kind));
     }
     sheet_of_group_ = gpu::upload_buffer(device, "cloth groups", groups);
 }
@@ -160,7 +209,12 @@ void Cloths::lay_out_vertices(gpu::Device& device, std::span<const DrawnSheet> d
                 vertices.push_back({.vertex = drawn[sheet].first_vertex + i, .particle = particles[i]});
                 holds[records_[sheet].first + particles[i]].vertex = drawn[sheet].first_vertex + i;
             }
-            const uint32_t group_count = whole_groups(particles.size());
+            for (uint32_t i = 0; drawn[sheet].first_back_vertex && i < particles.size(); ++i) {
+                vertices.push_back({.vertex = *drawn[sheet].first_back_vertex + i,
+                                    .particle = particles[i] | shared::cloth_on_back});
+            }
+            const uint32_t group_count =
+                whole_groups(particles.size() * (drawn[sheet].first_back_vertex ? 2 : 1));
             groups.insert(groups.end(), group_count, static_cast<uint32_t>(sheet));
             vertices.resize(groups.size() * shared::cloth_group, {.vertex = shared::cloth_no_vertex});
             kind.group_count += group_count;
@@ -189,6 +243,7 @@ Cloths::Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<con
     for (gpu::Buffer& buffer : targets_) {
         buffer = gpu::upload_buffer(device, "cloth targets", targets);
     }
+    set_grids(device, {});
     set_solids(device, {});
 }
 
@@ -205,15 +260,43 @@ void Cloths::set_solids(gpu::Device& device, std::span<const Solid> solids)
     solids_before_ = std::move(solids_);
     solids_.clear();
     for (const Solid& solid : solids) {
-        solids_.push_back(as_shared(solid));
+        solids_.push_back(
+            as_shared(solid, solid.grid < first_of_grid_.size() ? first_of_grid_[solid.grid] : 0));
     }
     if (solids_before_.size() != solids_.size()) {
         solids_before_ = solids_;
+    }
+    for (size_t i = 0; i < solids.size(); ++i) {
+        turn_alike(solids_before_[i], solids_[i]);
+        if (solids[i].kind == SolidKind::heights) { // another part of the same ground
+            solids_before_[i] = solids_[i];
+        }
     }
     const uint64_t size_bytes = 2 * std::max<size_t>(solids_.size(), 1) * sizeof(shared::ClothCollider);
     if (colliders_.empty() || colliders_.size_bytes() < size_bytes) {
         colliders_ = gpu::Buffer(device, "cloth colliders", size_bytes, gpu::MemoryUse::upload);
     }
+}
+
+void Cloths::set_grids(gpu::Device& device, std::span<const SolidGrid> grids)
+{
+    std::vector<float> numbers;
+    first_of_grid_.clear();
+    for (const SolidGrid& grid : grids) {
+        first_of_grid_.push_back(static_cast<uint32_t>(numbers.size()));
+        for (int axis = 0; axis < 3; ++axis) {
+            numbers.push_back(static_cast<float>(grid.nodes[axis]));
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            numbers.push_back(grid.half_m[axis]);
+        }
+        numbers.insert(numbers.end(), grid.values_m.begin(), grid.values_m.end());
+    }
+    if (numbers.size() > UINT32_MAX >> shared::cloth_kind_bits) {
+        throw Error("grids for cloth to run into have too many numbers");
+    }
+    numbers.resize(std::max<size_t>(numbers.size(), 4));
+    grids_ = gpu::upload_buffer(device, "cloth grids", numbers);
 }
 
 void Cloths::set_targets(gpu::Device& device, std::span<const glm::vec3> places_m)

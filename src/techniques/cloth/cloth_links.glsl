@@ -11,14 +11,13 @@
 // Wanted before: vec4 predicted_at(uint local), a place and the inverse mass times the shares of the links
 // there.
 
-#include "techniques/cloth/cloth_data.glsl"
-
 #extension GL_EXT_control_flow_attributes : require
+
+#include "techniques/cloth/cloth_tethers.glsl"
 
 // Of 4 / 3 no sheet, and not even a thread, shakes; grids, which no wave moves all links of at once, bear
 // more.
 const float over_relaxation = (variant & cloth_bit_grid) != 0u ? 1.6 : 4.0 / 3.0;
-const bool is_relaxing = (variant & cloth_bit_relax) != 0u;
 
 // Times the inverse mass. `split_masses` is of a far link; `softness` is the compliance by the square of the
 // step.
@@ -33,41 +32,6 @@ vec3 link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, floa
     share *= is_relaxing ? cloth_knights_share : 1.0;
     float give = max(split_masses / (over_relaxation * share), is_relaxing ? 0.0 : softness);
     return towards * (excess_m / (max(length_m, 1e-9) * give));
-}
-
-// Force by bending of rigidity 1: that of a thin plate in finite differences, of which those are left out
-// that reach beyond the edge.
-vec3 grid_bend(vec3 towards[25], ivec2 at, ivec2 size)
-{
-    vec3 sum = vec3(0.0);
-    vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
-    [[unroll]] for (int axis = 0; axis < 2; ++axis)
-    {
-        int way = axis == 0 ? 1 : 5;
-        vec3 along = vec3(0.0);
-        if (at[axis] >= 1 && at[axis] + 1 < size[axis]) {
-            along += 2.0 * (towards[12 - way] + towards[12 + way]);
-        }
-        if (at[axis] >= 2) {
-            along -= towards[12 - 2 * way] - 2.0 * towards[12 - way];
-        }
-        if (at[axis] + 2 < size[axis]) {
-            along -= towards[12 + 2 * way] - 2.0 * towards[12 + way];
-        }
-        sum += along * spacing[1 - axis] / (spacing[axis] * spacing[axis] * spacing[axis]);
-    }
-    vec3 twist = vec3(0.0);
-    [[unroll]] for (int y = -1; y <= 1; y += 2)
-    {
-        [[unroll]] for (int x = -1; x <= 1; x += 2)
-        {
-            ivec2 corner = at + ivec2(x, y);
-            if (all(greaterThanEqual(corner, ivec2(0))) && all(lessThan(corner, size))) {
-                twist -= towards[12 + 5 * y + x] - towards[12 + 5 * y] - towards[12 + x];
-            }
-        }
-    }
-    return sum + twist * (2.0 / (spacing.x * spacing.y));
 }
 
 vec3 pull_of_grid(uint local, vec4 own, float inverse_mass, float time_s)
@@ -124,22 +88,6 @@ vec3 pull_of(uint local, vec4 own, float inverse_mass)
     float time_s = small_step_s();
     return (variant & cloth_bit_grid) != 0u ? pull_of_grid(local, own, inverse_mass, time_s)
                                             : pull_of_lists(local, own, inverse_mass, time_s);
-}
-
-// No farther from particles that are held than the sheet reaches: Kim, Chentanez and Müller, "Long Range
-// Attachments", SCA 2012.
-vec3 tethered(uint local, vec3 place)
-{
-    for (uint k = 0u; k < (is_relaxing ? 0u : sheet.tether_width); ++k) {
-        uvec2 tether = texelFetch(tether_texels, int(sheet.first_tether + k * sheet.stride + local)).xy;
-        vec3 held = predicted_at(tether.x).xyz;
-        float length_m = distance(place, held);
-        float most_m = uintBitsToFloat(tether.y);
-        if (length_m > most_m) {
-            place = held + (place - held) * (most_m / length_m);
-        }
-    }
-    return place;
 }
 
 #endif

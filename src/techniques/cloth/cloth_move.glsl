@@ -6,6 +6,7 @@
 
 #include "techniques/cloth/cloth_contact.glsl"
 #include "techniques/cloth/cloth_links.glsl"
+#include "techniques/cloth/cloth_self.glsl"
 
 // Those that are held a little come so much nearer in a sixtieth of a second.
 vec3 held_a_little(uint local, vec3 place, float part)
@@ -22,8 +23,14 @@ vec3 moved(uint local, vec3 from, float inverse_mass, uint step, uint small_step
         return target_of(local, part).xyz;
     }
     vec4 own = predicted_at(local);
-    vec3 place = own.xyz + pull_of(local, own, inverse_mass);
+    vec3 place = own.xyz;
+    if ((variant & cloth_bit_descent) == 0u) {
+        place += pull_of(local, own, inverse_mass);
+    }
     place = tethered(local, place);
+    if ((variant & cloth_bit_self) != 0u) {
+        place = kept_from_self(local, place);
+    }
     place = held_a_little(local, place, part);
     if ((variant & cloth_bit_colliders) != 0u) {
         place = beside_colliders(from, place, part_of_run(step, float(small_step)), part);

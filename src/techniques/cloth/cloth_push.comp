@@ -8,19 +8,19 @@ layout(local_size_x = 64) in;
 
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(binding = 9) uniform samplerBuffer place_texels; // and inverse mass
+layout(binding = 10) uniform samplerBuffer place_texels; // and inverse mass
 
-layout(scalar, binding = 10) readonly buffer Speeds
+layout(scalar, binding = 11) readonly buffer Speeds
 {
     vec4 speeds[];
 };
 
-layout(scalar, binding = 11) buffer Pushes
+layout(scalar, binding = 12) buffer Pushes
 {
     vec4 pushes[]; // and inverse mass times links
 };
 
-layout(scalar, binding = 12) writeonly buffer Predicted
+layout(scalar, binding = 13) writeonly buffer Predicted
 {
     vec4 predicted[];
 };

@@ -8,17 +8,17 @@ layout(local_size_x = 256) in;
 
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(scalar, binding = 9) buffer Places
+layout(scalar, binding = 10) buffer Places
 {
     vec4 places[]; // and inverse mass
 };
 
-layout(scalar, binding = 10) buffer Speeds
+layout(scalar, binding = 11) buffer Speeds
 {
     vec4 speeds[];
 };
 
-layout(scalar, binding = 11) buffer Pushes
+layout(scalar, binding = 12) buffer Pushes
 {
     vec4 pushes[];
 };
@@ -39,6 +39,11 @@ vec4 predicted_at(uint local)
 vec3 place_at(uint local)
 {
     return predicted[newest][local].xyz;
+}
+
+uvec4 near_of(uint local)
+{
+    return uvec4(cloth_no_vertex); // sheets that keep from themselves take the other way
 }
 
 #include "techniques/cloth/cloth_air.glsl"

@@ -3,9 +3,9 @@
 #define ESTAMPE_CLOTH_SOLIDS
 
 // Solids in their own space: the way out in xyz, of length 1, and in w how far it is to the surface, negative
-// within. Of an ellipsoid that is exact on its surface alone.
+// within. Of an ellipsoid and of grids that is exact on the surface alone.
 
-#include "techniques/cloth/cloth.glsl.h"
+#include "techniques/cloth/cloth_grids.glsl"
 
 vec3 turned(vec4 rotation, vec3 v)
 {
@@ -61,8 +61,13 @@ vec4 capsule_at(float radius_m, float half_length_m, vec3 place)
     return vec4(distance_m > 1e-9 ? off / distance_m : vec3(1.0, 0.0, 0.0), distance_m - radius_m);
 }
 
-vec4 solid_at(uint kind, vec3 half_m, vec3 place)
+vec4 solid_at(uint kind_and_grid, vec3 half_m, vec3 place)
 {
+    uint kind = kind_and_grid & ((1u << cloth_kind_bits) - 1u);
+    if ((variant & cloth_bit_grids) != 0u && kind >= cloth_heights) {
+        int first = int(kind_and_grid >> cloth_kind_bits);
+        return kind == cloth_heights ? heights_at(first, half_m, place) : distances_at(first, half_m, place);
+    }
     if (kind == cloth_ellipsoid) {
         return ellipsoid_at(half_m, place);
     }

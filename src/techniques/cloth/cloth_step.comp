@@ -8,24 +8,24 @@ layout(local_size_x = 64) in;
 
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(scalar, binding = 9) buffer Places
+layout(scalar, binding = 10) buffer Places
 {
     vec4 places[]; // and inverse mass
 };
 
-layout(scalar, binding = 10) writeonly buffer Speeds
+layout(scalar, binding = 11) writeonly buffer Speeds
 {
     vec4 speeds[];
 };
 
-layout(scalar, binding = 11) readonly buffer Pushes
+layout(scalar, binding = 12) readonly buffer Pushes
 {
     vec4 pushes[];
 };
 
-layout(binding = 12) uniform samplerBuffer predicted_texels;
+layout(binding = 13) uniform samplerBuffer predicted_texels;
 
-layout(scalar, binding = 13) writeonly buffer Predicted
+layout(scalar, binding = 14) writeonly buffer Predicted
 {
     vec4 predicted[];
 };
@@ -38,6 +38,13 @@ layout(push_constant, scalar) uniform Constants
 vec4 predicted_at(uint local)
 {
     return texelFetch(predicted_texels, int(sheet.first + local));
+}
+
+layout(binding = 15) uniform usamplerBuffer near_texels;
+
+uvec4 near_of(uint local)
+{
+    return texelFetch(near_texels, int(sheet.first + local));
 }
 
 #include "techniques/cloth/cloth_move.glsl"
@@ -62,8 +69,10 @@ void main()
     vec3 to = moved(local, from.xyz, from.w, moment.step, moment.small_step);
     vec3 speed = speed_after(from.xyz, to);
     places[particle] = vec4(to, from.w);
-    if (is_last) {
+    if (is_last || (variant & cloth_bit_descent) != 0u) { // which wants to know it in between
         speeds[particle] = vec4(speed, 0.0);
+    }
+    if (is_last) {
         return;
     }
     vec4 push = pushes[particle];

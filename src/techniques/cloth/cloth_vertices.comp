@@ -10,14 +10,14 @@ layout(local_size_x = 64) in;
 #include "shaders/octahedral.glsl"
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(binding = 9) uniform samplerBuffer place_texels;
+layout(binding = 10) uniform samplerBuffer place_texels;
 
-layout(scalar, binding = 10) readonly buffer Vertices
+layout(scalar, binding = 11) readonly buffer Vertices
 {
     ClothVertex vertices[];
 };
 
-layout(scalar, binding = 11) writeonly buffer PosedVertices
+layout(scalar, binding = 12) writeonly buffer PosedVertices
 {
     PosedVertex posed_vertices[];
 };
@@ -61,9 +61,10 @@ void main()
         return;
     }
     sheet = sheets[sheet_of_group[group]];
-    vec3 place = place_at(drawn.particle);
-    vec3 area = (variant & cloth_bit_grid) != 0u ? grid_area(drawn.particle, place)
-                                                 : faces_area(drawn.particle, place);
+    uint particle = drawn.particle & ~cloth_on_back;
+    vec3 place = place_at(particle);
+    vec3 area = (variant & cloth_bit_grid) != 0u ? grid_area(particle, place) : faces_area(particle, place);
+    area = particle == drawn.particle ? area : -area;
     float length_m2 = length(area);
     posed_vertices[drawn.vertex].position = place;
     posed_vertices[drawn.vertex].normal =

@@ -107,20 +107,47 @@ Solid placed(const Solid& solid, const glm::dmat4& place)
     } else {
         axes = columns_of(own);
         const double across = std::max(axes.lengths.x, axes.lengths.z);
-        half *= solid.kind == SolidKind::box ? axes.lengths : glm::dvec3(across, axes.lengths.y, across);
+        const bool keeps_sides = solid.kind == SolidKind::box || solid.kind == SolidKind::distances;
+        half *= keeps_sides ? axes.lengths : glm::dvec3(across, axes.lengths.y, across);
     }
     result.half_m = glm::vec3(glm::max(half, glm::dvec3(least_half_m)));
     result.rotation = glm::quat(glm::normalize(glm::quat_cast(axes.directions)));
     return result;
 }
 
-shared::ClothCollider as_shared(const Solid& solid)
+Solid solid_of_grid(SolidKind kind, const SolidGrid& grid, uint32_t number)
+{
+    return {.kind = kind, .half_m = grid.half_m, .centre_m = grid.centre_m, .grid = number};
+}
+
+void turn_alike(shared::ClothCollider& before, const shared::ClothCollider& after)
+{
+    if (before.rotation == after.rotation) {
+        return;
+    }
+    if (after.kind != shared::cloth_capsule) {
+        before.rotation *= glm::dot(before.rotation, after.rotation) < 0.0F ? -1.0F : 1.0F;
+        return;
+    }
+    const auto quaternion = [](const glm::vec4& v) { return glm::quat(v.w, v.x, v.y, v.z); };
+    const glm::vec3 y_axis(0.0F, 1.0F, 0.0F);
+    const glm::quat now = quaternion(after.rotation);
+    const glm::quat back = turn_to(glm::inverse(now) * (quaternion(before.rotation) * y_axis));
+    const glm::quat was = now * back;
+    before.rotation = {was.x, was.y, was.z, was.w};
+}
+
+shared::ClothCollider as_shared(const Solid& solid, uint32_t first_of_grid)
 {
     constexpr float everywhere_m = 1e30F;
     float reach_m = everywhere_m;
+    auto kind = static_cast<uint32_t>(solid.kind);
+    if (solid.kind == SolidKind::heights || solid.kind == SolidKind::distances) {
+        kind |= first_of_grid << shared::cloth_kind_bits;
+    }
     if (solid.kind == SolidKind::ellipsoid) {
         reach_m = std::max({solid.half_m.x, solid.half_m.y, solid.half_m.z});
-    } else if (solid.kind == SolidKind::box) {
+    } else if (solid.kind == SolidKind::box || solid.kind == SolidKind::distances) {
         reach_m = glm::length(solid.half_m);
     } else if (solid.kind == SolidKind::cylinder) {
         reach_m = glm::length(glm::vec2(solid.half_m));
@@ -128,7 +155,7 @@ shared::ClothCollider as_shared(const Solid& solid)
         reach_m = solid.half_m.x + solid.half_m.y;
     }
     return {.centre_m = solid.centre_m,
-            .kind = static_cast<uint32_t>(solid.kind),
+            .kind = kind,
             .rotation = {solid.rotation.x, solid.rotation.y, solid.rotation.z, solid.rotation.w},
             .half_m = solid.half_m,
             .reach_m = reach_m};

@@ -7,10 +7,11 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "techniques/cloth/cloth.glsl.h"
+#include "techniques/cloth/solid_grid.hpp"
 
 namespace estampe::cloth {
 
-enum class SolidKind : uint8_t { plane, ellipsoid, box, cylinder, capsule };
+enum class SolidKind : uint8_t { plane, ellipsoid, box, cylinder, capsule, heights, distances };
 
 /// A solid at a moment: in its own space, turned, then moved.
 struct Solid {
@@ -19,6 +20,8 @@ struct Solid {
                             ///< the length of its axis, without a capsule's ends
     glm::vec3 centre_m{0.0F};
     glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};
+    uint32_t grid = 0; ///< of heights or distances, by its place among those that sheets were told of;
+                       ///< `half_m` is half the grid's size then
 };
 
 /// All below a plane.
@@ -31,6 +34,14 @@ struct Solid {
 /// are.
 [[nodiscard]] Solid placed(const Solid& solid, const glm::dmat4& place);
 
-[[nodiscard]] shared::ClothCollider as_shared(const Solid& solid);
+/// The solid of a grid, where the grid has its middle; heights count from there.
+[[nodiscard]] Solid solid_of_grid(SolidKind kind, const SolidGrid& grid, uint32_t number);
+
+/// Writes the rotation that a solid had so that the way from it to the one it has now is the short one: the
+/// same turn has two quaternions, and a capsule any about its axis.
+void turn_alike(shared::ClothCollider& before, const shared::ClothCollider& after);
+
+/// `first_of_grid` is where the numbers of its grid begin.
+[[nodiscard]] shared::ClothCollider as_shared(const Solid& solid, uint32_t first_of_grid = 0);
 
 } // namespace estampe::cloth

@@ -298,6 +298,41 @@ std::vector<std::vector<uint32_t>> neighbours_on_grid(const GridForm& grid)
     return neighbours;
 }
 
+/// Of a grid those three apart each way, as links reach two.
+std::vector<std::vector<uint32_t>> colours_of_grid(const GridForm& grid)
+{
+    constexpr uint32_t apart = 3;
+    std::vector<std::vector<uint32_t>> colours(size_t{apart} * apart);
+    for (uint32_t i = 0; i < grid.columns * grid.rows; ++i) {
+        const uint32_t colour = i % grid.columns % apart + apart * (i / grid.columns % apart);
+        colours[colour].push_back(i);
+    }
+    return colours;
+}
+
+/// Each gets the first that none of those it is linked to has.
+std::vector<std::vector<uint32_t>> colours_of_lists(const Lists<shared::ClothLink>& links, size_t count)
+{
+    std::vector<std::vector<uint32_t>> colours;
+    std::vector<size_t> colour_of(count, count);
+    for (uint32_t i = 0; i < count; ++i) {
+        std::vector<bool> is_taken(colours.size() + 1, false);
+        for (uint32_t k = 0; k < links.width; ++k) {
+            const shared::ClothLink& link = links.items[k * count + i];
+            if (link.rest_m != 0.0F && colour_of[link.other] < count) {
+                is_taken[colour_of[link.other]] = true;
+            }
+        }
+        const auto free = static_cast<size_t>(std::ranges::find(is_taken, false) - is_taken.begin());
+        if (free == colours.size()) {
+            colours.emplace_back();
+        }
+        colours[free].push_back(i);
+        colour_of[i] = free;
+    }
+    return colours;
+}
+
 } // namespace
 
 Structure build_structure(const Sheet& sheet)
@@ -310,6 +345,7 @@ Structure build_structure(const Sheet& sheet)
     if (structure.grid) {
         fill_grid(structure, sheet);
         neighbours = neighbours_on_grid(*structure.grid);
+        structure.colours = colours_of_grid(*structure.grid);
     } else {
         Pairs pairs;
         add_edges(pairs, sheet);
@@ -318,6 +354,7 @@ Structure build_structure(const Sheet& sheet)
             add_straight_on(pairs, sheet, neighbours);
         }
         fill_lists(structure, sheet, pairs, areas);
+        structure.colours = colours_of_lists(structure.links, sheet.rest_m.size());
     }
     structure.tethers = build_tethers(sheet, structure.grid, neighbours);
     for (Tether& tether : structure.tethers.items) {

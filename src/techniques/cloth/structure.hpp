@@ -33,8 +33,9 @@ struct Structure {
     Lists<shared::ClothLink> links;
     Lists<glm::uvec2> faces; ///< the other two corners, in order; of none twice the particle itself
     Lists<Tether> tethers;
-    float softness = 0.0F;        ///< of a grid's links: compliance in m / N of one of 1 m
-    float bending_rate_s2 = 0.0F; ///< squared frequency of the quickest bending at rigidity 1
+    std::vector<std::vector<uint32_t>> colours; ///< all particles; no two of a colour are linked
+    float softness = 0.0F;                      ///< of a grid's links: compliance in m / N of one of 1 m
+    float bending_rate_s2 = 0.0F;               ///< squared frequency of the quickest bending at rigidity 1
 };
 
 /// Particles next to each other, and those two apart, are linked: to as many as 24 on a grid. Throws Error

@@ -122,6 +122,45 @@ TEST(ClothStructure, BendingEnergyIsThatOfAPlate)
     EXPECT_NEAR(moved, 0.0, 1e-3);
 }
 
+TEST(ClothStructure, NoTwoOfAColourAreLinked)
+{
+    Sheet sheet = square(11);
+    const auto check_all = [](const Structure& structure, size_t count) {
+        std::vector<size_t> colour_of(count, count);
+        for (size_t colour = 0; colour < structure.colours.size(); ++colour) {
+            for (const uint32_t i : structure.colours[colour]) {
+                EXPECT_EQ(colour_of[i], count) << "twice";
+                colour_of[i] = colour;
+            }
+        }
+        EXPECT_EQ(std::ranges::count(colour_of, count), 0);
+        return colour_of;
+    };
+    const Structure grid = build_structure(sheet);
+    const auto of_grid = check_all(grid, sheet.rest_m.size());
+    EXPECT_EQ(grid.colours.size(), 9U);
+    for (uint32_t i = 0; i < 121; ++i) {
+        for (uint32_t k = 0; k < i; ++k) {
+            const glm::ivec2 way(glm::ivec2(i % 11, i / 11) - glm::ivec2(k % 11, k / 11));
+            if (std::max(std::abs(way.x), std::abs(way.y)) <= 2) {
+                ASSERT_NE(of_grid[i], of_grid[k]);
+            }
+        }
+    }
+    sheet.triangles.pop_back(); // no grid any more
+    const Structure lists = build_structure(sheet);
+    const auto of_lists = check_all(lists, sheet.rest_m.size());
+    EXPECT_LE(lists.colours.size(), 20U);
+    for (size_t k = 0; k < lists.links.width; ++k) {
+        for (size_t i = 0; i < sheet.rest_m.size(); ++i) {
+            const shared::ClothLink& link = lists.links.items[k * sheet.rest_m.size() + i];
+            if (link.rest_m != 0.0F) {
+                ASSERT_NE(of_lists[i], of_lists[link.other]);
+            }
+        }
+    }
+}
+
 TEST(ClothStructure, BadSheetsAreErrors)
 {
     Sheet sheet = square(4);

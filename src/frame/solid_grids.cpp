@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "frame/solid_grids.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace estampe::frame {
+namespace {
+
+constexpr uint32_t mesh_cells = 40;
+constexpr double mirror = -1.0;
+
+cloth::SolidGrid grid_of(const Mesh& mesh, bool is_mirrored)
+{
+    std::vector<glm::vec3> positions;
+    std::vector<glm::uvec3> triangles;
+    for (const Primitive& primitive : mesh.primitives) {
+        if (primitive.topology != Topology::triangles) {
+            continue;
+        }
+        const auto first = static_cast<uint32_t>(positions.size());
+        for (const glm::vec3& position : primitive.positions) {
+            positions.emplace_back(is_mirrored ? -position.x : position.x, position.y, position.z);
+        }
+        for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+            triangles.push_back(
+                first + glm::uvec3(primitive.indices[i], primitive.indices[i + 1], primitive.indices[i + 2]));
+        }
+    }
+    return cloth::grid_of_distances(positions, triangles, mesh_cells);
+}
+
+} // namespace
+
+SolidGrids::SolidGrids(const Scene& scene) : grids_(scene.terrain ? 1 : 0)
+{
+    const auto add = [&](Index mesh) {
+        for (const bool is_mirrored : {false, true}) {
+            if (of_mesh_.contains({mesh, is_mirrored})) {
+                continue;
+            }
+            cloth::SolidGrid grid = grid_of(scene.meshes[mesh], is_mirrored);
+            if (!grid.values_m.empty()) {
+                of_mesh_[{mesh, is_mirrored}] = static_cast<uint32_t>(grids_.size());
+                grids_.push_back(std::move(grid));
+            }
+        }
+    };
+    for (const Node& node : scene.nodes) {
+        if (node.collider == ClothCollider::mesh && node.mesh < scene.meshes.size()) {
+            add(node.mesh);
+        }
+    }
+}
+
+bool SolidGrids::follow_ground(const Scene& scene, const Bounds& box, const glm::dvec3& anchor, double time_s)
+{
+    if (!scene.terrain || box.empty()) {
+        return false;
+    }
+    constexpr double margin_m = 1.0;
+    constexpr double spacing_m = 0.125;
+    constexpr double most_cells = 96.0;
+    const bool stands = scene.terrain->description().meshing.update == TerrainUpdate::still;
+    const GroundKey key{.box_m = {std::floor(box.min.x - margin_m), std::floor(box.min.z - margin_m),
+                                  std::ceil(box.max.x + margin_m), std::ceil(box.max.z + margin_m)},
+                        .anchor = anchor,
+                        .time_s = stands ? 0.0 : std::floor(2.0 * std::max(time_s, 0.0)) / 2.0,
+                        .program = &scene.terrain->program()};
+    if (ground_ == key) {
+        return false;
+    }
+    ground_ = key;
+    terrain_ = scene.terrain;
+    const glm::dvec2 low(key.box_m);
+    const glm::dvec2 high(key.box_m.z, key.box_m.w);
+    const glm::dvec2 middle = 0.5 * (low + high);
+    const glm::uvec2 cells(glm::min((high - low) / spacing_m, most_cells));
+    grids_.front() = cloth::grid_of_heights(
+        cells + 1U, {middle.x, 0.0F, middle.y}, glm::vec2(0.5 * (high - low)), [&](double x_m, double z_m) {
+            return scene.terrain->sample(x_m + anchor.x, z_m + anchor.z, key.time_s).height_m - anchor.y;
+        });
+    return true;
+}
+
+std::optional<cloth::Solid> SolidGrids::ground() const
+{
+    return ground_ ? std::optional(cloth::solid_of_grid(cloth::SolidKind::heights, grids_.front(), 0))
+                   : std::nullopt;
+}
+
+std::optional<cloth::Solid> SolidGrids::placed_mesh(Index mesh, const glm::dmat4& place) const
+{
+    const bool is_mirrored = glm::determinant(glm::dmat3(place)) < 0.0;
+    const auto found = of_mesh_.find({mesh, is_mirrored});
+    if (found == of_mesh_.end()) {
+        return std::nullopt;
+    }
+    const cloth::Solid solid =
+        cloth::solid_of_grid(cloth::SolidKind::distances, grids_.at(found->second), found->second);
+    glm::dmat4 own = place;
+    if (is_mirrored) {
+        own[0] *= mirror;
+    }
+    return cloth::placed(solid, own);
+}
+
+} // namespace estampe::frame

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// What solids of numbers on grids promise, and sheets that keep from themselves.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "techniques/cloth/cloth_test_support.hpp"
+
+namespace estampe::cloth {
+namespace {
+
+double dune_m(double x_m, double z_m)
+{
+    return 0.25 * std::sin(2.0 * x_m) * std::cos(1.5 * z_m + 0.4) - 0.1 * x_m;
+}
+
+TEST(ClothSolids, HeightsAreLainOnAndNotPassedThrough)
+{
+    const SolidGrid grid = grid_of_heights({65, 65}, {0.1F, 0.2F, 0.0F}, {2.0F, 2.0F}, dune_m);
+    Lab lab(lying_square(20, 5.4F, {.damping_per_s = 0.0F, .friction = 0.8F})); // 10 m/s when it arrives
+    lab.cloths().set_grids(test::shared_device(), {&grid, 1});
+    lab.cloths().set_solids(test::shared_device(), std::array{solid_of_grid(SolidKind::heights, grid, 0)});
+    double deepest_m = 0.0;
+    State state;
+    for (int i = 0; i < 40; ++i) {
+        state = lab.run(0.05);
+        for (const glm::dvec3& place : state.places_m) {
+            deepest_m = std::max(deepest_m, dune_m(place.x, place.z) - place.y);
+        }
+    }
+    EXPECT_LE(deepest_m, 0.0);
+    double nearest_m = 1.0;
+    size_t lying = 0;
+    for (const glm::dvec3& place : state.places_m) {
+        const double above_m = place.y - dune_m(place.x, place.z);
+        nearest_m = std::min(nearest_m, above_m);
+        lying += above_m < 0.02 ? 1 : 0;
+    }
+    EXPECT_LE(nearest_m, 0.009);
+    EXPECT_GE(lying, state.places_m.size() / 4);
+}
+
+/// A ring about y.
+double to_ring_m(const glm::dvec3& place)
+{
+    return std::hypot(std::hypot(place.x, place.z) - 0.35, place.y) - 0.15;
+}
+
+SolidGrid grid_of_ring()
+{
+    std::vector<glm::vec3> positions;
+    std::vector<glm::uvec3> triangles;
+    constexpr uint32_t around = 48;
+    constexpr uint32_t about = 24;
+    const auto number = [](uint32_t i, uint32_t k) { return (i % around) * about + k % about; };
+    for (uint32_t i = 0; i < around; ++i) {
+        for (uint32_t k = 0; k < about; ++k) {
+            const float u = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / around;
+            const float v = 2.0F * std::numbers::pi_v<float> * static_cast<float>(k) / about;
+            const float off_axis = 0.35F + 0.15F * std::cos(v);
+            positions.emplace_back(off_axis * std::cos(u), 0.15F * std::sin(v), off_axis * std::sin(u));
+            triangles.emplace_back(number(i, k), number(i, k + 1), number(i + 1, k));
+            triangles.emplace_back(number(i + 1, k), number(i, k + 1), number(i + 1, k + 1));
+        }
+    }
+    return grid_of_distances(positions, triangles, 40);
+}
+
+TEST(ClothSolids, MeshesAreLainOnAsTheyStand)
+{
+    const SolidGrid grid = grid_of_ring();
+    const glm::dmat4 place =
+        glm::scale(glm::rotate(glm::translate(glm::dmat4(1.0), {0.1, 0.3, -0.2}), 0.5, glm::dvec3(0, 0, 1)),
+                   glm::dvec3(1.3));
+    const Solid ring = placed(solid_of_grid(SolidKind::distances, grid, 0), place);
+    Lab lab(lying_square(24, 1.2F));
+    lab.cloths().set_grids(test::shared_device(), {&grid, 1});
+    lab.cloths().set_solids(test::shared_device(), std::array{ring, below({0.0F, -1.0F, 0.0F}, {0, 1, 0})});
+    const glm::dmat4 back = glm::inverse(place);
+    double deepest_m = 0.0;
+    double nearest_m = 1.0;
+    for (int i = 0; i < 20; ++i) {
+        for (const glm::dvec3& particle : lab.run(0.1).places_m) {
+            const double away_m = 1.3 * to_ring_m(glm::dvec3(back * glm::dvec4(particle, 1.0)));
+            deepest_m = std::max(deepest_m, -away_m);
+            nearest_m = std::min(nearest_m, away_m);
+        }
+    }
+    EXPECT_LE(deepest_m, 1e-3);
+    EXPECT_GE(nearest_m, 0.0);
+    EXPECT_LE(nearest_m, 0.012);
+}
+
+TEST(ClothSolids, MovedMeshesPushTheSheet)
+{
+    const SolidGrid grid = grid_of_ring();
+    Sheet sheet = hanging_square(20);
+    for (size_t i = 0; i < 20; ++i) {
+        sheet.held[i] = 1.0F;
+    }
+    Lab lab(sheet);
+    lab.cloths().set_grids(test::shared_device(), {&grid, 1});
+    double deepest_m = 0.0;
+    for (int step = 0; step <= 60; ++step) {
+        const glm::dvec3 centre(0.5, -0.6, -0.5 + 0.6 * step / 60.0);
+        const glm::dmat4 place =
+            glm::rotate(glm::translate(glm::dmat4(1.0), centre), 1.3, glm::dvec3(1.0, 0.0, 0.0));
+        lab.cloths().set_solids(test::shared_device(),
+                                std::array{placed(solid_of_grid(SolidKind::distances, grid, 0), place)});
+        const glm::dmat4 back = glm::inverse(place);
+        for (const glm::dvec3& particle : lab.run(1.0 / 60.0).places_m) {
+            deepest_m = std::max(deepest_m, -to_ring_m(glm::dvec3(back * glm::dvec4(particle, 1.0))));
+        }
+    }
+    EXPECT_LE(deepest_m, 1e-3);
+}
+
+TEST(ClothSolids, LimbsThatSwingThroughStraightDownTouchNothingElse)
+{
+    Sheet sheet = hanging_square(16);
+    for (size_t i = 0; i < 16; ++i) {
+        sheet.held[i] = 1.0F;
+    }
+    Lab lab(sheet);
+    double quickest_m_s = 0.0;
+    for (int i = 0; i < 20; ++i) {
+        const float angle = 0.4F * static_cast<float>(i);
+        const glm::vec3 end(0.5F + 0.1F * std::sin(angle), -0.8F, 0.25F + 0.1F * std::cos(1.3F * angle));
+        lab.cloths().set_solids(test::shared_device(),
+                                std::array{capsule_between({0.5F, -0.1F, 0.25F}, end, 0.05F)});
+        for (const glm::dvec3& speed : lab.run(1.0 / 30.0).speeds_m_s) {
+            quickest_m_s = std::max(quickest_m_s, glm::length(speed));
+        }
+    }
+    EXPECT_LE(quickest_m_s, 0.05);
+}
+
+/// How near two particles come that are not near at rest, when a strip falls on its edge and heaps up.
+double least_gap_m(float self_m)
+{
+    Sheet sheet = grid_sheet({9, 49}, {0.0F, 0.85F, 0.0F}, {0.12F, 0.0F, 0.0F}, {0.0F, -0.8F, 0.0F},
+                             {.friction = 0.6F, .self_m = self_m});
+    Lab lab(sheet);
+    lab.air.air_kg_m3 = 1.2F;
+    lab.air.wind = {.speed_m_s = 0.3F, .direction_deg = 90.0F, .gustiness = 0.0F, .turbulence = 0.0F};
+    lab.cloths().set_solids(test::shared_device(), std::array{below({}, {0.0F, 1.0F, 0.0F})});
+    const State state = lab.run(1.5);
+    double least_m = 1.0;
+    for (size_t i = 0; i < state.places_m.size(); ++i) {
+        for (size_t k = 0; k < i; ++k) {
+            if (glm::distance(sheet.rest_m[i], sheet.rest_m[k]) > 0.05F) {
+                least_m = std::min(least_m, glm::distance(state.places_m[i], state.places_m[k]));
+            }
+        }
+    }
+    return least_m;
+}
+
+TEST(ClothSelf, HeapsKeepTheirLayersApart)
+{
+    constexpr float self_m = 0.02F;
+    EXPECT_LT(least_gap_m(0.0F), 0.25 * self_m);
+    EXPECT_GT(least_gap_m(self_m), 0.7 * self_m);
+}
+
+} // namespace
+} // namespace estampe::cloth
