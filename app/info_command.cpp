@@ -12,7 +12,9 @@ namespace estampe::app {
 
 void run(const InfoCommand& command)
 {
-    const Scene scene = load_scene_of({.scene = command.scene});
+    DrawOptions draw;
+    draw.scene = command.scene;
+    const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
     fmt::print("{}", report_scene(scene, command.scene, command.json));
 }
