@@ -135,6 +135,15 @@ bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& ma
            contour::has_lines(style, shared::line_shadow) && map.size > 0;
 }
 
+float widest_half_px(const contour::ContourStyle& style, float pixels_per_mm)
+{
+    float widest_mm = 0.0F;
+    for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
+        widest_mm = std::max(widest_mm, contour::width_on_page_mm(style, kind));
+    }
+    return 0.5F * widest_mm * pixels_per_mm;
+}
+
 } // namespace
 
 FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px, const StyleTables& style)
@@ -143,6 +152,7 @@ FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px
     shrunk.page.size_px = size_px;
     shrunk.page.pixels_per_mm /= static_cast<float>(shrink);
     shrunk.page.pixel.at_one_m *= static_cast<float>(shrink);
+    shrunk.lines.half_px /= static_cast<float>(shrink);
     shrunk.shadow_edges = plan_edges(style, plan.sun, plan.strokes, shrunk.page.pixels_per_mm);
     return shrunk;
 }
@@ -156,7 +166,8 @@ FramePlan plan_frame(const PlanInputs& in)
     SunPlan sun = plan_sun(in, page);
     const EdgePlan edges = plan_edges(in.style, sun, strokes, page.pixels_per_mm);
     std::optional<sky::CloudPlan> clouds = plan_clouds(in, page, sun);
-    const LinePlan lines{.of_shadows = draws_shadow_lines(looks.lines, sun.map)};
+    const LinePlan lines{.half_px = widest_half_px(looks.lines, page.pixels_per_mm),
+                         .of_shadows = draws_shadow_lines(looks.lines, sun.map)};
     return {.page_px = page.size_px,
             .page = page,
             .raster = plan_raster(in),

@@ -9,6 +9,7 @@
 #include <estampe/error.hpp>
 
 #include "frame/style_tables.hpp"
+#include "techniques/lens/lens.hpp"
 #include "techniques/smoke/smoke.hpp"
 
 namespace estampe::frame {
@@ -26,7 +27,8 @@ uint32_t overlap_px(const StyleTables& style, float pixels_per_mm)
     return bleed::reach_px(style.bleed, pixels_per_mm) +
            std::max(hatch::reach_px(style.hatch, pixels_per_mm),
                     contour::reach_px(style.contour, pixels_per_mm)) +
-           smoke::reach_px(style.smoke, pixels_per_mm) + neighbours_px;
+           smoke::reach_px(style.smoke, pixels_per_mm) + lens::reach_px(style.lens, pixels_per_mm) +
+           neighbours_px;
 }
 
 std::vector<Tile> tiles_of(glm::uvec2 page_px, uint32_t most_px, uint32_t overlap)

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Pictures that are the mean of many, to measure effects of the lens and of the shutter by.
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include <estampe/image.hpp>
+#include <glm/glm.hpp>
+
+namespace estampe::test {
+
+/// A picture in linear light, row by row.
+struct Exposure {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<glm::dvec3> pixels;
+};
+
+[[nodiscard]] inline Exposure exposure_of(const Image& image)
+{
+    Exposure exposure{.width = image.width, .height = image.height, .pixels = {}};
+    const auto linear = [](uint8_t byte) {
+        const double encoded = byte / 255.0;
+        return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    };
+    for (size_t i = 0; i < size_t{image.width} * image.height; ++i) {
+        exposure.pixels.emplace_back(linear(image.rgba[4 * i]), linear(image.rgba[4 * i + 1]),
+                                     linear(image.rgba[4 * i + 2]));
+    }
+    return exposure;
+}
+
+/// The mean of `count` pictures.
+[[nodiscard]] inline Exposure mean_of(int count, const std::function<Image(int)>& draw)
+{
+    Exposure mean = exposure_of(draw(0));
+    for (int i = 1; i < count; ++i) {
+        const Exposure next = exposure_of(draw(i));
+        for (size_t pixel = 0; pixel < mean.pixels.size(); ++pixel) {
+            mean.pixels[pixel] += next.pixels[pixel];
+        }
+    }
+    for (glm::dvec3& pixel : mean.pixels) {
+        pixel /= count;
+    }
+    return mean;
+}
+
+/// Peak signal-to-noise ratio, in decibels, of light from 0 to 1.
+[[nodiscard]] inline double psnr_db(const Exposure& a, const Exposure& b)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < a.pixels.size(); ++i) {
+        const glm::dvec3 off = a.pixels[i] - b.pixels[i];
+        sum += glm::dot(off, off) / 3.0;
+    }
+    return -10.0 * std::log10(std::max(sum / static_cast<double>(a.pixels.size()), 1e-12));
+}
+
+/// The side of the largest square all of whose pixels are off by more than `tolerance`: what is wrong along an
+/// edge is as wide.
+[[nodiscard]] inline int widest_error_px(const Exposure& a, const Exposure& b, double tolerance)
+{
+    std::vector<int> side(a.pixels.size(), 0);
+    int widest = 0;
+    for (size_t i = 0; i < a.pixels.size(); ++i) {
+        const glm::dvec3 off = glm::abs(a.pixels[i] - b.pixels[i]);
+        const bool is_off = std::max(off.x, std::max(off.y, off.z)) > tolerance;
+        const bool is_inside = i % a.width > 0 && i >= a.width;
+        const int before = is_inside ? std::min({side[i - 1], side[i - a.width], side[i - a.width - 1]}) : 0;
+        side[i] = is_off ? before + 1 : 0;
+        widest = std::max(widest, side[i]);
+    }
+    return widest;
+}
+
+} // namespace estampe::test
