@@ -3,11 +3,12 @@
 
 // Pictures that are the mean of many, to measure effects of the lens and of the shutter by.
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
 
-#include <estampe/image.hpp>
+#include <estampe/scene.hpp>
 #include <glm/glm.hpp>
 
 namespace estampe::test {
@@ -31,6 +32,28 @@ struct Exposure {
                                      linear(image.rgba[4 * i + 2]));
     }
     return exposure;
+}
+
+/// A camera that is turned by part of a pixel, another for each number, as samples of a picture are: pictures
+/// of many have smooth edges then, as they have.
+[[nodiscard]] inline Camera shifted_in_pixel(const Camera& camera, int number, uint32_t height_px)
+{
+    const auto radical = [](int index, int base) {
+        double result = 0.0;
+        double digit = 1.0;
+        for (int left = index; left > 0; left /= base) {
+            digit /= base;
+            result += digit * (left % base);
+        }
+        return result - 0.5;
+    };
+    const glm::dvec3 ahead = camera.target - camera.eye;
+    const glm::dvec3 right = glm::normalize(glm::cross(ahead, camera.up));
+    const glm::dvec3 above = glm::normalize(glm::cross(right, ahead));
+    const double pixel_m = 2.0 * std::tan(0.5 * camera.vertical_fov_rad) / height_px * glm::length(ahead);
+    Camera shifted = camera;
+    shifted.target += pixel_m * (radical(number + 1, 2) * right + radical(number + 1, 3) * above);
+    return shifted;
 }
 
 /// The mean of `count` pictures.
@@ -77,4 +100,15 @@ struct Exposure {
     return widest;
 }
 
+inline void dump(const char* name, const Exposure& e, const Exposure* t = nullptr)
+{
+    FILE* f = std::fopen(name, "wb");
+    std::fprintf(f, "P6 %u %u 255\n", e.width, e.height);
+    for (size_t i = 0; i < e.pixels.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            double v = t ? 0.5 + 2.0 * (e.pixels[i][k] - t->pixels[i][k]) : std::pow(e.pixels[i][k], 1 / 2.2);
+            std::fputc((int)(255 * std::min(std::max(v, 0.0), 1.0)), f);
+        }
+    std::fclose(f);
+}
 } // namespace estampe::test

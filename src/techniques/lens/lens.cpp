@@ -11,6 +11,7 @@
 #include "shaders/lens_across_comp.hpp"
 #include "shaders/lens_apply_comp.hpp"
 #include "shaders/lens_gather_comp.hpp"
+#include "shaders/lens_ink_across_comp.hpp"
 #include "shaders/lens_ink_comp.hpp"
 #include "shaders/lens_level_comp.hpp"
 #include "shaders/lens_levels_comp.hpp"
@@ -125,8 +126,13 @@ public:
 
     LensLayers add_ink(gpu::ImageId page, gpu::ImageId wash)
     {
+        auto across = graph_.compute("lens/ink across", shaders::lens_ink_across_comp);
+        across.sample(in_.lines).sample(page);
+        const gpu::ImageId found =
+            across.write(graph_.image("lens/ink across", image(gpu::Format::rg32ui)));
+        across.push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
         auto pass = graph_.compute("lens/ink", shaders::lens_ink_comp);
-        pass.sample(in_.wash).sample(in_.hatch).sample(in_.lines).sample(in_.sky_ink).sample(page);
+        pass.sample(in_.wash).sample(in_.hatch).sample(in_.lines).sample(in_.sky_ink).sample(page).sample(found);
         const LensLayers drawn{.wash = wash,
                                .hatch = pass.write(graph_.image("lens/hatch", image(gpu::Format::r16f))),
                                .lines = pass.write(graph_.image("lens/lines", image(gpu::Format::rgba8)))};

@@ -22,7 +22,9 @@ SHARED_CONSTANT uint lens_is_sum = 1U << 8U;  // blurs of all sizes up to the ci
 SHARED_CONSTANT uint lens_levels = 5U;     // pixels of 2, 4, ... 32 a side
 SHARED_CONSTANT uint lens_block_px = 32U;  // what the largest level's texels span
 SHARED_CONSTANT uint lens_tile_px = 16U;   // of the page, that share how far they look
-SHARED_CONSTANT float lens_sharp_px = 0.5F; // a circle of a smaller radius is a point
+SHARED_CONSTANT float lens_sharp_px = 0.5F;    // a circle of a smaller radius is a point
+SHARED_CONSTANT float lens_nearly_px = 0.75F;  // up to here pixels are gathered, beyond also larger texels
+SHARED_CONSTANT float lens_blurred_px = 1.75F; // and from here on those alone
 
 // A lens on a page. Levels lie on blocks of the whole page, so that a tile of it finds the same in them.
 struct LensConstants {

@@ -55,7 +55,7 @@ struct LensLayers {
 /// Writes  new layers; where a circle is smaller than a pixel, and nothing falls on it from before, they keep
 ///         their bits
 /// Cost    gather: a pass over the page that packs it, six over ever smaller pages, one over a quarter of its
-///         pixels with up to 98 texels each, one over the page with 33; separable 26 texels a pixel, mips and
+///         pixels with up to 98 texels each, one over the page with 17; separable 26 texels a pixel, mips and
 ///         sums 20 at most
 [[nodiscard]] LensLayers add_lens(gpu::Graph& graph, const LensInputs& in, const LensStyle& style,
                                   shared::LensConstants lens);

@@ -40,13 +40,13 @@ struct Seen {
     bool is_blurred;
 };
 
-const int small_side = 5;
+const int small_side = 3;
 
 // What is nearly sharp is gathered from the pixels themselves.
 Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
 {
     float own_radius = abs(own.radius_px);
-    bool is_wanted = own_radius < 2.5 && reach_px > lens_sharp_px;
+    bool is_wanted = own_radius < lens_blurred_px && reach_px > lens_sharp_px;
     int taps = is_wanted ? small_side * small_side : 0;
     Veil sum = Veil(vec4(0.0), vec4(0.0));
     float weights = 0.0;
@@ -70,43 +70,38 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
     return Seen(is_blurred ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.veil, is_blurred);
 }
 
-// Between four texels of the first level: what comes from before, and what is behind.
-struct Fields {
-    Veil near;
-    float cover;
-    Veil far;
-};
-
-Fields fields_at(ivec2 pixel, bool are_wanted)
+// Between four texels of a field; its cover, where it has any, is in place of radii.
+LensTexel between(usampler2D field_image, ivec2 pixel, bool is_wanted)
 {
     vec2 place = 0.5 * (vec2(pixel + ivec2(constants.pad_px)) + 0.5) - 0.5;
     ivec2 corner = ivec2(floor(place));
     vec2 part = place - vec2(corner);
-    Fields fields = Fields(Veil(vec4(0.0), vec4(0.0)), 0.0, Veil(vec4(0.0), vec4(0.0)));
     ivec2 most = level_size(1) - 1;
-    int taps = are_wanted ? 4 : 0;
+    LensTexel sum = LensTexel(no_veil, 0.0, 1.0);
+    int taps = is_wanted ? 4 : 0;
     for (int i = 0; i < taps; ++i) {
         ivec2 aside = ivec2(i & 1, i >> 1);
-        ivec2 at = clamp(corner + aside, ivec2(0), most);
         vec2 side = mix(1.0 - part, part, vec2(aside));
         float weight = side.x * side.y;
-        LensTexel near = unpack_texel(texelFetch(near_image, at, 0));
-        fields.near = sum_of(fields.near, scaled(near.veil, weight));
-        fields.cover += weight * near.radius_px;
-        fields.far = sum_of(fields.far, scaled(unpack_veil(texelFetch(far_image, at, 0)), weight));
+        LensTexel texel = unpack_texel(texelFetch(field_image, clamp(corner + aside, ivec2(0), most), 0));
+        sum.veil = sum_of(sum.veil, scaled(texel.veil, weight));
+        sum.radius_px += weight * texel.radius_px;
     }
-    return fields;
+    return sum;
 }
 
 Seen gathered(ivec2 pixel, LensTexel own)
 {
     vec2 reach = texelFetch(reach_image, (pixel + ivec2(constants.pad_px)) / int(lens_tile_px), 0).xy;
-    Seen seen = nearly_sharp(pixel, own, max(reach.y, abs(own.radius_px)));
-    Fields fields = fields_at(pixel, max(reach.x, abs(own.radius_px)) > 1.0);
-    float far = smoothstep(1.5, 2.5, abs(own.radius_px));
-    Veil behind = sum_of(scaled(seen.veil, 1.0 - far), scaled(fields.far, far));
-    Veil veil = sum_of(scaled(behind, 1.0 - fields.cover), fields.near);
-    return Seen(veil, seen.is_blurred || far > 0.0 || fields.cover > 0.0);
+    float own_radius = abs(own.radius_px);
+    Seen seen = nearly_sharp(pixel, own, max(reach.y, own_radius));
+    float far = smoothstep(lens_nearly_px, lens_blurred_px, own_radius);
+    LensTexel near_field = between(near_image, pixel, reach.x > lens_nearly_px);
+    LensTexel far_field = between(far_image, pixel, far > 0.0);
+    float cover = near_field.radius_px;
+    Veil behind = sum_of(scaled(seen.veil, 1.0 - far), scaled(far_field.veil, far));
+    Veil veil = sum_of(scaled(behind, 1.0 - cover), near_field.veil);
+    return Seen(veil, seen.is_blurred || far > 0.0 || cover > 0.0);
 }
 
 // Blue behind the plane in focus, red before it, white in it.

@@ -72,7 +72,7 @@ LensTexel gather_near(ivec2 at, float own_px, float reach_px)
     float cover = 0.0;
     float seen = 0.0;
     float seen_near = 0.0;
-    int taps = reach_px > 1.0 ? tap_side * tap_side : 0;
+    int taps = reach_px > lens_nearly_px ? tap_side * tap_side : 0;
     for (int i = 0; i < taps; ++i) {
         Tap tap = tap_at(place, i);
         float radius = disc_texels(-tap.texel.radius_px * place.texels_per_px);
@@ -98,7 +98,7 @@ LensTexel gather_far(ivec2 at, LensTexel own, float own_reach_px)
     Place place = place_on(level_for(search_px), at);
     Veil sum = Veil(vec4(0.0), vec4(0.0));
     float weights = 0.0;
-    int taps = own_reach_px > 1.0 ? tap_side * tap_side : 0;
+    int taps = own_reach_px > lens_nearly_px ? tap_side * tap_side : 0;
     for (int i = 0; i < taps; ++i) {
         Tap tap = tap_at(place, i);
         float away = aperture_distance(tap.offset);

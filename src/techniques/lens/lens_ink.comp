@@ -14,8 +14,9 @@ layout(binding = 1) uniform sampler2D hatch_image;
 layout(binding = 2) uniform sampler2D line_image;
 layout(binding = 3) uniform sampler2D sky_ink_image;
 layout(binding = 4) uniform usampler2D page_image;
-layout(binding = 5, r16f) writeonly uniform image2D out_hatch;
-layout(binding = 6, rgba8) writeonly uniform image2D out_lines;
+layout(binding = 5) uniform usampler2D across_image; // see lens_ink_across.comp
+layout(binding = 6, r16f) writeonly uniform image2D out_hatch;
+layout(binding = 7, rgba8) writeonly uniform image2D out_lines;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -27,16 +28,7 @@ const bool has_sky = (variant & lens_has_sky) != 0u;
 
 #include "shaders/layers.glsl"
 
-float radius_at(ivec2 pixel)
-{
-    return abs(unpackHalf2x16(texelFetch(page_image, pixel, 0).w).x);
-}
-
-// How dark ink is of what was drawn as a line of about two pixels and is now wider by this much.
-float paled(float wider_px)
-{
-    return 1.0 / (1.0 + constants.paling_per_px * wider_px);
-}
+#include "techniques/lens/lens_ink.glsl"
 
 void main()
 {
@@ -45,20 +37,18 @@ void main()
         return;
     }
     Layers layers = layers_at(pixel);
-    float own_px = max(radius_at(pixel) - lens_sharp_px, 0.0);
-    vec4 widest = vec4(layers.lines.rgb, layers.lines.a * paled(own_px));
-    int reach = own_px >= 0.0 ? int(constants.most_wider_px) : 0;
-    int side = 2 * reach + 1;
-    for (int i = 0; i < side * side; ++i) {
-        ivec2 aside = ivec2(i % side, i / side) - reach;
-        ivec2 at = clamp(pixel + aside, ivec2(0), ivec2(constants.size_px) - 1);
-        vec4 line = texelFetch(line_image, at, 0);
-        float wider_px = max(radius_at(at) - lens_sharp_px, 0.0);
-        float half_px = min(0.5 * constants.widening * wider_px, constants.most_wider_px - 0.5);
-        float share = clamp(half_px + 0.5 - sqrt(float(aside.x * aside.x + aside.y * aside.y)), 0.0, 1.0);
-        float cover = aside == ivec2(0) ? 0.0 : line.a * share * paled(wider_px);
+    vec4 widest = vec4(0.0);
+    int reach = int(constants.most_wider_px);
+    for (int aside = -reach; aside <= reach; ++aside) {
+        ivec2 at = ivec2(pixel.x, clamp(pixel.y + aside, 0, int(constants.size_px.y) - 1));
+        uvec2 packed = texelFetch(across_image, at, 0).xy;
+        vec4 line = unpackUnorm4x8(packed.x);
+        vec2 radius_and_away = unpackHalf2x16(packed.y);
+        float away = sqrt(radius_and_away.y * radius_and_away.y + float(aside * aside));
+        float cover = line.a * (away == 0.0 ? 1.0 : clamp(radius_and_away.x - away, 0.0, 1.0));
         widest = cover > widest.a ? vec4(line.rgb, cover) : widest;
     }
-    imageStore(out_hatch, pixel, vec4(layers.hatch * paled(own_px)));
+    imageStore(out_hatch, pixel,
+               vec4(layers.hatch * paled(wider_by(texelFetch(page_image, pixel, 0).w))));
     imageStore(out_lines, pixel, widest);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread finds how far a tile has to look: the largest near circle that reaches it, its own ones.
+// One thread finds how far a tile has to look: the largest near circle that reaches it, and the
+// largest of all in it and beside it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -27,15 +28,18 @@ void main()
     if (any(greaterThanEqual(tile, count))) {
         return;
     }
-    int reach = int(ceil(constants.most_px / float(lens_tile_px)));
+    int reach = int(ceil(max(constants.most_px, 1.0) / float(lens_tile_px)));
     int side = 2 * reach + 1;
     float near = 0.0;
+    float beside = 0.0;
     for (int i = 0; i < side * side; ++i) {
         ivec2 aside = ivec2(i % side, i / side) - reach;
-        float there = texelFetch(tile_image, clamp(tile + aside, ivec2(0), count - 1), 0).x;
+        vec2 largest = texelFetch(tile_image, clamp(tile + aside, ivec2(0), count - 1), 0).xy;
+        float there = largest.x;
+        // What is sharp looks for what is blurred beside it, and the other way round.
+        beside = max(abs(aside.x), abs(aside.y)) <= 1 ? max(beside, largest.y) : beside;
         int tiles_between = max(max(abs(aside.x), abs(aside.y)) - 1, 0);
         near = there >= float(tiles_between * int(lens_tile_px)) ? max(near, there) : near;
     }
-    float own = texelFetch(tile_image, tile, 0).y;
-    imageStore(out_reach, tile, vec4(near, own, 0.0, 0.0));
+    imageStore(out_reach, tile, vec4(near, beside, 0.0, 0.0));
 }

@@ -45,12 +45,12 @@ ivec2 level_size(int level)
 // How much something is of the near field, which is spread over what lies behind it, or of the far one.
 float near_share(float radius_px)
 {
-    return smoothstep(1.0, 2.5, -radius_px);
+    return smoothstep(lens_nearly_px, lens_blurred_px, -radius_px);
 }
 
 float far_share(float radius_px)
 {
-    return smoothstep(1.0, 2.5, radius_px);
+    return smoothstep(lens_nearly_px, lens_blurred_px, radius_px);
 }
 
 // Of a blur of a disc that is gathered from squares which are themselves means: what is left to it.

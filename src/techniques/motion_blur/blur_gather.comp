@@ -31,7 +31,7 @@ const bool shows_velocity = (variant & blur_shows_velocity) != 0u;
 #include "shaders/layers.glsl"
 #include "shaders/veil.glsl"
 
-const int most_taps = 20; // along each of two ways
+const int most_taps = 32; // along each of two ways
 
 float length_of(vec2 way)
 {
@@ -61,7 +61,7 @@ void pass_along(ivec2 pixel, vec2 way, vec2 own_way, float own_depth, inout Pass
 {
     float reach_px = length_of(way);
     float own_px = length_of(own_way);
-    int taps = reach_px > 0.0 ? clamp(int(ceil(1.5 * reach_px)), 4, most_taps) : 0;
+    int taps = reach_px > 0.0 ? min(int(ceil(2.0 * reach_px + 1.0)), most_taps) : 0;
     vec2 forward = way / max(reach_px, 1e-6);
     float step_px = (2.0 * reach_px + 1.0) / float(max(taps, 1));
     for (int i = 0; i < taps; ++i) {
@@ -116,8 +116,13 @@ void main()
     Passing passing = Passing(no_veil, 0.0, no_veil, 0.0);
     // What comes from elsewhere goes the longest way that reaches the pixel; what is there goes its own.
     pass_along(pixel, longest, own_way, own_depth, passing);
-    Passing own_passing = Passing(no_veil, 0.0, no_veil, 0.0);
-    pass_along(pixel, own_way, own_way, own_depth, own_passing);
+    bool is_same = length_of(longest - own_way) < 0.05 * length_of(longest);
+    Passing own_passing = Passing(no_veil, 0.0, passing.there, passing.there_time);
+    if (!is_same) {
+        own_passing.there = no_veil;
+        own_passing.there_time = 0.0;
+    }
+    pass_along(pixel, is_same ? vec2(0.0) : own_way, own_way, own_depth, own_passing);
     Veil there = unpack_veil(own);
     float there_time = is_moving ? own_passing.there_time : 0.0;
     there = there_time > 1e-4 ? scaled(own_passing.there, 1.0 / max(there_time, 1e-6)) : there;

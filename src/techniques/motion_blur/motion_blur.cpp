@@ -20,6 +20,8 @@
 namespace estampe::motion_blur {
 namespace {
 
+constexpr float longest_line_mm = 30.0F;
+
 /// What moves, packed.
 struct Packed {
     gpu::ImageId page;
@@ -113,6 +115,7 @@ shared::MotionBlurConstants constants_of(const MotionBlurStyle& style, float sca
             .line_reach_px = std::ceil(std::max(line_half_px, 0.0F)) + 1.0F,
             .cell_px = std::max(style.lines_spacing_mm * pixels_per_mm, 2.0F),
             .line_length = 2.0F * style.lines_length,
+            .line_most_px = longest_line_mm * pixels_per_mm,
             .line_half_px = 0.5F * style.lines_width_mm * pixels_per_mm,
             .line_from_px = 0.5F * style.lines_from_mm * pixels_per_mm,
             .seed = static_cast<uint32_t>(style.seed),

@@ -23,6 +23,7 @@ struct MotionBlurConstants {
     float line_reach_px; // how far a line lies at most from what it belongs to
     float cell_px;       // of the page, one speed line each
     float line_length;   // by the way in half the time
+    float line_most_px;  // and no longer than this
     float line_half_px;  // where it begins
     float line_from_px;  // least way in half the time
     uint seed;

@@ -44,7 +44,7 @@ struct MotionBlurLayers {
 /// blurred; and speed lines over them.
 ///
 /// Writes  new layers; what stands still, and is not passed by anything, keeps its bits
-/// Cost    a pass over the page that packs it, two over its tiles, one of 40 texels a pixel at most where
+/// Cost    a pass over the page that packs it, two over its tiles, one of 64 texels a pixel at most where
 ///         anything moves; speed lines three more, of 16 lines a pixel at most
 [[nodiscard]] MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in,
                                                const MotionBlurStyle& style,

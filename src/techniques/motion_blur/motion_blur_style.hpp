@@ -13,10 +13,10 @@ struct MotionBlurStyle {
     float frames_per_s = 24.0F;
     float largest_mm = 12.0F;
     bool lines = false;
-    float lines_length = 2.0F;
-    float lines_spacing_mm = 2.2F;
+    float lines_length = 5.0F;
+    float lines_spacing_mm = 3.0F;
     float lines_width_mm = 0.3F;
-    float lines_from_mm = 1.2F;
+    float lines_from_mm = 1.5F;
     glm::vec3 lines_ink = style::srgb(0x1c1a20);
     int seed = 1;
 };
@@ -40,7 +40,7 @@ inline const style::Table<MotionBlurStyle>& motion_blur_table()
                     "Longest way on the page that is blurred over")
             .toggle("lines", &MotionBlurStyle::lines, "Draw speed lines behind what is fast")
             .number("lines_length", &MotionBlurStyle::lines_length, {0.1F, 20.0F}, "",
-                    "Length of speed lines, as a share of the way that is gone while the shutter is open")
+                    "Length of speed lines, as a share of the way that is gone while the shutter is open; 30 mm at most")
             .number("lines_spacing_mm", &MotionBlurStyle::lines_spacing_mm, {0.5F, 50.0F}, "mm",
                     "From one speed line to the next, about")
             .number("lines_width_mm", &MotionBlurStyle::lines_width_mm, {0.05F, 5.0F}, "mm",

@@ -42,9 +42,10 @@ void main()
         vec2 left_way = unpackHalf2x16(texelFetch(page_image, left, 0).w);
         bool is_edge = texelFetch(owner_depth_image, left, 0).x < 0.98 * texelFetch(owner_depth_image, at, 0).x &&
                        dot(left_way, way) < 0.5 * dot(way, way);
+        float line_px = min(length_px * constants.line_length, constants.line_most_px);
         float uneven = 0.5 + float(hash(own) & 0xffffu) / 65536.0;
         bool is_kept = seed.zw == vec2(0.0) && is_edge && length_px > constants.line_from_px;
-        seed = is_kept ? vec4(vec2(at) + 0.5 + 3.0 * back, back * length_px * constants.line_length * uneven) : seed;
+        seed = is_kept ? vec4(vec2(at) + 0.5 + 3.0 * back, back * line_px * uneven) : seed;
     }
     imageStore(out_seed, cell, seed);
 }

@@ -26,7 +26,7 @@ void main()
     float half_tile_px = 0.5 * float(blur_tile_px);
     vec2 middle = (vec2(tile) + 0.5) * float(blur_tile_px);
     float within_px = 1.5 * half_tile_px + constants.line_half_px + 1.0;
-    float reach_px = within_px + 1.5 * constants.line_length * constants.most_px;
+    float reach_px = within_px + 1.5 * constants.line_most_px;
     ivec2 cells = textureSize(seed_image, 0);
     ivec2 first = clamp(ivec2(floor((middle - reach_px) / constants.cell_px)), ivec2(0), cells - 1);
     ivec2 last = clamp(ivec2(floor((middle + reach_px) / constants.cell_px)), ivec2(0), cells - 1);
