@@ -163,7 +163,8 @@ private:
         return film_.turntable ? (number - film_.first) / (film_.last + 1 - film_.first) : 0.0;
     }
 
-    /// Half an exposure before a frame; or after the first, as before the beginning an animation is at its end.
+    /// Half an exposure before a frame; or after the first, as before the beginning an animation is at its
+    /// end.
     [[nodiscard]] std::optional<Moment> exposure_end(uint32_t number) const
     {
         const motion_blur::MotionBlurStyle& style = draw_.style.tables().motion_blur;
@@ -182,8 +183,7 @@ private:
         settings.time_s = time_s(number);
         settings.continuity = number == film_.first ? Continuity::starts : Continuity::follows;
         settings.exposure_end = exposure_end(number);
-        Image image =
-            renderer_.render(camera_.at(settings.time_s, turn_at(number)), draw_.style, settings);
+        Image image = renderer_.render(camera_.at(settings.time_s, turn_at(number)), draw_.style, settings);
         if (!has_noted_) {
             print_notes(renderer_.notes());
             has_noted_ = true;

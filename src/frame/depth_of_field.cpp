@@ -76,12 +76,11 @@ std::optional<shared::LensConstants> plan_lens(const LensSetting& in, std::vecto
         notes.emplace_back("a parallel projection has no lens: all of it is in focus");
         return std::nullopt;
     }
-    return lens::lens_on(in.style.lens,
-                         {.focus_m = focus_distance_m(in, notes),
-                          .near_m = in.camera.near_m,
-                          .pixel_at_one_m = static_cast<double>(in.page.pixel.at_one_m),
-                          .pixels_per_mm = in.page.pixels_per_mm,
-                          .line_half_px = in.line_half_px});
+    return lens::lens_on(in.style.lens, {.focus_m = focus_distance_m(in, notes),
+                                         .near_m = in.camera.near_m,
+                                         .pixel_at_one_m = static_cast<double>(in.page.pixel.at_one_m),
+                                         .pixels_per_mm = in.page.pixels_per_mm,
+                                         .line_half_px = in.line_half_px});
 }
 
 } // namespace estampe::frame

@@ -22,8 +22,8 @@ struct LensSetting {
     float line_half_px = 1.0F;
 };
 
-/// How far before the eye, along the view, the plane in focus stands: as far as the style says, or the middle of
-/// the objects that it names, or the middle of the scene. Adds a note for a name of nothing.
+/// How far before the eye, along the view, the plane in focus stands: as far as the style says, or the middle
+/// of the objects that it names, or the middle of the scene. Adds a note for a name of nothing.
 [[nodiscard]] double focus_distance_m(const LensSetting& in, std::vector<std::string>& notes);
 
 /// The lens of a picture; none where the style has none, and in parallel projection, which adds a note.

@@ -53,7 +53,8 @@ void compare_lens(const char* name, bool has_ink)
     const std::string drawn = has_ink ? "hatch.drawn=true" : "hatch.drawn=false";
     const std::string lined = has_ink ? "contour.drawn=true" : "contour.drawn=false";
     const std::string focal = fmt::format("lens.focal_mm={}", std::min(1e3 * aperture_m, 1900.0));
-    const std::string stop = fmt::format("lens.f_number={}", std::min(1e3 * aperture_m, 1900.0) / (1e3 * aperture_m));
+    const std::string stop =
+        fmt::format("lens.f_number={}", std::min(1e3 * aperture_m, 1900.0) / (1e3 * aperture_m));
     const glm::dvec3 right = glm::normalize(glm::cross(ahead, camera.up));
     const glm::dvec3 above = glm::cross(right, ahead);
     constexpr int count = 256;

@@ -60,9 +60,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     const motion_blur::MotionBlurLayers exposed =
         add_motion_blur(making, scene, visibility, surface, faded, colors);
     colors.has_sky_ink = colors.has_sky_ink && !exposed.holds_sky;
-    faded = {.wash = exposed.wash,
-             .hatch = exposed.hatch,
-             .lines = add_focus_lines(making, exposed.lines)};
+    faded = {.wash = exposed.wash, .hatch = exposed.hatch, .lines = add_focus_lines(making, exposed.lines)};
     const auto flowing = add_flowing_ink(making, scene, visibility, surface, lit.light, faded);
     const auto smoke = add_smoke(making, scene, surface, faded.lines);
     const paper::ComposeInputs layers =

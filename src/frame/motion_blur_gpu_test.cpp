@@ -25,9 +25,10 @@ Style colors(std::initializer_list<const char*> more)
 {
     Style style;
     for (const char* assignment :
-         {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.margin_mm=0", "paper.color=#ffffff",
-          "hatch.drawn=false", "contour.drawn=false", "picture.ground=none", "sky.mode=paper", "wash.strength=1",
-          "wash.neutral=1", "light.shadows=false", "motion_blur.shutter_deg=360", "motion_blur.frames_per_s=5"}) {
+         {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.margin_mm=0",
+          "paper.color=#ffffff", "hatch.drawn=false", "contour.drawn=false", "picture.ground=none",
+          "sky.mode=paper", "wash.strength=1", "wash.neutral=1", "light.shadows=false",
+          "motion_blur.shutter_deg=360", "motion_blur.frames_per_s=5"}) {
         style.set(assignment);
     }
     for (const char* assignment : more) {
@@ -62,11 +63,13 @@ Scene passing()
     Scene scene;
     for (int i = 0; i < 6; ++i) {
         const float tone = i % 2 == 0 ? 0.2F : 0.7F;
-        test::add_object(scene, shapes::box({0.6F, 4.0F, 0.1F}), {0.8F, tone, 0.2F}, {-2.0 + 0.7 * i, -2.0, -1.5});
+        test::add_object(scene, shapes::box({0.6F, 4.0F, 0.1F}), {0.8F, tone, 0.2F},
+                         {-2.0 + 0.7 * i, -2.0, -1.5});
     }
     const Index fast = test::add_object(scene, shapes::box({0.45F, 0.4F, 0.2F}), {0.1F, 0.2F, 0.6F});
     move(scene, fast, {-1.0F, 0.3F, 0.3F}, {0.9F, 0.5F, 0.3F});
-    const Index turning = test::add_object(scene, shapes::box({0.2F, 0.9F, 0.2F}), {0.1F, 0.5F, 0.2F}, {1.1, -0.6, 0.0});
+    const Index turning =
+        test::add_object(scene, shapes::box({0.2F, 0.9F, 0.2F}), {0.1F, 0.5F, 0.2F}, {1.1, -0.6, 0.0});
     turn(scene, turning);
     test::add_object(scene, shapes::box({0.5F, 0.5F, 0.2F}), {0.9F, 0.9F, 0.3F}, {-1.1, -0.9, 0.2});
     test::add_sun(scene, {0.3, 0.8, 1.0});
@@ -87,7 +90,8 @@ TEST(MotionBlur, IsThatOfManyPicturesWhileTheShutterIsOpen)
     constexpr int count = 64;
     const Style still = colors({});
     const test::Exposure truth = test::mean_of(count, [&](int i) {
-        return renderer.render(test::shifted_in_pixel(camera, i * 7 % count, small.height), still, at(small.time_s + exposure_s * ((i + 0.5) / count - 0.5)));
+        return renderer.render(test::shifted_in_pixel(camera, i * 7 % count, small.height), still,
+                               at(small.time_s + exposure_s * ((i + 0.5) / count - 0.5)));
     });
     const auto measured = [&](const char* mode) {
         return test::exposure_of(renderer.render(camera, colors({mode}), smooth));
@@ -122,9 +126,11 @@ TEST(MotionBlur, IsThatOfACameraThatGoes)
     };
     constexpr int count = 64;
     const Style still = colors({});
-    const test::Exposure truth = test::mean_of(
-        count, [&](int i) { return renderer.render(
-            test::shifted_in_pixel(seen_at((i + 0.5) / count - 0.5), i * 7 % count, small.height), still, small); });
+    const test::Exposure truth = test::mean_of(count, [&](int i) {
+        return renderer.render(
+            test::shifted_in_pixel(seen_at((i + 0.5) / count - 0.5), i * 7 % count, small.height), still,
+            small);
+    });
     RenderSettings exposed = smooth;
     exposed.exposure_end = Moment{seen_at(-0.5), small.time_s};
     const test::Exposure none = test::exposure_of(renderer.render(camera, still, smooth));
@@ -132,7 +138,6 @@ TEST(MotionBlur, IsThatOfACameraThatGoes)
         test::exposure_of(renderer.render(camera, colors({"motion_blur.mode=tiles"}), exposed));
     std::printf("camera, against %d pictures: %.1f dB, without %.1f dB\n", count, test::psnr_db(seen, truth),
                 test::psnr_db(none, truth));
-    test::dump("/tmp/lo/c-seen.ppm",seen);test::dump("/tmp/lo/c-truth.ppm",truth);test::dump("/tmp/lo/c-diff.ppm",seen,&truth);
     EXPECT_GE(test::psnr_db(seen, truth), 30.0);
     EXPECT_LT(test::psnr_db(none, truth), test::psnr_db(seen, truth) - 3.0);
 }
@@ -145,8 +150,8 @@ TEST(MotionBlur, ShowsTheVelocityOfWhatMoves)
     move(scene, wall, {-0.2F, 0.1F, 0.0F}, {0.3F, -0.2F, 0.0F});
     renderer.set_scene(scene);
     constexpr float largest_mm = 12.0F;
-    const LinearImage drawn =
-        renderer.render_linear(camera, colors({"motion_blur.mode=velocity", "motion_blur.largest_mm=12"}), small);
+    const LinearImage drawn = renderer.render_linear(
+        camera, colors({"motion_blur.mode=velocity", "motion_blur.largest_mm=12"}), small);
     const double px_per_m = 0.5 * small.height / std::tan(0.5 * camera.vertical_fov_rad) / camera.eye.z;
     const glm::dvec2 way_px = 0.5 * exposure_s * px_per_m * glm::dvec2(0.5, -0.3);
     const double most_px = 0.5 * static_cast<double>(largest_mm) * small.height / 150.0;
@@ -174,7 +179,6 @@ TEST(MotionBlur, SpreadsABarAsFarAsItGoes)
     renderer.set_scene(scene);
     const test::Exposure seen = test::exposure_of(
         renderer.render(camera, colors({"motion_blur.mode=tiles", "motion_blur.largest_mm=30"}), small));
-    test::dump("/tmp/lo/b-seen.ppm",seen);
     const double px_per_m = 0.5 * small.height / std::tan(0.5 * camera.vertical_fov_rad) / camera.eye.z;
     const double way_px = exposure_s * px_per_m;
     int between = 0;
@@ -191,7 +195,9 @@ TEST(MotionBlur, CostsNothingWhereThereIsNone)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(passing());
-    const auto has_pass = [&](const char* name) { return renderer.graph_dot().find(name) != std::string::npos; };
+    const auto has_pass = [&](const char* name) {
+        return renderer.graph_dot().find(name) != std::string::npos;
+    };
     const Image plain = renderer.render(camera, {}, small);
     EXPECT_FALSE(has_pass("motion"));
     EXPECT_FALSE(has_pass("speed"));

@@ -77,8 +77,8 @@ struct Renderer::Impl {
     [[nodiscard]] std::optional<frame::SmokePlan> plan_smoke(const frame::FramePlan& plan,
                                                              const frame::StyleTables& tables,
                                                              const RenderSettings& settings);
-    /// The moment before that a picture looks back to, where it does: of its motion, of the ink that flows, of
-    /// its exposure.
+    /// The moment before that a picture looks back to, where it does: of its motion, of the ink that flows,
+    /// of its exposure.
     [[nodiscard]] std::optional<double> moment_before(const RenderSettings& settings,
                                                       const frame::StyleTables& style) const;
     [[nodiscard]] std::optional<frame::MotionBlurPlan>

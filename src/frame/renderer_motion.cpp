@@ -67,7 +67,7 @@ Renderer::Impl::plan_motion_blur(const Camera& camera, const frame::PagePlan& pa
         return std::nullopt;
     }
     const double half_s = settings.exposure_end ? settings.time_s - settings.exposure_end->time_s
-                                                 : 0.5 * motion_blur::exposure_s(style.motion_blur);
+                                                : 0.5 * motion_blur::exposure_s(style.motion_blur);
     const double back_s = settings.time_s - *before_s;
     // Where a camera alone goes both may be nothing.
     const double share = back_s == half_s ? 1.0 : back_s / half_s;
@@ -77,9 +77,8 @@ Renderer::Impl::plan_motion_blur(const Camera& camera, const frame::PagePlan& pa
     const Camera opened = settings.exposure_end ? settings.exposure_end->camera : camera;
     return frame::MotionBlurPlan{
         .motion = motion_between(carried_back(camera, opened, share), camera, settings),
-        .constants =
-            motion_blur::constants_of(style.motion_blur, static_cast<float>(1.0 / share),
-                                      page_plan.pixels_per_mm, line_half_px)};
+        .constants = motion_blur::constants_of(style.motion_blur, static_cast<float>(1.0 / share),
+                                               page_plan.pixels_per_mm, line_half_px)};
 }
 
 frame::MotionPlan Renderer::Impl::motion_between(const Camera& before, const Camera& now,

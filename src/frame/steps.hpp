@@ -120,11 +120,9 @@ void add_strung_lines(const Making& making, const contour::ContourInputs& in);
                                         const haze::HazeLayers& layers, const Colors& colors);
 
 /// What moves while the shutter is open, where any is wanted.
-[[nodiscard]] motion_blur::MotionBlurLayers add_motion_blur(const Making& making, const PosedScene& scene,
-                                                            gpu::BufferId visibility,
-                                                            const surface::Surface& surface,
-                                                            const haze::HazeLayers& layers,
-                                                            const Colors& colors);
+[[nodiscard]] motion_blur::MotionBlurLayers
+add_motion_blur(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+                const surface::Surface& surface, const haze::HazeLayers& layers, const Colors& colors);
 
 /// Focus lines over those of the scene.
 [[nodiscard]] gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines);

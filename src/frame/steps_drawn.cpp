@@ -30,9 +30,8 @@ std::vector<wash::LookWash> wash_looks(const LookPlan& plan)
 /// By what the strokes of surfaces find their size on the page.
 gpu::ImageId stroke_footprint(const Making& making, const surface::Surface& surface)
 {
-    const bool are_wider =
-        making.plan.lens && making.style.lens.acts_on == lens::ActsOn::strokes &&
-        making.style.lens.mode != lens::Mode::circles;
+    const bool are_wider = making.plan.lens && making.style.lens.acts_on == lens::ActsOn::strokes &&
+                           making.style.lens.mode != lens::Mode::circles;
     return are_wider ? lens::add_wider_strokes(making.graph, surface.depth, surface.footprint,
                                                making.sample.size_px, *making.plan.lens)
                      : surface.footprint;
@@ -43,15 +42,15 @@ gpu::ImageId motion_of(const Making& making, const PosedScene& scene, gpu::Buffe
 {
     // A scene that stands as it stood has one set of vertices.
     const bool has_moved = moved.pose_moved || making.resources.terrain != nullptr;
-    return motion::add_motion(
-        making.graph, {.frame = scene.frame,
-                       .visibility = visibility,
-                       .triangles = scene.meshes.triangles,
-                       .posed_vertices = scene.meshes.posed_vertices,
-                       .posed_vertices_before = has_moved ? scene.vertices_before : scene.meshes.posed_vertices,
-                       .clip_from_anchor = moved.clip_from_anchor,
-                       .clip_from_anchor_before = moved.clip_from_anchor_before,
-                       .size_px = making.sample.size_px});
+    return motion::add_motion(making.graph, {.frame = scene.frame,
+                                             .visibility = visibility,
+                                             .triangles = scene.meshes.triangles,
+                                             .posed_vertices = scene.meshes.posed_vertices,
+                                             .posed_vertices_before = has_moved ? scene.vertices_before
+                                                                                : scene.meshes.posed_vertices,
+                                             .clip_from_anchor = moved.clip_from_anchor,
+                                             .clip_from_anchor_before = moved.clip_from_anchor_before,
+                                             .size_px = making.sample.size_px});
 }
 
 } // namespace
@@ -298,10 +297,7 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                               .size_px = making.sample.size_px,
                                               .look_of_draw = look_of_draw(making)},
                                              wash_looks(plan.looks));
-    return {.wash = wash,
-            .sky_ink = sky.ink,
-            .sky_wash = sky.wash,
-            .has_sky_ink = plan.page.has_sky};
+    return {.wash = wash, .sky_ink = sky.ink, .sky_wash = sky.wash, .has_sky_ink = plan.page.has_sky};
 }
 
 haze::HazeInputs haze_inputs(const Making& making, const PosedScene& scene, const surface::Surface& surface)
@@ -342,18 +338,18 @@ std::optional<gpu::ImageId> add_flowing_ink(const Making& making, const PosedSce
     gpu::Graph& graph = making.graph;
     ink::Memory& memory = making.resources.ink;
     const auto add_flow = [&] {
-        return ink::add_steps(graph, memory, plan.ink,
-                              {.frame = scene.frame,
-                               .hatch = layers.hatch,
-                               .lines = layers.lines,
-                               .light = light,
-                               .draw = surface.draw,
-                               .depth = surface.depth,
-                               .coordinate = surface.coordinate,
-                               .footprint = surface.footprint,
-                               .motion = plan.motion
-                                             ? std::optional(motion_of(making, scene, visibility, *plan.motion))
-                                             : std::nullopt});
+        return ink::add_steps(
+            graph, memory, plan.ink,
+            {.frame = scene.frame,
+             .hatch = layers.hatch,
+             .lines = layers.lines,
+             .light = light,
+             .draw = surface.draw,
+             .depth = surface.depth,
+             .coordinate = surface.coordinate,
+             .footprint = surface.footprint,
+             .motion = plan.motion ? std::optional(motion_of(making, scene, visibility, *plan.motion))
+                                   : std::nullopt});
     };
     const ink::Flowing flowing =
         making.sample.is_first ? add_flow() : ink::add_standing(graph, memory, plan.ink);

@@ -83,8 +83,8 @@ struct Exposure {
     return -10.0 * std::log10(std::max(sum / static_cast<double>(a.pixels.size()), 1e-12));
 }
 
-/// The side of the largest square all of whose pixels are off by more than `tolerance`: what is wrong along an
-/// edge is as wide.
+/// The side of the largest square all of whose pixels are off by more than `tolerance`: what is wrong along
+/// an edge is as wide.
 [[nodiscard]] inline int widest_error_px(const Exposure& a, const Exposure& b, double tolerance)
 {
     std::vector<int> side(a.pixels.size(), 0);
@@ -100,15 +100,4 @@ struct Exposure {
     return widest;
 }
 
-inline void dump(const char* name, const Exposure& e, const Exposure* t = nullptr)
-{
-    FILE* f = std::fopen(name, "wb");
-    std::fprintf(f, "P6 %u %u 255\n", e.width, e.height);
-    for (size_t i = 0; i < e.pixels.size(); ++i)
-        for (int k = 0; k < 3; ++k) {
-            double v = t ? 0.5 + 2.0 * (e.pixels[i][k] - t->pixels[i][k]) : std::pow(e.pixels[i][k], 1 / 2.2);
-            std::fputc((int)(255 * std::min(std::max(v, 0.0), 1.0)), f);
-        }
-    std::fclose(f);
-}
 } // namespace estampe::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Thin lens and near and far fields: Potmesil and Chakravarty, "A Lens and Aperture Camera Model for Synthetic
-// Image Generation", SIGGRAPH 1981; Jimenez, "Next Generation Post Processing in Call of Duty", SIGGRAPH 2014.
+// Thin lens and near and far fields: Potmesil and Chakravarty, "A Lens and Aperture Camera Model for
+// Synthetic Image Generation", SIGGRAPH 1981; Jimenez, "Next Generation Post Processing in Call of Duty",
+// SIGGRAPH 2014.
 #include "techniques/lens/lens.hpp"
 
 #include <algorithm>
@@ -115,7 +116,9 @@ public:
         auto pass = graph_.compute("lens/levels", shaders::lens_levels_comp);
         pass.sample(page).sample(levels);
         const gpu::ImageId blurred = pass.write(graph_.image("lens/blurred", texels(in_.size_px)));
-        pass.variant(is_sum ? shared::lens_is_sum : 0U).push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
+        pass.variant(is_sum ? shared::lens_is_sum : 0U)
+            .push(lens_)
+            .dispatch_over(in_.size_px.x, in_.size_px.y);
         return add_apply(page, {.near = blurred, .far = blurred, .reach = in_.depth}, 0U);
     }
 
@@ -128,11 +131,15 @@ public:
     {
         auto across = graph_.compute("lens/ink across", shaders::lens_ink_across_comp);
         across.sample(in_.lines).sample(page);
-        const gpu::ImageId found =
-            across.write(graph_.image("lens/ink across", image(gpu::Format::rg32ui)));
+        const gpu::ImageId found = across.write(graph_.image("lens/ink across", image(gpu::Format::rg32ui)));
         across.push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
         auto pass = graph_.compute("lens/ink", shaders::lens_ink_comp);
-        pass.sample(in_.wash).sample(in_.hatch).sample(in_.lines).sample(in_.sky_ink).sample(page).sample(found);
+        pass.sample(in_.wash)
+            .sample(in_.hatch)
+            .sample(in_.lines)
+            .sample(in_.sky_ink)
+            .sample(page)
+            .sample(found);
         const LensLayers drawn{.wash = wash,
                                .hatch = pass.write(graph_.image("lens/hatch", image(gpu::Format::r16f))),
                                .lines = pass.write(graph_.image("lens/lines", image(gpu::Format::rgba8)))};
@@ -166,12 +173,14 @@ private:
         pass.sample(in_.wash).sample(in_.hatch).sample(in_.lines).sample(in_.sky_ink).sample(page);
         pass.sample(blurred.near).sample(blurred.far).sample(blurred.reach);
         const gpu::ImageId wash = pass.write(graph_.image("lens/wash", image(gpu::Format::rgba16f)));
-        const gpu::ImageId hatch = pass.write(graph_.image(
-            "lens/hatch", {.width = ink_px.x, .height = ink_px.y, .format = gpu::Format::r16f}));
+        const gpu::ImageId hatch = pass.write(
+            graph_.image("lens/hatch", {.width = ink_px.x, .height = ink_px.y, .format = gpu::Format::r16f}));
         const gpu::ImageId lines = pass.write(graph_.image(
             "lens/lines", {.width = ink_px.x, .height = ink_px.y, .format = gpu::Format::rgba8}));
         pass.variant(variant_ | how).push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
-        return {.wash = wash, .hatch = keeps_ink ? in_.hatch : hatch, .lines = keeps_ink ? in_.lines : lines,
+        return {.wash = wash,
+                .hatch = keeps_ink ? in_.hatch : hatch,
+                .lines = keeps_ink ? in_.lines : lines,
                 .holds_sky = !keeps_ink};
     }
 
@@ -198,7 +207,8 @@ std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensP
     }
     // On the plane in focus the circle is as wide as the aperture where it is infinitely far: by similar
     // triangles the same as circle_mm() on a sensor as far behind the lens as its image lies.
-    const double aperture_m = 1e-3 * static_cast<double>(style.focal_mm) / static_cast<double>(style.f_number);
+    const double aperture_m =
+        1e-3 * static_cast<double>(style.focal_mm) / static_cast<double>(style.f_number);
     const double radius_px = 0.5 * aperture_m / (page.focus_m * page.pixel_at_one_m);
     const int blades = std::max(style.blades, 3);
     const float blade_rad = glm::two_pi<float>() / static_cast<float>(blades);
@@ -209,8 +219,7 @@ std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensP
         .most_px = most_radius_px(style, page.pixels_per_mm),
         .blade_rad = blade_rad,
         .blade_turn_rad = glm::radians(style.blade_turn_deg),
-        .blade_scale =
-            std::sqrt(static_cast<float>(blades) * std::tan(0.5F * blade_rad) / glm::pi<float>()),
+        .blade_scale = std::sqrt(static_cast<float>(blades) * std::tan(0.5F * blade_rad) / glm::pi<float>()),
         .line_reach_px = std::ceil(std::max(page.line_half_px, 0.0F)) + 1.0F,
         .widening = style.widen,
         .widening_per_px = 2.0F * style.widen / page.pixels_per_mm,
@@ -228,7 +237,8 @@ uint32_t reach_px(const LensStyle& style, float pixels_per_mm)
            2 * shared::lens_block_px;
 }
 
-LensLayers add_lens(gpu::Graph& graph, const LensInputs& in, const LensStyle& style, shared::LensConstants lens)
+LensLayers add_lens(gpu::Graph& graph, const LensInputs& in, const LensStyle& style,
+                    shared::LensConstants lens)
 {
     lens.size_px = in.size_px;
     lens.pad_px = in.from_px % shared::lens_block_px;
@@ -237,14 +247,15 @@ LensLayers add_lens(gpu::Graph& graph, const LensInputs& in, const LensStyle& st
     if (style.mode == Mode::circles) {
         return passes.add_circles(page);
     }
-    const LensLayers blurred = style.mode == Mode::gather      ? passes.add_gathered(page)
-                               : style.mode == Mode::separable ? passes.add_separable(page)
-                                                               : passes.add_looked_up(page, style.mode == Mode::sums);
+    const LensLayers blurred = style.mode == Mode::gather ? passes.add_gathered(page)
+                               : style.mode == Mode::separable
+                                   ? passes.add_separable(page)
+                                   : passes.add_looked_up(page, style.mode == Mode::sums);
     return style.acts_on == ActsOn::strokes ? passes.add_ink(page, blurred.wash) : blurred;
 }
 
-gpu::ImageId add_wider_strokes(gpu::Graph& graph, gpu::ImageId depth, gpu::ImageId footprint, glm::uvec2 size_px,
-                               const shared::LensConstants& lens)
+gpu::ImageId add_wider_strokes(gpu::Graph& graph, gpu::ImageId depth, gpu::ImageId footprint,
+                               glm::uvec2 size_px, const shared::LensConstants& lens)
 {
     shared::LensConstants constants = lens;
     constants.size_px = size_px;

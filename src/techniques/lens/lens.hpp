@@ -11,18 +11,18 @@
 
 namespace estampe::lens {
 
-/// Diameter on the sensor of the circle that a thin lens, focused at one distance, makes of a point at another,
-/// in millimetres. An infinite distance is allowed; a focus within the focal length is none.
+/// Diameter on the sensor of the circle that a thin lens, focused at one distance, makes of a point at
+/// another, in millimetres. An infinite distance is allowed; a focus within the focal length is none.
 [[nodiscard]] double circle_mm(double focal_mm, double f_number, double focus_m, double distance_m);
 
 /// The page that a lens draws on. The camera stands where the lens does; its field of view is what the sensor
 /// takes in when the lens is focused.
 struct LensPage {
     double focus_m = 1.0;
-    double near_m = 0.01;           ///< of the camera: reversed depth is this over the distance
-    double pixel_at_one_m = 0.001;  ///< what a pixel spans at a distance of one metre
-    float pixels_per_mm = 1.0F;     ///< of the page
-    float line_half_px = 1.0F;      ///< of the widest line: what of it lies beyond the edge it follows
+    double near_m = 0.01;          ///< of the camera: reversed depth is this over the distance
+    double pixel_at_one_m = 0.001; ///< what a pixel spans at a distance of one metre
+    float pixels_per_mm = 1.0F;    ///< of the page
+    float line_half_px = 1.0F;     ///< of the widest line: what of it lies beyond the edge it follows
 };
 
 /// A lens that is there: what all its passes share. None where the style has none.
@@ -32,12 +32,12 @@ struct LensPage {
 [[nodiscard]] uint32_t reach_px(const LensStyle& style, float pixels_per_mm);
 
 struct LensInputs {
-    gpu::ImageId depth; ///< r32f: reversed, 0 where nothing is
-    gpu::ImageId wash;  ///< rgba16f
-    gpu::ImageId hatch; ///< r16f
-    gpu::ImageId lines; ///< rgba8
-    gpu::ImageId sky_ink; ///< r16f
-    bool has_sky = false; ///< else there is no such ink
+    gpu::ImageId depth;    ///< r32f: reversed, 0 where nothing is
+    gpu::ImageId wash;     ///< rgba16f
+    gpu::ImageId hatch;    ///< r16f
+    gpu::ImageId lines;    ///< rgba8
+    gpu::ImageId sky_ink;  ///< r16f
+    bool has_sky = false;  ///< else there is no such ink
     glm::uvec2 from_px{0}; ///< where on the page the first pixel lies
     glm::uvec2 size_px{0};
 };

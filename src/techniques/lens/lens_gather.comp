@@ -24,6 +24,7 @@ layout(constant_id = 0) const uint variant = 0u;
 #include "techniques/lens/lens_texel.glsl"
 
 const int tap_side = 7;
+const float hidden_sharp = 0.15;
 
 // The finest level on which a circle is at most three texels in radius.
 int level_for(float radius_px)
@@ -104,8 +105,10 @@ LensTexel gather_far(ivec2 at, LensTexel own, float own_reach_px)
         float away = aperture_distance(tap.offset);
         float radius = disc_texels(min(tap.texel.radius_px, own.radius_px) * place.texels_per_px);
         float blurred = far_share(tap.texel.radius_px) * disc_share(radius, away);
-        float plane = 1.0 / (1.0 + away * away * away * away);
-        float beside = plane * mix(far_share(tap.texel.radius_px), 1.0 - near_share(tap.texel.radius_px), own_near);
+        // Behind what is near, what is far goes on sooner than what is sharp.
+        float far = far_share(tap.texel.radius_px);
+        float sharp = hidden_sharp * (1.0 - far - near_share(tap.texel.radius_px));
+        float beside = (far + own_near * sharp) / (1.0 + away * away * away * away);
         float weight = mix(beside, blurred, own_far) * tap.texel.part;
         sum = sum_of(sum, scaled(tap.texel.veil, weight));
         weights += weight;

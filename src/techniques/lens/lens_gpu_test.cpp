@@ -65,7 +65,8 @@ struct Seen {
 
 enum class Through : uint8_t { lens, nothing };
 
-Seen look(const Painted& page, const LensStyle& style, Through through = Through::lens, glm::uvec2 from_px = {})
+Seen look(const Painted& page, const LensStyle& style, Through through = Through::lens,
+          glm::uvec2 from_px = {})
 {
     auto depth = test::Layer::depth(size_px, page.depth);
     auto sky = test::Layer::coverage(size_px, [](glm::uvec2) { return 0.0F; });
@@ -186,7 +187,8 @@ TEST(LensGpu, KeepsTheEnergyOfAPoint)
             const Blot blot = blot_of(style, place, radius_px, radius_px);
             // It is somewhere within a texel of the level on which it is gathered.
             const double texel_px = std::exp2(std::ceil(std::log2(std::abs(radius_px) / 3.0)));
-            EXPECT_LT(glm::length(blot.middle), std::max(texel_px - 1.0, 1.0) * std::sqrt(0.5) + 0.05) << radius_px;
+            EXPECT_LT(glm::length(blot.middle), std::max(texel_px - 1.0, 1.0) * std::sqrt(0.5) + 0.05)
+                << radius_px;
             // A disc's root mean square distance from its middle.
             EXPECT_NEAR(blot.spread_px, std::abs(radius_px) / std::sqrt(2.0), 0.6) << radius_px;
             EXPECT_NEAR(blot.edge_px, std::abs(radius_px), std::max(texel_px, 2.0)) << radius_px;

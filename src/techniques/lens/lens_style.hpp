@@ -28,16 +28,17 @@ inline const style::Table<LensStyle>& lens_table()
 {
     static const auto table =
         style::Table<LensStyle>("lens", "A lens that is sharp at one distance: depth of field")
-            .choice("mode", &LensStyle::mode,
-                    {{"none", Mode::none},
-                     {"gather", Mode::gather},
-                     {"separable", Mode::separable},
-                     {"mips", Mode::mips},
-                     {"sums", Mode::sums},
-                     {"circles", Mode::circles}},
-                    "None; a near and a far field (gather); a blur across and down the page (separable); smaller "
-                    "pages looked up (mips), or the sum of several (sums), which are quicker and run over edges; "
-                    "or the circles of confusion alone, red before the plane in focus and blue behind it")
+            .choice(
+                "mode", &LensStyle::mode,
+                {{"none", Mode::none},
+                 {"gather", Mode::gather},
+                 {"separable", Mode::separable},
+                 {"mips", Mode::mips},
+                 {"sums", Mode::sums},
+                 {"circles", Mode::circles}},
+                "None; a near and a far field (gather); a blur across and down the page (separable); smaller "
+                "pages looked up (mips), or the sum of several (sums), which are quicker and run over edges; "
+                "or the circles of confusion alone, red before the plane in focus and blue behind it")
             .choice("acts_on", &LensStyle::acts_on,
                     {{"picture", ActsOn::picture}, {"wash", ActsOn::wash}, {"strokes", ActsOn::strokes}},
                     "What is out of focus: colour, strokes and lines are blurred together, colour alone, or "
@@ -56,9 +57,10 @@ inline const style::Table<LensStyle>& lens_table()
                      "Blades of the aperture, whose corners show in points of light; up to 2 it is round")
             .number("blade_turn_deg", &LensStyle::blade_turn_deg, {0.0F, 360.0F}, "deg",
                     "How far the aperture is turned")
-            .number("widen", &LensStyle::widen, {0.0F, 4.0F}, "",
-                    "Of strokes that are out of focus: how much wider, and farther from each other, they are by "
-                    "a millimetre of blur")
+            .number(
+                "widen", &LensStyle::widen, {0.0F, 4.0F}, "",
+                "Of strokes that are out of focus: how much wider, and farther from each other, they are by "
+                "a millimetre of blur")
             .number("pale", &LensStyle::pale, {0.0F, 4.0F}, "", "And how much paler");
     return table;
 }

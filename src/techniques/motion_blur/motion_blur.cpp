@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Blur spread over the longest way of tiles: McGuire, Hennessy, Bukowski and Osman, "A Reconstruction Filter for
-// Plausible Motion Blur", I3D 2012; along two ways: Guertin, McGuire and Nowrouzezahrai, "A Fast and Stable
-// Feature-Aware Motion Blur Filter", HPG 2014; before and behind apart: Jimenez, "Next Generation Post Processing
-// in Call of Duty", SIGGRAPH 2014.
+// Blur spread over the longest way of tiles: McGuire, Hennessy, Bukowski and Osman, "A Reconstruction Filter
+// for Plausible Motion Blur", I3D 2012; along two ways: Guertin, McGuire and Nowrouzezahrai, "A Fast and
+// Stable Feature-Aware Motion Blur Filter", HPG 2014; before and behind apart: Jimenez, "Next Generation Post
+// Processing in Call of Duty", SIGGRAPH 2014.
 #include "techniques/motion_blur/motion_blur.hpp"
 
 #include <algorithm>
@@ -32,13 +32,15 @@ Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
                 const shared::MotionBlurConstants& constants)
 {
     auto pass = graph.compute("motion blur/pack", shaders::blur_pack_comp);
-    pass.sample(in.depth).sample(in.motion).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
+    pass.sample(in.depth).sample(in.motion).sample(in.wash).sample(in.hatch).sample(in.lines).sample(
+        in.sky_ink);
     const Packed packed{
-        .page = pass.write(graph.image(
-            "motion blur/page",
-            {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba32ui})),
-        .depth = pass.write(graph.image(
-            "motion blur/depth", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32f}))};
+        .page = pass.write(
+            graph.image("motion blur/page",
+                        {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba32ui})),
+        .depth = pass.write(
+            graph.image("motion blur/depth",
+                        {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32f}))};
     pass.variant(variant).push(constants).dispatch_over(in.size_px.x, in.size_px.y);
     return packed;
 }
@@ -82,10 +84,9 @@ gpu::ImageId add_speed_lines(gpu::Graph& graph, const MotionBlurInputs& in, cons
     const glm::uvec2 tiles = (in.size_px + shared::blur_tile_px - 1U) / shared::blur_tile_px;
     auto list = graph.compute("speed lines/tiles", shaders::speed_tiles_comp);
     list.sample(seeds);
-    const gpu::ImageId listed =
-        list.write(graph.image("speed lines/tiles", {.width = tiles.x * shared::most_speed_lines,
-                                                     .height = tiles.y,
-                                                     .format = gpu::Format::rgba32f}));
+    const gpu::ImageId listed = list.write(graph.image(
+        "speed lines/tiles",
+        {.width = tiles.x * shared::most_speed_lines, .height = tiles.y, .format = gpu::Format::rgba32f}));
     list.push(constants).dispatch_over(tiles.x, tiles.y);
 
     auto draw = graph.compute("speed lines", shaders::speed_lines_comp);

@@ -13,8 +13,8 @@ SHARED_CONSTANT uint blur_has_sky = 1U << 0U; // strokes of the sky stand where 
 SHARED_CONSTANT uint blur_shows_velocity = 1U << 1U;
 
 SHARED_CONSTANT uint blur_tile_px = 16U;
-SHARED_CONSTANT float blur_still_px = 0.25F;  // who goes less far to either side of now stands still
-SHARED_CONSTANT uint most_speed_lines = 16U;  // that pass one tile
+SHARED_CONSTANT float blur_still_px = 0.25F; // who goes less far to either side of now stands still
+SHARED_CONSTANT uint most_speed_lines = 16U; // that pass one tile
 
 struct MotionBlurConstants {
     uvec2 size_px;

@@ -30,7 +30,8 @@ inline const style::Table<MotionBlurStyle>& motion_blur_table()
                      {"tiles", Mode::tiles},
                      {"own", Mode::own},
                      {"velocity", Mode::velocity}},
-                    "None; spread over what it passes (tiles); blurred within its outline alone, from velocity to "
+                    "None; spread over what it passes (tiles); blurred within its outline alone, from "
+                    "velocity to "
                     "velocity (own); or velocities as colours, red to the right and green upwards")
             .number("shutter_deg", &MotionBlurStyle::shutter_deg, {0.0F, 360.0F}, "deg",
                     "How much of the time from one frame to the next the shutter is open: 360 is all")
@@ -40,7 +41,8 @@ inline const style::Table<MotionBlurStyle>& motion_blur_table()
                     "Longest way on the page that is blurred over")
             .toggle("lines", &MotionBlurStyle::lines, "Draw speed lines behind what is fast")
             .number("lines_length", &MotionBlurStyle::lines_length, {0.1F, 20.0F}, "",
-                    "Length of speed lines, as a share of the way that is gone while the shutter is open; 30 mm at most")
+                    "Length of speed lines, as a share of the way that is gone while the shutter is open; 30 "
+                    "mm at most")
             .number("lines_spacing_mm", &MotionBlurStyle::lines_spacing_mm, {0.5F, 50.0F}, "mm",
                     "From one speed line to the next, about")
             .number("lines_width_mm", &MotionBlurStyle::lines_width_mm, {0.05F, 5.0F}, "mm",
