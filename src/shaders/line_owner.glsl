@@ -16,7 +16,8 @@ ivec2 owner_of(ivec2 pixel, float line_cover, float reach_px, ivec2 last)
     int reach = line_cover > 0.0 ? int(reach_px) : 0;
     int steps = min(reach, 2);
     for (int i = 0; i < 8 * steps; ++i) {
-        ivec2 at = clamp(pixel + ways_about[i & 7] * ((reach * (1 + i / 8) + steps - 1) / steps), ivec2(0), last);
+        ivec2 at =
+            clamp(pixel + ways_about[i & 7] * ((reach * (1 + i / 8) + steps - 1) / steps), ivec2(0), last);
         float depth = texelFetch(depth_image, at, 0).x;
         owner = depth > nearest ? at : owner;
         nearest = max(nearest, depth);

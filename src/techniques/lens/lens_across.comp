@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread blurs a pixel across the page, or down it, by its own circle. What lies farther off than the pixel
-// does not count, so that it does not run over what is before it.
+// One thread blurs a pixel across the page, or down it, by its own circle. What lies farther off than the
+// pixel does not count, so that it does not run over what is before it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -55,8 +55,8 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
         ivec2 aside = ivec2(i % small_side, i / small_side) - small_side / 2;
         ivec2 at = pixel + aside;
         bool is_there = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(uvec2(at), constants.size_px));
-        LensTexel tap = unpack_texel(
-            texelFetch(page_image, clamp(at, ivec2(0), ivec2(constants.size_px) - 1), 0));
+        LensTexel tap =
+            unpack_texel(texelFetch(page_image, clamp(at, ivec2(0), ivec2(constants.size_px) - 1), 0));
         // What lies behind fills no more than the circle of what it is seen past.
         bool is_behind = tap.radius_px > own.radius_px;
         float radius = is_behind ? min(abs(tap.radius_px), own_radius) : abs(tap.radius_px);

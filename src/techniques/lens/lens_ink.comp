@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread draws the ink of a pixel as a softer pencil does: lines as wide as the circle about them lets them
-// be, and paler by that.
+// One thread draws the ink of a pixel as a softer pencil does: lines as wide as the circle about them lets
+// them be, and paler by that.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -48,7 +48,6 @@ void main()
         float cover = line.a * (away == 0.0 ? 1.0 : clamp(radius_and_away.x - away, 0.0, 1.0));
         widest = cover > widest.a ? vec4(line.rgb, cover) : widest;
     }
-    imageStore(out_hatch, pixel,
-               vec4(layers.hatch * paled(wider_by(texelFetch(page_image, pixel, 0).w))));
+    imageStore(out_hatch, pixel, vec4(layers.hatch * paled(wider_by(texelFetch(page_image, pixel, 0).w))));
     imageStore(out_lines, pixel, widest);
 }

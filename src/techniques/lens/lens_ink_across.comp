@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread finds which line, across the page, would cover a pixel most when lines are as wide as the circle about
-// them lets them be.
+// One thread finds which line, across the page, would cover a pixel most when lines are as wide as the circle
+// about them lets them be.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -38,7 +38,8 @@ void main()
         float cover = line.a * paled(wider_px);
         // Of two as dark the nearer.
         float score = cover * (aside == 0 ? 1.0 : clamp(radius - away, 0.0, 1.0)) - 1e-4 * away;
-        kept = score > best ? uvec2(packUnorm4x8(vec4(line.rgb, cover)), packHalf2x16(vec2(radius, away))) : kept;
+        kept = score > best ? uvec2(packUnorm4x8(vec4(line.rgb, cover)), packHalf2x16(vec2(radius, away)))
+                            : kept;
         best = max(best, score);
     }
     imageStore(out_line, pixel, uvec4(kept, 0u, 0u));

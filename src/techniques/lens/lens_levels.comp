@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread looks a pixel up in smaller pages: in that whose pixels are as large as its circle, or in all up to
-// that, whose sum is rounder.
+// One thread looks a pixel up in smaller pages: in that whose pixels are as large as its circle, or in all up
+// to that, whose sum is rounder.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread gathers the layers of a pixel in one texel, with the circle that the lens makes of a point there.
+// One thread gathers the layers of a pixel in one texel, with the circle that the lens makes of a point
+// there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -42,8 +43,8 @@ void main()
         return;
     }
     Layers layers = layers_at(pixel);
-    Veil veil = veil_of(layers.wash.rgb, is_wash_only ? 0.0 : layers.hatch,
-                        is_wash_only ? vec4(0.0) : layers.lines);
+    Veil veil =
+        veil_of(layers.wash.rgb, is_wash_only ? 0.0 : layers.hatch, is_wash_only ? vec4(0.0) : layers.lines);
     ivec2 owner = owner_of(pixel, layers.lines.a, constants.line_reach_px, ivec2(constants.size_px) - 1);
     float radius = radius_of(texelFetch(depth_image, owner, 0).x);
     imageStore(out_texel, pixel, pack_texel(LensTexel(veil, radius, 1.0)));

@@ -46,7 +46,8 @@ void main()
     }
     Layers layers = layers_at(pixel);
     ivec2 owner = owner_of(pixel, layers.lines.a, constants.line_reach_px, ivec2(constants.size_px) - 1);
-    imageStore(out_texel, pixel,
-               pack_veil(veil_of(layers.wash.rgb, layers.hatch, layers.lines), packHalf2x16(half_way(owner))));
+    imageStore(
+        out_texel, pixel,
+        pack_veil(veil_of(layers.wash.rgb, layers.hatch, layers.lines), packHalf2x16(half_way(owner))));
     imageStore(out_depth, pixel, texelFetch(depth_image, owner, 0));
 }
