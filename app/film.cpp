@@ -15,8 +15,10 @@
 #include "film_camera.hpp"
 #include "film_frames.hpp"
 #include "film_queue.hpp"
+#include "frame/style_tables.hpp"
 #include "progress.hpp"
 #include "signals.hpp"
+#include "techniques/motion_blur/motion_blur.hpp"
 #include "text.hpp"
 
 namespace estampe::app {
@@ -155,14 +157,33 @@ private:
         return draw_.time_s + (number - 1) / film_.frames_per_s;
     }
 
+    /// Of a frame, or between two.
+    [[nodiscard]] double turn_at(double number) const
+    {
+        return film_.turntable ? (number - film_.first) / (film_.last + 1 - film_.first) : 0.0;
+    }
+
+    /// Half an exposure before a frame; or after the first, as before the beginning an animation is at its
+    /// end.
+    [[nodiscard]] std::optional<Moment> exposure_end(uint32_t number) const
+    {
+        const motion_blur::MotionBlurStyle& style = draw_.style.tables().motion_blur;
+        if (!motion_blur::is_wanted(style)) {
+            return std::nullopt;
+        }
+        const double half_frames = 0.5 * static_cast<double>(style.shutter_deg) / 360.0;
+        const double frames = time_s(number) * film_.frames_per_s < half_frames ? half_frames : -half_frames;
+        const double then_s = time_s(number) + frames / film_.frames_per_s;
+        return Moment{camera_.at(then_s, turn_at(number + frames)), then_s};
+    }
+
     [[nodiscard]] Image draw_frame(uint32_t number)
     {
-        const uint32_t count = film_.last + 1 - film_.first;
         RenderSettings settings = settings_of(draw_, animation_);
         settings.time_s = time_s(number);
         settings.continuity = number == film_.first ? Continuity::starts : Continuity::follows;
-        const double turn = film_.turntable ? static_cast<double>(number - film_.first) / count : 0.0;
-        Image image = renderer_.render(camera_.at(settings.time_s, turn), draw_.style, settings);
+        settings.exposure_end = exposure_end(number);
+        Image image = renderer_.render(camera_.at(settings.time_s, turn_at(number)), draw_.style, settings);
         if (!has_noted_) {
             print_notes(renderer_.notes());
             has_noted_ = true;

@@ -79,6 +79,9 @@ struct RenderSettings {
     double time_s = 0.0;  ///< moment of the scene's animation
     Index animation = 0;
     Continuity continuity = Continuity::still;
+    /// One end of the exposure of a style with motion blur, whose middle is `time_s`. Not given: half of what
+    /// the style says before that, seen by the same camera.
+    std::optional<Moment> exposure_end;
     std::optional<Moment> motion_since; ///< also work out Renderer::motion(), from there to this picture
     /// Longest side of the parts that a page is drawn in, which overlap; 0: in one go where the device can,
     /// or else in parts of its choosing. Of render() and render_bands() alone.

@@ -51,12 +51,18 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                               style.bleed);
 
     // What colour lies under it, and all of it on paper.
-    const Colors colors = add_colors(making, scene, surface, lit.light, screen);
+    Colors colors = add_colors(making, scene, surface, lit.light, screen);
     haze::HazeLayers faded = add_haze(making, scene, surface, colors.sky_wash,
                                       {.wash = colors.wash, .hatch = ink, .lines = lines});
     faded.lines = add_drift(making, scene, surface, faded.lines);
     faded = add_particles(making, scene, surface, faded);
-    faded.lines = add_focus_lines(making, faded.lines);
+    const lens::LensLayers focused = add_lens(making, surface, faded, colors);
+    colors.has_sky_ink = colors.has_sky_ink && !focused.holds_sky;
+    faded = {.wash = focused.wash, .hatch = focused.hatch, .lines = focused.lines};
+    const motion_blur::MotionBlurLayers exposed =
+        add_motion_blur(making, scene, visibility, surface, faded, colors);
+    colors.has_sky_ink = colors.has_sky_ink && !exposed.holds_sky;
+    faded = {.wash = exposed.wash, .hatch = exposed.hatch, .lines = add_focus_lines(making, exposed.lines)};
     const auto flowing = add_flowing_ink(making, scene, visibility, surface, lit.light, faded);
     const auto smoke = add_smoke(making, scene, surface, faded.lines);
     const paper::ComposeInputs layers =

@@ -12,6 +12,7 @@
 
 #include "frame/assignments.hpp"
 #include "frame/between_commas.hpp"
+#include "frame/named_objects.hpp"
 #include "style/raw.hpp"
 #include "style/surfaces.hpp"
 
@@ -19,16 +20,6 @@ namespace estampe::frame {
 namespace {
 
 constexpr const char* zones_key = "ink.zones";
-
-bool is_named(const Scene& scene, Index node, const std::string& pattern)
-{
-    for (; node != no_index; node = scene.nodes[node].parent) {
-        if (style::matches(pattern, scene.nodes[node].name)) {
-            return true;
-        }
-    }
-    return false;
-}
 
 void note_if_idle(const Scene& scene, const std::string& pattern, const char* key,
                   std::vector<std::string>& notes)

@@ -58,11 +58,11 @@ SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
                 in.daylight ? std::optional(static_cast<float>(in.daylight->elevation_rad)) : std::nullopt,
             .casters = lighting.sun_casters,
             .map = plan_sun_map(scene, in.camera, page.size_px, page.pixel, in.style),
-            .ground = in.loaded.terrain == nullptr
-                          ? GroundShadowPlan{}
-                          : plan_ground_shadow(in.camera, layout.anchor, lighting.towards_sun,
-                                               scene.throws_shadow, in.style.shadow,
-                                               in.device.info().software)};
+            .ground =
+                in.loaded.terrain == nullptr
+                    ? GroundShadowPlan{}
+                    : plan_ground_shadow(in.camera, layout.anchor, lighting.towards_sun, scene.throws_shadow,
+                                         in.style.shadow, in.device.info().software)};
 }
 
 LightPlan plan_light(const PlanInputs& in, const StrokePlan& strokes)
@@ -179,6 +179,15 @@ bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& ma
            contour::has_lines(style, shared::line_shadow) && map.size > 0;
 }
 
+float widest_half_px(const contour::ContourStyle& style, float pixels_per_mm)
+{
+    float widest_mm = 0.0F;
+    for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
+        widest_mm = std::max(widest_mm, contour::width_on_page_mm(style, kind));
+    }
+    return 0.5F * widest_mm * pixels_per_mm;
+}
+
 } // namespace
 
 FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px, const StyleTables& style)
@@ -187,6 +196,7 @@ FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px
     shrunk.page.size_px = size_px;
     shrunk.page.pixels_per_mm /= static_cast<float>(shrink);
     shrunk.page.pixel.at_one_m *= static_cast<float>(shrink);
+    shrunk.lines.half_px /= static_cast<float>(shrink);
     shrunk.shadow_edges = plan_edges(style, plan.sun, plan.strokes, shrunk.page.pixels_per_mm);
     return shrunk;
 }
@@ -204,7 +214,8 @@ FramePlan plan_frame(const PlanInputs& in)
     SunPlan sun = plan_sun(in, page);
     const EdgePlan edges = plan_edges(in.style, sun, strokes, page.pixels_per_mm);
     std::optional<sky::CloudPlan> clouds = plan_clouds(in, page, sun);
-    const LinePlan lines{.of_shadows = draws_shadow_lines(looks.lines, sun.map)};
+    const LinePlan lines{.half_px = widest_half_px(looks.lines, page.pixels_per_mm),
+                         .of_shadows = draws_shadow_lines(looks.lines, sun.map)};
     std::optional<SubsurfacePlan> subsurface = plan_subsurface(in.loaded.layout, looks);
     return {.page_px = page.size_px,
             .page = page,

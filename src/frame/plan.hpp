@@ -20,7 +20,9 @@
 #include "frame/sun.hpp"
 #include "frame/view.hpp"
 #include "gpu/device.hpp"
+#include "techniques/lens/lens.glsl.h"
 #include "techniques/light/daylight.hpp"
+#include "techniques/motion_blur/motion_blur.glsl.h"
 #include "techniques/particles/particles.hpp"
 #include "techniques/raster/raster.hpp"
 #include "techniques/sky/clouds/clouds.hpp"
@@ -81,6 +83,7 @@ struct EdgePlan {
 };
 
 struct LinePlan {
+    float half_px = 1.0F;        ///< of the widest of the scene
     bool of_shadows = false;     ///< edges of the sun's shadow are lines
     bool are_remembered = false; ///< the picture goes on from one before, or another may from this
 };
@@ -89,6 +92,12 @@ struct LinePlan {
 struct FocusPlan {
     std::vector<shared::FocusLine> lines;
     glm::vec2 middle_px{0.0F};
+};
+
+/// What is exposed for a while.
+struct MotionBlurPlan {
+    MotionPlan motion;
+    shared::MotionBlurConstants constants;
 };
 
 /// A picture, all of its samples alike.
@@ -111,7 +120,9 @@ struct FramePlan {
     std::optional<terrain::DriftPlan> drift;        ///< of it in the air
     std::optional<sky::CloudPlan> clouds;
     std::optional<particles::ParticlePlan> particles;
+    std::optional<shared::LensConstants> lens;
     std::optional<MotionPlan> motion;
+    std::optional<MotionBlurPlan> motion_blur;
     std::optional<InkPlan> ink;     ///< that flows
     std::vector<smoke::Lamp> lamps; ///< that smoke stands in, where the style has any
     std::optional<SmokePlan> smoke;

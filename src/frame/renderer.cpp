@@ -14,6 +14,7 @@
 #include "core/luminance.hpp"
 #include "core/progress_watch.hpp"
 #include "frame/baked_lights.hpp"
+#include "frame/depth_of_field.hpp"
 #include "frame/form_strokes.hpp"
 #include "frame/mapped_buffer.hpp"
 #include "gpu/upload.hpp"
@@ -334,14 +335,11 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     check_places(loaded->scene, scene_pose);
     update_cloth(settings, tables);
     const bool has_cloth_moved = loaded->cloth && loaded->cloth->has_moved;
-    std::optional<double> before_s = flowing_ink.before_s(settings, tables.ink);
-    if (loaded->pose && !has_cloth_moved) {
-        before_s.reset(); // the device has it, of the picture before
-    }
-    if (settings.motion_since) {
-        before_s = settings.motion_since->time_s;
-    }
-    if (before_s) {
+    const std::optional<double> before_s = moment_before(settings, tables);
+    // Of the picture before, which ink goes on from, the device has it.
+    const bool is_there = before_s && !settings.motion_since && loaded->pose && !has_cloth_moved &&
+                          before_s == flowing_ink.before_s(settings, tables.ink);
+    if (before_s && !is_there) {
         if (has_cloth_moved) {
             loaded->pose.reset(); // both moments are posed, though nothing but cloth may differ
         }
@@ -352,7 +350,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     }
     update_pose(scene_pose);
     loaded->pose_moved = loaded->pose_moved || has_cloth_moved;
-    update_terrain(camera, settings, tables.ink);
+    update_terrain(camera, settings, tables);
     light::Lighting lighting =
         light::gather_lights(loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,
                              loaded->house_light.outlook(loaded->scene, tables.light, camera.eye));
@@ -384,6 +382,14 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     if (settings.motion_since) {
         plan.motion = plan_motion(camera, settings);
     }
+    plan.motion_blur = plan_motion_blur(camera, plan.page, plan.lines.half_px, tables, settings);
+    plan.lens = frame::plan_lens({.loaded = *loaded,
+                                  .pose = scene_pose,
+                                  .camera = camera,
+                                  .style = tables,
+                                  .page = plan.page,
+                                  .line_half_px = plan.lines.half_px},
+                                 notes);
     provide_strokes(plan.strokes);
     provide_looks(plan);
     plan.local_shadows = provide_local_shadows(plan.page, lighting, camera, tables);
@@ -430,9 +436,10 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     const frame::StyleTables& tables = style.tables();
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     RenderSettings page_settings = settings;
-    if (settings.motion_since) {
-        page_settings.motion_since->camera =
-            page_camera(settings.motion_since->camera, tables.paper, settings);
+    for (std::optional<Moment>* const moment : {&page_settings.motion_since, &page_settings.exposure_end}) {
+        if (*moment) {
+            (*moment)->camera = page_camera((*moment)->camera, tables.paper, settings);
+        }
     }
     frame::FramePlan plan = prepare(seen_by, tables, page_settings);
     plan.ink = plan_ink(seen_by, tables, settings);
@@ -522,6 +529,14 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
         tables.ink.drawn || tables.smoke.drawn) {
         impl.notes.emplace_back(
             "a drawing of strokes has neither wash nor sky, nor ink that runs or flows, nor smoke");
+    }
+    if (plan.motion_blur) {
+        impl.notes.emplace_back("a drawing of strokes has no motion blur and no speed lines");
+        plan.motion_blur.reset();
+    }
+    if (plan.lens) {
+        impl.notes.emplace_back("a drawing of strokes has no lens: all of it is in focus");
+        plan.lens.reset();
     }
     if (plan.particles) {
         impl.notes.emplace_back("a drawing of strokes has no particles");

@@ -21,10 +21,7 @@ void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
     if (!loaded->cloth) {
         return;
     }
-    std::optional<double> before_s = flowing_ink.before_s(settings, style.ink);
-    if (settings.motion_since) {
-        before_s = settings.motion_since->time_s;
-    }
+    const std::optional<double> before_s = moment_before(settings, style);
     const auto run = loaded->cloth->plan(settings, style, before_s);
     if (!run) {
         return;

@@ -60,7 +60,8 @@ struct Renderer::Impl {
     /// Takes the anchor along with an eye that has gone far over the ground, so that floats stay fine there.
     void follow_eye(const Camera& camera);
     /// Brings the ground to where the eye is.
-    void update_terrain(const Camera& camera, const RenderSettings& settings, const ink::InkStyle& ink);
+    void update_terrain(const Camera& camera, const RenderSettings& settings,
+                        const frame::StyleTables& style);
     /// Brings cloth to where the picture wants it; afterwards the scene is posed as it was somewhere on the
     /// way.
     void update_cloth(const RenderSettings& settings, const frame::StyleTables& style);
@@ -76,9 +77,19 @@ struct Renderer::Impl {
     [[nodiscard]] std::optional<frame::SmokePlan> plan_smoke(const frame::FramePlan& plan,
                                                              const frame::StyleTables& tables,
                                                              const RenderSettings& settings);
+    /// The moment before that a picture looks back to, where it does: of its motion, of the ink that flows,
+    /// of its exposure.
+    [[nodiscard]] std::optional<double> moment_before(const RenderSettings& settings,
+                                                      const frame::StyleTables& style) const;
+    [[nodiscard]] std::optional<frame::MotionBlurPlan>
+    plan_motion_blur(const Camera& camera, const frame::PagePlan& page_plan, float line_half_px,
+                     const frame::StyleTables& style, const RenderSettings& settings);
     /// Poses the scene on the device as it was at another moment, so that the next update_pose() keeps that
     /// beside it.
     void pose_before(const ScenePose& scene_pose);
+    /// To be called when the scene has been posed as it is now.
+    [[nodiscard]] frame::MotionPlan motion_between(const Camera& before, const Camera& now,
+                                                   const RenderSettings& settings) const;
     [[nodiscard]] frame::MotionPlan plan_motion(const Camera& camera, const RenderSettings& settings);
     /// Plans the maps of local lights, makes room for them, and says who goes without. Fills in the records'
     /// `shadow`.

@@ -2,8 +2,11 @@
 // What the renderer does for motion alone.
 #include "frame/renderer_impl.hpp"
 
+#include <cmath>
+
 #include "frame/view.hpp"
 #include "gpu/imports.hpp"
+#include "techniques/motion_blur/motion_blur.hpp"
 
 namespace estampe {
 
@@ -23,18 +26,78 @@ void Renderer::Impl::pose_before(const ScenePose& scene_pose)
     loaded->pose_moved = false;
 }
 
+std::optional<double> Renderer::Impl::moment_before(const RenderSettings& settings,
+                                                    const frame::StyleTables& style) const
+{
+    if (settings.motion_since) {
+        return settings.motion_since->time_s;
+    }
+    const std::optional<double> of_ink = flowing_ink.before_s(settings, style.ink);
+    if (of_ink || !motion_blur::is_wanted(style.motion_blur)) {
+        return of_ink;
+    }
+    if (settings.exposure_end) {
+        return settings.exposure_end->time_s;
+    }
+    // Before the beginning an animation would be at its end.
+    const double half_s = 0.5 * motion_blur::exposure_s(style.motion_blur);
+    return settings.time_s + (settings.time_s < half_s ? half_s : -half_s);
+}
+
+namespace {
+
+/// Where a camera stood `share` as long ago as it stood at `before`, if it went straight on.
+Camera carried_back(const Camera& now, const Camera& before, double share)
+{
+    Camera back = before;
+    back.eye = glm::mix(now.eye, before.eye, share);
+    back.target = glm::mix(now.target, before.target, share);
+    return share == 1.0 ? before : back;
+}
+
+} // namespace
+
 /// To be called when the scene has been posed as it is now.
-frame::MotionPlan Renderer::Impl::plan_motion(const Camera& camera, const RenderSettings& settings)
+std::optional<frame::MotionBlurPlan>
+Renderer::Impl::plan_motion_blur(const Camera& camera, const frame::PagePlan& page_plan, float line_half_px,
+                                 const frame::StyleTables& style, const RenderSettings& settings)
+{
+    const std::optional<double> before_s = moment_before(settings, style);
+    if (!motion_blur::is_wanted(style.motion_blur) || !before_s) {
+        return std::nullopt;
+    }
+    const double half_s = settings.exposure_end ? settings.time_s - settings.exposure_end->time_s
+                                                : 0.5 * motion_blur::exposure_s(style.motion_blur);
+    const double back_s = settings.time_s - *before_s;
+    // Where a camera alone goes both may be nothing.
+    const double share = back_s == half_s ? 1.0 : back_s / half_s;
+    if (share == 0.0 || !std::isfinite(share)) {
+        return std::nullopt;
+    }
+    const Camera opened = settings.exposure_end ? settings.exposure_end->camera : camera;
+    return frame::MotionBlurPlan{
+        .motion = motion_between(carried_back(camera, opened, share), camera, settings),
+        .constants = motion_blur::constants_of(style.motion_blur, static_cast<float>(1.0 / share),
+                                               page_plan.pixels_per_mm, line_half_px)};
+}
+
+frame::MotionPlan Renderer::Impl::motion_between(const Camera& before, const Camera& now,
+                                                 const RenderSettings& settings) const
 {
     const auto clip_from_anchor = [&](const Camera& seen_by) {
         return frame::frame_globals(seen_by, loaded->layout.bounds, loaded->layout.anchor,
                                     {.size_px = {settings.width, settings.height}})
             .clip_from_anchor;
     };
-    frame::provide_motion(device, motion_pixels, settings);
-    return {.clip_from_anchor = clip_from_anchor(camera),
-            .clip_from_anchor_before = clip_from_anchor(settings.motion_since->camera),
+    return {.clip_from_anchor = clip_from_anchor(now),
+            .clip_from_anchor_before = clip_from_anchor(before),
             .pose_moved = loaded->pose_moved};
+}
+
+frame::MotionPlan Renderer::Impl::plan_motion(const Camera& camera, const RenderSettings& settings)
+{
+    frame::provide_motion(device, motion_pixels, settings);
+    return motion_between(settings.motion_since->camera, camera, settings);
 }
 
 } // namespace estampe

@@ -67,15 +67,12 @@ void Renderer::Impl::follow_eye(const Camera& camera)
 }
 
 void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& settings,
-                                    const ink::InkStyle& ink)
+                                    const frame::StyleTables& style)
 {
     if (!loaded->terrain) {
         return;
     }
-    std::optional<double> before_s = flowing_ink.before_s(settings, ink);
-    if (settings.motion_since) {
-        before_s = settings.motion_since->time_s;
-    }
+    const std::optional<double> before_s = moment_before(settings, style);
     const glm::dvec3 view = camera.target - camera.eye;
     const bool has_moved = loaded->terrain->prepare(
         device, {.eye = {.eye_m = {camera.eye.x, camera.eye.z}, .ahead = {view.x, view.z}},

@@ -92,6 +92,10 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
     if (tables.ink.drawn) {
         notes.emplace_back("a page that is drawn in tiles has no ink that flows");
     }
+    if (plan.motion_blur) {
+        notes.emplace_back("a page that is drawn in tiles has no motion blur and no speed lines");
+        plan.motion_blur.reset();
+    }
     const frame::PageLimits limits = frame::page_limits(device);
     uint32_t overlap = 0;
     for (const frame::StyleTables& look : plan.looks.styles) {

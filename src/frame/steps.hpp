@@ -9,6 +9,8 @@
 
 #include "frame/frame.hpp"
 #include "techniques/contour/contour.hpp"
+#include "techniques/lens/lens.hpp"
+#include "techniques/motion_blur/motion_blur.hpp"
 #include "techniques/raster/raster.hpp"
 #include "techniques/screen/screen.hpp"
 #include "techniques/surface/surface.hpp"
@@ -50,6 +52,7 @@ struct Colors {
     gpu::ImageId wash;
     gpu::ImageId sky_ink;
     gpu::ImageId sky_wash;
+    bool has_sky_ink = false; ///< else that ink is among the strokes, or there is none
 };
 
 /// What goes on from picture to picture, where there is any.
@@ -126,6 +129,15 @@ void add_strung_lines(const Making& making, const contour::ContourInputs& in);
 /// Particles over colour and ink.
 [[nodiscard]] haze::HazeLayers add_particles(const Making& making, const PosedScene& scene,
                                              const surface::Surface& surface, const haze::HazeLayers& layers);
+
+/// What the lens makes of the layers, where there is one.
+[[nodiscard]] lens::LensLayers add_lens(const Making& making, const surface::Surface& surface,
+                                        const haze::HazeLayers& layers, const Colors& colors);
+
+/// What moves while the shutter is open, where any is wanted.
+[[nodiscard]] motion_blur::MotionBlurLayers
+add_motion_blur(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+                const surface::Surface& surface, const haze::HazeLayers& layers, const Colors& colors);
 
 /// Focus lines over those of the scene.
 [[nodiscard]] gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines);

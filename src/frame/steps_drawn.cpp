@@ -19,25 +19,27 @@ std::vector<wash::LookWash> wash_looks(const LookPlan& plan)
     return looks;
 }
 
-/// Half the widest line of the scene.
-float line_half_px(const Making& making)
+/// By what the strokes of surfaces find their size on the page.
+gpu::ImageId stroke_footprint(const Making& making, const surface::Surface& surface)
 {
-    const contour::ContourStyle& lines = making.plan.looks.lines;
-    float widest_mm = 0.0F;
-    for (uint32_t kind = 0; kind < shared::line_kind_count; ++kind) {
-        widest_mm = std::max(widest_mm, contour::width_on_page_mm(lines, kind));
-    }
-    return 0.5F * widest_mm * making.plan.page.pixels_per_mm;
+    const bool are_wider = making.plan.lens && making.style.lens.acts_on == lens::ActsOn::strokes &&
+                           making.style.lens.mode != lens::Mode::circles;
+    return are_wider ? lens::add_wider_strokes(making.graph, surface.depth, surface.footprint,
+                                               making.sample.size_px, *making.plan.lens)
+                     : surface.footprint;
 }
 
-gpu::ImageId add_motion_for_ink(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
+gpu::ImageId motion_of(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+                       const MotionPlan& moved)
 {
-    const MotionPlan& moved = *making.plan.ink->motion;
+    // A scene that stands as it stood has one set of vertices.
+    const bool has_moved = moved.pose_moved || making.resources.terrain != nullptr;
     return motion::add_motion(making.graph, {.frame = scene.frame,
                                              .visibility = visibility,
                                              .triangles = scene.meshes.triangles,
                                              .posed_vertices = scene.meshes.posed_vertices,
-                                             .posed_vertices_before = scene.vertices_before,
+                                             .posed_vertices_before = has_moved ? scene.vertices_before
+                                                                                : scene.meshes.posed_vertices,
                                              .clip_from_anchor = moved.clip_from_anchor,
                                              .clip_from_anchor_before = moved.clip_from_anchor_before,
                                              .size_px = making.sample.size_px});
@@ -77,7 +79,7 @@ hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
             .normal = surface.normal,
             .color = surface.color,
             .coordinate = surface.coordinate,
-            .footprint = surface.footprint,
+            .footprint = stroke_footprint(making, surface),
             .light = lit.light,
             .screen = screen.images.color,
             .has_screen = screen.is_there,
@@ -201,6 +203,44 @@ haze::HazeLayers add_particles(const Making& making, const PosedScene& scene, co
     return {.wash = drawn.wash, .hatch = drawn.hatch, .lines = drawn.lines};
 }
 
+lens::LensLayers add_lens(const Making& making, const surface::Surface& surface,
+                          const haze::HazeLayers& layers, const Colors& colors)
+{
+    if (!making.plan.lens) {
+        return {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines, .holds_sky = false};
+    }
+    return lens::add_lens(making.graph,
+                          {.depth = surface.depth,
+                           .wash = layers.wash,
+                           .hatch = layers.hatch,
+                           .lines = layers.lines,
+                           .sky_ink = colors.sky_ink,
+                           .has_sky = colors.has_sky_ink,
+                           .from_px = glm::uvec2(making.sample.from_px),
+                           .size_px = making.sample.size_px},
+                          making.style.lens, *making.plan.lens);
+}
+
+motion_blur::MotionBlurLayers add_motion_blur(const Making& making, const PosedScene& scene,
+                                              gpu::BufferId visibility, const surface::Surface& surface,
+                                              const haze::HazeLayers& layers, const Colors& colors)
+{
+    const std::optional<MotionBlurPlan>& plan = making.plan.motion_blur;
+    if (!plan) {
+        return {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines, .holds_sky = false};
+    }
+    return motion_blur::add_motion_blur(making.graph,
+                                        {.motion = motion_of(making, scene, visibility, plan->motion),
+                                         .depth = surface.depth,
+                                         .wash = layers.wash,
+                                         .hatch = layers.hatch,
+                                         .lines = layers.lines,
+                                         .sky_ink = colors.sky_ink,
+                                         .has_sky = colors.has_sky_ink,
+                                         .size_px = making.sample.size_px},
+                                        making.style.motion_blur, plan->constants);
+}
+
 gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
 {
     const FocusPlan& plan = making.plan.focus;
@@ -258,14 +298,14 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                               .size_px = making.sample.size_px,
                                               .look_of_draw = look_of_draw(making)},
                                              wash_looks(plan.looks));
-    return {.wash = wash, .sky_ink = sky.ink, .sky_wash = sky.wash};
+    return {.wash = wash, .sky_ink = sky.ink, .sky_wash = sky.wash, .has_sky_ink = plan.page.has_sky};
 }
 
 haze::HazeInputs haze_inputs(const Making& making, const PosedScene& scene, const surface::Surface& surface)
 {
     return {.frame = scene.frame,
             .depth = surface.depth,
-            .line_half_px = line_half_px(making),
+            .line_half_px = making.plan.lines.half_px,
             .size_px = making.sample.size_px};
 }
 
@@ -299,18 +339,18 @@ std::optional<gpu::ImageId> add_flowing_ink(const Making& making, const PosedSce
     gpu::Graph& graph = making.graph;
     ink::Memory& memory = making.resources.ink;
     const auto add_flow = [&] {
-        return ink::add_steps(graph, memory, plan.ink,
-                              {.frame = scene.frame,
-                               .hatch = layers.hatch,
-                               .lines = layers.lines,
-                               .light = light,
-                               .draw = surface.draw,
-                               .depth = surface.depth,
-                               .coordinate = surface.coordinate,
-                               .footprint = surface.footprint,
-                               .motion = plan.motion
-                                             ? std::optional(add_motion_for_ink(making, scene, visibility))
-                                             : std::nullopt});
+        return ink::add_steps(
+            graph, memory, plan.ink,
+            {.frame = scene.frame,
+             .hatch = layers.hatch,
+             .lines = layers.lines,
+             .light = light,
+             .draw = surface.draw,
+             .depth = surface.depth,
+             .coordinate = surface.coordinate,
+             .footprint = surface.footprint,
+             .motion = plan.motion ? std::optional(motion_of(making, scene, visibility, *plan.motion))
+                                   : std::nullopt});
     };
     const ink::Flowing flowing =
         making.sample.is_first ? add_flow() : ink::add_standing(graph, memory, plan.ink);
@@ -335,7 +375,7 @@ std::optional<smoke::Layer> add_smoke(const Making& making, const PosedScene& sc
                           {.view = view,
                            .marched = smoke::add_march(graph, smoke.volume().import(graph), style, view),
                            .lines = lines,
-                           .scene_line_px = line_half_px(making),
+                           .scene_line_px = making.plan.lines.half_px,
                            .pixels_per_mm = making.plan.page.pixels_per_mm,
                            .width_m = plan.box.width_m(),
                            .rise_m = plan.rise_m});
@@ -354,7 +394,7 @@ paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
             .ink_settles = making.style.ink.granulation,
             .smoke_paint = moving.smoke ? std::optional(moving.smoke->paint) : std::nullopt,
             .smoke_ink = moving.smoke ? std::optional(moving.smoke->ink) : std::nullopt,
-            .has_sky = making.plan.page.has_sky,
+            .has_sky = colors.has_sky_ink,
             .light = light,
             .page_px = making.plan.page_px,
             .size_px = making.sample.size_px};

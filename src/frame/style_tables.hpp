@@ -11,9 +11,11 @@
 #include "techniques/hatch/hatch.hpp"
 #include "techniques/haze/haze.hpp"
 #include "techniques/ink/ink_style.hpp"
+#include "techniques/lens/lens_style.hpp"
 #include "techniques/light/light_style.hpp"
 #include "techniques/light/sun_style.hpp"
 #include "techniques/lightmap/lightmap.hpp"
+#include "techniques/motion_blur/motion_blur_style.hpp"
 #include "techniques/occlusion/occlusion_style.hpp"
 #include "techniques/paper/paper.hpp"
 #include "techniques/particles/particle_style.hpp"
@@ -67,6 +69,8 @@ struct StyleTables {
     focus::FocusStyle focus;
     wash::WashStyle wash;
     haze::HazeStyle haze;
+    lens::LensStyle lens;
+    motion_blur::MotionBlurStyle motion_blur;
     terrain::DriftStyle drift;
     cloth::WindStyle wind;
     cloth::ClothStyle cloth;
@@ -99,6 +103,8 @@ struct StyleTables {
     sheet.bind(focus::focus_table(), tables.focus);
     sheet.bind(wash::wash_table(), tables.wash);
     sheet.bind(haze::haze_table(), tables.haze);
+    sheet.bind(lens::lens_table(), tables.lens);
+    sheet.bind(motion_blur::motion_blur_table(), tables.motion_blur);
     sheet.bind(terrain::drift_table(), tables.drift);
     sheet.bind(cloth::wind_table(), tables.wind);
     sheet.bind(cloth::cloth_table(), tables.cloth);

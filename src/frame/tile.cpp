@@ -9,6 +9,7 @@
 #include <estampe/error.hpp>
 
 #include "frame/style_tables.hpp"
+#include "techniques/lens/lens.hpp"
 #include "techniques/occlusion/occlusion.hpp"
 #include "techniques/smoke/smoke.hpp"
 #include "techniques/subsurface/subsurface.hpp"
@@ -28,7 +29,8 @@ uint32_t overlap_px(const StyleTables& style, float pixels_per_mm)
     return bleed::reach_px(style.bleed, pixels_per_mm) +
            std::max(hatch::reach_px(style.hatch, pixels_per_mm),
                     contour::reach_px(style.contour, pixels_per_mm)) +
-           smoke::reach_px(style.smoke, pixels_per_mm) + occlusion::reach_px(style.occlusion, pixels_per_mm) +
+           smoke::reach_px(style.smoke, pixels_per_mm) + lens::reach_px(style.lens, pixels_per_mm) +
+           occlusion::reach_px(style.occlusion, pixels_per_mm) +
            subsurface::reach_px(style.subsurface, pixels_per_mm) + neighbours_px;
 }
 

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// Whole pictures through a lens, against as many pictures through points of it.
+#include <cmath>
+#include <cstdio>
+#include <tuple>
+
+#include <glm/gtc/constants.hpp>
+#include <gtest/gtest.h>
+
+#include <estampe/renderer.hpp>
+
+#include "scene/shapes.hpp"
+#include "support/exposures.hpp"
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr RenderSettings small{.width = 128, .height = 96};
+constexpr double focus_m = 4.8;
+// So narrow a view that cameras which turn are as good as a lens that shifts the picture.
+const Camera camera{.eye = {0.0, 0.6, 4.8}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.3};
+
+/// Colours without paper, and a lens of 150 mm at f/1.
+Style colors(std::initializer_list<const char*> more)
+{
+    Style style;
+    for (const char* assignment :
+         {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.margin_mm=0",
+          "paper.color=#ffffff", "hatch.drawn=false", "contour.drawn=false", "picture.ground=none",
+          "sky.mode=paper", "wash.strength=1", "wash.neutral=1", "lens.focal_mm=150", "lens.f_number=1",
+          "lens.focus_m=4.8", "lens.largest_mm=60"}) {
+        style.set(assignment);
+    }
+    for (const char* assignment : more) {
+        style.set(assignment);
+    }
+    return style;
+}
+
+/// Something sharp, a post before it, and boxes behind.
+Scene posts(double post_x_m = 0.2)
+{
+    Scene scene = test::scene_of(shapes::box({0.5F, 0.7F, 0.1F}));
+    test::add_object(scene, shapes::box({0.06F, 1.6F, 0.05F}), {0.1F, 0.5F, 0.2F}, {post_x_m, -0.4, 2.4});
+    for (int i = 0; i < 5; ++i) {
+        const float tone = i % 2 == 0 ? 0.15F : 0.8F;
+        test::add_object(scene, shapes::box({1.0F, 8.0F, 0.2F}), {0.9F - tone, 0.3F, tone},
+                         {-2.0 + i, -4.0, -7.2});
+    }
+    test::add_sun(scene, {0.3, 0.8, 1.0});
+    return scene;
+}
+
+/// A camera at a point of the aperture that turns so that what is in focus stays where it is.
+Camera through(int i, int count, double radius_m)
+{
+    const double away = radius_m * std::sqrt((i + 0.5) / count);
+    const double turn = i * glm::pi<double>() * (3.0 - std::sqrt(5.0));
+    const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(ahead, camera.up));
+    const glm::dvec3 above = glm::cross(right, ahead);
+    Camera moved = camera;
+    moved.eye += away * (std::cos(turn) * right + std::sin(turn) * above);
+    moved.target = camera.eye + focus_m * ahead;
+    return test::shifted_in_pixel(moved, i * 7 % count, small.height);
+}
+
+test::Exposure through_the_lens(int count)
+{
+    const Style sharp = colors({"lens.mode=none"});
+    return test::mean_of(count, [&](int i) {
+        return test::shared_renderer().render(through(i, count, 0.5 * 0.15), sharp, small);
+    });
+}
+
+test::Exposure drawn_in(const char* mode)
+{
+    RenderSettings smooth = small;
+    smooth.samples = 8;
+    return test::exposure_of(test::shared_renderer().render(camera, colors({mode}), smooth));
+}
+
+TEST(DepthOfField, IsThatOfManyPicturesThroughTheLens)
+{
+    test::shared_renderer().set_scene(posts());
+    const test::Exposure truth = through_the_lens(256);
+    const test::Exposure seen = drawn_in("lens.mode=gather");
+    const double psnr = test::psnr_db(seen, truth);
+    const double none = test::psnr_db(drawn_in("lens.mode=none"), truth);
+    const int halo_px = test::widest_error_px(seen, truth, 0.1);
+    std::printf("against 256 pictures: %.1f dB, halo %d px; without the lens %.1f dB\n", psnr, halo_px, none);
+    EXPECT_GE(psnr, 30.0);
+    EXPECT_LE(halo_px, 2);
+    EXPECT_LT(none, psnr - 5.0);
+    for (const char* mode : {"lens.mode=separable", "lens.mode=mips", "lens.mode=sums"}) {
+        const double other = test::psnr_db(drawn_in(mode), truth);
+        std::printf("%s %.1f dB\n", mode, other);
+        EXPECT_GT(other, none + 1.0) << mode;
+    }
+}
+
+TEST(DepthOfField, GuessesWhatIsHidden)
+{
+    // The post stands before the edge of what is sharp, and an edge far behind: neither is to be seen.
+    test::shared_renderer().set_scene(posts(0.16));
+    const test::Exposure truth = through_the_lens(64);
+    const test::Exposure seen = drawn_in("lens.mode=gather");
+    std::printf("with edges that are hidden: %.1f dB, halo %d px\n", test::psnr_db(seen, truth),
+                test::widest_error_px(seen, truth, 0.1));
+    EXPECT_GE(test::psnr_db(seen, truth), 30.0);
+}
+
+TEST(DepthOfField, CostsNothingWhereThereIsNone)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(posts());
+    const auto has_pass = [&] { return renderer.graph_dot().find("lens") != std::string::npos; };
+    const Image plain = renderer.render(camera, {}, small);
+    EXPECT_FALSE(has_pass());
+    Style sharp; // all of it in focus, through a hole
+    sharp.set("lens.mode=gather");
+    sharp.set("lens.f_number=128");
+    sharp.set("lens.focal_mm=1");
+    EXPECT_EQ(renderer.render(camera, sharp, small).rgba, plain.rgba);
+    EXPECT_TRUE(has_pass());
+}
+
+TEST(DepthOfField, FocusesOnWhatIsNamed)
+{
+    Renderer& renderer = test::shared_renderer();
+    Scene scene = posts();
+    scene.nodes[1].name = "Post";
+    renderer.set_scene(scene);
+    const auto draw = [&](std::initializer_list<const char*> more) {
+        Style style = colors(more);
+        style.set("lens.mode=gather");
+        return renderer.render(camera, style, small).rgba;
+    };
+    const double post_m =
+        glm::dot(glm::dvec3(0.2, 0.4, 2.4) - camera.eye, glm::normalize(camera.target - camera.eye));
+    const std::string by_hand = "lens.focus_m=" + std::to_string(post_m);
+    EXPECT_EQ(draw({"lens.focus_on=Post"}), draw({by_hand.c_str()}));
+    EXPECT_NE(draw({"lens.focus_on=Post"}), draw({}));
+    EXPECT_TRUE(renderer.notes().empty());
+    std::ignore = draw({"lens.focus_on=Nobody"});
+    ASSERT_EQ(renderer.notes().size(), 1U);
+    EXPECT_NE(renderer.notes().front().find("lens.focus_on"), std::string::npos);
+}
+
+TEST(DepthOfField, SaysWhereThereIsNoLens)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(posts());
+    Style style;
+    style.set("lens.mode=gather");
+    Camera parallel = camera;
+    parallel.orthographic_half_height_m = 1.0;
+    EXPECT_EQ(renderer.render(parallel, style, small).rgba, renderer.render(parallel, {}, small).rgba);
+    std::ignore = renderer.render(parallel, style, small);
+    EXPECT_EQ(renderer.notes().size(), 1U);
+    const VectorDrawing paths = renderer.draw_strokes(camera, style, small);
+    EXPECT_EQ(renderer.notes().size(), 2U) << "of wash, and of the lens";
+    EXPECT_EQ(paths.strokes.size(), renderer.draw_strokes(camera, {}, small).strokes.size());
+}
+
+TEST(DepthOfField, LeavesNoSeamsBetweenTiles)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(posts());
+    Style style;
+    for (const char* assignment : {"lens.mode=gather", "lens.focal_mm=150", "lens.f_number=1",
+                                   "lens.focus_m=4.8", "lens.largest_mm=3"}) {
+        style.set(assignment);
+    }
+    RenderSettings tiled{.width = 320, .height = 240};
+    const Image whole = renderer.render(camera, style, tiled);
+    tiled.tile_px = 256;
+    const Image parts = renderer.render(camera, style, tiled);
+    int most = 0;
+    for (size_t i = 0; i < whole.rgba.size(); ++i) {
+        most = std::max(most, std::abs(int{whole.rgba[i]} - int{parts.rgba[i]}));
+    }
+    EXPECT_LE(most, 1);
+}
+
+/// Ink of strokes and lines in a part of the page.
+double ink_between(const LayeredImage& picture, const char* name, uint32_t left, uint32_t right)
+{
+    double sum = 0.0;
+    for (const PictureLayer& layer : picture.layers) {
+        for (size_t i = 0; layer.name == name && i < layer.image.pixels.size(); ++i) {
+            const size_t x = i % small.width;
+            sum += x >= left && x < right ? static_cast<double>(layer.image.pixels[i].w) : 0.0;
+        }
+    }
+    return sum;
+}
+
+TEST(DepthOfField, DrawsFewerAndPalerStrokesWhereItIsToldTo)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(posts());
+    const auto draw = [&](std::initializer_list<const char*> more) {
+        Style style;
+        for (const char* assignment : {"lens.focal_mm=150", "lens.f_number=1", "lens.focus_m=4.8",
+                                       "paper.margin_mm=0", "light.exposure_stops=-2"}) {
+            style.set(assignment);
+        }
+        for (const char* assignment : more) {
+            style.set(assignment);
+        }
+        return renderer.render_layers(camera, style, small);
+    };
+    const LayeredImage sharp = draw({});
+    const LayeredImage pale = draw({"lens.mode=gather", "lens.acts_on=strokes"});
+    // To the left there is nothing but what is far behind.
+    EXPECT_LT(ink_between(pale, "hatch", 0, 30), 0.9 * ink_between(sharp, "hatch", 0, 30));
+    EXPECT_GT(ink_between(pale, "hatch", 0, 30), 0.1 * ink_between(sharp, "hatch", 0, 30));
+}
+
+} // namespace
+} // namespace estampe

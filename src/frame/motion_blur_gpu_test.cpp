@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// Whole pictures of what moves, against as many pictures while the shutter is open.
+#include <cmath>
+#include <cstdio>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include <estampe/renderer.hpp>
+
+#include "scene/shapes.hpp"
+#include "support/exposures.hpp"
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr RenderSettings small{.width = 128, .height = 96, .time_s = 0.5};
+constexpr RenderSettings smooth{.width = 128, .height = 96, .samples = 8, .time_s = 0.5};
+constexpr double exposure_s = 0.2;
+const Camera camera{.eye = {0.0, 0.0, 4.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.7};
+
+Style colors(std::initializer_list<const char*> more)
+{
+    Style style;
+    for (const char* assignment :
+         {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.margin_mm=0",
+          "paper.color=#ffffff", "hatch.drawn=false", "contour.drawn=false", "picture.ground=none",
+          "sky.mode=paper", "wash.strength=1", "wash.neutral=1", "light.shadows=false",
+          "motion_blur.shutter_deg=360", "motion_blur.frames_per_s=5"}) {
+        style.set(assignment);
+    }
+    for (const char* assignment : more) {
+        style.set(assignment);
+    }
+    return style;
+}
+
+void move(Scene& scene, Index node, const glm::vec3& from, const glm::vec3& to)
+{
+    if (scene.animations.empty()) {
+        scene.animations.push_back({.name = "move", .channels = {}, .duration_s = 1.0F});
+    }
+    scene.animations.front().channels.push_back({.node = node,
+                                                 .path = AnimatedPath::translation,
+                                                 .times_s = {0.0F, 1.0F},
+                                                 .values = {from.x, from.y, from.z, to.x, to.y, to.z}});
+}
+
+void turn(Scene& scene, Index node)
+{
+    const auto half = static_cast<float>(std::sqrt(0.5));
+    scene.animations.front().channels.push_back({.node = node,
+                                                 .path = AnimatedPath::rotation,
+                                                 .times_s = {0.0F, 1.0F},
+                                                 .values = {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, half, half}});
+}
+
+/// A wall of boards, a box that passes before it, one that turns, and one that stands.
+Scene passing()
+{
+    Scene scene;
+    for (int i = 0; i < 6; ++i) {
+        const float tone = i % 2 == 0 ? 0.2F : 0.7F;
+        test::add_object(scene, shapes::box({0.6F, 4.0F, 0.1F}), {0.8F, tone, 0.2F},
+                         {-2.0 + 0.7 * i, -2.0, -1.5});
+    }
+    const Index fast = test::add_object(scene, shapes::box({0.45F, 0.4F, 0.2F}), {0.1F, 0.2F, 0.6F});
+    move(scene, fast, {-1.0F, 0.3F, 0.3F}, {0.9F, 0.5F, 0.3F});
+    const Index turning =
+        test::add_object(scene, shapes::box({0.2F, 0.9F, 0.2F}), {0.1F, 0.5F, 0.2F}, {1.1, -0.6, 0.0});
+    turn(scene, turning);
+    test::add_object(scene, shapes::box({0.5F, 0.5F, 0.2F}), {0.9F, 0.9F, 0.3F}, {-1.1, -0.9, 0.2});
+    test::add_sun(scene, {0.3, 0.8, 1.0});
+    return scene;
+}
+
+RenderSettings at(double time_s)
+{
+    RenderSettings settings = small;
+    settings.time_s = time_s;
+    return settings;
+}
+
+TEST(MotionBlur, IsThatOfManyPicturesWhileTheShutterIsOpen)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(passing());
+    constexpr int count = 64;
+    const Style still = colors({});
+    const test::Exposure truth = test::mean_of(count, [&](int i) {
+        return renderer.render(test::shifted_in_pixel(camera, i * 7 % count, small.height), still,
+                               at(small.time_s + exposure_s * ((i + 0.5) / count - 0.5)));
+    });
+    const auto measured = [&](const char* mode) {
+        return test::exposure_of(renderer.render(camera, colors({mode}), smooth));
+    };
+    const test::Exposure none = test::exposure_of(renderer.render(camera, still, smooth));
+    const test::Exposure seen = measured("motion_blur.mode=tiles");
+    const test::Exposure own = measured("motion_blur.mode=own");
+    std::printf("against %d pictures: tiles %.1f dB, own %.1f dB, without %.1f dB\n", count,
+                test::psnr_db(seen, truth), test::psnr_db(own, truth), test::psnr_db(none, truth));
+    EXPECT_GE(test::psnr_db(seen, truth), 30.0);
+    EXPECT_GT(test::psnr_db(own, truth), test::psnr_db(none, truth));
+    EXPECT_LT(test::psnr_db(none, truth), test::psnr_db(seen, truth) - 3.0);
+    // What stands, and what nothing passes, is the same to the bit.
+    const Image sharp = renderer.render(camera, still, small);
+    const Image blurred = renderer.render(camera, colors({"motion_blur.mode=tiles"}), small);
+    for (uint32_t y = 60; y < small.height; ++y) {
+        for (size_t i = size_t{4} * y * small.width; i < size_t{4} * (y * small.width + 60); ++i) {
+            ASSERT_EQ(sharp.rgba[i], blurred.rgba[i]) << i;
+        }
+    }
+}
+
+TEST(MotionBlur, IsThatOfACameraThatGoes)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(passing());
+    const auto seen_at = [&](double share) {
+        Camera moved = camera;
+        moved.eye += share * glm::dvec3(0.25, 0.05, -0.1);
+        moved.target += share * glm::dvec3(0.3, 0.0, 0.0);
+        return moved;
+    };
+    constexpr int count = 64;
+    const Style still = colors({});
+    const test::Exposure truth = test::mean_of(count, [&](int i) {
+        return renderer.render(
+            test::shifted_in_pixel(seen_at((i + 0.5) / count - 0.5), i * 7 % count, small.height), still,
+            small);
+    });
+    RenderSettings exposed = smooth;
+    exposed.exposure_end = Moment{seen_at(-0.5), small.time_s};
+    const test::Exposure none = test::exposure_of(renderer.render(camera, still, smooth));
+    const test::Exposure seen =
+        test::exposure_of(renderer.render(camera, colors({"motion_blur.mode=tiles"}), exposed));
+    std::printf("camera, against %d pictures: %.1f dB, without %.1f dB\n", count, test::psnr_db(seen, truth),
+                test::psnr_db(none, truth));
+    EXPECT_GE(test::psnr_db(seen, truth), 30.0);
+    EXPECT_LT(test::psnr_db(none, truth), test::psnr_db(seen, truth) - 3.0);
+}
+
+TEST(MotionBlur, ShowsTheVelocityOfWhatMoves)
+{
+    Renderer& renderer = test::shared_renderer();
+    Scene scene;
+    const Index wall = test::add_object(scene, shapes::quad(1.6F, 1.6F), {0.5F, 0.5F, 0.5F});
+    move(scene, wall, {-0.2F, 0.1F, 0.0F}, {0.3F, -0.2F, 0.0F});
+    renderer.set_scene(scene);
+    constexpr float largest_mm = 12.0F;
+    const LinearImage drawn = renderer.render_linear(
+        camera, colors({"motion_blur.mode=velocity", "motion_blur.largest_mm=12"}), small);
+    const double px_per_m = 0.5 * small.height / std::tan(0.5 * camera.vertical_fov_rad) / camera.eye.z;
+    const glm::dvec2 way_px = 0.5 * exposure_s * px_per_m * glm::dvec2(0.5, -0.3);
+    const double most_px = 0.5 * static_cast<double>(largest_mm) * small.height / 150.0;
+    double worst_px = 0.0;
+    for (uint32_t y = 28; y < 40; ++y) {
+        for (uint32_t x = 56; x < 72; ++x) {
+            const glm::dvec4 color(drawn.pixels[size_t{y} * small.width + x]);
+            const glm::dvec2 seen_px = most_px * (2.0 * glm::dvec2(color) - 1.0);
+            worst_px = std::max(worst_px, glm::distance(seen_px, way_px));
+        }
+    }
+    std::printf("velocity off by %.4f px of %.2f\n", worst_px, glm::length(way_px));
+    EXPECT_LT(worst_px, 0.02);
+    EXPECT_NEAR(drawn.pixels.front().x, 0.5, 1e-3) << "what stands";
+}
+
+TEST(MotionBlur, SpreadsABarAsFarAsItGoes)
+{
+    // Along a row the bar's cover rises from nothing to all over the way that its edge goes.
+    Renderer& renderer = test::shared_renderer();
+    Scene scene;
+    const Index bar = test::add_object(scene, shapes::quad(1.6F, 3.0F), {0.0F, 0.0F, 0.0F});
+    move(scene, bar, {-0.5F, 0.0F, 0.0F}, {0.5F, 0.0F, 0.0F});
+    test::add_sun(scene, {0.3, 0.8, 1.0});
+    renderer.set_scene(scene);
+    const test::Exposure seen = test::exposure_of(
+        renderer.render(camera, colors({"motion_blur.mode=tiles", "motion_blur.largest_mm=30"}), small));
+    const double px_per_m = 0.5 * small.height / std::tan(0.5 * camera.vertical_fov_rad) / camera.eye.z;
+    const double way_px = exposure_s * px_per_m;
+    int between = 0;
+    for (uint32_t x = 64; x < small.width; ++x) {
+        const double light = seen.pixels[size_t{30} * small.width + x].x;
+        const double first = seen.pixels[size_t{30} * small.width + 64].x;
+        const double share = (light - first) / (1.0 - first);
+        between += share > 0.02 && share < 0.98 ? 1 : 0;
+    }
+    EXPECT_NEAR(between, way_px, 1.5);
+}
+
+TEST(MotionBlur, CostsNothingWhereThereIsNone)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(passing());
+    const auto has_pass = [&](const char* name) {
+        return renderer.graph_dot().find(name) != std::string::npos;
+    };
+    const Image plain = renderer.render(camera, {}, small);
+    EXPECT_FALSE(has_pass("motion"));
+    EXPECT_FALSE(has_pass("speed"));
+    Style shut;
+    shut.set("motion_blur.mode=tiles");
+    shut.set("motion_blur.shutter_deg=0");
+    EXPECT_EQ(renderer.render(camera, shut, small).rgba, plain.rgba);
+    EXPECT_FALSE(has_pass("motion"));
+    // Nothing moves: every bit stays, though there are passes.
+    Scene still = passing();
+    still.animations.clear();
+    renderer.set_scene(still);
+    const Image before = renderer.render(camera, {}, small);
+    for (const char* mode : {"motion_blur.mode=tiles", "motion_blur.mode=own", "motion_blur.lines=true"}) {
+        Style open;
+        open.set(mode);
+        EXPECT_EQ(renderer.render(camera, open, small).rgba, before.rgba) << mode;
+        EXPECT_TRUE(has_pass("motion"));
+    }
+}
+
+TEST(MotionBlur, DrawsSpeedLinesBehindWhatIsFast)
+{
+    Renderer& renderer = test::shared_renderer();
+    Scene scene;
+    test::add_object(scene, shapes::quad(12.0F, 12.0F), {0.9F, 0.9F, 0.9F}, {0.0, 0.0, -1.5});
+    const Index fast = test::add_object(scene, shapes::box({0.5F, 0.8F, 0.2F}), {0.5F, 0.5F, 0.5F});
+    move(scene, fast, {-1.5F, 0.0F, 0.0F}, {1.5F, 0.0F, 0.0F});
+    renderer.set_scene(scene);
+    const auto draw = [&](std::initializer_list<const char*> more) {
+        return test::exposure_of(renderer.render(camera, colors(more), small));
+    };
+    const test::Exposure plain = draw({});
+    const test::Exposure lined = draw({"motion_blur.lines=true", "motion_blur.lines_spacing_mm=4"});
+    double behind = 0.0;
+    double ahead = 0.0;
+    for (size_t i = 0; i < plain.pixels.size(); ++i) {
+        const double ink = plain.pixels[i].x - lined.pixels[i].x;
+        (i % small.width < 64 ? behind : ahead) += ink;
+    }
+    EXPECT_GT(behind, 10.0);
+    EXPECT_EQ(ahead, 0.0) << "it goes to the right";
+    const test::Exposure slow = draw({"motion_blur.lines=true", "motion_blur.lines_from_mm=60"});
+    EXPECT_EQ(slow.pixels, plain.pixels);
+}
+
+TEST(MotionBlur, SaysWhereThereIsNone)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(passing());
+    Style style;
+    style.set("motion_blur.mode=tiles");
+    std::ignore = renderer.draw_strokes(camera, style, small);
+    const auto is_told = [&] {
+        return std::ranges::any_of(renderer.notes(), [](const std::string& note) {
+            return note.find("motion blur") != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(is_told());
+    RenderSettings tiled = small;
+    tiled.width = 640;
+    tiled.height = 160;
+    tiled.tile_px = 400;
+    const Image parts = renderer.render(camera, style, tiled);
+    EXPECT_TRUE(is_told());
+    EXPECT_EQ(parts.rgba, renderer.render(camera, {}, tiled).rgba);
+}
+
+} // namespace
+} // namespace estampe

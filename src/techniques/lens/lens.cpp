@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// Thin lens and near and far fields: Potmesil and Chakravarty, "A Lens and Aperture Camera Model for
+// Synthetic Image Generation", SIGGRAPH 1981; Jimenez, "Next Generation Post Processing in Call of Duty",
+// SIGGRAPH 2014.
+#include "techniques/lens/lens.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+#include "shaders/lens_across_comp.hpp"
+#include "shaders/lens_apply_comp.hpp"
+#include "shaders/lens_gather_comp.hpp"
+#include "shaders/lens_ink_across_comp.hpp"
+#include "shaders/lens_ink_comp.hpp"
+#include "shaders/lens_level_comp.hpp"
+#include "shaders/lens_levels_comp.hpp"
+#include "shaders/lens_pack_comp.hpp"
+#include "shaders/lens_reach_comp.hpp"
+#include "shaders/lens_strokes_comp.hpp"
+#include "shaders/lens_tiles_comp.hpp"
+
+namespace estampe::lens {
+namespace {
+
+constexpr float most_wider_px = 10.0F; // of a line, to each side
+
+float most_radius_px(const LensStyle& style, float pixels_per_mm)
+{
+    return 0.5F * style.largest_mm * pixels_per_mm;
+}
+
+/// One lens' passes over one page.
+class Passes {
+public:
+    Passes(gpu::Graph& graph, const LensInputs& in, const LensStyle& style, shared::LensConstants lens)
+        : graph_(graph), in_(in), lens_(lens),
+          variant_((in.has_sky ? shared::lens_has_sky : 0U) |
+                   (style.acts_on != ActsOn::picture ? shared::lens_wash_only : 0U) |
+                   (style.blades > 2 ? shared::lens_has_blades : 0U)),
+          padded_px_(glm::uvec2((in.size_px + lens.pad_px + shared::lens_block_px - 1U) /
+                                shared::lens_block_px * shared::lens_block_px))
+    {
+    }
+
+    gpu::ImageId add_pack()
+    {
+        auto pass = graph_.compute("lens/pack", shaders::lens_pack_comp);
+        pass.sample(in_.depth).sample(in_.wash).sample(in_.hatch).sample(in_.lines).sample(in_.sky_ink);
+        const gpu::ImageId page = pass.write(graph_.image("lens/page", texels(in_.size_px)));
+        pass.variant(variant_).push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
+        return page;
+    }
+
+    gpu::ImageId add_levels(gpu::ImageId page, bool is_plain)
+    {
+        gpu::ImageId levels =
+            graph_.image("lens/levels", texels({padded_px_.x / 2, padded_px_.y / 2 + padded_px_.y / 4}));
+        for (uint32_t level = 1; level <= shared::lens_levels; ++level) {
+            auto pass = graph_.compute("lens/level", shaders::lens_level_comp);
+            pass.sample(page);
+            levels = level == 1 ? pass.write(levels) : pass.modify(levels);
+            shared::LensConstants lens = lens_;
+            lens.level = level;
+            pass.variant((level == 1 ? shared::lens_of_page : 0U) | (is_plain ? shared::lens_plain : 0U))
+                .push(lens)
+                .dispatch_over(padded_px_.x >> level, padded_px_.y >> level);
+        }
+        return levels;
+    }
+
+    gpu::ImageId add_reach(gpu::ImageId levels)
+    {
+        const glm::uvec2 tiles = padded_px_ / shared::lens_tile_px;
+        const gpu::ImageDesc desc{.width = tiles.x, .height = tiles.y, .format = gpu::Format::rg16f};
+        auto find = graph_.compute("lens/tiles", shaders::lens_tiles_comp);
+        find.sample(levels);
+        const gpu::ImageId found = find.write(graph_.image("lens/tiles", desc));
+        find.push(lens_).dispatch_over(tiles.x, tiles.y);
+        auto spread = graph_.compute("lens/reach", shaders::lens_reach_comp);
+        spread.sample(found);
+        const gpu::ImageId reach = spread.write(graph_.image("lens/reach", desc));
+        spread.push(lens_).dispatch_over(tiles.x, tiles.y);
+        return reach;
+    }
+
+    LensLayers add_gathered(gpu::ImageId page)
+    {
+        const gpu::ImageId levels = add_levels(page, false);
+        const gpu::ImageId reach = add_reach(levels);
+        auto pass = graph_.compute("lens/gather", shaders::lens_gather_comp);
+        pass.sample(levels).sample(reach);
+        const glm::uvec2 size_px = padded_px_ / 2U;
+        const gpu::ImageId near = pass.write(graph_.image("lens/near", texels(size_px)));
+        const gpu::ImageId far = pass.write(graph_.image("lens/far", texels(size_px)));
+        pass.variant(variant_ & shared::lens_has_blades).push(lens_).dispatch_over(size_px.x, size_px.y);
+        return add_apply(page, {.near = near, .far = far, .reach = reach}, shared::lens_is_gathered);
+    }
+
+    LensLayers add_separable(gpu::ImageId page)
+    {
+        gpu::ImageId blurred = page;
+        for (const uint32_t direction : {0U, shared::lens_is_down}) {
+            auto pass = graph_.compute("lens/across", shaders::lens_across_comp);
+            pass.sample(blurred);
+            blurred = pass.write(graph_.image("lens/across", texels(in_.size_px)));
+            pass.variant(direction).push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
+        }
+        return add_apply(page, {.near = blurred, .far = blurred, .reach = in_.depth}, 0U);
+    }
+
+    LensLayers add_looked_up(gpu::ImageId page, bool is_sum)
+    {
+        const gpu::ImageId levels = add_levels(page, true);
+        auto pass = graph_.compute("lens/levels", shaders::lens_levels_comp);
+        pass.sample(page).sample(levels);
+        const gpu::ImageId blurred = pass.write(graph_.image("lens/blurred", texels(in_.size_px)));
+        pass.variant(is_sum ? shared::lens_is_sum : 0U)
+            .push(lens_)
+            .dispatch_over(in_.size_px.x, in_.size_px.y);
+        return add_apply(page, {.near = blurred, .far = blurred, .reach = in_.depth}, 0U);
+    }
+
+    LensLayers add_circles(gpu::ImageId page)
+    {
+        return add_apply(page, {.near = page, .far = page, .reach = in_.depth}, shared::lens_shows_circles);
+    }
+
+    LensLayers add_ink(gpu::ImageId page, gpu::ImageId wash)
+    {
+        auto across = graph_.compute("lens/ink across", shaders::lens_ink_across_comp);
+        across.sample(in_.lines).sample(page);
+        const gpu::ImageId found = across.write(graph_.image("lens/ink across", image(gpu::Format::rg32ui)));
+        across.push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
+        auto pass = graph_.compute("lens/ink", shaders::lens_ink_comp);
+        pass.sample(in_.wash)
+            .sample(in_.hatch)
+            .sample(in_.lines)
+            .sample(in_.sky_ink)
+            .sample(page)
+            .sample(found);
+        const LensLayers drawn{.wash = wash,
+                               .hatch = pass.write(graph_.image("lens/hatch", image(gpu::Format::r16f))),
+                               .lines = pass.write(graph_.image("lens/lines", image(gpu::Format::rgba8)))};
+        pass.variant(variant_ & shared::lens_has_sky).push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
+        return drawn;
+    }
+
+private:
+    /// What a page is blurred into.
+    struct Blurred {
+        gpu::ImageId near;
+        gpu::ImageId far;
+        gpu::ImageId reach;
+    };
+
+    [[nodiscard]] gpu::ImageDesc image(gpu::Format format) const
+    {
+        return {.width = in_.size_px.x, .height = in_.size_px.y, .format = format};
+    }
+
+    static gpu::ImageDesc texels(glm::uvec2 size_px)
+    {
+        return {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba32ui};
+    }
+
+    LensLayers add_apply(gpu::ImageId page, const Blurred& blurred, uint32_t how)
+    {
+        const bool keeps_ink = (variant_ & shared::lens_wash_only) != 0 && how != shared::lens_shows_circles;
+        const glm::uvec2 ink_px = keeps_ink ? glm::uvec2(1) : in_.size_px;
+        auto pass = graph_.compute("lens/apply", shaders::lens_apply_comp);
+        pass.sample(in_.wash).sample(in_.hatch).sample(in_.lines).sample(in_.sky_ink).sample(page);
+        pass.sample(blurred.near).sample(blurred.far).sample(blurred.reach);
+        const gpu::ImageId wash = pass.write(graph_.image("lens/wash", image(gpu::Format::rgba16f)));
+        const gpu::ImageId hatch = pass.write(
+            graph_.image("lens/hatch", {.width = ink_px.x, .height = ink_px.y, .format = gpu::Format::r16f}));
+        const gpu::ImageId lines = pass.write(graph_.image(
+            "lens/lines", {.width = ink_px.x, .height = ink_px.y, .format = gpu::Format::rgba8}));
+        pass.variant(variant_ | how).push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
+        return {.wash = wash,
+                .hatch = keeps_ink ? in_.hatch : hatch,
+                .lines = keeps_ink ? in_.lines : lines,
+                .holds_sky = !keeps_ink};
+    }
+
+    gpu::Graph& graph_;
+    const LensInputs& in_;
+    shared::LensConstants lens_;
+    uint32_t variant_;
+    glm::uvec2 padded_px_;
+};
+
+} // namespace
+
+double circle_mm(double focal_mm, double f_number, double focus_m, double distance_m)
+{
+    const double focus_mm = 1e3 * focus_m;
+    const double away = std::isinf(distance_m) ? 1.0 : std::abs(distance_m - focus_m) / distance_m;
+    return focal_mm * focal_mm / (f_number * (focus_mm - focal_mm)) * away;
+}
+
+std::optional<shared::LensConstants> lens_on(const LensStyle& style, const LensPage& page)
+{
+    if (style.mode == Mode::none) {
+        return std::nullopt;
+    }
+    // On the plane in focus the circle is as wide as the aperture where it is infinitely far: by similar
+    // triangles the same as circle_mm() on a sensor as far behind the lens as its image lies.
+    const double aperture_m =
+        1e-3 * static_cast<double>(style.focal_mm) / static_cast<double>(style.f_number);
+    const double radius_px = 0.5 * aperture_m / (page.focus_m * page.pixel_at_one_m);
+    const int blades = std::max(style.blades, 3);
+    const float blade_rad = glm::two_pi<float>() / static_cast<float>(blades);
+    const float wide_px = 0.5F * style.widen * most_radius_px(style, page.pixels_per_mm);
+    return shared::LensConstants{
+        .radius_px = static_cast<float>(radius_px),
+        .radius_per_depth = static_cast<float>(radius_px * page.focus_m / page.near_m),
+        .most_px = most_radius_px(style, page.pixels_per_mm),
+        .blade_rad = blade_rad,
+        .blade_turn_rad = glm::radians(style.blade_turn_deg),
+        .blade_scale = std::sqrt(static_cast<float>(blades) * std::tan(0.5F * blade_rad) / glm::pi<float>()),
+        .line_reach_px = std::ceil(std::max(page.line_half_px, 0.0F)) + 1.0F,
+        .widening = style.widen,
+        .widening_per_px = 2.0F * style.widen / page.pixels_per_mm,
+        .paling_per_px = 2.0F * style.pale / page.pixels_per_mm,
+        .most_wider_px = std::min(std::ceil(wide_px), most_wider_px)};
+}
+
+uint32_t reach_px(const LensStyle& style, float pixels_per_mm)
+{
+    if (style.mode == Mode::none) {
+        return 0;
+    }
+    // A tile looks as far as the circles of its neighbours reach, in texels that lie on whole blocks.
+    return static_cast<uint32_t>(std::ceil(2.0F * most_radius_px(style, pixels_per_mm))) +
+           2 * shared::lens_block_px;
+}
+
+LensLayers add_lens(gpu::Graph& graph, const LensInputs& in, const LensStyle& style,
+                    shared::LensConstants lens)
+{
+    lens.size_px = in.size_px;
+    lens.pad_px = in.from_px % shared::lens_block_px;
+    Passes passes(graph, in, style, lens);
+    const gpu::ImageId page = passes.add_pack();
+    if (style.mode == Mode::circles) {
+        return passes.add_circles(page);
+    }
+    const LensLayers blurred = style.mode == Mode::gather ? passes.add_gathered(page)
+                               : style.mode == Mode::separable
+                                   ? passes.add_separable(page)
+                                   : passes.add_looked_up(page, style.mode == Mode::sums);
+    return style.acts_on == ActsOn::strokes ? passes.add_ink(page, blurred.wash) : blurred;
+}
+
+gpu::ImageId add_wider_strokes(gpu::Graph& graph, gpu::ImageId depth, gpu::ImageId footprint,
+                               glm::uvec2 size_px, const shared::LensConstants& lens)
+{
+    shared::LensConstants constants = lens;
+    constants.size_px = size_px;
+    auto pass = graph.compute("lens/strokes", shaders::lens_strokes_comp);
+    pass.sample(depth).sample(footprint);
+    const gpu::ImageId wider = pass.write(graph.image(
+        "lens/strokes", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba32ui}));
+    pass.push(constants).dispatch_over(size_px.x, size_px.y);
+    return wider;
+}
+
+} // namespace estampe::lens

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// One thread looks a pixel up in smaller pages: in that whose pixels are as large as its circle, or in all up
+// to that, whose sum is rounder.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/rounds.glsl"
+#include "techniques/lens/lens.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform usampler2D page_image;
+layout(binding = 1) uniform usampler2D level_image;
+layout(binding = 2, rgba32ui) writeonly uniform uimage2D out_texel;
+
+layout(push_constant, scalar) uniform Constants
+{
+    LensConstants constants;
+};
+
+layout(constant_id = 0) const uint variant = 0u;
+const bool is_sum = (variant & lens_is_sum) != 0u;
+
+#include "techniques/lens/lens_texel.glsl"
+
+// Between four texels of a level; weights are what of them is there.
+Veil level_at(int level, ivec2 pixel)
+{
+    vec2 place = (vec2(pixel + ivec2(constants.pad_px)) + 0.5) / float(1 << level) - 0.5;
+    ivec2 corner = ivec2(floor(place));
+    vec2 part = place - vec2(corner);
+    Veil sum = Veil(vec4(0.0), vec4(0.0));
+    float weights = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 aside = ivec2(i & 1, i >> 1);
+        ivec2 at = clamp(corner + aside, ivec2(0), level_size(level) - 1);
+        LensTexel texel = unpack_texel(texelFetch(level_image, level_origin(level) + at, 0));
+        vec2 side = mix(1.0 - part, part, vec2(aside));
+        float weight = side.x * side.y * texel.part;
+        sum = sum_of(sum, scaled(texel.veil, weight));
+        weights += weight;
+    }
+    return scaled(sum, 1.0 / max(weights, 1e-6));
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
+        return;
+    }
+    LensTexel own = unpack_texel(texelFetch(page_image, pixel, 0));
+    // A texel looked up between its neighbours spreads as a disc of about four fifths of its side does.
+    float wanted = log2(max(abs(own.radius_px) / (is_sum ? 0.6 : 0.8), 1.0));
+    wanted = min(wanted, float(lens_levels));
+    Veil sum = Veil(vec4(0.0), vec4(0.0));
+    float weights = 0.0;
+    for (int level = 0; level < rounds(int(lens_levels) + 1, pixel.x); ++level) {
+        float near = clamp(1.0 - abs(wanted - float(level)), 0.0, 1.0);
+        float weight = is_sum ? clamp(wanted - float(level) + 1.0, 0.0, 1.0) * float(1 << level) : near;
+        Veil there = level == 0 ? own.veil : level_at(max(level, 1), pixel);
+        sum = sum_of(sum, scaled(there, weight));
+        weights += weight;
+    }
+    imageStore(out_texel, pixel,
+               pack_texel(LensTexel(scaled(sum, 1.0 / max(weights, 1e-6)), own.radius_px, 1.0)));
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// One thread finds what passes a pixel while the shutter is open, and what is seen there when nothing does.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/motion_blur/motion_blur.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform sampler2D wash_image;
+layout(binding = 1) uniform sampler2D hatch_image;
+layout(binding = 2) uniform sampler2D line_image;
+layout(binding = 3) uniform sampler2D sky_ink_image;
+layout(binding = 4) uniform usampler2D page_image;
+layout(binding = 5) uniform sampler2D owner_depth_image;
+layout(binding = 6) uniform sampler2D reach_image;
+layout(binding = 7, rgba16f) writeonly uniform image2D out_wash;
+layout(binding = 8, r16f) writeonly uniform image2D out_hatch;
+layout(binding = 9, rgba8) writeonly uniform image2D out_lines;
+
+layout(push_constant, scalar) uniform Constants
+{
+    MotionBlurConstants constants;
+};
+
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_sky = (variant & blur_has_sky) != 0u;
+const bool shows_velocity = (variant & blur_shows_velocity) != 0u;
+
+#include "shaders/layers.glsl"
+#include "shaders/veil.glsl"
+
+const int most_taps = 32; // along each of two ways
+
+float length_of(vec2 way)
+{
+    return sqrt(dot(way, way));
+}
+
+// What part of the exposure a thing whose way is `length_px` long to both sides spends on a pixel so far off.
+float time_share(float length_px, float away_px)
+{
+    return clamp(length_px + 0.5 - away_px, 0.0, 1.0) / (2.0 * max(length_px, 0.5));
+}
+
+// How surely of two depths the first is before the second.
+float is_before(float depth, float other)
+{
+    return smoothstep(0.02, 0.06, 1.0 - other / max(depth, 1e-12));
+}
+
+struct Passing {
+    Veil before; // what is in front of the pixel's own surface, by its time there
+    float before_time;
+    Veil there; // the surface itself, and what is behind it
+    float there_time;
+};
+
+void pass_along(ivec2 pixel, vec2 way, vec2 own_way, float own_depth, inout Passing passing)
+{
+    float reach_px = length_of(way);
+    float own_px = length_of(own_way);
+    int taps = reach_px > 0.0 ? min(int(ceil(2.0 * reach_px + 1.0)), most_taps) : 0;
+    vec2 forward = way / max(reach_px, 1e-6);
+    float step_px = (2.0 * reach_px + 1.0) / float(max(taps, 1));
+    for (int i = 0; i < taps; ++i) {
+        float along_px = (float(i) + 0.5) * step_px - reach_px - 0.5;
+        vec2 place = vec2(pixel) + along_px * forward;
+        ivec2 at = ivec2(floor(place + 0.5));
+        bool is_there = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(uvec2(at), constants.size_px));
+        at = clamp(at, ivec2(0), ivec2(constants.size_px) - 1);
+        uvec4 texel = texelFetch(page_image, at, 0);
+        float depth = texelFetch(owner_depth_image, at, 0).x;
+        vec2 tap_way = unpackHalf2x16(texel.w);
+        float tap_px = length_of(tap_way);
+        float away_px = abs(along_px);
+        float before = is_before(depth, own_depth);
+        float behind = is_before(own_depth, depth);
+        float weight = is_there ? step_px : 0.0;
+        // Only what goes this way comes from there.
+        float same_way = abs(dot(tap_way, forward)) / max(tap_px, 1e-6);
+        float moved = tap_px > 0.0 ? same_way * same_way * time_share(tap_px, away_px) * weight : 0.0;
+        float uncovered = own_px > 0.0 ? time_share(own_px, away_px) * weight : 0.0;
+        Veil veil = unpack_veil(texel);
+        // At about the same distance what is faster passes over what is slower.
+        float faster = clamp(1.0 - 2.0 * own_px / max(tap_px, 1e-6), 0.0, 1.0);
+        before += faster * (1.0 - before - behind);
+        passing.before = sum_of(passing.before, scaled(veil, before * moved));
+        passing.before_time += before * moved;
+        float there = (1.0 - before - behind) * moved + behind * uncovered;
+        passing.there = sum_of(passing.there, scaled(veil, there));
+        passing.there_time += there;
+    }
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
+        return;
+    }
+    Layers layers = layers_at(pixel);
+    uvec4 own = texelFetch(page_image, pixel, 0);
+    vec2 own_way = unpackHalf2x16(own.w);
+    if (shows_velocity) {
+        vec2 part = vec2(own_way.x, -own_way.y) / max(constants.most_px, 1e-6);
+        imageStore(out_wash, pixel, vec4(0.5 + 0.5 * part, 0.5, layers.wash.a));
+        imageStore(out_hatch, pixel, vec4(0.0));
+        imageStore(out_lines, pixel, vec4(0.0));
+        return;
+    }
+    vec2 longest = texelFetch(reach_image, pixel / int(blur_tile_px), 0).xy;
+    float own_depth = texelFetch(owner_depth_image, pixel, 0).x;
+    bool is_moving = own_way != vec2(0.0);
+    Passing passing = Passing(no_veil, 0.0, no_veil, 0.0);
+    // What comes from elsewhere goes the longest way that reaches the pixel; what is there goes its own.
+    pass_along(pixel, longest, own_way, own_depth, passing);
+    bool is_same = length_of(longest - own_way) < 0.05 * length_of(longest);
+    Passing own_passing = Passing(no_veil, 0.0, passing.there, passing.there_time);
+    if (!is_same) {
+        own_passing.there = no_veil;
+        own_passing.there_time = 0.0;
+    }
+    pass_along(pixel, is_same ? vec2(0.0) : own_way, own_way, own_depth, own_passing);
+    Veil there = unpack_veil(own);
+    float there_time = is_moving ? own_passing.there_time : 0.0;
+    there = there_time > 1e-4 ? scaled(own_passing.there, 1.0 / max(there_time, 1e-6)) : there;
+    float before_time = min(passing.before_time, 1.0);
+    Veil before = scaled(passing.before, before_time / max(passing.before_time, 1e-6));
+    Veil veil = sum_of(before, scaled(there, 1.0 - before_time));
+    bool is_blurred = before_time > 0.0 || there_time > 1e-4;
+    vec4 wash = layers.wash;
+    float hatch;
+    vec4 lines;
+    unveil(veil, layers.wash.rgb, wash.rgb, hatch, lines);
+    imageStore(out_wash, pixel, is_blurred ? wash : layers.wash);
+    imageStore(out_hatch, pixel, vec4(is_blurred ? hatch : layers.hatch));
+    imageStore(out_lines, pixel, is_blurred ? lines : layers.lines);
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// One thread gathers the layers of a pixel in one texel, with the way that it goes in half the exposure.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/motion_blur/motion_blur.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform sampler2D depth_image;
+layout(binding = 1) uniform sampler2D motion_image;
+layout(binding = 2) uniform sampler2D wash_image;
+layout(binding = 3) uniform sampler2D hatch_image;
+layout(binding = 4) uniform sampler2D line_image;
+layout(binding = 5) uniform sampler2D sky_ink_image;
+layout(binding = 6, rgba32ui) writeonly uniform uimage2D out_texel;
+layout(binding = 7, r32f) writeonly uniform image2D out_depth; // of what a line belongs to
+
+layout(push_constant, scalar) uniform Constants
+{
+    MotionBlurConstants constants;
+};
+
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_sky = (variant & blur_has_sky) != 0u;
+
+#include "shaders/layers.glsl"
+#include "shaders/line_owner.glsl"
+#include "shaders/veil.glsl"
+
+vec2 half_way(ivec2 pixel)
+{
+    vec4 motion = texelFetch(motion_image, pixel, 0);
+    vec2 way = motion.w > 0.0 ? constants.scale * motion.xy : vec2(0.0);
+    float length_px = sqrt(dot(way, way));
+    way *= min(constants.most_px / max(length_px, 1e-6), 1.0);
+    return length_px < blur_still_px ? vec2(0.0) : way;
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
+        return;
+    }
+    Layers layers = layers_at(pixel);
+    ivec2 owner = owner_of(pixel, layers.lines.a, constants.line_reach_px, ivec2(constants.size_px) - 1);
+    imageStore(
+        out_texel, pixel,
+        pack_veil(veil_of(layers.wash.rgb, layers.hatch, layers.lines), packHalf2x16(half_way(owner))));
+    imageStore(out_depth, pixel, texelFetch(depth_image, owner, 0));
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_MOTION_BLUR_GLSL_H
+#define ESTAMPE_MOTION_BLUR_GLSL_H
+#ifdef __cplusplus
+#include "shaders/shared.hpp"
+namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
+#endif
+
+// Variant bits of the shaders of motion blur.
+SHARED_CONSTANT uint blur_has_sky = 1U << 0U; // strokes of the sky stand where nothing is seen
+SHARED_CONSTANT uint blur_shows_velocity = 1U << 1U;
+
+SHARED_CONSTANT uint blur_tile_px = 16U;
+SHARED_CONSTANT float blur_still_px = 0.25F; // who goes less far to either side of now stands still
+SHARED_CONSTANT uint most_speed_lines = 16U; // that pass one tile
+
+struct MotionBlurConstants {
+    uvec2 size_px;
+    float scale;         // from motion to the way that is gone in half the time the shutter is open
+    float most_px;       // of that
+    float line_reach_px; // how far a line lies at most from what it belongs to
+    float cell_px;       // of the page, one speed line each
+    float line_length;   // by the way in half the time
+    float line_most_px;  // and no longer than this
+    float line_half_px;  // where it begins
+    float line_from_px;  // least way in half the time
+    uint seed;
+    vec3 line_ink; // linear
+};
+
+#ifdef __cplusplus
+} // namespace estampe::shared
+#endif
+
+#endif
