@@ -139,6 +139,7 @@ BenchCommand BenchOptions::read() const
         const auto& series = all_series();
         if (std::ranges::none_of(series, [&](const Series& one) { return one.name == name; })) {
             std::vector<std::string> known;
+            known.reserve(series.size());
             for (const Series& one : series) {
                 known.emplace_back(one.name);
             }

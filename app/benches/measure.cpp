@@ -74,6 +74,7 @@ private:
             sums_ms[pass.name.substr(0, pass.name.find('/'))] += pass.gpu_ms;
         }
         std::vector<TechniqueCost> costs;
+        costs.reserve(sums_ms.size());
         for (const auto& [name, gpu_ms] : sums_ms) {
             costs.push_back({name, gpu_ms});
         }

@@ -41,8 +41,7 @@ uint32_t level_size(uint32_t wanted, uint32_t levels, uint64_t most_bytes)
 } // namespace
 
 std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style,
-                                                  const glm::vec3& towards_light,
-                                                  const StrokePlan& strokes)
+                                                  const glm::vec3& towards_light, const StrokePlan& strokes)
 {
     if (!style.drawn || style.strokes != hatch::Strokes::lines) {
         return std::nullopt;

@@ -23,8 +23,7 @@ namespace estampe::frame {
 
 /// The lines of the hatching that edges of shadows can follow; none where no lines are drawn.
 [[nodiscard]] std::optional<shadow::HatchedLines>
-hatched_lines(const hatch::HatchStyle& style, const glm::vec3& towards_light,
-                                                  const StrokePlan& strokes);
+hatched_lines(const hatch::HatchStyle& style, const glm::vec3& towards_light, const StrokePlan& strokes);
 
 /// What decides how the sun's shadow is kept.
 struct SunScene {

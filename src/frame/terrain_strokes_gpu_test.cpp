@@ -31,7 +31,8 @@ Image from_above(const Scene& scene, const char* coordinates)
     for (const char* const each :
          {"contour.drawn=false", "sky.mode=paper", "paper.margin_mm=0", "paper.grain=0",
           "paper.granulation=0", "haze.mode=none", "paper.ink_break=0", "hatch.layers=1", "hatch.wobble_mm=0",
-          "wash.strength=0", "drift.mode=none", "light.sun_elevation_deg=90", "tone.exposure=0.4", "paper.height_mm=20", "hatch.gap_mm=0", "hatch.width_mm=0.8"}) {
+          "wash.strength=0", "drift.mode=none", "light.sun_elevation_deg=90", "tone.exposure=0.4",
+          "paper.height_mm=20", "hatch.gap_mm=0", "hatch.width_mm=0.8"}) {
         style.set(each);
     }
     style.set(std::string("hatch.coordinates=") + coordinates);
@@ -90,8 +91,8 @@ TEST(TerrainStrokes, LieAcrossTheWindOnLevelGround)
     }
 }
 
-/// h - 0.3 w is one along a stroke where w is downwind. On ground that sinks by s across the wind, h = -s a, a
-/// stroke runs along (w, a) = (-s, 0.3).
+/// h - 0.3 w is one along a stroke where w is downwind. On ground that sinks by s across the wind, h = -s a,
+/// a stroke runs along (w, a) = (-s, 0.3).
 TEST(TerrainStrokes, BendWithSlopes)
 {
     const Direction direction = direction_of(from_above(ground("-0.15 * z", 0.0F), "auto"));

@@ -56,8 +56,8 @@ vec3 along_light(StrokeAxes axes, uint family)
                           : 0.7071 * (upright + lying);
 }
 
-// Planes that lean against the wind, so that where a slope cuts them its form shows: level ground has lines as
-// its ripples lie, which bend with what rises and sinks; slip faces have those that run down them aslant.
+// Planes that lean against the wind, so that where a slope cuts them its form shows: level ground has lines
+// as its ripples lie, which bend with what rises and sinks; slip faces have those that run down them aslant.
 vec3 along_slope(vec2 wind, uint layer, bool is_level)
 {
     vec3 across = across_wind(wind, layer);
@@ -75,7 +75,7 @@ vec3 solid_axis(StrokeAxes axes, uint kind, uint family)
         vec3 height = layer == 0u ? vec3(0.0, 1.0, 0.0) : normalize(wind + vec3(0.0, 0.8, 0.0));
         axis = kind == strokes_light    ? along_light(axes, family)
                : kind == strokes_height ? (is_level ? wind : height)
-               : kind == strokes_wind ? (is_level ? normalize(vec3(-0.3 * wind.z, 1.0, 0.3 * wind.x)) : wind)
+               : kind == strokes_wind  ? (is_level ? normalize(vec3(-0.3 * wind.z, 1.0, 0.3 * wind.x)) : wind)
                : kind == strokes_slope ? along_slope(axes.ground_wind, layer, is_level)
                                        : axis;
     }

@@ -17,8 +17,9 @@ SHARED_CONSTANT uint strokes_height = 3U;
 SHARED_CONSTANT uint strokes_wind = 4U;
 SHARED_CONSTANT uint strokes_light = 5U;
 SHARED_CONSTANT uint strokes_page = 6U;
-SHARED_CONSTANT uint strokes_slope = 7U;     // along the ripples of the ground, bent by its slopes
-SHARED_CONSTANT uint strokes_automatic = 8U; // in no word: the ground's slope, uv where they can carry strokes, else solid
+SHARED_CONSTANT uint strokes_slope = 7U; // along the ripples of the ground, bent by its slopes
+SHARED_CONSTANT uint strokes_automatic =
+    8U; // in no word: the ground's slope, uv where they can carry strokes, else solid
 
 #ifdef __cplusplus
 } // namespace estampe::shared

@@ -170,7 +170,7 @@ struct HatchInputs {
     std::optional<gpu::ImageId> strongest_light;
     glm::vec3 towards_light{0.0F, 1.0F, 0.0F};
     glm::vec2 ground_wind{1.0F, 0.0F}; ///< horizontal direction x, z, for strokes along the slope
-    std::optional<MapInputs> map; ///< where the style asks for one
+    std::optional<MapInputs> map;      ///< where the style asks for one
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
     std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels

@@ -10,7 +10,8 @@ const bool has_overrun = (variant & lines_has_overrun) != 0u;
 const bool has_all_tiles = (variant & lines_has_all_tiles) != 0u;
 const bool has_local_light = (variant & lines_has_local_light) != 0u;
 const uint kinds = variant >> lines_kinds_shift;
-const uint directed_kinds = 1u << strokes_height | 1u << strokes_wind | 1u << strokes_light | 1u << strokes_slope;
+const uint directed_kinds =
+    1u << strokes_height | 1u << strokes_wind | 1u << strokes_light | 1u << strokes_slope;
 const uint flat_kinds = 1u << strokes_uv | 1u << strokes_form | 1u << strokes_page;
 const bool has_form = (kinds & (1u << strokes_form)) != 0u;
 const bool has_flat = (kinds & flat_kinds) != 0u;

@@ -74,8 +74,8 @@ Teeth wave_teeth(vec3 axis, vec3 point, PageRates rates, uint seed)
 // Teeth that end the strokes of the hatching's first layer.
 Teeth stroke_teeth(EdgeLook look, uint kind, vec3 coordinate, Footprint f, vec3 normal, PageRates rates)
 {
-    StrokeAxes axes = StrokeAxes(look.flat_axis, look.flat_axis, look.flat_axis, look.wind,
-                                 look.ground_wind, look.towards_light, look.has_directions != 0u);
+    StrokeAxes axes = StrokeAxes(look.flat_axis, look.flat_axis, look.flat_axis, look.wind, look.ground_wind,
+                                 look.towards_light, look.has_directions != 0u);
     bool is_level = length(cross(solid_axis(axes, kind, 0u), normal)) < 0.59;
     uint family = !is_flat(kind) && is_level ? 1u : 0u;
     vec3 axis = is_flat(kind) ? flat_axis(axes, kind, 0u) : solid_axis(axes, kind, family);

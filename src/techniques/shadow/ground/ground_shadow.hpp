@@ -28,8 +28,8 @@ struct GroundField {
     HeightMethod method = HeightMethod::sweep; ///< not the march
 };
 
-/// Brings one field of `kept`, a word a texel, level by level, up to date. Cost: that of add_height_horizon(),
-/// and one small dispatch.
+/// Brings one field of `kept`, a word a texel, level by level, up to date. Cost: that of
+/// add_height_horizon(), and one small dispatch.
 [[nodiscard]] gpu::BufferId add_ground_field(gpu::Graph& graph, const GroundField& field,
                                              const glm::dvec3& towards_sun, gpu::BufferId kept);
 
