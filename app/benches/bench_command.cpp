@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <span>
+#include <system_error>
 
+#include <estampe/error.hpp>
 #include <fmt/format.h>
 
 #include "benches/measure.hpp"
@@ -18,6 +20,15 @@ namespace {
 void write_text(const std::string& file, const std::string& text)
 {
     write_file_atomically(file, std::as_bytes(std::span(text)));
+}
+
+void make_folder(const std::string& folder)
+{
+    std::error_code problem;
+    std::filesystem::create_directories(folder, problem);
+    if (problem) {
+        throw Error("cannot make the folder", folder, problem.message());
+    }
 }
 
 std::vector<const Series*> wanted(const std::vector<std::string>& names)
@@ -46,7 +57,7 @@ void run(const BenchCommand& command)
         }
     }
     if (!command.plots.empty()) {
-        std::filesystem::create_directories(command.plots);
+        make_folder(command.plots);
     }
     const BenchPlan plan{.device = command.device,
                          .width = command.width,

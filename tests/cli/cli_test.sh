@@ -344,6 +344,7 @@ expect_error 2 'no series .lumps.' bench lumps
 expect_error 2 'must end in .json' bench --json bench.txt
 expect_error 2 'leave out series' bench lamps --compare bench.json bench.json
 expect_error 2 '--most' bench --most 2
+expect_error 1 'bench.csv/plots' bench lamps --most 0.001 --plots bench.csv/plots
 expect_error 1 'nothing.json' bench --compare bench.json nothing.json
 echo "{}" >empty.json
 expect_error 1 "no result of estampe bench" bench --compare bench.json empty.json
