@@ -11,6 +11,7 @@
 #include "clock.hpp"
 #include "commands.hpp"
 #include "drawing.hpp"
+#include "film.hpp"
 #include "picture_output.hpp"
 #include "progress.hpp"
 #include "signals.hpp"
@@ -28,7 +29,8 @@ public:
     /// The scene and the lightmap of these options. Throws Error when they cannot be read.
     [[nodiscard]] const Scene& provide(const DrawOptions& draw)
     {
-        if (is_there_ && draw.scene == file_ && draw.lightmap == lightmap_) {
+        if (is_there_ && draw.scene == file_ && draw.seed == seed_ && draw.terrain == terrain_ &&
+            draw.lightmap == lightmap_) {
             return scene_;
         }
         is_there_ = false;
@@ -36,6 +38,8 @@ public:
         print_warnings(scene_.warnings);
         set_scene(renderer_, scene_, draw);
         file_ = draw.scene;
+        seed_ = draw.seed;
+        terrain_ = draw.terrain;
         lightmap_ = draw.lightmap;
         is_there_ = true;
         return scene_;
@@ -45,6 +49,8 @@ private:
     Renderer& renderer_;
     Scene scene_;
     std::string file_;
+    uint64_t seed_ = 0;
+    std::string terrain_;
     std::string lightmap_;
     bool is_there_ = false;
 };
@@ -57,7 +63,12 @@ JobResult draw_job(Renderer& renderer, SceneKeeper& scenes, const BatchJob& job,
     try {
         const RenderCommand command = command_of(job, device);
         check_outputs(command);
-        draw_and_write(renderer, scenes.provide(command.draw), command);
+        const Scene& scene = scenes.provide(command.draw);
+        if (command.film) {
+            draw_film(renderer, scene, command);
+        } else {
+            draw_and_write(renderer, scene, command);
+        }
         result.status = JobResult::Status::done;
     } catch (const std::bad_alloc&) {
         result.error = "out of memory; try a smaller size or scene";

@@ -21,13 +21,14 @@ namespace {
 using style::WordEntry;
 using style::WordTable;
 
-/// Options of `estampe render`, and its scene. What is of films, of measuring and of the device is not here.
+/// Options of `estampe render`, and its scene. What is of measuring and of the device is not here.
 const std::vector<std::string>& job_keys()
 {
     static const std::vector<std::string> keys{
-        "scene",     "output", "size",   "page",    "dpi",      "landscape", "camera",  "time",
-        "animation", "style",  "set",    "samples", "lightmap", "tile",      "quality", "depth",
-        "layers",    "layer",  "motion", "since",   "hidden",   "plotter"};
+        "scene",     "output", "size",      "page",    "dpi",      "landscape", "camera",  "time",
+        "animation", "style",  "set",       "samples", "lightmap", "tile",      "quality", "depth",
+        "layers",    "layer",  "motion",    "since",   "hidden",   "plotter",   "seed",    "terrain",
+        "frames",    "fps",    "turntable", "resume",  "weather",  "hour",      "film"};
     return keys;
 }
 
@@ -237,9 +238,6 @@ RenderCommand command_of(const BatchJob& job, const RendererOptions& device)
         const std::optional<Command> command =
             read_command_line(static_cast<int>(arguments.size()), arguments.data());
         RenderCommand render = std::get<RenderCommand>(command.value());
-        if (render.film) {
-            throw Error("a film is no job of a batch", "output", "estampe render draws it");
-        }
         if (render.draw.output == standard_output) {
             throw Error("a job of a batch writes a file", "output");
         }

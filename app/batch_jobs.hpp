@@ -8,7 +8,7 @@
 
 namespace estampe::app {
 
-/// One picture of a batch, as it would be typed.
+/// One picture or film of a batch, as it would be typed.
 struct BatchJob {
     uint32_t number = 1; ///< of all jobs of the file
     std::string where;   ///< file:line:column

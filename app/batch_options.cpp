@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "no_cache.hpp"
 #include "option_values.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
@@ -61,6 +62,7 @@ void BatchOptions::add_to(CLI::App& app)
         .add_option("--report", report_,
                     "Where the report goes [JOBS.report.json, with a shard\nJOBS.I-of-N.report.json]")
         ->type_name("JSON");
+    add_no_cache_flag(command);
     command.add_option("--device", device_, "auto, cpu, or an index that estampe devices lists")
         ->type_name("DEVICE")
         ->capture_default_str();

@@ -22,6 +22,7 @@ inline constexpr const char* examples = R"(Examples:
   estampe view helmet.gltf
   estampe info helmet.gltf --json
   estampe render temple -o temple.png --camera court --style temple-day --seed 7
+  estampe render temple -o temple.mp4 --film --style temple-day
   estampe tam -o pen.tam --preview pen.png
   estampe bake room.glb -o room.exr
 

@@ -11,10 +11,13 @@
 #include "command_examples.hpp"
 #include "completion.hpp"
 #include "core/file.hpp"
+#include "drawing.hpp"
 #include "manual_page.hpp"
+#include "no_cache.hpp"
 #include "option_values.hpp"
 #include "options.hpp"
 #include "picture_options.hpp"
+#include "temple/weather.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
 #include "viewer/keys.hpp"
@@ -49,6 +52,8 @@ struct Typed {
     bool manual_page = false;
     bool completion = false;
     uint64_t seed = 1;
+    std::string weather;
+    std::optional<float> hour;
     std::string terrain;
     std::string lightmap;
     std::string motion;
@@ -87,6 +92,14 @@ void add_look_options(CLI::App& command, Typed& typed)
         ->type_name("N")
         ->capture_default_str();
     command
+        .add_option("--weather", typed.weather,
+                    "Of the temple: calm, gusts, storm or tornado [it changes with\nthe time]")
+        ->type_name("NAME");
+    command
+        .add_option("--hour", typed.hour,
+                    "Of the temple's sun, 0 to 24 [that of its pictures; in a film it\ngoes on]")
+        ->type_name("H");
+    command
         .add_option("--terrain", typed.terrain,
                     "Ground without an end that the scene is put on, as a terrain's\nTOML describes it")
         ->type_name("TOML");
@@ -98,6 +111,7 @@ void add_look_options(CLI::App& command, Typed& typed)
     command.add_option("--device", typed.device, "auto, cpu, or an index that estampe devices lists")
         ->type_name("DEVICE")
         ->capture_default_str();
+    add_no_cache_flag(command);
     command
         .add_option("--raster", typed.raster,
                     "How triangles are drawn: hardware, compute, or auto, the quicker\n"
@@ -253,12 +267,30 @@ void check_page_is_free(const std::vector<std::string>& assignments)
     }
 }
 
+void check_weather(const Typed& typed)
+{
+    if (!typed.weather.empty() && !temple::weather_named(typed.weather)) {
+        throw UsageError(fmt::format("there is no weather {}", in_quotes(typed.weather)), "--weather",
+                         "allowed: calm, gusts, storm, tornado");
+    }
+    if (typed.hour && !(*typed.hour >= 0.0F && *typed.hour <= 24.0F)) {
+        throw UsageError(fmt::format("{} is out of range", *typed.hour), "--hour", "allowed: 0 to 24");
+    }
+    if ((typed.hour || !typed.weather.empty()) && !is_temple(typed.scene)) {
+        throw UsageError("goes with the temple alone", typed.hour ? "--hour" : "--weather",
+                         "a style sets the sun of other scenes, by sun.hour");
+    }
+}
+
 DrawOptions read_draw_options(const Typed& typed)
 {
     DrawOptions draw;
     draw.scene = typed.scene;
     draw.output = typed.output;
     draw.seed = typed.seed;
+    check_weather(typed);
+    draw.weather = typed.weather;
+    draw.hour = typed.hour;
     draw.terrain = typed.terrain;
     draw.lightmap = typed.lightmap;
     draw.page = typed.page.read();
@@ -274,6 +306,7 @@ DrawOptions read_draw_options(const Typed& typed)
     draw.device.device = typed.device;
     draw.device.raster = parse_raster_path(typed.raster);
     draw.style = read_style(typed.style, typed.assignments);
+    draw.assignments = typed.assignments;
     if (draw.page.height_mm) {
         check_page_is_free(typed.assignments);
         draw.style.set(fmt::format("paper.height_mm={}", *draw.page.height_mm));
@@ -376,7 +409,7 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
         return StylesCommand{typed.style, typed.schema};
     }
     if (app.got_subcommand("bench")) {
-        return own.bench.is_of_lights() ? Command(own.bench.read_lights()) : Command(own.bench.read());
+        return own.bench.read();
     }
     if (app.got_subcommand("tam")) {
         return read_tam(typed);

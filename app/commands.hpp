@@ -16,6 +16,8 @@ void run(const StyleManualCommand& command);
 void run(const TamCommand& command);
 void run(const BenchCommand& command);
 void run(const BenchLightsCommand& command);
+void run(const BenchLabCommand& command);
+void run(const BenchRooflineCommand& command);
 void run(const BakeCommand& command);
 void run(const ViewCommand& command);
 void run(const BatchCommand& command);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include <estampe/error.hpp>
@@ -10,7 +11,8 @@
 #include <fmt/ranges.h>
 
 #include "core/file.hpp"
-#include "temple/temple.hpp"
+#include "scene/outlook/outlook.hpp"
+#include "temple/world.hpp"
 #include "text.hpp"
 
 namespace estampe::app {
@@ -23,6 +25,19 @@ Index first_placed_camera(const Scene& scene)
         first = std::min(first, node.camera);
     }
     return first;
+}
+
+/// Over ground that nothing stands on.
+glm::dvec3 towards_sun(const SunBearing& sun, const Terrain& terrain)
+{
+    SunPlace place{sun.azimuth_deg, sun.elevation_deg};
+    if (sun.turns) {
+        place = sun_over_ground(place, terrain.description().wind.direction_deg);
+    }
+    const double azimuth_rad = glm::radians(place.azimuth_deg);
+    const double elevation_rad = glm::radians(place.elevation_deg);
+    const double level = std::cos(elevation_rad);
+    return {level * std::sin(azimuth_rad), std::sin(elevation_rad), level * std::cos(azimuth_rad)};
 }
 
 /// Moves everything up by so much, under a node of its own.
@@ -43,7 +58,7 @@ void lift(Scene& scene, double height_m)
 Scene load_scene_of(const DrawOptions& draw)
 {
     if (is_temple(draw.scene)) {
-        return temple::build_temple(draw.seed);
+        return temple::World(draw.seed).scene();
     }
     if (lower_extension(draw.scene) == ".toml") {
         Scene scene{.name = draw.scene, .materials = {Material{}}};
@@ -82,7 +97,8 @@ Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animatio
         return scene_camera(scene, pose, std::to_string(first_placed_camera(scene)));
     }
     if (scene.terrain && scene.meshes.empty()) {
-        return terrain_camera(*scene.terrain, draw.time_s);
+        return terrain_camera(*scene.terrain, draw.time_s,
+                              towards_sun(draw.style.sun_bearing(), *scene.terrain));
     }
     return framing_camera(scene, pose, draw.style.window_aspect(draw.page.width, draw.page.height),
                           draw.style.sun_bearing());

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "film.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <future>
+#include <memory>
+#include <optional>
+#include <vector>
 
 #include <estampe/error.hpp>
 #include <estampe/film.hpp>
@@ -16,9 +21,12 @@
 #include "film_frames.hpp"
 #include "film_queue.hpp"
 #include "frame/style_tables.hpp"
+#include "living.hpp"
 #include "progress.hpp"
 #include "signals.hpp"
 #include "techniques/motion_blur/motion_blur.hpp"
+#include "temple/flight.hpp"
+#include "temple/world.hpp"
 #include "text.hpp"
 
 namespace estampe::app {
@@ -28,15 +36,25 @@ namespace {
 FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene, Index animation)
 {
     constexpr double turn_s = 5.0;
+    constexpr double world_s = 60.0; // of the temple's weather, in which all of it comes once
+    if (film.flies && !is_temple(draw.scene)) {
+        throw Error("there is no film to be taken of it", draw.scene, "--film goes with the temple alone");
+    }
     if (film.last > 0) {
         return film;
     }
-    if (scene.animations.empty() && !film.turntable) {
+    if (film.flies) {
+        film.last = static_cast<uint32_t>(std::lround(temple::Flight::length_s * film.frames_per_s));
+        return film;
+    }
+    if (scene.animations.empty() && !film.turntable && !is_temple(draw.scene)) {
         throw Error("nothing in the scene moves, so a film of it has no length", draw.scene,
                     "give --frames, or --turntable to go around it");
     }
-    const double length_s =
-        film.turntable || scene.animations.empty() ? turn_s : scene.animations.at(animation).duration_s;
+    const double length_s = film.turntable             ? turn_s
+                            : is_temple(draw.scene)    ? world_s
+                            : scene.animations.empty() ? turn_s
+                                                       : scene.animations.at(animation).duration_s;
     film.last = std::max(1U, static_cast<uint32_t>(std::lround(length_s * film.frames_per_s)));
     return film;
 }
@@ -49,14 +67,19 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add_text(ESTAMPE_VERSION);
     hash.add_text(draw.style.to_toml());
     hash.add_text(renderer.device().name + renderer.device().driver + name_of(renderer.raster_path()));
-    for (const std::string& file : {draw.scene, draw.lightmap}) {
-        if (!file.empty()) {
+    hash.add_text(draw.scene);
+    hash.add(draw.seed);
+    for (const std::string& file : {draw.scene, draw.terrain, draw.lightmap}) {
+        if (!file.empty() && !(file == draw.scene && is_temple(file))) {
             hash.add(std::filesystem::file_size(file));
             hash.add(std::filesystem::last_write_time(file).time_since_epoch().count());
         }
     }
     hash.add(draw.page.width);
     hash.add(draw.page.height);
+    hash.add(draw.seed);
+    hash.add_text(draw.weather);
+    hash.add(draw.hour.value_or(-1.0F));
     hash.add(draw.samples);
     hash.add(draw.time_s);
     hash.add_text(draw.animation);
@@ -73,6 +96,7 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     // It says how far each frame of a turn goes, and how much a view of all that moves has to hold.
     hash.add(film.last);
     hash.add(film.turntable);
+    hash.add(film.flies);
     return hash.value();
 }
 
@@ -82,9 +106,14 @@ public:
     FilmJob(const RenderCommand& command, const FilmChoice& film, const Scene& scene, Index animation,
             Renderer& renderer)
         : draw_(command.draw), film_(film), animation_(animation), renderer_(renderer),
-          camera_(draw_, scene, animation, time_s(film.first), time_s(film.last), film.turntable),
-          frames_(draw_.output, fingerprint(draw_, film, scene, renderer))
+          flight_(film.flies ? std::make_shared<const temple::Flight>(scene, draw_.seed) : nullptr),
+          camera_(draw_, scene, animation, time_s(film.first), time_s(film.last), film.turntable, flight_),
+          frames_(draw_.output, fingerprint(draw_, film, scene, renderer)),
+          living_(draw_, scene, Occasion::film)
     {
+        if (film.flies) { // who has flown to the last hall has reached it
+            living_.world()->end_at(draw_.time_s + flight_->arrives_s());
+        }
         if (is_film(draw_.output)) {
             writer_.emplace(draw_.output, draw_.page.width, draw_.page.height, film.frames_per_s);
         }
@@ -107,6 +136,9 @@ public:
         for (uint32_t number = film_.first; number < next && writer_; ++number) {
             writer_->add(load_image(frames_.path_of(number)));
         }
+        for (uint32_t number = film_.first; number < next; ++number) {
+            living_.go_to(time_s(number), camera_.at(time_s(number), turn_at(number)));
+        }
         renderer_.recall_film(state->memory);
         return next;
     }
@@ -125,7 +157,7 @@ public:
             progress.show(share(next), fmt::format("frame {} of {}", next, film_.last));
             const Clock::time_point start = Clock::now();
             FilmQueue::Frame frame{.number = next, .image = draw_frame(next)};
-            drawing_s_ += seconds_since(start);
+            add_cost(seconds_since(start));
             if (was_told_to_stop() || next == film_.last || seconds_since(kept) > keep_s) {
                 frame.memory = renderer_.film_memory();
                 kept = Clock::now();
@@ -148,10 +180,21 @@ public:
         }
     }
 
-    /// Spent on drawing alone.
-    [[nodiscard]] double drawing_s() const { return drawing_s_; }
+    [[nodiscard]] const FilmCost& cost() const { return cost_; }
 
 private:
+    void add_cost(double drawing_s)
+    {
+        double gpu_ms = 0.0;
+        for (const PassTiming& pass : renderer_.timings()) {
+            gpu_ms += pass.gpu_ms;
+            cost_.gpu_ms_of_passes[pass.name] += pass.gpu_ms;
+        }
+        cost_.drawing_s += drawing_s;
+        cost_.gpu_ms_sum += gpu_ms;
+        cost_.gpu_ms_most = std::max(cost_.gpu_ms_most, gpu_ms);
+    }
+
     [[nodiscard]] double time_s(uint32_t number) const
     {
         return draw_.time_s + (number - 1) / film_.frames_per_s;
@@ -183,7 +226,8 @@ private:
         settings.time_s = time_s(number);
         settings.continuity = number == film_.first ? Continuity::starts : Continuity::follows;
         settings.exposure_end = exposure_end(number);
-        Image image = renderer_.render(camera_.at(settings.time_s, turn_at(number)), draw_.style, settings);
+        const Camera camera = camera_.at(settings.time_s, turn_at(number));
+        Image image = renderer_.render(camera, living_.show(renderer_, settings.time_s, camera), settings);
         if (!has_noted_) {
             print_notes(renderer_.notes());
             has_noted_ = true;
@@ -195,14 +239,46 @@ private:
     const FilmChoice& film_;
     Index animation_;
     Renderer& renderer_;
+    std::shared_ptr<const temple::Flight> flight_;
     FilmCamera camera_;
     FilmFrames frames_;
+    Living living_;
     std::optional<FilmWriter> writer_;
-    double drawing_s_ = 0.0;
+    FilmCost cost_;
     bool has_noted_ = false;
 };
 
+void print_cost(const FilmCost& cost, uint32_t frames, double whole_s)
+{
+    std::vector<std::pair<double, std::string>> passes;
+    for (const auto& [name, gpu_ms] : cost.gpu_ms_of_passes) {
+        passes.emplace_back(gpu_ms / frames, name);
+    }
+    std::ranges::sort(passes, std::greater());
+    fmt::print("{:<30} GPU ms a frame\n", "pass, all of one name");
+    for (const auto& [gpu_ms, name] : passes) {
+        fmt::print("{:<30} {:>14.3f}\n", name, gpu_ms);
+    }
+    fmt::print("{:<30} {:>14.3f}, most {:.3f}\n\n", "all passes", cost.gpu_ms_sum / frames, cost.gpu_ms_most);
+    fmt::print("frames {:>8}\ndrawn  {:>8.2f} s\nwhole  {:>8.2f} s\n", frames, cost.drawing_s, whole_s);
+}
+
 } // namespace
+
+FilmCost draw_film(Renderer& renderer, const Scene& scene, const RenderCommand& command)
+{
+    const DrawOptions& draw = command.draw;
+    const Index animation = choose_animation(draw, scene);
+    const FilmChoice film = with_end(*command.film, draw, scene, animation);
+    FilmJob job(command, film, scene, animation, renderer);
+    const uint32_t next = job.draw_from(job.recall());
+    job.finish(next > film.last);
+    if (next <= film.last) {
+        throw Error(fmt::format("stopped after frame {} of {}", next - 1, film.last), draw.output,
+                    "the same command with --resume goes on from there");
+    }
+    return job.cost();
+}
 
 void draw_film(const RenderCommand& command)
 {
@@ -211,21 +287,13 @@ void draw_film(const RenderCommand& command)
     std::future<Renderer> opening = std::async(at_once, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
-    const Index animation = choose_animation(draw, scene);
-    const FilmChoice film = with_end(*command.film, draw, scene, animation);
+    const FilmChoice film = with_end(*command.film, draw, scene, choose_animation(draw, scene));
     Renderer renderer = opening.get();
     set_scene(renderer, scene, draw);
     tell_of_signals();
-    FilmJob job(command, film, scene, animation, renderer);
-    const uint32_t next = job.draw_from(job.recall());
-    job.finish(next > film.last);
-    if (next <= film.last) {
-        throw Error(fmt::format("stopped after frame {} of {}", next - 1, film.last), draw.output,
-                    "the same command with --resume goes on from there");
-    }
+    const FilmCost cost = draw_film(renderer, scene, command);
     if (command.timings) {
-        fmt::print("frames {:>8}\ndrawn  {:>8.2f} s\nwhole  {:>8.2f} s\n", film.last + 1 - film.first,
-                   job.drawing_s(), seconds_since(start));
+        print_cost(cost, film.last + 1 - film.first, seconds_since(start));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -66,10 +67,10 @@ Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int si
 } // namespace
 
 FilmCamera::FilmCamera(const DrawOptions& draw, const Scene& scene, Index animation, double begin_s,
-                       double end_s, bool turntable)
-    : draw_(draw), scene_(scene), animation_(animation)
+                       double end_s, bool turntable, std::shared_ptr<const temple::Flight> flight)
+    : draw_(draw), scene_(scene), animation_(animation), flight_(std::move(flight))
 {
-    if (has_camera_of_file(draw, scene)) {
+    if (flight_ || has_camera_of_file(draw, scene)) {
         return;
     }
     DrawOptions first = draw;
@@ -94,6 +95,9 @@ FilmCamera::FilmCamera(const DrawOptions& draw, const Scene& scene, Index animat
 
 Camera FilmCamera::at(double time_s, double turn) const
 {
+    if (flight_) {
+        return flight_->camera(time_s - draw_.time_s);
+    }
     if (still_) {
         return turned(*still_, turn);
     }

@@ -53,6 +53,7 @@ void FilmOptions::add_to(CLI::App& command)
         ->type_name("N|A-B");
     command.add_option("--fps", frames_per_s_, "Film: frames a second [24]")->type_name("F");
     command.add_flag("--turntable", turntable_, "Film: go once around what is seen [in 5 s]");
+    command.add_flag("--film", flies_, "Film of the temple: a minute's way from the dunes to its last hall");
     command.add_flag("--resume", resume_, "Film: go on where an earlier run stopped");
 }
 
@@ -62,6 +63,7 @@ std::optional<FilmChoice> FilmOptions::read(const std::string& output) const
         const char* const typed = !frames_.empty() ? "--frames"
                                   : frames_per_s_  ? "--fps"
                                   : turntable_     ? "--turntable"
+                                  : flies_         ? "--film"
                                   : resume_        ? "--resume"
                                                    : nullptr;
         if (typed != nullptr) {
@@ -74,7 +76,10 @@ std::optional<FilmChoice> FilmOptions::read(const std::string& output) const
     if (is_numbered(output) && lower_extension(output) != ".png") {
         throw UsageError("numbered frames are PNG pictures", "-o " + output, "the name must end in .png");
     }
-    FilmChoice film{.turntable = turntable_, .resume = resume_};
+    if (flies_ && turntable_) {
+        throw UsageError("is another way of the camera than --turntable", "--film");
+    }
+    FilmChoice film{.turntable = turntable_, .flies = flies_, .resume = resume_};
     if (!frames_.empty()) {
         read_range(frames_, film);
     }

@@ -14,9 +14,11 @@ namespace estampe::app {
 /// What makes a film of a picture.
 struct FilmChoice {
     uint32_t first = 1;
-    uint32_t last = 0; ///< with the first; 0: to the end of the animation, or a turn of five seconds
+    uint32_t last = 0; ///< with the first; 0: to the end of the animation, of a turn of five seconds, or of
+                       ///< the flight
     double frames_per_s = 24.0;
     bool turntable = false; ///< the eye goes once around from the first frame to the last
+    bool flies = false;     ///< along the way that the temple has for films
     bool resume = false;    ///< go on where an earlier run stopped
 };
 
@@ -37,6 +39,7 @@ private:
     std::string frames_;
     std::optional<double> frames_per_s_;
     bool turntable_ = false;
+    bool flies_ = false;
     bool resume_ = false;
 };
 

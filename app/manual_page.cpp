@@ -132,8 +132,8 @@ std::string manual_page(const CLI::App& app)
     page +=
         ".SH EXIT STATUS\n.TP\n0\nThe job is done.\n.TP\n1\nThe job failed; a line on standard error says "
         "what, where and what to do.\n.TP\n2\nThe command line is wrong.\n";
-    page += ".SH ENVIRONMENT\n.TP\nXDG_CACHE_HOME\nTonal art maps that were drawn are kept in "
-            "\\fIestampe\\fR below it, or below \\fI~/.cache\\fR.\n";
+    page += ".SH ENVIRONMENT\n.TP\nXDG_CACHE_HOME\nTonal art maps that were drawn, and pipelines "
+            "that the driver compiled, are kept in \\fIestampe\\fR below it, or below \\fI~/.cache\\fR.\n";
     return page;
 }
 

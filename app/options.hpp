@@ -33,9 +33,11 @@ struct CameraChoice {
 struct DrawOptions {
     std::string scene;
     std::string output;
-    uint64_t seed = 1;    ///< of a scene that is made by chance
-    std::string terrain;  ///< a terrain's file, that the scene is put on; empty: none
-    std::string lightmap; ///< what `estampe bake` wrote; empty: what the scene's file names
+    uint64_t seed = 1;         ///< of a scene that is made by chance
+    std::string weather;       ///< of such a scene, by its name; empty: it changes
+    std::optional<float> hour; ///< of its sun; nothing: as it has it
+    std::string terrain;       ///< a terrain's file, that the scene is put on; empty: none
+    std::string lightmap;      ///< what `estampe bake` wrote; empty: what the scene's file names
     PageSize page;
     CameraChoice camera;
     double time_s = 0.0;
@@ -43,6 +45,7 @@ struct DrawOptions {
     uint32_t samples = 1;
     uint32_t tile_px = 0; ///< see RenderSettings
     Style style;
+    std::vector<std::string> assignments; ///< of single parameters, which `style` has already
     RendererOptions device;
 };
 
@@ -141,6 +144,27 @@ struct BenchLightsCommand {
     bool json = false;
 };
 
+/// Measures what small kernels show of the device.
+struct BenchLabCommand {
+    std::vector<std::string> names; ///< of experiments; empty: all
+    uint32_t rounds = 9;
+    std::string device = "auto";
+    std::string json; ///< empty: none
+    std::string csv;  ///< empty: none
+};
+
+/// Holds the passes of frames against what the device can do.
+struct BenchRooflineCommand {
+    std::vector<std::string> names; ///< of pictures; empty: all
+    uint32_t width = 1280;
+    uint32_t height = 720;
+    uint32_t frames = 9;
+    double least_share = 0.02; ///< of a picture's time, below which a pass is not told
+    RendererOptions device;
+    std::string json; ///< empty: none
+    std::string csv;  ///< empty: none
+};
+
 /// Works out light ahead.
 struct BakeCommand {
     std::string scene;
@@ -159,9 +183,9 @@ struct BatchCommand {
     RendererOptions device;
 };
 
-using Command =
-    std::variant<BatchCommand, BenchCommand, BenchLightsCommand, RenderCommand, GraphCommand, InfoCommand,
-                 DevicesCommand, StylesCommand, StyleManualCommand, TamCommand, BakeCommand, ViewCommand>;
+using Command = std::variant<BatchCommand, BenchCommand, BenchLabCommand, BenchLightsCommand,
+                             BenchRooflineCommand, RenderCommand, GraphCommand, InfoCommand, DevicesCommand,
+                             StylesCommand, StyleManualCommand, TamCommand, BakeCommand, ViewCommand>;
 
 /// Reads the command line, the style it names, and its --set assignments. Nothing when it asked for help or
 /// the version, which have then been printed. Throws UsageError for a mistake in it, Error for a style file

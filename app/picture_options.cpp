@@ -101,9 +101,10 @@ void PictureOptions::add_to(CLI::App& command)
             "new folder, or one .exr")
         ->type_name("DIR");
     command
-        .add_option("--layer", layer_,
-                    "Draw one layer or mask alone, on white: wash, hatch, lines, shadow,\nocclusion or an "
-                    "object's name")
+        .add_option(
+            "--layer", layer_,
+            "Draw one layer or mask alone, on white: wash, hatch, lines, shadow,\nocclusion, clouds or "
+            "an object's name")
         ->type_name("NAME");
 }
 

@@ -135,10 +135,9 @@ void write_to_standard_output(std::span<const std::byte> bytes)
 } // namespace
 
 DrawnPicture draw_picture(Renderer& renderer, const Camera& camera, const RenderCommand& command,
-                          const RenderSettings& settings)
+                          const Style& style, const RenderSettings& settings)
 {
     const PictureChoice& choice = command.picture;
-    const Style& style = command.draw.style;
     const bool is_deep =
         choice.format == PictureFormat::exr || (choice.format == PictureFormat::png && choice.depth > 8);
     DrawnPicture picture;

@@ -22,9 +22,10 @@ struct DrawnPicture {
 /// Throws Error when the command's files cannot be written where they are to be. Nothing there is touched.
 void check_outputs(const RenderCommand& command);
 
-/// Draws what the command's format needs.
+/// Draws what the command's format needs, in a style that may be another than the command's.
 [[nodiscard]] DrawnPicture draw_picture(Renderer& renderer, const Camera& camera,
-                                        const RenderCommand& command, const RenderSettings& settings);
+                                        const RenderCommand& command, const Style& style,
+                                        const RenderSettings& settings);
 
 /// Writes all files of a command, or none, and at last standard output. Throws Error naming what cannot be
 /// written.

@@ -13,6 +13,7 @@
 #include "drawing.hpp"
 #include "film.hpp"
 #include "frame/particles.hpp"
+#include "living.hpp"
 #include "output/svg.hpp"
 #include "pass_history.hpp"
 #include "picture_output.hpp"
@@ -55,7 +56,7 @@ bool has_weather(const DrawOptions& draw, const Scene& scene)
     const frame::StyleTables& style = draw.style.tables();
     const sky::CloudStyle& clouds = style.clouds;
     return clouds.coverage > 0.0F || clouds.flocks > 0.0F || clouds.streaks > 0.0F ||
-           !frame::emitters_of(scene, pose_scene(scene, 0.0), style.particles.emitters).empty();
+           !frame::emitting_nodes(scene, style.particles.emitters).empty();
 }
 
 void warn_of_idle_time(const DrawOptions& draw, const Scene& scene)
@@ -107,10 +108,11 @@ RenderSettings settings_of_strokes(const DrawOptions& draw, Index animation)
     return settings;
 }
 
-void write_strokes(Renderer& renderer, const Camera& camera, Index animation, const RenderCommand& command)
+void write_strokes(Renderer& renderer, const Camera& camera, const Style& style, Index animation,
+                   const RenderCommand& command)
 {
     const DrawOptions& draw = command.draw;
-    VectorDrawing drawing = renderer.draw_strokes(camera, draw.style, settings_of_strokes(draw, animation),
+    VectorDrawing drawing = renderer.draw_strokes(camera, style, settings_of_strokes(draw, animation),
                                                   command.hidden ? HiddenLines::kept : HiddenLines::left_out);
     print_notes(renderer.notes());
     if (command.plotter) {
@@ -135,12 +137,14 @@ void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand&
     warn_of_idle_time(command.draw, scene);
     const Index animation = choose_animation(command.draw, scene);
     const Camera camera = choose_camera(command.draw, scene, animation);
+    const Style style =
+        Living(command.draw, scene, Occasion::picture).show(renderer, command.draw.time_s, camera);
     if (command.picture.format == PictureFormat::svg) {
-        write_strokes(renderer, camera, animation, command);
+        write_strokes(renderer, camera, style, animation, command);
         return;
     }
     DrawnPicture picture =
-        draw_picture(renderer, camera, command, render_settings(command, scene, animation));
+        draw_picture(renderer, camera, command, style, render_settings(command, scene, animation));
     print_notes(renderer.notes());
     write_pictures(picture, renderer, command);
 }
@@ -169,15 +173,16 @@ void run(const RenderCommand& command)
     clock.finish("device");
     set_scene(renderer, scene, draw);
     const Camera camera = choosing.get();
+    const Style style = Living(draw, scene, Occasion::picture).show(renderer, draw.time_s, camera);
     clock.finish("upload");
     if (command.picture.format == PictureFormat::svg) {
-        write_strokes(renderer, camera, animation, command);
+        write_strokes(renderer, camera, style, animation, command);
         return;
     }
 
     const RenderSettings settings = render_settings(command, scene, animation);
     PassHistory passes;
-    DrawnPicture picture = draw_picture(renderer, camera, command, settings);
+    DrawnPicture picture = draw_picture(renderer, camera, command, style, settings);
     clock.finish("first frame");
     print_notes(renderer.notes());
     passes.add(renderer.timings());
@@ -187,7 +192,7 @@ void run(const RenderCommand& command)
             passes.forget();
         }
         StepClock frame_clock;
-        picture = draw_picture(renderer, camera, command, settings);
+        picture = draw_picture(renderer, camera, command, style, settings);
         frame_clock.finish("frame");
         later_frames_ms.push_back(frame_clock.last_ms());
         passes.add(renderer.timings());

@@ -123,7 +123,7 @@ void measure(const Options& options)
                      : options.sampling == "view" ? smoke::Sampling::view
                                                   : smoke::Sampling::rays;
     const std::vector<smoke::Lamp> sun{{.place = {0.5F, 0.7F, 0.4F}, .luminance = 1.0F}};
-    const shared::SmokeGlobals around = smoke::globals_of(box, style, {.lamps = sun});
+    const shared::SmokeGlobals around = smoke::globals_of(std::span(&box, 1), style, {.lamps = sun});
     auto globals = gpu::upload_buffer(watch.device, "smoke", std::vector{around});
     // The box is as high as the page.
     const Camera camera{.eye = {0.6, 0.3, 4.4}, .target = {0.0, 0.0, 0.0}};
@@ -131,16 +131,15 @@ void measure(const Options& options)
         watch.device, "frame",
         std::vector{frame::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = options.size_px})});
     smoke::VolumeMemory memory;
-    memory.provide(watch.device, box.cells);
+    memory.provide(watch.device, around);
     gpu::Buffer pixels(watch.device, "pixels", uint64_t{4} * options.size_px.x * options.size_px.y,
                        gpu::MemoryUse::readback);
     for (uint32_t i = 0; i < options.rounds; ++i) {
         gpu::Graph graph;
         const fluid::FluidFields fields = fluid.add_steps(graph, solving(), 0);
-        smoke::add_volume(graph, memory, style,
-                          {.globals = gpu::import_whole(graph, "smoke", globals),
-                           .density = *fields.quantities,
-                           .puff_count = smoke::puff_count_of(around)});
+        smoke::add_volume(
+            graph, memory, style,
+            {.globals = gpu::import_whole(graph, "smoke", globals), .densities = {*fields.quantities}});
         watch.run(graph);
     }
     watch.print("shape and light");
@@ -159,8 +158,7 @@ void measure(const Options& options)
                            {.view = view,
                             .marched = marched,
                             .lines = gpu::add_filled_image(graph, "lines", page, glm::vec4(0.0F)),
-                            .pixels_per_mm = static_cast<float>(options.size_px.y) / 150.0F,
-                            .width_m = box.width_m()});
+                            .pixels_per_mm = static_cast<float>(options.size_px.y) / 150.0F});
         gpu::add_read_back(graph, "read back", layer.paint, pixels);
         watch.run(graph);
     }

@@ -110,15 +110,6 @@ void draw_in_turn(Drawn& base, Drawn* other, uint32_t frames)
 
 } // namespace
 
-Spread spread_of(std::vector<double> values)
-{
-    std::ranges::sort(values);
-    const auto at = [&](double share) {
-        return values[static_cast<size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
-    };
-    return {.low = at(0.25), .median = at(0.5), .high = at(0.75)};
-}
-
 const Spread& cost_of(const BenchPoint& point, bool software)
 {
     return software ? point.wall_ms : point.gpu_ms;

@@ -6,18 +6,9 @@
 #include <vector>
 
 #include "benches/series.hpp"
+#include "benches/spread.hpp"
 
 namespace estampe::app {
-
-/// The middle of what was measured, and its quartiles.
-struct Spread {
-    double low = 0.0;
-    double median = 0.0;
-    double high = 0.0;
-};
-
-/// Of at least one value.
-[[nodiscard]] Spread spread_of(std::vector<double> values);
 
 /// What one technique took of a frame.
 struct TechniqueCost {

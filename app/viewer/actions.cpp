@@ -6,7 +6,9 @@ namespace estampe::viewer {
 
 void Viewer::go_back()
 {
-    if (studio_.shows_keys) {
+    if (has_pointer_) {
+        take_pointer(false);
+    } else if (studio_.shows_keys) {
         studio_.shows_keys = false;
     } else if (loader_->is_loading()) {
         loader_->cancel();
@@ -131,6 +133,11 @@ void Viewer::act(Action action)
     const bool steers = studio_.rig.mode() != CameraMode::orbit;
     if (action == Action::next_animation && steers) {
         return; // W goes ahead
+    }
+    const bool is_of_feet = action == Action::frame_back || action == Action::frame_on ||
+                            action == Action::reload || action == Action::play;
+    if (is_of_feet && is_on_foot()) {
+        return; // arrows walk, and Space jumps
     }
     if (act_on_view(action) || act_on_look(action)) {
         return;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "clock.hpp"
+#include "temple/world.hpp"
 
 namespace estampe::viewer {
 namespace {
@@ -28,31 +29,48 @@ std::string free_name(const std::string& scene, const std::string& extension)
     }
 }
 
-bool ScreenshotJob::step(Renderer& renderer, const std::function<void(PictureNews)>& tell)
+bool ScreenshotJob::step(Renderer& renderer, app::Living& living,
+                         const std::function<void(PictureNews)>& tell)
 {
-    const Image image = renderer.render(request_.camera, request_.style, request_.settings);
+    const Style style = living.show(renderer, request_.style, request_.settings.time_s, request_.camera);
+    const Image image = renderer.render(request_.camera, style, request_.settings);
     save_png(image, path_);
     tell(JobNews{fmt::format("wrote {}, {} x {}", path_, image.width, image.height)});
     return false;
 }
 
-FilmJob::FilmJob(Take take, RenderSettings settings, std::string path)
-    : take_(std::move(take)), settings_(settings), path_(std::move(path)),
+FilmJob::FilmJob(Take take, std::shared_ptr<const LoadedFile> file, std::optional<double> end_s,
+                 RenderSettings settings, std::string path)
+    : take_(std::move(take)), file_(std::move(file)), end_s_(end_s), settings_(settings),
+      path_(std::move(path)),
       count_(std::max(1U, static_cast<uint32_t>(std::lround(take_.length_s() * frames_per_s))))
 {
 }
 
-bool FilmJob::step(Renderer& renderer, const std::function<void(PictureNews)>& tell)
+void FilmJob::begin(const app::Living& seen)
+{
+    writer_.emplace(path_, settings_.width, settings_.height, frames_per_s);
+    living_ = std::make_unique<app::Living>(file_->draw, file_->scene, app::Occasion::walk);
+    if (end_s_ && living_->world() != nullptr) {
+        living_->world()->end_at(*end_s_);
+    }
+    if (seen.has_left_ground()) {
+        living_->leave_ground();
+    }
+}
+
+bool FilmJob::step(Renderer& renderer, app::Living& living, const std::function<void(PictureNews)>& tell)
 {
     if (!writer_) {
-        writer_.emplace(path_, settings_.width, settings_.height, frames_per_s);
+        begin(living);
     }
     const Take::Sample sample = take_.at(next_ / frames_per_s);
     settings_.time_s = sample.time_s;
     settings_.animation = sample.animation;
     settings_.continuity = next_ == 0 ? Continuity::starts : Continuity::follows;
     const app::Clock::time_point start = app::Clock::now();
-    Image image = renderer.render(sample.camera, *sample.style, settings_);
+    const Style style = living_->show(renderer, *sample.style, settings_.time_s, sample.camera);
+    Image image = renderer.render(sample.camera, style, settings_);
     const double drawn_s = app::seconds_since(start);
     writer_->add(image);
     ++next_;

@@ -23,6 +23,8 @@ constexpr std::array camera_keys{
     KeyHelp{Action::orbit, 'o', as_typed, "O", "orbit: go around the model"},
     KeyHelp{Action::fly, 'f', as_typed, "F", "fly: W A S D, E up, C down, Shift faster"},
     KeyHelp{Action::walk, 'g', as_typed, "G", "walk on the ground: W A S D, Shift faster"},
+    KeyHelp{Action::none, 0, 0, "In the temple",
+            "arrows too, or a gamepad; Space jumps; a click takes the pointer"},
     KeyHelp{Action::home, GLFW_KEY_ENTER, 0, "Enter", "the view it began with"},
     KeyHelp{Action::front, '1', as_typed, "1", "from the front"},
     KeyHelp{Action::right, '3', as_typed, "3", "from the right"},

@@ -9,6 +9,7 @@
 #include "clock.hpp"
 #include "core/progress_watch.hpp"
 #include "drawing.hpp"
+#include "temple/world.hpp"
 
 namespace estampe::viewer {
 
@@ -33,6 +34,7 @@ void PictureThread::set_scene(std::shared_ptr<const LoadedFile> file)
     next_scene_ = std::move(file);
     next_terrain_.reset();
     requests_ = {}; // of the scene before
+    change_ = {};
     changed_.notify_all();
 }
 
@@ -41,6 +43,13 @@ void PictureThread::set_terrain(const Terrain& terrain)
     const std::lock_guard lock(guard_);
     next_terrain_ = terrain;
     changed_.notify_all();
+}
+
+void PictureThread::change(SceneChange change)
+{
+    const std::lock_guard lock(guard_);
+    change_.prints.insert(change_.prints.end(), change.prints.begin(), change.prints.end());
+    change_.end_s = change.end_s ? change.end_s : change_.end_s;
 }
 
 void PictureThread::draw(size_t slot, std::optional<PictureRequest> request)
@@ -112,7 +121,9 @@ void PictureThread::work_on(Renderer& renderer)
             const size_t slot = requests_.at(next_slot_) ? next_slot_ : 1 - next_slot_;
             next_slot_ = 1 - slot;
             const PictureRequest request = *std::exchange(requests_.at(slot), std::nullopt);
+            const SceneChange change = std::exchange(change_, {});
             lock.unlock();
+            apply(renderer, change);
             draw_picture(renderer, slot, request);
             lock.lock();
         } else {
@@ -143,6 +154,7 @@ void PictureThread::take_scene(Renderer& renderer, const std::shared_ptr<const L
     film_size_px_ = glm::uvec2(0);
     try {
         app::set_scene(renderer, file->scene, file->draw);
+        living_ = std::make_unique<app::Living>(file->draw, file->scene, app::Occasion::walk);
         scene_ = file;
         terrain_.reset();
         is_compiling_ = false;
@@ -163,6 +175,7 @@ void PictureThread::take_terrain(Renderer& renderer, const Terrain& terrain)
     try {
         renderer.set_terrain(terrain, true);
         terrain_ = terrain;
+        living_->leave_ground();
         is_compiling_ = renderer.is_terrain_compiling();
         tell(TerrainTaken{});
     } catch (const std::exception& problem) {
@@ -174,6 +187,20 @@ bool PictureThread::is_wanted(size_t slot)
 {
     const std::lock_guard lock(guard_);
     return !is_closing_ && !next_scene_ && !requests_.at(slot);
+}
+
+void PictureThread::apply(Renderer& renderer, const SceneChange& change)
+{
+    try {
+        if (!change.prints.empty()) {
+            renderer.press(change.prints);
+        }
+        if (change.end_s && living_ && living_->world() != nullptr) {
+            living_->world()->end_at(*change.end_s);
+        }
+    } catch (const std::exception& problem) {
+        tell(Failure{Failure::Of::picture, problem.what()});
+    }
 }
 
 void PictureThread::draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request)
@@ -193,8 +220,9 @@ void PictureThread::draw_picture(Renderer& renderer, size_t slot, const PictureR
             settings.continuity = Continuity::starts;
         }
         film_size_px_ = glm::uvec2(0);
+        const Style style = living_->show(renderer, request.style, settings.time_s, request.camera);
         Picture picture{.slot = slot,
-                        .image = renderer.render(request.camera, request.style, settings),
+                        .image = renderer.render(request.camera, style, settings),
                         .scale = request.scale,
                         .view = request.view,
                         .continuity = settings.continuity};
@@ -219,7 +247,7 @@ void PictureThread::do_step(Renderer& renderer)
             renderer.set_terrain(*terrain_); // waits for its shader
             tell(TerrainTaken{.is_compiled = true});
         }
-        goes_on = job_->step(renderer, [this](PictureNews news) { tell(std::move(news)); });
+        goes_on = job_->step(renderer, *living_, [this](PictureNews news) { tell(std::move(news)); });
     } catch (const std::exception& problem) {
         tell(Failure{Failure::Of::job, problem.what()});
     }
@@ -228,6 +256,9 @@ void PictureThread::do_step(Renderer& renderer)
         const bool was_cancelled = goes_on;
         const std::unique_ptr<PictureJob> ended = std::move(job_);
         lock.unlock();
+        if (living_ && living_->world() != nullptr) {
+            living_->world()->forget_pressed();
+        }
         if (was_cancelled) {
             tell(JobNews{"cancelled, nothing was written"});
         }

@@ -16,6 +16,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "living.hpp"
 #include "viewer/scene_loader.hpp"
 
 namespace estampe::viewer {
@@ -23,7 +24,7 @@ namespace estampe::viewer {
 /// One picture to be drawn.
 struct PictureRequest {
     Camera camera;
-    Style style;
+    app::ChosenStyle style;
     RenderSettings settings;
     double scale = 1.0; ///< share of the view's sides that the settings' size is
     uint64_t view = 0;  ///< number of what is to be seen, for whoever asks
@@ -39,6 +40,12 @@ struct Picture {
     double seconds = 0.0;
     std::vector<PassTiming> timings;
     std::vector<std::string> notes;
+};
+
+/// What has become of the scene since the last picture.
+struct SceneChange {
+    std::vector<TrailStamp> prints; ///< in its terrain
+    std::optional<double> end_s;    ///< its world comes to its end from that moment on
 };
 
 /// The renderer has another scene.
@@ -80,8 +87,9 @@ public:
     virtual ~PictureJob() = default;
     PictureJob(const PictureJob&) = delete;
     PictureJob& operator=(const PictureJob&) = delete;
-    /// Does a part. Returns whether there is more.
-    virtual bool step(Renderer& renderer, const std::function<void(PictureNews)>& tell) = 0;
+    /// Does a part, of what lives in the scene that is in hand. Returns whether there is more.
+    virtual bool step(Renderer& renderer, app::Living& living,
+                      const std::function<void(PictureNews)>& tell) = 0;
 };
 
 /// Draws in a thread of its own, so that nothing waits for pictures: of those asked for the newest is drawn,
@@ -99,6 +107,8 @@ public:
     /// Gives the scene another ground, from the next picture on; an interpreter draws it until its shader is
     /// compiled. Of several the newest counts, for this scene alone.
     void set_terrain(const Terrain& terrain);
+    /// Seen in the next picture; nothing of it is lost when that is not drawn.
+    void change(SceneChange change);
     /// In place of what was asked for in that slot, even if it is begun and has samples to come. Nothing: no
     /// more.
     void draw(size_t slot, std::optional<PictureRequest> request);
@@ -117,6 +127,7 @@ private:
     void wait(Renderer& renderer, std::unique_lock<std::mutex>& lock);
     /// Whether a picture that is being drawn there is still what is asked for.
     [[nodiscard]] bool is_wanted(size_t slot);
+    void apply(Renderer& renderer, const SceneChange& change);
     void draw_picture(Renderer& renderer, size_t slot, const PictureRequest& request);
     void do_step(Renderer& renderer);
 
@@ -126,6 +137,7 @@ private:
     std::condition_variable changed_;
     std::shared_ptr<const LoadedFile> next_scene_;
     std::optional<Terrain> next_terrain_;
+    SceneChange change_;
     std::array<std::optional<PictureRequest>, 2> requests_;
     size_t next_slot_ = 0;
     std::unique_ptr<PictureJob> job_;
@@ -134,6 +146,7 @@ private:
     bool is_closing_ = false;
     std::vector<PictureNews> news_;
     std::shared_ptr<const LoadedFile> scene_; ///< that the renderer holds; the thread's own
+    std::unique_ptr<app::Living> living_;     ///< in it; the thread's own
     std::optional<Terrain> terrain_;          ///< in place of the scene's; the thread's own
     bool is_compiling_ = false;               ///< its shader; the thread's own
     std::thread thread_;

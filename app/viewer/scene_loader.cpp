@@ -21,6 +21,9 @@ std::shared_ptr<const LoadedFile> load_file(const app::DrawOptions& draw)
     if (file->scene.terrain) {
         file->ground_m = file->scene.terrain->sample(0.0, 0.0, draw.time_s).height_m;
     }
+    if (app::is_temple(draw.scene)) {
+        file->visit = std::make_shared<temple::Visit>(file->scene, draw.seed);
+    }
     if (file->scene.terrain && file->bounds.empty()) {
         constexpr glm::dvec3 near_m(20.0, 5.0, 20.0);
         file->bounds.extend(file->home.eye - near_m);

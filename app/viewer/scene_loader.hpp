@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "options.hpp"
+#include "temple/visit.hpp"
 
 namespace estampe::viewer {
 
@@ -22,7 +23,8 @@ struct LoadedFile {
     Index animation = 0;
     Camera home;
     Bounds bounds;
-    double ground_m = 0.0; ///< what the scene was lifted by, to stand on its terrain
+    double ground_m = 0.0;                ///< what the scene was lifted by, to stand on its terrain
+    std::shared_ptr<temple::Visit> visit; ///< of a world that can be walked through
 };
 
 /// Reads scenes while the viewer goes on.

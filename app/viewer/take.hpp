@@ -7,6 +7,8 @@
 #include <estampe/scene.hpp>
 #include <estampe/style.hpp>
 
+#include "living.hpp"
+
 namespace estampe::viewer {
 
 /// What was seen in the view while it was recorded: not pictures, but from where, when and how, so that a
@@ -18,7 +20,7 @@ public:
         Camera camera;
         double time_s = 0.0; ///< of the animation
         Index animation = 0;
-        std::shared_ptr<const Style> style;
+        std::shared_ptr<const app::ChosenStyle> style;
     };
 
     /// In the order of time.

@@ -8,8 +8,8 @@ namespace {
 
 TEST(Take, GoesStraightBetweenWhatWasSeen)
 {
-    const auto first = std::make_shared<const Style>();
-    const auto second = std::make_shared<const Style>();
+    const auto first = std::make_shared<const app::ChosenStyle>();
+    const auto second = std::make_shared<const app::ChosenStyle>();
     Take take;
     take.add({.at_s = 0.0, .camera = {.eye = {0.0, 0.0, 4.0}}, .time_s = 0.2, .style = first});
     take.add({.at_s = 2.0, .camera = {.eye = {2.0, 0.0, 4.0}}, .time_s = 1.2, .style = second});

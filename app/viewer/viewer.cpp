@@ -164,8 +164,10 @@ void Viewer::request(size_t slot, const Sight& sight, bool is_moving)
     const auto scaled = [&](uint32_t px) {
         return std::max(static_cast<uint32_t>(std::lround(scale * px)), 1U);
     };
+    const app::ChosenStyle chosen{studio_.look.style(), studio_.look.base()};
+    const Style& other = studio_.comparison.other.value_or(chosen.style);
     PictureRequest request{.camera = sight.camera,
-                           .style = slot == 0 ? studio_.look.style() : *studio_.comparison.other,
+                           .style = slot == 0 ? chosen : app::ChosenStyle{other, other},
                            .settings = {.width = scaled(sight.size_px.x),
                                         .height = scaled(sight.size_px.y),
                                         .samples = is_moving ? 1 : studio_.samples,
@@ -174,7 +176,7 @@ void Viewer::request(size_t slot, const Sight& sight, bool is_moving)
                            .scale = scale,
                            .view = view_};
     // What moves in one style is drawn as a film is, so that its lines do not jump; ink that flows flows on.
-    const bool flows = request.style.tables().ink.drawn;
+    const bool flows = request.style.style.tables().ink.drawn || (is_moving && studio_.file->visit);
     if ((flows || (is_moving && scale < 1.0)) && !sight.has_other && style_drawn_ == sight.style) {
         request.settings.continuity = Continuity::follows;
     }
@@ -214,7 +216,7 @@ void Viewer::take_screenshot()
     }
     const Sight now = sight();
     PictureRequest request{.camera = now.camera,
-                           .style = studio_.look.style(),
+                           .style = {studio_.look.style(), studio_.look.base()},
                            .settings = {.width = now.size_px.x,
                                         .height = now.size_px.y,
                                         .samples = studio_.samples,
@@ -239,8 +241,8 @@ void Viewer::toggle_recording()
     record();
     const RenderSettings settings{
         .width = studio_.view_px.x, .height = studio_.view_px.y, .samples = studio_.samples};
-    pictures_->do_job(
-        std::make_unique<FilmJob>(std::move(take_), settings, free_name(studio_.file->draw.scene, ".mp4")));
+    pictures_->do_job(std::make_unique<FilmJob>(std::move(take_), studio_.file, end_s_, settings,
+                                                free_name(studio_.file->draw.scene, ".mp4")));
     take_ = {};
 }
 
@@ -248,7 +250,8 @@ void Viewer::record()
 {
     if (!take_style_ || take_revision_ != studio_.look.revision()) {
         take_revision_ = studio_.look.revision();
-        take_style_ = std::make_shared<const Style>(studio_.look.style());
+        take_style_ = std::make_shared<const app::ChosenStyle>(
+            app::ChosenStyle{studio_.look.style(), studio_.look.base()});
     }
     studio_.recorded_s = app::seconds_since(take_start_);
     take_.add({.at_s = studio_.recorded_s,
@@ -267,7 +270,10 @@ void Viewer::run()
     app::Clock::time_point painted = last;
     while (!window_.is_closing()) {
         const bool is_seen = !window_.is_minimised();
-        const bool is_busy = is_moving_ || studio_.is_recording || studio_.work ||
+        if (has_pointer_ && !window_.has_focus()) {
+            take_pointer(false);
+        }
+        const bool is_busy = is_moving_ || is_on_foot() || studio_.is_recording || studio_.work ||
                              !studio_.messages.empty() || frames_to_paint_ > 0;
         const double since_s = app::seconds_since(painted);
         const double wait_s = !is_seen               ? idle_s

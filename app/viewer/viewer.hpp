@@ -76,6 +76,13 @@ private:
     void request(size_t slot, const Sight& sight, bool is_moving);
     [[nodiscard]] Sight sight() const;
     void move_by_keys(double seconds);
+    /// Whether somebody walks who cannot go through walls.
+    [[nodiscard]] bool is_on_foot() const;
+    /// Begins to walk where the visit of a world does.
+    void set_out();
+    void go_on_foot(double seconds);
+    /// The pointer is hidden, and turns the head.
+    void take_pointer(bool is_taken);
     void follow_pointer(const std::vector<PointerEvent>& events);
     void press(const PointerEvent& event, const Area& area);
     void drag(const glm::dvec2& way, const PointerEvent& event, const Area& area);
@@ -119,6 +126,9 @@ private:
     enum class Drag : uint8_t { none, turn, pan, zoom, sun, split };
     Drag drag_ = Drag::none;
     glm::dvec2 pointer_{0.0};
+    bool has_pointer_ = false;
+    glm::dvec3 walked_to_{0.0};   ///< the eye, as the walker left it
+    std::optional<double> end_s_; ///< when the walker came to where a world ends
     FileWatch scene_watch_;
     FileWatch style_watch_;
     FileWatch terrain_watch_;
@@ -129,7 +139,7 @@ private:
     app::Clock::time_point looked_at_files_ = start_;
     Take take_;
     app::Clock::time_point take_start_ = start_;
-    std::shared_ptr<const Style> take_style_;
+    std::shared_ptr<const app::ChosenStyle> take_style_;
     uint64_t take_revision_ = 0;
     int frames_to_paint_ = 3; ///< panels settle in a few
 };

@@ -59,6 +59,7 @@ void Viewer::take(const SceneTaken& taken)
     studio_.file = taken.file;
     studio_.settle("scene");
     ++scene_number_;
+    end_s_.reset();
     const Scene& scene = taken.file->scene;
     const std::string name = std::filesystem::path(taken.file->draw.scene).filename().string();
     const bool is_terrain_alone = scene.terrain && scene.meshes.empty();
@@ -78,6 +79,10 @@ void Viewer::take(const SceneTaken& taken)
         studio_.time = {.time_s = taken.file->draw.time_s,
                         .is_endless = scene.terrain && scene.animations.empty(),
                         .animation = taken.file->animation};
+        take_pointer(false);
+        if (taken.file->visit && taken.file->draw.camera.kind == app::CameraChoice::Kind::automatic) {
+            set_out();
+        }
         studio_.bookmark.reset();
         studio_.attempt("bookmarks",
                         [&] { studio_.bookmarks = load_bookmarks(bookmarks_path(taken.file->draw.scene)); });

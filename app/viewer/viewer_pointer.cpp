@@ -12,6 +12,12 @@ namespace estampe::viewer {
 void Viewer::move_by_keys(double seconds)
 {
     studio_.time.advance(seconds);
+    constexpr double longest_s = 0.2; // a stall is no leap
+    if (is_on_foot()) {
+        go_on_foot(std::min(seconds, longest_s));
+        return;
+    }
+    take_pointer(false);
     if (studio_.rig.mode() == CameraMode::orbit) {
         return;
     }
@@ -21,7 +27,6 @@ void Viewer::move_by_keys(double seconds)
     const glm::dvec3 way(axis(GLFW_KEY_A, GLFW_KEY_D), axis(GLFW_KEY_C, GLFW_KEY_E),
                          axis(GLFW_KEY_S, GLFW_KEY_W));
     if (way != glm::dvec3(0.0)) {
-        constexpr double longest_s = 0.2; // a stall is no leap
         studio_.rig.go(way, std::min(seconds, longest_s),
                        window_.is_down(GLFW_KEY_LEFT_SHIFT) || window_.is_down(GLFW_KEY_RIGHT_SHIFT));
     }
@@ -29,6 +34,9 @@ void Viewer::move_by_keys(double seconds)
 
 void Viewer::drag(const glm::dvec2& way, const PointerEvent& event, const Area& area)
 {
+    if (is_on_foot() && (drag_ == Drag::pan || drag_ == Drag::zoom)) {
+        return; // feet alone take a walker elsewhere
+    }
     switch (drag_) {
     case Drag::turn:
         studio_.rig.turn(way);
@@ -84,7 +92,12 @@ void Viewer::follow_pointer(const std::vector<PointerEvent>& events)
         const bool is_free = is_in_picture && !ImGui::GetIO().WantCaptureMouse && studio_.file;
         switch (event.kind) {
         case PointerEvent::Kind::press:
-            if (drag_ == Drag::none && is_free) {
+            if (has_pointer_) {
+                take_pointer(false);
+            } else if (is_free && is_on_foot() && event.button == GLFW_MOUSE_BUTTON_LEFT &&
+                       event.modifiers == 0 && !studio_.comparison.other && !window_.is_down(GLFW_KEY_L)) {
+                take_pointer(true);
+            } else if (drag_ == Drag::none && is_free) {
                 press(event, area);
             }
             break;
@@ -95,10 +108,14 @@ void Viewer::follow_pointer(const std::vector<PointerEvent>& events)
             drag_ = Drag::none;
             break;
         case PointerEvent::Kind::move:
-            drag(way, event, area);
+            if (has_pointer_) {
+                studio_.rig.turn(-way); // the head goes with the hand
+            } else {
+                drag(way, event, area);
+            }
             break;
         case PointerEvent::Kind::wheel:
-            if (is_free) {
+            if (is_free && !is_on_foot()) {
                 studio_.rig.zoom(event.wheel);
             }
             break;

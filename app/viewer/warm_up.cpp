@@ -17,6 +17,7 @@
 #include "core/file.hpp"
 #include "core/hash.hpp"
 #include "drawing.hpp"
+#include "living.hpp"
 #include "quick_compile.hpp"
 
 namespace estampe::viewer {
@@ -122,10 +123,11 @@ void warm_up(const app::ViewCommand& command)
     const Camera camera = app::choose_camera(draw, scene, animation);
     Renderer renderer(draw.device);
     app::set_scene(renderer, scene, draw);
+    const Style style = app::Living(draw, scene, app::Occasion::walk).show(renderer, draw.time_s, camera);
     RenderSettings settings = app::settings_of(draw, animation);
     for (const Continuity continuity : {Continuity::still, Continuity::starts, Continuity::follows}) {
         settings.continuity = continuity;
-        std::ignore = renderer.render(camera, draw.style, settings);
+        std::ignore = renderer.render(camera, style, settings);
     }
     const fs::path file = warmth_file();
     std::error_code problem;

@@ -172,6 +172,45 @@ bool Window::is_down(int key) const
     return !ImGui::GetIO().WantTextInput && glfwGetKey(handle_, key) == GLFW_PRESS;
 }
 
+Gamepad Window::gamepad() const
+{
+    Gamepad pad;
+    if (!has_focus()) {
+        return pad;
+    }
+    GLFWgamepadstate state;
+    int number = GLFW_JOYSTICK_1;
+    while (number <= GLFW_JOYSTICK_LAST && glfwGetGamepadState(number, &state) != GLFW_TRUE) {
+        ++number;
+    }
+    if (number > GLFW_JOYSTICK_LAST) {
+        return pad;
+    }
+    const auto stick = [&](int x, int y) {
+        constexpr double dead = 0.16; // sticks do not come back to their middle
+        const glm::dvec2 at(state.axes[x], state.axes[y]);
+        const double length = glm::length(at);
+        return length > dead ? at / length * std::min((length - dead) / (1.0 - dead), 1.0) : glm::dvec2(0.0);
+    };
+    pad.walk = stick(GLFW_GAMEPAD_AXIS_LEFT_X, GLFW_GAMEPAD_AXIS_LEFT_Y);
+    pad.look = stick(GLFW_GAMEPAD_AXIS_RIGHT_X, GLFW_GAMEPAD_AXIS_RIGHT_Y);
+    pad.runs = state.buttons[GLFW_GAMEPAD_BUTTON_LEFT_BUMPER] == GLFW_PRESS ||
+               state.buttons[GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER] == GLFW_PRESS ||
+               state.buttons[GLFW_GAMEPAD_BUTTON_LEFT_THUMB] == GLFW_PRESS;
+    pad.jumps = state.buttons[GLFW_GAMEPAD_BUTTON_A] == GLFW_PRESS;
+    return pad;
+}
+
+void Window::take_pointer(bool is_taken)
+{
+    glfwSetInputMode(handle_, GLFW_CURSOR, is_taken ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+}
+
+bool Window::has_focus() const
+{
+    return glfwGetWindowAttrib(handle_, GLFW_FOCUSED) == GLFW_TRUE;
+}
+
 void Window::toggle_full_screen()
 {
     if (glfwGetWindowMonitor(handle_) != nullptr) {

@@ -29,6 +29,14 @@ struct WindowEvents {
     bool any = false; ///< something that may change what is painted
 };
 
+/// What the first gamepad says; sticks are of -1 to 1 each way, right and down.
+struct Gamepad {
+    glm::dvec2 walk{0.0}; ///< left stick
+    glm::dvec2 look{0.0}; ///< right stick
+    bool runs = false;    ///< a bumper, or the left stick pressed
+    bool jumps = false;   ///< the lowest button
+};
+
 /// A window, its keys and pointer, and Dear ImGui's share of them. There is one at a time.
 class Window {
 public:
@@ -54,6 +62,11 @@ public:
     [[nodiscard]] float content_scale() const { return content_scale_; }
 
     [[nodiscard]] bool is_down(int key) const;
+    /// At rest where there is none.
+    [[nodiscard]] Gamepad gamepad() const;
+    /// Hides the pointer, which then moves without an end; or gives it back.
+    void take_pointer(bool is_taken);
+    [[nodiscard]] bool has_focus() const;
     /// On the monitor that holds most of the window, and back.
     void toggle_full_screen();
 

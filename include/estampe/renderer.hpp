@@ -88,6 +88,18 @@ struct RenderSettings {
     uint32_t tile_px = 0;
 };
 
+/// How bright one of the scene's lights is now.
+struct LightBrightness {
+    Index light = no_index;
+    float intensity = 1.0F; ///< as Light::intensity is
+};
+
+/// Where a node stands in its parent's space.
+struct NodePlace {
+    Index node = no_index;
+    Transform transform;
+};
+
 /// Who takes a picture that is handed over in parts.
 struct BandSink {
     /// Is given all rows from the top down, some at a time, as wide as the picture.
@@ -150,6 +162,20 @@ public:
     /// the device.
     void press(std::span<const TrailStamp> stamps);
 
+    /// Lets lights of the scene burn brighter or lower from the next picture on; what the style says of them
+    /// goes over it. Throws Error when there is no scene or no such light, and for what is no brightness.
+    /// Cost: linear in lights; no shadow is drawn anew.
+    void set_brightness(std::span<const LightBrightness> lights);
+
+    /// Moves nodes of the scene, and what hangs on them or is bent by them, while it is drawn: they stand so
+    /// at that moment of the pictures and after it, and in between on the way from where they were put
+    /// before. It takes the place of what an animation says of them. What was said of a later moment is
+    /// forgotten; 12 seconds are remembered, by which motion is blurred, ink is carried along and plumes of
+    /// particles stay behind. Throws Error when there is no scene or no such node, and for a place that is
+    /// not finite. Cost: linear in the nodes; the first time for nodes that no animation moves, those of a
+    /// call are laid out anew, at the cost of a fraction of set_scene().
+    void place(std::span<const NodePlace> places, double time_s);
+
     /// Whether a terrain that was set `at_once` is still interpreted because its shader is being compiled.
     /// When it is not any more, the next picture is drawn by that.
     [[nodiscard]] bool is_terrain_compiling() const;
@@ -184,9 +210,10 @@ public:
     /// The picture of render(), and what it is made of: the layers paper, wash (multiplied), ink
     /// that flows where the style has any, hatch and lines,
     /// which laid on each other are the picture again; and masks: "shadow", where the sun's light is kept off
-    /// by something, where there is such a shadow, and one for each node of the scene that is seen, named
-    /// after it. With several samples all are means of theirs. Throws Error as render_linear() does. Cost: as
-    /// render(), and four more passes over the page; 84 bytes a pixel are read back.
+    /// by something, where there is such a shadow, "clouds", where they cover the sky, and one for each node
+    /// of the scene that is seen, named after it. With several samples all are means of theirs. Throws Error
+    /// as render_linear() does. Cost: as render(), and four more passes over the page; 86 bytes a pixel are
+    /// read back.
     [[nodiscard]] LayeredImage render_layers(const Camera& camera, const Style& style,
                                              const RenderSettings& settings);
 
@@ -199,9 +226,10 @@ public:
                                              const RenderSettings& settings,
                                              HiddenLines hidden = HiddenLines::left_out);
 
-    /// What the next frame of a film takes from those before it: where lines were, and how bright it was.
-    /// With it another run draws on as this one would, to the byte. Empty when the last frame was of no film,
-    /// see RenderSettings::continuity. Cost: a copy from the device, 5 bytes a pixel.
+    /// What the next frame of a film takes from those before it: where lines were, how bright it was, ink
+    /// that flows, smoke and cloth. With it another run draws on as this one would, to the byte. Empty when
+    /// the last frame was of no film, see RenderSettings::continuity. Cost: a copy from the device: 5 bytes a
+    /// pixel where lines are chains, 20 a cell of smoke.
     [[nodiscard]] std::vector<std::byte> film_memory() const;
 
     /// Makes the next frame, if it Continuity::follows, follow on those of the film_memory() of a renderer on

@@ -34,6 +34,13 @@ public:
     /// Applies one assignment, "hatch.contrast=12". Throws Error as load() does.
     void set(std::string_view assignment);
 
+    /// The value of a number, by its key: "haze.reach_m"; of a toggle 0 or 1. Throws Error for a key that is
+    /// none, or is of another type.
+    [[nodiscard]] double number(std::string_view key) const;
+
+    /// The same of a colour, sRGB of 0 to 1: "sky.horizon".
+    [[nodiscard]] glm::vec3 color(std::string_view key) const;
+
     /// Every parameter with its value, as a TOML text that load() reads back to an equal style.
     [[nodiscard]] std::string to_toml() const;
 

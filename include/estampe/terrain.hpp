@@ -152,8 +152,10 @@ private:
 
 struct Camera;
 
-/// A view over the ground, from the height of a rider's eye on the highest place near the origin, across the
-/// wind, at what is there at most 100 m away. Cost: about 1,500 samples.
-[[nodiscard]] Camera terrain_camera(const Terrain& terrain, double time_s = 0.0);
+/// A view over the ground from a rider's eye on one of the high places near the origin, to where a third of
+/// what is seen lies in the shade of a sun towards which the vector points. Cost: 26,000 samples, 0.1 s for a
+/// graph of twenty nodes.
+[[nodiscard]] Camera terrain_camera(const Terrain& terrain, double time_s = 0.0,
+                                    const glm::dvec3& towards_sun = {-0.4, 0.7, 0.6});
 
 } // namespace estampe

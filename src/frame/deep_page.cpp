@@ -43,6 +43,8 @@ DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, Dee
         page.draws =
             gpu::Buffer(device, "draws of layers", sizeof(uint32_t) * count, gpu::MemoryUse::readback);
         page.sun = gpu::Buffer(device, "sun of layers", sizeof(float) * count, gpu::MemoryUse::readback);
+        page.cloud_cover =
+            gpu::Buffer(device, "clouds of layers", sizeof(uint16_t) * count, gpu::MemoryUse::readback);
         if (kind.has_occlusion) {
             page.open = gpu::Buffer(device, "occlusion of layers", sizeof(uint16_t) * count,
                                     gpu::MemoryUse::readback);
@@ -71,6 +73,10 @@ void declare_deep_page(gpu::Graph& graph, const DeepInputs& in, const paper::Pap
         gpu::add_read_back(graph, "read back sun", in.sun, page.sun);
         if (in.open) {
             gpu::add_read_back(graph, "read back occlusion", *in.open, page.open);
+        }
+        page.has_clouds = in.cloud_cover.has_value();
+        if (in.cloud_cover) {
+            gpu::add_read_back(graph, "read back clouds", *in.cloud_cover, page.cloud_cover);
         }
     }
 }

@@ -25,6 +25,8 @@ struct DeepPage {
     gpu::Buffer draws; ///< of the last sample, see shaders/draw_word.glsl; empty where no layers are wanted
     gpu::Buffer sun;   ///< of the last sample, see light::LitPixels; empty where no layers are wanted
     gpu::Buffer open;  ///< of the last sample, halves; empty where no layers are wanted, or no occlusion
+    gpu::Buffer cloud_cover; ///< the same of what clouds cover; empty where no layers are wanted
+    bool has_clouds = false; ///< else that holds nothing
 
     [[nodiscard]] bool has_layers() const { return !draws.empty(); }
 };
@@ -47,6 +49,7 @@ struct DeepInputs {
     gpu::ImageId draw;
     gpu::ImageId sun;
     std::optional<gpu::ImageId> open;
+    std::optional<gpu::ImageId> cloud_cover;
 };
 
 /// Declares what fills `page`, which must outlive the graph.

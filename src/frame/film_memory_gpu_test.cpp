@@ -22,6 +22,9 @@ Scene still_life()
     test::add_object(scene, shapes::torus(0.6F, 0.25F, 32, 16), {0.2F, 0.4F, 0.7F}, {0.8, 0.6, 0.5});
     scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
     scene.nodes.push_back({.name = "smoke", .transform = {.translation = {-0.6, 0.75, 0.0}}});
+    scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
+    scene.nodes.push_back({.name = "smoke of another size",
+                           .transform = {.translation = {1.6, 0.0, -0.5}, .scale = {0.4, 0.8, 0.4}}});
     test::add_sun(scene, {1.0, 2.0, 1.5});
     return scene;
 }
@@ -31,8 +34,8 @@ Style inked()
     Style style;
     for (const char* assignment :
          {"contour.hidden=dashed", "contour.brush=pencil", "contour.brush_fit=stretch", "light.metering=page",
-          "light.adapt_stops_per_s=0.5", "ink.drawn=true", "ink.age_s=0.5", "smoke.drawn=true",
-          "smoke.cells=16", "smoke.age_s=0.5", "smoke.rise_s=1"}) {
+          "light.adapt_stops_per_s=0.5", "ink.drawn=true", "ink.age_s=0.5", "ink.solved=0.7",
+          "smoke.drawn=true", "smoke.cells=16", "smoke.age_s=0.5", "smoke.rise_s=1"}) {
         style.set(assignment);
     }
     return style;
@@ -75,6 +78,35 @@ TEST(FilmMemory, AnotherRunGoesOnToTheByte)
 
     renderer.set_scene(scene);
     EXPECT_FALSE(frame(renderer, style, 4) == film[4]) << "without its memory it is another";
+}
+
+TEST(FilmMemory, GoesOnWithoutLinesToo)
+{
+    Renderer& renderer = test::shared_renderer();
+    Style style;
+    for (const char* assignment :
+         {"contour.drawn=false", "smoke.drawn=true", "smoke.cells=16", "smoke.age_s=0.5", "smoke.rise_s=1",
+          "light.metering=page", "light.adapt_stops_per_s=0.5"}) {
+        style.set(assignment);
+    }
+    const Scene scene = still_life();
+    renderer.set_scene(scene);
+    static_cast<void>(frame(renderer, style, 0));
+    static_cast<void>(frame(renderer, style, 1));
+    const std::vector<std::byte> memory = renderer.film_memory();
+    const Image next = frame(renderer, style, 2);
+    ASSERT_FALSE(memory.empty());
+    constexpr size_t smoke_bytes = 20 * (16 * 16 * 16 + 8 * 16 * 8);
+    EXPECT_LT(memory.size(), smoke_bytes + 2000) << "lines that nobody draws are not kept";
+
+    renderer.set_scene(scene);
+    renderer.recall_film(memory);
+    EXPECT_EQ(renderer.film_memory(), memory);
+    EXPECT_TRUE(frame(renderer, style, 2) == next);
+    renderer.set_scene(scene);
+    EXPECT_FALSE(frame(renderer, style, 2) == next) << "without its memory it is another";
+    static_cast<void>(renderer.render({.eye = {6.0, 3.0, 0.0}}, style, {.width = 96, .height = 64}));
+    EXPECT_TRUE(renderer.film_memory().empty()) << "a picture that stands for itself leaves nothing";
 }
 
 TEST(FilmMemory, RefusesWhatIsNone)

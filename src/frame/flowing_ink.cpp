@@ -52,8 +52,8 @@ std::optional<double> FlowingInk::before_s(const RenderSettings& settings, const
     return goes_on ? memory_.time_s() : std::nullopt;
 }
 
-std::optional<InkPlan> FlowingInk::provide(gpu::Device& device, const FlowingInkInputs& in,
-                                           std::vector<std::string>& notes)
+std::optional<InkPlan> FlowingInk::provide(gpu::Device& device, gpu::Executor& executor,
+                                           const FlowingInkInputs& in, std::vector<std::string>& notes)
 {
     const ink::InkStyle& style = in.style.ink;
     if (!style.drawn) {
@@ -73,6 +73,11 @@ std::optional<InkPlan> FlowingInk::provide(gpu::Device& device, const FlowingInk
                            .clip_from_anchor_before = page_seen_by(in, before_camera).clip_from_anchor,
                            .pose_moved = in.loaded.pose_moved};
     InkPlan plan{.ink = ink::plan_of(style, page, time, view_of(in, moved), zones), .motion = {}};
+    if (style.solved > 0.0F && plan.ink.grid.face_side == 0) {
+        ink::add_stream(plan.ink, water_.stirred(device, executor, style, page, time, zones));
+    } else {
+        water_.forget();
+    }
     if ((plan.ink.first_variant & shared::ink_has_motion) != 0) {
         plan.motion = moved;
     }

@@ -9,6 +9,7 @@
 
 #include <estampe/renderer.hpp>
 
+#include "frame/ink_water.hpp"
 #include "frame/loaded_scene.hpp"
 #include "frame/motion.hpp"
 #include "frame/style_tables.hpp"
@@ -39,14 +40,18 @@ public:
 
     /// Plans the ink of a picture and makes room for it; nothing where the style has none. Patterns that name
     /// nothing go into `notes`. Throws Error for a flow map or zones that cannot be read.
-    [[nodiscard]] std::optional<InkPlan> provide(gpu::Device& device, const FlowingInkInputs& in,
-                                                 std::vector<std::string>& notes);
+    [[nodiscard]] std::optional<InkPlan> provide(gpu::Device& device, gpu::Executor& executor,
+                                                 const FlowingInkInputs& in, std::vector<std::string>& notes);
 
     /// To be called when the first sample of that picture has been drawn.
     void drawn(const InkPlan& plan, const Camera& camera);
 
     /// The next picture is of something else.
-    void forget() { memory_.forget(); }
+    void forget()
+    {
+        memory_.forget();
+        water_.forget();
+    }
 
     [[nodiscard]] ink::Memory& memory() { return memory_; }
 
@@ -56,8 +61,11 @@ public:
 
     void recall_camera(const Camera& camera) { camera_before_ = camera; }
 
+    [[nodiscard]] InkWater& water() { return water_; }
+
 private:
     ink::Memory memory_;
+    InkWater water_;
     Camera camera_before_;
 };
 

@@ -25,9 +25,10 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     // What light falls on it.
     const ShadowMaps maps = add_shadow_maps(making, scene);
     const std::optional<gpu::ImageId> known = add_known_light(making, scene, visibility);
-    const std::optional<gpu::ImageId> open = add_occlusion(making, scene, visibility, surface);
-    const light::LitPixels lit =
-        add_light(making, scene, visibility, surface, {.maps = maps, .known = known, .open = open});
+    const std::optional<occlusion::OpenPage> open = add_occlusion(making, scene, visibility, surface);
+    const std::optional<smoke::Volume> volume = add_smoke_volume(making, scene, maps);
+    const light::LitPixels lit = add_light(making, scene, visibility, surface,
+                                           {.maps = maps, .smoke = volume, .known = known, .open = open});
 
     // What ink that is: as paths, or as layers.
     const hatch::HatchInputs hatching = hatch_inputs(making, scene, surface, lit, screen);
@@ -52,10 +53,11 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
 
     // What colour lies under it, and all of it on paper.
     Colors colors = add_colors(making, scene, surface, lit.light, screen);
+    colors = add_seen_through(making, scene, visibility, surface, maps, screen, colors);
     haze::HazeLayers faded = add_haze(making, scene, surface, colors.sky_wash,
                                       {.wash = colors.wash, .hatch = ink, .lines = lines});
     faded.lines = add_drift(making, scene, surface, faded.lines);
-    faded = add_particles(making, scene, surface, faded);
+    faded = add_particles(making, scene, surface, colors.sky_wash, faded);
     const lens::LensLayers focused = add_lens(making, surface, faded, colors);
     colors.has_sky_ink = colors.has_sky_ink && !focused.holds_sky;
     faded = {.wash = focused.wash, .hatch = focused.hatch, .lines = focused.lines};
@@ -64,11 +66,13 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     colors.has_sky_ink = colors.has_sky_ink && !exposed.holds_sky;
     faded = {.wash = exposed.wash, .hatch = exposed.hatch, .lines = add_focus_lines(making, exposed.lines)};
     const auto flowing = add_flowing_ink(making, scene, visibility, surface, lit.light, faded);
-    const auto smoke = add_smoke(making, scene, surface, faded.lines);
+    const auto smoke = add_smoke(making, scene, surface, volume, colors.sky_wash, faded.lines);
     const paper::ComposeInputs layers =
         page_layers(making, scene, faded, colors, {.ink = flowing, .smoke = smoke}, lit.light);
     add_picture(making, layers);
-    add_deep_picture(making, layers, surface, lit, open);
+    add_deep_picture(
+        making, layers, surface, lit,
+        {.open = open ? std::optional(open->open) : std::nullopt, .cloud_cover = colors.cloud_cover});
 }
 
 } // namespace estampe::frame

@@ -8,6 +8,7 @@
 #include "frame/particles.hpp"
 #include "frame/plan.hpp"
 #include "frame/style_tables.hpp"
+#include "frame/surface_map.hpp"
 #include "frame/tonal_maps.hpp"
 #include "frame/vectors.hpp"
 #include "gpu/graph/graph.hpp"
@@ -17,7 +18,8 @@
 #include "techniques/contour/chains/strung_lines.hpp"
 #include "techniques/ink/ink.hpp"
 #include "techniques/lightmap/lightmap.hpp"
-#include "techniques/occlusion/discs.hpp"
+#include "techniques/motion_blur/stretch.hpp"
+#include "techniques/occlusion/disc_map.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
@@ -49,32 +51,37 @@ struct FrameResources {
     gpu::Buffer& edge_look;  ///< EdgeLook, see shadow/edge.glsl.h
     gpu::Buffer& sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
     LocalShadowBuffers& local_shadows;
-    gpu::Buffer& stroke_kinds;       ///< one a draw
-    gpu::Buffer& form_coordinates;   ///< three a triangle, where strokes follow the form
-    lightmap::MapBuffers* lightmaps; ///< where the scene has any
-    TonalMaps& maps;                 ///< one a look
-    gpu::Buffer& look_of_draw;       ///< where surfaces differ, as LookPlan has it
-    gpu::Buffer& line_looks;         ///< then, contour's LineLook of each look
-    gpu::Buffer& subsurface_looks;   ///< where light goes into things
-    occlusion::DiscBuffers& discs;   ///< where occlusion is found between them
+    gpu::Buffer& stroke_kinds;              ///< one a draw
+    gpu::Buffer& form_coordinates;          ///< three a triangle, where strokes follow the form
+    lightmap::MapBuffers* lightmaps;        ///< where the scene has any
+    TonalMaps& maps;                        ///< one a look
+    gpu::Buffer& look_of_draw;              ///< where surfaces differ, as LookPlan has it
+    gpu::Buffer& line_looks;                ///< then, contour's LineLook of each look
+    gpu::Buffer& subsurface_looks;          ///< where light goes into things
+    occlusion::DiscBuffers& discs;          ///< where occlusion is found between them
+    occlusion::DiscMapBuffers& disc_map;    ///< then, in a map
+    SurfaceMap* occlusion_map = nullptr;    ///< then
+    SurfaceMap* scatter_map = nullptr;      ///< that light spreads in
+    gpu::Buffer& map_frame;                 ///< then: FrameGlobals, of a page as large as the map
+    motion_blur::TogetherBuffers& together; ///< where meshes are drawn out
     GroundShadow& ground_shadow;
     MovingCloth* cloth;               ///< where the scene has any
     terrain::TerrainBuffers* terrain; ///< where the scene has one
     terrain::TroddenSand* trodden;    ///< then
     contour::LineMesh* line_mesh;     ///< where lines are chains
     contour::LineHistory& line_history;
-    gpu::Buffer& focus_lines;              ///< of the plan
-    CloudBuffers& clouds;                  ///< where the plan has any
-    ParticleBuffers& particles;            ///< where the plan has any
-    contour::BrushImages* brushes;         ///< where lines have others than the pen
-    gpu::Image& sums;                      ///< of a picture of several samples
-    gpu::Buffer& pixels;                   ///< the picture, four bytes a pixel, for reading back
-    gpu::Buffer& motion;                   ///< read back where the plan asks for it
-    ink::Memory& ink;                      ///< that flows, where the plan has any
-    RisingSmoke& smoke;                    ///< risen, where the plan has any
-    StrokeLists* lists = nullptr;          ///< where strokes are wanted in place of a picture
-    DeepPage* deep = nullptr;              ///< where the picture is wanted in floats too
-    std::optional<StrungPart> strung = {}; ///< where lines are strung already
+    gpu::Buffer& focus_lines;                ///< of the plan
+    CloudBuffers& clouds;                    ///< where the plan has any
+    std::vector<ParticleBuffers>& particles; ///< as many as the plan has looks of them
+    contour::BrushImages* brushes;           ///< where lines have others than the pen
+    gpu::Image& sums;                        ///< of a picture of several samples
+    gpu::Buffer& pixels;                     ///< the picture, four bytes a pixel, for reading back
+    gpu::Buffer& motion;                     ///< read back where the plan asks for it
+    ink::Memory& ink;                        ///< that flows, where the plan has any
+    RisingSmoke& smoke;                      ///< risen, where the plan has any
+    StrokeLists* lists = nullptr;            ///< where strokes are wanted in place of a picture
+    DeepPage* deep = nullptr;                ///< where the picture is wanted in floats too
+    std::optional<StrungPart> strung = {};   ///< where lines are strung already
     /// Where what tiles share is wanted in place of a picture: lines, and how bright the page is.
     contour::StrungLines* strung_into = nullptr;
     const VulkanPicture* target = nullptr; ///< of the host's, where the picture goes in place of `pixels`

@@ -9,7 +9,7 @@ GroundShadowPlan plan_ground_shadow(const Camera& camera, const glm::dvec3& anch
                                     const glm::dvec3& towards_sun, bool is_thrown,
                                     const shadow::ShadowStyle& style, bool is_processor)
 {
-    constexpr double texel_m = 0.5;
+    constexpr double texel_m = 0.125; // a power of two, or patterns that repeat would have others far off
     constexpr uint32_t size = 512;
     return {.is_thrown = is_thrown,
             .towards_sun = towards_sun,

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <estampe/terrain.hpp>
+
 namespace estampe::frame {
 
 Outlook HouseLight::outlook(const Scene& scene, const light::LightStyle& style,
@@ -17,6 +19,9 @@ Outlook HouseLight::outlook(const Scene& scene, const light::LightStyle& style,
     if (!outlook_) {
         cloud_ = surface_cloud(scene, pose_scene(scene, 0.0, no_index));
         outlook_ = find_outlook(*cloud_);
+        if (scene.terrain && cloud_->points.empty()) { // its own mesh has no triangles yet
+            outlook_->wind_deg = scene.terrain->description().wind.direction_deg;
+        }
     }
     Outlook outlook = *outlook_;
     if (!outlook.shelter && eye) {

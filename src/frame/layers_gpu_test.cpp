@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures in floats and in layers, from the scene to the file.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -185,6 +186,40 @@ TEST(Layers, MasksShareThePageAmongTheNodes)
         }
         EXPECT_GT(sum[size_t{80} * 200 + 100], 0.999F) << "the middle of the page is of something";
     }
+}
+
+TEST(Layers, AMaskSaysWhereCloudsAre)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(still_life());
+    const Camera low{.eye = {3.0, 0.6, 5.0}, .target = {0.0, 1.8, 0.0}};
+    const RenderSettings settings{.width = 120, .height = 80};
+    Style cloudy;
+    for (const char* assignment : {"sky.mode=drawn", "clouds.coverage=0.5", "clouds.hatch=0"}) {
+        cloudy.set(assignment);
+    }
+    Style blue = cloudy;
+    blue.set("clouds.coverage=0");
+    const LayeredImage image = renderer.render_layers(low, cloudy, settings);
+    const LayeredImage bare = renderer.render_layers(low, blue, settings);
+    const auto is_of_clouds = [](const PictureMask& mask) { return mask.name == "clouds"; };
+    EXPECT_TRUE(std::ranges::none_of(bare.masks, is_of_clouds));
+    const auto mask = std::ranges::find_if(image.masks, is_of_clouds);
+    ASSERT_NE(mask, image.masks.end());
+    EXPECT_FALSE(mask->is_object);
+    size_t covered = 0;
+    size_t unlike = 0;
+    size_t open = 0;
+    for (size_t i = 0; i < mask->cover.size(); ++i) {
+        const bool is_alike = image.layers[1].image.pixels[i] == bare.layers[1].image.pixels[i];
+        EXPECT_TRUE(is_alike || mask->cover[i] > 0.0F) << "pixel " << i;
+        covered += mask->cover[i] > 0.5F ? 1 : 0;
+        unlike += mask->cover[i] > 0.5F && !is_alike ? 1 : 0;
+        open += is_alike ? 1 : 0;
+    }
+    EXPECT_GT(covered, 300U);
+    EXPECT_GE(unlike, covered * 9 / 10);
+    EXPECT_GT(open, 300U);
 }
 
 /// The shadow of the box lies on the floor on the side away from the sun.

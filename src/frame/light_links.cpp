@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/light_links.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -206,6 +207,33 @@ LightingOfScene lighting_of(const Scene& scene)
 bool same_links(const LightingOfScene& a, const LightingOfScene& b)
 {
     return a.node_links == b.node_links && a.material_links == b.material_links;
+}
+
+bool same_but_for_brightness(const LightingOfScene& a, const LightingOfScene& b)
+{
+    const auto alike = [](const Light& one, Light other) {
+        const bool both_burn = one.intensity > 0.0F && other.intensity > 0.0F;
+        other.intensity = both_burn ? one.intensity : other.intensity;
+        return one == other;
+    };
+    return same_links(a, b) && std::ranges::equal(a.lights, b.lights, alike);
+}
+
+void brighten(LightingOfScene& lighting, std::span<const LightBrightness> lights)
+{
+    for (const LightBrightness& light : lights) {
+        if (light.light >= lighting.lights.size()) {
+            throw Error(fmt::format("there is no light {}", light.light), "set_brightness",
+                        fmt::format("the scene has {}", lighting.lights.size()));
+        }
+        if (!std::isfinite(light.intensity) || light.intensity < 0.0F) {
+            throw Error(fmt::format("{} is no brightness", light.intensity), "set_brightness",
+                        "it is 0 or more");
+        }
+    }
+    for (const LightBrightness& light : lights) {
+        lighting.lights[light.light].intensity = light.intensity;
+    }
 }
 
 LightingOfScene styled_lighting(const LightingOfScene& own, const Scene& scene,

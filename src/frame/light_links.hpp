@@ -3,8 +3,10 @@
 
 // What a style says of single lights and objects, over what their file says.
 
+#include <span>
 #include <vector>
 
+#include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 
 #include "techniques/light/light_style.hpp"
@@ -24,6 +26,12 @@ struct LightingOfScene {
 
 /// Whether triangles and draws differ, so that they have to be made again.
 [[nodiscard]] bool same_links(const LightingOfScene& a, const LightingOfScene& b);
+
+/// Whether nothing differs but how bright lights are that burn in both.
+[[nodiscard]] bool same_but_for_brightness(const LightingOfScene& a, const LightingOfScene& b);
+
+/// Sets how bright lights are. Throws Error for one that there is not, and for what is no brightness.
+void brighten(LightingOfScene& lighting, std::span<const LightBrightness> lights);
 
 /// `own` with `light.lights` and `light.objects` of the style applied. A light goes by its name or its
 /// node's, an object by its node's name, which counts for the nodes below, or by its material's. Throws Error

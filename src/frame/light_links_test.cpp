@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frame/light_links.hpp"
 
+#include <limits>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <estampe/error.hpp>
@@ -44,6 +47,31 @@ std::string failure(const std::string& lights, const std::string& objects)
 TEST(LightLinks, NothingSaidChangesNothing)
 {
     EXPECT_EQ(styled("", " "), lighting_of(named_scene()));
+}
+
+TEST(LightLinks, LightsBurnBrighterWithoutOtherShadows)
+{
+    const LightingOfScene before = styled("", "");
+    LightingOfScene lighting = before;
+    brighten(lighting, std::vector<LightBrightness>{{.light = 0, .intensity = 0.5F}});
+    EXPECT_EQ(lighting.lights[0].intensity, 0.5F);
+    EXPECT_EQ(lighting.lights[1], before.lights[1]);
+    EXPECT_TRUE(same_but_for_brightness(before, lighting));
+    brighten(lighting, std::vector<LightBrightness>{{.light = 0, .intensity = 0.0F}});
+    EXPECT_FALSE(same_but_for_brightness(before, lighting)) << "a light that is out has no shadow";
+    EXPECT_FALSE(same_but_for_brightness(before, styled("Lamp=range:3", "")));
+    EXPECT_FALSE(same_but_for_brightness(before, styled("", "Arm=no_cast")));
+}
+
+TEST(LightLinks, WhatIsNoLightOrNoBrightnessIsRefusedWhole)
+{
+    LightingOfScene lighting = styled("", "");
+    const LightingOfScene before = lighting;
+    using Lights = std::vector<LightBrightness>;
+    EXPECT_THROW(brighten(lighting, Lights{{0, 2.0F}, {2, 1.0F}}), Error);
+    EXPECT_THROW(brighten(lighting, Lights{{0, 2.0F}, {1, -1.0F}}), Error);
+    EXPECT_THROW(brighten(lighting, Lights{{0, std::numeric_limits<float>::quiet_NaN()}}), Error);
+    EXPECT_EQ(lighting, before);
 }
 
 TEST(LightLinks, LightsGoByTheirNameOrTheirNodes)

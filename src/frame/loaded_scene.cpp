@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/loaded_scene.hpp"
 
+#include <glm/gtc/packing.hpp>
+
 #include <estampe/error.hpp>
 
 #include "frame/ground_mesh.hpp"
@@ -118,8 +120,43 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Ligh
     return loaded;
 }
 
-occlusion::DiscBuffers discs_of(gpu::Device& device, const pose::MeshData& layout)
+ScenePose pose_at(LoadedScene& loaded, double time_s, Index animation)
 {
+    loaded.placed.put(loaded.scene, time_s);
+    return pose_scene(loaded.scene, time_s, animation);
+}
+
+void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodePlace> places, double time_s)
+{
+    check_places(places, loaded.scene.nodes.size(), time_s);
+    if (take_over(loaded.scene, places)) {
+        lay_out(device, loaded);
+    }
+    loaded.placed.place(places, time_s);
+}
+
+namespace {
+
+/// Of each posed vertex its colour times the mean of its material's, linear.
+std::vector<glm::vec3> colors_of_vertices(const LoadedScene& loaded)
+{
+    const pose::MeshData& layout = loaded.layout;
+    std::vector<glm::vec3> colors(layout.stroke_coordinates.size(), glm::vec3(1.0F));
+    for (const shared::DrawRecord& draw : layout.draws) {
+        const glm::vec3 mean = loaded.materials.records[draw.material].mean_color;
+        for (uint32_t i = 0; i < draw.vertex_count; ++i) {
+            const glm::vec4 own = glm::unpackUnorm4x8(layout.rest_vertices[draw.first_rest_vertex + i].color);
+            colors[draw.first_posed_vertex + i] = mean * glm::vec3(own * own); // stored as its root
+        }
+    }
+    return colors;
+}
+
+} // namespace
+
+occlusion::DiscBuffers discs_of(gpu::Device& device, const LoadedScene& loaded)
+{
+    const pose::MeshData& layout = loaded.layout;
     std::vector<glm::uvec4> triangles;
     for (const pose::Range& range : {layout.opaque, layout.masked}) {
         for (uint32_t i = range.first; i < range.first + range.count; ++i) {
@@ -128,10 +165,10 @@ occlusion::DiscBuffers discs_of(gpu::Device& device, const pose::MeshData& layou
             }
         }
     }
-    return occlusion::upload_discs(
-        device,
-        occlusion::list_discs(layout.stroke_coordinates, static_cast<float>(layout.stroke_unit_m), triangles),
-        static_cast<uint32_t>(layout.stroke_coordinates.size()));
+    occlusion::DiscList list =
+        occlusion::list_discs(layout.stroke_coordinates, static_cast<float>(layout.stroke_unit_m), triangles);
+    occlusion::color_discs(list, colors_of_vertices(loaded));
+    return occlusion::upload_discs(device, list, static_cast<uint32_t>(layout.stroke_coordinates.size()));
 }
 
 void lay_out(gpu::Device& device, LoadedScene& loaded)
@@ -162,6 +199,9 @@ void lay_out(gpu::Device& device, LoadedScene& loaded)
     loaded.stroke_kinds.clear();
     loaded.line_meshes.forget();
     loaded.discs = {};
+    loaded.disc_map = {};
+    loaded.surface_maps.clear();
+    loaded.together = {};
     loaded.pose.reset();
     loaded.pose_moved = true;
 }
@@ -203,12 +243,13 @@ bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::Light
         return false;
     }
     const bool stands_otherwise = !same_links(wanted, loaded.styled_lighting);
+    const bool is_brightness_alone = same_but_for_brightness(wanted, loaded.styled_lighting);
     set_lighting(loaded.scene, wanted);
     loaded.styled_lighting = std::move(wanted);
     if (stands_otherwise) {
         lay_out(device, loaded);
     }
-    return true;
+    return !is_brightness_alone;
 }
 
 } // namespace estampe::frame

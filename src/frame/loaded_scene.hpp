@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 
 #include "frame/house_light.hpp"
@@ -12,7 +15,11 @@
 #include "frame/lightmaps.hpp"
 #include "frame/line_meshes.hpp"
 #include "frame/moving_cloth.hpp"
-#include "techniques/occlusion/discs.hpp"
+#include "frame/placed_nodes.hpp"
+#include "frame/surface_map.hpp"
+#include "techniques/light/light.hpp"
+#include "techniques/motion_blur/stretch.hpp"
+#include "techniques/occlusion/disc_map.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
@@ -35,8 +42,13 @@ struct LoadedScene {
     std::vector<uint32_t> stroke_kinds; ///< what the strokes of each draw follow, on the device
     std::optional<pose::PoseData> pose; ///< what the device holds now
     LineMeshes line_meshes;
-    occlusion::DiscBuffers discs; ///< made when a style first asks for them
+    occlusion::DiscBuffers discs;                ///< made when a style first asks for them
+    occlusion::DiscMapBuffers disc_map;          ///< then, where they are summed in a map
+    std::map<uint32_t, SurfaceMap> surface_maps; ///< that styles ask for, by their side in texels
+    motion_blur::TogetherBuffers together;       ///< then, too
     HouseLight house_light;
+    light::KeyLightMemory key_light;
+    PlacedNodes placed;                               ///< what a program moves
     std::unique_ptr<MovingCloth> cloth;               ///< where the scene has any
     std::unique_ptr<terrain::TerrainBuffers> terrain; ///< where the scene has one
     std::unique_ptr<terrain::TroddenSand> trodden;    ///< then
@@ -49,8 +61,16 @@ struct LoadedScene {
 /// when the lightmap is another scene's.
 [[nodiscard]] LoadedScene load_onto_device(gpu::Device& device, const Scene& scene, const Lightmap* lightmap);
 
-/// The discs of all that is neither blank ground nor terrain. Cost: n log n in vertices.
-[[nodiscard]] occlusion::DiscBuffers discs_of(gpu::Device& device, const pose::MeshData& layout);
+/// The scene at a moment, what a program moves among it.
+[[nodiscard]] ScenePose pose_at(LoadedScene& loaded, double time_s, Index animation);
+
+/// Moves nodes, as Renderer::place() does; lays out afresh when one of them was taken to stand for ever.
+/// Throws Error for a node or a place that is none.
+void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodePlace> places, double time_s);
+
+/// The discs of all that is neither blank ground nor terrain, in the colours of their vertices and materials.
+/// Cost: n log n in vertices.
+[[nodiscard]] occlusion::DiscBuffers discs_of(gpu::Device& device, const LoadedScene& loaded);
 
 /// Makes the meshes of the loaded scene as its objects' links want them, and forgets what was made of those
 /// before.
@@ -61,8 +81,8 @@ void lay_out(gpu::Device& device, LoadedScene& loaded);
 [[nodiscard]] bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terrain);
 
 /// Brings lights and objects to what `style` says of them, and lays out afresh when an object stands
-/// otherwise to the lights than before. Returns whether anything changed. Throws Error as styled_lighting()
-/// does.
+/// otherwise to the lights than before. Returns whether shadows may fall otherwise, which they do not where
+/// lights are brighter or lower. Throws Error as styled_lighting() does.
 [[nodiscard]] bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style);
 
 } // namespace estampe::frame

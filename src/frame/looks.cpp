@@ -111,6 +111,20 @@ LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const Styl
     return plan;
 }
 
+LookPlan looks_of_nodes(const Scene& scene, const StyleTables& style)
+{
+    LookPlan plan{.styles = {style}, .look_of_draw = {}, .lines = {}};
+    std::map<Matches, uint32_t> looks{{Matches(style.overrides.size(), false), 0U}};
+    for (const Matches& matches : matches_of_nodes(scene, style.overrides)) {
+        const auto [look, is_new] = looks.try_emplace(matches, static_cast<uint32_t>(plan.styles.size()));
+        if (is_new) {
+            plan.styles.push_back(look_of(style, matches));
+        }
+        plan.look_of_draw.push_back(look->second);
+    }
+    return plan;
+}
+
 std::vector<std::string> idle_overrides(const Scene& scene, const StyleTables& style)
 {
     std::vector<std::string> notes;

@@ -27,6 +27,10 @@ struct LookPlan {
 /// Draws of which the same overrides speak share a look. Cost: linear in draws times overrides.
 [[nodiscard]] LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const StyleTables& style);
 
+/// The look of each node by itself, as `styles` of them: what hangs on a node is meant with it. Cost: linear
+/// in nodes times overrides.
+[[nodiscard]] LookPlan looks_of_nodes(const Scene& scene, const StyleTables& style);
+
 /// Of the patterns of the style's overrides those that name nothing in the scene, a line each.
 [[nodiscard]] std::vector<std::string> idle_overrides(const Scene& scene, const StyleTables& style);
 

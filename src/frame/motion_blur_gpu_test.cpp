@@ -99,8 +99,11 @@ TEST(MotionBlur, IsThatOfManyPicturesWhileTheShutterIsOpen)
     const test::Exposure none = test::exposure_of(renderer.render(camera, still, smooth));
     const test::Exposure seen = measured("motion_blur.mode=tiles");
     const test::Exposure own = measured("motion_blur.mode=own");
-    std::printf("against %d pictures: tiles %.1f dB, own %.1f dB, without %.1f dB\n", count,
-                test::psnr_db(seen, truth), test::psnr_db(own, truth), test::psnr_db(none, truth));
+    const test::Exposure stretched = measured("motion_blur.mode=stretched");
+    std::printf("against %d pictures: tiles %.1f dB, stretched %.1f dB, own %.1f dB, without %.1f dB\n",
+                count, test::psnr_db(seen, truth), test::psnr_db(stretched, truth), test::psnr_db(own, truth),
+                test::psnr_db(none, truth));
+    EXPECT_GT(test::psnr_db(stretched, truth), test::psnr_db(none, truth) + 1.0);
     EXPECT_GE(test::psnr_db(seen, truth), 30.0);
     EXPECT_GT(test::psnr_db(own, truth), test::psnr_db(none, truth));
     EXPECT_LT(test::psnr_db(none, truth), test::psnr_db(seen, truth) - 3.0);
@@ -177,18 +180,45 @@ TEST(MotionBlur, SpreadsABarAsFarAsItGoes)
     move(scene, bar, {-0.5F, 0.0F, 0.0F}, {0.5F, 0.0F, 0.0F});
     test::add_sun(scene, {0.3, 0.8, 1.0});
     renderer.set_scene(scene);
-    const test::Exposure seen = test::exposure_of(
-        renderer.render(camera, colors({"motion_blur.mode=tiles", "motion_blur.largest_mm=30"}), small));
-    const double px_per_m = 0.5 * small.height / std::tan(0.5 * camera.vertical_fov_rad) / camera.eye.z;
-    const double way_px = exposure_s * px_per_m;
-    int between = 0;
-    for (uint32_t x = 64; x < small.width; ++x) {
-        const double light = seen.pixels[size_t{30} * small.width + x].x;
-        const double first = seen.pixels[size_t{30} * small.width + 64].x;
-        const double share = (light - first) / (1.0 - first);
-        between += share > 0.02 && share < 0.98 ? 1 : 0;
+    for (const char* mode : {"motion_blur.mode=tiles", "motion_blur.mode=stretched"}) {
+        const test::Exposure seen =
+            test::exposure_of(renderer.render(camera, colors({mode, "motion_blur.largest_mm=30"}), small));
+        const double px_per_m = 0.5 * small.height / std::tan(0.5 * camera.vertical_fov_rad) / camera.eye.z;
+        const double way_px = exposure_s * px_per_m;
+        int between = 0;
+        for (uint32_t x = 64; x < small.width; ++x) {
+            const double light = seen.pixels[size_t{30} * small.width + x].x;
+            const double first = seen.pixels[size_t{30} * small.width + 64].x;
+            const double share = (light - first) / (1.0 - first);
+            between += share > 0.02 && share < 0.98 ? 1 : 0;
+        }
+        EXPECT_NEAR(between, way_px, 1.5) << mode;
     }
-    EXPECT_NEAR(between, way_px, 1.5);
+}
+
+TEST(MotionBlur, LeavesNothingSharpOfWhatIsDrawnOut)
+{
+    // A blade that turns: drawn out, its ends leave the place where they are seen.
+    Renderer& renderer = test::shared_renderer();
+    Scene scene;
+    test::add_object(scene, shapes::quad(12.0F, 12.0F), {0.9F, 0.9F, 0.9F}, {0.0, 0.0, -1.5});
+    const Index blade = test::add_object(scene, shapes::box({0.3F, 1.1F, 0.1F}), {0.1F, 0.1F, 0.1F});
+    scene.animations.push_back({.name = "turn", .channels = {}, .duration_s = 1.0F});
+    turn(scene, blade);
+    test::add_sun(scene, {0.3, 0.8, 1.0});
+    renderer.set_scene(scene);
+    const Image plain = renderer.render(camera, colors({}), small);
+    const Image own = renderer.render(camera, colors({"motion_blur.mode=own"}), small);
+    const Image stretched = renderer.render(camera, colors({"motion_blur.mode=stretched"}), small);
+    int blurred = 0;
+    int left = 0;
+    for (size_t i = 0; i < plain.rgba.size(); i += 4) {
+        const bool is_blurred = std::abs(int{own.rgba[i]} - int{plain.rgba[i]}) > 20;
+        blurred += is_blurred ? 1 : 0;
+        left += is_blurred && stretched.rgba[i] == plain.rgba[i] ? 1 : 0;
+    }
+    EXPECT_GT(blurred, 60);
+    EXPECT_EQ(left, 0);
 }
 
 TEST(MotionBlur, CostsNothingWhereThereIsNone)
@@ -211,7 +241,8 @@ TEST(MotionBlur, CostsNothingWhereThereIsNone)
     still.animations.clear();
     renderer.set_scene(still);
     const Image before = renderer.render(camera, {}, small);
-    for (const char* mode : {"motion_blur.mode=tiles", "motion_blur.mode=own", "motion_blur.lines=true"}) {
+    for (const char* mode : {"motion_blur.mode=tiles", "motion_blur.mode=own", "motion_blur.mode=stretched",
+                             "motion_blur.lines=true"}) {
         Style open;
         open.set(mode);
         EXPECT_EQ(renderer.render(camera, open, small).rgba, before.rgba) << mode;

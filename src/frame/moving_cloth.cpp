@@ -73,6 +73,22 @@ cloth::Solid solid_about(const Mesh& mesh, ClothCollider collider)
 
 } // namespace
 
+namespace {
+
+/// The box, along the axes, about a box that stands in a place.
+Bounds box_about(const Bounds& bounds, const glm::mat4& place)
+{
+    Bounds box;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::bvec3 upper((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
+        const glm::dvec3 point = glm::mix(bounds.min, bounds.max, upper);
+        box.extend(glm::dvec3(glm::dmat4(place) * glm::dvec4(point, 1.0)));
+    }
+    return box;
+}
+
+} // namespace
+
 bool MovingCloth::is_in(const Scene& scene)
 {
     return std::ranges::any_of(scene.nodes, [&](const Node& node) {
@@ -136,7 +152,8 @@ MovingCloth::Cut MovingCloth::cut(const Scene& scene, const pose::MeshData& layo
 }
 
 MovingCloth::MovingCloth(gpu::Device& device, Cut&& cut)
-    : sheets_(device, cut.sheets, cut.drawn), draws_(std::move(cut.draws))
+    : sheets_(device, cut.sheets, cut.drawn), draws_(std::move(cut.draws)),
+      all_hang_(std::ranges::all_of(cut.sheets, cloth::hangs))
 {
 }
 
@@ -167,13 +184,32 @@ Bounds MovingCloth::reach(const pose::PoseData& pose) const
     Bounds reach;
     const std::vector<glm::mat4> places = places_of_draws(pose);
     for (size_t i = 0; i < places.size(); ++i) {
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::bvec3 upper((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0);
-            const glm::dvec3 place = glm::mix(reaches_[i].min, reaches_[i].max, upper);
-            reach.extend(glm::dvec3(glm::dmat4(places[i]) * glm::dvec4(place, 1.0)));
-        }
+        const Bounds placed = box_about(reaches_[i], places[i]);
+        reach.extend(placed.min);
+        reach.extend(placed.max);
     }
     return reach;
+}
+
+std::vector<cloth::SheetReach> MovingCloth::stays_in(const pose::PoseData& pose)
+{
+    std::vector<cloth::SheetReach> now;
+    const std::vector<glm::mat4> places = places_of_draws(pose);
+    for (size_t i = 0; i < places.size(); ++i) {
+        if (!all_hang_ || pose.draws[draws_[i]].first_skin_vertex != shared::no_skin) {
+            return {};
+        }
+        // Whatever hangs is within its own diagonal of what holds it, and stretches little.
+        Bounds larger = reaches_[i];
+        larger.extend(reaches_[i].min - reaches_[i].radius());
+        larger.extend(reaches_[i].max + reaches_[i].radius());
+        const Bounds placed = box_about(larger, places[i]);
+        now.push_back({.min_m = glm::vec3(placed.min), .max_m = glm::vec3(placed.max)});
+    }
+    std::vector<cloth::SheetReach> both = now;
+    both.insert(both.end(), stayed_in_.begin(), stayed_in_.end());
+    stayed_in_ = std::move(now);
+    return both;
 }
 
 std::optional<ClothRun> MovingCloth::plan(const RenderSettings& settings, const StyleTables& style,
@@ -207,15 +243,18 @@ void MovingCloth::done(const RenderSettings& settings, const StyleTables& style)
     has_moved = true;
 }
 
-cloth::Surroundings MovingCloth::surroundings(const Scene& scene, const StyleTables& style, double time_s,
-                                              const glm::dvec3& anchor) const
+cloth::Surroundings MovingCloth::surroundings(const Scene& scene, const StyleTables& style,
+                                              const ClothMoments& moments, const glm::dvec3& anchor) const
 {
     cloth::Surroundings result{
-        .time_s = time_s, .wind = style.wind, .origin_m = anchor, .effort = style.cloth.effort};
+        .time_s = moments.step_s, .wind = style.wind, .origin_m = anchor, .effort = style.cloth.effort};
     if (style.wind.from == cloth::WindSource::automatic && scene.terrain) {
         const TerrainWind& wind = scene.terrain->description().wind;
         result.wind.speed_m_s = wind.speed_m_s;
         result.wind.direction_deg = wind.direction_deg;
+    } else if (style.wind.blown_m >= 0.0F) {
+        result.ahead_m = static_cast<double>(style.wind.blown_m) -
+                         static_cast<double>(style.wind.speed_m_s) * moments.picture_s;
     }
     return result;
 }
@@ -254,6 +293,7 @@ void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const Cl
         const auto floor_m = static_cast<float>(layout.bounds.min.y - layout.anchor.y);
         solids.push_back(cloth::below({0.0F, floor_m, 0.0F}, {0.0F, 1.0F, 0.0F}));
     }
+    sheets_.set_reach(stays_in(pose.draws));
     sheets_.set_solids(device, solids);
 }
 

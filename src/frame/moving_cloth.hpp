@@ -33,6 +33,12 @@ struct ClothPose {
     double time_s = 0.0;
 };
 
+/// When steps begin, and the picture that they lead to.
+struct ClothMoments {
+    double step_s = 0.0;
+    double picture_s = 0.0;
+};
+
 class MovingCloth {
 public:
     /// Whether anything of `scene` is cloth.
@@ -51,9 +57,10 @@ public:
     /// To be called when that has been done.
     void done(const RenderSettings& settings, const StyleTables& style);
 
-    /// What sheets are in at the beginning of steps from `time_s` on.
+    /// What sheets are in at the beginning of steps on the way to a picture.
     [[nodiscard]] cloth::Surroundings surroundings(const Scene& scene, const StyleTables& style,
-                                                   double time_s, const glm::dvec3& anchor) const;
+                                                   const ClothMoments& moments,
+                                                   const glm::dvec3& anchor) const;
 
     /// Tells sheets where solids are in this pose.
     void place_solids(gpu::Device& device, const Scene& scene, const ClothPose& pose,
@@ -90,6 +97,9 @@ private:
 
     [[nodiscard]] std::vector<glm::mat4> places_of_draws(const pose::PoseData& pose) const;
     [[nodiscard]] Bounds reach(const pose::PoseData& pose) const;
+
+    /// What sheets stay in between the last pose and this; nothing where one of them may come anywhere.
+    [[nodiscard]] std::vector<cloth::SheetReach> stays_in(const pose::PoseData& pose);
     [[nodiscard]] static Cut cut(const Scene& scene, const pose::MeshData& layout);
     MovingCloth(gpu::Device& device, Cut&& cut);
 
@@ -97,7 +107,9 @@ private:
     std::vector<uint32_t> draws_;
     std::vector<BoneCapsule> bones_;
     SolidGrids grids_;
-    std::vector<Bounds> reaches_; ///< one a sheet, in object space
+    std::vector<Bounds> reaches_;              ///< one a sheet, in object space
+    bool all_hang_ = false;                    ///< every particle of every sheet on one that is held
+    std::vector<cloth::SheetReach> stayed_in_; ///< in the last pose
     std::vector<glm::mat4> places_before_;
     glm::dvec3 anchor_before_{0.0};
     std::optional<double> time_s_;

@@ -2,68 +2,174 @@
 #include "frame/particles.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <deque>
+#include <functional>
 
 #include "frame/between_commas.hpp"
+#include "frame/looks.hpp"
 #include "frame/mapped_buffer.hpp"
 #include "frame/smoke_sheet.hpp"
 #include "frame/view.hpp"
+#include "scene/static_triangles.hpp"
 #include "style/surfaces.hpp"
 
 namespace estampe::frame {
 namespace {
 
-bool is_named(const std::string& name, const std::string& patterns)
+particles::Emitter emitter_at(const glm::dmat4& world_from_node)
 {
-    return std::ranges::any_of(between_commas(patterns),
-                               [&](const std::string& pattern) { return style::matches(pattern, name); });
+    const glm::dvec3 up(world_from_node[1]);
+    return {.place = glm::dvec3(world_from_node[3]),
+            .direction = glm::length(up) > 0.0 ? glm::normalize(up) : glm::dvec3(0.0),
+            .size = glm::length(up)};
+}
+
+/// How the scene stood a while ago, worked out once for all that ask.
+class Past {
+public:
+    static constexpr double step_s = 0.15;
+
+    explicit Past(const ParticlePlanInputs& in) : in_(in) {}
+
+    [[nodiscard]] const ScenePose& before(size_t steps)
+    {
+        while (poses_.size() < steps) {
+            // Before the beginning an animation would be at its end; what is placed has been told of before.
+            const double then_s = in_.settings.time_s - static_cast<double>(poses_.size() + 1) * step_s;
+            poses_.push_back(in_.pose_at(in_.loaded.placed.empty() ? std::max(then_s, 0.0) : then_s));
+        }
+        return poses_[steps - 1];
+    }
+
+private:
+    const ParticlePlanInputs& in_;
+    std::deque<ScenePose> poses_;
+};
+
+/// Tells of emitters that move how they stood in the time that their particles live.
+void look_back(std::vector<particles::Emitter>& emitters, const std::vector<size_t>& nodes, Past& past,
+               double life_s)
+{
+    const auto steps = static_cast<size_t>(std::ceil(life_s / Past::step_s));
+    for (size_t i = 1; i <= steps; ++i) {
+        const ScenePose& then = past.before(i);
+        for (size_t k = 0; k < emitters.size(); ++k) {
+            emitters[k].before.push_back(emitter_at(then.world_from_node[nodes[k]]));
+        }
+    }
+    for (particles::Emitter& emitter : emitters) {
+        emitter.step_s = Past::step_s;
+        const auto stands = [&](const particles::Emitter& then) {
+            return then.place == emitter.place && then.direction == emitter.direction &&
+                   then.size == emitter.size;
+        };
+        if (std::ranges::all_of(emitter.before, stands)) {
+            emitter.before.clear();
+        }
+    }
+}
+
+/// Those of one look, and what they look like.
+struct EmitterGroup {
+    const particles::ParticleStyle* style = nullptr;
+    std::vector<size_t> nodes;
+    std::vector<particles::Emitter> emitters;
+};
+
+std::vector<EmitterGroup> groups_of(const std::vector<size_t>& nodes, const ScenePose& pose,
+                                    const LookPlan& looks)
+{
+    std::vector<EmitterGroup> groups(looks.styles.size());
+    for (const size_t node : nodes) {
+        EmitterGroup& group = groups[looks.look_of_draw[node]];
+        group.nodes.push_back(node);
+        group.emitters.push_back(emitter_at(pose.world_from_node[node]));
+    }
+    for (size_t i = 0; i < groups.size(); ++i) {
+        groups[i].style = &looks.styles[i].particles;
+    }
+    std::erase_if(groups, [](const EmitterGroup& group) {
+        return group.emitters.empty() || group.style->per_s <= 0.0F;
+    });
+    return groups;
+}
+
+double mean_distance_m(const EmitterGroup& group, const glm::dvec3& eye)
+{
+    double sum = 0.0;
+    for (const particles::Emitter& emitter : group.emitters) {
+        sum += glm::distance(emitter.place, eye);
+    }
+    return sum / static_cast<double>(group.emitters.size());
 }
 
 } // namespace
 
-std::vector<particles::Emitter> emitters_of(const Scene& scene, const ScenePose& pose,
-                                            const std::string& patterns)
+std::vector<size_t> emitting_nodes(const Scene& scene, const std::string& patterns)
 {
-    std::vector<particles::Emitter> emitters;
+    const std::vector<std::string> parts = between_commas(patterns);
+    std::vector<size_t> nodes;
     for (size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
-        const glm::dvec3 up(pose.world_from_node[i][1]);
-        if (node.mesh == no_index && glm::length(up) > 0.0 && is_named(node.name, patterns)) {
-            emitters.push_back(
-                {.place = glm::dvec3(pose.world_from_node[i][3]), .direction = glm::normalize(up)});
+        if (node.mesh == no_index && std::ranges::any_of(parts, [&](const std::string& pattern) {
+                return style::matches(pattern, node.name);
+            })) {
+            nodes.push_back(i);
         }
     }
-    return emitters;
+    return nodes;
 }
 
-std::optional<particles::ParticlePlan> provide_particles(gpu::Device& device, gpu::Executor& executor,
-                                                         ParticleBuffers& buffers,
-                                                         const ParticlePlanInputs& in)
+std::vector<particles::ParticlePlan> provide_particles(gpu::Device& device, gpu::Executor& executor,
+                                                       std::vector<ParticleBuffers>& buffers,
+                                                       const ParticlePlanInputs& in)
 {
-    const particles::ParticleStyle& style = in.style.particles;
-    const auto emitters = emitters_of(in.loaded.scene, in.pose, style.emitters);
-    if (emitters.empty() || style.per_s <= 0.0F) {
-        return std::nullopt;
+    const std::vector<size_t> nodes = emitting_nodes(in.loaded.scene, in.style.particles.emitters);
+    if (nodes.empty()) {
+        return {};
     }
+    const LookPlan looks = looks_of_nodes(in.loaded.scene, in.style);
+    std::vector<EmitterGroup> groups = groups_of(nodes, in.pose, looks);
+    const std::vector<bool> moves = moving_nodes(in.loaded.scene);
+    Past past(in);
+    std::ranges::stable_sort(groups, std::greater(), [&](const EmitterGroup& group) {
+        return mean_distance_m(group, in.camera.eye);
+    });
     const glm::uvec2 page_px(in.settings.width, in.settings.height);
     const shared::FrameGlobals page =
         frame_globals(in.camera, in.loaded.layout.bounds, in.loaded.layout.anchor,
                       {.size_px = page_px, .page_height_mm = in.style.paper.height_mm});
     const PixelSize pixel = pixel_size(in.camera, page_px.y);
-    const auto alive = particles::particles_at(style, emitters, in.settings.time_s);
-    buffers.sheet.provide(device, style, [&] { return smoke_sheet(device, executor); });
-    particles::ParticlePlan plan = particles::plan_particles(style, alive,
-                                                             {.clip_from_anchor = page.clip_from_anchor,
-                                                              .anchor = in.loaded.layout.anchor,
-                                                              .page_px = page_px,
-                                                              .pixels_per_mm = page.pixels_per_mm,
-                                                              .pixel_m = pixel.at_one_m,
-                                                              .is_parallel = pixel.is_parallel,
-                                                              .sheet_px = buffers.sheet.size_px(),
-                                                              .sheet_frames = buffers.sheet.frames()});
-    buffers.sprites = mapped_buffer(device, "sprites", plan.sprites);
-    buffers.starts = mapped_buffer(device, "sprite tiles", plan.starts);
-    buffers.listed = mapped_buffer(device, "listed sprites", plan.listed);
-    return plan;
+    std::vector<particles::ParticlePlan> plans;
+    buffers.resize(std::max(buffers.size(), groups.size()));
+    for (EmitterGroup& group : groups) {
+        const particles::ParticleStyle& style = *group.style;
+        if (std::ranges::any_of(group.nodes, [&](size_t node) { return moves[node]; })) {
+            look_back(group.emitters, group.nodes, past, static_cast<double>(style.life_s));
+        }
+        const auto alive = particles::particles_at(style, group.emitters, in.settings.time_s);
+        ParticleBuffers& room = buffers[plans.size()];
+        room.sheet.provide(device, style, [&] { return smoke_sheet(device, executor); });
+        const particles::ParticlePlan& plan =
+            plans.emplace_back(particles::plan_particles(style, alive,
+                                                         {.clip_from_anchor = page.clip_from_anchor,
+                                                          .anchor = in.loaded.layout.anchor,
+                                                          .page_px = page_px,
+                                                          .pixels_per_mm = page.pixels_per_mm,
+                                                          .pixel_m = pixel.at_one_m,
+                                                          .is_parallel = pixel.is_parallel,
+                                                          .sheet_px = room.sheet.size_px(),
+                                                          .sheet_frames = room.sheet.frames()}));
+        if (plan.sprites.empty()) {
+            plans.pop_back();
+            continue;
+        }
+        room.sprites = mapped_buffer(device, "sprites", plan.sprites);
+        room.starts = mapped_buffer(device, "sprite tiles", plan.starts);
+        room.listed = mapped_buffer(device, "listed sprites", plan.listed);
+    }
+    return plans;
 }
 
 } // namespace estampe::frame

@@ -3,7 +3,7 @@
 
 // Which nodes of a scene give particles, and where those are on the page.
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,9 +16,8 @@
 
 namespace estampe::frame {
 
-/// The nodes that the patterns between commas name, as they stand; those with a mesh give none.
-[[nodiscard]] std::vector<particles::Emitter> emitters_of(const Scene& scene, const ScenePose& pose,
-                                                          const std::string& patterns);
+/// The nodes that the patterns between commas name, in their order; those with a mesh give no particles.
+[[nodiscard]] std::vector<size_t> emitting_nodes(const Scene& scene, const std::string& patterns);
 
 /// What particles are drawn from.
 struct ParticleBuffers {
@@ -31,16 +30,17 @@ struct ParticleBuffers {
 struct ParticlePlanInputs {
     const LoadedScene& loaded;
     const ScenePose& pose;
+    std::function<ScenePose(double time_s)> pose_at; ///< at other moments
     const Camera& camera;
     const RenderSettings& settings;
     const StyleTables& style;
 };
 
-/// Plans the particles of a picture and makes room for them; none where no node gives any. Throws Error for a
-/// sheet that cannot be read.
-[[nodiscard]] std::optional<particles::ParticlePlan> provide_particles(gpu::Device& device,
-                                                                       gpu::Executor& executor,
-                                                                       ParticleBuffers& buffers,
-                                                                       const ParticlePlanInputs& in);
+/// Plans the particles of a picture, for each look of theirs by itself, and makes room for them; none where
+/// no node gives any. Throws Error for a sheet that cannot be read.
+[[nodiscard]] std::vector<particles::ParticlePlan> provide_particles(gpu::Device& device,
+                                                                     gpu::Executor& executor,
+                                                                     std::vector<ParticleBuffers>& buffers,
+                                                                     const ParticlePlanInputs& in);
 
 } // namespace estampe::frame

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <estampe/error.hpp>
+
 #include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
@@ -40,13 +42,13 @@ bool has_pass(const std::string& name)
 TEST(ParticlesInFrame, ComeFromNodesThatArePatternsSay)
 {
     const Scene scene = with_empty("emitter of steam");
-    const ScenePose pose = pose_scene(scene, 0.0);
-    EXPECT_EQ(emitters_of(scene, pose, "emitter*").size(), 1U);
-    EXPECT_EQ(emitters_of(scene, pose, "lamp, *steam").size(), 1U);
-    EXPECT_EQ(emitters_of(scene, pose, "steam").size(), 0U);
-    EXPECT_EQ(emitters_of(scene, pose, "").size(), 0U);
-    EXPECT_EQ(emitters_of(scene, pose, "*").size(), 1U) << "what has a mesh gives none";
-    EXPECT_NEAR(emitters_of(scene, pose, "*").front().place.y, 1.2, 1e-9);
+    const std::vector<size_t> empty{1};
+    const std::vector<size_t> none;
+    EXPECT_EQ(emitting_nodes(scene, "emitter*"), empty);
+    EXPECT_EQ(emitting_nodes(scene, "lamp, *steam"), empty);
+    EXPECT_EQ(emitting_nodes(scene, "steam"), none);
+    EXPECT_EQ(emitting_nodes(scene, ""), none);
+    EXPECT_EQ(emitting_nodes(scene, "*"), empty) << "what has a mesh gives none";
 }
 
 TEST(ParticlesInFrame, AreTheSameWhateverWasDrawnBefore)
@@ -92,6 +94,61 @@ TEST(ParticlesInFrame, SmokeRisesAndThinsFromFrameToFrame)
         EXPECT_GT(now.x, 0.75 * before.x) << frame;
         before = now;
     }
+}
+
+TEST(ParticlesInFrame, DifferByTheObjectThatGivesThem)
+{
+    Renderer& renderer = test::shared_renderer();
+    Scene scene = with_empty("emitter of smoke");
+    Node other{.name = "emitter of ink"};
+    other.transform.translation = {2.2, 1.2, 0.0};
+    scene.nodes.push_back(other);
+    scene.roots.push_back(static_cast<Index>(scene.nodes.size() - 1));
+    renderer.set_scene(scene);
+    Style style;
+    style.set("particles.wind_mps=0");
+    style.set("particles.swirl_mps=0");
+    const Image alike = renderer.render(camera, style, moment(3.0));
+    style.set("object.emitter of ink.particles.look=blots");
+    style.set("object.emitter of ink.particles.ink=#c00000");
+    const Image apart = renderer.render(camera, style, moment(3.0));
+    const auto red_in = [](const Image& image, uint32_t from, uint32_t to) {
+        size_t red = 0;
+        for (uint32_t y = 0; y < image.height; ++y) {
+            for (uint32_t x = from; x < to; ++x) {
+                const uint8_t* const pixel = &image.rgba[4 * (size_t{y} * image.width + x)];
+                red += pixel[0] > pixel[1] + 60 && pixel[0] > pixel[2] + 60 ? 1 : 0;
+            }
+        }
+        return red;
+    };
+    EXPECT_EQ(red_in(alike, 0, alike.width), 0U);
+    EXPECT_EQ(red_in(apart, 0, apart.width / 2), 0U) << "the other's smoke is as it was";
+    EXPECT_GT(red_in(apart, apart.width / 2, apart.width), 40U);
+}
+
+TEST(PlacedNodesInFrame, AreDrawnAsIfTheSceneHadThemThere)
+{
+    Renderer& renderer = test::shared_renderer();
+    Scene scene = test::scene_of(shapes::box({1.0F, 1.0F, 1.0F}));
+    test::add_sun(scene, {1.0, 2.0, 1.5}, 3.0F);
+    const NodePlace place{0, {.translation = {1.1, 0.4, -0.5}}};
+    Scene moved = scene;
+    moved.nodes[0].transform = place.transform;
+    renderer.set_scene(moved);
+    const Image wanted = renderer.render(camera, {}, moment(2.0));
+    renderer.set_scene(scene);
+    const Image before = renderer.render(camera, {}, moment(1.0));
+    renderer.place(std::span(&place, 1), 2.0);
+    const Image after = renderer.render(camera, {}, moment(2.0));
+    EXPECT_NE(before.rgba, after.rgba);
+    size_t different = 0; // bounds, by which depths are rounded, may differ
+    for (size_t i = 0; i < wanted.rgba.size(); ++i) {
+        different += std::abs(wanted.rgba[i] - after.rgba[i]) > 12 ? 1 : 0;
+    }
+    EXPECT_LT(different, wanted.rgba.size() / 100);
+    const NodePlace none{77, {}};
+    EXPECT_THROW(renderer.place(std::span(&none, 1), 3.0), Error);
 }
 
 TEST(CloudsInFrame, AreTheSameInTilesAndCostNothingUnasked)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/occlusion/occlusion.hpp"
@@ -54,6 +55,7 @@ SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
                          .most_bytes = std::min<uint64_t>(in.device.limits().maxStorageBufferRange,
                                                           4ULL * in.device.limits().maxTexelBufferElements)};
     return {.towards = glm::vec3(lighting.towards_sun),
+            .shines = lighting.directional_count > 0,
             .daylight_rad =
                 in.daylight ? std::optional(static_cast<float>(in.daylight->elevation_rad)) : std::nullopt,
             .casters = lighting.sun_casters,
@@ -132,32 +134,31 @@ std::optional<sky::CloudPlan> plan_clouds(const PlanInputs& in, const PagePlan& 
                                               .pixels_per_mm = page.pixels_per_mm});
 }
 
-/// Runs of triangles whose looks let light through.
-std::vector<raster::Batch> bodies_of(const pose::MeshData& layout, const LookPlan& looks)
+/// Runs of solid triangles whose looks are chosen.
+template <typename Chosen>
+std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const LookPlan& looks, const Chosen& chosen)
 {
-    std::vector<raster::Batch> bodies;
-    const auto takes_in = [&](uint32_t triangle) {
-        const uint32_t draw = layout.triangles[triangle].w & shared::triangle_draw_mask;
-        const uint32_t look = looks.has_several() ? looks.look_of_draw[draw] : 0U;
-        return subsurface::shines(looks.styles[look].subsurface);
-    };
+    std::vector<raster::Batch> runs;
     for (const pose::Range& range : {layout.opaque, layout.masked}) {
         bool goes_on = false;
         for (uint32_t triangle = range.first; triangle < range.first + range.count; ++triangle) {
-            const bool is_body = takes_in(triangle);
-            if (is_body && !goes_on) {
-                bodies.push_back({.first_triangle = triangle, .masked = true});
+            const uint32_t draw = layout.triangles[triangle].w & shared::triangle_draw_mask;
+            const uint32_t look = looks.has_several() ? looks.look_of_draw[draw] : 0U;
+            const bool is_chosen = chosen(looks.styles[look].subsurface);
+            if (is_chosen && !goes_on) {
+                runs.push_back({.first_triangle = triangle, .masked = true});
             }
-            if (is_body) {
-                ++bodies.back().triangle_count;
+            if (is_chosen) {
+                ++runs.back().triangle_count;
             }
-            goes_on = is_body;
+            goes_on = is_chosen;
         }
     }
-    return bodies;
+    return runs;
 }
 
-std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout, const LookPlan& looks)
+std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout, const LookPlan& looks,
+                                              bool has_ground)
 {
     SubsurfacePlan plan;
     bool is_drawn = false;
@@ -169,8 +170,30 @@ std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout, cons
     if (!is_drawn) {
         return std::nullopt;
     }
-    plan.bodies = bodies_of(layout, looks);
+    plan.bodies = runs_of(layout, looks, subsurface::shines);
+    plan.clear = runs_of(layout, looks, subsurface::is_clear);
+    if (!plan.clear.empty()) {
+        plan.others = runs_of(layout, looks, std::not_fn(subsurface::is_clear));
+        if (has_ground) {
+            plan.others.push_back({.first_triangle = layout.ground.first,
+                                   .triangle_count = layout.ground.count,
+                                   .plain = layout.ground.plain});
+        }
+    }
     return plan;
+}
+
+std::optional<uint32_t> occlusion_texels(const occlusion::OcclusionStyle& style)
+{
+    const bool has_map = style.drawn && style.method == occlusion::Method::uv;
+    return has_map ? std::optional(style.texels) : std::nullopt;
+}
+
+std::optional<uint32_t> scatter_texels(const subsurface::SubsurfaceStyle& style,
+                                       const std::optional<SubsurfacePlan>& plan)
+{
+    const bool has_map = plan && plan->scatters && style.space == subsurface::Space::texture;
+    return has_map ? std::optional(style.texels) : std::nullopt;
 }
 
 bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& map)
@@ -216,7 +239,8 @@ FramePlan plan_frame(const PlanInputs& in)
     std::optional<sky::CloudPlan> clouds = plan_clouds(in, page, sun);
     const LinePlan lines{.half_px = widest_half_px(looks.lines, page.pixels_per_mm),
                          .of_shadows = draws_shadow_lines(looks.lines, sun.map)};
-    std::optional<SubsurfacePlan> subsurface = plan_subsurface(in.loaded.layout, looks);
+    std::optional<SubsurfacePlan> subsurface = plan_subsurface(in.loaded.layout, looks, page.has_ground);
+    const auto texels_of_scatter = scatter_texels(in.style.subsurface, subsurface);
     return {.page_px = page.size_px,
             .page = page,
             .raster = plan_raster(in),
@@ -228,6 +252,8 @@ FramePlan plan_frame(const PlanInputs& in)
             .shadow_edges = edges,
             .occlusion_radius_m = occlusion::radius_of(in.style.occlusion,
                                                        static_cast<float>(in.loaded.layout.bounds.radius())),
+            .occlusion_texels = occlusion_texels(in.style.occlusion),
+            .scatter_texels = texels_of_scatter,
             .subsurface = std::move(subsurface),
             .lines = lines,
             .focus = plan_focus(in, page),

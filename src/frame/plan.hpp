@@ -52,6 +52,7 @@ struct RasterPlan {
 /// The first of the directional lights.
 struct SunPlan {
     glm::vec3 towards{0.0F, 1.0F, 0.0F};
+    bool shines = false;               ///< else there is none
     std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
     Groups casters = all_groups;       ///< whose shadows it throws
     SunMapPlan map;
@@ -73,6 +74,8 @@ struct LightPlan {
 struct SubsurfacePlan {
     std::vector<shared::SubsurfaceLook> looks; ///< as many as LookPlan has styles
     std::vector<raster::Batch> bodies;         ///< that light comes through
+    std::vector<raster::Batch> clear;          ///< that what lies behind is seen through
+    std::vector<raster::Batch> others;         ///< where there are such, all else that is solid
     bool scatters = false;
 };
 
@@ -113,13 +116,15 @@ struct FramePlan {
     EdgePlan shadow_edges;
     LocalMapPlan local_shadows;
     float occlusion_radius_m = 1.0F;
+    std::optional<uint32_t> occlusion_texels; ///< side of the map in which it is found
+    std::optional<uint32_t> scatter_texels;   ///< of that in which light spreads
     std::optional<SubsurfacePlan> subsurface;
     LinePlan lines;
     FocusPlan focus;
     std::optional<shared::RippleConstants> ripples; ///< of a terrain's sand
     std::optional<terrain::DriftPlan> drift;        ///< of it in the air
     std::optional<sky::CloudPlan> clouds;
-    std::optional<particles::ParticlePlan> particles;
+    std::vector<particles::ParticlePlan> particles; ///< one a look of particles, the farthest first
     std::optional<shared::LensConstants> lens;
     std::optional<MotionPlan> motion;
     std::optional<MotionBlurPlan> motion_blur;

@@ -2,6 +2,7 @@
 #include "frame/renderer_impl.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <tuple>
@@ -15,11 +16,8 @@
 #include "core/progress_watch.hpp"
 #include "frame/baked_lights.hpp"
 #include "frame/depth_of_field.hpp"
-#include "frame/form_strokes.hpp"
 #include "frame/mapped_buffer.hpp"
-#include "gpu/upload.hpp"
 #include "scene/extent.hpp"
-#include "shaders/stroke_kind.glsl.h"
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/light/daylight.hpp"
 
@@ -69,6 +67,7 @@ RasterPath Renderer::raster_path() const
 void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
 {
     impl_->loaded.reset();
+    impl_->posed_scene = {};
     impl_->sun_map.forget();
     impl_->ground_shadow.forget();
     impl_->local_shadows.forget();
@@ -76,11 +75,38 @@ void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
     impl_->line_history.forget();
     impl_->flowing_ink.forget();
     impl_->rising_smoke.forget();
+    impl_->is_of_film = false;
     impl_->loaded = frame::load_onto_device(impl_->device, scene, lightmap);
+}
+
+const ScenePose& Renderer::Impl::pose_at(const RenderSettings& settings)
+{
+    if (!posed_scene.is_known || posed_scene.time_s != settings.time_s ||
+        posed_scene.animation != settings.animation) {
+        posed_scene = {.pose = frame::pose_at(*loaded, settings.time_s, settings.animation),
+                       .time_s = settings.time_s,
+                       .animation = settings.animation,
+                       .is_known = true};
+    }
+    return posed_scene.pose;
+}
+
+void Renderer::set_brightness(std::span<const LightBrightness> lights)
+{
+    if (!impl_->loaded) {
+        throw Error("there is no scene whose lights could burn otherwise", "set_brightness",
+                    "call set_scene first");
+    }
+    frame::brighten(impl_->loaded->own_lighting, lights);
 }
 
 void Renderer::Impl::update_pose(const ScenePose& scene_pose)
 {
+    const bool is_kept = &scene_pose == &posed_scene.pose;
+    if (is_kept && posed_scene.is_on_device && loaded->pose) {
+        return;
+    }
+    posed_scene.is_on_device = is_kept;
     pose::PoseData now = pose::pose_meshes(loaded->layout, loaded->scene, scene_pose);
     if (loaded->pose && *loaded->pose == now) {
         return;
@@ -98,86 +124,32 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     sun_map.forget();
 }
 
-frame::LocalMapPlan Renderer::Impl::provide_local_shadows(const frame::PagePlan& page_plan,
-                                                          light::Lighting& lighting, const Camera& camera,
-                                                          const frame::StyleTables& tables)
+namespace {
+
+/// The map of that side, where there is one.
+frame::SurfaceMap* map_of(frame::LoadedScene& loaded, std::optional<uint32_t> size)
 {
-    shadow::ShadowStyle style = tables.shadow;
-    style.local_lights = tables.light.shadows ? style.local_lights : 0;
-    const frame::PageView page_view{.eye_anchor = glm::vec3(camera.eye - loaded->layout.anchor),
-                                    .pixel = page_plan.pixel,
-                                    .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
-                                    .longer_side_px = std::max(page_plan.size_px.x, page_plan.size_px.y)};
-    const frame::CasterKinds casters = frame::caster_kinds(loaded->layout);
-    frame::LocalShadowPlan local = local_shadows.plan(lighting, moved, page_view, style, casters);
-    moved.clear();
-    gpu::Buffer& maps = local_shadow_buffers.maps;
-    const uint64_t needed_bytes = std::max<uint64_t>(sizeof(uint32_t) * local.texel_count, 16);
-    if (maps.empty() || maps.size_bytes() < needed_bytes) {
-        maps = gpu::Buffer(device, "local shadow maps", needed_bytes, gpu::MemoryUse::device);
-        local_shadows.forget();
-        local = local_shadows.plan(lighting, {}, page_view, style, casters);
-        local_shadow_buffers.layers = {};
-    }
-    local_shadow_buffers.shadows = frame::mapped_buffer(device, "local shadows", local.shadows);
-    const auto to_device = [&](const char* name, const std::vector<shared::RasterView>& views) {
-        return frame::mapped_buffer(device, name, views);
-    };
-    local_shadow_buffers.views = {.whole = to_device("local views", local.views.whole),
-                                  .still = to_device("local views/still", local.views.still),
-                                  .moving = to_device("local views/moving", local.views.moving)};
-    if (!local.views.still.empty() && local_shadow_buffers.layers.empty()) {
-        local_shadow_buffers.layers =
-            gpu::Buffer(device, "local shadow layers", maps.size_bytes(), gpu::MemoryUse::device);
-    }
-    if (local.without > 0 && style.local_lights > 0) {
-        notes.push_back(fmt::format("{} of the scene's lamps and spots throw no shadow: shadow.local_lights "
-                                    "and shadow.local_megatexels allow {}",
-                                    local.without, local.shadows.size()));
-    }
-    return {.is_there = !local.shadows.empty(),
-            .variant = shadow::lamps_variant(local.shadows),
-            .views = std::move(local.views)};
+    return size ? &loaded.surface_maps.at(*size) : nullptr;
 }
 
-void Renderer::Impl::provide_strokes(const frame::StrokePlan& strokes)
+/// What the camera's globals are where a map is lit in place of the page.
+shared::FrameGlobals map_globals(const shared::FrameGlobals& globals, uint32_t size)
 {
-    if (loaded->stroke_kinds == strokes.kind_of_draw) {
-        return;
-    }
-    stroke_kinds = gpu::upload_buffer(device, "stroke kinds", strokes.kind_of_draw);
-    form_coordinates = gpu::upload_buffer(device, "form coordinates",
-                                          strokes.has(shared::strokes_form)
-                                              ? frame::form_coordinates(loaded->layout, strokes)
-                                              : std::vector<glm::vec2>());
-    loaded->stroke_kinds = strokes.kind_of_draw;
+    shared::FrameGlobals of_map = globals;
+    of_map.size_px = glm::uvec2(size);
+    of_map.page_px = glm::uvec2(size);
+    of_map.tile_from_px = glm::uvec2(0);
+    return of_map;
 }
 
-void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
-{
-    tonal_maps.provide(device, plan.looks.styles);
-    if (!plan.focus.lines.empty()) {
-        focus_lines = frame::mapped_buffer(device, "focus lines", plan.focus.lines);
-    }
-    if (plan.clouds) {
-        clouds = frame::cloud_buffers(device, *plan.clouds);
-    }
-    if (const occlusion::OcclusionStyle& style = plan.looks.styles.front().occlusion;
-        style.drawn && style.method == occlusion::Method::discs && loaded->discs.empty()) {
-        loaded->discs = frame::discs_of(device, loaded->layout);
-    }
-    if (plan.subsurface) {
-        subsurface_looks = frame::mapped_buffer(device, "subsurface looks", plan.subsurface->looks);
-    }
-    if (plan.looks.has_several()) {
-        const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
-        look_of_draw = frame::mapped_buffer(device, "looks", looks);
-    }
-}
+} // namespace
 
 void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& style,
                                 const frame::FramePlan& plan, const FrameJob& job)
 {
+    // What was found of another pose is lost, whether this picture looks at it or not.
+    loaded->discs.is_found = loaded->discs.is_found && !loaded->pose_moved;
+    loaded->disc_map.is_found = loaded->disc_map.is_found && !loaded->pose_moved;
     const paper::Accumulation& accumulation = job.accumulation;
     const shared::FrameGlobals globals = frame::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
@@ -187,7 +159,9 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
          .jitter_px = frame::jitter(accumulation.sample_index, accumulation.sample_count),
          .page_height_mm = style.paper.height_mm,
          .nearby_m = nearby_m(loaded->layout, camera.eye)});
-    frame_globals = frame::mapped_buffer(device, "frame", std::span(&globals, 1));
+    frame::refill(device, "frame", std::span(&globals, 1), frame_globals);
+    const shared::FrameGlobals of_map = map_globals(globals, plan.scatter_texels.value_or(1));
+    frame::refill(device, "frame of the map", std::span(&of_map, 1), map_frame_globals);
     const frame::SamplePlan sample{.accumulation = accumulation,
                                    .is_first = job.is_first,
                                    .size_px = globals.size_px,
@@ -219,6 +193,11 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .line_looks = line_looks,
                                     .subsurface_looks = subsurface_looks,
                                     .discs = loaded->discs,
+                                    .disc_map = loaded->disc_map,
+                                    .occlusion_map = map_of(*loaded, plan.occlusion_texels),
+                                    .scatter_map = map_of(*loaded, plan.scatter_texels),
+                                    .map_frame = map_frame_globals,
+                                    .together = loaded->together,
                                     .ground_shadow = ground_shadow,
                                     .cloth = loaded->cloth.get(),
                                     .terrain = loaded->terrain.get(),
@@ -240,13 +219,13 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .strung = job.strung,
                                     .strung_into = job.strung_into,
                                     .target = job.target};
-    gpu::Graph graph;
-    frame::declare_frame(graph, loaded->layout, resources, plan, sample, style);
+    declared.clear();
+    frame::declare_frame(declared, loaded->layout, resources, plan, sample, style);
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
     if (compiling) {
-        compiling->start(graph);
+        compiling->start(declared);
     }
-    executor.run(graph);
+    executor.run(declared);
     executor.replace_timings(); // by those of the next sample
     loaded->pose_moved = false;
     loaded->terrain_moved = false;
@@ -261,7 +240,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
         ground_shadow.drawn(plan.sun.ground, *loaded->terrain);
     }
     compiling.reset(); // it reads the graph
-    drawn = std::move(graph);
+    std::swap(drawn, declared);
 }
 
 namespace {
@@ -283,39 +262,6 @@ Camera page_camera(const Camera& camera, const paper::PaperStyle& style, const R
     return frame::seen_within(camera, window_share(style, settings));
 }
 
-void Renderer::Impl::provide_pixel_sizes(const frame::FramePlan& plan, const frame::StyleTables& tables)
-{
-    edge_look = frame::mapped_buffer(device, "edges", std::span(&plan.shadow_edges.look, 1));
-    const shared::SunShadow sun = frame::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
-    sun_shadow = frame::mapped_buffer(device, "sun", std::span(&sun, 1));
-    if (plan.looks.has_several()) {
-        std::vector<shared::LineLook> lines;
-        for (const frame::StyleTables& style : plan.looks.styles) {
-            lines.push_back(contour::line_look(style.contour, plan.page.pixels_per_mm));
-        }
-        line_looks = frame::mapped_buffer(device, "line looks", lines);
-    }
-}
-
-void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
-                                      const frame::StyleTables& tables)
-{
-    const pose::MeshData& layout = loaded->layout;
-    const light::Paling paling =
-        light::ground_paling(layout.bounds, layout.anchor, lighting.towards_sun, tables.light.paling);
-    const light::SkyAndGround ambient = light::sky_and_ground(lighting.ambient);
-    const shared::LightGlobals globals{.sky_ambient = ambient.sky,
-                                       .ground_ambient = ambient.ground,
-                                       .directional_count = lighting.directional_count,
-                                       .local_count = plan.light.local_count,
-                                       .falloff = tables.light.falloff,
-                                       .paling = paling.share_per_m,
-                                       .paling_at_anchor = paling.share_at_anchor};
-    light_globals = frame::mapped_buffer(device, "lighting", std::span(&globals, 1));
-    provide_pixel_sizes(plan, tables);
-    lights = frame::mapped_buffer(device, "lights", lighting.records);
-}
-
 frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::StyleTables& tables,
                                          const RenderSettings& settings)
 {
@@ -324,14 +270,16 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     }
     frame::check_page(settings);
     if (frame::style_lighting(device, *loaded, tables.light)) {
+        posed_scene = {};
         sun_map.forget();
         local_shadows.forget();
     }
     motion = {};
+    is_of_film = settings.continuity != Continuity::still;
     executor.add_timings();
     follow_eye(camera);
     const pose::MeshData& layout = loaded->layout;
-    const ScenePose scene_pose = pose_scene(loaded->scene, settings.time_s, settings.animation);
+    const ScenePose& scene_pose = pose_at(settings);
     check_places(loaded->scene, scene_pose);
     update_cloth(settings, tables);
     const bool has_cloth_moved = loaded->cloth && loaded->cloth->has_moved;
@@ -343,7 +291,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         if (has_cloth_moved) {
             loaded->pose.reset(); // both moments are posed, though nothing but cloth may differ
         }
-        pose_before(pose_scene(loaded->scene, *before_s, settings.animation));
+        pose_before(frame::pose_at(*loaded, *before_s, settings.animation));
         if (has_cloth_moved) {
             loaded->pose.reset();
         }
@@ -351,12 +299,18 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     update_pose(scene_pose);
     loaded->pose_moved = loaded->pose_moved || has_cloth_moved;
     update_terrain(camera, settings, tables);
-    light::Lighting lighting =
-        light::gather_lights(loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,
-                             loaded->house_light.outlook(loaded->scene, tables.light, camera.eye));
+    light::Lighting lighting = light::gather_lights(
+        loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,
+        loaded->house_light.outlook(loaded->scene, tables.light, camera.eye), &loaded->key_light);
     const std::optional<light::Daylight> daylight = light::daylight_of(tables.sun);
     if (daylight) {
         light::set_daylight(lighting, *daylight, tables.light);
+    }
+    if (tables.smoke.drawn && tables.smoke.glow > 0.0F) {
+        frame::add_fires(lighting,
+                         frame::smoke_boxes(loaded->scene, scene_pose, layout.anchor, tables.smoke.objects,
+                                            std::bit_floor(tables.smoke.cells)),
+                         tables.smoke, settings.time_s);
     }
     const float lightmap_scale = frame::make_room(lighting, loaded->baked, tables.lightmap);
     notes = loaded->notes;
@@ -378,7 +332,12 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     plan.light.lightmap_scale = lightmap_scale;
     plan.particles = frame::provide_particles(
         device, executor, particles,
-        {.loaded = *loaded, .pose = scene_pose, .camera = camera, .settings = settings, .style = tables});
+        {.loaded = *loaded,
+         .pose = scene_pose,
+         .pose_at = [&](double time_s) { return frame::pose_at(*loaded, time_s, settings.animation); },
+         .camera = camera,
+         .settings = settings,
+         .style = tables});
     if (settings.motion_since) {
         plan.motion = plan_motion(camera, settings);
     }
@@ -395,7 +354,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     plan.local_shadows = provide_local_shadows(plan.page, lighting, camera, tables);
     provide_lighting(plan, lighting, tables);
     if (tables.smoke.drawn) {
-        plan.lamps = frame::smoke_lamps(lighting);
+        plan.lamps = frame::smoke_lamps(lighting, plan.sun.map.size > 0);
         plan.light.ambient = luminance(lighting.ambient);
     }
     plan.light.adapt_stops = exposure.prepare(device, tables.light, settings.time_s);
@@ -405,9 +364,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
 std::optional<frame::InkPlan> Renderer::Impl::plan_ink(const Camera& camera, const frame::StyleTables& tables,
                                                        const RenderSettings& settings)
 {
-    return flowing_ink.provide(device,
+    return flowing_ink.provide(device, executor,
                                {.loaded = *loaded,
-                                .pose = pose_scene(loaded->scene, settings.time_s, settings.animation),
+                                .pose = pose_at(settings),
                                 .camera = camera,
                                 .settings = settings,
                                 .style = tables,
@@ -421,7 +380,7 @@ std::optional<frame::SmokePlan> Renderer::Impl::plan_smoke(const frame::FramePla
 {
     return rising_smoke.provide(device, executor,
                                 {.loaded = *loaded,
-                                 .pose = pose_scene(loaded->scene, settings.time_s, settings.animation),
+                                 .pose = pose_at(settings),
                                  .settings = settings,
                                  .style = tables,
                                  .lamps = plan.lamps,
@@ -446,10 +405,13 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     plan.smoke = plan_smoke(plan, tables, settings);
     frame::provide_page(device, page, plan.page_px, settings.samples);
     // Later samples of a picture of several go their own way by a pixel at most.
-    plan.lines.are_remembered = settings.continuity != Continuity::still;
+    plan.lines.are_remembered =
+        is_of_film && loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines) != nullptr;
     if (plan.lines.are_remembered) {
         line_history.begin_frame(device, plan.page.size_px, settings.continuity == Continuity::follows,
                                  tables.contour.hidden != contour::Hidden::none);
+    } else if (is_of_film) {
+        line_history.forget();
     }
     for (uint32_t sample = 0; sample < settings.samples; ++sample) {
         report_progress(static_cast<double>(sample) / settings.samples);
@@ -538,7 +500,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
         impl.notes.emplace_back("a drawing of strokes has no lens: all of it is in focus");
         plan.lens.reset();
     }
-    if (plan.particles) {
+    if (!plan.particles.empty()) {
         impl.notes.emplace_back("a drawing of strokes has no particles");
     }
     if (!frame::is_drawn_by_pen(tables.contour)) {

@@ -47,7 +47,7 @@ void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
 
 gpu::BufferId Renderer::Impl::pose_for_cloth(gpu::Graph& graph, double time_s, Index animation)
 {
-    const ScenePose pose = pose_scene(loaded->scene, std::max(time_s, 0.0), animation);
+    const ScenePose pose = frame::pose_at(*loaded, std::max(time_s, 0.0), animation);
     update_pose(pose);
     loaded->cloth->place_solids(device, loaded->scene,
                                 {.nodes = pose, .draws = *loaded->pose, .time_s = time_s}, loaded->layout);
@@ -88,7 +88,7 @@ void Renderer::Impl::step_cloth(double from_s, double to_s, const RenderSettings
     for (uint32_t done = 0; done < step_count;) {
         const double time_s = from_s + done * step_s;
         cloth::Surroundings surroundings =
-            cloth.surroundings(loaded->scene, style, time_s, loaded->layout.anchor);
+            cloth.surroundings(loaded->scene, style, {time_s, settings.time_s}, loaded->layout.anchor);
         surroundings.step_s = static_cast<float>(step_s);
         const uint32_t most = sheets.most_steps(surroundings);
         const uint32_t now = std::min({step_count - done, most, is_animated ? steps_between_poses : most});

@@ -47,7 +47,8 @@ public:
     }
 
 private:
-    std::set<std::string> taken_{"paper", "wash", "ink", "hatch", "lines", "smoke", "shadow", "occlusion"};
+    std::set<std::string> taken_{"paper", "wash",   "ink",       "hatch", "lines",
+                                 "smoke", "shadow", "occlusion", "clouds"};
 };
 
 /// The part of the page that its margin leaves: from the first pixel to before the last.
@@ -71,7 +72,7 @@ public:
     Seen(const pose::MeshData& layout, const RenderSettings& settings, const PixelWindow& window)
         : things_(thing_of_draw(layout)), width_(settings.width), window_(window),
           pixel_things_(size_t{settings.width} * settings.height), shares_(pixel_things_.size()),
-          shadow_(pixel_things_.size()), closed_(pixel_things_.size())
+          shadow_(pixel_things_.size()), closed_(pixel_things_.size()), clouds_(pixel_things_.size())
     {
     }
 
@@ -81,6 +82,8 @@ public:
         const auto sun = gpu::items_of<float>(page.sun);
         const auto open =
             page.open.empty() ? std::span<const uint16_t>() : gpu::items_of<uint16_t>(page.open);
+        const auto clouds =
+            page.has_clouds ? gpu::items_of<uint16_t>(page.cloud_cover) : std::span<const uint16_t>();
         for (uint32_t y = window_.first.y; y < window_.last.y; ++y) {
             for (uint32_t x = window_.first.x; x < window_.last.x; ++x) {
                 const size_t i = size_t{y} * width_ + x;
@@ -88,6 +91,7 @@ public:
                 pixel_things_[i] = number > 0 ? things_.at(number - 1) : 0;
                 // Negative: turned away from the sun, or never lit by it.
                 shadow_[i] += sun[i] >= 0.0F ? 1.0F - std::min(sun[i], 1.0F) : 0.0F;
+                clouds_[i] += number == 0 && !clouds.empty() ? glm::unpackHalf1x16(clouds[i]) : 0.0F;
                 closed_[i] += number > 0 && !open.empty() ? 1.0F - glm::unpackHalf1x16(open[i]) : 0.0F;
             }
         }
@@ -115,6 +119,7 @@ public:
         };
         add_shares("shadow", shadow_);
         add_shares("occlusion", closed_);
+        add_shares("clouds", clouds_);
         Names names;
         for (const auto& [thing, places] : shares_.places()) {
             masks.push_back(frame::cropped_mask(names.make(name_of_thing(scene, thing)), settings.width,
@@ -132,6 +137,7 @@ private:
     frame::Shares shares_;
     std::vector<float> shadow_; ///< sum over the samples
     std::vector<float> closed_; ///< the same, of light that occlusion takes
+    std::vector<float> clouds_; ///< the same, of sky that clouds cover
 };
 
 } // namespace

@@ -15,7 +15,7 @@ namespace estampe {
 namespace {
 
 /// The first of the bytes: changes when what follows does.
-constexpr uint64_t signature = 0x33304d4c49465345ULL;
+constexpr uint64_t signature = 0x35304d4c49465345ULL;
 
 /// Ink that flows, and the camera that saw it.
 struct InkHead {
@@ -80,22 +80,14 @@ Camera camera_of(const InkHead& head)
     return camera;
 }
 
-/// Smoke that rises.
+/// Smoke that rises in a box, ahead of its numbers.
 struct SmokeHead {
-    uint64_t is_there = 0;
-    double time_s = 0.0;
+    uint32_t number = 0;
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
+    uint32_t unused = 0; ///< so that no byte between is left open
+    double time_s = 0.0;
 };
-
-SmokeHead smoke_head(const std::optional<frame::KeptSmoke>& smoke)
-{
-    return smoke ? SmokeHead{.is_there = 1,
-                             .time_s = smoke->time_s,
-                             .cells = smoke->cells,
-                             .cell_m = smoke->cell_m}
-                 : SmokeHead{};
-}
 
 /// What is written ahead of the buffers.
 struct Head {
@@ -106,9 +98,12 @@ struct Head {
     uint64_t has_exposure = 0;           ///< as wide as that no byte between is left open
     double exposure_time_s = 0.0;
     InkHead ink;
-    SmokeHead smoke;
+    uint64_t smoke_boxes = 0;
     uint64_t has_cloth = 0;
     double cloth_time_s = 0.0;
+    uint64_t has_water = 0; ///< that ink stirs
+    double water_time_s = 0.0;
+    uint64_t water_numbers = 0;
 };
 
 class Writer {
@@ -185,17 +180,26 @@ constexpr std::array line_classes{contour::LineClass::seen, contour::LineClass::
 std::vector<std::byte> Renderer::film_memory() const
 {
     Impl& impl = *impl_;
-    const std::optional<frame::KeptSmoke> smoke = impl.rising_smoke.kept(impl.device, impl.executor);
+    if (!impl.is_of_film) {
+        return {};
+    }
+    const std::vector<frame::KeptSmoke> smoke = impl.rising_smoke.kept(impl.device, impl.executor);
     Head head{.size_px = impl.line_history.size_px(),
               .clip_from_anchor = impl.line_history.clip_from_anchor_before(),
               .has_exposure = impl.exposure.time_s() ? uint64_t{1} : 0,
               .exposure_time_s = impl.exposure.time_s().value_or(0.0),
               .ink = ink_head(impl.flowing_ink),
-              .smoke = smoke_head(smoke)};
+              .smoke_boxes = smoke.size()};
     frame::MovingCloth* const cloth = impl.loaded ? impl.loaded->cloth.get() : nullptr;
     if (cloth != nullptr && cloth->time_s()) {
         head.has_cloth = 1;
         head.cloth_time_s = *cloth->time_s();
+    }
+    const std::optional<frame::KeptWater> water = impl.flowing_ink.water().kept(impl.device, impl.executor);
+    if (water) {
+        head.has_water = 1;
+        head.water_time_s = water->time_s;
+        head.water_numbers = water->velocity.size();
     }
     Download download;
     for (size_t i = 0; i < line_classes.size(); ++i) {
@@ -205,9 +209,6 @@ std::vector<std::byte> Renderer::film_memory() const
             download.add(impl.device, impl.line_history.before(lines).grid);
             download.add(impl.device, impl.line_history.before(lines).samples);
         }
-    }
-    if (head.has_lines.front() == 0) {
-        return {};
     }
     if (head.has_exposure != 0) {
         download.add(impl.device, impl.exposure.buffer());
@@ -224,9 +225,15 @@ std::vector<std::byte> Renderer::film_memory() const
     }
     Writer writer(head);
     download.append_to(writer, impl.executor);
-    if (smoke) {
-        writer.append(std::as_bytes(std::span(smoke->velocity)));
-        writer.append(std::as_bytes(std::span(smoke->quantities)));
+    for (const frame::KeptSmoke& box : smoke) {
+        const SmokeHead of_box{
+            .number = box.number, .cells = box.cells, .cell_m = box.cell_m, .time_s = box.time_s};
+        writer.append(std::as_bytes(std::span(&of_box, 1)));
+        writer.append(std::as_bytes(std::span(box.velocity)));
+        writer.append(std::as_bytes(std::span(box.quantities)));
+    }
+    if (water) {
+        writer.append(std::as_bytes(std::span(water->velocity)));
     }
     return writer.take();
 }
@@ -241,8 +248,9 @@ void Renderer::recall_film(std::span<const std::byte> memory)
     Head head;
     std::memcpy(&head, reader.take(sizeof head).data(), sizeof head);
     constexpr uint32_t longest_side_px = 1U << 16U;
-    if (head.first != signature || head.size_px.x == 0 || head.size_px.y == 0 ||
-        head.size_px.x > longest_side_px || head.size_px.y > longest_side_px) {
+    const bool has_lines = head.has_lines.front() != 0;
+    const auto is_side = [&](uint32_t side_px) { return side_px > 0 && side_px <= longest_side_px; };
+    if (head.first != signature || (has_lines && (!is_side(head.size_px.x) || !is_side(head.size_px.y)))) {
         throw Error("this is not the memory of a film's frame");
     }
     const auto next_buffer = [&](const char* name, uint64_t size_bytes) {
@@ -275,17 +283,33 @@ void Renderer::recall_film(std::span<const std::byte> memory)
             sheets.at(i) = next_buffer("cloth state", cloth->sheets().state().at(i)->size_bytes());
         }
     }
-    std::optional<frame::KeptSmoke> smoke;
-    if (head.smoke.is_there != 0) {
-        smoke = {.cells = head.smoke.cells, .cell_m = head.smoke.cell_m, .time_s = head.smoke.time_s};
-        const uint64_t cell_count = frame::kept_cell_count(*smoke);
-        smoke->velocity = reader.take_floats(3 * cell_count);
-        smoke->quantities = reader.take_floats(2 * cell_count);
+    std::vector<frame::KeptSmoke> smoke;
+    for (uint64_t i = 0; i < head.smoke_boxes; ++i) {
+        SmokeHead of_box;
+        std::memcpy(&of_box, reader.take(sizeof of_box).data(), sizeof of_box);
+        frame::KeptSmoke& box = smoke.emplace_back(frame::KeptSmoke{.number = of_box.number,
+                                                                    .cells = of_box.cells,
+                                                                    .cell_m = of_box.cell_m,
+                                                                    .time_s = of_box.time_s,
+                                                                    .velocity = {},
+                                                                    .quantities = {}});
+        const uint64_t cell_count = frame::kept_cell_count(box);
+        box.velocity = reader.take_floats(3 * cell_count);
+        box.quantities = reader.take_floats(2 * cell_count);
     }
+    constexpr uint64_t most_numbers = 1U << 20U;
+    if (head.water_numbers > most_numbers) {
+        throw Error("this is not the memory of a film's frame");
+    }
+    frame::KeptWater water{.time_s = head.water_time_s, .velocity = reader.take_floats(head.water_numbers)};
     if (!reader.is_at_end()) {
         throw Error("this is not the memory of a film's frame");
     }
-    impl.line_history.recall(impl.device, head.size_px, std::move(drawn), head.clip_from_anchor);
+    if (has_lines) {
+        impl.line_history.recall(impl.device, head.size_px, std::move(drawn), head.clip_from_anchor);
+    } else {
+        impl.line_history.forget();
+    }
     impl.exposure.forget();
     if (exposure) {
         impl.exposure.recall(std::move(*exposure), head.exposure_time_s);
@@ -298,10 +322,11 @@ void Renderer::recall_film(std::span<const std::byte> memory)
         impl.flowing_ink.memory().recall(impl.device, kept_of(head.ink), std::move(ink));
         impl.flowing_ink.recall_camera(camera_of(head.ink));
     }
-    impl.rising_smoke.forget();
-    if (smoke) {
-        impl.rising_smoke.recall(std::move(*smoke));
+    if (head.has_water != 0) {
+        impl.flowing_ink.water().recall(std::move(water));
     }
+    impl.rising_smoke.recall(std::move(smoke));
+    impl.is_of_film = true;
 }
 
 } // namespace estampe

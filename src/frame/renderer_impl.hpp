@@ -39,6 +39,15 @@ struct FrameJob {
     const VulkanPicture* target = nullptr;       ///< of the host's, in place of bytes
 };
 
+/// The scene as it stood when it was asked for last.
+struct PosedScene {
+    ScenePose pose;
+    double time_s = 0.0;
+    Index animation = 0;
+    bool is_known = false;
+    bool is_on_device = false; ///< as far as the processor has a part in that
+};
+
 struct Renderer::Impl {
     explicit Impl(RendererOptions renderer_options)
         : options(std::move(renderer_options)), device(options), executor(device),
@@ -57,6 +66,8 @@ struct Renderer::Impl {
     }
 
     void update_pose(const ScenePose& scene_pose);
+    /// Poses the scene, unless that is how it stands; valid until another moment is asked for.
+    const ScenePose& pose_at(const RenderSettings& settings);
     /// Takes the anchor along with an eye that has gone far over the ground, so that floats stay fine there.
     void follow_eye(const Camera& camera);
     /// Brings the ground to where the eye is.
@@ -103,6 +114,8 @@ struct Renderer::Impl {
     void provide_pixel_sizes(const frame::FramePlan& plan, const frame::StyleTables& tables);
     void provide_strokes(const frame::StrokePlan& strokes);
     void provide_looks(const frame::FramePlan& plan);
+    /// Maps that lie on all surfaces, where the style wants any.
+    void provide_surface_maps(const frame::FramePlan& plan);
     /// All that comes before the first sample. Throws Error as Renderer::render() does.
     [[nodiscard]] frame::FramePlan prepare(const Camera& camera, const frame::StyleTables& tables,
                                            const RenderSettings& settings);
@@ -131,6 +144,7 @@ struct Renderer::Impl {
     std::unique_ptr<gpu::CompileAhead> ahead; ///< until the first frame is drawn
     RasterPath raster_path;
     std::optional<frame::LoadedScene> loaded;
+    PosedScene posed_scene;
     gpu::Buffer frame_globals;
     gpu::Buffer light_globals;
     gpu::Buffer lights;
@@ -148,17 +162,20 @@ struct Renderer::Impl {
     gpu::Buffer look_of_draw;
     gpu::Buffer line_looks;
     gpu::Buffer subsurface_looks;
+    gpu::Buffer map_frame_globals;
     gpu::Buffer focus_lines;
     frame::CloudBuffers clouds;
-    frame::ParticleBuffers particles;
+    std::vector<frame::ParticleBuffers> particles;
     contour::LineHistory line_history;
+    bool is_of_film = false; ///< the last frame
     frame::LineBrushes line_brushes;
     frame::FlowingInk flowing_ink;
     frame::RisingSmoke rising_smoke;
     frame::Page page;
     gpu::Buffer motion_pixels;
     Motion motion;
-    gpu::Graph drawn; ///< the last frame, to look at; its resources may be gone
+    gpu::Graph declared; ///< room for the next frame's
+    gpu::Graph drawn;    ///< the last frame, to look at; its resources may be gone
     std::vector<std::string> notes;
 };
 

@@ -4,11 +4,22 @@
 
 #include <cmath>
 
+#include <estampe/error.hpp>
+
 #include "frame/view.hpp"
 #include "gpu/imports.hpp"
 #include "techniques/motion_blur/motion_blur.hpp"
 
 namespace estampe {
+
+void Renderer::place(std::span<const NodePlace> places, double time_s)
+{
+    if (!impl_->loaded) {
+        throw Error("there is no scene whose nodes could be moved", "", "call set_scene first");
+    }
+    impl_->posed_scene = {};
+    frame::place_nodes(impl_->device, *impl_->loaded, places, time_s);
+}
 
 void Renderer::Impl::pose_before(const ScenePose& scene_pose)
 {

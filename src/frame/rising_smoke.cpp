@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
@@ -85,7 +86,7 @@ std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& s
     constexpr int wave_count = 10;
     constexpr double most_waves = 3.0; // along a side
     const Draught draught = draught_of(box, style);
-    std::mt19937 random(static_cast<uint32_t>(style.seed));
+    std::mt19937 random(static_cast<uint32_t>(style.seed) + 7919U * box.number);
     const auto number = [&] { return 2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0; };
 
     struct Wave {
@@ -137,44 +138,17 @@ glm::uvec3 sides_of(const glm::dvec3& size_m, uint32_t longest)
     return sides;
 }
 
-} // namespace
-
-std::vector<smoke::Lamp> smoke_lamps(const light::Lighting& lighting)
+/// None for a node that is scaled to nothing.
+std::optional<smoke::Box> box_about(const glm::dmat4& world_from_node, const glm::dvec3& anchor,
+                                    uint32_t cells)
 {
-    std::vector<smoke::Lamp> lamps;
-    for (const shared::LightRecord& record : lighting.records) {
-        const uint32_t type = record.type & shared::light_type_mask;
-        const bool is_sun = type == shared::light_directional;
-        const bool has_cone = type == shared::light_spot || type == shared::light_pyramid;
-        lamps.push_back({.place = is_sun ? record.direction : record.position,
-                         .beam = record.direction,
-                         .luminance = luminance(record.color),
-                         .range_m = is_sun ? 0.0F : record.range_m,
-                         .cone_scale = has_cone ? record.cone_scale : 0.0F,
-                         .cone_offset = has_cone ? record.cone_offset : 1.0F});
-    }
-    return lamps;
-}
-
-std::optional<smoke::Box> smoke_box(const Scene& scene, const ScenePose& pose, const glm::dvec3& anchor,
-                                    const std::string& pattern, uint32_t cells)
-{
-    const auto is_meant = [&](const Node& node) {
-        return node.mesh == no_index && style::matches(pattern, node.name);
-    };
-    const auto found = std::ranges::find_if(scene.nodes, is_meant);
-    if (found == scene.nodes.end()) {
-        return std::nullopt;
-    }
-    const glm::dmat4& world_from_node =
-        pose.world_from_node[static_cast<size_t>(found - scene.nodes.begin())];
     const auto column = [&](int axis) { return glm::dvec3(world_from_node[axis]); };
     glm::dvec3 size_m(0.0);
     for (int axis = 0; axis < 3; ++axis) {
         size_m[axis] = 2.0 * glm::length(column(axis));
     }
     if (!(std::min({size_m.x, size_m.y, size_m.z}) > 1e-4)) {
-        return std::nullopt; // scaled to nothing
+        return std::nullopt;
     }
     const glm::dvec3 up = 2.0 * column(1) / size_m.y;
     const glm::dvec3 across = glm::cross(up, 2.0 * column(2) / size_m.z);
@@ -195,6 +169,110 @@ std::optional<smoke::Box> smoke_box(const Scene& scene, const ScenePose& pose, c
                       .grid_from_anchor = glm::mat4(glm::inverse(anchor_from_grid))};
 }
 
+void let_rise(fluid::Fluid& fluid, gpu::Executor& executor, const smoke::Box& box,
+              const smoke::SmokeStyle& style, double gap_s)
+{
+    const auto count = static_cast<uint32_t>(std::ceil(gap_s * steps_per_s - 1e-6));
+    fluid.set_shapes({}, std::vector{source_of(box, style)});
+    for (uint32_t left = count; left > 0;) {
+        const fluid::FluidStyle solver = solving(box, style, gap_s / count);
+        const uint32_t now = std::min(left, fluid.most_steps(solver));
+        gpu::Graph graph;
+        static_cast<void>(fluid.add_steps(graph, solver, now));
+        executor.run(graph);
+        left -= now;
+    }
+}
+
+/// Puffs and strokes go with the draught.
+void carry_along(smoke::Box& box, const smoke::SmokeStyle& style, double time_s)
+{
+    const Draught draught = draught_of(box, style);
+    const glm::dvec3 drift_m_s(draught.wind_m_s + glm::vec3(0.0F, draught.speed_m_s, 0.0F));
+    box.puffs_risen_m = glm::vec3(time_s * drift_m_s);
+    box.strokes_risen_m = static_cast<float>(std::fmod(time_s * static_cast<double>(draught.speed_m_s), 1e3));
+}
+
+} // namespace
+
+struct RisingSmoke::Column {
+    uint32_t number = 0;
+    glm::uvec3 cells{0};
+    float cell_m = 1.0F;
+    double time_s = 0.0;
+    KeptSmoke recalled;                  ///< until it is asked for
+    std::unique_ptr<fluid::Fluid> fluid; ///< none until then
+
+    [[nodiscard]] bool is_of(const smoke::Box& box) const
+    {
+        return number == box.number && cells == box.cells && cell_m == box.cell_m;
+    }
+};
+
+std::vector<smoke::Lamp> smoke_lamps(const light::Lighting& lighting, bool has_sun_map)
+{
+    std::vector<smoke::Lamp> lamps;
+    for (const shared::LightRecord& record : lighting.records) {
+        const uint32_t type = record.type & shared::light_type_mask;
+        const bool is_sun = type == shared::light_directional;
+        const bool has_cone = type == shared::light_spot || type == shared::light_pyramid;
+        const uint32_t of_sun =
+            has_sun_map && lamps.empty() ? shared::smoke_sun_shadow : shared::smoke_no_shadow;
+        const uint32_t of_lamp =
+            record.shadow > 0 ? shared::smoke_local_shadow + record.shadow - 1 : shared::smoke_no_shadow;
+        lamps.push_back({.place = is_sun ? record.direction : record.position,
+                         .beam = record.direction,
+                         .luminance = luminance(record.color),
+                         .range_m = is_sun ? 0.0F : record.range_m,
+                         .cone_scale = has_cone ? record.cone_scale : 0.0F,
+                         .cone_offset = has_cone ? record.cone_offset : 1.0F,
+                         .shadow = is_sun ? of_sun : of_lamp});
+    }
+    return lamps;
+}
+
+void add_fires(light::Lighting& lighting, const std::vector<smoke::Box>& boxes,
+               const smoke::SmokeStyle& style, double time_s)
+{
+    if (style.glow <= 0.0F) {
+        return;
+    }
+    for (const smoke::Box& box : boxes) {
+        const fluid::Source source = source_of(box, style);
+        const glm::mat4 anchor_from_grid = glm::inverse(box.grid_from_anchor);
+        const float half_m = 0.5F * box.width_m();
+        // Two waves whose lengths have no common measure.
+        const auto flicker = static_cast<float>(1.0 + 0.12 * std::sin(17.3 * time_s + box.number) +
+                                                0.08 * std::sin(41.7 * time_s + 2.0 * box.number));
+        shared::LightRecord record{};
+        record.type = shared::light_point;
+        record.position = glm::vec3(anchor_from_grid * glm::vec4(source.shape.centre_m / box.cell_m, 1.0F));
+        record.range_m = 20.0F * half_m;
+        record.color = style.glow_color * (style.glow * flicker * half_m * half_m);
+        record.groups = 0xffffffffU;
+        record.radius_m = -1.0F;
+        lighting.records.push_back(record);
+    }
+}
+
+std::vector<smoke::Box> smoke_boxes(const Scene& scene, const ScenePose& pose, const glm::dvec3& anchor,
+                                    const std::string& pattern, uint32_t cells)
+{
+    std::vector<smoke::Box> boxes;
+    uint32_t number = 0;
+    for (size_t i = 0; i < scene.nodes.size(); ++i) {
+        if (scene.nodes[i].mesh != no_index || !style::matches(pattern, scene.nodes[i].name)) {
+            continue;
+        }
+        if (auto box = box_about(pose.world_from_node[i], anchor, cells)) {
+            box->number = number;
+            boxes.push_back(*box);
+        }
+        ++number;
+    }
+    return boxes;
+}
+
 RisingSmoke::RisingSmoke() = default;
 RisingSmoke::~RisingSmoke() = default;
 
@@ -211,120 +289,126 @@ uint64_t kept_cell_count(const KeptSmoke& kept)
 
 void RisingSmoke::forget()
 {
-    time_s_.reset();
-    fluid_.reset();
-    recalled_ = {};
+    columns_.clear();
 }
 
-std::optional<KeptSmoke> RisingSmoke::kept(gpu::Device& device, gpu::Executor& executor)
+std::vector<KeptSmoke> RisingSmoke::kept(gpu::Device& device, gpu::Executor& executor)
 {
-    if (!recalled_.velocity.empty()) {
-        return recalled_;
+    std::vector<KeptSmoke> kept;
+    for (const auto& column : columns_) {
+        if (!column->fluid) {
+            kept.push_back(column->recalled);
+            continue;
+        }
+        const auto numbers = [&](bool are_quantities) {
+            gpu::Graph graph;
+            const fluid::FluidFields fields = column->fluid->add_steps(graph, {}, 0);
+            return fluid::run_and_read(device, executor, graph,
+                                       are_quantities ? fields.quantities.value() : fields.velocity);
+        };
+        kept.push_back({.number = column->number,
+                        .cells = column->cells,
+                        .cell_m = column->cell_m,
+                        .time_s = column->time_s,
+                        .velocity = numbers(false),
+                        .quantities = numbers(true)});
     }
-    if (!time_s_ || !fluid_) {
-        return std::nullopt;
-    }
-    const auto numbers = [&](bool are_quantities) {
-        gpu::Graph graph;
-        const fluid::FluidFields fields = fluid_->add_steps(graph, {}, 0);
-        return fluid::run_and_read(device, executor, graph,
-                                   are_quantities ? fields.quantities.value() : fields.velocity);
-    };
-    return KeptSmoke{.cells = cells_,
-                     .cell_m = cell_m_,
-                     .time_s = *time_s_,
-                     .velocity = numbers(false),
-                     .quantities = numbers(true)};
+    return kept;
 }
 
-void RisingSmoke::recall(KeptSmoke kept)
+void RisingSmoke::recall(std::vector<KeptSmoke> kept)
 {
     forget();
-    recalled_ = std::move(kept);
-    cells_ = recalled_.cells;
-    cell_m_ = recalled_.cell_m;
-    time_s_ = recalled_.time_s;
+    for (KeptSmoke& box : kept) {
+        auto column = std::make_unique<Column>(Column{.number = box.number,
+                                                      .cells = box.cells,
+                                                      .cell_m = box.cell_m,
+                                                      .time_s = box.time_s,
+                                                      .fluid = nullptr});
+        column->recalled = std::move(box);
+        columns_.push_back(std::move(column));
+    }
 }
 
-void RisingSmoke::start(gpu::Device& device, const smoke::Box& box, const SmokeInputs& in)
+std::unique_ptr<RisingSmoke::Column> RisingSmoke::started(gpu::Device& device, gpu::Executor& executor,
+                                                          const smoke::Box& box, const SmokeInputs& in)
 {
     const smoke::SmokeStyle& style = in.style.smoke;
-    if (recalled_.velocity.empty()) {
-        recalled_.velocity = stirred_air(box, style);
+    const auto found =
+        std::ranges::find_if(columns_, [&](const auto& column) { return column && column->is_of(box); });
+    std::unique_ptr<Column> column =
+        found != columns_.end() ? std::move(*found)
+                                : std::make_unique<Column>(Column{
+                                      .number = box.number,
+                                      .cells = box.cells,
+                                      .cell_m = box.cell_m,
+                                      .time_s = in.settings.time_s - static_cast<double>(style.age_s),
+                                      .recalled = {.velocity = stirred_air(box, style), .quantities = {}},
+                                      .fluid = nullptr});
+    if (!column->fluid) {
+        const KeptSmoke start = std::exchange(column->recalled, {});
+        column->fluid =
+            std::make_unique<fluid::Fluid>(device, grid_of(box), channels, start.velocity, start.quantities);
+        if (style.obstacles) {
+            column->fluid->set_standing(
+                device, standing_cells(in.loaded.scene, in.pose, in.loaded.layout.anchor, box));
+        }
+        static_cast<void>(column->fluid->check_spectral(device, executor));
     }
-    fluid_ = std::make_unique<fluid::Fluid>(device, grid_of(box), channels, recalled_.velocity,
-                                            recalled_.quantities);
-    recalled_ = {};
-    if (style.obstacles) {
-        fluid_->set_standing(device, standing_cells(in.loaded.scene, in.pose, in.loaded.layout.anchor, box));
-    }
-    cells_ = box.cells;
-    cell_m_ = box.cell_m;
-}
-
-void RisingSmoke::rise(gpu::Executor& executor, const smoke::Box& box, const smoke::SmokeStyle& style,
-                       double time_s)
-{
-    const double gap_s = time_s - time_s_.value_or(time_s);
-    const auto count = static_cast<uint32_t>(std::ceil(gap_s * steps_per_s - 1e-6));
-    fluid_->set_shapes({}, std::vector{source_of(box, style)});
-    for (uint32_t left = count; left > 0;) {
-        const fluid::FluidStyle solver = solving(box, style, gap_s / count);
-        const uint32_t now = std::min(left, fluid_->most_steps(solver));
-        gpu::Graph graph;
-        static_cast<void>(fluid_->add_steps(graph, solver, now));
-        executor.run(graph);
-        left -= now;
-    }
-    time_s_ = time_s;
+    return column;
 }
 
 std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor& executor,
                                               const SmokeInputs& in, std::vector<std::string>& notes)
 {
     const smoke::SmokeStyle& style = in.style.smoke;
-    if (!style.drawn) {
-        forget();
-        return std::nullopt;
+    SmokePlan plan;
+    if (style.drawn) {
+        plan.boxes = smoke_boxes(in.loaded.scene, in.pose, in.loaded.layout.anchor, style.objects,
+                                 std::bit_floor(style.cells));
     }
-    const uint32_t cells = std::bit_floor(style.cells);
-    const auto box = smoke_box(in.loaded.scene, in.pose, in.loaded.layout.anchor, style.objects, cells);
-    if (!box) {
+    if (style.drawn && plan.boxes.empty()) {
         notes.push_back(
             fmt::format("smoke.objects speaks of objects without a mesh {}, of which the scene has none",
                         style::in_quotes(style.objects)));
+    }
+    if (plan.boxes.empty()) {
         forget();
         return std::nullopt;
     }
+    if (plan.boxes.size() > shared::smoke_most_boxes) {
+        notes.push_back(fmt::format("smoke rises from the first {} of {} objects", shared::smoke_most_boxes,
+                                    plan.boxes.size()));
+        plan.boxes.resize(shared::smoke_most_boxes);
+    }
     const double time_s = in.settings.time_s;
-    const bool follows = in.settings.continuity == Continuity::follows && time_s_ && time_s >= *time_s_ &&
-                         time_s - *time_s_ <= longest_gap_s && cells_ == box->cells && cell_m_ == box->cell_m;
-    if (!follows) {
-        forget();
-        time_s_ = time_s - static_cast<double>(style.age_s);
+    std::erase_if(columns_, [&](const auto& column) {
+        return in.settings.continuity != Continuity::follows || time_s < column->time_s ||
+               time_s - column->time_s > longest_gap_s;
+    });
+    std::vector<std::unique_ptr<Column>> columns;
+    for (smoke::Box& box : plan.boxes) {
+        columns.push_back(started(device, executor, box, in));
+        Column& column = *columns.back();
+        let_rise(*column.fluid, executor, box, style, time_s - column.time_s);
+        column.time_s = time_s;
+        carry_along(box, style, time_s);
     }
-    if (!fluid_) {
-        start(device, *box, in);
-        static_cast<void>(fluid_->check_spectral(device, executor));
-    }
-    rise(executor, *box, style, time_s);
-    const Draught draught = draught_of(*box, style);
-    const glm::dvec3 drift_m_s(draught.wind_m_s + glm::vec3(0.0F, draught.speed_m_s, 0.0F));
-    const shared::SmokeGlobals globals = smoke::globals_of(
-        *box, style,
-        {.lamps = in.lamps, .ambient = in.ambient, .puffs_risen_m = glm::vec3(time_s * drift_m_s)});
+    columns_ = std::move(columns);
+    const shared::SmokeGlobals globals =
+        smoke::globals_of(plan.boxes, style, {.lamps = in.lamps, .ambient = in.ambient});
     globals_ = gpu::upload_buffer(device, "smoke globals", std::vector{globals});
-    volume_.provide(device, box->cells);
-    gpu::Graph graph;
-    const fluid::FluidFields fields = fluid_->add_steps(graph, solving(*box, style, 1.0), 0);
-    static_cast<void>(smoke::add_volume(graph, volume_, style,
-                                        {.globals = gpu::import_whole(graph, "smoke", globals_),
-                                         .density = fields.quantities.value(),
-                                         .puff_count = smoke::puff_count_of(globals)}));
-    executor.run(graph);
-    return SmokePlan{.box = *box,
-                     .rise_m =
-                         static_cast<float>(std::fmod(time_s * static_cast<double>(draught.speed_m_s), 1e3))};
+    volume_.provide(device, globals);
+    return plan;
+}
+
+smoke::Fields RisingSmoke::fields(gpu::Graph& graph)
+{
+    smoke::Fields fields{.globals = gpu::import_whole(graph, "smoke", globals_), .densities = {}};
+    for (const auto& column : columns_) {
+        fields.densities.push_back(column->fluid->add_steps(graph, {}, 0).quantities.value());
+    }
+    return fields;
 }
 
 } // namespace estampe::frame

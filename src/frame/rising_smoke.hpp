@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Smoke that rises from picture to picture: where its box stands, and how far it has come.
+// Smoke that rises from picture to picture: where its boxes stand, and how far it has come in each.
 
 #include <memory>
 #include <optional>
@@ -22,8 +22,13 @@ class Fluid;
 
 namespace estampe::frame {
 
-/// The scene's lights as smoke takes them.
-[[nodiscard]] std::vector<smoke::Lamp> smoke_lamps(const light::Lighting& lighting);
+/// The scene's lights as smoke takes them; the first that is directional throws the shadow of the sun's map,
+/// where there is one.
+[[nodiscard]] std::vector<smoke::Lamp> smoke_lamps(const light::Lighting& lighting, bool has_sun_map);
+
+/// The fires that smoke rises from, as lamps among the lights, where the style has them glow. They flicker.
+void add_fires(light::Lighting& lighting, const std::vector<smoke::Box>& boxes,
+               const smoke::SmokeStyle& style, double time_s);
 
 /// What a picture's smoke is planned from.
 struct SmokeInputs {
@@ -36,18 +41,19 @@ struct SmokeInputs {
 };
 
 struct SmokePlan {
-    smoke::Box box;
-    float rise_m = 0.0F; ///< how far strokes have risen with it
+    std::vector<smoke::Box> boxes; ///< at least one
 };
 
-/// The box of the first node that the pattern names, 2 m wide each way in the node's space and about the
-/// middle of its own floor; the sides are powers of two in cells. Nothing where no node is meant.
-[[nodiscard]] std::optional<smoke::Box> smoke_box(const Scene& scene, const ScenePose& pose,
+/// The boxes of nodes that the pattern names, 2 m wide each way in the node's space and about the middle of
+/// its own floor; the sides are powers of two in cells. Each has the number that its node has among those.
+/// Nodes that are scaled to nothing have none.
+[[nodiscard]] std::vector<smoke::Box> smoke_boxes(const Scene& scene, const ScenePose& pose,
                                                   const glm::dvec3& anchor, const std::string& pattern,
                                                   uint32_t cells);
 
-/// What a film's next frame takes from this one.
+/// What a film's next frame takes from this one, of a box.
 struct KeptSmoke {
+    uint32_t number = 0;
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
     double time_s = 0.0;
@@ -65,34 +71,36 @@ public:
     RisingSmoke(const RisingSmoke&) = delete;
     RisingSmoke& operator=(const RisingSmoke&) = delete;
 
-    /// Lets the smoke rise to the moment of a picture, lights it there, and plans how it is drawn; nothing
+    /// Lets the smoke rise to the moment of a picture, and plans how it is lit and drawn there; nothing
     /// where the style or the scene has none. It goes on from the picture before where that is followed, at
     /// most a second later; else it starts `age_s` ago, and takes 24 steps for each of these seconds.
-    /// Patterns that name nothing go into `notes`.
+    /// Patterns that name nothing, or more than shared::smoke_most_boxes, go into `notes`.
     [[nodiscard]] std::optional<SmokePlan> provide(gpu::Device& device, gpu::Executor& executor,
                                                    const SmokeInputs& in, std::vector<std::string>& notes);
 
     /// The next picture is of something else.
     void forget();
 
-    [[nodiscard]] std::optional<KeptSmoke> kept(gpu::Device& device, gpu::Executor& executor);
+    [[nodiscard]] std::vector<KeptSmoke> kept(gpu::Device& device, gpu::Executor& executor);
 
     /// The next picture may go on from that.
-    void recall(KeptSmoke kept);
+    void recall(std::vector<KeptSmoke> kept);
 
     [[nodiscard]] gpu::Buffer& globals() { return globals_; }
+
+    /// What has risen, for smoke::add_volume(). Once a graph.
+    [[nodiscard]] smoke::Fields fields(gpu::Graph& graph);
 
     [[nodiscard]] smoke::VolumeMemory& volume() { return volume_; }
 
 private:
-    void start(gpu::Device& device, const smoke::Box& box, const SmokeInputs& in);
-    void rise(gpu::Executor& executor, const smoke::Box& box, const smoke::SmokeStyle& style, double time_s);
+    /// The smoke of a box.
+    struct Column;
 
-    std::unique_ptr<fluid::Fluid> fluid_; ///< none where what is recalled was not asked for yet
-    KeptSmoke recalled_;
-    glm::uvec3 cells_{0};
-    float cell_m_ = 1.0F;
-    std::optional<double> time_s_;
+    [[nodiscard]] std::unique_ptr<Column> started(gpu::Device& device, gpu::Executor& executor,
+                                                  const smoke::Box& box, const SmokeInputs& in);
+
+    std::vector<std::unique_ptr<Column>> columns_;
     gpu::Buffer globals_;
     smoke::VolumeMemory volume_;
 };

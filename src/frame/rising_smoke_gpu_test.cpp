@@ -117,10 +117,11 @@ TEST(RisingSmoke, HasALayerOfItsOwn)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(smoking_box());
-    const LayeredImage with = renderer.render_layers(camera, smoking(), still);
+    const Style style = smoking({"smoke.shadow=0"}); // which the other layers would show
+    const LayeredImage with = renderer.render_layers(camera, style, still);
     ASSERT_FALSE(with.layers.empty());
     EXPECT_EQ(with.layers.back().name, "smoke");
-    EXPECT_EQ(with.picture, renderer.render(camera, smoking(), still));
+    EXPECT_EQ(with.picture, renderer.render(camera, style, still));
     const LayeredImage without = renderer.render_layers(camera, {}, still);
     ASSERT_EQ(with.layers.size(), without.layers.size() + 1);
     EXPECT_EQ(with.layers[with.layers.size() - 2].image.pixels, without.layers.back().image.pixels);
@@ -135,6 +136,114 @@ TEST(RisingSmoke, FlowsAroundWhatStandsInItsBox)
     const Image through = renderer.render(camera, smoking(), still);
     const Image around = renderer.render(camera, smoking({"smoke.obstacles=true"}), still);
     EXPECT_GT(changed(through, around), 50U);
+}
+
+TEST(RisingSmoke, RisesInSeveralBoxesEachItsOwnWay)
+{
+    const auto render = [](const std::vector<glm::dvec3>& places) {
+        Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
+        for (const glm::dvec3& place : places) {
+            scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
+            scene.nodes.push_back(
+                {.name = "smoke", .transform = {.translation = place, .scale = glm::dvec3(0.5)}});
+        }
+        test::add_sun(scene, {1.0, 2.0, 1.5});
+        test::shared_renderer().set_scene(scene);
+        return test::shared_renderer().render({.eye = {0.0, 1.0, 6.0}, .target = {0.0, 0.5, 0.0}}, smoking(),
+                                              still);
+    };
+    const Image none = render({});
+    const Image left = render({{-1.5, 0.0, 0.0}});
+    const Image right = render({{1.5, 0.0, 0.0}});
+    const Image both = render({{-1.5, 0.0, 0.0}, {1.5, 0.0, 0.0}});
+    size_t as_left = 0;
+    size_t in_left = 0;
+    size_t in_right = 0;
+    size_t otherwise = 0;
+    for (uint32_t i = 0; i < still.width * still.height; ++i) {
+        const auto differ = [&](const Image& a, const Image& b) {
+            return !std::equal(&a.rgba[4 * i], &a.rgba[4 * i] + 4, &b.rgba[4 * i]);
+        };
+        const bool is_left = i % still.width < still.width / 2;
+        in_left += is_left && differ(left, none) ? 1 : 0;
+        as_left += is_left && differ(left, none) && !differ(left, both) ? 1 : 0;
+        in_right += !is_left && differ(both, none) ? 1 : 0;
+        otherwise += !is_left && differ(both, right) ? 1 : 0;
+    }
+    EXPECT_GT(in_left, 50U);
+    EXPECT_GT(static_cast<double>(as_left), 0.95 * static_cast<double>(in_left));
+    EXPECT_GT(in_right, 50U);
+    EXPECT_GT(otherwise, 20U) << "the second is no copy of the first";
+}
+
+TEST(RisingSmoke, SaysHowManyBoxesAreTooMany)
+{
+    Scene scene = test::scene_of(shapes::plane(6.0F, 6.0F));
+    for (int i = 0; i < 9; ++i) {
+        scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
+        scene.nodes.push_back({.name = "smoke", .transform = {.scale = glm::dvec3(0.1)}});
+    }
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    static_cast<void>(renderer.render(camera, smoking({"smoke.age_s=0"}), still));
+    ASSERT_FALSE(renderer.notes().empty());
+    EXPECT_EQ(renderer.notes().back(), "smoke rises from the first 8 of 9 objects");
+}
+
+/// A plain in the sun, before a wall or not, and a place for smoke on it.
+Scene plain_with_smoke(bool has_roof)
+{
+    Scene scene = test::scene_of(shapes::plane(12.0F, 12.0F));
+    if (has_roof) {
+        test::add_object(scene, shapes::box({6.0F, 0.2F, 6.0F}), {0.5F, 0.5F, 0.5F}, {2.0, 5.0, 3.0});
+    }
+    scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
+    scene.nodes.push_back({.name = "smoke"});
+    test::add_sun(scene, {1.0, 2.0, 1.5});
+    return scene;
+}
+
+double darkness(const Image& image)
+{
+    double sum = 0.0;
+    for (const uint8_t byte : image.rgba) {
+        sum += 255.0 - byte;
+    }
+    return sum;
+}
+
+TEST(RisingSmoke, ThrowsItsShadowOnTheSceneAndLiesInTheScenes)
+{
+    Renderer& renderer = test::shared_renderer();
+    const std::vector<std::string> flat{"smoke.medium=wash", "smoke.line_mm=0", "contour.drawn=false"};
+    const auto render = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = flat;
+        all.insert(all.end(), more.begin(), more.end());
+        return renderer.render({.eye = {-2.6, 3.0, 2.2}, .target = {-0.5, 0.3, -0.5}}, smoking(all), still);
+    };
+    renderer.set_scene(plain_with_smoke(false));
+    const Image with = render({});
+    const Image without = render({"smoke.shadow=0"});
+    EXPECT_GT(changed(with, without), 100U);
+    EXPECT_GT(darkness(with), darkness(without));
+    EXPECT_EQ(without, render({"smoke.shadow=0", "smoke.shaded=false"})) << "nothing stands in the sun's way";
+    renderer.set_scene(plain_with_smoke(true));
+    const Image in_shade = render({"smoke.shadow=0"});
+    const Image unshaded = render({"smoke.shadow=0", "smoke.shaded=false"});
+    EXPECT_GT(changed(in_shade, unshaded), 100U);
+    EXPECT_GT(darkness(in_shade), darkness(unshaded));
+}
+
+TEST(RisingSmoke, ItsFireIsALamp)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(plain_with_smoke(true));
+    const Camera above{.eye = {-3.0, 3.0, 5.0}, .target = {0.0, 0.3, 0.0}};
+    const std::string exposed = "tone.curve=linear";
+    const Image dark = renderer.render(above, smoking({exposed}), still);
+    const Image lit = renderer.render(above, smoking({exposed, "smoke.glow=3"}), still);
+    EXPECT_GT(changed(dark, lit), 200U);
+    EXPECT_LT(darkness(lit), darkness(dark));
 }
 
 } // namespace

@@ -81,12 +81,14 @@ TEST(SmokeBox, StandsOnItsNodeInWholeCells)
     scene.roots = {0, 1};
     const ScenePose pose{.world_from_node = {glm::dmat4(1.0), node.transform.matrix()}, .morph_weights = {}};
     const glm::dvec3 anchor(90.0, 0.0, 0.0);
-    EXPECT_FALSE(smoke_box(scene, pose, anchor, "fog*", 64));
-    EXPECT_FALSE(smoke_box(scene,
-                           {.world_from_node = {glm::dmat4(1.0), glm::dmat4(0.0)}, .morph_weights = {}},
-                           anchor, "smoke*", 64));
-    const auto box = smoke_box(scene, pose, anchor, "smoke*", 64);
-    ASSERT_TRUE(box);
+    EXPECT_TRUE(smoke_boxes(scene, pose, anchor, "fog*", 64).empty());
+    EXPECT_TRUE(smoke_boxes(scene,
+                            {.world_from_node = {glm::dmat4(1.0), glm::dmat4(0.0)}, .morph_weights = {}},
+                            anchor, "smoke*", 64)
+                    .empty());
+    const auto boxes = smoke_boxes(scene, pose, anchor, "smoke*", 64);
+    ASSERT_EQ(boxes.size(), 1U);
+    const smoke::Box* const box = boxes.data();
     EXPECT_EQ(box->cells, glm::uvec3(16, 64, 16));
     EXPECT_NEAR(box->cell_m, 8.0 / 64.0, 1e-6);
     const auto in_grid = [&](const glm::dvec3& place) {
@@ -96,6 +98,25 @@ TEST(SmokeBox, StandsOnItsNodeInWholeCells)
     EXPECT_LT(glm::distance(in_grid({100.0, 13.0, -3.0}), glm::dvec3(8.0, 64.0, 8.0)), 1e-3);
     const glm::dvec3 right(std::cos(0.7), 0.0, -std::sin(0.7));
     EXPECT_LT(glm::distance(in_grid(glm::dvec3(100.0, 5.0, -3.0) + right), glm::dvec3(16.0, 0.0, 8.0)), 1e-3);
+}
+
+TEST(SmokeBox, HasTheNumberOfItsNodeAlsoWhereAnotherIsScaledToNothing)
+{
+    Scene scene;
+    scene.nodes = {Node{.name = "smoke a"}, Node{.name = "fire"}, Node{.name = "smoke b"}};
+    scene.roots = {0, 1, 2};
+    ScenePose pose{.world_from_node = {glm::dmat4(1.0), glm::dmat4(1.0), glm::dmat4(1.0)},
+                   .morph_weights = {}};
+    const auto numbers = [&] {
+        std::vector<uint32_t> found;
+        for (const smoke::Box& box : smoke_boxes(scene, pose, glm::dvec3(0.0), "smoke*", 16)) {
+            found.push_back(box.number);
+        }
+        return found;
+    };
+    EXPECT_EQ(numbers(), (std::vector<uint32_t>{0, 1}));
+    pose.world_from_node[0] = glm::dmat4(0.0);
+    EXPECT_EQ(numbers(), (std::vector<uint32_t>{1}));
 }
 
 } // namespace

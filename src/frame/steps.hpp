@@ -11,8 +11,10 @@
 #include "techniques/contour/contour.hpp"
 #include "techniques/lens/lens.hpp"
 #include "techniques/motion_blur/motion_blur.hpp"
+#include "techniques/occlusion/occlusion.hpp"
 #include "techniques/raster/raster.hpp"
 #include "techniques/screen/screen.hpp"
+#include "techniques/subsurface/subsurface.hpp"
 #include "techniques/surface/surface.hpp"
 
 namespace estampe::frame {
@@ -38,7 +40,8 @@ struct PosedScene {
 
 /// What is looked through, and whether there is any.
 struct SeenThrough {
-    screen::Screen images; ///< one texel each where there is none
+    screen::Screen images;             ///< one texel each where there is none
+    std::vector<gpu::BufferId> layers; ///< visibility, the nearest first
     bool is_there = false;
 };
 
@@ -52,7 +55,14 @@ struct Colors {
     gpu::ImageId wash;
     gpu::ImageId sky_ink;
     gpu::ImageId sky_wash;
-    bool has_sky_ink = false; ///< else that ink is among the strokes, or there is none
+    bool has_sky_ink = false;                     ///< else that ink is among the strokes, or there is none
+    std::optional<gpu::ImageId> cloud_cover = {}; ///< of pictures in layers that have clouds
+};
+
+/// What masks of a picture in layers are made of besides.
+struct MaskInputs {
+    std::optional<gpu::ImageId> open;
+    std::optional<gpu::ImageId> cloud_cover;
 };
 
 /// What goes on from picture to picture, where there is any.
@@ -64,8 +74,15 @@ struct MovingLayers {
 /// Whatever moves writes vertices. In a scene that stands as it stood they are there already.
 [[nodiscard]] PosedScene add_posed_scene(const Making& making);
 
+/// What hides what is behind it.
+[[nodiscard]] std::vector<raster::Batch> solid_batches(const pose::MeshData& layout, bool with_ground);
+
+/// All that the camera sees.
+[[nodiscard]] raster::View eye_view(const Making& making);
+
 /// Rasterisation only writes identities: depth and triangle, 64 bits a pixel.
-[[nodiscard]] gpu::BufferId add_visibility(const Making& making, const PosedScene& scene);
+[[nodiscard]] gpu::BufferId add_visibility(const Making& making, const PosedScene& scene,
+                                           const char* name = "visibility");
 
 /// What is seen at each pixel.
 [[nodiscard]] surface::Surface add_surface(const Making& making, const PosedScene& scene,
@@ -73,6 +90,11 @@ struct MovingLayers {
 
 /// Where that stood at another moment, for the processor, in the first sample of a picture that asks for it.
 void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId visibility);
+
+/// What see-through surfaces are made out from.
+[[nodiscard]] screen::ScreenInputs screen_inputs(const Making& making, const PosedScene& scene,
+                                                 gpu::BufferId visibility,
+                                                 const std::vector<gpu::BufferId>& layers);
 
 [[nodiscard]] SeenThrough add_screen(const Making& making, const PosedScene& scene, gpu::BufferId visibility);
 
@@ -84,21 +106,34 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
                                                           gpu::BufferId visibility);
 
 /// How much of the light from everywhere arrives there, where the style wants it.
-[[nodiscard]] std::optional<gpu::ImageId> add_occlusion(const Making& making, const PosedScene& scene,
-                                                        gpu::BufferId visibility,
-                                                        const surface::Surface& surface);
+[[nodiscard]] std::optional<occlusion::OpenPage> add_occlusion(const Making& making, const PosedScene& scene,
+                                                               gpu::BufferId visibility,
+                                                               const surface::Surface& surface);
+
+/// Smoke, shaped and lit in the first sample, where there is any.
+[[nodiscard]] std::optional<smoke::Volume> add_smoke_volume(const Making& making, const PosedScene& scene,
+                                                            const ShadowMaps& maps);
 
 /// What keeps light from what is seen, or is known of it.
 struct LightBefore {
     ShadowMaps maps;
-    std::optional<gpu::ImageId> known; ///< by add_known_light()
-    std::optional<gpu::ImageId> open;  ///< by add_occlusion()
+    std::optional<smoke::Volume> smoke;
+    std::optional<gpu::ImageId> known;       ///< by add_known_light()
+    std::optional<occlusion::OpenPage> open; ///< by add_occlusion()
 };
 
 /// The light that arrives there and goes into things, exposed for the page where the style meters that.
 [[nodiscard]] light::LitPixels add_light(const Making& making, const PosedScene& scene,
                                          gpu::BufferId visibility, const surface::Surface& surface,
                                          const LightBefore& before);
+
+/// What light needs wherever it falls in the scene, set up for what is seen.
+[[nodiscard]] light::LightInputs light_inputs(const Making& making, const PosedScene& scene,
+                                              const surface::Surface& surface, const ShadowMaps& maps);
+
+/// What is known of things that light goes into.
+[[nodiscard]] subsurface::SubsurfaceInputs subsurface_inputs(const Making& making, const PosedScene& scene,
+                                                             const surface::Surface& surface);
 
 /// The number of each draw's look, where surfaces differ.
 [[nodiscard]] std::optional<gpu::BufferId> look_of_draw(const Making& making);
@@ -128,7 +163,8 @@ void add_strung_lines(const Making& making, const contour::ContourInputs& in);
 
 /// Particles over colour and ink.
 [[nodiscard]] haze::HazeLayers add_particles(const Making& making, const PosedScene& scene,
-                                             const surface::Surface& surface, const haze::HazeLayers& layers);
+                                             const surface::Surface& surface, gpu::ImageId sky_wash,
+                                             const haze::HazeLayers& layers);
 
 /// What the lens makes of the layers, where there is one.
 [[nodiscard]] lens::LensLayers add_lens(const Making& making, const surface::Surface& surface,
@@ -146,6 +182,18 @@ add_motion_blur(const Making& making, const PosedScene& scene, gpu::BufferId vis
 [[nodiscard]] Colors add_colors(const Making& making, const PosedScene& scene,
                                 const surface::Surface& surface, gpu::ImageId light,
                                 const SeenThrough& screen);
+
+/// Paints a surface of this light in its looks' colours, with `background` where there is none.
+[[nodiscard]] gpu::ImageId add_paint(const Making& making, const PosedScene& scene,
+                                     const surface::Surface& surface, gpu::ImageId light,
+                                     const std::optional<gpu::ImageId>& background,
+                                     const SeenThrough* screen = nullptr);
+
+/// `colors` with what is seen through thick bodies, and with see-through surfaces painted one by one over
+/// what lies behind them, where the style wants either.
+[[nodiscard]] Colors add_seen_through(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+                                      const surface::Surface& surface, const ShadowMaps& maps,
+                                      const SeenThrough& screen, Colors colors);
 
 /// What haze is worked out from.
 [[nodiscard]] haze::HazeInputs haze_inputs(const Making& making, const PosedScene& scene,
@@ -168,7 +216,9 @@ add_motion_blur(const Making& making, const PosedScene& scene, gpu::BufferId vis
 
 /// Smoke before the scene, where there is any.
 [[nodiscard]] std::optional<smoke::Layer> add_smoke(const Making& making, const PosedScene& scene,
-                                                    const surface::Surface& surface, gpu::ImageId lines);
+                                                    const surface::Surface& surface,
+                                                    const std::optional<smoke::Volume>& volume,
+                                                    gpu::ImageId sky_wash, gpu::ImageId lines);
 
 /// What is laid on the paper.
 [[nodiscard]] paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
@@ -180,7 +230,6 @@ void add_picture(const Making& making, const paper::ComposeInputs& layers);
 
 /// The same in floats, whole or layer by layer, where it is asked for.
 void add_deep_picture(const Making& making, const paper::ComposeInputs& layers,
-                      const surface::Surface& surface, const light::LitPixels& lit,
-                      const std::optional<gpu::ImageId>& open);
+                      const surface::Surface& surface, const light::LitPixels& lit, const MaskInputs& masks);
 
 } // namespace estampe::frame

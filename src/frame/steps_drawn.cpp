@@ -6,6 +6,7 @@
 #include "gpu/imports.hpp"
 #include "gpu/read_back.hpp"
 #include "techniques/contour/chains/chains.hpp"
+#include "techniques/motion_blur/stretch.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -43,6 +44,26 @@ gpu::ImageId motion_of(const Making& making, const PosedScene& scene, gpu::Buffe
                                              .clip_from_anchor = moved.clip_from_anchor,
                                              .clip_from_anchor_before = moved.clip_from_anchor_before,
                                              .size_px = making.sample.size_px});
+}
+
+/// The same of all that is drawn out along its way.
+gpu::ImageId stretched_motion_of(const Making& making, const PosedScene& scene, const MotionBlurPlan& plan)
+{
+    const bool has_moved = plan.motion.pose_moved || making.resources.terrain != nullptr;
+    const motion_blur::Stretched stretched = motion_blur::add_stretch(
+        making.graph, making.resources.together,
+        {.posed_vertices = scene.meshes.posed_vertices,
+         .posed_vertices_before = has_moved ? scene.vertices_before : scene.meshes.posed_vertices,
+         .constants = {.now_from_before =
+                           glm::inverse(plan.motion.clip_from_anchor) * plan.motion.clip_from_anchor_before,
+                       .share = plan.constants.scale,
+                       .vertex_count = 0}});
+    PosedScene drawn_out = scene;
+    drawn_out.meshes.posed_vertices = stretched.vertices;
+    drawn_out.vertices_before = stretched.before;
+    MotionPlan moved = plan.motion;
+    moved.pose_moved = true;
+    return motion_of(making, drawn_out, add_visibility(making, drawn_out, "motion blur/visibility"), moved);
 }
 
 } // namespace
@@ -180,26 +201,31 @@ gpu::ImageId add_drift(const Making& making, const PosedScene& scene, const surf
 }
 
 haze::HazeLayers add_particles(const Making& making, const PosedScene& scene, const surface::Surface& surface,
-                               const haze::HazeLayers& layers)
+                               gpu::ImageId sky_wash, const haze::HazeLayers& layers)
 {
-    if (!making.plan.particles) {
-        return layers;
-    }
-    ParticleBuffers& buffers = making.resources.particles;
+    particles::ParticleLayers drawn{.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines};
     const auto import = [&](const char* name, gpu::Buffer& buffer) {
         return gpu::import_whole(making.graph, name, buffer);
     };
-    const particles::ParticleLayers drawn =
-        particles::add_particles(making.graph,
-                                 {.frame = scene.frame,
-                                  .sprites = import("sprites", buffers.sprites),
-                                  .starts = import("sprite tiles", buffers.starts),
-                                  .listed = import("listed sprites", buffers.listed),
-                                  .sheet = import("particle sheet", buffers.sheet.texels()),
-                                  .depth = surface.depth,
-                                  .size_px = making.sample.size_px},
-                                 making.plan.particles->constants,
-                                 {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines});
+    for (size_t i = 0; i < making.plan.particles.size(); ++i) {
+        ParticleBuffers& buffers = making.resources.particles[i];
+        shared::ParticleConstants constants = making.plan.particles[i].constants;
+        if (making.plan.page.has_haze) {
+            constants.haze_start_m = making.style.haze.start_m;
+            constants.haze_halves_per_m = 1.0F / making.style.haze.reach_m;
+            constants.haze_ink = making.style.haze.ink;
+        }
+        drawn = particles::add_particles(making.graph,
+                                         {.frame = scene.frame,
+                                          .sprites = import("sprites", buffers.sprites),
+                                          .starts = import("sprite tiles", buffers.starts),
+                                          .listed = import("listed sprites", buffers.listed),
+                                          .sheet = import("particle sheet", buffers.sheet.texels()),
+                                          .depth = surface.depth,
+                                          .sky = sky_wash,
+                                          .size_px = making.sample.size_px},
+                                         constants, drawn);
+    }
     return {.wash = drawn.wash, .hatch = drawn.hatch, .lines = drawn.lines};
 }
 
@@ -229,16 +255,20 @@ motion_blur::MotionBlurLayers add_motion_blur(const Making& making, const PosedS
     if (!plan) {
         return {.wash = layers.wash, .hatch = layers.hatch, .lines = layers.lines, .holds_sky = false};
     }
-    return motion_blur::add_motion_blur(making.graph,
-                                        {.motion = motion_of(making, scene, visibility, plan->motion),
-                                         .depth = surface.depth,
-                                         .wash = layers.wash,
-                                         .hatch = layers.hatch,
-                                         .lines = layers.lines,
-                                         .sky_ink = colors.sky_ink,
-                                         .has_sky = colors.has_sky_ink,
-                                         .size_px = making.sample.size_px},
-                                        making.style.motion_blur, plan->constants);
+    const bool is_stretched = making.style.motion_blur.mode == motion_blur::Mode::stretched;
+    const gpu::ImageId own_motion = motion_of(making, scene, visibility, plan->motion);
+    return motion_blur::add_motion_blur(
+        making.graph,
+        {.motion = is_stretched ? stretched_motion_of(making, scene, *plan) : own_motion,
+         .own_motion = own_motion,
+         .depth = surface.depth,
+         .wash = layers.wash,
+         .hatch = layers.hatch,
+         .lines = layers.lines,
+         .sky_ink = colors.sky_ink,
+         .has_sky = colors.has_sky_ink,
+         .size_px = making.sample.size_px},
+        making.style.motion_blur, plan->constants);
 }
 
 gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
@@ -268,37 +298,56 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                  .drawn = plan.page.has_sky,
                                  .size_px = making.sample.size_px},
                                 making.style.sky);
+    std::optional<gpu::ImageId> cover;
     if (plan.clouds) {
         CloudBuffers& buffers = making.resources.clouds;
         const auto import = [&](const char* name, gpu::Buffer& buffer) {
             return gpu::import_whole(making.graph, name, buffer);
         };
-        sky = sky::add_clouds(making.graph,
-                              {.frame = scene.frame,
-                               .globals = import("clouds", buffers.globals),
-                               .starts = import("cloud cells", buffers.starts),
-                               .puffs = import("puffs", buffers.puffs),
-                               .streaks = import("streaks", buffers.streaks),
-                               .variant = plan.clouds->variant,
-                               .size_px = making.sample.size_px},
-                              sky);
+        const bool has_layers = making.resources.deep != nullptr && making.resources.deep->has_layers();
+        const sky::CloudedSky clouded = sky::add_clouds(making.graph,
+                                                        {.frame = scene.frame,
+                                                         .globals = import("clouds", buffers.globals),
+                                                         .starts = import("cloud cells", buffers.starts),
+                                                         .puffs = import("puffs", buffers.puffs),
+                                                         .streaks = import("streaks", buffers.streaks),
+                                                         .variant = plan.clouds->variant,
+                                                         .keeps_cover = has_layers,
+                                                         .size_px = making.sample.size_px},
+                                                        sky);
+        sky = clouded.sky;
+        cover = has_layers ? std::optional(clouded.cover) : std::nullopt;
     }
-    const gpu::ImageId wash = wash::add_wash(making.graph,
-                                             {.frame = scene.frame,
-                                              .draw = surface.draw,
-                                              .depth = surface.depth,
-                                              .color = surface.color,
-                                              .light = light,
-                                              .draws = scene.meshes.draws,
-                                              .materials = scene.meshes.materials,
-                                              .screen = screen.images.color,
-                                              .has_screen = screen.is_there,
-                                              .background = sky.wash,
-                                              .has_background = plan.page.has_sky,
-                                              .size_px = making.sample.size_px,
-                                              .look_of_draw = look_of_draw(making)},
-                                             wash_looks(plan.looks));
-    return {.wash = wash, .sky_ink = sky.ink, .sky_wash = sky.wash, .has_sky_ink = plan.page.has_sky};
+    const bool is_tinted = screen.is_there && making.style.screen.mode == screen::Mode::ink;
+    const gpu::ImageId wash =
+        add_paint(making, scene, surface, light, plan.page.has_sky ? std::optional(sky.wash) : std::nullopt,
+                  is_tinted ? &screen : nullptr);
+    return {.wash = wash,
+            .sky_ink = sky.ink,
+            .sky_wash = sky.wash,
+            .has_sky_ink = plan.page.has_sky,
+            .cloud_cover = cover};
+}
+
+gpu::ImageId add_paint(const Making& making, const PosedScene& scene, const surface::Surface& surface,
+                       gpu::ImageId light, const std::optional<gpu::ImageId>& background,
+                       const SeenThrough* screen)
+{
+    return wash::add_wash(making.graph,
+                          {.frame = scene.frame,
+                           .draw = surface.draw,
+                           .depth = surface.depth,
+                           .color = surface.color,
+                           .light = light,
+                           .draws = scene.meshes.draws,
+                           .materials = scene.meshes.materials,
+                           .screen = screen != nullptr ? screen->images.color : surface.color,
+                           .has_screen = screen != nullptr,
+                           .background = background.value_or(surface.color),
+                           .has_background = background.has_value(),
+                           .size_px = making.sample.size_px,
+                           .look_of_draw = look_of_draw(making)},
+                          wash_looks(making.plan.looks));
 }
 
 haze::HazeInputs haze_inputs(const Making& making, const PosedScene& scene, const surface::Surface& surface)
@@ -358,27 +407,33 @@ std::optional<gpu::ImageId> add_flowing_ink(const Making& making, const PosedSce
 }
 
 std::optional<smoke::Layer> add_smoke(const Making& making, const PosedScene& scene,
-                                      const surface::Surface& surface, gpu::ImageId lines)
+                                      const surface::Surface& surface,
+                                      const std::optional<smoke::Volume>& volume, gpu::ImageId sky_wash,
+                                      gpu::ImageId lines)
 {
-    if (!making.plan.smoke) {
+    if (!volume) {
         return std::nullopt;
     }
     gpu::Graph& graph = making.graph;
-    RisingSmoke& smoke = making.resources.smoke;
-    const SmokePlan& plan = *making.plan.smoke;
     const smoke::ViewInputs view{.frame = scene.frame,
-                                 .globals = gpu::import_whole(graph, "smoke", smoke.globals()),
+                                 .globals =
+                                     gpu::import_whole(graph, "smoke", making.resources.smoke.globals()),
                                  .depth = surface.depth,
                                  .size_px = making.sample.size_px};
     const smoke::SmokeStyle& style = making.style.smoke;
-    return smoke::add_ink(graph, style,
-                          {.view = view,
-                           .marched = smoke::add_march(graph, smoke.volume().import(graph), style, view),
-                           .lines = lines,
-                           .scene_line_px = making.plan.lines.half_px,
-                           .pixels_per_mm = making.plan.page.pixels_per_mm,
-                           .width_m = plan.box.width_m(),
-                           .rise_m = plan.rise_m});
+    const haze::HazeStyle& haze = making.style.haze;
+    return smoke::add_ink(
+        graph, style,
+        {.view = view,
+         .marched = smoke::add_march(graph, *volume, style, view),
+         .lines = lines,
+         .scene_line_px = making.plan.lines.half_px,
+         .pixels_per_mm = making.plan.page.pixels_per_mm,
+         .haze =
+             making.plan.page.has_haze
+                 ? std::optional(smoke::Haze{
+                       .sky = sky_wash, .start_m = haze.start_m, .reach_m = haze.reach_m, .ink = haze.ink})
+                 : std::nullopt});
 }
 
 paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
@@ -421,12 +476,15 @@ void add_picture(const Making& making, const paper::ComposeInputs& layers)
 }
 
 void add_deep_picture(const Making& making, const paper::ComposeInputs& layers,
-                      const surface::Surface& surface, const light::LitPixels& lit,
-                      const std::optional<gpu::ImageId>& open)
+                      const surface::Surface& surface, const light::LitPixels& lit, const MaskInputs& masks)
 {
     if (making.resources.deep != nullptr) {
         declare_deep_page(making.graph,
-                          {.layers = layers, .draw = surface.draw, .sun = lit.sun, .open = open},
+                          {.layers = layers,
+                           .draw = surface.draw,
+                           .sun = lit.sun,
+                           .open = masks.open,
+                           .cloud_cover = masks.cloud_cover},
                           making.style.paper, making.sample.accumulation, *making.resources.deep);
     }
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Shadows, light known ahead, and the light that arrives.
+#include <algorithm>
+
 #include "frame/steps.hpp"
 #include "gpu/imports.hpp"
 #include "techniques/light/exposure.hpp"
-#include "techniques/occlusion/discs.hpp"
+#include "techniques/occlusion/disc_map.hpp"
 #include "techniques/occlusion/occlusion.hpp"
+#include "techniques/subsurface/texture.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -52,6 +55,43 @@ std::optional<gpu::ImageId> add_ground_shadow(const Making& making, const PosedS
                                                      .size_px = making.sample.size_px});
 }
 
+/// How much of the sun is left where that is not known by its map: by terrain, clouds and smoke.
+std::optional<gpu::ImageId> add_sun_share(const Making& making, const PosedScene& scene,
+                                          const surface::Surface& surface,
+                                          const std::optional<smoke::Volume>& volume)
+{
+    gpu::Graph& graph = making.graph;
+    const FramePlan& plan = making.plan;
+    std::optional<gpu::ImageId> share = add_ground_shadow(making, scene, surface);
+    if (!plan.sun.shines) {
+        return share;
+    }
+    const float of_clouds = making.style.clouds.shadow;
+    if (plan.clouds && plan.clouds->globals.puff_layer_count > 0 && of_clouds > 0.0F) {
+        CloudBuffers& buffers = making.resources.clouds;
+        share = sky::add_cloud_shadow(graph,
+                                      {.frame = scene.frame,
+                                       .globals = gpu::import_whole(graph, "clouds", buffers.globals),
+                                       .starts = gpu::import_whole(graph, "cloud cells", buffers.starts),
+                                       .puffs = gpu::import_whole(graph, "puffs", buffers.puffs),
+                                       .depth = surface.depth,
+                                       .share = share,
+                                       .size_px = making.sample.size_px},
+                                      of_clouds);
+    }
+    if (volume && making.style.smoke.shadow > 0.0F) {
+        share = smoke::add_thrown(
+            graph, *volume, making.style.smoke,
+            {.view = {.frame = scene.frame,
+                      .globals = gpu::import_whole(graph, "smoke", making.resources.smoke.globals()),
+                      .depth = surface.depth,
+                      .size_px = making.sample.size_px},
+             .share = share,
+             .towards_sun = plan.sun.towards});
+    }
+    return share;
+}
+
 gpu::ImageId add_exposed(const Making& making, gpu::ImageId light, gpu::ImageId draw)
 {
     return light::add_exposure(
@@ -65,9 +105,10 @@ gpu::ImageId add_exposed(const Making& making, gpu::ImageId light, gpu::ImageId 
         .light;
 }
 
-/// What light needs wherever it falls in the scene, set up for what is seen.
-light::LightInputs common_inputs(const Making& making, const PosedScene& scene,
-                                 const surface::Surface& surface, const ShadowMaps& maps)
+} // namespace
+
+light::LightInputs light_inputs(const Making& making, const PosedScene& scene,
+                                const surface::Surface& surface, const ShadowMaps& maps)
 {
     gpu::Graph& graph = making.graph;
     FrameResources& resources = making.resources;
@@ -95,25 +136,95 @@ light::LightInputs common_inputs(const Making& making, const PosedScene& scene,
             .size_px = making.sample.size_px};
 }
 
-std::optional<gpu::ImageId> add_disc_occlusion(const Making& making, const PosedScene& scene,
-                                               gpu::BufferId visibility)
+namespace {
+
+occlusion::OpenPage add_disc_map_occlusion(const Making& making, const PosedScene& scene,
+                                           gpu::BufferId visibility, const occlusion::DiscSettings& settings)
 {
+    SurfaceMap& map = *making.resources.occlusion_map;
+    const gpu::BufferId found = occlusion::add_disc_map(
+        making.graph, making.resources.discs, making.resources.disc_map,
+        {.map_texels = gpu::import_whole(making.graph, "texels of surfaces", map.texels),
+         .triangles = scene.meshes.triangles,
+         .posed_vertices = scene.meshes.posed_vertices},
+        settings);
+    return occlusion::add_disc_map_page(
+        making.graph,
+        {.frame = scene.frame,
+         .visibility = visibility,
+         .triangles = scene.meshes.triangles,
+         .posed_vertices = scene.meshes.posed_vertices,
+         .map_corners = gpu::import_whole(making.graph, "corners in the map", map.corners),
+         .found = found,
+         .map_size = map.size,
+         .throws = settings.throws,
+         .size_px = making.sample.size_px},
+        making.style.occlusion);
+}
+
+std::optional<occlusion::OpenPage> add_disc_occlusion(const Making& making, const PosedScene& scene,
+                                                      gpu::BufferId visibility,
+                                                      const occlusion::OcclusionInputs& inputs)
+{
+    const occlusion::OcclusionStyle& style = making.style.occlusion;
     occlusion::DiscBuffers& discs = making.resources.discs;
     if (discs.empty()) {
         return std::nullopt;
     }
-    discs.is_found = discs.is_found && !making.sample.pose_moved;
-    const gpu::BufferId open = occlusion::add_discs(making.graph, discs, scene.meshes.posed_vertices,
-                                                    making.plan.occlusion_radius_m);
+    if (style.method == occlusion::Method::splats) {
+        return occlusion::add_disc_splats(making.graph, discs, scene.meshes.posed_vertices, inputs, style);
+    }
+    const occlusion::DiscSettings settings{.radius_m = making.plan.occlusion_radius_m,
+                                           .throws = style.bleeding > 0.0F};
+    if (style.method == occlusion::Method::uv) {
+        return add_disc_map_occlusion(making, scene, visibility, settings);
+    }
+    const occlusion::OpenVertices found =
+        occlusion::add_discs(making.graph, discs, scene.meshes.posed_vertices, settings);
     return occlusion::add_disc_page(making.graph,
                                     {.frame = scene.frame,
                                      .visibility = visibility,
                                      .triangles = scene.meshes.triangles,
                                      .posed_vertices = scene.meshes.posed_vertices,
-                                     .open = open,
+                                     .found = found,
                                      .vertex_count = discs.vertex_count,
                                      .size_px = making.sample.size_px},
-                                    making.style.occlusion.strength);
+                                    style);
+}
+
+/// `light`, the page's, spread in a map that lies on all surfaces; `to_light` is how that is lit.
+gpu::ImageId spread_in_map(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+                           light::LightInputs to_light, gpu::ImageId light)
+{
+    gpu::Graph& graph = making.graph;
+    SurfaceMap& map = *making.resources.scatter_map;
+    float most_m = 0.0F;
+    for (const shared::SubsurfaceLook& look : making.plan.subsurface->looks) {
+        most_m = std::max({most_m, look.scatter_m.x, look.scatter_m.y, look.scatter_m.z});
+    }
+    const subsurface::TextureInputs in{
+        .map_texels = gpu::import_whole(graph, "texels of surfaces", map.texels),
+        .map_corners = gpu::import_whole(graph, "corners in the map", map.corners),
+        .triangles = scene.meshes.triangles,
+        .posed_vertices = scene.meshes.posed_vertices,
+        .draws = scene.meshes.draws,
+        .materials = scene.meshes.materials,
+        .looks = gpu::import_whole(graph, "subsurface looks", making.resources.subsurface_looks),
+        .look_of_draw = look_of_draw(making),
+        .size = map.size,
+        .most_spread_tx = most_m * map.texels_per_m};
+    const subsurface::TextureSurface surface = subsurface::add_texture_surface(graph, in);
+    to_light.frame = gpu::import_whole(graph, "frame of the map", making.resources.map_frame);
+    to_light.draw = surface.draw;
+    to_light.depth = surface.points;
+    to_light.normal = surface.normal;
+    to_light.points = surface.points;
+    to_light.has_emissive = making.plan.needs.emissive;
+    to_light.size_px = glm::uvec2(map.size);
+    const subsurface::TextureLight spread =
+        subsurface::add_texture_scatter(graph, in, surface, light::add_light(graph, to_light).light);
+    return subsurface::add_texture_page(graph, in, spread, scene.frame, visibility, light,
+                                        making.sample.size_px);
 }
 
 /// `light` with what of it goes into things and comes out elsewhere.
@@ -125,17 +236,11 @@ gpu::ImageId add_subsurface(const Making& making, const PosedScene& scene, gpu::
     }
     gpu::Graph& graph = making.graph;
     const SubsurfacePlan& plan = *making.plan.subsurface;
-    const subsurface::SubsurfaceInputs inputs{
-        .frame = scene.frame,
-        .draw = surface.draw,
-        .depth = surface.depth,
-        .normal = surface.normal,
-        .looks = gpu::import_whole(graph, "subsurface looks", making.resources.subsurface_looks),
-        .look_of_draw = look_of_draw(making),
-        .reach_mm = making.style.subsurface.reach_mm,
-        .pixels_per_mm = making.plan.page.pixels_per_mm,
-        .size_px = making.sample.size_px,
-        .from_px = glm::uvec2(making.sample.from_px)};
+    const subsurface::SubsurfaceInputs inputs = subsurface_inputs(making, scene, surface);
+    const bool has_map = making.resources.scatter_map != nullptr;
+    if (has_map) {
+        light = spread_in_map(making, scene, visibility, light_inputs(making, scene, surface, maps), light);
+    }
     if (!plan.bodies.empty()) {
         const gpu::BufferId behind =
             raster::add_visibility(graph, "subsurface/behind", scene.meshes, plan.bodies,
@@ -147,17 +252,32 @@ gpu::ImageId add_subsurface(const Making& making, const PosedScene& scene, gpu::
                                     .behind = visibility});
         const subsurface::FarSide far_side = subsurface::add_far_side(
             graph, inputs, behind, scene.meshes.triangles, scene.meshes.posed_vertices);
-        light::LightInputs far_inputs = common_inputs(making, scene, surface, maps);
+        light::LightInputs far_inputs = light_inputs(making, scene, surface, maps);
         far_inputs.draw = far_side.draw;
         far_inputs.depth = far_side.depth;
         far_inputs.normal = far_side.normal;
         const gpu::ImageId far_light = light::add_light(graph, far_inputs).light;
         light = subsurface::add_through(graph, inputs, far_side, far_light, light);
     }
-    return plan.scatters ? subsurface::add_scatter(graph, inputs, light) : light;
+    return plan.scatters && !has_map ? subsurface::add_scatter(graph, inputs, light) : light;
 }
 
 } // namespace
+
+subsurface::SubsurfaceInputs subsurface_inputs(const Making& making, const PosedScene& scene,
+                                               const surface::Surface& surface)
+{
+    return {.frame = scene.frame,
+            .draw = surface.draw,
+            .depth = surface.depth,
+            .normal = surface.normal,
+            .looks = gpu::import_whole(making.graph, "subsurface looks", making.resources.subsurface_looks),
+            .look_of_draw = look_of_draw(making),
+            .reach_mm = making.style.subsurface.reach_mm,
+            .pixels_per_mm = making.plan.page.pixels_per_mm,
+            .size_px = making.sample.size_px,
+            .from_px = glm::uvec2(making.sample.from_px)};
+}
 
 ShadowMaps add_shadow_maps(const Making& making, const PosedScene& scene)
 {
@@ -181,8 +301,8 @@ std::optional<gpu::ImageId> add_known_light(const Making& making, const PosedSce
                                   *making.resources.lightmaps);
 }
 
-std::optional<gpu::ImageId> add_occlusion(const Making& making, const PosedScene& scene,
-                                          gpu::BufferId visibility, const surface::Surface& surface)
+std::optional<occlusion::OpenPage> add_occlusion(const Making& making, const PosedScene& scene,
+                                                 gpu::BufferId visibility, const surface::Surface& surface)
 {
     const occlusion::OcclusionStyle& style = making.style.occlusion;
     const bool is_layer_alone = style.feeds == occlusion::Feeds::layer;
@@ -190,19 +310,44 @@ std::optional<gpu::ImageId> add_occlusion(const Making& making, const PosedScene
     if (!style.drawn || (is_layer_alone && !has_layers)) {
         return std::nullopt;
     }
-    const float radius_m = making.plan.occlusion_radius_m;
-    if (style.method == occlusion::Method::discs) {
-        return add_disc_occlusion(making, scene, visibility);
-    }
     const occlusion::OcclusionInputs inputs{.frame = scene.frame,
                                             .depth = surface.depth,
                                             .normal = surface.normal,
-                                            .radius_m = radius_m,
+                                            .radius_m = making.plan.occlusion_radius_m,
                                             .pixels_per_mm = making.plan.page.pixels_per_mm,
                                             .size_px = making.sample.size_px,
                                             .from_px = glm::uvec2(making.sample.from_px)};
-    return style.method == occlusion::Method::unsharp ? occlusion::add_unsharp(making.graph, inputs, style)
-                                                      : occlusion::add_horizon(making.graph, inputs, style);
+    if (occlusion::has_discs(style.method)) {
+        return add_disc_occlusion(making, scene, visibility, inputs);
+    }
+    return occlusion::OpenPage{.open = style.method == occlusion::Method::unsharp
+                                           ? occlusion::add_unsharp(making.graph, inputs, style)
+                                           : occlusion::add_horizon(making.graph, inputs, style),
+                               .thrown = std::nullopt};
+}
+
+std::optional<smoke::Volume> add_smoke_volume(const Making& making, const PosedScene& scene,
+                                              const ShadowMaps& maps)
+{
+    if (!making.plan.smoke) {
+        return std::nullopt;
+    }
+    gpu::Graph& graph = making.graph;
+    FrameResources& resources = making.resources;
+    if (!making.sample.is_first) {
+        return resources.smoke.volume().import(graph);
+    }
+    smoke::Fields fields = resources.smoke.fields(graph);
+    if (making.style.smoke.shaded) {
+        fields.shadows = {.frame = scene.frame,
+                          .sun_map = maps.sun,
+                          .sun_shadow = gpu::import_whole(graph, "sun", resources.sun_shadow),
+                          .local_shadows =
+                              gpu::import_whole(graph, "lights' shadows", resources.local_shadows.shadows),
+                          .local_maps = maps.local,
+                          .variant = making.plan.sun.map.variant};
+    }
+    return smoke::add_volume(graph, resources.smoke.volume(), making.style.smoke, fields);
 }
 
 light::LitPixels add_light(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
@@ -210,11 +355,14 @@ light::LitPixels add_light(const Making& making, const PosedScene& scene, gpu::B
 {
     const FramePlan& plan = making.plan;
     const occlusion::Feeds feeds = making.style.occlusion.feeds;
-    light::LightInputs inputs = common_inputs(making, scene, surface, before.maps);
+    light::LightInputs inputs = light_inputs(making, scene, surface, before.maps);
     inputs.shadow_variant |= plan.shadow_edges.variant;
     inputs.lightmap = before.known;
-    inputs.ground_share = add_ground_shadow(making, scene, surface);
-    inputs.occlusion = feeds == occlusion::Feeds::layer ? std::nullopt : before.open;
+    inputs.sun_share = add_sun_share(making, scene, surface, before.smoke);
+    if (before.open && feeds != occlusion::Feeds::layer) {
+        inputs.occlusion = before.open->open;
+        inputs.thrown = before.open->thrown;
+    }
     inputs.occludes_all = feeds == occlusion::Feeds::tone;
     inputs.has_emissive = plan.needs.emissive;
     inputs.keeps_strongest = plan.light.leads_strokes;

@@ -14,7 +14,8 @@ raster::Batch batch(const pose::Range& range, bool masked = false)
         .first_triangle = range.first, .triangle_count = range.count, .masked = masked, .plain = range.plain};
 }
 
-/// What hides what is behind it.
+} // namespace
+
 std::vector<raster::Batch> solid_batches(const pose::MeshData& layout, bool with_ground)
 {
     std::vector<raster::Batch> batches{batch(layout.opaque), batch(layout.masked, true)};
@@ -31,8 +32,6 @@ raster::View eye_view(const Making& making)
             .path = making.plan.raster.path,
             .tuning = making.plan.raster.tuning};
 }
-
-} // namespace
 
 PosedScene add_posed_scene(const Making& making)
 {
@@ -73,9 +72,9 @@ PosedScene add_posed_scene(const Making& making)
                    .texture_classes = making.plan.needs.texture_classes}};
 }
 
-gpu::BufferId add_visibility(const Making& making, const PosedScene& scene)
+gpu::BufferId add_visibility(const Making& making, const PosedScene& scene, const char* name)
 {
-    return raster::add_visibility(making.graph, "visibility", scene.meshes,
+    return raster::add_visibility(making.graph, name, scene.meshes,
                                   solid_batches(making.layout, making.plan.page.has_ground),
                                   eye_view(making));
 }
@@ -147,27 +146,36 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
                    making.resources.motion);
 }
 
+screen::ScreenInputs screen_inputs(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+                                   const std::vector<gpu::BufferId>& layers)
+{
+    return {.frame = scene.frame,
+            .solid_visibility = visibility,
+            .layers = layers,
+            .triangles = scene.meshes.triangles,
+            .posed_vertices = scene.meshes.posed_vertices,
+            .draws = scene.meshes.draws,
+            .rest_vertices = scene.meshes.rest_vertices,
+            .materials = scene.meshes.materials,
+            .textures = scene.meshes.textures,
+            .texture_classes = scene.meshes.texture_classes,
+            .size_px = making.sample.size_px};
+}
+
 SeenThrough add_screen(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
 {
     const pose::MeshData& layout = making.layout;
     if (layout.blended.count == 0) {
-        return {.images = screen::add_no_screen(making.graph)};
+        return {.images = screen::add_no_screen(making.graph), .layers = {}};
     }
-    const auto wanted_layers = static_cast<uint32_t>(making.style.screen.layers);
-    const auto layers =
-        raster::add_layers(making.graph, "screen", scene.meshes, {batch(layout.blended, true)},
-                           eye_view(making), std::min(layout.blended_sheets, wanted_layers));
-    return {.images = screen::add_screen(making.graph, {.frame = scene.frame,
-                                                        .solid_visibility = visibility,
-                                                        .layers = layers,
-                                                        .triangles = scene.meshes.triangles,
-                                                        .posed_vertices = scene.meshes.posed_vertices,
-                                                        .draws = scene.meshes.draws,
-                                                        .rest_vertices = scene.meshes.rest_vertices,
-                                                        .materials = scene.meshes.materials,
-                                                        .textures = scene.meshes.textures,
-                                                        .texture_classes = scene.meshes.texture_classes,
-                                                        .size_px = making.sample.size_px}),
+    const screen::ScreenStyle& style = making.style.screen;
+    const uint32_t most =
+        style.mode == screen::Mode::sorted ? screen::most_sorted_layers : screen::most_layers;
+    const uint32_t wanted = std::min({layout.blended_sheets, static_cast<uint32_t>(style.layers), most});
+    const auto layers = raster::add_layers(making.graph, "screen", scene.meshes,
+                                           {batch(layout.blended, true)}, eye_view(making), wanted);
+    return {.images = screen::add_screen(making.graph, screen_inputs(making, scene, visibility, layers)),
+            .layers = layers,
             .is_there = true};
 }
 

@@ -54,31 +54,31 @@ std::map<Index, uint32_t> kinds_of_materials(const std::vector<Material>& materi
     return kinds;
 }
 
-enum class Ground : uint8_t { no, level, dunes };
+enum class GroundForm : uint8_t { no, level, dunes };
 
-uint32_t possible(uint32_t wanted, const shared::DrawRecord& draw, Ground ground)
+uint32_t possible(uint32_t wanted, const shared::DrawRecord& draw, GroundForm ground)
 {
     const bool has_uv = (draw.flags & shared::draw_has_uv) != 0;
     const bool usable_uv = (draw.flags & shared::draw_follows_uv) != 0;
-    const uint32_t without_uv = ground == Ground::dunes ? shared::strokes_slope : shared::strokes_solid;
+    const uint32_t without_uv = ground == GroundForm::dunes ? shared::strokes_slope : shared::strokes_solid;
     switch (wanted) {
     case shared::strokes_automatic:
         return usable_uv ? shared::strokes_uv : without_uv;
     case shared::strokes_uv:
         return has_uv ? wanted : without_uv;
     case shared::strokes_form:
-        return ground == Ground::no ? wanted : without_uv;
+        return ground == GroundForm::no ? wanted : without_uv;
     default:
         return wanted;
     }
 }
 
-Ground ground_of(const pose::MeshData& meshes, size_t draw)
+GroundForm ground_of(const pose::MeshData& meshes, size_t draw)
 {
     if (meshes.foreign_vertex && meshes.draw_of_vertex[*meshes.foreign_vertex] == draw) {
-        return Ground::dunes;
+        return GroundForm::dunes;
     }
-    return draw == meshes.sources.size() ? Ground::level : Ground::no;
+    return draw == meshes.sources.size() ? GroundForm::level : GroundForm::no;
 }
 
 const StyleTables& look_of(const LookPlan& looks, size_t draw)

@@ -2,14 +2,36 @@
 #include <estampe/style.hpp>
 
 #include <cmath>
+#include <optional>
+#include <variant>
 
 #include <estampe/error.hpp>
 
 #include "frame/style_tables.hpp"
+#include "style/color.hpp"
 #include "style/presets.hpp"
 #include "techniques/light/daylight.hpp"
 
 namespace estampe {
+
+namespace {
+
+/// Nothing for a key that is none.
+std::optional<style::Value> value_of(const frame::StyleTables& tables, std::string_view key)
+{
+    frame::StyleTables copy = tables;
+    const style::Sheet sheet = frame::sheet_of(copy);
+    for (const style::Sheet::Section& section : sheet.sections()) {
+        for (const style::Parameter& parameter : section.parameters) {
+            if (key == section.name + "." + parameter.key) {
+                return parameter.get(section.values);
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
 
 Style::Style() : tables_(std::make_unique<frame::StyleTables>()) {}
 
@@ -37,6 +59,30 @@ Style Style::load(const std::string& file_or_preset)
 void Style::set(std::string_view assignment)
 {
     frame::sheet_of(*tables_).set(assignment);
+}
+
+double Style::number(std::string_view key) const
+{
+    const std::optional<style::Value> value = value_of(*tables_, key);
+    if (value && std::holds_alternative<float>(*value)) {
+        return static_cast<double>(std::get<float>(*value));
+    }
+    if (value && std::holds_alternative<int64_t>(*value)) {
+        return static_cast<double>(std::get<int64_t>(*value));
+    }
+    if (value && std::holds_alternative<bool>(*value)) {
+        return std::get<bool>(*value) ? 1.0 : 0.0;
+    }
+    throw Error("is no number of a style", std::string(key), "estampe --help-style lists them");
+}
+
+glm::vec3 Style::color(std::string_view key) const
+{
+    const std::optional<style::Value> value = value_of(*tables_, key);
+    if (!value || !std::holds_alternative<glm::vec3>(*value)) {
+        throw Error("is no colour of a style", std::string(key), "estampe --help-style lists them");
+    }
+    return glm::vec3(style::srgb_from_linear(std::get<glm::vec3>(*value)));
 }
 
 std::string Style::to_toml() const

@@ -158,6 +158,7 @@ TEST(TrailPictures, AreSeenAndFilled)
     const Camera camera{.eye = {0.0, 3.0, 0.0}, .target = {6.0, 0.0, 0.0}};
     Style style = plain("light.source=sun");
     style.set("light.sun_elevation_deg=20");
+    style.set("light.turn_sun=false");
     Renderer& renderer = test::shared_renderer();
     const auto picture = [&](double time_s, Continuity continuity = Continuity::still) {
         RenderSettings settings = small;

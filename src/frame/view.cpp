@@ -2,6 +2,7 @@
 #include "frame/view.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -88,15 +89,18 @@ glm::mat4 drawn_clip(const shared::FrameGlobals& globals)
 
 float nearby(std::span<const glm::vec3> places, const glm::vec3& eye)
 {
-    std::vector<float> away;
-    for (size_t i = 0; i < places.size(); i += 1 + places.size() / 4096) {
-        away.push_back(glm::distance(places[i], eye));
+    constexpr size_t most = 4096;
+    std::array<float, most> away; // NOLINT(cppcoreguidelines-pro-type-member-init): as far as it is filled
+    size_t count = 0;
+    for (size_t i = 0; i < places.size(); i += 1 + places.size() / most) {
+        away[count++] = glm::distance(places[i], eye);
     }
-    if (away.empty()) {
+    if (count == 0) {
         return 0.0F;
     }
-    const auto fifth = away.begin() + static_cast<std::ptrdiff_t>(away.size() / 5);
-    std::nth_element(away.begin(), fifth, away.end());
+    const auto end = away.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto fifth = away.begin() + static_cast<std::ptrdiff_t>(count / 5);
+    std::nth_element(away.begin(), fifth, end);
     return *fifth;
 }
 

@@ -7,7 +7,7 @@ namespace estampe::gpu {
 namespace {
 
 /// `word` stands in the second and the third place, zeros in all others.
-BufferId add_words(Graph& graph, const std::string& name, uint64_t size_bytes, uint32_t word)
+BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, uint32_t word)
 {
     auto pass = graph.custom(name);
     const BufferId filled =
@@ -25,26 +25,32 @@ BufferId add_words(Graph& graph, const std::string& name, uint64_t size_bytes, u
 
 } // namespace
 
-ImageId add_filled_image(Graph& graph, const std::string& name, const ImageDesc& desc, const glm::vec4& color)
+ImageId add_filled_image(Graph& graph, std::string_view name, const ImageDesc& desc, const glm::vec4& color)
+{
+    return add_fill(graph, name, graph.image(name, desc), color);
+}
+
+ImageId add_fill(Graph& graph, std::string_view name, ImageId image, const glm::vec4& color)
 {
     auto pass = graph.custom(name);
-    const ImageId filled = pass.touch_write(graph.image(name, desc), Access::transfer_write);
+    const ImageId filled = pass.touch_write(image, Access::transfer_write);
     pass.execute([filled, color](Recorder& recorder) {
         const VkClearColorValue value{.float32 = {color.x, color.y, color.z, color.w}};
-        const VkImageSubresourceRange whole{
-            .aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .levelCount = 1, .layerCount = 1};
+        const VkImageSubresourceRange whole{.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT,
+                                            .levelCount = 1,
+                                            .layerCount = VK_REMAINING_ARRAY_LAYERS};
         vkCmdClearColorImage(recorder.commands(), recorder.image(filled).handle(),
                              VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &whole);
     });
     return filled;
 }
 
-BufferId add_zeros(Graph& graph, const std::string& name, uint64_t size_bytes)
+BufferId add_zeros(Graph& graph, std::string_view name, uint64_t size_bytes)
 {
     return add_words(graph, name, size_bytes, 0);
 }
 
-BufferId add_empty_list(Graph& graph, const std::string& name, uint64_t size_bytes)
+BufferId add_empty_list(Graph& graph, std::string_view name, uint64_t size_bytes)
 {
     return add_words(graph, name, size_bytes, 1);
 }

@@ -4,7 +4,7 @@
 // Passes that fill by a command of the device, for what is small or blank: there is no shader to compile.
 
 #include <cstdint>
-#include <string>
+#include <string_view>
 
 #include <glm/vec4.hpp>
 
@@ -14,13 +14,16 @@ namespace estampe::gpu {
 
 /// A new image that is `color` everywhere; of whole numbers, all bits 0 are the only ones to ask for. Cost: a
 /// GPU fills a page quicker by threads.
-[[nodiscard]] ImageId add_filled_image(Graph& graph, const std::string& name, const ImageDesc& desc,
+[[nodiscard]] ImageId add_filled_image(Graph& graph, std::string_view name, const ImageDesc& desc,
                                        const glm::vec4& color);
 
+/// The same of an image that is there already, all layers of it.
+[[nodiscard]] ImageId add_fill(Graph& graph, std::string_view name, ImageId image, const glm::vec4& color);
+
 /// A new buffer of zeros, of at least 16 bytes.
-[[nodiscard]] BufferId add_zeros(Graph& graph, const std::string& name, uint64_t size_bytes);
+[[nodiscard]] BufferId add_zeros(Graph& graph, std::string_view name, uint64_t size_bytes);
 
 /// The same behind the arguments of a dispatch of no workgroups: 0, 1, 1.
-[[nodiscard]] BufferId add_empty_list(Graph& graph, const std::string& name, uint64_t size_bytes);
+[[nodiscard]] BufferId add_empty_list(Graph& graph, std::string_view name, uint64_t size_bytes);
 
 } // namespace estampe::gpu

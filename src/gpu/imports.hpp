@@ -3,8 +3,7 @@
 
 // What a graph takes in from outside, whole.
 
-#include <string>
-#include <utility>
+#include <string_view>
 
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
@@ -12,15 +11,15 @@
 namespace estampe::gpu {
 
 /// All of `buffer`, which must outlive the run of `graph`.
-[[nodiscard]] inline BufferId import_whole(Graph& graph, std::string name, Buffer& buffer)
+[[nodiscard]] inline BufferId import_whole(Graph& graph, std::string_view name, Buffer& buffer)
 {
-    return graph.import_buffer(std::move(name), buffer, {.size_bytes = buffer.size_bytes()});
+    return graph.import_buffer(name, buffer, {.size_bytes = buffer.size_bytes()});
 }
 
 /// All of `image`, in the layout that uploads leave it in; it must outlive the run of `graph`.
-[[nodiscard]] inline ImageId import_uploaded(Graph& graph, std::string name, Image& image)
+[[nodiscard]] inline ImageId import_uploaded(Graph& graph, std::string_view name, Image& image)
 {
-    return graph.import_image(std::move(name), image, image.desc(), Layout::shader_read);
+    return graph.import_image(name, image, image.desc(), Layout::shader_read);
 }
 
 } // namespace estampe::gpu

@@ -90,7 +90,7 @@ void MemoryAllocator::require_of_type(VkDeviceSize bytes, uint32_t memory_type) 
                 "out of graphics memory: {} more are needed, {} of {} are free", in_bytes(bytes),
                 in_bytes(left),
                 in_bytes(properties_.memoryHeaps[properties_.memoryTypes[memory_type].heapIndex].size)),
-            {}, "try a smaller --size or a lighter scene");
+            {}, "try a smaller --size, fewer smoke.cells, or a lighter scene");
     }
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/pipelines.hpp"
 
+#include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "gpu/shader_replacements.hpp"
 
@@ -41,7 +43,7 @@ VkShaderModule make_module(VkDevice device, const Shader& shader)
 }
 
 /// Triangles without vertex buffers; reversed depth; nothing blended; viewport and scissor set as one draws.
-VkResult create_draw_pipeline(VkDevice device, const DrawState& state,
+VkResult create_draw_pipeline(VkDevice device, VkPipelineCache kept, const DrawState& state,
                               const std::vector<VkPipelineShaderStageCreateInfo>& stages, Pipeline& made)
 {
     const VkPipelineVertexInputStateCreateInfo no_input{
@@ -98,12 +100,12 @@ VkResult create_draw_pipeline(VkDevice device, const DrawState& state,
                                             .pColorBlendState = &blend,
                                             .pDynamicState = &dynamic,
                                             .layout = made.layout};
-    return vkCreateGraphicsPipelines(device, VK_NULL_HANDLE, 1, &info, nullptr, &made.pipeline);
+    return vkCreateGraphicsPipelines(device, kept, 1, &info, nullptr, &made.pipeline);
 }
 
 } // namespace
 
-PipelineCache::PipelineCache(Device& device) : device_(device)
+PipelineCache::PipelineCache(Device& device) : device_(device), store_(device)
 {
     for (const Sampling sampling : {Sampling::nearest, Sampling::linear, Sampling::linear_repeat}) {
         samplers_[static_cast<size_t>(sampling)] = make_sampler(device.handle(), sampling);
@@ -113,9 +115,6 @@ PipelineCache::PipelineCache(Device& device) : device_(device)
 PipelineCache::~PipelineCache()
 {
     for (const auto& [key, pipeline] : pipelines_) {
-        destroy(pipeline);
-    }
-    for (const auto& [key, pipeline] : draw_pipelines_) {
         destroy(pipeline);
     }
     for (VkSampler sampler : samplers_) {
@@ -130,40 +129,71 @@ void PipelineCache::destroy(const Pipeline& pipeline) const
     vkDestroyDescriptorSetLayout(device_.handle(), pipeline.set_layout, nullptr);
 }
 
+bool PipelineCache::Less::operator()(const Wanted& a, const Wanted& b) const
+{
+    const auto plain = [](const Wanted& wanted) {
+        return std::tuple(wanted.words, wanted.fragment, wanted.depth_format, wanted.cull_back_faces,
+                          wanted.variant);
+    };
+    if (plain(a) != plain(b)) {
+        return plain(a) < plain(b);
+    }
+    if (!std::ranges::equal(a.color_formats, b.color_formats)) {
+        return std::ranges::lexicographical_compare(a.color_formats, b.color_formats);
+    }
+    return std::ranges::lexicographical_compare(a.bindings, b.bindings);
+}
+
+PipelineCache::Wanted PipelineCache::Less::of(const Key& key)
+{
+    Wanted wanted = key.wanted;
+    wanted.color_formats = key.color_formats;
+    wanted.bindings = key.bindings;
+    return wanted;
+}
+
+PipelineCache::Key PipelineCache::key_of(const Wanted& wanted)
+{
+    Key key{.wanted = wanted,
+            .color_formats = {wanted.color_formats.begin(), wanted.color_formats.end()},
+            .bindings = {wanted.bindings.begin(), wanted.bindings.end()}};
+    key.wanted.color_formats = {};
+    key.wanted.bindings = {};
+    return key;
+}
+
 const Pipeline& PipelineCache::get(const Shader& built_in, std::span<const VkDescriptorType> bindings,
                                    uint32_t push_bytes, uint32_t variant)
 {
     const Shader shader = current_build(built_in);
-    const Key key{shader.spirv.data(), variant, {bindings.begin(), bindings.end()}};
-    const auto found = pipelines_.find(key);
+    const Wanted wanted{.words = shader.spirv.data(), .variant = variant, .bindings = bindings};
+    const auto found = pipelines_.find(wanted);
     if (found != pipelines_.end()) {
         return found->second;
     }
-    return pipelines_.emplace(key, make(shader, bindings, push_bytes, variant)).first->second;
+    return pipelines_.emplace(key_of(wanted), make(shader, bindings, push_bytes, variant)).first->second;
 }
 
 const Pipeline& PipelineCache::get(const DrawState& built_in, std::span<const VkDescriptorType> bindings,
                                    uint32_t push_bytes, uint32_t variant)
 {
     const Shader vertex = current_build(*built_in.vertex);
-    const Shader fragment_shader =
-        built_in.fragment != nullptr ? current_build(*built_in.fragment) : Shader{};
+    const Shader fragment = built_in.fragment != nullptr ? current_build(*built_in.fragment) : Shader{};
     DrawState state = built_in;
     state.vertex = &vertex;
-    state.fragment = built_in.fragment != nullptr ? &fragment_shader : nullptr;
-    const uint32_t* const fragment = state.fragment != nullptr ? state.fragment->spirv.data() : nullptr;
-    const DrawKey key{state.vertex->spirv.data(),
-                      fragment,
-                      state.color_formats,
-                      state.depth_format,
-                      state.cull_back_faces,
-                      variant,
-                      {bindings.begin(), bindings.end()}};
-    const auto found = draw_pipelines_.find(key);
-    if (found != draw_pipelines_.end()) {
+    state.fragment = built_in.fragment != nullptr ? &fragment : nullptr;
+    const Wanted wanted{.words = vertex.spirv.data(),
+                        .fragment = fragment.spirv.data(),
+                        .depth_format = state.depth_format,
+                        .cull_back_faces = state.cull_back_faces,
+                        .variant = variant,
+                        .color_formats = state.color_formats,
+                        .bindings = bindings};
+    const auto found = pipelines_.find(wanted);
+    if (found != pipelines_.end()) {
         return found->second;
     }
-    return draw_pipelines_.emplace(key, make(state, bindings, push_bytes, variant)).first->second;
+    return pipelines_.emplace(key_of(wanted), make(state, bindings, push_bytes, variant)).first->second;
 }
 
 Pipeline PipelineCache::make_layouts(std::span<const VkDescriptorType> bindings, uint32_t push_bytes,
@@ -211,7 +241,7 @@ Pipeline PipelineCache::make(const Shader& shader, std::span<const VkDescriptorT
                   .pSpecializationInfo = &specialization},
         .layout = made.layout};
     const VkResult result =
-        vkCreateComputePipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &made.pipeline);
+        vkCreateComputePipelines(device_.handle(), store_.handle(), 1, &info, nullptr, &made.pipeline);
     vkDestroyShaderModule(device_.handle(), shader_module, nullptr);
     vk_check(result, "vkCreateComputePipelines");
     device_.name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(made.pipeline), shader.name);
@@ -238,7 +268,7 @@ Pipeline PipelineCache::make(const DrawState& state, std::span<const VkDescripto
     if (state.fragment != nullptr) {
         add_stage(*state.fragment, VK_SHADER_STAGE_FRAGMENT_BIT);
     }
-    const VkResult result = create_draw_pipeline(device_.handle(), state, stages, made);
+    const VkResult result = create_draw_pipeline(device_.handle(), store_.handle(), state, stages, made);
     for (const VkPipelineShaderStageCreateInfo& stage : stages) {
         vkDestroyShaderModule(device_.handle(), stage.module, nullptr);
     }

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <map>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "gpu/device.hpp"
 #include "gpu/graph/graph.hpp"
+#include "gpu/pipeline_store.hpp"
 
 namespace estampe::gpu {
 
@@ -16,7 +16,7 @@ namespace estampe::gpu {
 struct DrawState {
     const Shader* vertex = nullptr;
     const Shader* fragment = nullptr; ///< may be null
-    std::vector<VkFormat> color_formats;
+    std::span<const VkFormat> color_formats = {};
     VkFormat depth_format = VK_FORMAT_UNDEFINED; ///< undefined for no depth test
     bool cull_back_faces = false;
 };
@@ -28,7 +28,8 @@ struct Pipeline {
     VkPipeline pipeline = VK_NULL_HANDLE;
 };
 
-/// Makes pipelines on first use and keeps them. Cost of a first use: 1 to 100 ms of driver compilation.
+/// Makes pipelines on first use and keeps them, on disk too (see PipelineStore). Cost of a first use: 1 to
+/// 100 ms of driver compilation, less where it was made in a run before.
 class PipelineCache {
 public:
     explicit PipelineCache(Device& device);
@@ -51,9 +52,37 @@ public:
     }
 
 private:
-    using Key = std::tuple<const uint32_t*, uint32_t, std::vector<VkDescriptorType>>;
-    using DrawKey = std::tuple<const uint32_t*, const uint32_t*, std::vector<VkFormat>, VkFormat, bool,
-                               uint32_t, std::vector<VkDescriptorType>>;
+    /// All that a pipeline hangs on, and how it is kept; looking it up asks nothing of the heap.
+    struct Wanted {
+        const uint32_t* words = nullptr; ///< of the compute or the vertex shader
+        const uint32_t* fragment = nullptr;
+        VkFormat depth_format = VK_FORMAT_UNDEFINED;
+        bool cull_back_faces = false;
+        uint32_t variant = 0;
+        std::span<const VkFormat> color_formats = {};
+        std::span<const VkDescriptorType> bindings = {};
+    };
+
+    struct Key {
+        Wanted wanted; ///< whose lists are these:
+        std::vector<VkFormat> color_formats;
+        std::vector<VkDescriptorType> bindings;
+    };
+
+    struct Less {
+        using is_transparent = void;
+
+        [[nodiscard]] bool operator()(const Key& a, const Key& b) const { return (*this)(of(a), of(b)); }
+
+        [[nodiscard]] bool operator()(const Wanted& a, const Key& b) const { return (*this)(a, of(b)); }
+
+        [[nodiscard]] bool operator()(const Key& a, const Wanted& b) const { return (*this)(of(a), b); }
+
+        [[nodiscard]] bool operator()(const Wanted& a, const Wanted& b) const;
+        [[nodiscard]] static Wanted of(const Key& key);
+    };
+
+    [[nodiscard]] static Key key_of(const Wanted& wanted);
 
     [[nodiscard]] Pipeline make(const Shader& shader, std::span<const VkDescriptorType> bindings,
                                 uint32_t push_bytes, uint32_t variant);
@@ -64,8 +93,8 @@ private:
     void destroy(const Pipeline& pipeline) const;
 
     Device& device_;
-    std::map<Key, Pipeline> pipelines_;
-    std::map<DrawKey, Pipeline> draw_pipelines_;
+    PipelineStore store_;
+    std::map<Key, Pipeline, Less> pipelines_;
     VkSampler samplers_[3]{};
 };
 

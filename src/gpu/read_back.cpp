@@ -11,13 +11,13 @@ namespace {
 
 /// `copy` is called with the recorder and the handle of `to`.
 template <class Id, class Copy>
-void add_copy(Graph& graph, const std::string& name, Id from, Buffer& to, const Copy& copy)
+void add_copy(Graph& graph, std::string_view name, Id from, Buffer& to, const Copy& copy)
 {
     auto pass = graph.custom(name);
     pass.touch(from, Access::transfer_read);
     const BufferId copied = pass.touch_write(import_whole(graph, name, to), Access::transfer_write);
     pass.execute([=](Recorder& recorder) { copy(recorder, recorder.buffer(copied).handle()); });
-    graph.custom(name + "/host").touch(copied, Access::host_read).keep();
+    graph.custom(Name(name) + "/host").touch(copied, Access::host_read).keep();
 }
 
 void change_layout(VkCommandBuffer commands, const VkImageMemoryBarrier2& change)
@@ -62,7 +62,7 @@ void add_hand_over(Graph& graph, BufferId pixels, const VulkanPicture& picture, 
     });
 }
 
-void add_read_back(Graph& graph, const std::string& name, BufferId from, Buffer& to)
+void add_read_back(Graph& graph, std::string_view name, BufferId from, Buffer& to)
 {
     const uint64_t size_bytes = graph.describe(from).size_bytes;
     add_copy(graph, name, from, to, [=](Recorder& recorder, VkBuffer target) {
@@ -71,7 +71,7 @@ void add_read_back(Graph& graph, const std::string& name, BufferId from, Buffer&
     });
 }
 
-void add_read_back(Graph& graph, const std::string& name, ImageId from, Buffer& to)
+void add_read_back(Graph& graph, std::string_view name, ImageId from, Buffer& to)
 {
     const ImageDesc desc = graph.describe(from);
     add_copy(graph, name, from, to, [=](Recorder& recorder, VkBuffer target) {
@@ -82,7 +82,7 @@ void add_read_back(Graph& graph, const std::string& name, ImageId from, Buffer& 
     });
 }
 
-void add_copy_out(Graph& graph, const std::string& name, BufferId from, Buffer& to)
+void add_copy_out(Graph& graph, std::string_view name, BufferId from, Buffer& to)
 {
     const uint64_t size_bytes = to.size_bytes();
     auto pass = graph.custom(name);

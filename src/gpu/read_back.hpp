@@ -5,7 +5,7 @@
 // of the device.
 
 #include <span>
-#include <string>
+#include <string_view>
 
 #include <glm/glm.hpp>
 
@@ -16,14 +16,14 @@ namespace estampe::gpu {
 
 /// Copies `from` to the start of `to`, which is at least as large, of MemoryUse::readback, and outlives the
 /// run of `graph`.
-void add_read_back(Graph& graph, const std::string& name, BufferId from, Buffer& to);
+void add_read_back(Graph& graph, std::string_view name, BufferId from, Buffer& to);
 
 /// The same of an image, its first layer and mip, row by row without gaps.
-void add_read_back(Graph& graph, const std::string& name, ImageId from, Buffer& to);
+void add_read_back(Graph& graph, std::string_view name, ImageId from, Buffer& to);
 
 /// Copies the start of `from`, as much as `to` holds, for graphs that run later; `to` is no larger, and
 /// outlives the run of `graph`.
-void add_copy_out(Graph& graph, const std::string& name, BufferId from, Buffer& to);
+void add_copy_out(Graph& graph, std::string_view name, BufferId from, Buffer& to);
 
 /// What lies in a buffer of mapped memory, from an offset on.
 template <class T>

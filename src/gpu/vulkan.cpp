@@ -24,7 +24,8 @@ void vk_check(VkResult result, const char* call)
         return;
     case VK_ERROR_OUT_OF_DEVICE_MEMORY:
     case VK_ERROR_OUT_OF_HOST_MEMORY:
-        throw Error("out of graphics memory", call, "try a smaller --size or a lighter scene");
+        throw Error("out of graphics memory", call,
+                    "try a smaller --size, fewer smoke.cells, or a lighter scene");
     case VK_ERROR_DEVICE_LOST:
         throw Error("the graphics device was lost", call, "try again, or --device cpu");
     default:

@@ -30,4 +30,9 @@ struct PosedPrimitive {
 void visit_posed(const Scene& scene, const ScenePose& pose,
                  const std::function<void(const PosedPrimitive&)>& visit);
 
+/// The same, with `positions` of every n-th vertex alone: of the least n that leaves fewer than twice `about`
+/// of them. Cost: linear in what is visited.
+void visit_posed_samples(const Scene& scene, const ScenePose& pose, size_t about,
+                         const std::function<void(const PosedPrimitive&)>& visit);
+
 } // namespace estampe

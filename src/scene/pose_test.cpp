@@ -198,6 +198,34 @@ TEST(Bounds, SkinOfEightInfluencesMovesVerticesAndNotTheNode)
     EXPECT_TRUE(skin_matrices(scene, pose, 1).empty());
 }
 
+TEST(Posed, SamplesAreEverySoManiethVertexOfAll)
+{
+    Scene scene = one_node();
+    Primitive strip;
+    for (int i = 0; i < 37; ++i) {
+        strip.positions.emplace_back(static_cast<float>(i), 0.25F * static_cast<float>(i), 0.0F);
+    }
+    strip.morph_targets.push_back({.position_offsets = std::vector<glm::vec3>(37)});
+    for (int i = 0; i < 37; ++i) {
+        strip.morph_targets[0].position_offsets[static_cast<size_t>(i)].z = static_cast<float>(i * i);
+    }
+    scene.meshes.push_back({.primitives = {strip}});
+    scene.nodes[0].mesh = 0;
+    ScenePose pose = pose_scene(scene, 0.0);
+    pose.morph_weights[0] = {0.5F};
+    std::vector<glm::dvec3> all;
+    visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
+        all.assign(posed.positions.begin(), posed.positions.end());
+    });
+    ASSERT_EQ(all.size(), 37U);
+    visit_posed_samples(scene, pose, 5, [&](const PosedPrimitive& posed) {
+        ASSERT_EQ(posed.positions.size(), 6U); // every seventh
+        for (size_t i = 0; i < posed.positions.size(); ++i) {
+            EXPECT_EQ(posed.positions[i], all[7 * i]) << i;
+        }
+    });
+}
+
 TEST(Bounds, EmptySceneIsEmpty)
 {
     EXPECT_TRUE(scene_bounds(Scene{}, pose_scene(Scene{}, 1.0)).empty());

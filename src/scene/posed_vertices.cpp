@@ -21,15 +21,20 @@ std::vector<glm::dmat4> world_from_bind(const Scene& scene, const ScenePose& pos
     return matrices;
 }
 
-std::vector<glm::dvec3> morphed(const Primitive& primitive, const std::vector<float>& weights)
+/// Of every `stride`-th vertex.
+std::vector<glm::dvec3> morphed(const Primitive& primitive, const std::vector<float>& weights, size_t stride)
 {
-    std::vector<glm::dvec3> positions(primitive.positions.begin(), primitive.positions.end());
+    std::vector<glm::dvec3> positions;
+    positions.reserve(primitive.positions.size() / stride + 1);
+    for (size_t i = 0; i < primitive.positions.size(); i += stride) {
+        positions.emplace_back(primitive.positions[i]);
+    }
     for (size_t target = 0; target < std::min(weights.size(), primitive.morph_targets.size()); ++target) {
         const std::vector<glm::vec3>& offsets = primitive.morph_targets[target].position_offsets;
         if (weights[target] == 0.0F)
             continue;
-        for (size_t i = 0; i < std::min(offsets.size(), positions.size()); ++i)
-            positions[i] += static_cast<double>(weights[target]) * glm::dvec3(offsets[i]);
+        for (size_t i = 0; i < positions.size() && i * stride < offsets.size(); ++i)
+            positions[i] += static_cast<double>(weights[target]) * glm::dvec3(offsets[i * stride]);
     }
     return positions;
 }
@@ -56,16 +61,9 @@ bool turns_inside_out(const glm::dmat4& matrix)
     return glm::determinant(glm::dmat3(matrix)) < 0.0;
 }
 
-} // namespace
-
-std::vector<glm::mat4> skin_matrices(const Scene& scene, const ScenePose& pose, Index node)
-{
-    const std::vector<glm::dmat4> matrices = world_from_bind(scene, pose, node);
-    return {matrices.begin(), matrices.end()};
-}
-
-void visit_posed(const Scene& scene, const ScenePose& pose,
-                 const std::function<void(const PosedPrimitive&)>& visit)
+/// `stride_of` says of a number of vertices the how manieth are visited.
+void visit_some(const Scene& scene, const ScenePose& pose, const std::function<size_t(size_t)>& stride_of,
+                const std::function<void(const PosedPrimitive&)>& visit)
 {
     std::vector<glm::dvec3> placed;
     for (Index index = 0; index < scene.nodes.size(); ++index) {
@@ -74,11 +72,12 @@ void visit_posed(const Scene& scene, const ScenePose& pose,
             continue;
         const std::vector<glm::dmat4> joints = world_from_bind(scene, pose, index);
         for (const Primitive& primitive : scene.meshes[node.mesh].primitives) {
-            const std::vector<glm::dvec3> local = morphed(primitive, pose.morph_weights[index]);
+            const size_t stride = stride_of(primitive.positions.size());
+            const std::vector<glm::dvec3> local = morphed(primitive, pose.morph_weights[index], stride);
             placed.resize(local.size());
             if (!joints.empty() && !primitive.joints_0.empty()) {
                 for (size_t i = 0; i < local.size(); ++i)
-                    placed[i] = glm::dvec3(blend(joints, primitive, i) * glm::dvec4(local[i], 1.0));
+                    placed[i] = glm::dvec3(blend(joints, primitive, i * stride) * glm::dvec4(local[i], 1.0));
                 visit({index, &primitive, placed, turns_inside_out(joints.front())});
                 continue;
             }
@@ -93,6 +92,28 @@ void visit_posed(const Scene& scene, const ScenePose& pose,
             }
         }
     }
+}
+
+} // namespace
+
+std::vector<glm::mat4> skin_matrices(const Scene& scene, const ScenePose& pose, Index node)
+{
+    const std::vector<glm::dmat4> matrices = world_from_bind(scene, pose, node);
+    return {matrices.begin(), matrices.end()};
+}
+
+void visit_posed(const Scene& scene, const ScenePose& pose,
+                 const std::function<void(const PosedPrimitive&)>& visit)
+{
+    visit_some(
+        scene, pose, [](size_t) { return size_t{1}; }, visit);
+}
+
+void visit_posed_samples(const Scene& scene, const ScenePose& pose, size_t about,
+                         const std::function<void(const PosedPrimitive&)>& visit)
+{
+    visit_some(
+        scene, pose, [about](size_t count) { return std::max<size_t>(1, count / about); }, visit);
 }
 
 Bounds scene_bounds(const Scene& scene, const ScenePose& pose)

@@ -30,11 +30,14 @@ SHARED_CONSTANT uint light_has_sun_levels = 1U << 14U;
 SHARED_CONSTANT uint light_has_sun_warp = 1U << 15U;
 SHARED_CONSTANT uint light_has_soft_lamps = 1U << 16U;
 
-SHARED_CONSTANT uint light_has_ground_shadow = 1U << 17U; // known ahead, for each pixel
+SHARED_CONSTANT uint light_has_sun_share = 1U << 17U; // known ahead, for each pixel
 
 // Occlusion darkens the light that has no one place, or all of it.
 SHARED_CONSTANT uint light_occludes_ambient = 1U << 18U;
 SHARED_CONSTANT uint light_occludes_all = 1U << 19U;
+SHARED_CONSTANT uint light_has_thrown = 1U << 20U; // by what occludes, as a share of ambient light
+
+SHARED_CONSTANT uint light_has_points = 1U << 21U; // what is lit lies anywhere, not where depths say
 
 #ifdef __cplusplus
 } // namespace estampe::shared

@@ -70,6 +70,36 @@ grep -q 'warning: job 5: missing.glb: ' err || wrong "the failure is not told: $
 "$estampe" render other.glb -o alone.png --size 64x40 --style pencil --set paper.seed=3 --device cpu
 cmp alone.png other-pencil.png || wrong "a job is not the picture that render draws"
 
+# Films are what render draws, and so are the pictures after them; the program's own world is known by its seed
+cat >films.toml <<'END'
+[defaults]
+scene = "scene.glb"
+size = "64x40"
+
+[[job]]
+output = "turn%d.png"
+style = "pencil"
+turntable = true
+frames = "2"
+
+[[job]]
+output = "turn.gif"
+turntable = true
+frames = "1-3"
+fps = 12
+
+[[job]]
+output = "after.png"
+style = "pencil"
+END
+expect 0 '' films.toml
+"$estampe" render scene.glb -o 'alone%d.png' --size 64x40 --style pencil --turntable --frames 2 --device cpu 2>/dev/null
+for i in 1 2; do cmp "alone$i.png" "turn$i.png" || wrong "frame $i is not the one that render draws"; done
+[[ "$(identify turn.gif | wc -l)" -eq 3 ]] || wrong "turn.gif has not three frames"
+"$estampe" render scene.glb -o alone.png --size 64x40 --style pencil --device cpu
+cmp alone.png after.png || wrong "a film changes the picture after it"
+rm -f -- alone*.png
+
 # Shards: each job in one of them, whatever their number
 rm -- *.png
 sed -i 's/"missing.glb"/"scene.glb"/' jobs.toml

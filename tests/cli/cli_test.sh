@@ -349,6 +349,20 @@ expect_error 1 'nothing.json' bench --compare bench.json nothing.json
 echo "{}" >empty.json
 expect_error 1 "no result of estampe bench" bench --compare bench.json empty.json
 expect_error 2 '--counts' bench lights --counts 0
+expect_success bench lab min --rounds 1 --device cpu --json lab.json --csv lab.csv
+expect_printed '^if (x > a) x = a '
+grep -q '"against": "min(x, a)"' lab.json || wrong "lab.json does not say what is compared"
+[[ "$(wc -l <lab.csv)" == 5 ]] || wrong "lab.csv has not a row for each kernel"
+expect_error 2 'no experiment .lumps.' bench lab lumps
+expect_error 2 '--rounds' bench lab --rounds 0
+expect_success bench roofline field --frames 1 --size 64x36 --least 0 --device cpu --json roof.json --csv roof.csv
+expect_printed 'GB/s'
+expect_printed '^light'
+grep -q '^field,"light' roof.csv || wrong "roof.csv lacks the light"
+grep -q '"share_of_copy"' roof.json || wrong "roof.json lacks shares"
+expect_error 2 'no picture .lumps.' bench roofline lumps
+expect_error 2 '--least' bench roofline --least 1
+expect_success render scene.glb -o kept.png --size 64x36 --device cpu --no-cache
 expect_error 2 'must end in .svg' bench lights -o lights.png
 
 # Lightmaps

@@ -182,7 +182,8 @@ VKAPI_ATTR VkResult VKAPI_CALL create_device(VkPhysicalDevice physical, const Vk
 
 extern "C" {
 
-VK_LAYER_EXPORT PFN_vkVoidFunction VKAPI_CALL estampe_get_device_call(VkDevice device, const char* name)
+__attribute__((visibility("default"))) PFN_vkVoidFunction VKAPI_CALL estampe_get_device_call(VkDevice device,
+                                                                                             const char* name)
 {
     const Call* call = find_call(name);
     PFN_vkVoidFunction next = next_device_call(device, name);
@@ -193,7 +194,8 @@ VK_LAYER_EXPORT PFN_vkVoidFunction VKAPI_CALL estampe_get_device_call(VkDevice d
     return call->ours;
 }
 
-VK_LAYER_EXPORT PFN_vkVoidFunction VKAPI_CALL estampe_get_instance_call(VkInstance instance, const char* name)
+__attribute__((visibility("default"))) PFN_vkVoidFunction VKAPI_CALL
+estampe_get_instance_call(VkInstance instance, const char* name)
 {
     if (std::strcmp(name, "vkCreateInstance") == 0) {
         return reinterpret_cast<PFN_vkVoidFunction>(create_instance);
@@ -207,7 +209,7 @@ VK_LAYER_EXPORT PFN_vkVoidFunction VKAPI_CALL estampe_get_instance_call(VkInstan
     return next_instance_call == nullptr ? nullptr : next_instance_call(instance, name);
 }
 
-VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
+__attribute__((visibility("default"))) VKAPI_ATTR VkResult VKAPI_CALL
 vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* loader)
 {
     loader->loaderLayerInterfaceVersion = 2;

@@ -17,10 +17,10 @@
 
 #include <estampe/error.hpp>
 
+#include "scene/charts/charts.hpp"
 #include "scene/gltf/gltf_import.hpp"
 #include "scene/outlook/outlook.hpp"
 #include "scene/static_triangles.hpp"
-#include "techniques/bake/charts.hpp"
 #include "techniques/contour/chains/ridge_chains.hpp"
 #include "techniques/form/form.hpp"
 #include "techniques/pose/mesh_data.hpp"

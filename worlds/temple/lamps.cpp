@@ -37,7 +37,7 @@ public:
             lamps_.kit.add(Stuff::iron, rod(place_m + glm::vec3(side.x, 0.0F, side.y),
                                             {place_m.x, ceiling_m, place_m.z}, 0.012F, 0.012F, 5));
         }
-        flame(place_m + glm::vec3(0.0F, -0.06F, 0.0F), 0.1F);
+        lamps_.flames.push_back({place_m + glm::vec3(0.0F, -0.06F, 0.0F), false});
         light(place_m + glm::vec3(0.0F, 0.22F, 0.0F), candela, false);
     }
 
@@ -56,10 +56,7 @@ public:
                                               {0.3F, 1.05F},
                                               {0.0F, 1.02F}}};
         lamps_.kit.add(Stuff::iron, shapes::lathe(foot, 24), at(place_m));
-        for (const glm::vec3 tongue : {glm::vec3(0.0F, 1.04F, 0.0F), glm::vec3(0.17F, 1.03F, 0.1F),
-                                       glm::vec3(-0.13F, 1.03F, 0.14F), glm::vec3(-0.05F, 1.03F, -0.19F)}) {
-            flame(place_m + tongue, tongue.x == 0.0F ? 0.2F : 0.12F);
-        }
+        lamps_.flames.push_back({place_m + glm::vec3(0.0F, 1.04F, 0.0F), true});
         light(place_m + glm::vec3(0.0F, 1.75F, 0.0F), candela, throws_shadows);
     }
 
@@ -80,18 +77,6 @@ public:
     }
 
 private:
-    void flame(const glm::vec3& place_m, float height_m)
-    {
-        const float h = height_m;
-        const std::array<glm::vec2, 6> drop{{{0.0F, 0.0F},
-                                             {0.3F * h, 0.15F * h},
-                                             {0.38F * h, 0.42F * h},
-                                             {0.22F * h, 0.9F * h},
-                                             {0.07F * h, 1.5F * h},
-                                             {0.0F, 1.9F * h}}};
-        lamps_.kit.add(Stuff::flame, shapes::lathe(drop, 10, 2.0F), at(place_m));
-    }
-
     void light(const glm::vec3& place_m, float candela, bool throws_shadows)
     {
         estampe::Light light{.name = "lamp " + std::to_string(lamps_.lights.size()),
@@ -166,7 +151,32 @@ void light_room(Hanger& hanger, const Plan& plan, int index, Dice& dice)
     }
 }
 
+void add_flame(Kit& kit, const glm::vec3& place_m, float height_m)
+{
+    const float h = height_m;
+    const std::array<glm::vec2, 6> drop{{{0.0F, 0.0F},
+                                         {0.3F * h, 0.15F * h},
+                                         {0.38F * h, 0.42F * h},
+                                         {0.22F * h, 0.9F * h},
+                                         {0.07F * h, 1.5F * h},
+                                         {0.0F, 1.9F * h}}};
+    kit.add(Stuff::flame, shapes::lathe(drop, 10, 2.0F), at(place_m));
+}
+
 } // namespace
+
+Kit build_flame(bool is_fire)
+{
+    Kit kit;
+    add_flame(kit, {}, is_fire ? 0.2F : 0.1F);
+    if (is_fire) {
+        for (const glm::vec3 tongue : {glm::vec3(0.17F, -0.01F, 0.1F), glm::vec3(-0.13F, -0.01F, 0.14F),
+                                       glm::vec3(-0.05F, -0.01F, -0.19F)}) {
+            add_flame(kit, tongue, 0.12F);
+        }
+    }
+    return kit;
+}
 
 Lamps hang_lamps(const Plan& plan, uint64_t seed)
 {

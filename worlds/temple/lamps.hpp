@@ -18,10 +18,20 @@ struct PlacedLight {
     glm::vec3 place_m{0.0F};
 };
 
+/// What burns there.
+struct PlacedFlame {
+    glm::vec3 place_m{0.0F}; ///< of its foot
+    bool is_fire = false;    ///< of a brazier, else of a lamp
+};
+
 struct Lamps {
     std::vector<PlacedLight> lights; ///< at least 30, of which few throw shadows
+    std::vector<PlacedFlame> flames; ///< one for each lamp and brazier
     Kit kit;                         ///< what they burn in
 };
+
+/// A flame, or the tongues of a brazier's fire, with its foot at the origin.
+[[nodiscard]] Kit build_flame(bool is_fire);
 
 [[nodiscard]] Lamps hang_lamps(const Plan& plan, uint64_t seed);
 

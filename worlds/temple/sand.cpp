@@ -2,11 +2,14 @@
 #include "sand.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <string>
 
 #include "dice.hpp"
 #include "site.hpp"
+#include "weather.hpp"
 
 namespace temple {
 namespace {
@@ -94,6 +97,25 @@ float banks_m(const glm::vec2& place, const Waves& waves)
     return level;
 }
 
+/// What has blown in through the portal, over the floor: a heap on its sill that runs out to both sides, flat
+/// enough to be walked over. Far below the floor where there is none.
+float tongue_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
+{
+    const glm::vec2 in = glm::vec2(1.0F, -1.0F) * (place - plan.doors.front().place_m);
+    const float run = in.y > 0.0F ? 0.09F * in.y : -0.24F * in.y;
+    return 0.42F - run - 0.16F * std::abs(in.x + 0.35F * in.y) + 0.06F * waves.at(place, 3.0F);
+}
+
+/// 0 in a doorway, 1 where sand that lies high shuts none: it falls off no steeper than one can walk.
+float clear_of_doors(const Plan& plan, const glm::vec2& place)
+{
+    float nearest_m = 100.0F;
+    for (const Door& door : plan.doors) {
+        nearest_m = std::min(nearest_m, glm::distance(place, door.place_m));
+    }
+    return glm::smoothstep(1.0F, 6.5F, nearest_m);
+}
+
 /// Under the floors; above them where sand came in.
 float indoors_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
 {
@@ -107,17 +129,33 @@ float indoors_m(const Plan& plan, const Waves& waves, const glm::vec2& place)
         // What fell in through the open roof lies highest in one corner.
         const glm::vec2 share = (place - room.low_m()) / (room.high_m() - room.low_m());
         const float heap = 1.5F * share.x * (1.0F - 0.5F * share.y) + 0.25F * waves.at(place, 7.0F) - 0.15F;
-        level = std::max(level, floor_m + heap * glm::smoothstep(0.0F, 1.2F, inside));
+        level = std::max(level,
+                         floor_m + heap * glm::smoothstep(0.0F, 1.2F, inside) * clear_of_doors(plan, place));
     }
-    // A tongue through the portal.
-    const Door& portal = plan.doors.front();
-    const glm::vec2 in = glm::vec2(1.0F, -1.0F) * (place - portal.place_m);
-    const float tongue = 0.42F - 0.09F * std::max(in.y, 0.0F) - 0.16F * std::abs(in.x + 0.35F * in.y) +
-                         0.06F * waves.at(place, 3.0F);
-    if (in.y > -0.8F && tongue > -1.0F) {
-        level = std::max(level, floor_m + tongue);
-    }
+    level = std::max(level, floor_m + tongue_m(plan, waves, place));
     return level;
+}
+
+/// As the language of heights writes it.
+std::string decimal(float value)
+{
+    std::array<char, 32> text{};
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 4);
+    return {text.data(), end};
+}
+
+/// A bowl, and what was in it as a rim. One without a depth keeps the same graph: it is too small to see.
+std::string hollow_nodes(const std::string& number, const Hollow& hollow)
+{
+    constexpr float least_m = 0.0002F;
+    const float depth_m = std::max(hollow.depth_m, least_m);
+    const auto at = [&](float radii) { return decimal(radii * hollow.radius_m); };
+    const std::string away = "away" + number;
+    return away + " = \"polar(x, " + decimal(hollow.place_m.x) + ", " + decimal(hollow.place_m.y) +
+           ")\"\nhollow" + number + " = \"" + decimal(depth_m) + " * (0.35 * smoothstep(" + at(0.8F) + ", " +
+           at(1.35F) + ", " + away + ") - 0.35 * smoothstep(" + at(1.35F) + ", " + at(2.4F) + ", " + away +
+           ") + smoothstep(" + at(0.3F) + ", " + at(1.2F) + ", " + away + ") - 1)\"\n";
 }
 
 } // namespace
@@ -139,16 +177,39 @@ float sand_level_m(const Plan& plan, uint64_t seed, const glm::vec2& place_m)
     const bool is_platform = std::abs(place_m.x) < stairs_half_m - 1.0F && place_m.y < stairs_foot_m - 2.6F &&
                              place_m.y > front_z_m;
     const float level = roll + banks_m(place_m, waves);
-    return is_platform ? std::min(level, floor_m - 0.9F) : level;
+    if (!is_platform) {
+        return level;
+    }
+    return std::max(std::min(level, floor_m - 0.9F), floor_m + tongue_m(plan, waves, place_m));
 }
 
-estampe::Terrain make_desert(const Plan& plan, uint64_t seed)
+Desert::Desert(const Plan& plan, uint64_t seed) : seed_(seed)
 {
-    Dice dice(seed, 31);
+    levels_m_.reserve(static_cast<size_t>(mask_texels) * mask_texels);
+    for (int row = 0; row < mask_texels; ++row) {
+        for (int column = 0; column < mask_texels; ++column) {
+            const glm::vec2 share = (glm::vec2(column, row) + 0.5F) / static_cast<float>(mask_texels);
+            levels_m_.push_back(sand_level_m(plan, seed, mask_m * (share - 0.5F)));
+        }
+    }
+}
+
+estampe::Terrain Desert::with(std::span<const Hollow> hollows) const
+{
+    Dice dice(seed_, 31);
     const std::string seed_of_dunes = ", seed = " + std::to_string(dice.below(1000)) + ")";
+    std::string pressed;
+    std::string nodes;
+    for (size_t i = 0; i < most_hollows; ++i) {
+        const std::string number = std::to_string(i);
+        pressed += " + hollow" + number;
+        nodes += hollow_nodes(number, i < hollows.size() ? hollows[i] : Hollow{});
+    }
     const std::string text =
         "[terrain]\n"
-        "height = \"lerp(wild, temple, near)\"\n"
+        "height = \"lerp(wild, temple, near)" +
+        pressed +
+        "\"\n"
         "color = \"#dcb982\"\n"
         "[nodes]\n"
         "temple = \"mask('temple', 264, texels = 528)\"\n"
@@ -161,23 +222,25 @@ estampe::Terrain make_desert(const Plan& plan, uint64_t seed)
         seed_of_dunes +
         ", 14 * noise(260), 0)\"\n"
         "small = \"dunes(14, 0.45, celerity = 0.1, seed = 7) * smoothstep(0.5, 3, great)\"\n"
-        "wild = \"swell + great + small - 1\"\n"
+        "wild = \"swell + great + small - 1\"\n" +
+        nodes +
         "[wind]\n"
-        "direction_deg = 200\n"
-        "speed_m_s = 7\n"
+        "direction_deg = " +
+        decimal(wind_to_deg) +
+        "\n"
+        "speed_m_s = " +
+        decimal(calm_m_s) +
+        "\n"
         "[ripples]\n" // the pen draws the sand's own streaks
         "height_m = 0\n";
     estampe::Terrain desert(estampe::parse_terrain(text, "temple"));
-    std::vector<float> levels;
-    levels.reserve(static_cast<size_t>(mask_texels) * mask_texels);
-    for (int row = 0; row < mask_texels; ++row) {
-        for (int column = 0; column < mask_texels; ++column) {
-            const glm::vec2 share = (glm::vec2(column, row) + 0.5F) / static_cast<float>(mask_texels);
-            levels.push_back(sand_level_m(plan, seed, mask_m * (share - 0.5F)));
-        }
-    }
-    desert.paint_mask("temple", levels);
+    desert.paint_mask("temple", levels_m_);
     return desert;
+}
+
+estampe::Terrain make_desert(const Plan& plan, uint64_t seed)
+{
+    return Desert(plan, seed).with({});
 }
 
 } // namespace temple

@@ -30,12 +30,19 @@ public:
         return node;
     }
 
+    /// A mesh that nodes may show.
+    Index keep(estampe::Mesh mesh)
+    {
+        scene_.meshes.push_back(std::move(mesh));
+        return static_cast<Index>(scene_.meshes.size() - 1);
+    }
+
     estampe::Node& mesh(estampe::Mesh mesh, const glm::dvec3& place_m)
     {
         const std::string name = mesh.name;
-        scene_.meshes.push_back(std::move(mesh));
+        const Index kept = keep(std::move(mesh));
         estampe::Node& placed = node(name, place_m);
-        placed.mesh = static_cast<Index>(scene_.meshes.size() - 1);
+        placed.mesh = kept;
         return placed;
     }
 
@@ -151,6 +158,11 @@ estampe::Scene build_temple(uint64_t seed)
     }
     const Lamps lamps = hang_lamps(plan, seed);
     stage.mesh(lamps.kit.mesh("lamps"), {});
+    const estampe::Index small = stage.keep(build_flame(false).mesh("flame"));
+    const estampe::Index fire = stage.keep(build_flame(true).mesh("fire"));
+    for (const PlacedFlame& flame : lamps.flames) {
+        stage.node("flame", flame.place_m).mesh = flame.is_fire ? fire : small;
+    }
     for (const PlacedLight& lamp : lamps.lights) {
         stage.light(lamp.light, lamp.place_m, {0.0, -1.0, 0.0});
     }

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/graph/check_bindings.hpp"
 
+#include <algorithm>
 #include <stdexcept>
-#include <vector>
 
 #include <fmt/format.h>
 
 namespace estampe::gpu {
 namespace {
 
-std::vector<const Use*> bound_uses(const PassRecord& pass)
+/// The use at a binding; null where the pass binds fewer.
+const Use* bound_at(const PassRecord& pass, uint32_t number)
 {
-    std::vector<const Use*> bound;
     for (const Use& use : pass.uses) {
-        if (use.bound) {
-            bound.push_back(&use);
+        if (use.bound && number-- == 0) {
+            return &use;
         }
     }
-    return bound;
+    return nullptr;
 }
 
 } // namespace
@@ -32,19 +32,20 @@ const std::map<uint32_t, Binding>& BindingCheck::declared_by(const Shader& shade
 
 void BindingCheck::check(const Graph& graph, const PassRecord& pass)
 {
-    const std::vector<const Use*> bound = bound_uses(pass);
     for (const Shader* shader : {pass.shader, pass.draw.vertex, pass.draw.fragment}) {
         if (shader == nullptr) {
             continue;
         }
         for (const auto& [number, declared] : declared_by(*shader)) {
-            if (number >= bound.size()) {
+            const Use* const bound = bound_at(pass, number);
+            if (bound == nullptr) {
                 throw std::logic_error(
                     fmt::format("pass '{}' binds {} resources: shader '{}' declares a {} at binding {}",
-                                pass.name, bound.size(), shader->name, in_words(declared), number));
+                                pass.name, std::ranges::count(pass.uses, true, &Use::bound), shader->name,
+                                in_words(declared), number));
             }
-            const ResourceRecord& resource = graph.resources()[bound[number]->resource];
-            const Binding given = binding_of(*bound[number], resource);
+            const ResourceRecord& resource = graph.resources()[bound->resource];
+            const Binding given = binding_of(*bound, resource);
             if (given != declared) {
                 throw std::logic_error(fmt::format(
                     "pass '{}' binds '{}' at binding {} as a {}: shader '{}' declares a {}", pass.name,

@@ -2,6 +2,7 @@
 #include "gpu/graph/compile.hpp"
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -21,14 +22,16 @@ struct PassUse {
     Layout layout = Layout::undefined; ///< images only
 };
 
-std::vector<PassUse> merge_uses(const Graph& graph, const PassRecord& pass)
+/// Adds them to `merged`.
+void merge_uses(const Graph& graph, const PassRecord& pass, std::vector<PassUse>& merged)
 {
-    std::vector<PassUse> merged;
+    const size_t first = merged.size();
     for (const Use& use : pass.uses) {
         const ResourceRecord& resource = graph.resources()[use.resource];
         const bool writes = is_write(use.access);
         const Layout layout = resource.is_image ? layout_for(use.access) : Layout::undefined;
-        const auto same = std::ranges::find(merged, use.resource, &PassUse::resource);
+        const auto same = std::find_if(merged.begin() + static_cast<std::ptrdiff_t>(first), merged.end(),
+                                       [&](const PassUse& known) { return known.resource == use.resource; });
         if (same == merged.end()) {
             merged.push_back({use.resource, use.access, writes, layout});
             continue;
@@ -39,7 +42,6 @@ std::vector<PassUse> merge_uses(const Graph& graph, const PassRecord& pass)
                             resource.name, name_of(use.access)));
         same->accesses |= use.access;
     }
-    return merged;
 }
 
 /// What checking knows about a resource while it walks the passes in order.
@@ -70,9 +72,9 @@ void check_use(const PassRecord& pass, const Use& use, const ResourceRecord& res
                         pass.name, resource.name, history.host_reader->name));
 }
 
-void check(const Graph& graph)
+void check(const Graph& graph, std::vector<History>& histories)
 {
-    std::vector<History> histories(graph.resources().size());
+    histories.assign(graph.resources().size(), {});
     for (const PassRecord& pass : graph.passes()) {
         for (const Use& use : pass.uses) {
             History& history = histories[use.resource];
@@ -91,71 +93,104 @@ void check(const Graph& graph)
     }
 }
 
-/// Indices of the passes whose work is wanted, in order.
-std::vector<uint32_t> find_kept(const Graph& graph)
-{
-    std::vector<std::vector<bool>> wanted; // by resource and version
-    for (const ResourceRecord& resource : graph.resources())
-        wanted.emplace_back(resource.newest_version + 1, false);
-
-    std::vector<uint32_t> kept;
-    for (auto index = static_cast<uint32_t>(graph.passes().size()); index-- > 0;) {
-        const PassRecord& pass = graph.passes()[index];
-        const bool keep =
-            pass.has_side_effect || std::ranges::any_of(pass.uses, [&](const Use& use) {
-                const ResourceRecord& resource = graph.resources()[use.resource];
-                if (!is_write(use.access))
-                    return use.access == Access::host_read;
-                return resource.exported || resource.is_imported() || wanted[use.resource][use.version + 1];
-            });
-        if (!keep)
-            continue;
-        kept.push_back(index);
-        for (const Use& use : pass.uses) {
-            if (is_read(use.access))
-                wanted[use.resource][use.version] = true;
-        }
-    }
-    std::ranges::reverse(kept);
-    return kept;
-}
-
-/// The kept passes and what each does, side by side.
+/// The kept passes in order, and what each does.
 struct Schedule {
     std::vector<uint32_t> passes;
-    std::vector<std::vector<PassUse>> uses;
+    std::vector<PassUse> uses;       ///< of all of them, one after another
+    std::vector<uint32_t> first_use; ///< by kept pass, and the end of the last
+
+    [[nodiscard]] std::span<const PassUse> uses_of(size_t step) const
+    {
+        return {uses.data() + first_use[step], first_use[step + 1] - first_use[step]};
+    }
 };
 
-std::vector<size_t> find_last_uses(const Graph& graph, const Schedule& schedule)
-{
-    std::vector<size_t> last_use(graph.resources().size(), 0);
-    for (size_t step = 0; step < schedule.uses.size(); ++step) {
-        for (const PassUse& use : schedule.uses[step])
-            last_use[use.resource] = step;
-    }
-    return last_use;
-}
+/// Versions of resources that some kept pass reads.
+struct Wanted {
+    std::vector<uint32_t> first; ///< by resource
+    std::vector<uint8_t> is_wanted;
 
-std::vector<bool> find_unshared(const Graph& graph, const Schedule& schedule)
+    void forget(const Graph& graph)
+    {
+        first.clear();
+        uint32_t versions = 0;
+        for (const ResourceRecord& resource : graph.resources()) {
+            first.push_back(versions);
+            versions += resource.newest_version + 1;
+        }
+        is_wanted.assign(versions, 0);
+    }
+
+    [[nodiscard]] uint8_t& at(uint32_t resource, uint32_t version)
+    {
+        return is_wanted[first[resource] + version];
+    }
+};
+
+/// Fills in the passes whose work is wanted.
+void find_kept(const Graph& graph, Wanted& wanted, Schedule& schedule)
 {
-    std::vector<bool> unshared;
-    for (const ResourceRecord& resource : graph.resources())
-        unshared.push_back(resource.exported);
-    for (const std::vector<PassUse>& uses : schedule.uses) {
-        for (const PassUse& use : uses) {
-            if (use.accesses.contains(Access::host_read))
-                unshared[use.resource] = true;
+    wanted.forget(graph);
+    schedule.passes.clear();
+    for (auto index = static_cast<uint32_t>(graph.passes().size()); index-- > 0;) {
+        const PassRecord& pass = graph.passes()[index];
+        const bool keep = pass.has_side_effect || std::ranges::any_of(pass.uses, [&](const Use& use) {
+                              const ResourceRecord& resource = graph.resources()[use.resource];
+                              if (!is_write(use.access))
+                                  return use.access == Access::host_read;
+                              return resource.exported || resource.is_imported() ||
+                                     wanted.at(use.resource, use.version + 1) != 0;
+                          });
+        if (!keep)
+            continue;
+        schedule.passes.push_back(index);
+        for (const Use& use : pass.uses) {
+            if (is_read(use.access))
+                wanted.at(use.resource, use.version) = 1;
         }
     }
-    return unshared;
+    std::ranges::reverse(schedule.passes);
 }
 
-void assign_slots(const Graph& graph, const Schedule& schedule, CompiledGraph& compiled)
+void schedule_uses(const Graph& graph, Schedule& schedule)
 {
-    const std::vector<size_t> last_use = find_last_uses(graph, schedule);
-    const std::vector<bool> unshared = find_unshared(graph, schedule);
-    std::vector<size_t> busy_until; // by slot; SIZE_MAX when never to be shared
+    schedule.uses.clear();
+    schedule.first_use.clear();
+    for (const uint32_t pass : schedule.passes) {
+        schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
+        merge_uses(graph, graph.passes()[pass], schedule.uses);
+    }
+    schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
+}
 
+/// How resources share slots.
+struct Sharing {
+    std::vector<size_t> last_use;   ///< by resource
+    std::vector<uint8_t> unshared;  ///< by resource
+    std::vector<size_t> busy_until; ///< by slot; SIZE_MAX when never to be shared
+};
+
+void find_last_uses(const Graph& graph, const Schedule& schedule, Sharing& sharing)
+{
+    sharing.last_use.assign(graph.resources().size(), 0);
+    sharing.unshared.clear();
+    for (const ResourceRecord& resource : graph.resources())
+        sharing.unshared.push_back(resource.exported ? 1 : 0);
+    for (size_t step = 0; step < schedule.passes.size(); ++step) {
+        for (const PassUse& use : schedule.uses_of(step)) {
+            sharing.last_use[use.resource] = step;
+            if (use.accesses.contains(Access::host_read))
+                sharing.unshared[use.resource] = 1;
+        }
+    }
+}
+
+void assign_slots(const Graph& graph, const Schedule& schedule, Sharing& sharing, CompiledGraph& compiled)
+{
+    find_last_uses(graph, schedule, sharing);
+    std::vector<size_t>& busy_until = sharing.busy_until;
+    busy_until.clear();
+    compiled.slots.clear();
     compiled.slot_of_resource.assign(graph.resources().size(), none);
     const auto take_slot = [&](const ResourceRecord& resource, bool shareable, size_t step) {
         for (uint32_t i = 0; shareable && i < compiled.slots.size(); ++i) {
@@ -168,15 +203,16 @@ void assign_slots(const Graph& graph, const Schedule& schedule, CompiledGraph& c
         busy_until.push_back(0);
         return static_cast<uint32_t>(compiled.slots.size() - 1);
     };
-    for (size_t step = 0; step < schedule.uses.size(); ++step) {
-        for (const PassUse& use : schedule.uses[step]) {
+    for (size_t step = 0; step < schedule.passes.size(); ++step) {
+        for (const PassUse& use : schedule.uses_of(step)) {
             const ResourceRecord& resource = graph.resources()[use.resource];
             if (resource.is_imported())
                 continue;
+            const bool is_unshared = sharing.unshared[use.resource] != 0;
             uint32_t& slot = compiled.slot_of_resource[use.resource];
             if (slot == none) {
-                slot = take_slot(resource, !unshared[use.resource], step);
-                busy_until[slot] = unshared[use.resource] ? SIZE_MAX : last_use[use.resource];
+                slot = take_slot(resource, !is_unshared, step);
+                busy_until[slot] = is_unshared ? SIZE_MAX : sharing.last_use[use.resource];
             }
             compiled.slots[slot].accesses |= use.accesses;
         }
@@ -222,20 +258,50 @@ Barrier advance(MemoryState& state, const PassUse& use)
     return barrier;
 }
 
-void add_barriers(const Graph& graph, const Schedule& schedule, CompiledGraph& compiled)
+/// What barriers are found with.
+struct Memory {
+    std::vector<MemoryState> slots;
+    std::vector<MemoryState> imported;
+    std::vector<std::vector<Barrier>> spare; ///< room that passes of the graph before had
+};
+
+void take_back(CompiledGraph& compiled, Memory& memory)
 {
-    std::vector<MemoryState> slots(compiled.slots.size());
-    std::vector<MemoryState> imported(graph.resources().size());
-    for (uint32_t i = 0; i < imported.size(); ++i) {
-        imported[i].holder = i;
-        imported[i].layout = graph.resources()[i].initial_layout;
-        compiled.final_layout.push_back(imported[i].layout);
+    for (CompiledPass& pass : compiled.passes) {
+        pass.barriers.clear();
+        memory.spare.push_back(std::move(pass.barriers));
     }
-    for (size_t step = 0; step < schedule.uses.size(); ++step) {
-        CompiledPass pass{schedule.passes[step], {}};
-        for (const PassUse& use : schedule.uses[step]) {
+    compiled.passes.clear();
+    std::ranges::reverse(memory.spare); // each pass gets its own again
+}
+
+CompiledPass& new_pass(CompiledGraph& compiled, Memory& memory, uint32_t pass)
+{
+    compiled.passes.push_back({pass, {}});
+    CompiledPass& made = compiled.passes.back();
+    if (!memory.spare.empty()) {
+        made.barriers = std::move(memory.spare.back());
+        memory.spare.pop_back();
+    }
+    return made;
+}
+
+void add_barriers(const Graph& graph, const Schedule& schedule, Memory& memory, CompiledGraph& compiled)
+{
+    take_back(compiled, memory);
+    memory.slots.assign(compiled.slots.size(), {});
+    memory.imported.assign(graph.resources().size(), {});
+    compiled.final_layout.clear();
+    for (uint32_t i = 0; i < memory.imported.size(); ++i) {
+        memory.imported[i].holder = i;
+        memory.imported[i].layout = graph.resources()[i].initial_layout;
+        compiled.final_layout.push_back(memory.imported[i].layout);
+    }
+    for (size_t step = 0; step < schedule.passes.size(); ++step) {
+        CompiledPass& pass = new_pass(compiled, memory, schedule.passes[step]);
+        for (const PassUse& use : schedule.uses_of(step)) {
             const uint32_t slot = compiled.slot_of_resource[use.resource];
-            MemoryState& state = slot == none ? imported[use.resource] : slots[slot];
+            MemoryState& state = slot == none ? memory.imported[use.resource] : memory.slots[slot];
             if (state.holder != use.resource)
                 state.layout = Layout::undefined; // the new resource does not want the old content
             const Barrier barrier = advance(state, use);
@@ -243,8 +309,8 @@ void add_barriers(const Graph& graph, const Schedule& schedule, CompiledGraph& c
                 pass.barriers.push_back(barrier);
             compiled.final_layout[use.resource] = use.layout;
         }
-        compiled.passes.push_back(std::move(pass));
     }
+    memory.spare.clear();
 }
 
 } // namespace
@@ -315,18 +381,36 @@ std::string_view name_of(Access access)
     return "unknown";
 }
 
+struct Compiler::Room {
+    std::vector<History> histories;
+    std::vector<PassUse> uses_of_one;
+    Wanted wanted;
+    Schedule schedule;
+    Sharing sharing;
+    Memory memory;
+};
+
+Compiler::Compiler() : room_(std::make_unique<Room>()) {}
+
+Compiler::~Compiler() = default;
+
+void Compiler::compile(const Graph& graph, CompiledGraph& compiled)
+{
+    check(graph, room_->histories);
+    for (const PassRecord& pass : graph.passes()) {
+        room_->uses_of_one.clear();
+        merge_uses(graph, pass, room_->uses_of_one); // clashes count in passes that are culled too
+    }
+    find_kept(graph, room_->wanted, room_->schedule);
+    schedule_uses(graph, room_->schedule);
+    assign_slots(graph, room_->schedule, room_->sharing, compiled);
+    add_barriers(graph, room_->schedule, room_->memory, compiled);
+}
+
 CompiledGraph compile(const Graph& graph)
 {
-    check(graph);
-    for (const PassRecord& pass : graph.passes())
-        (void)merge_uses(graph, pass);
-    Schedule schedule{find_kept(graph), {}};
-    for (const uint32_t pass : schedule.passes)
-        schedule.uses.push_back(merge_uses(graph, graph.passes()[pass]));
-
     CompiledGraph compiled;
-    assign_slots(graph, schedule, compiled);
-    add_barriers(graph, schedule, compiled);
+    Compiler().compile(graph, compiled);
     return compiled;
 }
 

@@ -5,6 +5,7 @@
 // resources to physical slots. Pure data in, pure data out: no device.
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -125,6 +126,23 @@ struct CompiledGraph {
 /// of access has already waited; a layout change counts as a write. Cost: linear in uses, but for slots,
 /// quadratic at worst.
 [[nodiscard]] CompiledGraph compile(const Graph& graph);
+
+/// Compiles graph after graph in the same room: those that are no larger than the ones before ask nothing of
+/// the heap.
+class Compiler {
+public:
+    Compiler();
+    ~Compiler();
+    Compiler(const Compiler&) = delete;
+    Compiler& operator=(const Compiler&) = delete;
+
+    /// As estampe::gpu::compile(), into `compiled`, whose own room is taken too.
+    void compile(const Graph& graph, CompiledGraph& compiled);
+
+private:
+    struct Room;
+    std::unique_ptr<Room> room_;
+};
 
 /// The graph as Graphviz text: passes as boxes, resources as ellipses (one a version), culled passes dashed.
 [[nodiscard]] std::string to_dot(const Graph& graph, const CompiledGraph& compiled);

@@ -259,6 +259,30 @@ TEST(CompilePropertyTest, RandomGraphsHaveNoHazards)
     EXPECT_GT(shared_count, graph_count / 2);
 }
 
+TEST(CompilePropertyTest, ACompilerThatHasSeenOtherGraphsDoesTheSame)
+{
+    Compiler compiler;
+    CompiledGraph kept;
+    for (uint32_t seed = 0; seed < graph_count; ++seed) {
+        const Graph graph = GraphMaker(seed).make();
+        compiler.compile(graph, kept);
+        const CompiledGraph fresh = compile(graph);
+        ASSERT_EQ(kept.passes.size(), fresh.passes.size()) << "seed " << seed;
+        for (size_t i = 0; i < fresh.passes.size(); ++i) {
+            ASSERT_EQ(kept.passes[i].pass, fresh.passes[i].pass) << "seed " << seed;
+            ASSERT_EQ(kept.passes[i].barriers, fresh.passes[i].barriers) << "seed " << seed;
+        }
+        ASSERT_EQ(kept.slot_of_resource, fresh.slot_of_resource) << "seed " << seed;
+        ASSERT_EQ(kept.final_layout, fresh.final_layout) << "seed " << seed;
+        ASSERT_EQ(kept.slots.size(), fresh.slots.size()) << "seed " << seed;
+        for (size_t i = 0; i < fresh.slots.size(); ++i) {
+            ASSERT_EQ(kept.slots[i].accesses, fresh.slots[i].accesses) << "seed " << seed;
+            ASSERT_EQ(kept.slots[i].image, fresh.slots[i].image) << "seed " << seed;
+            ASSERT_EQ(kept.slots[i].buffer, fresh.slots[i].buffer) << "seed " << seed;
+        }
+    }
+}
+
 /// Calls `check` for each compiled graph that differs from `compiled` by a missing part of one barrier.
 template <class Check>
 void for_each_weakened(const CompiledGraph& compiled, Check&& check)
@@ -335,7 +359,7 @@ TEST(CompilePropertyTest, SlotsHoldOneResourceAtATime)
 /// Whether the work of each pass is wanted, by looking for a reason until no more is found.
 std::vector<bool> wanted_passes(const Graph& graph)
 {
-    const std::vector<PassRecord>& passes = graph.passes();
+    const std::span<const PassRecord> passes = graph.passes();
     std::vector<bool> wanted(passes.size());
     const auto feeds = [&](const Use& made, const Use& used) {
         return is_write(made.access) && is_read(used.access) && made.resource == used.resource &&

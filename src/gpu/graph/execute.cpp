@@ -8,6 +8,7 @@
 #include <estampe/error.hpp>
 
 #include "gpu/graph/access.hpp"
+#include "gpu/graph/run_watch.hpp"
 
 namespace estampe::gpu {
 namespace {
@@ -99,21 +100,35 @@ const Buffer& Executor::buffer_of(uint32_t resource) const
 
 void Executor::run(const Graph& graph)
 {
-    compiled_ = compile(graph);
+    compiler_.compile(graph, compiled_);
     if (compiled_.passes.size() > max_passes) {
         throw Error("the frame has too many passes");
     }
     graph_ = &graph;
     provide_slots();
+    if (are_runs_watched()) {
+        run_by_passes();
+    } else {
+        begin_commands();
+        record(commands_);
+        end_and_run_commands();
+        read_timings();
+    }
+    graph_ = nullptr;
+}
+
+void Executor::begin_commands()
+{
     reset_frame();
     const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                          .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
     vk_check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");
-    record(commands_);
+}
+
+void Executor::end_and_run_commands()
+{
     vk_check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
     device_.submit_and_wait(commands_);
-    read_timings();
-    graph_ = nullptr;
 }
 
 void Executor::drop_unused(uint64_t runs)
@@ -182,24 +197,29 @@ void Executor::record(VkCommandBuffer commands)
     uint32_t query = 0;
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query++);
     for (const CompiledPass& compiled : compiled_.passes) {
-        const PassRecord& pass = graph_->passes()[compiled.pass];
-        record_barriers(commands, compiled.barriers);
-        if (pass.shader != nullptr) {
-            record_dispatch(commands, pass);
-        } else if (pass.is_raster()) {
-            record_draw(commands, pass);
-        } else if (pass.record) {
-            Recorder recorder(*this, commands);
-            pass.record(recorder);
-        }
+        record_pass(commands, compiled);
         vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query++);
+    }
+}
+
+void Executor::record_pass(VkCommandBuffer commands, const CompiledPass& compiled)
+{
+    const PassRecord& pass = graph_->passes()[compiled.pass];
+    record_barriers(commands, compiled.barriers);
+    if (pass.shader != nullptr) {
+        record_dispatch(commands, pass);
+    } else if (pass.is_raster()) {
+        record_draw(commands, pass);
+    } else if (pass.record) {
+        Recorder recorder(*this, commands);
+        pass.record(recorder);
     }
 }
 
 void Executor::record_barriers(VkCommandBuffer commands, const std::vector<Barrier>& barriers)
 {
-    std::vector<VkImageMemoryBarrier2> image_barriers;
-    std::vector<VkBufferMemoryBarrier2> buffer_barriers;
+    image_barriers_.clear();
+    buffer_barriers_.clear();
     for (const Barrier& barrier : barriers) {
         const ResourceRecord& resource = graph_->resources()[barrier.resource];
         // Nothing in this frame came before, and the frame before was waited for: there is nothing to wait
@@ -211,7 +231,7 @@ void Executor::record_barriers(VkCommandBuffer commands, const std::vector<Barri
             const VkImageAspectFlags aspect = image.desc().format == Format::depth32f
                                                   ? VK_IMAGE_ASPECT_DEPTH_BIT
                                                   : VK_IMAGE_ASPECT_COLOR_BIT;
-            image_barriers.push_back(
+            image_barriers_.push_back(
                 {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
                  .srcStageMask = before.stage,
                  .srcAccessMask = before.access,
@@ -224,41 +244,41 @@ void Executor::record_barriers(VkCommandBuffer commands, const std::vector<Barri
                  .image = image.handle(),
                  .subresourceRange = {aspect, 0, image.desc().mips, 0, image.desc().layers}});
         } else if (!barrier.first_use()) {
-            buffer_barriers.push_back({.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2,
-                                       .srcStageMask = before.stage,
-                                       .srcAccessMask = before.access,
-                                       .dstStageMask = after.stage,
-                                       .dstAccessMask = after.access,
-                                       .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                       .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                       .buffer = buffer_of(barrier.resource).handle(),
-                                       .size = VK_WHOLE_SIZE});
+            buffer_barriers_.push_back({.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2,
+                                        .srcStageMask = before.stage,
+                                        .srcAccessMask = before.access,
+                                        .dstStageMask = after.stage,
+                                        .dstAccessMask = after.access,
+                                        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                        .buffer = buffer_of(barrier.resource).handle(),
+                                        .size = VK_WHOLE_SIZE});
         }
     }
-    if (image_barriers.empty() && buffer_barriers.empty()) {
+    if (image_barriers_.empty() && buffer_barriers_.empty()) {
         return;
     }
-    const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                      .bufferMemoryBarrierCount =
-                                          static_cast<uint32_t>(buffer_barriers.size()),
-                                      .pBufferMemoryBarriers = buffer_barriers.data(),
-                                      .imageMemoryBarrierCount = static_cast<uint32_t>(image_barriers.size()),
-                                      .pImageMemoryBarriers = image_barriers.data()};
+    const VkDependencyInfo dependency{
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+        .bufferMemoryBarrierCount = static_cast<uint32_t>(buffer_barriers_.size()),
+        .pBufferMemoryBarriers = buffer_barriers_.data(),
+        .imageMemoryBarrierCount = static_cast<uint32_t>(image_barriers_.size()),
+        .pImageMemoryBarriers = image_barriers_.data()};
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-std::vector<VkDescriptorType> Executor::binding_types(const PassRecord& pass)
+std::span<const VkDescriptorType> Executor::binding_types(const PassRecord& pass)
 {
 #ifndef NDEBUG
     binding_check_.check(*graph_, pass);
 #endif
-    std::vector<VkDescriptorType> types;
+    binding_types_.clear();
     for (const Use& use : pass.uses) {
         if (use.bound) {
-            types.push_back(descriptor_type(use, graph_->resources()[use.resource].is_image));
+            binding_types_.push_back(descriptor_type(use, graph_->resources()[use.resource].is_image));
         }
     }
-    return types;
+    return binding_types_;
 }
 
 void Executor::record_dispatch(VkCommandBuffer commands, const PassRecord& pass)
@@ -291,10 +311,10 @@ VkDescriptorSet Executor::bind(const PassRecord& pass, const Pipeline& pipeline)
     VkDescriptorSet set = VK_NULL_HANDLE;
     vk_check(vkAllocateDescriptorSets(device_.handle(), &info, &set), "vkAllocateDescriptorSets");
 
-    std::vector<VkDescriptorImageInfo> images(pass.uses.size());
-    std::vector<VkDescriptorBufferInfo> buffers(pass.uses.size());
-    std::vector<VkBufferView> texels(pass.uses.size());
-    std::vector<VkWriteDescriptorSet> writes;
+    image_infos_.assign(pass.uses.size(), {});
+    buffer_infos_.assign(pass.uses.size(), {});
+    texel_views_.assign(pass.uses.size(), VK_NULL_HANDLE);
+    writes_.clear();
     for (size_t i = 0; i < pass.uses.size(); ++i) {
         const Use& use = pass.uses[i];
         if (!use.bound) {
@@ -302,43 +322,60 @@ VkDescriptorSet Executor::bind(const PassRecord& pass, const Pipeline& pipeline)
         }
         const bool is_image = graph_->resources()[use.resource].is_image;
         if (is_image) {
-            images[i] = {.sampler =
-                             is_sampled(use.access) ? pipelines_.sampler(use.sampling) : VK_NULL_HANDLE,
-                         .imageView = image_of(use.resource).view(),
-                         .imageLayout = vulkan_layout(layout_for(use.access))};
+            image_infos_[i] = {.sampler =
+                                   is_sampled(use.access) ? pipelines_.sampler(use.sampling) : VK_NULL_HANDLE,
+                               .imageView = image_of(use.resource).view(),
+                               .imageLayout = vulkan_layout(layout_for(use.access))};
         } else if (is_sampled(use.access)) {
-            texels[i] = buffer_of(use.resource).texels(use.texel);
+            texel_views_[i] = buffer_of(use.resource).texels(use.texel);
         } else {
-            buffers[i] = {.buffer = buffer_of(use.resource).handle(), .range = VK_WHOLE_SIZE};
+            buffer_infos_[i] = {.buffer = buffer_of(use.resource).handle(), .range = VK_WHOLE_SIZE};
         }
-        writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-                          .dstSet = set,
-                          .dstBinding = static_cast<uint32_t>(writes.size()),
-                          .descriptorCount = 1,
-                          .descriptorType = descriptor_type(use, is_image),
-                          .pImageInfo = &images[i],
-                          .pBufferInfo = &buffers[i],
-                          .pTexelBufferView = &texels[i]});
+        writes_.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                           .dstSet = set,
+                           .dstBinding = static_cast<uint32_t>(writes_.size()),
+                           .descriptorCount = 1,
+                           .descriptorType = descriptor_type(use, is_image),
+                           .pImageInfo = &image_infos_[i],
+                           .pBufferInfo = &buffer_infos_[i],
+                           .pTexelBufferView = &texel_views_[i]});
     }
-    vkUpdateDescriptorSets(device_.handle(), static_cast<uint32_t>(writes.size()), writes.data(), 0, nullptr);
+    vkUpdateDescriptorSets(device_.handle(), static_cast<uint32_t>(writes_.size()), writes_.data(), 0,
+                           nullptr);
     return set;
 }
 
 void Executor::read_timings()
 {
     const uint32_t count = static_cast<uint32_t>(compiled_.passes.size()) + 1;
-    std::vector<uint64_t> ticks(count);
+    ticks_.resize(count);
     vk_check(vkGetQueryPoolResults(device_.handle(), queries_, 0, count, count * sizeof(uint64_t),
-                                   ticks.data(), sizeof(uint64_t),
+                                   ticks_.data(), sizeof(uint64_t),
                                    VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
              "vkGetQueryPoolResults");
-    if (!adds_timings_) {
-        timings_.clear();
-    }
     for (uint32_t i = 0; i + 1 < count; ++i) {
         const double elapsed_ns =
-            static_cast<double>(ticks[i + 1] - ticks[i]) * device_.timestamp_period_ns();
-        timings_.push_back({graph_->passes()[compiled_.passes[i].pass].name, elapsed_ns * 1e-6});
+            static_cast<double>(ticks_[i + 1] - ticks_[i]) * device_.timestamp_period_ns();
+        note_timing(graph_->passes()[compiled_.passes[i].pass].name, elapsed_ns * 1e-6);
+    }
+    end_timings();
+}
+
+void Executor::note_timing(const std::string& pass, double gpu_ms)
+{
+    if (timing_count_ == timings_.size()) {
+        timings_.emplace_back();
+    }
+    timings_[timing_count_].name = pass; // in the room of the one before
+    timings_[timing_count_].gpu_ms = gpu_ms;
+    ++timing_count_;
+}
+
+void Executor::end_timings()
+{
+    timings_.resize(timing_count_);
+    if (!adds_timings_) {
+        timing_count_ = 0;
     }
 }
 

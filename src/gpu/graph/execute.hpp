@@ -5,6 +5,7 @@
 // and draws, and times each pass.
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,11 +54,15 @@ public:
     /// What is run until the next replace_timings() is timed together.
     void add_timings()
     {
-        timings_.clear();
+        timing_count_ = 0;
         adds_timings_ = true;
     }
 
-    void replace_timings() { adds_timings_ = false; }
+    void replace_timings()
+    {
+        adds_timings_ = false;
+        timing_count_ = 0;
+    }
 
     /// GPU time by pass of the last run, or of those timed together, in order.
     [[nodiscard]] const std::vector<PassTiming>& timings() const { return timings_; }
@@ -80,12 +85,17 @@ private:
     /// Begins a run: finds what there is for the compiled graph. Returns how much is missing.
     [[nodiscard]] uint64_t find_slots();
     void provide_slots();
+    void begin_commands();
+    void end_and_run_commands();
     void record(VkCommandBuffer commands);
+    void record_pass(VkCommandBuffer commands, const CompiledPass& compiled);
+    /// Runs each pass by itself, and tells who watches.
+    void run_by_passes();
     void record_barriers(VkCommandBuffer commands, const std::vector<Barrier>& barriers);
     void record_dispatch(VkCommandBuffer commands, const PassRecord& pass);
     void record_draw(VkCommandBuffer commands, const PassRecord& pass);
     /// What the pass binds, in order. Builds with assertions hold it against what the shaders declare.
-    [[nodiscard]] std::vector<VkDescriptorType> binding_types(const PassRecord& pass);
+    [[nodiscard]] std::span<const VkDescriptorType> binding_types(const PassRecord& pass);
     [[nodiscard]] VkDescriptorSet bind(const PassRecord& pass, const Pipeline& pipeline);
     [[nodiscard]] const Image& image_of(uint32_t resource) const;
     [[nodiscard]] const Buffer& buffer_of(uint32_t resource) const;
@@ -93,6 +103,8 @@ private:
     void use_shader(const PassRecord& pass);
     void reset_frame();
     void read_timings();
+    void note_timing(const std::string& pass, double gpu_ms);
+    void end_timings();
 
     Device& device_;
     PipelineCache pipelines_;
@@ -103,6 +115,7 @@ private:
     VkQueryPool queries_ = VK_NULL_HANDLE;
 
     const Graph* graph_ = nullptr; ///< during run() and use_shaders() only
+    Compiler compiler_;
     CompiledGraph compiled_;
     std::vector<Kept<Image, ImageDesc>> images_;
     std::vector<Kept<Buffer, BufferDesc>> buffers_;
@@ -111,7 +124,18 @@ private:
     std::vector<Image> stand_in_images_;   ///< one a resource, during use_shaders() only
     std::vector<Buffer> stand_in_buffers_; ///< one a resource, during use_shaders() only
     std::vector<PassTiming> timings_;
+    size_t timing_count_ = 0; ///< of those timed together, until now
     bool adds_timings_ = false;
+
+    // Room that recording takes again and again.
+    std::vector<VkImageMemoryBarrier2> image_barriers_;
+    std::vector<VkBufferMemoryBarrier2> buffer_barriers_;
+    std::vector<VkDescriptorType> binding_types_;
+    std::vector<VkDescriptorImageInfo> image_infos_;
+    std::vector<VkDescriptorBufferInfo> buffer_infos_;
+    std::vector<VkBufferView> texel_views_;
+    std::vector<VkWriteDescriptorSet> writes_;
+    std::vector<uint64_t> ticks_;
 };
 
 } // namespace estampe::gpu

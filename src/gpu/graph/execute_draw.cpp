@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Raster passes: dynamic rendering into the attachments that the pass declares.
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "gpu/graph/access.hpp"
@@ -9,10 +10,13 @@
 namespace estampe::gpu {
 namespace {
 
+constexpr size_t most_colors = 8; // devices promise four
+
 /// What a raster pass draws into.
 struct Targets {
-    std::vector<VkRenderingAttachmentInfo> colors;
-    std::vector<VkFormat> color_formats;
+    std::array<VkRenderingAttachmentInfo, most_colors> colors{};
+    std::array<VkFormat, most_colors> color_formats{};
+    uint32_t color_count = 0;
     std::optional<VkRenderingAttachmentInfo> depth;
     VkExtent2D extent{UINT32_MAX, UINT32_MAX}; ///< what all of them have
 };
@@ -31,8 +35,9 @@ void add_target(Targets& targets, const Use& use, const Image& image, bool clear
     if (use.access == Access::depth_attachment) {
         targets.depth = info;
     } else {
-        targets.colors.push_back(info);
-        targets.color_formats.push_back(vulkan_format(image.desc().format));
+        targets.colors.at(targets.color_count) = info;
+        targets.color_formats.at(targets.color_count) = vulkan_format(image.desc().format);
+        ++targets.color_count;
     }
 }
 
@@ -50,7 +55,7 @@ void Executor::record_draw(VkCommandBuffer commands, const PassRecord& pass)
     }
     const DrawState state{.vertex = pass.draw.vertex,
                           .fragment = pass.draw.fragment,
-                          .color_formats = targets.color_formats,
+                          .color_formats = std::span(targets.color_formats).first(targets.color_count),
                           .depth_format =
                               targets.depth ? vulkan_format(Format::depth32f) : VK_FORMAT_UNDEFINED,
                           .cull_back_faces = pass.draw.cull_back_faces};
@@ -62,7 +67,7 @@ void Executor::record_draw(VkCommandBuffer commands, const PassRecord& pass)
     const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
                                     .renderArea = area,
                                     .layerCount = 1,
-                                    .colorAttachmentCount = static_cast<uint32_t>(targets.colors.size()),
+                                    .colorAttachmentCount = targets.color_count,
                                     .pColorAttachments = targets.colors.data(),
                                     .pDepthAttachment = targets.depth ? &*targets.depth : nullptr};
     const VkViewport viewport{.width = static_cast<float>(area.extent.width),

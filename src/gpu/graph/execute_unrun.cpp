@@ -7,7 +7,7 @@ namespace estampe::gpu {
 
 void Executor::use_shaders(const Graph& graph, const std::function<bool()>& go_on)
 {
-    compiled_ = compile(graph);
+    compiler_.compile(graph, compiled_);
     graph_ = &graph;
     provide_stand_ins();
     for (size_t i = compiled_.passes.size(); i-- > 0;) {
@@ -41,10 +41,7 @@ void Executor::provide_stand_ins()
 
 void Executor::use_shader(const PassRecord& pass)
 {
-    reset_frame();
-    const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                         .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    vk_check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");
+    begin_commands();
     std::vector<Barrier> layouts;
     for (const Use& use : pass.uses) {
         if (graph_->resources()[use.resource].is_image) {
@@ -64,8 +61,7 @@ void Executor::use_shader(const PassRecord& pass)
     } else {
         record_draw(commands_, unrun);
     }
-    vk_check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
-    device_.submit_and_wait(commands_);
+    end_and_run_commands();
 }
 
 } // namespace estampe::gpu

@@ -82,7 +82,7 @@ PassRecord& Pass::record()
 
 uint32_t Pass::use(uint32_t resource, uint32_t version, bool is_image, Use how)
 {
-    const ResourceRecord& used = graph_.checked(resource, is_image, fmt::format("pass '{}'", record().name));
+    const ResourceRecord& used = graph_.checked(resource, is_image, record().name);
     if (!suits(how.access, is_image))
         throw std::logic_error(fmt::format("pass '{}': '{}' is {}, which has no access {}", record().name,
                                            used.name, is_image ? "an image" : "a buffer",
@@ -261,9 +261,9 @@ void Pass::draw_indirect(BufferId arguments)
     record().draw.indirect_resource = arguments.resource;
 }
 
-void Pass::execute(std::function<void(Recorder&)> callback)
+void Pass::execute(const Recording& callback)
 {
-    record().record = std::move(callback);
+    record().record = callback;
 }
 
 Pass& Pass::keep()
@@ -272,49 +272,94 @@ Pass& Pass::keep()
     return *this;
 }
 
-ImageId Graph::image(std::string name, const ImageDesc& desc)
+void Graph::clear()
 {
-    resources_.push_back({.name = std::move(name), .is_image = true, .image = desc});
-    return {static_cast<uint32_t>(resources_.size() - 1), 0};
+    pass_count_ = 0;
+    resource_count_ = 0;
 }
 
-BufferId Graph::buffer(std::string name, const BufferDesc& desc)
+PassRecord& Graph::new_pass(std::string_view name)
 {
-    resources_.push_back({.name = std::move(name), .buffer = desc});
-    return {static_cast<uint32_t>(resources_.size() - 1), 0};
+    if (pass_count_ == passes_.size()) {
+        passes_.emplace_back();
+    }
+    PassRecord& pass = passes_[pass_count_++];
+    pass.name = name;
+    pass.shader = nullptr;
+    pass.draw = {};
+    pass.uses.clear();
+    pass.push.clear();
+    pass.variant = 0;
+    pass.dispatch = {};
+    pass.record.clear();
+    pass.has_side_effect = false;
+    return pass;
 }
 
-ImageId Graph::import_image(std::string name, Image& image, const ImageDesc& desc, Layout initial_layout)
+ResourceRecord& Graph::new_resource(std::string_view name)
 {
-    return {take_in({.name = std::move(name),
-                     .is_image = true,
-                     .image = desc,
-                     .imported_image = &image,
-                     .initial_layout = initial_layout}),
+    if (resource_count_ == resources_.size()) {
+        resources_.emplace_back();
+    }
+    ResourceRecord& resource = resources_[resource_count_++];
+    std::string text = std::move(resource.name);
+    text = name;
+    resource = {.name = std::move(text)};
+    return resource;
+}
+
+ImageId Graph::image(std::string_view name, const ImageDesc& desc)
+{
+    ResourceRecord& resource = new_resource(name);
+    resource.is_image = true;
+    resource.image = desc;
+    return {resource_count_ - 1, 0};
+}
+
+BufferId Graph::buffer(std::string_view name, const BufferDesc& desc)
+{
+    new_resource(name).buffer = desc;
+    return {resource_count_ - 1, 0};
+}
+
+ImageId Graph::import_image(std::string_view name, Image& image, const ImageDesc& desc, Layout initial_layout)
+{
+    return {take_in(name, {.name = {},
+                           .is_image = true,
+                           .image = desc,
+                           .imported_image = &image,
+                           .initial_layout = initial_layout}),
             0};
 }
 
-BufferId Graph::import_buffer(std::string name, Buffer& buffer, const BufferDesc& desc)
+BufferId Graph::import_buffer(std::string_view name, Buffer& buffer, const BufferDesc& desc)
 {
-    return {take_in({.name = std::move(name), .buffer = desc, .imported_buffer = &buffer}), 0};
+    return {take_in(name, {.name = {}, .buffer = desc, .imported_buffer = &buffer}), 0};
 }
 
-uint32_t Graph::take_in(ResourceRecord imported)
+uint32_t Graph::take_in(std::string_view name, const ResourceRecord& imported)
 {
-    const auto known = std::ranges::find_if(resources_, [&](const ResourceRecord& resource) {
+    const auto all = resources();
+    const auto known = std::ranges::find_if(all, [&](const ResourceRecord& resource) {
         return resource.is_imported() && resource.imported_image == imported.imported_image &&
                resource.imported_buffer == imported.imported_buffer;
     });
-    const auto index = static_cast<uint32_t>(known - resources_.begin());
-    if (known == resources_.end()) {
-        resources_.push_back(std::move(imported));
+    const auto index = static_cast<uint32_t>(known - all.begin());
+    if (known == all.end()) {
+        ResourceRecord& taken = new_resource(name);
+        taken.is_image = imported.is_image;
+        taken.image = imported.image;
+        taken.buffer = imported.buffer;
+        taken.imported_image = imported.imported_image;
+        taken.imported_buffer = imported.imported_buffer;
+        taken.initial_layout = imported.initial_layout;
         return index;
     }
     const bool is_alike = known->image == imported.image && known->buffer == imported.buffer &&
                           known->initial_layout == imported.initial_layout;
     // Once it is written, neither its first version nor its newest need be the one that is meant.
     if (!is_alike || known->newest_version > 0) {
-        throw std::logic_error(fmt::format("'{}' is imported again, as '{}', {}", known->name, imported.name,
+        throw std::logic_error(fmt::format("'{}' is imported again, as '{}', {}", known->name, name,
                                            is_alike ? "after a pass has written it: use that pass's handle"
                                                     : "but described otherwise"));
     }
@@ -340,28 +385,28 @@ void Graph::mark_exported(uint32_t resource, uint32_t version, bool is_image)
     resources_[resource].exported = true;
 }
 
-Pass Graph::compute(std::string name, const Shader& shader)
+Pass Graph::compute(std::string_view name, const Shader& shader)
 {
-    passes_.push_back({.name = std::move(name), .shader = &shader});
-    return {*this, static_cast<uint32_t>(passes_.size() - 1)};
+    new_pass(name).shader = &shader;
+    return last_pass();
 }
 
-Pass Graph::raster(std::string name, const Shader& vertex, const Shader& fragment)
+Pass Graph::raster(std::string_view name, const Shader& vertex, const Shader& fragment)
 {
-    passes_.push_back({.name = std::move(name), .draw = {.vertex = &vertex, .fragment = &fragment}});
-    return {*this, static_cast<uint32_t>(passes_.size() - 1)};
+    new_pass(name).draw = {.vertex = &vertex, .fragment = &fragment};
+    return last_pass();
 }
 
-Pass Graph::raster(std::string name, const Shader& vertex)
+Pass Graph::raster(std::string_view name, const Shader& vertex)
 {
-    passes_.push_back({.name = std::move(name), .draw = {.vertex = &vertex}});
-    return {*this, static_cast<uint32_t>(passes_.size() - 1)};
+    new_pass(name).draw = {.vertex = &vertex};
+    return last_pass();
 }
 
-Pass Graph::custom(std::string name)
+Pass Graph::custom(std::string_view name)
 {
-    passes_.push_back({.name = std::move(name)});
-    return {*this, static_cast<uint32_t>(passes_.size() - 1)};
+    static_cast<void>(new_pass(name));
+    return last_pass();
 }
 
 const ImageDesc& Graph::describe(ImageId image) const
@@ -374,12 +419,12 @@ const BufferDesc& Graph::describe(BufferId buffer) const
     return checked(buffer.resource, false, "describe").buffer;
 }
 
-const ResourceRecord& Graph::checked(uint32_t resource, bool is_image, const std::string& user) const
+const ResourceRecord& Graph::checked(uint32_t resource, bool is_image, std::string_view user) const
 {
-    if (resource >= resources_.size())
-        throw std::logic_error(fmt::format("{}: resource {} is not of this graph", user, resource));
+    if (resource >= resource_count_)
+        throw std::logic_error(fmt::format("'{}': resource {} is not of this graph", user, resource));
     if (resources_[resource].is_image != is_image)
-        throw std::logic_error(fmt::format("{}: the handle of '{}' is of another graph: it names {} here",
+        throw std::logic_error(fmt::format("'{}': the handle of '{}' is of another graph: it names {} here",
                                            user, resources_[resource].name,
                                            is_image ? "a buffer" : "an image"));
     return resources_[resource];

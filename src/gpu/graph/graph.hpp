@@ -17,11 +17,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
+
+#include "gpu/graph/name.hpp"
+#include "gpu/graph/recording.hpp"
 
 namespace estampe::gpu {
 
@@ -177,8 +180,8 @@ struct PassRecord {
     std::vector<std::byte> push = {};
     uint32_t variant = 0; ///< the shaders' specialization constant 0
     Dispatch dispatch = {};
-    std::function<void(Recorder&)> record = {}; ///< custom passes only
-    bool has_side_effect = false;               ///< never culled
+    Recording record = {};        ///< custom passes only
+    bool has_side_effect = false; ///< never culled
 
     [[nodiscard]] bool is_raster() const { return draw.vertex != nullptr; }
 };
@@ -255,7 +258,7 @@ public:
     /// The same with counts of vertices and instances from a buffer that holds a VkDrawIndirectCommand.
     void draw_indirect(BufferId arguments);
     /// Custom passes: `record` is called when the pass is executed.
-    void execute(std::function<void(Recorder&)> record);
+    void execute(const Recording& record);
     /// Keeps the pass even if nobody reads what it writes.
     Pass& keep();
 
@@ -277,45 +280,59 @@ class Graph {
 public:
     /// Transient: lives from its first write to its last read, and shares memory with others outside that
     /// time.
-    [[nodiscard]] ImageId image(std::string name, const ImageDesc& desc);
-    [[nodiscard]] BufferId buffer(std::string name, const BufferDesc& desc);
+    [[nodiscard]] ImageId image(std::string_view name, const ImageDesc& desc);
+    [[nodiscard]] BufferId buffer(std::string_view name, const BufferDesc& desc);
 
     /// Whoever imports the same image or buffer again gets the same handle, of the name it had first. Throws
     /// std::logic_error when the two descriptions differ, or when a pass has written it: what was written is
     /// known by the handle that the pass gave.
-    [[nodiscard]] ImageId import_image(std::string name, Image& image, const ImageDesc& desc,
+    [[nodiscard]] ImageId import_image(std::string_view name, Image& image, const ImageDesc& desc,
                                        Layout initial_layout);
-    [[nodiscard]] BufferId import_buffer(std::string name, Buffer& buffer, const BufferDesc& desc);
+    [[nodiscard]] BufferId import_buffer(std::string_view name, Buffer& buffer, const BufferDesc& desc);
 
     /// Marks the content as wanted after the frame: what makes it is not culled, and its memory is not
     /// reused. Throws std::logic_error when the handle has been overwritten.
     void export_image(ImageId image);
     void export_buffer(BufferId buffer);
 
-    [[nodiscard]] Pass compute(std::string name, const Shader& shader);
+    [[nodiscard]] Pass compute(std::string_view name, const Shader& shader);
     /// A pass that draws triangles by the device's own rasteriser. It may sample, read and take uniforms;
     /// it writes attachments only.
-    [[nodiscard]] Pass raster(std::string name, const Shader& vertex, const Shader& fragment);
+    [[nodiscard]] Pass raster(std::string_view name, const Shader& vertex, const Shader& fragment);
     /// The same without a fragment shader: only depth is drawn.
-    [[nodiscard]] Pass raster(std::string name, const Shader& vertex);
-    [[nodiscard]] Pass custom(std::string name);
+    [[nodiscard]] Pass raster(std::string_view name, const Shader& vertex);
+    [[nodiscard]] Pass custom(std::string_view name);
 
     [[nodiscard]] const ImageDesc& describe(ImageId image) const;
     [[nodiscard]] const BufferDesc& describe(BufferId buffer) const;
 
-    [[nodiscard]] const std::vector<PassRecord>& passes() const { return passes_; }
+    /// Forgets all passes and resources, but not the room that they took: what is declared next needs none.
+    void clear();
 
-    [[nodiscard]] const std::vector<ResourceRecord>& resources() const { return resources_; }
+    [[nodiscard]] std::span<const PassRecord> passes() const { return {passes_.data(), pass_count_}; }
+
+    [[nodiscard]] std::span<const ResourceRecord> resources() const
+    {
+        return {resources_.data(), resource_count_};
+    }
 
 private:
     friend class Pass;
     [[nodiscard]] const ResourceRecord& checked(uint32_t resource, bool is_image,
-                                                const std::string& user) const;
+                                                std::string_view user) const;
     void mark_exported(uint32_t resource, uint32_t version, bool is_image);
-    uint32_t take_in(ResourceRecord imported); ///< returns its index
+    [[nodiscard]] PassRecord& new_pass(std::string_view name);
+    [[nodiscard]] ResourceRecord& new_resource(std::string_view name);
 
-    std::vector<PassRecord> passes_;
+    [[nodiscard]] Pass last_pass() { return {*this, pass_count_ - 1}; }
+
+    /// Returns its index.
+    uint32_t take_in(std::string_view name, const ResourceRecord& imported);
+
+    std::vector<PassRecord> passes_; ///< the rest is room for more
     std::vector<ResourceRecord> resources_;
+    uint32_t pass_count_ = 0;
+    uint32_t resource_count_ = 0;
 };
 
 } // namespace estampe::gpu

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/graph/graph.hpp"
 
+#include <memory>
+
 #include <gtest/gtest.h>
 
 #include "gpu/graph/graph_test_support.hpp"
@@ -149,7 +151,7 @@ TEST(GraphTest, HandlesOfAnotherGraphAreRefused)
     const BufferId buffer = graph.buffer("points", {.size_bytes = 4});
     const ImageId foreign = other.image("tone", small_image);
     auto pass = graph.compute("p", fake_shader);
-    EXPECT_NE(logic_error_of([&] { pass.sample(foreign); }).find("pass 'p'"), std::string::npos);
+    EXPECT_NE(logic_error_of([&] { pass.sample(foreign); }).find("'p': "), std::string::npos);
     EXPECT_NE(logic_error_of([&] { pass.read(BufferId{7, 0}); }).find("resource 7"), std::string::npos);
     EXPECT_NE(logic_error_of([&] { (void)other.describe(buffer); }).find("'tone'"), std::string::npos);
 }
@@ -173,6 +175,63 @@ TEST(GraphTest, CustomPassesKeepTheirRecorder)
     EXPECT_TRUE(graph.passes()[0].has_side_effect);
     EXPECT_TRUE(static_cast<bool>(graph.passes()[0].record));
     EXPECT_EQ(graph.passes()[0].shader, nullptr);
+}
+
+TEST(Graph, ForgetsAllThatWasDeclaredWhenItIsCleared)
+{
+    const Shader shader{"shader", {}};
+    Graph graph;
+    auto old = graph.compute("a name that does not fit into the string itself", shader);
+    static_cast<void>(old.write(graph.image("old", {.width = 4, .height = 4})));
+    old.keep().variant(7).push(uint32_t{5});
+    graph.custom("records").execute([](Recorder&) {});
+    graph.clear();
+    EXPECT_TRUE(graph.passes().empty());
+    EXPECT_TRUE(graph.resources().empty());
+    graph.raster("new", shader).draw(3);
+    static_cast<void>(graph.custom("too"));
+    const BufferId list = graph.buffer("list", {.size_bytes = 8});
+    EXPECT_EQ(list, BufferId(0, 0));
+    ASSERT_EQ(graph.passes().size(), 2U);
+    const PassRecord& pass = graph.passes()[0];
+    EXPECT_EQ(pass.name, "new");
+    EXPECT_EQ(pass.shader, nullptr);
+    EXPECT_TRUE(pass.is_raster());
+    EXPECT_TRUE(pass.uses.empty());
+    EXPECT_TRUE(pass.push.empty());
+    EXPECT_EQ(pass.variant, 0U);
+    EXPECT_FALSE(pass.has_side_effect);
+    EXPECT_FALSE(static_cast<bool>(graph.passes()[1].record));
+    EXPECT_FALSE(graph.resources()[0].is_image);
+    EXPECT_EQ(graph.resources()[0].newest_version, 0U);
+}
+
+TEST(Graph, RecordingsAreCopiedWithWhatTheyHoldOnTo)
+{
+    const auto held = std::make_shared<int>(3);
+    Recording first = [held](Recorder&) {};
+    EXPECT_EQ(held.use_count(), 2);
+    {
+        Recording second = first;
+        EXPECT_EQ(held.use_count(), 3);
+        Recording third;
+        third = second;
+        EXPECT_EQ(held.use_count(), 4);
+        second.clear();
+        EXPECT_FALSE(static_cast<bool>(second));
+        EXPECT_EQ(held.use_count(), 3);
+    }
+    EXPECT_EQ(held.use_count(), 2);
+    first.clear();
+    EXPECT_EQ(held.use_count(), 1);
+}
+
+TEST(Graph, NamesAreCutWhereTheyAreTooLong)
+{
+    const Name name = Name("page") + "/" + std::string("part");
+    EXPECT_EQ(name.view(), "page/part");
+    EXPECT_EQ((Name(std::string(100, 'a')) + std::string(100, 'b')).view(),
+              std::string(100, 'a') + std::string(19, 'b'));
 }
 
 } // namespace

@@ -13,15 +13,22 @@ using Barriers = std::vector<Barrier>;
 using enum Access;
 
 constexpr BufferDesc small_buffer{.size_bytes = 64};
+constexpr ImageDesc small_ids{.width = 32, .height = 16, .format = Format::r32ui};
 constexpr ImageDesc small_depth{.width = 32, .height = 16, .format = Format::depth32f};
 constexpr Shader vertex_shader{"fake.vert", {}};
 constexpr Shader fragment_shader{"fake.frag", {}};
 
 struct Frame {
     Graph graph;
-    BufferId points = graph.compute("points", fake_shader).write(graph.buffer("points", small_buffer));
-    ImageId ids = graph.image("ids", {.width = 32, .height = 16, .format = Format::r32ui});
-    ImageId depth = graph.image("depth", small_depth);
+    BufferId points;
+    ImageId ids;
+    ImageId depth;
+
+    Frame()
+        : points(graph.compute("points", fake_shader).write(graph.buffer("points", small_buffer))),
+          ids(graph.image("ids", small_ids)), depth(graph.image("depth", small_depth))
+    {
+    }
 
     /// A pass that draws `points` into both images.
     void draw(const char* name)

@@ -124,7 +124,11 @@ TEST(GltfCompression, meshopt_filters)
                   5120, 4, "VEC3", true));
     const std::vector<float> uvs = {0.5F, 0.25F, 1, 2, 3, 4, 5, 6};
     std::vector<uint32_t> exponential(8);
+#if MESHOPTIMIZER_VERSION >= 200
+    meshopt_encodeFilterExp(exponential.data(), 4, 8, 15, uvs.data(), meshopt_EncodeExpSharedVector);
+#else
     meshopt_encodeFilterExp(exponential.data(), 4, 8, 15, uvs.data());
+#endif
     file.attributes()["TEXCOORD_0"] = file.add_accessor(
         with_view(add_meshopt_view(file, encode_vertices(exponential, 8), 4, 8, "ATTRIBUTES", "EXPONENTIAL"),
                   5126, 4, "VEC2"));

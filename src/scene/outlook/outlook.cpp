@@ -128,6 +128,19 @@ glm::dvec3 Outlook::towards_sun(double azimuth_deg, double elevation_deg) const
     return bearing(azimuth_rad + sun_side * from_eye_rad, glm::radians(elevation_deg));
 }
 
+SunPlace sun_over_ground(const SunPlace& asked, double wind_deg)
+{
+    constexpr double low_deg = 16.0;
+    constexpr double aside_deg = 35.0;
+    const double upwind_deg = -90.0 - wind_deg; // as bearings are counted
+    return {.azimuth_deg = asked.azimuth_deg == static_cast<double>(house_sun_azimuth_deg)
+                               ? upwind_deg + aside_deg
+                               : asked.azimuth_deg,
+            .elevation_deg = asked.elevation_deg == static_cast<double>(house_sun_elevation_deg)
+                                 ? low_deg
+                                 : asked.elevation_deg};
+}
+
 Outlook find_outlook(const SurfaceCloud& cloud)
 {
     Outlook outlook;

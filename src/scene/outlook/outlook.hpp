@@ -29,6 +29,18 @@ enum class Standpoint : uint8_t {
     inside   ///< in a corner of a closed room
 };
 
+/// Where a sun is, in degrees.
+struct SunPlace {
+    double azimuth_deg = 0.0; ///< 0 is +z, 90 +x
+    double elevation_deg = 0.0;
+};
+
+/// The sun over ground that nothing stands on. That of the house would leave dunes without shade, which are
+/// no steeper than 34 degrees where the wind comes down and next to level where it comes from: in its place
+/// stands a low one upwind. Any other is as it was asked for. `wind_deg` is where the wind goes, from +x
+/// towards +z.
+[[nodiscard]] SunPlace sun_over_ground(const SunPlace& asked, double wind_deg);
+
 struct Outlook {
     Standpoint standpoint = Standpoint::outside;
     double azimuth_rad = 0.61; ///< of the eye, seen from the scene: 0 is +z, a quarter turn +x
@@ -39,6 +51,7 @@ struct Outlook {
     Bounds subject;             ///< what to show: a wide floor counts only where something stands on it
     glm::dvec3 corner{0.0};     ///< the eye, inside
     std::optional<Shelter> shelter;
+    std::optional<double> wind_deg; ///< over ground that nothing stands on
 
     /// Unit vector to a sun whose bearing is given for an eye at the house's 35 degrees, turned with the eye
     /// and moved to where it models what is seen.

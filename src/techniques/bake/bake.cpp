@@ -12,7 +12,7 @@
 
 #include "core/file.hpp"
 #include "core/luminance.hpp"
-#include "techniques/bake/charts.hpp"
+#include "scene/charts/charts.hpp"
 #include "techniques/bake/fingerprint.hpp"
 #include "techniques/bake/spread.hpp"
 #include "techniques/bake/tracer.hpp"
@@ -44,9 +44,9 @@ struct ProgressHeader {
 };
 
 /// Charts of the triangles that take light, drawn by drawn.
-Atlas make_atlas(const StaticTriangles& triangles, const Surfaces& surfaces, uint32_t size)
+charts::Atlas make_atlas(const StaticTriangles& triangles, const Surfaces& surfaces, uint32_t size)
 {
-    std::vector<Chart> charts;
+    std::vector<charts::Chart> cut;
     for (size_t i = 0; i < triangles.draws.size(); ++i) {
         const StaticDraw& draw = triangles.draws[i];
         if (draw.triangle_count == 0 || !surfaces.receives(draw.first_triangle)) {
@@ -55,21 +55,22 @@ Atlas make_atlas(const StaticTriangles& triangles, const Surfaces& surfaces, uin
         const size_t first = 3 * static_cast<size_t>(draw.first_triangle);
         const size_t count = 3 * static_cast<size_t>(draw.triangle_count);
         const std::span<const glm::vec3> corners(&triangles.positions[first], count);
-        std::optional<Chart> own;
+        std::optional<charts::Chart> own;
         if (triangles.has_uv_1[i]) {
-            own = own_chart(corners, std::span<const glm::vec2>(&triangles.uvs[1][first], count));
+            own = charts::own_chart(corners, std::span<const glm::vec2>(&triangles.uvs[1][first], count));
         }
-        for (Chart& chart : own ? std::vector<Chart>{std::move(*own)} : cut_charts(corners)) {
+        for (charts::Chart& chart :
+             own ? std::vector<charts::Chart>{std::move(*own)} : charts::cut_charts(corners)) {
             for (uint32_t& triangle : chart.triangles) {
                 triangle += draw.first_triangle;
             }
-            charts.push_back(std::move(chart));
+            cut.push_back(std::move(chart));
         }
     }
-    if (charts.empty()) {
+    if (cut.empty()) {
         throw Error("nothing that takes light stands still", {}, "a lightmap is for meshes that do not move");
     }
-    return pack_charts(charts, triangles.count(), size);
+    return charts::pack_charts(cut, triangles.count(), size);
 }
 
 /// The n-th of points that fill a square evenly whatever their number: Roberts, "The Unreasonable
@@ -91,7 +92,7 @@ uint32_t bit_of(LampKind kind)
 struct Bake::State {
     State(const Scene& scene, const BakeSettings& wanted)
         : settings(wanted), triangles(static_triangles(scene)), surfaces(scene, triangles),
-          atlas(make_atlas(triangles, surfaces, wanted.size)), texels(covered_texels(atlas)),
+          atlas(make_atlas(triangles, surfaces, wanted.size)), texels(charts::covered_texels(atlas)),
           tracer(triangles, surfaces, settings), sums(texels.size()),
           fingerprint(work_fingerprint(scene, triangles, wanted))
     {
@@ -113,8 +114,8 @@ struct Bake::State {
     BakeSettings settings;
     StaticTriangles triangles;
     Surfaces surfaces;
-    Atlas atlas;
-    std::vector<Texel> texels;
+    charts::Atlas atlas;
+    std::vector<charts::Texel> texels;
     Tracer tracer;
     std::vector<Sum> sums;
     uint64_t fingerprint = 0;

@@ -103,7 +103,7 @@ std::vector<uint32_t> unknown_beside(const Canvas& canvas, const std::vector<uin
 
 } // namespace
 
-std::vector<glm::vec3> smoothed(std::span<const Texel> texels, std::span<const Estimate> estimates,
+std::vector<glm::vec3> smoothed(std::span<const charts::Texel> texels, std::span<const Estimate> estimates,
                                 uint32_t size)
 {
     std::vector<uint32_t> texel_at(static_cast<size_t>(size) * size, nobody);
@@ -141,7 +141,7 @@ std::vector<glm::vec3> smoothed(std::span<const Texel> texels, std::span<const E
     return result;
 }
 
-LightImage spread(std::span<const Texel> texels, std::span<const Estimate> estimates,
+LightImage spread(std::span<const charts::Texel> texels, std::span<const Estimate> estimates,
                   std::span<const glm::vec3> light, uint32_t size)
 {
     Canvas canvas(size);
@@ -158,10 +158,10 @@ LightImage spread(std::span<const Texel> texels, std::span<const Estimate> estim
         std::erase_if(open, [&](uint32_t place) { return canvas.known[place]; });
     }
     std::vector<uint32_t> edge;
-    for (const Texel& texel : texels) {
+    for (const charts::Texel& texel : texels) {
         edge.push_back(texel.place);
     }
-    for (uint32_t ring = 0; ring < gutter; ++ring) {
+    for (uint32_t ring = 0; ring < charts::gutter; ++ring) {
         edge = fill_beside(canvas, unknown_beside(canvas, edge));
     }
     return {.width = size, .height = size, .texels = std::move(canvas.light)};

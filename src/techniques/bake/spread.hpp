@@ -6,7 +6,7 @@
 
 #include <estampe/lightmap.hpp>
 
-#include "techniques/bake/charts.hpp"
+#include "scene/charts/charts.hpp"
 
 namespace estampe::bake {
 
@@ -22,12 +22,12 @@ struct Estimate {
 /// Averages each texel with those up to three texels away that lie on the same surface and differ by no more
 /// than their noise: a bilateral filter after Dammertz et al., "Edge-Avoiding A-Trous Wavelet Transform",
 /// 2010, at one scale. Cost: 49 looks a texel.
-[[nodiscard]] std::vector<glm::vec3> smoothed(std::span<const Texel> texels,
+[[nodiscard]] std::vector<glm::vec3> smoothed(std::span<const charts::Texel> texels,
                                               std::span<const Estimate> estimates, uint32_t size);
 
 /// Lays the texels out as a picture, gives those that are not known the mean of their neighbours, and
 /// spreads the edges of charts into their gutters.
-[[nodiscard]] LightImage spread(std::span<const Texel> texels, std::span<const Estimate> estimates,
+[[nodiscard]] LightImage spread(std::span<const charts::Texel> texels, std::span<const Estimate> estimates,
                                 std::span<const glm::vec3> light, uint32_t size);
 
 } // namespace estampe::bake

@@ -260,7 +260,7 @@ glm::vec3 Tracer::from_glow(const Vertex& vertex, Random& random) const
     return glow * (cosine / pi / (own + cosine / pi)); // the balance heuristic
 }
 
-Arrival Tracer::follow(const Texel& texel, const glm::vec2& first, Random& random) const
+Arrival Tracer::follow(const charts::Texel& texel, const glm::vec2& first, Random& random) const
 {
     const glm::vec3 plane = surfaces_.plane_normal(texel.triangle);
     Vertex vertex{.place = surfaces_.place(texel.triangle, texel.weights) + lift_m_ * plane,

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/hash.hpp"
+#include "scene/charts/charts.hpp"
 #include "techniques/bake/bake.hpp"
-#include "techniques/bake/charts.hpp"
 #include "techniques/bake/surfaces.hpp"
 
 namespace estampe::bake {
@@ -44,7 +44,7 @@ public:
 
     /// One path from a texel. `first` chooses its first direction and should spread evenly over the paths of
     /// a texel.
-    [[nodiscard]] Arrival follow(const Texel& texel, const glm::vec2& first, Random& random) const;
+    [[nodiscard]] Arrival follow(const charts::Texel& texel, const glm::vec2& first, Random& random) const;
 
 private:
     struct Hit {

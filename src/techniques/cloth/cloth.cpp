@@ -69,20 +69,42 @@ uint32_t Cloths::most_steps(const Surroundings& surroundings) const
     return passes == 0 ? most_at_once : std::clamp(most_passes / passes, 1U, most_at_once);
 }
 
+void Cloths::find_met_solids()
+{
+    constexpr float spare_m = 0.1F; // for how thick sheets are
+    met_before_.clear();
+    met_.clear();
+    for (size_t i = 0; i < solids_.size(); ++i) {
+        const glm::vec3& centre_m = solids_[i].centre_m;
+        const float reach_m =
+            solids_[i].reach_m + glm::distance(solids_before_[i].centre_m, centre_m) + spare_m;
+        const bool is_met =
+            reach_.empty() || std::ranges::any_of(reach_, [&](const SheetReach& box) {
+                return glm::distance(glm::clamp(centre_m, box.min_m, box.max_m), centre_m) <= reach_m;
+            });
+        if (is_met) {
+            met_before_.push_back(solids_before_[i]);
+            met_.push_back(solids_[i]);
+        }
+    }
+}
+
 void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
 {
     const WindStyle& wind = surroundings.wind;
-    const bool moves = std::memcmp(solids_before_.data(), solids_.data(),
-                                   solids_.size() * sizeof(shared::ClothCollider)) != 0;
+    find_met_solids();
+    const size_t size_bytes = met_.size() * sizeof(shared::ClothCollider);
+    const bool moves = !met_.empty() && std::memcmp(met_before_.data(), met_.data(), size_bytes) != 0;
     float longest_small_s = 0.0F;
     for (Kind& kind : kinds_) {
         const shared::ClothRun run{.gravity_m_s2 = surroundings.gravity_m_s2,
                                    .step_s = std::min(surroundings.step_s, longest_step_s),
                                    .step_count = count,
                                    .small_steps = small_steps(kind, surroundings),
-                                   .collider_count = static_cast<uint32_t>(solids_.size()),
-                                   .collider_stride = moves ? static_cast<uint32_t>(solids_.size()) : 0,
+                                   .collider_count = static_cast<uint32_t>(met_.size()),
+                                   .collider_stride = moves ? static_cast<uint32_t>(met_.size()) : 0,
                                    .wind_m_s = wind.speed_m_s * direction_of(wind),
+                                   .ahead_m = static_cast<float>(surroundings.ahead_m) * direction_of(wind),
                                    .gustiness = wind.gustiness,
                                    .gust_m = wind.gust_m,
                                    .turbulence = wind.turbulence,
@@ -103,10 +125,9 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
     }
     std::memcpy(sheets_.mapped().data(), records_.data(), records_.size() * sizeof(shared::ClothSheet));
     std::byte* const solids = colliders_.mapped().data();
-    const size_t size_bytes = solids_.size() * sizeof(shared::ClothCollider);
     if (size_bytes > 0) {
-        std::memcpy(solids, solids_before_.data(), size_bytes);
-        std::memcpy(solids + size_bytes, solids_.data(), size_bytes);
+        std::memcpy(solids, met_before_.data(), size_bytes);
+        std::memcpy(solids + size_bytes, met_.data(), size_bytes);
     }
     solids_before_ = solids_;
 }
@@ -251,8 +272,8 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     fill_runs(surroundings, count);
     const WindStyle& wind = surroundings.wind;
     const uint32_t surrounded =
-        (solids_.empty() ? 0U : shared::cloth_bit_colliders) |
-        (std::ranges::any_of(solids_, is_of_grid) ? shared::cloth_bit_grids : 0U) |
+        (met_.empty() ? 0U : shared::cloth_bit_colliders) |
+        (std::ranges::any_of(met_, is_of_grid) ? shared::cloth_bit_grids : 0U) |
         (wind.speed_m_s > 0.0F && (wind.gustiness > 0.0F || wind.turbulence > 0.0F) ? shared::cloth_bit_gusts
                                                                                     : 0U);
     for (Kind& kind : kinds_) {

@@ -85,6 +85,7 @@ struct ClothRun {
     uint collider_count;
     uint collider_stride; // from the beginning of the run to its end, 0 where all stand still
     vec3 wind_m_s;
+    vec3 ahead_m;     // that it has blown farther than that times the time
     float gustiness;  // share of the speed that comes and goes
     float gust_m;     // from one gust to the next, about
     float turbulence; // speed of eddies, as a share

@@ -23,6 +23,7 @@ struct Surroundings {
     glm::vec3 gravity_m_s2{0.0F, -9.81F, 0.0F};
     float air_kg_m3 = 1.2F;
     WindStyle wind{.speed_m_s = 0.0F};
+    double ahead_m = 0.0;     ///< that it has blown farther than its speed times the time
     glm::dvec3 origin_m{0.0}; ///< of places, in the world
     float effort = 1.0F;      ///< see ClothStyle
 };
@@ -33,6 +34,12 @@ struct DrawnSheet {
     std::vector<uint32_t> particle_of_vertex;  ///< from `first_vertex` on
     std::optional<uint32_t> first_back_vertex; ///< of the other side, if it has vertices of its own: as many,
                                                ///< in the same order
+};
+
+/// A box that a sheet stays in.
+struct SheetReach {
+    glm::vec3 min_m{0.0F};
+    glm::vec3 max_m{0.0F};
 };
 
 /// The same sheets and runs give the same places on the same device, bit for bit.
@@ -48,6 +55,10 @@ public:
     /// Where solids are at the end of the next run; until then they go there from where they were, if there
     /// were as many. Later runs find them there.
     void set_solids(gpu::Device& device, std::span<const Solid> solids);
+
+    /// What all sheets stay in during later runs, so that solids that come near none of it cost nothing;
+    /// empty: they may come anywhere.
+    void set_reach(std::vector<SheetReach> reach) { reach_ = std::move(reach); }
 
     /// What solids of heights and distances are told by, until the next call; before set_solids(). Cost: one
     /// upload.
@@ -136,6 +147,7 @@ private:
     [[nodiscard]] uint32_t small_steps(const Kind& kind, const Surroundings& surroundings) const;
     [[nodiscard]] gpu::BufferId add_vertices_at(gpu::Graph& graph, const Handles& handles,
                                                 gpu::BufferId places, gpu::BufferId posed_vertices);
+    void find_met_solids();
     void fill_runs(const Surroundings& surroundings, uint32_t count);
     void bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
                      gpu::Buffer& sheet_of_group);
@@ -163,6 +175,8 @@ private:
     std::vector<std::vector<glm::uvec2>> colours_; ///< of each sheet: where each begins there, and its length
     gpu::Buffer holds_;                            ///< ClothHold, one a particle
     std::vector<shared::ClothCollider> solids_before_, solids_;
+    std::vector<shared::ClothCollider> met_before_, met_; ///< of those, what the run may meet
+    std::vector<SheetReach> reach_;
     gpu::Buffer colliders_;
     gpu::Buffer grids_; ///< numbers of all grids, each behind its head
     std::vector<uint32_t> first_of_grid_;

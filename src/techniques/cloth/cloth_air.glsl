@@ -45,7 +45,7 @@ vec3 wind_at(vec3 place, float time_s)
     if ((variant & cloth_bit_gusts) == 0u) {
         return wind;
     }
-    vec3 blown = place + run.origin_m - time_s * wind;
+    vec3 blown = place + run.origin_m - time_s * wind - run.ahead_m;
     float speed_m_s = length(wind);
     float gust = noise_and_slope(vec3(blown.xz / run.gust_m, 0.2 * time_s), 17u).w;
     vec3 in_eddies = blown / run.eddy_m + vec3(0.0, 0.35 * time_s, 0.0);

@@ -42,6 +42,31 @@ TEST(ClothSolids, HeightsAreLainOnAndNotPassedThrough)
     EXPECT_GE(lying, state.places_m.size() / 4);
 }
 
+/// A ball passes a hanging sheet, and others are elsewhere.
+TEST(ClothSolids, WhatIsOutOfReachChangesNothing)
+{
+    const auto places_with = [](std::vector<SheetReach> reach, float other_x_m) {
+        Sheet sheet = lying_square(16, 1.0F);
+        sheet.held.assign(sheet.rest_m.size(), 0.0F);
+        sheet.held.front() = 1.0F;
+        Lab lab(sheet);
+        lab.cloths().set_reach(std::move(reach));
+        State state;
+        for (int i = 0; i < 20; ++i) {
+            const float x_m = -1.5F + 0.15F * static_cast<float>(i);
+            lab.cloths().set_solids(test::shared_device(),
+                                    std::array{ball({30.0F, 0.0F, 0.0F}, 2.0F), ball({x_m, 0.4F, 0.0F}, 0.3F),
+                                               ball({other_x_m, 0.6F, 0.1F}, 0.2F)});
+            state = lab.run(0.05);
+        }
+        return state.places_m;
+    };
+    const std::vector<SheetReach> about{{{-2.0F, -2.0F, -2.0F}, {2.0F, 3.0F, 2.0F}}};
+    const auto all = places_with({}, 0.3F);
+    EXPECT_TRUE(places_with(about, 0.3F) == all);
+    EXPECT_FALSE(places_with({{{8.0F, 8.0F, 8.0F}, {9.0F, 9.0F, 9.0F}}}, 0.3F) == all) << "the balls count";
+}
+
 /// A ring about y.
 double to_ring_m(const glm::dvec3& place)
 {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace estampe::cloth {
 
@@ -27,6 +29,35 @@ Sheet grid_sheet(glm::uvec2 particles, glm::vec3 corner_m, glm::vec3 along_m, gl
         }
     }
     return sheet;
+}
+
+bool hangs(const Sheet& sheet)
+{
+    std::vector<uint32_t> parent(sheet.rest_m.size());
+    std::iota(parent.begin(), parent.end(), 0U);
+    const auto root = [&](uint32_t particle) {
+        while (parent[particle] != particle) {
+            particle = parent[particle] = parent[parent[particle]];
+        }
+        return particle;
+    };
+    for (const glm::uvec3& triangle : sheet.triangles) {
+        parent[root(triangle.y)] = root(triangle.x);
+        parent[root(triangle.z)] = root(triangle.x);
+    }
+    for (const Thread& thread : sheet.threads) {
+        parent[root(thread.to)] = root(thread.from);
+    }
+    std::vector<bool> is_held(parent.size(), false);
+    for (uint32_t i = 0; i < sheet.held.size(); ++i) {
+        is_held[root(i)] = is_held[root(i)] || sheet.held[i] >= 1.0F;
+    }
+    for (uint32_t i = 0; i < parent.size(); ++i) {
+        if (!is_held[root(i)]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 std::optional<GridForm> grid_form(const Sheet& sheet)

@@ -17,6 +17,24 @@ Sheet square(uint32_t particles)
     return grid_sheet(glm::uvec2(particles), {0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, -1.0F, 0.0F});
 }
 
+TEST(ClothStructure, HangsWhereEveryPieceIsHeld)
+{
+    Sheet sheet = square(4);
+    EXPECT_FALSE(hangs(sheet));
+    sheet.held.assign(sheet.rest_m.size(), 0.0F);
+    sheet.held[3] = 0.9F;
+    EXPECT_FALSE(hangs(sheet)) << "gives way";
+    sheet.held[3] = 1.0F;
+    EXPECT_TRUE(hangs(sheet));
+    const auto first = static_cast<uint32_t>(sheet.rest_m.size());
+    sheet.rest_m.insert(sheet.rest_m.end(), {{5.0F, 0.0F, 0.0F}, {6.0F, 0.0F, 0.0F}, {5.0F, 1.0F, 0.0F}});
+    sheet.triangles.emplace_back(first, first + 1, first + 2);
+    sheet.held.resize(sheet.rest_m.size(), 0.0F);
+    EXPECT_FALSE(hangs(sheet)) << "a scrap of its own";
+    sheet.threads.push_back({.from = 3, .to = first});
+    EXPECT_TRUE(hangs(sheet));
+}
+
 TEST(ClothStructure, GridsAreFoundOut)
 {
     Sheet sheet = grid_sheet({7, 5}, {1.0F, 2.0F, 3.0F}, {0.0F, 0.0F, 3.0F}, {2.0F, 0.0F, 0.0F});

@@ -222,7 +222,7 @@ uint32_t Fluid::most_steps(const FluidStyle& style) const
     const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);
     const uint32_t diffusion =
         style.viscosity_m2_s > 0.0F ? diffusion_stages(grid_, reflects ? 0.5F * share : share) : 0;
-    const uint32_t part = passes_of(style.velocity_advection) + 3 + diffusion +
+    const uint32_t part = passes_of(style.velocity_advection) + 4 + diffusion +
                           passes_of_projection(grid_, trusted(style.projection), are_solid());
     const uint32_t step =
         (reflects ? 2 : 1) * part + 2 + (channels_ > 0 ? 1 + passes_of(style.quantity_advection) : 0);

@@ -172,11 +172,17 @@ vec3 kept_inside(vec3 way, ivec3 cell, vec3 at)
     return is_volume() ? way : vec3(way.xy, 0.0);
 }
 
-// The way that what starts `at` goes, by the midpoint rule, when `here` is the velocity there.
+// Velocity half-way along the way, in a first guess, of what starts `at`, when `here` is that there.
+vec3 velocity_half_way(sampler2DArray velocity, vec3 here, ivec3 cell, vec3 at, float cells_per_speed)
+{
+    return velocity_at(velocity, cell, at + kept_inside(0.5 * cells_per_speed * here, cell, at));
+}
+
+// The way that what starts `at` goes, by the midpoint rule.
 vec3 way_along(sampler2DArray velocity, vec3 here, ivec3 cell, vec3 at, float cells_per_speed)
 {
-    vec3 half_way = kept_inside(0.5 * cells_per_speed * here, cell, at);
-    return kept_inside(cells_per_speed * velocity_at(velocity, cell, at + half_way), cell, at);
+    vec3 half_way = velocity_half_way(velocity, here, cell, at, cells_per_speed);
+    return kept_inside(cells_per_speed * half_way, cell, at);
 }
 
 // Where in its cell a component is kept; in two dimensions z does not count.
@@ -189,6 +195,36 @@ vec3 place_of_node(int component)
     return at;
 }
 
+// Whether a node of `component` lies on a wall, where nothing flows through.
+bool is_on_wall(int component, ivec3 cell)
+{
+    return component < 3 && !is_periodic(component) && cell[component] == 0;
+}
+
+// Velocity where `component` is kept: that one as it stands, of the others the mean of those about. It is
+// what velocity_at() is there, by fewer look-ups.
+vec3 velocity_at_node(sampler2DArray velocity, int component, ivec3 cell)
+{
+    vec3 speed = vec3(0.0);
+    for (int axis = 0; axis < fluid_dimensions(); ++axis) {
+        int first_layer = axis * int(grid.depth);
+        if (axis == component) {
+            float own = texelFetch(velocity, ivec3(cell.xy, first_layer + cell.z), 0).x;
+            speed[axis] = is_on_wall(axis, cell) ? 0.0 : own;
+        } else {
+            vec3 offset = place_of_node(component) - place_of_node(axis);
+            if (offset.z == 0.0) {
+                ivec2 whole = ivec2(floor(offset.xy));
+                speed[axis] = blend(plane_nodes(velocity, axis, cell.xy + whole, first_layer + cell.z),
+                                    offset.xy - vec2(whole));
+            } else {
+                speed[axis] = sample_linear(velocity, axis, cell, first_layer, offset);
+            }
+        }
+    }
+    return speed;
+}
+
 // How close a place, in cells, is to a face of an open box, but for the low one of y: 1 at the face, 0 from
 // `rim_cells` on.
 float closeness_to_rim(vec3 place, float rim_cells)
@@ -198,12 +234,6 @@ float closeness_to_rim(vec3 place, float rim_cells)
     inside.y = size.y - place.y;
     float nearest = is_volume() ? min(inside.x, min(inside.y, inside.z)) : min(inside.x, inside.y);
     return rim_cells > 0.0 ? clamp(1.0 - nearest / rim_cells, 0.0, 1.0) : 0.0;
-}
-
-// Whether a node of `component` lies on a wall, where nothing flows through.
-bool is_on_wall(int component, ivec3 cell)
-{
-    return component < 3 && !is_periodic(component) && cell[component] == 0;
 }
 
 #endif

@@ -76,10 +76,16 @@ struct Plan {
     uint32_t variant = 0;   ///< of the passes; that of the first step has `first_variant` besides
     uint32_t first_variant = 0;
     std::vector<uint32_t> mask; ///< one a draw: whether it gives ink; empty: all do
+    /// A stream function besides, at the nodes of a flow map: square millimetres a second. Empty: none.
+    std::vector<float> stream;
 };
 
 [[nodiscard]] Plan plan_of(const InkStyle& style, const Page& page, const Time& time, const View& view,
                            const std::vector<shared::InkZone>& zones);
+
+/// Lets the flow of a stream function of `shared::ink_map_side` nodes each way over the page, square
+/// millimetres a second, carry the ink of a plan besides. Around the eye there is none.
+void add_stream(Plan& plan, std::vector<float> stream);
 
 /// What the ink is in from picture to picture.
 class Memory {
@@ -126,6 +132,8 @@ private:
     gpu::Buffer globals_;
     gpu::Buffer mask_;
     gpu::Buffer map_;
+    std::vector<float> map_stream_; ///< of the picture of flow
+    bool holds_picture_ = false;    ///< the map is that alone
     std::string map_file_;
     glm::vec2 map_page_mm_{0.0F};
     uint32_t newest_ = 0;

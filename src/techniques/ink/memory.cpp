@@ -53,12 +53,23 @@ void Memory::provide(gpu::Device& device, const InkStyle& style, const Plan& pla
     globals_ = mapped_buffer(device, "ink", std::span(&plan.globals, 1));
     mask_ = mapped_buffer(device, "ink mask", std::span<const uint32_t>(plan.mask));
     const bool has_map = (plan.variant & shared::ink_has_map) != 0;
-    if (map_.empty() || (has_map && (map_file_ != style.flow_map || map_page_mm_ != plan.globals.page_mm))) {
-        const std::vector<float> stream =
-            has_map ? stream_of_flow(read_flow(style.flow_map), plan.globals.page_mm) : std::vector<float>(4);
-        map_ = gpu::upload_buffer(device, "ink flow map", stream);
-        map_file_ = has_map ? style.flow_map : std::string();
+    const bool has_picture = has_map && !style.flow_map.empty();
+    if (has_picture && (map_file_ != style.flow_map || map_page_mm_ != plan.globals.page_mm)) {
+        map_stream_ = stream_of_flow(read_flow(style.flow_map), plan.globals.page_mm);
+        map_file_ = style.flow_map;
         map_page_mm_ = plan.globals.page_mm;
+        holds_picture_ = false;
+    }
+    if (!plan.stream.empty()) {
+        std::vector<float> stream = plan.stream;
+        for (size_t i = 0; has_picture && i < stream.size(); ++i) {
+            stream[i] += style.flow_mm_s * map_stream_[i];
+        }
+        map_ = gpu::upload_buffer(device, "ink flow map", stream);
+        holds_picture_ = false;
+    } else if (map_.empty() || (has_picture && !holds_picture_)) {
+        map_ = gpu::upload_buffer(device, "ink flow map", has_picture ? map_stream_ : std::vector<float>(4));
+        holds_picture_ = has_picture;
     }
 }
 

@@ -161,7 +161,9 @@ Plan plan_of(const InkStyle& style, const Page& page, const Time& time, const Vi
     Plan plan{.grid = grid_of(style, page), .time = time};
     const bool is_around = plan.grid.face_side > 0;
     const std::vector<shared::InkZone> flat_zones = is_around ? std::vector<shared::InkZone>() : zones;
-    const Waves waves = is_around ? sphere_waves(style, 1.0F / page.rad_per_mm) : page_waves(style);
+    InkStyle swirling = style;
+    swirling.swirl_mm_s *= 1.0F - style.solved;
+    const Waves waves = is_around ? sphere_waves(style, 1.0F / page.rad_per_mm) : page_waves(swirling);
     plan.globals = globals_of(style, page, plan.grid, view, flat_zones);
     set_flow(plan.globals, style, page, view, waves);
     const double lives = time.to_s / static_cast<double>(style.spot_s);
@@ -183,6 +185,27 @@ Plan plan_of(const InkStyle& style, const Page& page, const Time& time, const Vi
         plan.steps.back().sum_now = (count - 1 - i) % every == 0 ? 0 : unmeasured;
     }
     return plan;
+}
+
+void add_stream(Plan& plan, std::vector<float> stream)
+{
+    if (plan.grid.face_side > 0) {
+        return;
+    }
+    constexpr uint32_t side = shared::ink_map_side;
+    const auto nearest = [&](glm::vec2 place_mm) {
+        const glm::vec2 node = glm::round(place_mm / plan.globals.page_mm * static_cast<float>(side - 1));
+        const glm::uvec2 at(glm::clamp(node, 0.0F, static_cast<float>(side - 1)));
+        return stream.at(at.y * side + at.x);
+    };
+    for (shared::InkStep& step : plan.steps) {
+        for (uint32_t i = 0; i < plan.globals.zone_count; ++i) {
+            step.zone_streams[i] += nearest(plan.globals.zones[i].middle_mm);
+        }
+    }
+    plan.variant |= shared::ink_has_map;
+    plan.globals.map_mm_s = 1.0F;
+    plan.stream = std::move(stream);
 }
 
 } // namespace estampe::ink

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/tiles.glsl"
 #include "techniques/lens/lens.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -28,18 +29,18 @@ void main()
     if (any(greaterThanEqual(tile, count))) {
         return;
     }
-    int reach = int(ceil(max(constants.most_px, 1.0) / float(lens_tile_px)));
-    int side = 2 * reach + 1;
+    int reach = tiles_to_each_side(constants.most_px, lens_tile_px);
+    int tiles = (2 * reach + 1) * (2 * reach + 1);
     float near = 0.0;
     float beside = 0.0;
-    for (int i = 0; i < side * side; ++i) {
-        ivec2 aside = ivec2(i % side, i / side) - reach;
-        vec2 largest = texelFetch(tile_image, clamp(tile + aside, ivec2(0), count - 1), 0).xy;
-        float there = largest.x;
+    int i = 0;
+    do {
+        TileAbout about = tile_about(tile, reach, i, count);
+        vec2 largest = texelFetch(tile_image, about.tile, 0).xy;
         // What is sharp looks for what is blurred beside it, and the other way round.
-        beside = max(abs(aside.x), abs(aside.y)) <= 1 ? max(beside, largest.y) : beside;
-        int tiles_between = max(max(abs(aside.x), abs(aside.y)) - 1, 0);
-        near = there >= float(tiles_between * int(lens_tile_px)) ? max(near, there) : near;
-    }
+        beside = all(lessThanEqual(about.away, ivec2(1))) ? max(beside, largest.y) : beside;
+        int between_px = max(about.between.x, about.between.y) * int(lens_tile_px);
+        near = largest.x >= float(between_px) ? max(near, largest.x) : near;
+    } while (++i < tiles);
     imageStore(out_reach, tile, vec4(near, beside, 0.0, 0.0));
 }

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/tiles.glsl"
 #include "techniques/lens/lens.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -29,7 +30,7 @@ void main()
     const int side = int(lens_tile_px) / 2;
     vec2 largest = vec2(0.0);
     for (int i = 0; i < side * side; ++i) {
-        uint rest = texelFetch(level_image, side * tile + ivec2(i % side, i / side), 0).w;
+        uint rest = texelFetch(level_image, pixel_of_tile(tile, side, i), 0).w;
         vec2 radius_and_part = unpackHalf2x16(rest);
         float radius = radius_and_part.y > 0.0 ? radius_and_part.x : 0.0;
         largest = max(largest, vec2(-radius, abs(radius)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 #include "core/luminance.hpp"
@@ -112,11 +113,11 @@ float arriving(const std::vector<shared::LightRecord>& records, const glm::vec3&
 float key_light(const std::vector<shared::LightRecord>& records, const Scene& scene, const ScenePose& pose,
                 const glm::dvec3& anchor)
 {
+    constexpr size_t about_a_primitive = 64;
     std::vector<float> levels;
-    visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
-        const size_t stride = std::max<size_t>(1, posed.positions.size() / 64);
-        for (size_t i = 0; i < posed.positions.size(); i += stride) {
-            levels.push_back(arriving(records, glm::vec3(posed.positions[i] - anchor)));
+    visit_posed_samples(scene, pose, about_a_primitive, [&](const PosedPrimitive& posed) {
+        for (const glm::dvec3& position : posed.positions) {
+            levels.push_back(arriving(records, glm::vec3(position - anchor)));
         }
     });
     if (levels.empty()) {
@@ -125,6 +126,22 @@ float key_light(const std::vector<shared::LightRecord>& records, const Scene& sc
     const auto key = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() * 4 / 5);
     std::nth_element(levels.begin(), key, levels.end());
     return *key;
+}
+
+/// The same from memory where nothing has changed since.
+float remembered_key_light(const std::vector<shared::LightRecord>& records, const Scene& scene,
+                           const ScenePose& pose, const glm::dvec3& anchor, KeyLightMemory& memory)
+{
+    const auto is_same = [](const shared::LightRecord& a, const shared::LightRecord& b) {
+        // Other bits of one number are worked out once more, no harm.
+        return std::memcmp(&a, &b, sizeof a) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
+    };
+    if (!std::ranges::equal(records, memory.records, is_same) || anchor != memory.anchor ||
+        pose.world_from_node != memory.pose.world_from_node ||
+        pose.morph_weights != memory.pose.morph_weights) {
+        memory = {records, pose, anchor, key_light(records, scene, pose, anchor)};
+    }
+    return memory.key;
 }
 
 /// What light a white sheet shows as one: luminance 1.2 times 2^EV, of a surface that sends 1 / pi of the
@@ -179,15 +196,17 @@ shared::LightRecord parallel_light(const glm::dvec3& towards, float brightness)
 /// The style's sun, and a weak light from the other side of the viewer, low, so that shade has form.
 std::vector<shared::LightRecord> sun_and_fill(const LightStyle& style, const Outlook& outlook)
 {
-    const double azimuth_deg = style.sun_azimuth_deg;
-    const double elevation_deg = style.sun_elevation_deg;
+    SunPlace sun{style.sun_azimuth_deg, style.sun_elevation_deg};
+    if (style.turn_sun && outlook.wind_deg) {
+        sun = sun_over_ground(sun, *outlook.wind_deg);
+    }
     const auto towards = [&](double bearing_deg, double height_deg) {
         return style.turn_sun ? outlook.towards_sun(bearing_deg, height_deg)
                               : bearing(glm::radians(bearing_deg), glm::radians(height_deg));
     };
-    std::vector records{parallel_light(towards(azimuth_deg, elevation_deg), 1.0F)};
+    std::vector records{parallel_light(towards(sun.azimuth_deg, sun.elevation_deg), 1.0F)};
     if (style.fill > 0.0F) {
-        records.push_back(parallel_light(towards(azimuth_deg + 100.0, 20.0), style.fill));
+        records.push_back(parallel_light(towards(sun.azimuth_deg + 100.0, 20.0), style.fill));
         records.back().is_fill = 1;
     }
     return records;
@@ -263,7 +282,8 @@ void expose(Lighting& lighting, float exposure, const Bounds& bounds)
 } // namespace
 
 Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
-                       const glm::dvec3& anchor, const LightStyle& style, const Outlook& outlook)
+                       const glm::dvec3& anchor, const LightStyle& style, const Outlook& outlook,
+                       KeyLightMemory* memory)
 {
     Lighting lighting;
     std::vector<shared::LightRecord>& records = lighting.records;
@@ -279,7 +299,12 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
     } else if (is_unlit && style.source != LightSource::scene) {
         records = sun_and_fill(style, outlook);
     }
-    const float key = records.empty() || lighting.indoors ? 1.0F : key_light(records, scene, pose, anchor);
+    const bool is_manual = style.metering == Metering::manual && has_own;
+    float key = 1.0F;
+    if (!records.empty() && !lighting.indoors && !is_manual) {
+        key = memory != nullptr ? remembered_key_light(records, scene, pose, anchor, *memory)
+                                : key_light(records, scene, pose, anchor);
+    }
     const auto first_local =
         std::stable_partition(records.begin(), records.end(), [](const shared::LightRecord& record) {
             return record.type == shared::light_directional;
@@ -293,7 +318,6 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
                      });
     // Metering by the page adds its own stops later.
     const float stops = style.metering == Metering::page ? 0.0F : style.exposure_stops;
-    const bool is_manual = style.metering == Metering::manual && has_own;
     const float metered = is_manual ? manual_exposure(style.ev100) : key > 0.0F ? 1.0F / key : 1.0F;
     lighting.exposure = metered * std::exp2(stops);
     expose(lighting, lighting.exposure, bounds);

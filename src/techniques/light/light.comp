@@ -74,8 +74,11 @@ layout(scalar, binding = 16) readonly buffer LocalShadows
 layout(binding = 17) uniform samplerBuffer local_maps;
 layout(binding = 18) uniform sampler2D lightmap_image;        // irradiance / pi, and whether it is known
 layout(binding = 19, r32f) writeonly uniform image2D out_sun; // see LitPixels
-layout(binding = 20) uniform sampler2D ground_share_image;    // of the sun, that a terrain leaves
+layout(binding = 20) uniform sampler2D sun_share_image;       // that terrain, smoke and clouds leave
 layout(binding = 21) uniform sampler2D occlusion_image;       // share of light from everywhere that arrives
+
+layout(binding = 22) uniform sampler2D thrown_image; // of ambient light, by what keeps it off
+layout(binding = 23) uniform sampler2D points_image; // places to light, where they lie anywhere
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -101,9 +104,11 @@ const bool has_sun_warp = (variant & light_has_sun_warp) != 0u;
 const bool has_soft_lamps = (variant & light_has_soft_lamps) != 0u;
 const bool keeps_sun = (variant & light_keeps_sun) != 0u;
 const bool has_local_shadows = (variant & light_has_local_shadows) != 0u;
-const bool has_ground_shadow = (variant & light_has_ground_shadow) != 0u;
+const bool has_sun_share = (variant & light_has_sun_share) != 0u;
 const bool occludes_ambient = (variant & light_occludes_ambient) != 0u;
 const bool occludes_all = (variant & light_occludes_all) != 0u;
+const bool has_thrown = (variant & light_has_thrown) != 0u;
+const bool has_points = (variant & light_has_points) != 0u;
 
 const float most_light = 65504.0; // that half floats hold
 const uint lights_per_round = 256u;
@@ -221,6 +226,9 @@ void main()
     uint word = on_page ? texelFetch(draw_image, pixel, 0).x : 0u;
     float depth = sees_draw(word) ? texelFetch(depth_image, pixel, 0).x : 0.0;
     vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9));
+    if (has_points) {
+        point = texelFetch(points_image, min(pixel, ivec2(frame.size_px) - 1), 0).xyz;
+    }
     uvec4 normals = texelFetch(normal_image, min(pixel, ivec2(frame.size_px) - 1), 0);
     vec3 normal = unpack_normal(normals.x);
     vec3 smooth_normal = unpack_normal(normals.y);
@@ -239,6 +247,10 @@ void main()
         open = texelFetch(occlusion_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
     }
     vec3 light = mix(lighting.ground_ambient, lighting.sky_ambient, 0.5 + 0.5 * normal.y);
+    vec3 thrown = vec3(0.0);
+    if (has_thrown) {
+        thrown = light * texelFetch(thrown_image, min(pixel, ivec2(frame.size_px) - 1), 0).rgb;
+    }
     if (occludes_ambient) {
         light *= open;
     }
@@ -252,8 +264,8 @@ void main()
         edge = edge_at(pixel, word, max(depth, 1e-9), point, smooth_normal);
     }
     float sun_visible = has_shadow ? sun_share(point, smooth_normal, light_at(0u).direction, edge) : 1.0;
-    if (has_ground_shadow) {
-        sun_visible *= texelFetch(ground_share_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
+    if (has_sun_share) {
+        sun_visible *= texelFetch(sun_share_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
     }
     sun_visible = takes_shadow ? sun_visible : 1.0;
     // Of what is not seen there is no light to sum; nor does lavapipe then compile a shader for each count.
@@ -289,6 +301,7 @@ void main()
     if (occludes_all) {
         light *= open;
     }
+    light += thrown;
     if (has_emissive && (word & DRAW_EMISSIVE) != 0u) {
         light += emissive_of(draw_at(draw_of(word)).material);
     }

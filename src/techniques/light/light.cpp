@@ -23,7 +23,7 @@ struct Lists {
 Lists add_lists(gpu::Graph& graph, const LightInputs& in)
 {
     Lists lists{.words = in.lights};
-    if (in.local_count <= list_from || in.looks_at_all) {
+    if (in.local_count <= list_from || in.looks_at_all || in.points) {
         return lists;
     }
     const auto tiles_across = [&](uint32_t length_px) {
@@ -53,13 +53,14 @@ uint32_t light_variant(const LightInputs& in, const Lists& lists)
            (in.has_links ? shared::light_has_links : 0U) | (lists.made ? shared::light_has_lists : 0U) |
            (in.counts_visits ? shared::light_counts_visits : 0U) |
            (in.keeps_strongest ? shared::light_keeps_strongest : 0U) |
-           (in.looks_at_all ? shared::light_looks_at_all : 0U) |
+           (in.looks_at_all || in.points ? shared::light_looks_at_all : 0U) |
            (in.has_local_shadows ? shared::light_has_local_shadows : 0U) |
-           (in.ground_share ? shared::light_has_ground_shadow : 0U) |
+           (in.sun_share ? shared::light_has_sun_share : 0U) |
            (in.lightmap ? shared::light_has_lightmap : 0U) |
            (!in.occlusion     ? 0U
             : in.occludes_all ? shared::light_occludes_all
                               : shared::light_occludes_ambient) |
+           (in.thrown ? shared::light_has_thrown : 0U) | (in.points ? shared::light_has_points : 0U) |
            (in.keeps_sun ? shared::light_keeps_sun : 0U);
 }
 
@@ -103,7 +104,8 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
     const glm::uvec2 sun_px = in.keeps_sun ? in.size_px : glm::uvec2(1);
     const gpu::ImageId sun = pass.write(
         graph.image("light/sun", {.width = sun_px.x, .height = sun_px.y, .format = gpu::Format::r32f}));
-    pass.sample(in.ground_share.value_or(in.depth)).sample(in.occlusion.value_or(in.depth));
+    pass.sample(in.sun_share.value_or(in.depth)).sample(in.occlusion.value_or(in.depth));
+    pass.sample(in.thrown.value_or(in.depth)).sample(in.points.value_or(in.depth));
     pass.variant(light_variant(in, lists));
     pass.push(lists.tiles);
     pass.dispatch_over(in.size_px.x, in.size_px.y);

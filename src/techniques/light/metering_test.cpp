@@ -90,5 +90,31 @@ TEST(ManualMetering, OfASceneWithoutLightsChangesNothing)
     EXPECT_EQ(manual.records[0].color, plain.records[0].color);
 }
 
+TEST(MeteringByLights, RemembersWhatStandsAndLooksAnewAtWhatMoved)
+{
+    Scene scene = lit_by({.type = LightType::point, .intensity = 800.0F});
+    const Bounds bounds = scene_bounds(scene, pose_scene(scene, 0.0));
+    KeyLightMemory memory;
+    const auto expect_same = [&](const glm::dvec3& anchor) {
+        const ScenePose pose = pose_scene(scene, 0.0);
+        const float remembered = gather_lights(scene, pose, bounds, anchor, {}, {}, &memory).exposure;
+        EXPECT_EQ(remembered, gather_lights(scene, pose, bounds, anchor, {}).exposure);
+        return remembered;
+    };
+    const float first = expect_same(bounds.center());
+    EXPECT_EQ(first, expect_same(bounds.center()));
+    memory.key *= 2.0F; // what is in memory is taken
+    EXPECT_EQ(gather_lights(scene, pose_scene(scene, 0.0), bounds, bounds.center(), {}, {}, &memory).exposure,
+              0.5F * first);
+    scene.lights[0].intensity = 400.0F;
+    EXPECT_NE(first, expect_same(bounds.center()));
+    scene.nodes.back().transform.translation.y = 3.0;
+    const float higher = expect_same(bounds.center());
+    scene.nodes.front().transform.translation.x = 1.5;
+    const float aside = expect_same(bounds.center());
+    EXPECT_NE(higher, aside);
+    expect_same(bounds.center() + glm::dvec3(0.0, 100.0, 0.0));
+}
+
 } // namespace
 } // namespace estampe::light

@@ -31,7 +31,7 @@ const bool shows_velocity = (variant & blur_shows_velocity) != 0u;
 #include "shaders/layers.glsl"
 #include "shaders/veil.glsl"
 
-const int most_taps = 32; // along each of two ways
+const int most_taps = 24; // along each of two ways
 
 float length_of(vec2 way)
 {
@@ -44,10 +44,10 @@ float time_share(float length_px, float away_px)
     return clamp(length_px + 0.5 - away_px, 0.0, 1.0) / (2.0 * max(length_px, 0.5));
 }
 
-// How surely of two depths the first is before the second.
+// How surely of two depths the first is before the second; nothing that is infinitely far is before anything.
 float is_before(float depth, float other)
 {
-    return smoothstep(0.02, 0.06, 1.0 - other / max(depth, 1e-12));
+    return other < depth ? smoothstep(0.02, 0.06, 1.0 - other / depth) : 0.0;
 }
 
 struct Passing {
@@ -64,7 +64,9 @@ void pass_along(ivec2 pixel, vec2 way, vec2 own_way, float own_depth, inout Pass
     int taps = reach_px > 0.0 ? min(int(ceil(2.0 * reach_px + 1.0)), most_taps) : 0;
     vec2 forward = way / max(reach_px, 1e-6);
     float step_px = (2.0 * reach_px + 1.0) / float(max(taps, 1));
-    for (int i = 0; i < taps; ++i) {
+    // The condition stands behind: where there is no way one tap counts for nothing.
+    int i = 0;
+    do {
         float along_px = (float(i) + 0.5) * step_px - reach_px - 0.5;
         vec2 place = vec2(pixel) + along_px * forward;
         ivec2 at = ivec2(floor(place + 0.5));
@@ -77,7 +79,7 @@ void pass_along(ivec2 pixel, vec2 way, vec2 own_way, float own_depth, inout Pass
         float away_px = abs(along_px);
         float before = is_before(depth, own_depth);
         float behind = is_before(own_depth, depth);
-        float weight = is_there ? step_px : 0.0;
+        float weight = is_there && taps > 0 ? step_px : 0.0;
         // Only what goes this way comes from there.
         float same_way = abs(dot(tap_way, forward)) / max(tap_px, 1e-6);
         float moved = tap_px > 0.0 ? same_way * same_way * time_share(tap_px, away_px) * weight : 0.0;
@@ -91,7 +93,8 @@ void pass_along(ivec2 pixel, vec2 way, vec2 own_way, float own_depth, inout Pass
         float there = (1.0 - before - behind) * moved + behind * uncovered;
         passing.there = sum_of(passing.there, scaled(veil, there));
         passing.there_time += there;
-    }
+        ++i;
+    } while (i < taps);
 }
 
 void main()

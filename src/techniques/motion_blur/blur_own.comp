@@ -44,7 +44,8 @@ void main()
     vec2 place = vec2(pixel);
     vec2 way = own_way;
     int count = is_moving ? 2 * steps : 0;
-    for (int i = 0; i < count; ++i) {
+    int i = 0;
+    do {
         bool turns = i == steps;
         place = turns ? vec2(pixel) : place;
         way = turns ? own_way : way;
@@ -53,7 +54,8 @@ void main()
         uvec4 texel = texelFetch(page_image, at, 0);
         sum = sum_of(sum, unpack_veil(texel));
         way = unpackHalf2x16(texel.w);
-    }
+        ++i;
+    } while (i < count);
     vec4 wash = layers.wash;
     float hatch;
     vec4 lines;

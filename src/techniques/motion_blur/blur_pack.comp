@@ -14,8 +14,9 @@ layout(binding = 2) uniform sampler2D wash_image;
 layout(binding = 3) uniform sampler2D hatch_image;
 layout(binding = 4) uniform sampler2D line_image;
 layout(binding = 5) uniform sampler2D sky_ink_image;
-layout(binding = 6, rgba32ui) writeonly uniform uimage2D out_texel;
-layout(binding = 7, r32f) writeonly uniform image2D out_depth; // of what a line belongs to
+layout(binding = 6) uniform sampler2D own_motion_image; // where shapes are drawn out: as they are
+layout(binding = 7, rgba32ui) writeonly uniform uimage2D out_texel;
+layout(binding = 8, r32f) writeonly uniform image2D out_depth; // of what a line belongs to
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -24,14 +25,14 @@ layout(push_constant, scalar) uniform Constants
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_sky = (variant & blur_has_sky) != 0u;
+const bool is_stretched = (variant & blur_is_stretched) != 0u;
 
 #include "shaders/layers.glsl"
 #include "shaders/line_owner.glsl"
 #include "shaders/veil.glsl"
 
-vec2 half_way(ivec2 pixel)
+vec2 half_way(vec4 motion)
 {
-    vec4 motion = texelFetch(motion_image, pixel, 0);
     vec2 way = motion.w > 0.0 ? constants.scale * motion.xy : vec2(0.0);
     float length_px = sqrt(dot(way, way));
     way *= min(constants.most_px / max(length_px, 1e-6), 1.0);
@@ -46,8 +47,12 @@ void main()
     }
     Layers layers = layers_at(pixel);
     ivec2 owner = owner_of(pixel, layers.lines.a, constants.line_reach_px, ivec2(constants.size_px) - 1);
-    imageStore(
-        out_texel, pixel,
-        pack_veil(veil_of(layers.wash.rgb, layers.hatch, layers.lines), packHalf2x16(half_way(owner))));
+    vec2 way = half_way(texelFetch(motion_image, owner, 0));
+    if (is_stretched && way == vec2(0.0)) {
+        // What has gone from its place to be drawn out elsewhere is not left there sharp.
+        way = half_way(texelFetch(own_motion_image, owner, 0));
+    }
+    imageStore(out_texel, pixel,
+               pack_veil(veil_of(layers.wash.rgb, layers.hatch, layers.lines), packHalf2x16(way)));
     imageStore(out_depth, pixel, texelFetch(depth_image, owner, 0));
 }

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/tiles.glsl"
 #include "techniques/motion_blur/motion_blur.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -23,16 +24,16 @@ void main()
     if (any(greaterThanEqual(tile, count))) {
         return;
     }
-    int reach = int(ceil(constants.most_px / float(blur_tile_px)));
-    int side = 2 * reach + 1;
+    int reach = tiles_to_each_side(constants.most_px, blur_tile_px);
+    int tiles = (2 * reach + 1) * (2 * reach + 1);
     vec2 longest = texelFetch(tile_image, tile, 0).xy;
-    for (int i = 0; i < side * side; ++i) {
-        ivec2 aside = ivec2(i % side, i / side) - reach;
-        vec2 way = texelFetch(tile_image, clamp(tile + aside, ivec2(0), count - 1), 0).xy;
+    int i = 0;
+    do {
+        TileAbout about = tile_about(tile, reach, i, count);
+        vec2 way = texelFetch(tile_image, about.tile, 0).xy;
         // Along each axis it has to cross what lies between the two tiles.
-        vec2 gap_px = vec2(max(abs(aside) - 1, ivec2(0)) * int(blur_tile_px));
-        bool gets_here = all(greaterThanEqual(abs(way), gap_px));
+        bool gets_here = all(greaterThanEqual(abs(way), vec2(about.between * int(blur_tile_px))));
         longest = gets_here && dot(way, way) > dot(longest, longest) ? way : longest;
-    }
+    } while (++i < tiles);
     imageStore(out_reach, tile, vec4(longest, 0.0, 0.0));
 }

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "shaders/tiles.glsl"
 #include "techniques/motion_blur/motion_blur.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -26,7 +27,7 @@ void main()
     }
     vec2 longest = vec2(0.0);
     for (int i = 0; i < side * side; ++i) {
-        ivec2 pixel = min(side * tile + ivec2(i % side, i / side), last);
+        ivec2 pixel = min(pixel_of_tile(tile, side, i), last);
         vec2 way = unpackHalf2x16(texelFetch(page_image, pixel, 0).w);
         longest = dot(way, way) > dot(longest, longest) ? way : longest;
     }

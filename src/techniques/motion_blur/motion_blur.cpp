@@ -34,6 +34,7 @@ Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
     auto pass = graph.compute("motion blur/pack", shaders::blur_pack_comp);
     pass.sample(in.depth).sample(in.motion).sample(in.wash).sample(in.hatch).sample(in.lines).sample(
         in.sky_ink);
+    pass.sample(in.own_motion);
     const Packed packed{
         .page = pass.write(
             graph.image("motion blur/page",
@@ -41,7 +42,8 @@ Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
         .depth = pass.write(
             graph.image("motion blur/depth",
                         {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32f}))};
-    pass.variant(variant).push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    pass.variant(variant | (in.own_motion == in.motion ? 0U : shared::blur_is_stretched));
+    pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
     return packed;
 }
 
@@ -130,7 +132,7 @@ MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in, 
     const uint32_t variant = in.has_sky ? shared::blur_has_sky : 0U;
     const Packed packed = add_pack(graph, in, variant, constants);
     MotionBlurLayers layers{.wash = in.wash, .hatch = in.hatch, .lines = in.lines, .holds_sky = false};
-    if (style.mode == Mode::own) {
+    if (style.mode == Mode::own || style.mode == Mode::stretched) {
         auto pass = graph.compute("motion blur", shaders::blur_own_comp);
         pass.sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink).sample(packed.page);
         layers = write_layers(graph, pass, in.size_px);

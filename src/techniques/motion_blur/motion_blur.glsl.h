@@ -11,6 +11,7 @@ namespace estampe::shared {
 // Variant bits of the shaders of motion blur.
 SHARED_CONSTANT uint blur_has_sky = 1U << 0U; // strokes of the sky stand where nothing is seen
 SHARED_CONSTANT uint blur_shows_velocity = 1U << 1U;
+SHARED_CONSTANT uint blur_is_stretched = 1U << 2U; // shapes are drawn out along their way
 
 SHARED_CONSTANT uint blur_tile_px = 16U;
 SHARED_CONSTANT float blur_still_px = 0.25F; // who goes less far to either side of now stands still
@@ -30,7 +31,14 @@ struct MotionBlurConstants {
     vec3 line_ink; // linear
 };
 
+struct StretchConstants {
+    mat4 now_from_before; // from where something stood to where it would be seen alike now
+    float share;          // of its way by which a vertex is moved
+    uint vertex_count;
+};
+
 #ifdef __cplusplus
+static_assert(sizeof(StretchConstants) <= 128);
 } // namespace estampe::shared
 #endif
 

@@ -23,11 +23,13 @@ namespace estampe::motion_blur {
                                                        float pixels_per_mm, float line_half_px);
 
 struct MotionBlurInputs {
-    gpu::ImageId motion;  ///< rgba32f: pixels to the right and down, the depth before, 1 where known
-    gpu::ImageId depth;   ///< r32f: reversed, 0 where nothing is
-    gpu::ImageId wash;    ///< rgba16f
-    gpu::ImageId hatch;   ///< r16f
-    gpu::ImageId lines;   ///< rgba8
+    gpu::ImageId motion; ///< rgba32f: pixels to the right and down, the depth before, 1 where known
+    gpu::ImageId
+        own_motion;     ///< what of the page moves where nothing in `motion` does; the same unless stretched
+    gpu::ImageId depth; ///< r32f: reversed, 0 where nothing is
+    gpu::ImageId wash;  ///< rgba16f
+    gpu::ImageId hatch; ///< r16f
+    gpu::ImageId lines; ///< rgba8
     gpu::ImageId sky_ink; ///< r16f
     bool has_sky = false; ///< else there is no such ink
     glm::uvec2 size_px{0};

@@ -26,7 +26,12 @@ struct DiscConstants {
     uint level;     // in hand
     float radius_m; // occluders farther off count for nothing
     float apart;    // a node is looked at whole from where its ball seems this wide: radius over distance
+    float strength; // of pixels: what is open is raised to this
+    float bleeding; // of pixels: what is thrown is multiplied by this
 };
+
+// Of the variants: light is thrown back by what hides.
+SHARED_CONSTANT uint discs_throw = 1U;
 
 #ifdef __cplusplus
 static_assert(sizeof(Disc) == 32);

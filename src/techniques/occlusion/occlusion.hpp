@@ -3,6 +3,8 @@
 
 // How much of the light from everywhere reaches what is seen.
 
+#include <optional>
+
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
 #include "techniques/occlusion/occlusion_style.hpp"
@@ -17,6 +19,12 @@ struct OcclusionInputs {
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
     glm::uvec2 from_px{0}; ///< where on the page what is drawn begins
+};
+
+/// What was found for pixels.
+struct OpenPage {
+    gpu::ImageId open;                  ///< r16f: share of the light from everywhere
+    std::optional<gpu::ImageId> thrown; ///< rgba16f: what of it is thrown back by what hides
 };
 
 /// The style's radius, or what it is in a scene of this one.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How particles are born and fly.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -73,6 +74,7 @@ Particle fly(const ParticleStyle& style, const Emitter& emitter, uint32_t number
     Particle particle{.place = emitter.place,
                       .velocity = own,
                       .age = static_cast<float>(age_s / static_cast<double>(style.life_s)),
+                      .size = static_cast<float>(emitter.size),
                       .trait = static_cast<float>(trait(0)),
                       .trait_b = static_cast<float>(trait(1))};
     const auto steps = static_cast<int>(std::ceil(age_s / longest_step_s));
@@ -89,6 +91,28 @@ Particle fly(const ParticleStyle& style, const Emitter& emitter, uint32_t number
         particle.place += step_s * particle.velocity;
     }
     return particle;
+}
+
+/// Where an emitter stood so long ago: straight on between what is known, and at the oldest before that.
+Emitter stood(const Emitter& emitter, double ago_s)
+{
+    if (emitter.before.empty() || emitter.step_s <= 0.0) {
+        return {.place = emitter.place, .direction = emitter.direction, .size = emitter.size};
+    }
+    const auto at = [&](size_t i) -> const Emitter& {
+        return i == 0 ? emitter : emitter.before[std::min(i, emitter.before.size()) - 1];
+    };
+    const double steps = ago_s / emitter.step_s;
+    const auto whole = static_cast<size_t>(steps);
+    const Emitter& late = at(whole);
+    const Emitter& early = at(whole + 1);
+    const double part = steps - static_cast<double>(whole);
+    const glm::dvec3 direction = glm::mix(late.direction, early.direction, part);
+    const bool gives = late.direction != glm::dvec3(0.0) && early.direction != glm::dvec3(0.0) &&
+                       glm::length(direction) > 0.0;
+    return {.place = glm::mix(late.place, early.place, part),
+            .direction = gives ? glm::normalize(direction) : glm::dvec3(0.0),
+            .size = glm::mix(late.size, early.size, part)};
 }
 
 } // namespace
@@ -119,8 +143,12 @@ std::vector<Particle> particles_at(const ParticleStyle& style, std::span<const E
                 (static_cast<double>(i) + hashed(number, emitter, 9U, static_cast<uint32_t>(style.seed))) /
                 per_s;
             const double age_s = time_s - born;
-            if (age_s >= 0.0 && age_s < life_s) {
-                particles.push_back(fly(style, emitters[emitter], number, emitter, age_s));
+            if (age_s < 0.0 || age_s >= life_s) {
+                continue;
+            }
+            const Emitter then = stood(emitters[emitter], age_s);
+            if (then.direction != glm::dvec3(0.0)) {
+                particles.push_back(fly(style, then, number, emitter, age_s));
             }
         }
     }

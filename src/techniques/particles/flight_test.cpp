@@ -108,5 +108,33 @@ TEST(Particles, MoveSmoothlyAndAreTheSameWhateverWasAskedBefore)
     EXPECT_NE(before.front().place, alive({.per_s = 20.0F, .seed = 2}, 10.0).front().place);
 }
 
+TEST(Particles, StayBehindWhenTheirEmitterMoves)
+{
+    // It goes along x at 4 m/s and gives straight up.
+    constexpr double speed = 4.0;
+    constexpr double step_s = 0.15;
+    Emitter moving{.place = {12.0, 0.0, 0.0}, .step_s = step_s};
+    for (int i = 1; i <= 20; ++i) {
+        moving.before.push_back({.place = {12.0 - speed * step_s * i, 0.0, 0.0}});
+    }
+    const auto particles = particles_at(still_air(), std::span(&moving, 1), 5.0);
+    ASSERT_GT(particles.size(), 100U);
+    for (const Particle& particle : particles) {
+        const double age_s = 3.0 * static_cast<double>(particle.age);
+        EXPECT_NEAR(particle.place.x, 12.0 - speed * std::min(age_s, 3.0), 1e-5) << age_s;
+    }
+}
+
+TEST(Particles, AreBornOnlyWhereTheirEmitterGaveThenAndAsLargeAsItWas)
+{
+    Emitter emitter{.size = 3.0, .step_s = 1.0};
+    emitter.before = {{.size = 1.0}, {.direction = glm::dvec3(0.0)}, {.direction = glm::dvec3(0.0)}};
+    const auto particles = particles_at(still_air(), std::span(&emitter, 1), 5.0);
+    EXPECT_NEAR(static_cast<double>(particles.size()), 40.0, 2.0) << "of the last of three seconds";
+    for (const Particle& particle : particles) {
+        EXPECT_NEAR(particle.size, 3.0F - 2.0F * 3.0F * particle.age, 1e-3F);
+    }
+}
+
 } // namespace
 } // namespace estampe::particles

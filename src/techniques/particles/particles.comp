@@ -20,9 +20,10 @@ layout(binding = 2) uniform usamplerBuffer start_texels;
 layout(binding = 3) uniform usamplerBuffer listed_texels;
 layout(binding = 4) uniform samplerBuffer sheet_texels;
 layout(binding = 5) uniform sampler2D depth_image;
-layout(binding = 6, rgba16f) uniform image2D wash_image;
-layout(binding = 7, r16f) uniform image2D hatch_image;
-layout(binding = 8, rgba8) uniform image2D line_image;
+layout(binding = 6) uniform sampler2D sky_image; // what haze fades into
+layout(binding = 7, rgba16f) uniform image2D wash_image;
+layout(binding = 8, r16f) uniform image2D hatch_image;
+layout(binding = 9, rgba8) uniform image2D line_image;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -73,9 +74,10 @@ float density_at(vec2 uv, float trait, float shown)
 // What all sprites over a place add up to.
 struct Mass {
     float density;
-    float soft;  // the same, one over the other
-    float shade; // 0 to 1: on the lower side of the nearest
-    float fold;  // ink where one lies before others
+    float soft;   // the same, one over the other
+    float shade;  // 0 to 1: on the lower side of the nearest
+    float fold;   // ink where one lies before others
+    float away_m; // along the view, of what is seen of them on average
 };
 
 Mass mass_at(vec2 place, float surface_m)
@@ -84,7 +86,7 @@ Mass mass_at(vec2 place, float surface_m)
     uvec2 tile = min(uvec2(place), frame.page_px - 1u) / particle_tile_px;
     int index = int(tile.y * constants.tiles_across + tile.x);
     int last = int(texelFetch(start_texels, index + 1).x);
-    Mass mass = Mass(0.0, 0.0, 0.0, 0.0);
+    Mass mass = Mass(0.0, 0.0, 0.0, 0.0, 0.0);
     for (int i = int(texelFetch(start_texels, index).x); i < last; ++i) {
         int sprite = 3 * int(texelFetch(listed_texels, i).x);
         vec4 a = texelFetch(sprite_texels, sprite);
@@ -94,6 +96,7 @@ Mass mass_at(vec2 place, float surface_m)
         vec2 uv = vec2(dot(away, b.xy) / b.z, dot(away, vec2(-b.y, b.x)));
         float before = clamp((surface_m - a.w) / constants.soft_m, 0.0, 1.0);
         float density = density_at(uv, c.x, c.y) * b.w * before;
+        mass.away_m = mass.density > 0.0 ? mix(mass.away_m, a.w, min(density, 1.0)) : a.w;
         mass.density += density;
         mass.soft = mass.soft + min(density, 1.0) * (1.0 - mass.soft);
         // What a sheet shows has its own shape within.
@@ -121,6 +124,15 @@ float within_px(vec2 place, float density, float surface_m)
     return (density - 0.35) / max(length(slope), 1e-4);
 }
 
+// How often haze has halved what is seen of them.
+float halvings(ivec2 pixel, float away_m)
+{
+    vec3 way = frame.is_orthographic != 0u ? frame.view_forward
+                                           : -towards_eye(frame, anchor_at(frame, vec2(pixel) + 0.5, 1e-5));
+    float distance_m = away_m / max(dot(way, frame.view_forward), 1e-3);
+    return max(distance_m - constants.haze_start_m, 0.0) * constants.haze_halves_per_m;
+}
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -140,13 +152,16 @@ void main()
     float outline = constants.look == particles_drawn
                         ? max(clamp(constants.outline_px - inside_px + 0.5, 0.0, 1.0), mass.fold) * cover
                         : 0.0;
-    float ink = is_ink ? cover : outline;
+    float halved = halvings(pixel, mass.away_m);
+    float ink = (is_ink ? cover : outline) * exp2(-constants.haze_ink * halved);
     vec4 line = imageLoad(line_image, pixel);
     float hidden = is_ink ? 0.0 : cover;
     if (!is_ink) {
         vec4 wash = imageLoad(wash_image, pixel);
         const vec3 shaded = vec3(0.8, 0.83, 0.84);
         vec3 color = constants.color * mix(vec3(1.0), shaded, is_crisp ? mass.shade : 0.0);
+        vec3 sky = texelFetch(sky_image, min(pixel, textureSize(sky_image, 0) - 1), 0).rgb;
+        color = mix(sky, color, exp2(-halved));
         imageStore(wash_image, pixel, vec4(mix(wash.rgb, color, cover), max(wash.a, cover)));
         imageStore(hatch_image, pixel, imageLoad(hatch_image, pixel) * (1.0 - hidden));
     }

@@ -97,8 +97,8 @@ ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle
             continue;
         }
         const double pixel_m = static_cast<double>(view.pixel_m) * (view.is_parallel ? 1.0 : away_m);
-        const float width_m =
-            glm::mix(style.size_m, style.grown_m, std::sqrt(particle.age)) * (0.7F + 0.6F * particle.trait);
+        const float width_m = glm::mix(style.size_m, style.grown_m, std::sqrt(particle.age)) *
+                              (0.7F + 0.6F * particle.trait) * particle.size;
         const float radius = 0.5F * width_m / static_cast<float>(pixel_m);
         const glm::vec2 centre_px(centre);
         const glm::vec2 page(view.page_px);
@@ -136,7 +136,10 @@ ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle
                       .look = static_cast<uint32_t>(style.look),
                       .tiles_across = tiles.x,
                       .frames = view.sheet_frames,
-                      .sheet_px = view.sheet_px};
+                      .sheet_px = view.sheet_px,
+                      .haze_start_m = 0.0F,
+                      .haze_halves_per_m = 0.0F,
+                      .haze_ink = 0.0F};
     return plan;
 }
 
@@ -165,7 +168,7 @@ ParticleLayers add_particles(gpu::Graph& graph, const ParticleInputs& in,
     auto pass = graph.compute("particles", shaders::particles_comp);
     pass.uniform(in.frame).sample(in.sprites, gpu::Format::rgba32f);
     pass.sample(in.starts, gpu::Format::r32ui).sample(in.listed, gpu::Format::r32ui);
-    pass.sample(in.sheet, gpu::Format::r32f).sample(in.depth);
+    pass.sample(in.sheet, gpu::Format::r32f).sample(in.depth).sample(in.sky);
     const gpu::ImageId wash = pass.modify(layers.wash);
     const gpu::ImageId hatch = pass.modify(layers.hatch);
     const gpu::ImageId lines = pass.modify(layers.lines);

@@ -37,6 +37,10 @@ struct ParticleConstants {
     uint tiles_across;
     uvec2 frames; // of the sheet: columns, rows; none where there is no sheet
     uvec2 sheet_px;
+    // See haze.glsl.h.
+    float haze_start_m;
+    float haze_halves_per_m; // 0: there is none
+    float haze_ink;
 };
 
 #ifdef __cplusplus

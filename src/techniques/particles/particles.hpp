@@ -19,13 +19,17 @@ namespace estampe::particles {
 /// Where particles come from.
 struct Emitter {
     glm::dvec3 place{0.0};
-    glm::dvec3 direction{0.0, 1.0, 0.0}; ///< unit
+    glm::dvec3 direction{0.0, 1.0, 0.0}; ///< unit; 0: it gives none
+    double size = 1.0;                   ///< of its particles, beside the style's
+    std::vector<Emitter> before;         ///< how it stood at equal steps back from now; empty: as it stands
+    double step_s = 0.0;                 ///< from one of them to the next
 };
 
 struct Particle {
     glm::dvec3 place{0.0};
     glm::dvec3 velocity{0.0};
     float age = 0.0F; ///< 0 to 1, of its life
+    float size = 1.0F;
     float trait = 0.0F;
     float trait_b = 0.0F;
 };
@@ -34,8 +38,8 @@ struct Particle {
 /// Nordenstam, "Curl-Noise for Procedural Fluid Flow", SIGGRAPH 2007), of about unit speed; in features.
 [[nodiscard]] glm::dvec3 swirl(const glm::dvec3& place, uint32_t seed);
 
-/// All particles alive at a moment. Each is a function of its number and its age alone: the same whatever was
-/// asked for before, and as if emitters had always stood where they stand. Cost: 10 us a particle.
+/// All particles alive at a moment. Each is a function of its number, its age and how its emitter stood when
+/// it was born: the same whatever was asked for before. Cost: 10 us a particle.
 [[nodiscard]] std::vector<Particle> particles_at(const ParticleStyle& style,
                                                  std::span<const Emitter> emitters, double time_s);
 
@@ -59,7 +63,8 @@ struct ParticlePlan {
     std::vector<uint32_t> listed;
 };
 
-/// Nothing is drawn of what is behind the eye. Cost: linear in sprites and the tiles they touch.
+/// Nothing is drawn of what is behind the eye. Without haze, which the constants may be given after. Cost:
+/// linear in sprites and the tiles they touch.
 [[nodiscard]] ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle> particles,
                                           const ParticleView& view);
 
@@ -99,6 +104,7 @@ struct ParticleInputs {
     gpu::BufferId listed;
     gpu::BufferId sheet; ///< brightness, row by row
     gpu::ImageId depth;  ///< r32f: reversed, 0 where nothing is
+    gpu::ImageId sky;    ///< rgba16f, as large as the page or of one texel: what haze fades into
     glm::uvec2 size_px{0};
 };
 

@@ -32,6 +32,7 @@ class Page {
 public:
     Camera camera{.eye = {0.0, 0.0, 10.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.8};
     double wall_m = 1e4;
+    float halves_per_m = 0.0F; ///< of haze into green
 
     [[nodiscard]] Drawn draw(const ParticleStyle& style, const std::vector<Particle>& particles) const
     {
@@ -40,20 +41,22 @@ public:
             frame::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
         Sheet sheet;
         sheet.provide(device, style, [] { return SheetImage(); });
-        const ParticlePlan plan = plan_particles(style, particles,
-                                                 {.clip_from_anchor = globals.clip_from_anchor,
-                                                  .page_px = size_px,
-                                                  .pixels_per_mm = 2.0F,
-                                                  .pixel_m = frame::pixel_size(camera, size_px.y).at_one_m,
-                                                  .sheet_px = sheet.size_px(),
-                                                  .sheet_frames = sheet.frames()});
+        ParticlePlan plan = plan_particles(style, particles,
+                                           {.clip_from_anchor = globals.clip_from_anchor,
+                                            .page_px = size_px,
+                                            .pixels_per_mm = 2.0F,
+                                            .pixel_m = frame::pixel_size(camera, size_px.y).at_one_m,
+                                            .sheet_px = sheet.size_px(),
+                                            .sheet_frames = sheet.frames()});
+        plan.constants.haze_start_m = 4.0F;
+        plan.constants.haze_halves_per_m = halves_per_m;
         gpu::Buffer frame = gpu::upload_buffer(device, "frame", std::vector{globals});
         gpu::Buffer sprites = gpu::upload_buffer(device, "sprites", plan.sprites);
         gpu::Buffer starts = gpu::upload_buffer(device, "starts", plan.starts);
         gpu::Buffer listed = gpu::upload_buffer(device, "listed", plan.listed);
         const auto near = static_cast<double>(camera.near_m);
         const auto add = [&](gpu::Graph& graph, test::Layer& wash, test::Layer& hatch, test::Layer& lines,
-                             test::Layer& depth) {
+                             test::Layer& depth, test::Layer& sky) {
             return add_particles(
                 graph,
                 {.frame = gpu::import_whole(graph, "frame", frame),
@@ -62,6 +65,7 @@ public:
                  .listed = gpu::import_whole(graph, "listed", listed),
                  .sheet = gpu::import_whole(graph, "sheet", sheet.texels()),
                  .depth = depth.in(graph),
+                 .sky = sky.in(graph),
                  .size_px = size_px},
                 plan.constants, {.wash = wash.in(graph), .hatch = hatch.in(graph), .lines = lines.in(graph)});
         };
@@ -70,14 +74,15 @@ public:
                 test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(1.0F, 1.0F, 1.0F, 0.0F); }),
                 test::Layer::coverage(size_px, [](glm::uvec2) { return 1.0F; }),
                 test::Layer::root_color(size_px, [](glm::uvec2) { return glm::vec4(0.0F); }),
-                test::Layer::depth(size_px, [&](glm::uvec2) { return static_cast<float>(near / wall_m); })};
+                test::Layer::depth(size_px, [&](glm::uvec2) { return static_cast<float>(near / wall_m); }),
+                test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(0.0F, 1.0F, 0.0F, 1.0F); })};
         };
         auto a = layers();
         auto b = layers();
         gpu::Graph for_wash;
         gpu::Graph for_hatch;
-        return {test::run_and_read_colors(for_wash, add(for_wash, a[0], a[1], a[2], a[3]).wash),
-                test::run_and_read_coverage(for_hatch, add(for_hatch, b[0], b[1], b[2], b[3]).hatch)};
+        return {test::run_and_read_colors(for_wash, add(for_wash, a[0], a[1], a[2], a[3], a[4]).wash),
+                test::run_and_read_coverage(for_hatch, add(for_hatch, b[0], b[1], b[2], b[3], b[4]).hatch)};
     }
 };
 
@@ -191,6 +196,22 @@ TEST(Particles, ShowTheFrameOfTheSheetThatTheirAgeHas)
     EXPECT_THROW(static_cast<void>(page.draw(style, {})), Error);
     style.sheet = "no such.png";
     EXPECT_THROW(static_cast<void>(page.draw(style, {})), Error);
+}
+
+TEST(Particles, FadeIntoTheSkyByHowFarTheyAre)
+{
+    Page page;
+    const std::vector<Particle> particles{at({0.0, 0.0, 0.0})}; // ten metres off, red
+    const Drawn clear = page.draw(soft(), particles);
+    page.halves_per_m = 0.5F;
+    const Drawn hazy = page.draw(soft(), particles);
+    const size_t middle = size_t{size_px.y / 2} * size_px.x + size_px.x / 2;
+    const double covered = 1.0 - static_cast<double>(clear.wash[middle].y);
+    ASSERT_GT(covered, 0.5);
+    // Beyond 4 m six are left, in which haze halves three times: an eighth of the red is left.
+    EXPECT_NEAR(1.0 - static_cast<double>(hazy.wash[middle].x), covered * (1.0 - 0.125), 0.01);
+    EXPECT_NEAR(1.0 - static_cast<double>(hazy.wash[middle].y), covered * 0.125, 0.01);
+    EXPECT_NEAR(hazy.hatch[middle], clear.hatch[middle], 1e-6F) << "what is behind is hidden all the same";
 }
 
 } // namespace

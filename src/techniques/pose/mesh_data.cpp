@@ -22,7 +22,7 @@
 namespace estampe::pose {
 namespace {
 
-constexpr uint32_t enough_sheets = 4;
+constexpr uint32_t enough_sheets = 8;
 constexpr double wire_radius = 3e-3; // of lines, in the scene's own: framed whole, as wide as a pen
 
 template <typename T>

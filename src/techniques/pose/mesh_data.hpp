@@ -65,7 +65,7 @@ struct MeshData {
     std::vector<shared::DrawRecord> draws; ///< matrices not filled in; mirrored as the triangles are flagged
     std::vector<DrawSource> sources;       ///< one a draw; the ground has none and comes last
     Range opaque, masked, blended, ground;
-    uint32_t blended_sheets = 0;    ///< most of `blended` that can lie one behind another, counted up to 4
+    uint32_t blended_sheets = 0;    ///< most of `blended` that can lie one behind another, counted up to 8
     std::vector<CasterRun> casters; ///< parts of `opaque` and `masked`; what throws no shadow is in none
     uint32_t joint_count = 0;
     uint32_t morph_weight_count = 0;

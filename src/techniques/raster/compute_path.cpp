@@ -44,13 +44,13 @@ Stages stages(bool depth_only, bool masked, bool behind)
 }
 
 /// A transient buffer of zeros, of whole groups of 16 bytes.
-gpu::BufferId zeros(gpu::Graph& graph, const std::string& name, uint64_t size_bytes)
+gpu::BufferId zeros(gpu::Graph& graph, const gpu::Name& name, uint64_t size_bytes)
 {
     return add_clear(graph, name, graph.buffer(name, {.size_bytes = (size_bytes + 15) / 16 * 16}));
 }
 
-gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
-                        const Batch& batch, const View& view, gpu::BufferId target, bool depth_only)
+gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in, const Batch& batch,
+                        const View& view, gpu::BufferId target, bool depth_only)
 {
     const Stages shaders = stages(depth_only, batch.masked, view.behind.has_value());
     const uint32_t large_capacity = 2 * batch.triangle_count; // clipping makes two of one at most
@@ -97,7 +97,7 @@ gpu::BufferId add_batch(gpu::Graph& graph, const std::string& name, const Raster
 
 } // namespace
 
-gpu::BufferId draw_by_compute(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+gpu::BufferId draw_by_compute(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                               const std::vector<Batch>& batches, const View& view, gpu::BufferId target,
                               bool depth_only)
 {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <iterator>
+#include <span>
+
 #include "gpu/graph/execute.hpp"
 #include "shaders/corner_listed_vert.hpp"
 #include "shaders/corner_vert.hpp"
@@ -21,8 +25,8 @@ struct Attachments {
     gpu::ImageId depth;
 };
 
-gpu::Pass begin_draw(gpu::Graph& graph, const std::string& name, bool masked, bool depth_only,
-                     bool tests_sides, bool behind)
+gpu::Pass begin_draw(gpu::Graph& graph, const gpu::Name& name, bool masked, bool depth_only, bool tests_sides,
+                     bool behind)
 {
     if (behind) {
         return graph.raster(name, shaders::corner_vert, shaders::draw_behind_frag);
@@ -52,7 +56,7 @@ struct Culled {
     gpu::BufferId arguments;
 };
 
-Culled add_cull(gpu::Graph& graph, const std::string& name, const RasterInputs& in, const Batch& batch,
+Culled add_cull(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in, const Batch& batch,
                 const View& view)
 {
     const uint32_t words = (batch.triangle_count + 31) / 32;
@@ -73,7 +77,7 @@ Culled add_cull(gpu::Graph& graph, const std::string& name, const RasterInputs& 
 }
 
 /// A batch of many triangles without masks: drawn from a list of those that may be seen.
-void add_culled_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in, const Batch& batch,
+void add_culled_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in, const Batch& batch,
                       const View& view, Attachments& to)
 {
     const Culled culled = add_cull(graph, name, in, batch, view);
@@ -89,7 +93,7 @@ void add_culled_batch(gpu::Graph& graph, const std::string& name, const RasterIn
     pass.push(constants_of(batch, view)).draw_indirect(culled.arguments);
 }
 
-void add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in, const Batch& batch,
+void add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in, const Batch& batch,
                const View& view, bool depth_only, Attachments& to)
 {
     const bool tests_sides = view.cull_back_faces && !batch.plain;
@@ -113,32 +117,40 @@ void add_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& i
 }
 
 /// Parts of an image, row by row, into a buffer of such rows.
-gpu::BufferId add_copy(gpu::Graph& graph, const std::string& name, gpu::ImageId from,
-                       VkImageAspectFlags aspect, const std::vector<DepthPart>& parts, uint32_t row_texels,
-                       gpu::BufferId target)
+gpu::BufferId add_copy(gpu::Graph& graph, const gpu::Name& name, gpu::ImageId from, VkImageAspectFlags aspect,
+                       std::span<const DepthPart> parts, uint32_t row_texels, gpu::BufferId target)
 {
-    std::vector<VkBufferImageCopy> regions;
-    regions.reserve(parts.size());
-    for (const DepthPart& part : parts) {
-        regions.push_back(
-            {.bufferOffset = sizeof(uint32_t) * uint64_t{part.first_texel},
-             .bufferRowLength = row_texels,
-             .imageSubresource = {aspect, 0, 0, 1},
-             .imageOffset = {static_cast<int32_t>(part.from_px.x), static_cast<int32_t>(part.from_px.y), 0},
-             .imageExtent = {part.size_px.x, part.size_px.y, 1}});
-    }
+    const auto region_of = [&](const DepthPart& part) {
+        return VkBufferImageCopy{
+            .bufferOffset = sizeof(uint32_t) * uint64_t{part.first_texel},
+            .bufferRowLength = row_texels,
+            .imageSubresource = {aspect, 0, 0, 1},
+            .imageOffset = {static_cast<int32_t>(part.from_px.x), static_cast<int32_t>(part.from_px.y), 0},
+            .imageExtent = {part.size_px.x, part.size_px.y, 1}};
+    };
+    const auto record = [](gpu::Recorder& recorder, gpu::ImageId image, gpu::BufferId buffer,
+                           std::span<const VkBufferImageCopy> regions) {
+        vkCmdCopyImageToBuffer(recorder.commands(), recorder.image(image).handle(),
+                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, recorder.buffer(buffer).handle(),
+                               static_cast<uint32_t>(regions.size()), regions.data());
+    };
     auto copy = graph.custom(name + "/copy");
     copy.touch(from, gpu::Access::transfer_read);
     const gpu::BufferId to = copy.touch_write(target, gpu::Access::transfer_write);
-    copy.execute([from, to, regions](gpu::Recorder& recorder) {
-        vkCmdCopyImageToBuffer(recorder.commands(), recorder.image(from).handle(),
-                               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, recorder.buffer(to).handle(),
-                               static_cast<uint32_t>(regions.size()), regions.data());
-    });
+    if (parts.size() == 1) { // as in every frame, without a list
+        copy.execute([from, to, record, region = region_of(parts.front())](gpu::Recorder& recorder) {
+            record(recorder, from, to, {&region, 1});
+        });
+        return to;
+    }
+    std::vector<VkBufferImageCopy> regions;
+    std::ranges::transform(parts, std::back_inserter(regions), region_of);
+    copy.execute(
+        [from, to, record, regions](gpu::Recorder& recorder) { record(recorder, from, to, regions); });
     return to;
 }
 
-Attachments draw_batches(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+Attachments draw_batches(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                          const std::vector<Batch>& batches, const View& view, bool depth_only)
 {
     const auto image = [&](const char* part, gpu::Format format) {
@@ -161,17 +173,18 @@ Attachments draw_batches(gpu::Graph& graph, const std::string& name, const Raste
 
 } // namespace
 
-gpu::BufferId draw_by_hardware(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+gpu::BufferId draw_by_hardware(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                                const std::vector<Batch>& batches, const View& view, gpu::BufferId target,
                                bool depth_only)
 {
     const Attachments drawn = draw_batches(graph, name, in, batches, view, depth_only);
+    const DepthPart whole{.size_px = view.size_px};
     return add_copy(graph, name, depth_only ? drawn.depth : drawn.words,
-                    depth_only ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT,
-                    {{.size_px = view.size_px}}, view.size_px.x, target);
+                    depth_only ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT, {&whole, 1},
+                    view.size_px.x, target);
 }
 
-gpu::BufferId draw_parts_by_hardware(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+gpu::BufferId draw_parts_by_hardware(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                                      const std::vector<Batch>& batches, const View& view,
                                      const std::vector<DepthPart>& parts, uint32_t row_texels,
                                      gpu::BufferId map)

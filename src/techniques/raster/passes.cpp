@@ -5,7 +5,7 @@
 
 namespace estampe::raster {
 
-gpu::BufferId add_clear(gpu::Graph& graph, const std::string& name, gpu::BufferId buffer)
+gpu::BufferId add_clear(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId buffer)
 {
     struct {
         uint32_t value;

@@ -13,19 +13,19 @@ inline constexpr uint64_t most_tiles = 1ULL << 18U;
 inline constexpr uint32_t most_tiles_a_group = 1000;
 
 /// Zeros for `buffer`, whose size is a multiple of 16 bytes.
-[[nodiscard]] gpu::BufferId add_clear(gpu::Graph& graph, const std::string& name, gpu::BufferId buffer);
+[[nodiscard]] gpu::BufferId add_clear(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId buffer);
 
 /// Binds what alpha masks look up, eight bindings, in the order of mask.glsl.
 void bind_masks(gpu::Pass& pass, const RasterInputs& in);
 
 /// Draws the batches that hold triangles into `target`, 64 bits a pixel, or 32 when `depth_only`.
-[[nodiscard]] gpu::BufferId draw_by_compute(gpu::Graph& graph, const std::string& name,
-                                            const RasterInputs& in, const std::vector<Batch>& batches,
-                                            const View& view, gpu::BufferId target, bool depth_only);
-[[nodiscard]] gpu::BufferId draw_by_hardware(gpu::Graph& graph, const std::string& name,
-                                             const RasterInputs& in, const std::vector<Batch>& batches,
-                                             const View& view, gpu::BufferId target, bool depth_only);
-[[nodiscard]] gpu::BufferId draw_parts_by_hardware(gpu::Graph& graph, const std::string& name,
+[[nodiscard]] gpu::BufferId draw_by_compute(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
+                                            const std::vector<Batch>& batches, const View& view,
+                                            gpu::BufferId target, bool depth_only);
+[[nodiscard]] gpu::BufferId draw_by_hardware(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
+                                             const std::vector<Batch>& batches, const View& view,
+                                             gpu::BufferId target, bool depth_only);
+[[nodiscard]] gpu::BufferId draw_parts_by_hardware(gpu::Graph& graph, const gpu::Name& name,
                                                    const RasterInputs& in, const std::vector<Batch>& batches,
                                                    const View& view, const std::vector<DepthPart>& parts,
                                                    uint32_t row_texels, gpu::BufferId map);

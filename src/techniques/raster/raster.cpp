@@ -12,7 +12,7 @@
 namespace estampe::raster {
 namespace {
 
-gpu::BufferId add_part(gpu::Graph& graph, const std::string& name, gpu::BufferId picture, uint32_t width_px,
+gpu::BufferId add_part(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId picture, uint32_t width_px,
                        const DepthPart& part, uint32_t row_texels, gpu::BufferId map)
 {
     auto pass = graph.compute(name + "/part", shaders::depth_part_comp);
@@ -27,7 +27,7 @@ gpu::BufferId add_part(gpu::Graph& graph, const std::string& name, gpu::BufferId
     return filled;
 }
 
-gpu::BufferId draw(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+gpu::BufferId draw(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                    std::vector<Batch> batches, const View& view, gpu::BufferId target, bool depth_only)
 {
     std::erase_if(batches, [](const Batch& batch) { return batch.triangle_count == 0; });
@@ -51,7 +51,7 @@ RasterInputs unmasked_inputs(gpu::Graph& graph, gpu::BufferId triangles, gpu::Bu
             .textures = {no_texture, no_texture, no_texture, no_texture, no_texture}};
 }
 
-gpu::BufferId add_visibility(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+gpu::BufferId add_visibility(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                              const std::vector<Batch>& batches, const View& view)
 {
     const uint64_t size_bytes = sizeof(uint64_t) * view.size_px.x * view.size_px.y;
@@ -59,24 +59,25 @@ gpu::BufferId add_visibility(gpu::Graph& graph, const std::string& name, const R
     return draw(graph, name, in, batches, view, target, false);
 }
 
-std::vector<gpu::BufferId> add_layers(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+std::vector<gpu::BufferId> add_layers(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                                       const std::vector<Batch>& batches, View view, uint32_t count)
 {
     std::vector<gpu::BufferId> layers{add_visibility(graph, name, in, batches, view)};
     while (layers.size() < count) {
         view.behind = layers.back();
-        layers.push_back(add_visibility(graph, fmt::format("{}/{}", name, layers.size()), in, batches, view));
+        layers.push_back(
+            add_visibility(graph, fmt::format("{}/{}", name.view(), layers.size()), in, batches, view));
     }
     return layers;
 }
 
-gpu::BufferId add_depth(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+gpu::BufferId add_depth(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                         const std::vector<Batch>& batches, const View& view, gpu::BufferId target)
 {
     return draw(graph, name, in, batches, view, target, true);
 }
 
-gpu::BufferId add_depth_parts(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+gpu::BufferId add_depth_parts(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                               const std::vector<Batch>& batches, const View& view,
                               const std::vector<DepthPart>& parts, uint32_t row_texels, gpu::BufferId map)
 {

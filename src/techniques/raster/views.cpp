@@ -40,7 +40,7 @@ uint32_t largest_side(const DepthViews& views)
     return std::ranges::max(views.list, {}, &shared::RasterView::size_px).size_px;
 }
 
-gpu::BufferId clear_views(gpu::Graph& graph, const std::string& name, const DepthViews& views,
+gpu::BufferId clear_views(gpu::Graph& graph, const gpu::Name& name, const DepthViews& views,
                           gpu::BufferId target)
 {
     const uint32_t side = largest_side(views);
@@ -67,7 +67,7 @@ shared::ViewsConstants constants_of(const Batch& batch, const DepthViews& views)
             .image_px = glm::uvec2(0)};
 }
 
-gpu::BufferId compute_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+gpu::BufferId compute_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                             const Batch& batch, const DepthViews& views, gpu::BufferId target)
 {
     const shared::ViewsConstants constants = constants_of(batch, views);
@@ -102,7 +102,7 @@ gpu::BufferId compute_batch(gpu::Graph& graph, const std::string& name, const Ra
 }
 
 /// Lists which clusters the views of `constants` may show, and draws them.
-gpu::ImageId hardware_batch(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+gpu::ImageId hardware_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                             const Batch& batch, const DepthViews& views,
                             const shared::ViewsConstants& constants, gpu::ImageId depth)
 {
@@ -149,7 +149,7 @@ auto copy_views(gpu::ImageId from, gpu::BufferId to, const std::vector<shared::R
     };
 }
 
-gpu::BufferId draw_views_by_hardware(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+gpu::BufferId draw_views_by_hardware(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                                      const std::vector<Batch>& batches, const DepthViews& views,
                                      gpu::BufferId target)
 {
@@ -221,7 +221,7 @@ void place_views(std::vector<shared::RasterView>& views)
     }
 }
 
-gpu::BufferId add_depth_views(gpu::Graph& graph, const std::string& name, const RasterInputs& in,
+gpu::BufferId add_depth_views(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                               const std::vector<Batch>& batches, const DepthViews& views,
                               gpu::BufferId target)
 {
@@ -240,7 +240,7 @@ gpu::BufferId add_depth_views(gpu::Graph& graph, const std::string& name, const 
     return target;
 }
 
-gpu::BufferId add_merged_views(gpu::Graph& graph, const std::string& name, const DepthViews& views,
+gpu::BufferId add_merged_views(gpu::Graph& graph, const gpu::Name& name, const DepthViews& views,
                                gpu::BufferId source, gpu::BufferId target)
 {
     const uint32_t side = largest_side(views);

@@ -41,15 +41,15 @@ void place_views(std::vector<shared::RasterView>& views);
 /// Cost    in compute a clear of the views, and three dispatches and a small clear a batch, each vertex
 ///         loaded once for all views; in hardware a cull and a draw a batch, and a copy of the views
 /// Source  culling by clusters after Haar and Aaltonen, "GPU-Driven Rendering Pipelines", 2015
-[[nodiscard]] gpu::BufferId add_depth_views(gpu::Graph& graph, const std::string& name,
-                                            const RasterInputs& in, const std::vector<Batch>& batches,
-                                            const DepthViews& views, gpu::BufferId target);
+[[nodiscard]] gpu::BufferId add_depth_views(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
+                                            const std::vector<Batch>& batches, const DepthViews& views,
+                                            gpu::BufferId target);
 
 /// Merges into the views of `target` what `source` has at the same texels: the nearer of both stays, bit for
 /// bit as if all had been drawn into one. Both hold depth bits of at most 1.
 ///
 /// Cost    one dispatch; three accesses a texel
-[[nodiscard]] gpu::BufferId add_merged_views(gpu::Graph& graph, const std::string& name,
+[[nodiscard]] gpu::BufferId add_merged_views(gpu::Graph& graph, const gpu::Name& name,
                                              const DepthViews& views, gpu::BufferId source,
                                              gpu::BufferId target);
 

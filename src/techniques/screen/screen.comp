@@ -74,13 +74,7 @@ layout(constant_id = 0) const uint variant = 31u;
 #define TEXTURE_CLASSES (variant & texture_class_mask)
 const int LAYERS = int((variant >> screen_layers_shift) & 3u) + 1;
 
-#include "shaders/texture.glsl"
-
-struct Layer {
-    uint draw; // draw + 1
-    uint depth_bits;
-    vec4 color; // linear; cover
-};
+#include "techniques/screen/screen_layer.glsl"
 
 uvec2 seen_in(int layer, uint index)
 {
@@ -88,34 +82,6 @@ uvec2 seen_in(int layer, uint index)
            : layer == 1 ? layer_1[index]
            : layer == 2 ? layer_2[index]
                         : layer_3[index];
-}
-
-Layer layer_at(uvec2 seen, ivec2 pixel)
-{
-    uvec4 corners = triangle_at(seen_triangle(seen));
-    uint draw_index = corners.w & triangle_draw_mask;
-    DrawPart draw = draw_at(draw_index);
-    Barycentric at = barycentric_at(frame.clip_from_anchor * vec4(posed_vertex_at(corners.x).position, 1.0),
-                                    frame.clip_from_anchor * vec4(posed_vertex_at(corners.y).position, 1.0),
-                                    frame.clip_from_anchor * vec4(posed_vertex_at(corners.z).position, 1.0),
-                                    page_place(frame, vec2(pixel) + 0.5), frame.page_px);
-    uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
-    mat3x4 vertex_colors =
-        mat3x4(vertex_color(rest_vertices[rest.x].color), vertex_color(rest_vertices[rest.y].color),
-               vertex_color(rest_vertices[rest.z].color));
-    vec4 color = base_color_of(draw.material) * (vertex_colors * at.weight);
-    TextureSlot slot = base_texture_of(draw.material);
-    if (TEXTURE_CLASSES != 0u && slot.location != no_texture) {
-        bool second = ((slot.location >> 24) & 1u) != 0u;
-        mat3x2 uv =
-            second
-                ? mat3x2(rest_vertices[rest.x].uv_1, rest_vertices[rest.y].uv_1, rest_vertices[rest.z].uv_1)
-                : mat3x2(rest_vertices[rest.x].uv_0, rest_vertices[rest.y].uv_0, rest_vertices[rest.z].uv_0);
-        vec4 texel = sample_texture(slot, UvFootprint(uv * at.weight, uv * at.dx, uv * at.dy));
-        color *= vec4(linear_from_srgb(texel.rgb), texel.a);
-    }
-    color = clamp(color, 0.0, 1.0);
-    return Layer(color.a >= least_cover ? draw_index + 1u : 0u, seen.y, color);
 }
 
 // Whether the order of two layers at the same depth, which their numbers decided, is to be decided by what

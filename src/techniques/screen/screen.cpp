@@ -5,6 +5,7 @@
 
 #include "gpu/fills.hpp"
 #include "shaders/screen_comp.hpp"
+#include "shaders/sheet_comp.hpp"
 #include "techniques/screen/screen_variant.glsl.h"
 
 namespace estampe::screen {
@@ -20,25 +21,42 @@ gpu::ImageDesc color_image(glm::uvec2 size_px)
     return {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba8};
 }
 
-} // namespace
-
-Screen add_screen(gpu::Graph& graph, const ScreenInputs& in)
+/// What a see-through surface is made out from.
+void bind_surfaces(gpu::Pass& pass, const ScreenInputs& in)
 {
-    auto pass = graph.compute("screen", shaders::screen_comp);
     pass.uniform(in.frame).read(in.solid_visibility).sample(in.triangles).sample(in.posed_vertices);
     pass.sample(in.draws).read(in.rest_vertices).sample(in.materials);
     for (const gpu::ImageId texture : in.textures) {
         pass.sample(texture, gpu::Sampling::linear_repeat);
     }
+}
+
+} // namespace
+
+Screen add_screen(gpu::Graph& graph, const ScreenInputs& in)
+{
+    const size_t layers = std::min<size_t>(in.layers.size(), most_layers);
+    auto pass = graph.compute("screen", shaders::screen_comp);
+    bind_surfaces(pass, in);
     for (size_t i = 0; i < most_layers; ++i) {
-        pass.read(in.layers[std::min(i, in.layers.size() - 1)]);
+        pass.read(in.layers[std::min(i, layers - 1)]);
     }
     const gpu::ImageId draw = pass.write(graph.image("screen/draw", draw_image(in.size_px)));
     const gpu::ImageId color = pass.write(graph.image("screen/color", color_image(in.size_px)));
-    pass.variant(in.texture_classes | static_cast<uint32_t>(in.layers.size() - 1)
-                                          << shared::screen_layers_shift);
+    pass.variant(in.texture_classes | static_cast<uint32_t>(layers - 1) << shared::screen_layers_shift);
     pass.dispatch_over(in.size_px.x, in.size_px.y);
     return {draw, color};
+}
+
+gpu::ImageId add_sheet(gpu::Graph& graph, const ScreenInputs& in, gpu::BufferId layer, gpu::ImageId painted,
+                       gpu::ImageId wash)
+{
+    auto pass = graph.compute("screen/sheet", shaders::sheet_comp);
+    bind_surfaces(pass, in);
+    pass.read(layer).sample(painted);
+    const gpu::ImageId laid = pass.modify(wash);
+    pass.variant(in.texture_classes).dispatch_over(in.size_px.x, in.size_px.y);
+    return laid;
 }
 
 Screen add_no_screen(gpu::Graph& graph)

@@ -3,7 +3,7 @@
 
 // See-through surfaces (glTF's BLEND) as screened ink: those in front of what is solid, laid over each other,
 // tint the wash, pull the darkness of the strokes behind them towards their own by their cover, and are
-// outlined.
+// outlined. Or as glass: each lit and painted as what is solid is, in order of depth.
 
 #include <array>
 #include <vector>
@@ -14,27 +14,24 @@
 
 namespace estampe::screen {
 
-inline constexpr uint32_t most_layers = 4;
+inline constexpr uint32_t most_layers = 4;        ///< of screened ink
+inline constexpr uint32_t most_sorted_layers = 8; ///< that are painted one by one
+
+/// A tint on what is behind, or surfaces of their own.
+enum class Mode : uint8_t { ink, sorted };
 
 struct ScreenStyle {
+    Mode mode = Mode::ink;
     int layers = most_layers;
 };
 
-inline const style::Table<ScreenStyle>& screen_table()
-{
-    static const auto table =
-        style::Table<ScreenStyle>("screen", "What is looked through")
-            .integer("layers", &ScreenStyle::layers, {1, most_layers}, "",
-                     "See-through surfaces of a pixel that count, the nearest first; each one costs a pass, "
-                     "where the scene has as many");
-    return table;
-}
+[[nodiscard]] const style::Table<ScreenStyle>& screen_table();
 
 struct ScreenInputs {
     gpu::BufferId frame; ///< FrameGlobals
     gpu::BufferId solid_visibility;
-    std::vector<gpu::BufferId> layers; ///< visibility of the blended triangles alone, 1 to `most_layers`: of
-                                       ///< the nearest, of what lies behind those, and so on
+    std::vector<gpu::BufferId> layers; ///< visibility of the blended triangles alone, at least one: of the
+                                       ///< nearest, of what lies behind those, and so on
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
     gpu::BufferId draws;
@@ -51,11 +48,16 @@ struct Screen {
     gpu::ImageId color; ///< rgba8: square root of linear colour, cover in alpha
 };
 
-/// Lays see-through surfaces over each other, in order of depth, pixel by pixel. Cost: one full-screen
-/// dispatch.
+/// Lays see-through surfaces over each other, in order of depth, pixel by pixel, `most_layers` of them. Cost:
+/// one full-screen dispatch.
 ///
 /// Source  Porter and Duff, "Compositing Digital Images", SIGGRAPH 1984
 [[nodiscard]] Screen add_screen(gpu::Graph& graph, const ScreenInputs& in);
+
+/// Lays one of the layers, the farthest first, over the paint of what lies behind it, `wash`, of which it
+/// returns the new version. `painted` is the paint of the layer itself. Cost: one full-screen dispatch.
+[[nodiscard]] gpu::ImageId add_sheet(gpu::Graph& graph, const ScreenInputs& in, gpu::BufferId layer,
+                                     gpu::ImageId painted, gpu::ImageId wash);
 
 /// For scenes without see-through surfaces. Cost: next to nothing.
 [[nodiscard]] Screen add_no_screen(gpu::Graph& graph);

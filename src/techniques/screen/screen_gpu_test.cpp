@@ -355,5 +355,79 @@ TEST(Screen, APaleScreenThinsTheStrokesBehindIt)
     EXPECT_LT(ink(1.0F), ink(0.5F) - 20.0);
 }
 
+/// In linear light: what the compositor of a picture sorted by depth would have in the middle of the page.
+glm::dvec3 sorted_over(const std::vector<std::pair<double, glm::vec4>>& panes, const glm::dvec3& ground)
+{
+    std::vector<std::pair<double, glm::vec4>> far_first = panes;
+    std::ranges::sort(far_first, {}, [](const auto& pane) { return pane.first; });
+    glm::dvec3 color = ground;
+    for (const auto& [z, pane] : far_first) {
+        color = glm::mix(color, glm::dvec3(pane), static_cast<double>(pane.w));
+    }
+    return color;
+}
+
+TEST(Screen, SortedPanesAreEachPaintedOverWhatLiesBehind)
+{
+    Style style;
+    for (const char* flat : {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "paper.margin_mm=0",
+                             "paper.color=#ffffff", "hatch.drawn=false", "contour.drawn=false",
+                             "picture.ground=none", "sky.mode=paper", "wash.strength=1", "wash.neutral=1",
+                             "wash.least=0", "wash.saturation=1", "wash.detail=1", "wash.light_tint=0",
+                             "wash.shadow_from=1", "screen.mode=sorted", "screen.layers=8"}) {
+        style.set(flat);
+    }
+    Renderer& renderer = test::shared_renderer();
+    const auto middle_of = [&](const Scene& scene) {
+        renderer.set_scene(scene);
+        const LinearImage image = renderer.render_linear(parallel_camera(), style, settings);
+        return glm::dvec3(image.pixels[size_t{45} * settings.width + 60]);
+    };
+    // What paint a pane has by itself, covering all: paint is not the material's colour to the bit.
+    const auto paint_of = [&](const glm::vec3& color) {
+        Scene scene;
+        add_pane(scene, color, 1.0F, 0.0);
+        for (Material& material : scene.materials) {
+            material.unlit = true;
+        }
+        return middle_of(scene);
+    };
+    for (uint32_t turn = 0; turn < 4; ++turn) {
+        Scene scene = test::scene_of(pane());
+        scene.materials.front().unlit = true;
+        const glm::dvec3 ground = middle_of(scene);
+        std::vector<std::pair<double, glm::vec4>> panes;
+        for (uint32_t i = 0; i < 6; ++i) {
+            const uint32_t place = (i * 5 + turn * 3) % 7;
+            const double z = 0.1 + 0.2 * place;
+            const glm::vec3 color(0.1F + 0.12F * static_cast<float>(i), 0.2F,
+                                  0.9F - 0.13F * static_cast<float>((i + turn) % 6));
+            const float opacity = 0.25F + 0.1F * static_cast<float>((i + 2 * turn) % 6);
+            add_pane(scene, color, opacity, z);
+            scene.materials.back().unlit = true;
+            panes.emplace_back(z, glm::vec4(glm::vec3(paint_of(color)), opacity));
+        }
+        const glm::dvec3 seen = middle_of(scene);
+        const glm::dvec3 wanted = sorted_over(panes, ground);
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_NEAR(seen[channel], wanted[channel], 2e-3) << turn;
+        }
+    }
+}
+
+TEST(Screen, SortedPanesBehindWhatIsSolidAreNotSeen)
+{
+    Style style;
+    style.set("screen.mode=sorted");
+    Renderer& renderer = test::shared_renderer();
+    Scene scene = test::scene_of(pane());
+    add_pane(scene, blue, 0.7F, -0.5);
+    renderer.set_scene(scene);
+    const Image ink = renderer.render(parallel_camera(), {}, settings);
+    EXPECT_EQ(renderer.graph_dot().find("screen/sheet"), std::string::npos) << "ink has none";
+    EXPECT_EQ(renderer.render(parallel_camera(), style, settings).rgba, ink.rgba);
+    EXPECT_NE(renderer.graph_dot().find("screen/sheet"), std::string::npos);
+}
+
 } // namespace
 } // namespace estampe::screen

@@ -26,49 +26,6 @@ struct ShadowStyle {
     float local_megatexels = 16.0F;
 };
 
-inline const style::Table<ShadowStyle>& shadow_table()
-{
-    static const auto table =
-        style::Table<ShadowStyle>("shadow", "How shadows fall")
-            .choice(
-                "sun_map", &ShadowStyle::sun_map,
-                {{"auto", SunMapKind::automatic},
-                 {"whole", SunMapKind::whole},
-                 {"clipmap", SunMapKind::clipmap},
-                 {"faded", SunMapKind::faded},
-                 {"warped", SunMapKind::warped}},
-                "The sun's shadow map: one for the whole scene; maps about the eye, each twice as wide as "
-                "the last; one about the eye, whose shadow pales towards its edge; one in perspective, whose "
-                "texels grow with distance, but whose edges crawl; or (auto) whole, unless the scene is far "
-                "larger than what is near")
-            .number("faded_reach_m", &ShadowStyle::faded_reach_m, {0.1F, 1e5F}, "m",
-                    "How far a faded map reaches to each side")
-            .choice("edge", &ShadowStyle::edge,
-                    {{"plain", Edge::plain}, {"strokes", Edge::strokes}, {"waves", Edge::waves}},
-                    "Edges of shadows: plain; the hatching's strokes run past them; or teeth of their own, "
-                    "along two directions fixed to the world. Without lines to follow, strokes are waves")
-            .number("edge_reach_mm", &ShadowStyle::edge_reach_mm, {0.0F, 20.0F}, "mm",
-                    "How far the teeth reach to either side of the edge")
-            .number("edge_spacing_mm", &ShadowStyle::edge_spacing_mm, {0.05F, 20.0F}, "mm",
-                    "Waves: shortest distance between two teeth; the longest is twice that")
-            .number("edge_variety", &ShadowStyle::edge_variety, {0.0F, 1.0F}, "",
-                    "How much the teeth differ in length")
-            .number("edge_slant_deg", &ShadowStyle::edge_slant_deg, {-180.0F, 180.0F}, "deg",
-                    "Waves: bearing of the first direction that the teeth are set across; 0 is +z, 90 +x")
-            .number("sun_radius_deg", &ShadowStyle::sun_radius_deg, {0.0F, 15.0F}, "deg",
-                    "Half the angle that the sun fills: 0 for hard edges, 0.27 as it is; penumbrae widen "
-                    "with distance, and teeth with them")
-            .number("lamp_radius_m", &ShadowStyle::lamp_radius_m, {0.0F, 10.0F}, "m",
-                    "Radius of lamps and spots that do not say their own: 0 for hard edges")
-            .integer("local_lights", &ShadowStyle::local_lights, {0, 4096}, "",
-                     "How many lamps and spots throw shadows at most; those that light most of the page do")
-            .integer("local_size", &ShadowStyle::local_size, {0, 4096}, "texels",
-                     "Largest side of a spot's shadow map, and of each of a lamp's six; 0 takes the page's "
-                     "longer side for a spot and half of it for a lamp, within 256 and 2048")
-            .number("local_megatexels", &ShadowStyle::local_megatexels, {0.1F, 32.0F}, "million texels",
-                    "What all these maps hold together; beyond it they are made smaller, and at last left "
-                    "out");
-    return table;
-}
+[[nodiscard]] const style::Table<ShadowStyle>& shadow_table();
 
 } // namespace estampe::shadow

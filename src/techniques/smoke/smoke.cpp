@@ -9,12 +9,14 @@
 
 #include "gpu/fills.hpp"
 #include "gpu/imports.hpp"
+#include "shaders/light_variant.glsl.h"
 #include "shaders/smoke_ink_comp.hpp"
 #include "shaders/smoke_light_comp.hpp"
 #include "shaders/smoke_march_comp.hpp"
 #include "shaders/smoke_pack_comp.hpp"
 #include "shaders/smoke_puffs_comp.hpp"
 #include "shaders/smoke_shape_comp.hpp"
+#include "shaders/smoke_thrown_comp.hpp"
 
 namespace estampe::smoke {
 namespace {
@@ -27,6 +29,11 @@ uint32_t groups_of(uint32_t count, uint32_t size)
 glm::uvec3 bricks_of(const glm::uvec3& cells)
 {
     return (cells + (shared::smoke_brick - 1)) / shared::smoke_brick;
+}
+
+glm::uvec3 light_cells_of(const glm::uvec3& cells)
+{
+    return (cells + (shared::smoke_light_cells - 1)) / shared::smoke_light_cells;
 }
 
 /// There are at least two layers, so that it is an array to shaders.
@@ -47,7 +54,8 @@ shared::SmokeLight light_of(const Lamp& lamp, const Box& box)
                              .falloff = 1.0F,
                              .beam = turned * lamp.beam,
                              .cone_scale = lamp.cone_scale,
-                             .cone_offset = lamp.cone_offset};
+                             .cone_offset = lamp.cone_offset,
+                             .shadow = lamp.shadow};
     if (is_near) {
         const glm::vec3 way_m = box.cell_m * (light.place - 0.5F * glm::vec3(box.cells));
         // As far as to the middle of the box, but no nearer than its sides.
@@ -65,38 +73,34 @@ glm::vec3 towards(const shared::SmokeLight& light, const Box& box)
                                 : light.place;
 }
 
-gpu::BufferId add_puffs(gpu::Graph& graph, const Fields& in)
+/// Layers of an image from which on a box of so many may begin.
+uint32_t whole_bricks(uint32_t layers)
 {
-    auto pass = graph.compute("smoke/puffs", shaders::smoke_puffs_comp);
-    pass.uniform(in.globals).sample(in.density);
-    const gpu::BufferId puffs =
-        pass.write(graph.buffer("smoke/puffs", {.size_bytes = sizeof(glm::vec4) * in.puff_count}));
-    pass.dispatch_items(in.puff_count);
-    return puffs;
+    return shared::smoke_brick * groups_of(layers, shared::smoke_brick);
 }
 
-} // namespace
-
-shared::SmokeGlobals globals_of(const Box& box, const SmokeStyle& style, const Surroundings& around)
+shared::SmokeBox box_of(const Box& box, const SmokeStyle& style, const Surroundings& around)
 {
     const float puff_cells = style.puff * box.width_m() / box.cell_m;
-    const glm::vec3 risen = around.puffs_risen_m / box.cell_m;
-    shared::SmokeGlobals globals{.grid_from_anchor = box.grid_from_anchor,
-                                 .cells = box.cells,
-                                 .cell_m = box.cell_m,
-                                 .extinction_per_m = style.thickness / (0.1F * box.width_m()),
-                                 .puff_cells = puff_cells,
-                                 .puffs_risen = risen,
-                                 .puffs_from = glm::floor(-risen / puff_cells) - 1.0F,
-                                 .puff_counts = glm::uvec3(glm::ceil(glm::vec3(box.cells) / puff_cells)) + 3U,
-                                 .lights = {},
-                                 .light_count = 0,
-                                 .ambient = 1.0F,
-                                 .edge = style.edge,
-                                 .step_m = style.step * box.cell_m,
-                                 .scatter = style.scatter,
-                                 .towards_light = {0.0F, 1.0F, 0.0F},
-                                 .seed = static_cast<uint32_t>(style.seed)};
+    const glm::vec3 risen = box.puffs_risen_m / box.cell_m;
+    shared::SmokeBox record{.grid_from_anchor = box.grid_from_anchor,
+                            .anchor_from_grid = glm::mat4(glm::inverse(glm::dmat4(box.grid_from_anchor))),
+                            .cells = box.cells,
+                            .first_layer = 0,
+                            .cell_m = box.cell_m,
+                            .extinction_per_m = style.thickness / (0.1F * box.width_m()),
+                            .puff_cells = puff_cells,
+                            .puffs_risen = risen,
+                            .puffs_from = glm::floor(-risen / puff_cells) - 1.0F,
+                            .puff_counts = glm::uvec3(glm::ceil(glm::vec3(box.cells) / puff_cells)) + 3U,
+                            .lights = {},
+                            .light_count = 0,
+                            .ambient = 1.0F,
+                            .step_m = style.step * box.cell_m,
+                            .towards_light = {0.0F, 1.0F, 0.0F},
+                            .gap_m = 0.25F * style.puff * box.width_m(),
+                            .stroke_rise_m = box.strokes_risen_m,
+                            .seed = static_cast<uint32_t>(style.seed) + 7919U * box.number};
     std::vector<shared::SmokeLight> lights;
     for (const Lamp& lamp : around.lamps) {
         lights.push_back(light_of(lamp, box));
@@ -108,64 +112,148 @@ shared::SmokeGlobals globals_of(const Box& box, const SmokeStyle& style, const S
     for (const shared::SmokeLight& light : lights) {
         sum += light.strength;
     }
-    globals.ambient = std::max(around.ambient, 1e-6F) / sum;
+    record.ambient = std::max(around.ambient, 1e-6F) / sum;
     for (shared::SmokeLight& light : lights) {
         light.strength /= sum;
-        globals.lights[globals.light_count++] = light; // NOLINT(*-constant-array-index): resized above
+        record.lights[record.light_count++] = light; // NOLINT(*-constant-array-index): resized above
     }
     if (!lights.empty()) {
-        globals.towards_light = towards(lights.front(), box);
+        record.towards_light = towards(lights.front(), box);
+    }
+    return record;
+}
+
+gpu::BufferId add_puffs(gpu::Graph& graph, const shared::SmokeBox& box, gpu::BufferId globals,
+                        gpu::ImageId density, shared::SmokeTurn turn)
+{
+    const uint32_t count = box.puff_counts.x * box.puff_counts.y * box.puff_counts.z;
+    auto pass = graph.compute("smoke/puffs", shaders::smoke_puffs_comp);
+    pass.uniform(globals).sample(density);
+    const gpu::BufferId puffs =
+        pass.write(graph.buffer("smoke/puffs", {.size_bytes = sizeof(glm::vec4) * count}));
+    pass.push(turn).dispatch_items(count);
+    return puffs;
+}
+
+/// Several boxes write into one image, one after the other.
+template <class Handle>
+Handle write_turn(gpu::Pass& pass, Handle into, size_t box_count)
+{
+    return box_count > 1 ? pass.modify(into) : pass.write(into);
+}
+
+uint32_t shaded_variant(const Fields& in)
+{
+    constexpr uint32_t of_map = shared::light_has_sun_levels | shared::light_has_sun_warp;
+    return in.shadows ? shared::smoke_is_shaded | (in.shadows->variant & of_map) : 0U;
+}
+
+/// `blank` takes the place of what is not there.
+void bind_shadows(gpu::Pass& pass, const Fields& in, gpu::BufferId blank)
+{
+    const SceneShadows shadows = in.shadows.value_or(SceneShadows{.frame = in.globals,
+                                                                  .sun_map = blank,
+                                                                  .sun_shadow = in.globals,
+                                                                  .local_shadows = blank,
+                                                                  .local_maps = blank});
+    pass.uniform(shadows.frame).sample(shadows.sun_map, gpu::Format::r32f).uniform(shadows.sun_shadow);
+    pass.read(shadows.local_shadows).sample(shadows.local_maps, gpu::Format::r32f);
+}
+
+/// Where boxes are of several sizes, filters come upon texels beside them, with no weight: those are numbers.
+void blank_several(gpu::Graph& graph, gpu::ImageId& field, uint32_t box_count)
+{
+    field = box_count > 1 ? gpu::add_fill(graph, "smoke/blank", field, glm::vec4(0.0F)) : field;
+}
+
+} // namespace
+
+shared::SmokeGlobals globals_of(std::span<const Box> boxes, const SmokeStyle& style,
+                                const Surroundings& around)
+{
+    shared::SmokeGlobals globals{.boxes = {},
+                                 .box_count = 0,
+                                 .field_cells = glm::uvec3(0),
+                                 .edge = style.edge,
+                                 .scatter = style.scatter};
+    for (const Box& box : boxes.first(std::min<size_t>(boxes.size(), shared::smoke_most_boxes))) {
+        shared::SmokeBox record = box_of(box, style, around);
+        record.first_layer = whole_bricks(globals.field_cells.z);
+        globals.field_cells = {std::max(globals.field_cells.x, box.cells.x),
+                               std::max(globals.field_cells.y, box.cells.y),
+                               record.first_layer + box.cells.z};
+        globals.boxes[globals.box_count++] = record; // NOLINT(*-constant-array-index): no more than there are
     }
     return globals;
 }
 
-void VolumeMemory::provide(gpu::Device& device, const glm::uvec3& cells)
+void VolumeMemory::provide(gpu::Device& device, const shared::SmokeGlobals& globals)
 {
-    if (cells == cells_) {
+    const bool fits = globals.field_cells == globals_.field_cells;
+    globals_ = globals;
+    if (fits) {
         return;
     }
-    const glm::uvec3 bricks = bricks_of(cells);
-    packed_ = gpu::Image(device, "smoke", field_desc(cells, gpu::Format::rgba16f));
+    const glm::uvec3 bricks = bricks_of(globals.field_cells);
+    packed_ = gpu::Image(device, "smoke", field_desc(globals.field_cells, gpu::Format::rgba16f));
     bricks_ = gpu::Buffer(device, "smoke bricks", sizeof(float) * bricks.x * bricks.y * bricks.z,
                           gpu::MemoryUse::device);
-    cells_ = cells;
 }
 
 Volume VolumeMemory::import(gpu::Graph& graph)
 {
-    return {gpu::import_uploaded(graph, "smoke/packed", packed_),
-            gpu::import_whole(graph, "smoke/bricks", bricks_)};
+    return {.packed = gpu::import_uploaded(graph, "smoke/packed", packed_),
+            .bricks = gpu::import_whole(graph, "smoke/bricks", bricks_),
+            .has_several = globals_.box_count > 1};
 }
 
 Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& style, const Fields& in)
 {
-    const glm::uvec3 cells = memory.cells_;
-    const gpu::BufferId puffs =
-        style.puffs ? add_puffs(graph, in) : gpu::add_zeros(graph, "smoke/no puffs", sizeof(glm::vec4));
-    auto shape_pass = graph.compute("smoke/shape", shaders::smoke_shape_comp);
-    shape_pass.uniform(in.globals).sample(in.density).sample(puffs, gpu::Format::rgba32f);
-    const gpu::ImageId shape =
-        shape_pass.write(graph.image("smoke/shape", field_desc(cells, gpu::Format::r16f)));
-    shape_pass.variant(style.puffs ? shared::smoke_has_puffs : 0U);
-    shape_pass.dispatch(groups_of(cells.x, 8), groups_of(cells.y, 8), cells.z);
-
-    const glm::uvec3 light_cells = (cells + (shared::smoke_light_cells - 1)) / shared::smoke_light_cells;
-    auto light_pass = graph.compute("smoke/light", shaders::smoke_light_comp);
-    light_pass.uniform(in.globals).sample(shape, gpu::Sampling::linear);
-    const gpu::ImageId light =
-        light_pass.write(graph.image("smoke/light", field_desc(light_cells, gpu::Format::r16f)));
-    light_pass.dispatch(groups_of(light_cells.x, 8), groups_of(light_cells.y, 8), light_cells.z);
-
-    const glm::uvec3 bricks = bricks_of(cells);
-    auto pack = graph.compute("smoke/pack", shaders::smoke_pack_comp);
-    pack.uniform(in.globals).sample(shape).sample(light, gpu::Sampling::linear);
-    const gpu::ImageId packed = pack.write(
-        graph.import_image("smoke/packed", memory.packed_, memory.packed_.desc(), gpu::Layout::undefined));
-    const gpu::BufferId densest = pack.write(gpu::import_whole(graph, "smoke/bricks", memory.bricks_));
-    pack.dispatch(bricks.x, bricks.y, bricks.z);
+    const shared::SmokeGlobals& known = memory.globals_;
+    const std::span boxes = std::span(known.boxes).first(known.box_count);
+    const uint32_t several = boxes.size() > 1 ? shared::smoke_has_several : 0U;
+    const uint32_t shaded = shaded_variant(in);
+    const gpu::BufferId blank = gpu::add_zeros(graph, "smoke/nothing", sizeof(glm::vec4));
+    const glm::uvec3 light_cells = light_cells_of(known.field_cells);
+    gpu::ImageId shape = graph.image("smoke/shape", field_desc(known.field_cells, gpu::Format::r16f));
+    gpu::ImageId light = graph.image("smoke/light", field_desc(light_cells, gpu::Format::r16f));
+    gpu::ImageId packed =
+        graph.import_image("smoke/packed", memory.packed_, memory.packed_.desc(), gpu::Layout::undefined);
+    gpu::BufferId densest = gpu::import_whole(graph, "smoke/bricks", memory.bricks_);
+    for (gpu::ImageId* const field : {&shape, &light, &packed}) {
+        blank_several(graph, *field, known.box_count);
+    }
+    for (shared::SmokeTurn turn{.box = 0}; turn.box < boxes.size(); ++turn.box) {
+        const shared::SmokeBox& box = boxes[turn.box];
+        const gpu::ImageId density = in.densities.at(turn.box);
+        const gpu::BufferId puffs = style.puffs ? add_puffs(graph, box, in.globals, density, turn) : blank;
+        auto pass = graph.compute("smoke/shape", shaders::smoke_shape_comp);
+        pass.uniform(in.globals).sample(density).sample(puffs, gpu::Format::rgba32f);
+        shape = write_turn(pass, shape, boxes.size());
+        pass.variant(style.puffs ? shared::smoke_has_puffs : 0U).push(turn);
+        pass.dispatch(groups_of(box.cells.x, 8), groups_of(box.cells.y, 8), box.cells.z);
+    }
+    for (shared::SmokeTurn turn{.box = 0}; turn.box < boxes.size(); ++turn.box) {
+        const glm::uvec3 cells = light_cells_of(boxes[turn.box].cells);
+        auto pass = graph.compute("smoke/light", shaders::smoke_light_comp);
+        pass.uniform(in.globals).sample(shape, gpu::Sampling::linear);
+        bind_shadows(pass, in, blank);
+        light = write_turn(pass, light, boxes.size());
+        pass.variant(several | shaded).push(turn);
+        pass.dispatch(groups_of(cells.x, 8), groups_of(cells.y, 8), cells.z);
+    }
+    for (shared::SmokeTurn turn{.box = 0}; turn.box < boxes.size(); ++turn.box) {
+        const glm::uvec3 bricks = bricks_of(boxes[turn.box].cells);
+        auto pass = graph.compute("smoke/pack", shaders::smoke_pack_comp);
+        pass.uniform(in.globals).sample(shape).sample(light, gpu::Sampling::linear);
+        packed = write_turn(pass, packed, boxes.size());
+        densest = write_turn(pass, densest, boxes.size());
+        pass.variant(several).push(turn);
+        pass.dispatch(bricks.x, bricks.y, bricks.z);
+    }
     auto keep = graph.custom("smoke/keep");
     keep.touch(packed, gpu::Access::compute_sampled).keep().execute([](gpu::Recorder&) {});
-    return {packed, densest};
+    return {.packed = packed, .bricks = densest, .has_several = boxes.size() > 1};
 }
 
 gpu::ImageId add_march(gpu::Graph& graph, const Volume& volume, const SmokeStyle& style, const ViewInputs& in)
@@ -175,11 +263,29 @@ gpu::ImageId add_march(gpu::Graph& graph, const Volume& volume, const SmokeStyle
     pass.sample(volume.bricks, gpu::Format::r32f).sample(in.depth);
     const gpu::ImageId marched = pass.write(graph.image(
         "smoke/marched", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba32f}));
-    pass.variant(style.sampling == Sampling::axis   ? shared::smoke_by_axis
-                 : style.sampling == Sampling::view ? shared::smoke_by_view
-                                                    : 0U);
+    pass.variant((style.sampling == Sampling::axis   ? shared::smoke_by_axis
+                  : style.sampling == Sampling::view ? shared::smoke_by_view
+                                                     : 0U) |
+                 (volume.has_several ? shared::smoke_has_several : 0U));
     pass.dispatch_over(in.size_px.x, in.size_px.y);
     return marched;
+}
+
+gpu::ImageId add_thrown(gpu::Graph& graph, const Volume& volume, const SmokeStyle& style,
+                        const ThrownInputs& in)
+{
+    auto pass = graph.compute("smoke/thrown", shaders::smoke_thrown_comp);
+    pass.uniform(in.view.frame).uniform(in.view.globals).sample(volume.packed, gpu::Sampling::linear);
+    pass.sample(volume.bricks, gpu::Format::r32f).sample(in.view.depth);
+    pass.sample(in.share.value_or(in.view.depth));
+    const glm::uvec2 size_px = in.view.size_px;
+    const gpu::ImageId share = pass.write(
+        graph.image("smoke/share", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::r16f}));
+    pass.push(shared::SmokeThrown{.towards_sun = in.towards_sun, .strength = style.shadow})
+        .variant((volume.has_several ? shared::smoke_has_several : 0U) |
+                 (in.share ? shared::smoke_has_share : 0U));
+    pass.dispatch_over(size_px.x, size_px.y);
+    return share;
 }
 
 Layer add_ink(gpu::Graph& graph, const SmokeStyle& style, const InkInputs& in)
@@ -190,7 +296,8 @@ Layer add_ink(gpu::Graph& graph, const SmokeStyle& style, const InkInputs& in)
         .uniform(in.view.globals)
         .sample(in.marched)
         .sample(in.view.depth)
-        .sample(in.lines);
+        .sample(in.lines)
+        .sample(in.haze ? in.haze->sky : in.lines);
     const gpu::ImageId paint = pass.write(
         graph.image("smoke/paint", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba8}));
     const gpu::ImageId ink = pass.write(
@@ -206,11 +313,13 @@ Layer add_ink(gpu::Graph& graph, const SmokeStyle& style, const InkInputs& in)
                                .scene_line_px = in.scene_line_px,
                                .stroke_px = style.stroke_mm * in.pixels_per_mm,
                                .darkness = style.darkness,
-                               .gap_m = 0.25F * style.puff * in.width_m,
                                .stroke_axis = glm::normalize(glm::vec3(0.25F, 0.95F, 0.2F)),
-                               .stroke_rise_m = in.rise_m});
+                               .haze_start_m = in.haze ? in.haze->start_m : 0.0F,
+                               .haze_halves_per_m = in.haze ? 1.0F / in.haze->reach_m : 0.0F,
+                               .haze_ink = in.haze ? in.haze->ink : 0.0F});
     pass.variant((style.medium != Medium::strokes ? shared::smoke_has_wash : 0U) |
-                 (style.medium != Medium::wash ? shared::smoke_has_strokes : 0U));
+                 (style.medium != Medium::wash ? shared::smoke_has_strokes : 0U) |
+                 (in.haze ? shared::smoke_has_haze : 0U));
     pass.dispatch_over(size_px.x, size_px.y);
     return {paint, ink};
 }

@@ -14,10 +14,20 @@ SHARED_CONSTANT uint smoke_by_axis = 1U << 1U;     // looked up in planes of the
 SHARED_CONSTANT uint smoke_by_view = 1U << 2U;     // looked up in planes that face the eye
 SHARED_CONSTANT uint smoke_has_wash = 1U << 3U;    // tones are paint
 SHARED_CONSTANT uint smoke_has_strokes = 1U << 4U; // tones are strokes
+SHARED_CONSTANT uint smoke_has_several = 1U << 5U; // boxes
+SHARED_CONSTANT uint smoke_is_shaded = 1U << 6U;   // by what stands in the light's way
+SHARED_CONSTANT uint smoke_has_share = 1U << 7U;   // of the sun, that something else leaves
+SHARED_CONSTANT uint smoke_has_haze = 1U << 8U;
 
 SHARED_CONSTANT uint smoke_brick = 8U;       // cells along each side of what is skipped where it is empty
 SHARED_CONSTANT uint smoke_light_cells = 2U; // cells along each side of one of the light's
 SHARED_CONSTANT uint smoke_most_lights = 4U;
+SHARED_CONSTANT uint smoke_most_boxes = 8U;
+
+// Who knows what stands before a light: nobody, the sun's map, or the local light's from this number on.
+SHARED_CONSTANT uint smoke_no_shadow = 0U;
+SHARED_CONSTANT uint smoke_sun_shadow = 1U;
+SHARED_CONSTANT uint smoke_local_shadow = 2U;
 
 // A light in the grid's axes.
 struct SmokeLight {
@@ -28,12 +38,16 @@ struct SmokeLight {
     vec3 beam;      // of spots, along it
     float cone_scale;
     float cone_offset;
+    uint shadow;
 };
 
-// The box and what is in it.
-struct SmokeGlobals {
+// A box and what is in it. Fields of all boxes lie in images of one size, layer after layer, each from a
+// whole brick on.
+struct SmokeBox {
     mat4 grid_from_anchor; // in cells, from the low corner
+    mat4 anchor_from_grid;
     uvec3 cells;
+    uint first_layer;
     float cell_m;
     float extinction_per_m; // of density 1
     float puff_cells;       // from one puff to the next
@@ -43,11 +57,24 @@ struct SmokeGlobals {
     SmokeLight lights[smoke_most_lights];
     uint light_count;
     float ambient; // of all light that comes unhindered
-    float edge;    // opacity at which smoke begins to be drawn
     float step_m;
-    float scatter;      // of look-ups within a step, 0 to 1
-    vec3 towards_light; // in the grid's axes, of what gives form
+    vec3 towards_light;  // in the grid's axes, of what gives form
+    float gap_m;         // depth between puffs from which a line parts them
+    float stroke_rise_m; // how far strokes have risen
     uint seed;
+};
+
+struct SmokeGlobals {
+    SmokeBox boxes[smoke_most_boxes];
+    uint box_count;
+    uvec3 field_cells; // of the images
+    float edge;        // opacity at which smoke begins to be drawn
+    float scatter;     // of look-ups within a step, 0 to 1
+};
+
+// Which box a dispatch is of.
+struct SmokeTurn {
+    uint box;
 };
 
 // How it is inked.
@@ -63,9 +90,17 @@ struct SmokeInk {
     float scene_line_px; // half the widest line of the scene
     float stroke_px;
     float darkness;
-    float gap_m;         // depth between puffs from which a line parts them
-    vec3 stroke_axis;    // across the strokes
-    float stroke_rise_m; // how far they have risen
+    vec3 stroke_axis; // across the strokes
+    // See haze.glsl.h.
+    float haze_start_m;
+    float haze_halves_per_m;
+    float haze_ink;
+};
+
+// Its shadow on the scene.
+struct SmokeThrown {
+    vec3 towards_sun;
+    float strength;
 };
 
 #ifdef __cplusplus

@@ -4,167 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "frame/view.hpp"
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "support/gpu_device.hpp"
-#include "support/layers.hpp"
+#include "techniques/smoke/smoke_test_support.hpp"
 
 namespace estampe::smoke {
 namespace {
-
-constexpr glm::uvec2 size_px(48, 40);
-constexpr double near_m = 0.05;
-constexpr uint32_t side = 32;
-constexpr float cell_m = 1.0F / side;
-
-/// Of a cell's middle, in a box of one metre.
-using Density = std::function<float(glm::vec3)>;
-
-/// A box of one metre about the origin, turned a little.
-struct Turned {
-    glm::dmat4 anchor_from_box = glm::rotate(glm::dmat4(1.0), 0.4, glm::normalize(glm::dvec3(0.3, 1.0, 0.2)));
-
-    [[nodiscard]] Box box() const
-    {
-        glm::dmat4 box_from_grid = glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5));
-        box_from_grid = glm::scale(box_from_grid, glm::dvec3(1.0 / side));
-        return {.cells = glm::uvec3(side),
-                .cell_m = cell_m,
-                .grid_from_anchor = glm::mat4(glm::inverse(anchor_from_box * box_from_grid))};
-    }
-};
-
-struct Seen {
-    Camera camera{.eye = {0.4, 0.3, 2.2}, .target = {0.0, 0.05, 0.0}, .near_m = near_m};
-    test::Painter<float> depth = [](glm::uvec2) { return 0.0F; };
-    test::Painter<glm::vec4> lines = [](glm::uvec2) { return glm::vec4(0.0F); };
-    std::vector<Lamp> lamps = {};
-    float ambient = 1.0F;
-};
-
-struct Drawn {
-    std::vector<glm::vec4> marched;
-    std::vector<uint32_t> paint; ///< four bytes each
-    std::vector<float> ink;
-    shared::FrameGlobals frame;
-
-    [[nodiscard]] float cover(size_t i) const { return static_cast<float>(paint[i] >> 24U) / 255.0F; }
-};
-
-Drawn draw(const Density& density, const SmokeStyle& style, const Seen& seen = {})
-{
-    gpu::Device& device = test::shared_device();
-    const Box box = Turned().box();
-    gpu::Image field(device, "density",
-                     {.width = side, .height = side, .format = gpu::Format::r32f, .layers = side});
-    gpu::upload_layers(device, field, [&](uint32_t z) {
-        std::vector<float> numbers;
-        for (uint32_t i = 0; i < side * side; ++i) {
-            numbers.push_back(density((glm::vec3(i % side, i / side, z) + 0.5F) * cell_m));
-        }
-        const auto bytes = std::as_bytes(std::span(numbers));
-        return gpu::LayerPixels{.levels = {{bytes.begin(), bytes.end()}}};
-    });
-    const shared::SmokeGlobals around =
-        globals_of(box, style, {.lamps = seen.lamps, .ambient = seen.ambient});
-    auto globals = gpu::upload_buffer(device, "smoke", std::vector{around});
-    const Bounds bounds{.min = glm::dvec3(-1.0), .max = glm::dvec3(1.0)};
-    Drawn drawn{.frame = frame::frame_globals(seen.camera, bounds, glm::dvec3(0.0), {.size_px = size_px})};
-    auto frame = gpu::upload_buffer(device, "frame", std::vector{drawn.frame});
-    auto depth = test::Layer::depth(size_px, seen.depth);
-    auto lines = test::Layer::root_color(size_px, seen.lines);
-    VolumeMemory memory;
-    memory.provide(device, box.cells);
-    for (int wanted = 0; wanted < 3; ++wanted) {
-        gpu::Graph graph;
-        const ViewInputs view{.frame = gpu::import_whole(graph, "frame", frame),
-                              .globals = gpu::import_whole(graph, "smoke", globals),
-                              .depth = depth.in(graph),
-                              .size_px = size_px};
-        const Volume volume = wanted == 0
-                                  ? add_volume(graph, memory, style,
-                                               {.globals = view.globals,
-                                                .density = gpu::import_uploaded(graph, "density", field),
-                                                .puff_count = puff_count_of(around)})
-                                  : memory.import(graph);
-        const gpu::ImageId marched = add_march(graph, volume, style, view);
-        const Layer layer =
-            add_ink(graph, style,
-                    {.view = view, .marched = marched, .lines = lines.in(graph), .pixels_per_mm = 4.0F});
-        if (wanted == 0) {
-            drawn.marched = test::run_and_read_as<glm::vec4>(graph, marched);
-        } else if (wanted == 1) {
-            drawn.paint = test::run_and_read_as<uint32_t>(graph, layer.paint);
-        } else {
-            drawn.ink = test::run_and_read_coverage(graph, layer.ink);
-        }
-    }
-    return drawn;
-}
-
-SmokeStyle plain(float extinction_per_m, Sampling sampling = Sampling::rays, float step = 0.7F)
-{
-    return {.drawn = true,
-            .thickness = 0.1F * extinction_per_m,
-            .puffs = false,
-            .sampling = sampling,
-            .step = step};
-}
-
-struct Ray {
-    glm::dvec3 origin;
-    glm::dvec3 direction;
-};
-
-/// Through the middle of a pixel, in the box's own axes, which begin at its low corner.
-Ray ray_of(const Drawn& drawn, const Camera& camera, size_t pixel)
-{
-    const glm::dvec2 ndc =
-        2.0 * (glm::dvec2(pixel % size_px.x, pixel / size_px.x) + 0.5) / glm::dvec2(size_px) - 1.0;
-    const auto point_at = [&](double depth) {
-        const glm::dvec4 point =
-            glm::inverse(glm::dmat4(drawn.frame.clip_from_anchor)) * glm::dvec4(ndc, depth, 1.0);
-        return glm::dvec3(point) / point.w;
-    };
-    const bool is_parallel = camera.orthographic_half_height_m.has_value();
-    const glm::dvec3 near = point_at(1.0);
-    const glm::dvec3 origin = is_parallel ? near : camera.eye;
-    const glm::dvec3 direction =
-        is_parallel ? glm::normalize(camera.target - camera.eye) : glm::normalize(near - origin);
-    const glm::dmat4 box_from_anchor = glm::inverse(Turned().anchor_from_box);
-    return {glm::dvec3(box_from_anchor * glm::dvec4(origin, 1.0)) + 0.5,
-            glm::dmat3(box_from_anchor) * direction};
-}
-
-/// How far a ray goes through the box, up to `most`.
-double way_through_box(const Ray& ray, double most = 1e9)
-{
-    double from = 0.0;
-    double to = most;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double a = -ray.origin[axis] / ray.direction[axis];
-        const double b = (1.0 - ray.origin[axis]) / ray.direction[axis];
-        from = std::max(from, std::min(a, b));
-        to = std::min(to, std::max(a, b));
-    }
-    return std::max(to - from, 0.0);
-}
-
-std::vector<Camera> cameras()
-{
-    Camera parallel{.eye = {0.4, 0.3, 2.2}, .target = {0.0, 0.05, 0.0}, .near_m = near_m};
-    parallel.orthographic_half_height_m = 0.9;
-    return {
-        Seen().camera,
-        parallel,
-        {.eye = {0.1, -0.05, 0.2}, .target = {0.3, 0.1, -1.0}, .near_m = near_m}}; // the last within the box
-}
 
 TEST(Smoke, SlabLetsThroughWhatBeerAndLambertSay)
 {
@@ -356,6 +203,58 @@ TEST(Smoke, PuffsAreRoundAndOnlyWhereItIsDense)
     }
     EXPECT_GT(static_cast<double>(drawn_dense), 0.9 * static_cast<double>(dense));
     EXPECT_EQ(drawn_far, 0U);
+}
+
+TEST(Smoke, ThrowsTheShadowThatBeerAndLambertSay)
+{
+    // On a wall behind the box, square to the view, in a sun from the upper left before it.
+    constexpr double extinction_per_m = 3.0;
+    constexpr double wall_m = 3.2;
+    Seen seen{.depth = [](glm::uvec2) { return static_cast<float>(near_m / wall_m); }};
+    seen.towards_sun = glm::normalize(glm::vec3(-0.35F, 0.4F, 1.0F));
+    SmokeStyle style = plain(extinction_per_m);
+    for (const float strength : {1.0F, 0.25F}) {
+        style.shadow = strength;
+        const Drawn drawn = draw([](glm::vec3) { return 0.75F; }, style, seen);
+        const glm::dvec3 forward = glm::normalize(seen.camera.target - seen.camera.eye);
+        size_t shaded = 0;
+        for (size_t i = 0; i < drawn.share.size(); ++i) {
+            const Ray ray = ray_through(drawn, seen.camera, i);
+            const glm::dvec3 point = ray.origin + wall_m / glm::dot(ray.direction, forward) * ray.direction;
+            const double way_m =
+                way_through_box(in_sides(Turned().box(), {point, glm::dvec3(*seen.towards_sun)}));
+            const double left = std::exp(-0.75 * extinction_per_m * way_m);
+            // The test says that something else has taken half.
+            EXPECT_NEAR(drawn.share[i], 0.5 * glm::mix(1.0, left, static_cast<double>(strength)), 1e-3) << i;
+            shaded += way_m > 0.0 ? 1 : 0;
+        }
+        EXPECT_GT(shaded, 100U);
+        EXPECT_LT(shaded, drawn.share.size() - 100U);
+    }
+}
+
+TEST(Smoke, FadesIntoTheSkyByHowFarItIs)
+{
+    SmokeStyle style = plain(2000.0F);
+    style.medium = Medium::wash;
+    style.line_mm = 0.0F;
+    style.color = style.shade_color = style.deep_color = glm::vec3(1.0F, 0.0F, 0.0F);
+    Seen seen;
+    seen.haze_reach_m = 0.6F;
+    const Drawn drawn = draw([](glm::vec3) { return 1.0F; }, style, seen);
+    size_t count = 0;
+    for (size_t i = 0; i < drawn.paint.size(); ++i) {
+        if (drawn.cover(i) > 0.99F) {
+            const double left = std::exp2(-(static_cast<double>(drawn.marched[i].z) - 0.5) / 0.6);
+            const auto root = [&](uint32_t channel) {
+                return static_cast<double>((drawn.paint[i] >> (8 * channel)) & 255U) / 255.0;
+            };
+            EXPECT_NEAR(root(0) * root(0), left, 0.01);
+            EXPECT_NEAR(root(1) * root(1), 1.0 - left, 0.01);
+            ++count;
+        }
+    }
+    EXPECT_GT(count, 200U);
 }
 
 } // namespace

@@ -17,6 +17,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_wash = (variant & smoke_has_wash) != 0u;
 const bool has_strokes = (variant & smoke_has_strokes) != 0u;
+const bool has_haze = (variant & smoke_has_haze) != 0u;
 
 layout(scalar, binding = 0) uniform Frame
 {
@@ -28,11 +29,12 @@ layout(scalar, binding = 1) uniform Smoke
     SmokeGlobals smoke;
 };
 
-layout(binding = 2) uniform sampler2D smoke_image; // see smoke_march.comp
+layout(binding = 2) uniform sampler2D smoke_image; // of smoke_march.comp
 layout(binding = 3) uniform sampler2D depth_image;
 layout(binding = 4) uniform sampler2D line_image;
-layout(binding = 5, rgba8) writeonly uniform image2D out_paint;
-layout(binding = 6, r16f) writeonly uniform image2D out_ink;
+layout(binding = 5) uniform sampler2D sky_image; // of the variant that has haze
+layout(binding = 6, rgba8) writeonly uniform image2D out_paint;
+layout(binding = 7, r16f) writeonly uniform image2D out_ink;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -67,7 +69,7 @@ float cover_at(ivec2 pixel, float opacity)
 
 // How far, in pixels, the nearest place is where the smoke ends or is farther off, by `gap_m` more than a
 // steep slope would have it, of those that nothing of the scene hides.
-float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel_m)
+float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel_m, float gap_m)
 {
     const float steep = 3.0;
     float nearest = 1e9;
@@ -77,7 +79,7 @@ float distance_to_end(ivec2 pixel, float surface_m, float own_depth, float pixel
         ivec2 aside = ivec2(round(float(1 + i / ways) * vec2(cos(angle), sin(angle))));
         vec4 there = smoke_at(pixel + aside);
         float away = length(vec2(aside));
-        bool is_end = there.x < smoke.edge || there.z > surface_m + ink.gap_m + steep * pixel_m * away;
+        bool is_end = there.x < smoke.edge || there.z > surface_m + gap_m + steep * pixel_m * away;
         bool is_open = depth_at(pixel + aside) <= own_depth;
         nearest = is_end && is_open ? min(nearest, away) : nearest;
     }
@@ -99,31 +101,32 @@ float left_by_scene(ivec2 pixel, float own_depth)
 }
 
 // The change over one pixel, over both neighbours where the puff goes on to both.
-vec3 step_along(ivec2 pixel, ivec2 way, vec3 point, float surface_m)
+vec3 step_along(ivec2 pixel, ivec2 way, vec3 point, float surface_m, float gap_m)
 {
     float after_m = smoke_at(pixel + way).z;
     float before_m = smoke_at(pixel - way).z;
-    bool has_after = after_m > 0.0 && abs(after_m - surface_m) < ink.gap_m;
-    bool has_before = before_m > 0.0 && abs(before_m - surface_m) < ink.gap_m;
+    bool has_after = after_m > 0.0 && abs(after_m - surface_m) < gap_m;
+    bool has_before = before_m > 0.0 && abs(before_m - surface_m) < gap_m;
     vec3 after = point_at(pixel + way, has_after ? after_m : surface_m);
     vec3 before = point_at(pixel - way, has_before ? before_m : surface_m);
     return has_after == has_before ? 0.5 * (after - before) : has_after ? after - point : point - before;
 }
 
-float strokes_at(ivec2 pixel, vec3 point, float surface_m, float dark)
+float strokes_at(ivec2 pixel, vec3 point, float surface_m, float dark, uint box)
 {
-    Footprint f = Footprint(step_along(pixel, ivec2(1, 0), point, surface_m),
-                            step_along(pixel, ivec2(0, 1), point, surface_m));
+    float gap_m = smoke.boxes[box].gap_m;
+    Footprint f = Footprint(step_along(pixel, ivec2(1, 0), point, surface_m, gap_m),
+                            step_along(pixel, ivec2(0, 1), point, surface_m, gap_m));
     vec3 axis = ink.stroke_axis;
     vec3 side = unit(cross(axis, abs(axis.y) < 0.7 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
-    LineField field =
-        field_along(axis, side, cross(axis, side), point - vec3(0.0, ink.stroke_rise_m, 0.0), f);
+    vec3 risen = vec3(0.0, smoke.boxes[box].stroke_rise_m, 0.0);
+    LineField field = field_along(axis, side, cross(axis, side), point - risen, f);
     // Where a puff turns away its lines would crowd into black.
     float pixel_m = pixel_size_m(frame, point);
     field.v_per_px = clamp(field.v_per_px, 0.2 * pixel_m, 3.0 * pixel_m);
     float pen = ink.stroke_px;
     LineLook look = LineLook(pen, 0.4 * pen, 10.0 * pen, 30.0 * pen, 90.0 * pen, 0.3, 0.0);
-    return line_ink(field, look, dark, smoke.seed + 5u);
+    return line_ink(field, look, dark, smoke.boxes[box].seed + 5u);
 }
 
 void main()
@@ -136,24 +139,35 @@ void main()
     vec4 paint = vec4(1.0, 1.0, 1.0, 0.0);
     float inked = 0.0;
     if (here.z > 0.0) {
+        uint box = uint(0.5 * here.w);
+        float facing = here.w - 2.0 * float(box);
         vec3 point = point_at(pixel, here.z);
         vec4 clip = frame.clip_from_anchor * vec4(point, 1.0);
         float own_depth = clip.z / clip.w;
         float left = left_by_scene(pixel, own_depth);
         float cover = cover_at(pixel, here.x);
-        float light = here.y * mix(1.0, smoothstep(0.05, 0.75, here.w), ink.form);
-        float end_px = distance_to_end(pixel, here.z, own_depth, pixel_size_m(frame, point));
+        float light = here.y * mix(1.0, smoothstep(0.05, 0.75, facing), ink.form);
+        float end_px =
+            distance_to_end(pixel, here.z, own_depth, pixel_size_m(frame, point), smoke.boxes[box].gap_m);
         float pen_px = ink.line_px * mix(1.5, 0.6, smoothstep(0.2, 0.9, light));
         inked = clamp(pen_px - end_px + 1.0, 0.0, 1.0) * cover;
         float shade = smoothstep(0.04, -0.04, light - ink.shade_below);
         float deep = smoothstep(0.04, -0.04, light - ink.deep_below);
         float dark = has_strokes ? ink.darkness * mix(0.6 * shade, 1.0, deep) : 0.0;
         if (dark > 0.0) {
-            inked = max(inked, cover * strokes_at(pixel, point, here.z, dark));
+            inked = max(inked, cover * strokes_at(pixel, point, here.z, dark, box));
         }
         inked *= left;
         vec3 color = mix(mix(ink.color, ink.shade_color, shade), ink.deep_color, deep);
-        paint = vec4(has_wash ? color : ink.color, cover * left * ink.opacity);
+        color = has_wash ? color : ink.color;
+        if (has_haze) {
+            float away = frame.is_orthographic != 0u ? here.z : distance(point, frame.eye_anchor);
+            float halved = max(away - ink.haze_start_m, 0.0) * ink.haze_halves_per_m;
+            vec3 sky = texelFetch(sky_image, min(pixel, textureSize(sky_image, 0) - 1), 0).rgb;
+            color = mix(sky, color, exp2(-halved));
+            inked *= exp2(-ink.haze_ink * halved);
+        }
+        paint = vec4(color, cover * left * ink.opacity);
     }
     imageStore(out_paint, pixel, vec4(sqrt(paint.rgb), paint.a));
     imageStore(out_ink, pixel, vec4(inked));

@@ -16,6 +16,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool by_axis = (variant & smoke_by_axis) != 0u;
 const bool by_view = (variant & smoke_by_view) != 0u;
 const bool by_slices = by_axis || by_view;
+const bool has_several = (variant & smoke_has_several) != 0u;
 
 layout(scalar, binding = 0) uniform Frame
 {
@@ -33,32 +34,9 @@ layout(binding = 4) uniform sampler2D depth_image;
 layout(binding = 5, rgba32f) writeonly uniform image2D out_smoke;
 
 #include "techniques/smoke/smoke_grid.glsl"
+#include "techniques/smoke/smoke_volume.glsl"
 
 const float least_left = 5e-5; // of what is behind: less is not looked for
-
-// Density and light.
-vec2 smoke_at(vec3 place)
-{
-    float z = clamp(place.z - 0.5, 0.0, float(smoke.cells.z) - 1.0);
-    float low = floor(z);
-    vec4 both = textureLod(packed, vec3(place.xy / vec2(smoke.cells.xy), low), 0.0);
-    return mix(both.xy, both.zw, z - low);
-}
-
-// How far, in the ray's lengths, a ray stays in a brick that is empty; 0 where it is not.
-float empty_way(vec3 place, vec3 direction)
-{
-    vec3 node = clamp(place - 0.5, vec3(0.0), vec3(smoke.cells) - 1.0);
-    uvec3 counts = brick_counts();
-    uvec3 brick = min(uvec3(node) / smoke_brick, counts - 1u);
-    float densest = texelFetch(brick_texels, int((brick.z * counts.y + brick.y) * counts.x + brick.x)).x;
-    vec3 low = vec3(brick * smoke_brick) + 0.5;
-    vec3 plane = mix(low, low + float(smoke_brick), greaterThan(direction, vec3(0.0)));
-    vec3 way = (plane - place) / mix(direction, vec3(1e-9), lessThan(abs(direction), vec3(1e-9)));
-    // Beyond the outermost planes nothing changes any more.
-    way = mix(way, vec3(1e9), lessThanEqual(way, vec3(0.0)));
-    return densest > 0.0 ? 0.0 : min(way.x, min(way.y, way.z));
-}
 
 // Where samples lie along a ray: the i-th from `first` on, `spacing` apart.
 struct Samples {
@@ -66,37 +44,129 @@ struct Samples {
     float spacing;
 };
 
-// Planes stand fast in the grid, across the axis that the eye looks along most, or across the view.
-Samples samples_of(Ray ray, vec3 direction, vec2 range)
+// Planes stand fast in the grid of the box, across the axis that the eye looks along most, or across the
+// view.
+Samples samples_of(Ray ray, uint box, float from)
 {
+    float step_m = smoke.boxes[box].step_m;
     if (!by_slices) {
-        return Samples(range.x, smoke.step_m);
+        return Samples(from, step_m);
     }
-    vec3 view = mat3(smoke.grid_from_anchor) * frame.view_forward;
+    vec3 view = mat3(smoke.boxes[box].grid_from_anchor) * frame.view_forward;
     vec3 size = abs(view);
     int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    vec3 origin = (smoke.grid_from_anchor * vec4(ray.origin, 1.0)).xyz;
-    float planes_per_cell = smoke.cell_m / smoke.step_m;
-    float start = by_axis ? origin[axis] * planes_per_cell
-                          : dot(ray.origin - frame.eye_anchor, frame.view_forward) / smoke.step_m;
+    Ray within = ray_in_box(box, ray);
+    float planes_per_cell = smoke.boxes[box].cell_m / step_m;
+    float start = by_axis ? within.origin[axis] * planes_per_cell
+                          : dot(ray.origin - frame.eye_anchor, frame.view_forward) / step_m;
     float rate =
-        by_axis ? direction[axis] * planes_per_cell : dot(ray.direction, frame.view_forward) / smoke.step_m;
+        by_axis ? within.direction[axis] * planes_per_cell : dot(ray.direction, frame.view_forward) / step_m;
     rate = abs(rate) < 1e-6 ? 1e-6 : rate;
-    float at_entry = start + range.x * rate;
+    float at_entry = start + from * rate;
     float plane = rate > 0.0 ? ceil(at_entry) : floor(at_entry);
     return Samples((plane - start) / rate, 1.0 / abs(rate));
 }
 
-vec3 facing(vec3 place)
+vec3 facing(uint box, vec3 place)
 {
     const float aside = 1.0;
     vec3 slope = vec3(0.0);
     for (int axis = 0; axis < 3; ++axis) {
         vec3 off = vec3(0.0);
         off[axis] = aside;
-        slope[axis] = smoke_at(place - off).x - smoke_at(place + off).x;
+        slope[axis] = smoke_at(box, place - off).x - smoke_at(box, place + off).x;
     }
     return slope * inversesqrt(max(dot(slope, slope), 1e-12));
+}
+
+// A stretch of a ray, in metres along it, that lies in the same boxes from end to end: a bit for each.
+struct Stretch {
+    float from;
+    float until;
+    uint boxes;
+    uint finest; // the box of the shortest steps
+};
+
+// The stretch that begins at `from`, none of whose length is beyond `most`; no boxes where it is in none.
+Stretch stretch_from(Ray ray, float from, float most)
+{
+    Stretch stretch = Stretch(from, most, 0u, 0u);
+    for (uint i = 0u; i < box_count(); ++i) {
+        Ray within = ray_in_box(i, ray);
+        vec2 range = range_in_box(vec3(smoke.boxes[i].cells), within.origin, within.direction);
+        float enters = max(range.x, 0.0);
+        bool is_in = from >= enters && from < range.y;
+        bool is_ahead = enters > from && enters < range.y;
+        bool is_finer = stretch.boxes == 0u || smoke.boxes[i].step_m < smoke.boxes[stretch.finest].step_m;
+        stretch.finest = is_in && is_finer ? i : stretch.finest;
+        stretch.boxes |= is_in ? 1u << i : 0u;
+        stretch.until = min(stretch.until, is_in ? range.y : is_ahead ? enters : most);
+    }
+    return stretch;
+}
+
+// What a ray has gone through.
+struct Gone {
+    float left; // of what is behind
+    float bright;
+    float surface_m; // where it passed the edge, 0 where it has not
+    uint box;        // that is densest there
+};
+
+// What a step goes through.
+struct Passed {
+    float thickness;
+    float light;
+    float empty; // length in which nothing more is
+    uint densest;
+};
+
+Passed passed_at(Ray ray, Stretch stretch, float at, float way)
+{
+    Passed passed = Passed(0.0, 0.0, 1e9, stretch.finest);
+    float most = 0.0;
+    float glow = 0.0;
+    for (uint i = 0u; i < box_count(); ++i) {
+        if (!has_several || (stretch.boxes & (1u << i)) != 0u) {
+            Ray within = ray_in_box(i, ray);
+            vec3 place = within.origin + at * within.direction;
+            vec2 here = smoke_at(i, place);
+            float thickness = here.x * smoke.boxes[i].extinction_per_m * way;
+            passed.thickness += thickness;
+            passed.light = here.y;
+            glow += thickness * here.y;
+            passed.densest = thickness > most ? i : passed.densest;
+            most = max(most, thickness);
+            passed.empty = here.x > 0.0 ? 0.0 : min(passed.empty, empty_way(i, place, within.direction));
+        }
+    }
+    passed.light = has_several ? glow / max(passed.thickness, 1e-20) : passed.light;
+    return passed;
+}
+
+void go_through(inout Gone gone, Ray ray, Stretch stretch, float scattered)
+{
+    Samples samples = samples_of(ray, stretch.finest, stretch.from);
+    float number = 0.0;
+    float from = samples.first;
+    while (from < stretch.until && gone.left > least_left) {
+        float way = by_slices ? samples.spacing : min(samples.spacing, stretch.until - from);
+        Passed passed = passed_at(ray, stretch, from + scattered * way, way);
+        if (passed.thickness > 0.0) {
+            float through = exp(-passed.thickness);
+            float wanted = log(max(gone.left, 1e-6) / (1.0 - smoke.edge));
+            bool is_edge = gone.surface_m == 0.0 && passed.thickness >= wanted;
+            gone.surface_m =
+                is_edge ? max(from + way * clamp(wanted / passed.thickness, 0.0, 1.0), 1e-6) : gone.surface_m;
+            gone.box = is_edge ? passed.densest : gone.box;
+            gone.bright += gone.left * (1.0 - through) * passed.light;
+            gone.left *= through;
+            number += 1.0;
+        } else {
+            number += max(floor(passed.empty / samples.spacing), 1.0);
+        }
+        from = samples.first + number * samples.spacing;
+    }
 }
 
 void main()
@@ -107,46 +177,27 @@ void main()
     }
     vec2 position = vec2(pixel) + 0.5;
     Ray ray = ray_at(frame, position);
-    vec3 origin = (smoke.grid_from_anchor * vec4(ray.origin, 1.0)).xyz;
-    vec3 direction = mat3(smoke.grid_from_anchor) * ray.direction;
-    vec2 range = range_in_box(origin, direction);
     float depth = texelFetch(depth_image, pixel, 0).x;
     float seen_m = depth > 0.0 ? dot(anchor_at(frame, position, depth) - ray.origin, ray.direction) : 1e9;
-    range = vec2(max(range.x, 0.0), min(range.y, seen_m));
-    float left = 1.0;
-    float bright = 0.0;
-    float surface_m = 0.0;
-    if (range.x < range.y) {
-        Samples samples = samples_of(ray, direction, range);
-        uvec2 place_px = uvec2(page_place(frame, vec2(pixel)));
-        float stray =
-            by_slices ? 0.0 : 0.5 + smoke.scatter * (unit_float(hash(place_px.x, place_px.y)) - 0.5);
-        float number = 0.0;
-        float from = samples.first;
-        while (from < range.y && left > least_left) {
-            float way = by_slices ? samples.spacing : min(samples.spacing, range.y - from);
-            vec3 place = origin + (from + stray * way) * direction;
-            vec2 here = smoke_at(place);
-            if (here.x > 0.0) {
-                float thickness = here.x * smoke.extinction_per_m * way;
-                float passed = exp(-thickness);
-                float wanted = log(max(left, 1e-6) / (1.0 - smoke.edge));
-                surface_m = surface_m == 0.0 && thickness >= wanted
-                                ? max(from + way * clamp(wanted / thickness, 0.0, 1.0), 1e-6)
-                                : surface_m;
-                bright += left * (1.0 - passed) * here.y;
-                left *= passed;
-                number += 1.0;
-            } else {
-                number += max(floor(empty_way(place, direction) / samples.spacing), 1.0);
-            }
-            from = samples.first + number * samples.spacing;
+    uvec2 place_px = uvec2(page_place(frame, vec2(pixel)));
+    float scattered =
+        by_slices ? 0.0 : 0.5 + smoke.scatter * (unit_float(hash(place_px.x, place_px.y)) - 0.5);
+    Gone gone = Gone(1.0, 0.0, 0.0, 0u);
+    float from = 0.0;
+    while (from < seen_m && gone.left > least_left) {
+        Stretch stretch = stretch_from(ray, from, seen_m);
+        if (stretch.boxes != 0u) {
+            go_through(gone, ray, stretch, scattered);
         }
+        from = stretch.until;
     }
-    float opacity = 1.0 - left;
-    vec4 found = vec4(opacity, bright / max(opacity, 1e-6), surface_m, 0.5);
-    if (surface_m > 0.0) {
-        found.w = 0.5 + 0.5 * dot(facing(origin + surface_m * direction), smoke.towards_light);
+    float opacity = 1.0 - gone.left;
+    vec4 found = vec4(opacity, gone.bright / max(opacity, 1e-6), gone.surface_m, 0.5);
+    if (gone.surface_m > 0.0) {
+        Ray within = ray_in_box(gone.box, ray);
+        vec3 way = facing(gone.box, within.origin + gone.surface_m * within.direction);
+        found.w = 2.0 * float(gone.box) + 0.5 +
+                  0.5 * clamp(dot(way, smoke.boxes[gone.box].towards_light), -0.99, 1.0);
     }
     imageStore(out_smoke, pixel, found);
 }

@@ -10,6 +10,9 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_several = (variant & smoke_has_several) != 0u;
+
 layout(scalar, binding = 0) uniform Smoke
 {
     SmokeGlobals smoke;
@@ -24,20 +27,27 @@ layout(scalar, binding = 4) writeonly buffer Bricks
     float out_densest[];
 };
 
+layout(push_constant, scalar) uniform Constants
+{
+    SmokeTurn turn;
+};
+
 #include "techniques/smoke/smoke_grid.glsl"
 
 shared uint densest; // floats that are not negative order as their bits do
 
 float shape_at(ivec3 cell)
 {
-    return texelFetch(shape, min(cell, ivec3(smoke.cells) - 1), 0).x;
+    ivec3 within = min(cell, ivec3(smoke.boxes[turn.box].cells) - 1);
+    return texelFetch(shape, within + ivec3(0, 0, smoke.boxes[turn.box].first_layer), 0).x;
 }
 
 float light_at(ivec3 cell)
 {
-    vec3 size = vec3((smoke.cells + smoke_light_cells - 1u) / smoke_light_cells);
-    return sample_layers(light, (vec3(min(cell, ivec3(smoke.cells) - 1)) + 0.5) / float(smoke_light_cells),
-                         size);
+    uvec3 cells = smoke.boxes[turn.box].cells;
+    vec3 place = (vec3(min(cell, ivec3(cells) - 1)) + 0.5) / float(smoke_light_cells);
+    return sample_layers(light, place, vec3(light_counts(cells)), vec2(light_counts(smoke.field_cells).xy),
+                         float(smoke.boxes[turn.box].first_layer / smoke_light_cells));
 }
 
 void main()
@@ -53,8 +63,8 @@ void main()
         ivec3 cell = low + ivec3(0, 0, i);
         ivec3 above = cell + ivec3(0, 0, 1);
         vec2 there = vec2(shape_at(above), light_at(above));
-        if (all(lessThan(cell, ivec3(smoke.cells)))) {
-            imageStore(out_packed, cell, vec4(here, there));
+        if (all(lessThan(cell, ivec3(smoke.boxes[turn.box].cells)))) {
+            imageStore(out_packed, cell + ivec3(0, 0, smoke.boxes[turn.box].first_layer), vec4(here, there));
         }
         // Between a brick's cells and the next ones there is no more than in both.
         float beside = max(max(shape_at(cell + ivec3(1, 0, 0)), shape_at(cell + ivec3(0, 1, 0))),
@@ -67,8 +77,6 @@ void main()
     atomicMax(densest, floatBitsToUint(most));
     barrier();
     if (gl_LocalInvocationIndex == 0u) {
-        uvec3 counts = brick_counts();
-        uvec3 brick = gl_WorkGroupID;
-        out_densest[(brick.z * counts.y + brick.y) * counts.x + brick.x] = uintBitsToFloat(densest);
+        out_densest[brick_index(turn.box, gl_WorkGroupID)] = uintBitsToFloat(densest);
     }
 }

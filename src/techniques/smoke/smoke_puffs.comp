@@ -23,29 +23,36 @@ layout(scalar, binding = 2) writeonly buffer Puffs
     vec4 out_puffs[]; // middle and radius, in cells
 };
 
-float density_near(vec3 place)
+layout(push_constant, scalar) uniform Constants
 {
-    ivec3 cell = clamp(ivec3(floor(place)), ivec3(0), ivec3(smoke.cells) - 1);
+    SmokeTurn turn;
+};
+
+float density_near(vec3 place, uvec3 cells)
+{
+    ivec3 cell = clamp(ivec3(floor(place)), ivec3(0), ivec3(cells) - 1);
     return texelFetch(density, cell, 0).x;
 }
 
 void main()
 {
     uint item = item_index();
-    uvec3 counts = smoke.puff_counts;
+    uvec3 counts = smoke.boxes[turn.box].puff_counts;
     if (item >= counts.x * counts.y * counts.z) {
         return;
     }
     uvec3 number = uvec3(item % counts.x, item / counts.x % counts.y, item / (counts.x * counts.y));
-    vec3 knot = smoke.puffs_from + vec3(number);
+    vec3 cells = vec3(smoke.boxes[turn.box].cells);
+    float apart = smoke.boxes[turn.box].puff_cells;
+    vec3 knot = smoke.boxes[turn.box].puffs_from + vec3(number);
     uvec3 key = uvec3(ivec3(knot));
-    uint identity = hash(key.x, key.y, key.z ^ smoke.seed);
+    uint identity = hash(key.x, key.y, key.z ^ smoke.boxes[turn.box].seed);
     vec3 stray = vec3(unit_float(identity), unit_float(hash(identity + 1u)), unit_float(hash(identity + 2u)));
-    vec3 middle = (knot + mix(vec3(0.2), vec3(0.8), stray)) * smoke.puff_cells + smoke.puffs_risen;
-    float most = mix(0.5, 0.95, unit_float(hash(identity + 3u))) * smoke.puff_cells;
-    float radius = most * sqrt(smoothstep(0.1, 0.7, density_near(middle)));
+    vec3 middle = (knot + mix(vec3(0.2), vec3(0.8), stray)) * apart + smoke.boxes[turn.box].puffs_risen;
+    float most = mix(0.5, 0.95, unit_float(hash(identity + 3u))) * apart;
+    float radius = most * sqrt(smoothstep(0.1, 0.7, density_near(middle, uvec3(cells))));
     // The box cuts none of them but by its floor.
-    vec3 inside = min(middle, vec3(smoke.cells) - middle);
-    inside.y = float(smoke.cells.y) - middle.y;
+    vec3 inside = min(middle, cells - middle);
+    inside.y = cells.y - middle.y;
     out_puffs[item] = vec4(middle, min(radius, min(inside.x, min(inside.y, inside.z))));
 }

@@ -42,7 +42,7 @@ void main()
         return;
     }
     uint word = texelFetch(draw_image, pixel, 0).x;
-    if (!takes_light_in(word) || looks[look_of(word)].strength <= 0.0) {
+    if (!takes_light_in(word) || look_through(look_of(word)).a <= 0.0) {
         imageStore(out_draw, pixel, uvec4(0u));
         imageStore(out_depth, pixel, vec4(0.0));
         imageStore(out_normal, pixel, uvec4(0u));

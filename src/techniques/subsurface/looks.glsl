@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The look of what a pixel sees. Wanted before: LOOKS_BINDING, of the looks; the number of each draw's comes
-// next. HAS_LOOKS says whether there is more than one.
+// The look of what a pixel sees. Wanted before: LOOKS_BINDING, of the looks as texels; the number of each
+// draw's comes next. HAS_LOOKS says whether there is more than one.
 
 #include "shaders/draw_word.glsl"
 #include "techniques/subsurface/subsurface.glsl.h"
 
-layout(scalar, binding = LOOKS_BINDING) readonly buffer Looks
-{
-    SubsurfaceLook looks[];
-};
-
-layout(scalar, binding = LOOKS_BINDING + 1) readonly buffer LookOfDraw
-{
-    uint look_of_draw[];
-};
+layout(binding = LOOKS_BINDING) uniform samplerBuffer look_texels;
+layout(binding = LOOKS_BINDING + 1) uniform usamplerBuffer look_of_draw;
 
 // Of the ground, and where nothing is seen, light goes into nothing.
 bool takes_light_in(uint word)
@@ -23,5 +16,23 @@ bool takes_light_in(uint word)
 
 uint look_of(uint word)
 {
-    return HAS_LOOKS && takes_light_in(word) ? look_of_draw[draw_of(word)] : 0u;
+    return HAS_LOOKS && takes_light_in(word) ? texelFetch(look_of_draw, int(draw_of(word))).x : 0u;
+}
+
+// Absorption, and the share of what comes through.
+vec4 look_through(uint look)
+{
+    return texelFetch(look_texels, int(3u * look));
+}
+
+// How far each colour spreads, and how thick sheets are.
+vec4 look_scatter(uint look)
+{
+    return texelFetch(look_texels, int(3u * look + 1u));
+}
+
+// How much of what lies behind is seen, and how blurred.
+vec2 look_behind(uint look)
+{
+    return texelFetch(look_texels, int(3u * look + 2u)).xy;
 }

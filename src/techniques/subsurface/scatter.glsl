@@ -2,13 +2,14 @@
 #ifndef ESTAMPE_SCATTER
 #define ESTAMPE_SCATTER
 
-// The half page that light spreads over. Wanted before: `frame`, a FrameGlobals, and `constants`,
-// ScatterConstants.
+// The half page that light spreads over, and Burley's profile as a mixture of the blurs of it. Wanted before:
+// `frame`, a FrameGlobals, and `constants`, ScatterConstants.
 
 #include "shaders/camera.glsl"
+#include "techniques/subsurface/profile.glsl"
 
-// By how much the way to every second pixel and back blurs, with taps between pixels.
-const float half_page_variance_px2 = 1.4;
+// By how much the way to every second pixel and back blurs.
+const float half_page_variance_px2 = 0.85;
 
 const float nowhere_m = 1e30; // how far off a pixel is that takes no light in
 
@@ -30,12 +31,24 @@ float ahead_m(vec3 point)
     return dot(point - frame.eye_anchor, frame.view_forward);
 }
 
-// What `scatter_m` is at a point, on the page and then, where that is cut short, in the scene.
-vec2 spread_at(float scatter_m, vec3 point)
+// The standard deviation of the half page blurred up to a level, in pixels of the page; of the half page
+// itself at -1.
+float deviation_px(int level)
 {
-    float pixel_m = pixel_size_m(frame, point);
-    float spread_px = min(scatter_m / pixel_m, constants.most_px);
-    return vec2(spread_px, spread_px * pixel_m);
+    float blurred = 4.0 * (exp2(2.0 * float(level + 1)) - 1.0) / 3.0;
+    return sqrt(blurred + half_page_variance_px2);
+}
+
+// From which deviation on they are taken for the half page, rather than for the light as it lies there.
+float kept_below_px()
+{
+    return 0.5 * deviation_px(-1);
+}
+
+// From which deviation on they are taken for a level, rather than for the one before it.
+float level_from_px(int level)
+{
+    return sqrt(deviation_px(level - 1) * deviation_px(level));
 }
 
 #endif

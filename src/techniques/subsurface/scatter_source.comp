@@ -23,7 +23,8 @@ layout(constant_id = 0) const uint variant = 0u;
 #include "techniques/subsurface/looks.glsl"
 
 layout(binding = 6, rgba32f) writeonly uniform image2D out_light;  // and how far ahead of the eye it is
-layout(binding = 7, rgba32f) writeonly uniform image2D out_spread; // on the page, in the scene; the look
+layout(binding = 7, rgba32f) writeonly uniform image2D out_spread; // by colour, on the page; a pixel there
+layout(binding = 8, rgba32f) writeonly uniform image2D out_sum;    // of blurs so far; how far ahead
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -40,17 +41,25 @@ void main()
     }
     ivec2 pixel = whole_pixel(half_pixel);
     uint word = texelFetch(draw_image, pixel, 0).x;
-    uint look = look_of(word);
-    float scatter_m = takes_light_in(word) ? looks[look].scatter_m : 0.0;
+    vec3 scatter_m = takes_light_in(word) ? look_scatter(look_of(word)).rgb : vec3(0.0);
+    bool scatters = scatter_m != vec3(0.0);
     vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(texelFetch(depth_image, pixel, 0).x, 1e-9));
     // Light of the pixels about it counts, so that the edge of a shadow does not jump from one to the next.
     vec4 sum = vec4(0.0);
-    for (int i = 0; i < 4; ++i) {
+    int i = 0;
+    int corners = scatters ? 4 : 1;
+    do {
         ivec2 looked = min(pixel + ivec2(i & 1, i >> 1), ivec2(frame.size_px) - 1);
         float share = texelFetch(draw_image, looked, 0).x == word ? 1.0 : 0.0;
         sum += share * vec4(texelFetch(light_image, looked, 0).rgb, 1.0);
-    }
-    float ahead = scatter_m > 0.0 ? ahead_m(point) : nowhere_m;
-    imageStore(out_light, half_pixel, vec4(sum.rgb / max(sum.w, 1.0), ahead));
-    imageStore(out_spread, half_pixel, vec4(spread_at(scatter_m, point), float(look), 0.0));
+        ++i;
+    } while (i < corners);
+    float pixel_m = pixel_size_m(frame, point);
+    vec3 spread_px = min(scatter_m / pixel_m, vec3(constants.most_px));
+    float ahead = scatters ? ahead_m(point) : nowhere_m;
+    vec3 light = sum.rgb / max(sum.w, 1.0);
+    vec3 share = share_below(level_from_px(0), spread_px) - share_below(kept_below_px(), spread_px);
+    imageStore(out_light, half_pixel, vec4(light, ahead));
+    imageStore(out_spread, half_pixel, vec4(spread_px, pixel_m));
+    imageStore(out_sum, half_pixel, vec4(share * light, ahead));
 }

@@ -2,9 +2,7 @@
 #include "techniques/subsurface/subsurface.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "shaders/exit_comp.hpp"
 #include "shaders/scatter_blur_comp.hpp"
@@ -15,36 +13,29 @@
 namespace estampe::subsurface {
 namespace {
 
-// Burley's profile along a line, found by least squares: within 0.2 % everywhere in its integral. Standard
-// deviations are multiples of its d.
-constexpr float kept_share = 0.07947F;
-constexpr std::array<shared::ScatterLevel, shared::scatter_levels> levels{
-    {{.blur = 0.4704F, .share = 0.24378F},
-     {.blur = 1.5209F, .share = 0.41632F},
-     {.blur = 4.3009F, .share = 0.26043F}}};
-
-// Of the sum of all blurs, three standard deviations each.
-constexpr float reach_of_d = 3.0F * (0.4704F + 1.5209F + 4.3009F);
-
-/// Weights of the taps, which come to one: what of a Gaussian lies about each, up to the middle between it
-/// and the next.
-std::array<float, shared::scatter_taps + 1> weights_of(float deviation)
+/// How far off the page the light of a pixel spreads over so many levels.
+uint32_t reach_of_levels(uint32_t levels)
 {
-    const auto place = [](float tap) { return shared::scatter_spacing * (tap + 0.25F * tap * tap); };
-    const auto below = [&](float x) {
-        return 0.5F * std::erf(x / (deviation * std::numbers::sqrt2_v<float>));
-    };
-    std::array<float, shared::scatter_taps + 1> weights{};
-    float from = 0.0F;
-    for (uint32_t i = 0; i < weights.size(); ++i) {
-        const auto tap = static_cast<float>(i);
-        const float to = 0.5F * (place(tap) + place(tap + 1.0F));
-        weights.at(i) = i == 0 ? 2.0F * below(to) : below(to) - below(from);
-        from = to;
+    constexpr uint32_t neighbours_px = 4;
+    return 4U * ((1U << levels) - 1U) + neighbours_px;
+}
+
+/// As many as the style's reach has room for.
+uint32_t levels_within(float reach_mm, float pixels_per_mm)
+{
+    uint32_t levels = 1;
+    while (levels < shared::most_scatter_levels &&
+           static_cast<float>(reach_of_levels(levels + 1)) <= reach_mm * pixels_per_mm + 4.0F) {
+        ++levels;
     }
-    const float whole = 2.0F * below(from);
-    std::ranges::for_each(weights, [&](float& weight) { weight /= whole; });
-    return weights;
+    return levels;
+}
+
+/// The d of the profile whose tail the widest of so many blurs holds.
+float most_spread_px(uint32_t levels)
+{
+    const double blurred = 4.0 * (std::exp2(2.0 * levels) - 1.0) / 3.0;
+    return 0.25F * static_cast<float>(std::sqrt(blurred + 0.85));
 }
 
 float widest(const SubsurfaceStyle& style)
@@ -55,7 +46,8 @@ float widest(const SubsurfaceStyle& style)
 /// Binds looks and numbers of looks; the variant says whether there are any.
 uint32_t bind_looks(gpu::Pass& pass, const SubsurfaceInputs& in)
 {
-    pass.read(in.looks).read(in.look_of_draw.value_or(in.looks));
+    pass.sample(in.looks, gpu::Format::rgba32f);
+    pass.sample(in.look_of_draw.value_or(in.looks), gpu::Format::r32ui);
     return in.look_of_draw ? shared::subsurface_has_looks : 0U;
 }
 
@@ -64,19 +56,16 @@ uint32_t bind_looks(gpu::Pass& pass, const SubsurfaceInputs& in)
 shared::SubsurfaceLook look_of(const SubsurfaceStyle& style)
 {
     shared::SubsurfaceLook look{};
-    if (shines(style)) {
-        look.strength = style.strength;
+    if (style.depth_m > 0.0F) {
         look.absorbed_per_m = -glm::log(glm::max(style.tint, 1e-4F)) / style.depth_m;
     }
+    look.strength = shines(style) ? style.strength : 0.0F;
+    look.behind = is_clear(style) ? style.behind : 0.0F;
+    look.behind_blur = style.behind_blur;
     if (scatters(style)) {
-        look.scatter_m = style.scatter_m * widest(style);
-        for (int channel = 0; channel < 3; ++channel) {
-            const auto weights = weights_of(std::max(style.scatter_color[channel] / widest(style), 0.01F));
-            for (uint32_t i = 0; i < weights.size(); ++i) {
-                look.weights[i][channel] = weights.at(i);
-            }
-        }
+        look.scatter_m = style.scatter_m * style.scatter_color;
     }
+    look.sheet_m = style.sheet_m;
     return look;
 }
 
@@ -90,11 +79,15 @@ bool scatters(const SubsurfaceStyle& style)
     return style.drawn && style.scatter_m * widest(style) > 0.0F;
 }
 
+bool is_clear(const SubsurfaceStyle& style)
+{
+    return style.drawn && style.behind > 0.0F;
+}
+
 uint32_t reach_px(const SubsurfaceStyle& style, float pixels_per_mm)
 {
-    constexpr uint32_t neighbours_px = 4;
-    return scatters(style) ? static_cast<uint32_t>(std::ceil(style.reach_mm * pixels_per_mm)) + neighbours_px
-                           : 0U;
+    const bool has_reach = (scatters(style) && style.space == Space::page) || is_clear(style);
+    return has_reach ? reach_of_levels(levels_within(style.reach_mm, pixels_per_mm)) : 0U;
 }
 
 FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferId behind,
@@ -129,11 +122,12 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
 {
     const glm::uvec2 from_half = (in.from_px + 1U) / 2U;
     const glm::uvec2 last_half = (in.from_px + in.size_px - 1U) / 2U;
+    const uint32_t levels = levels_within(in.reach_mm, in.pixels_per_mm);
     shared::ScatterConstants constants{.from_half = from_half,
                                        .half_px = glm::max(last_half + 1U, from_half + 1U) - from_half,
-                                       .most_px = in.reach_mm * in.pixels_per_mm / reach_of_d,
-                                       .level = {},
-                                       .kept = kept_share};
+                                       .most_px = most_spread_px(levels),
+                                       .level = 0,
+                                       .is_last = 0U};
     const auto image = [&](const char* name, glm::uvec2 size_px) {
         return graph.image(name, {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba32f});
     };
@@ -141,21 +135,18 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
     auto source = graph.compute("subsurface/source", shaders::scatter_source_comp);
     source.uniform(in.frame).sample(in.draw).sample(in.depth).sample(light);
     source.variant(bind_looks(source, in));
-    const gpu::ImageId taken = source.write(half_image("subsurface/source"));
+    gpu::ImageId blurred = source.write(half_image("subsurface/source"));
     const gpu::ImageId spread = source.write(half_image("subsurface/spread"));
+    gpu::ImageId sum = source.write(half_image("subsurface/sum"));
     source.push(constants).dispatch_over(constants.half_px.x, constants.half_px.y);
-    gpu::ImageId blurred = taken;
-    gpu::ImageId sum = taken;
-    for (const shared::ScatterLevel& level : levels) {
-        constants.level = level;
-        const bool is_first = &level == levels.data();
+    for (uint32_t level = 0; level < levels; ++level) {
+        constants.level = static_cast<int>(level);
+        constants.is_last = level + 1 == levels ? 1U : 0U;
         for (const bool is_upright : {false, true}) {
             auto pass = graph.compute(is_upright ? "subsurface/columns" : "subsurface/rows",
                                       shaders::scatter_blur_comp);
             pass.uniform(in.frame).sample(spread).sample(blurred).sample(sum);
-            pass.read(in.looks).read(in.looks);
-            pass.variant((is_upright ? shared::subsurface_is_upright : 0U) |
-                         (is_first ? shared::subsurface_is_first : 0U));
+            pass.variant(is_upright ? shared::subsurface_is_upright : 0U);
             const gpu::ImageId next = pass.write(half_image("subsurface/blurred"));
             const gpu::ImageId next_sum = pass.write(is_upright ? half_image("subsurface/sum")
                                                                 : image("subsurface/no sum", glm::uvec2(1)));
@@ -165,7 +156,7 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
         }
     }
     auto pass = graph.compute("subsurface/page", shaders::scatter_page_comp);
-    pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(sum).sample(taken);
+    pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(sum);
     pass.variant(bind_looks(pass, in));
     const gpu::ImageId result = pass.modify(light);
     pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);

@@ -8,26 +8,19 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint scatter_taps = 8U; // of a blur, to either side
-// Tap i is this times (i + i^2 / 4) standard deviations of the colour that spreads farthest off: dense about
-// the middle, for those that spread less.
-SHARED_CONSTANT float scatter_spacing = 0.125F;
-SHARED_CONSTANT uint scatter_levels = 3U;
+SHARED_CONSTANT uint most_scatter_levels = 7U;
+SHARED_CONSTANT uint most_texture_levels = 8U;
+SHARED_CONSTANT uint behind_levels = 6U; // of what lies behind: whole, in halves, and so on
 
-// What a look says of light that goes in.
+// What a look says of light that goes in: three texels of 16 bytes.
 struct SubsurfaceLook {
     vec3 absorbed_per_m; // logarithm of what is lost
     float strength;      // of light that comes through; 0: none does
-    float scatter_m;     // of the colour that spreads farthest; 0: none spreads
-    vec3 unused;
-    vec4 weights[scatter_taps + 1U]; // of the middle and of taps to one side, by colour
-};
-
-// Burley's profile is close to what is left where it was and three Gaussians, each the blur of the one
-// before by a variance.
-struct ScatterLevel {
-    float blur;  // standard deviation of the blur, as a share of scatter_m
-    float share; // of the light
+    vec3 scatter_m;      // how far each colour spreads: d of the profile; 0: none does
+    float sheet_m;       // thickness of what has no far side
+    float behind;        // share of what lies behind that is seen
+    float behind_blur;   // deviation of its blur, by the thickness
+    vec2 unused;
 };
 
 // Every second pixel of the page each way, as `from_half` tells: pixel `i` is pixel 2 * (from_half + i) of
@@ -35,18 +28,25 @@ struct ScatterLevel {
 struct ScatterConstants {
     uvec2 from_half;
     uvec2 half_px;
-    float most_px; // that scatter_m may be on the page
-    ScatterLevel level;
-    float kept; // share of the light that stays where it was
+    float most_px; // that d may be on the page
+    int level;     // of the blur, 0 the narrowest: taps are two to this power apart
+    uint is_last;  // level: what is wider goes with it
+};
+
+// The texels of a map that lies on all surfaces, which light spreads between.
+struct TextureConstants {
+    uint size;     // of the map, texels a side
+    float most_tx; // that d may be, in texels
+    int level;     // of the blur, 0 the narrowest: taps are two to this power apart
+    uint is_last;  // level: what is wider goes with it
 };
 
 // Bits of the variants.
 SHARED_CONSTANT uint subsurface_has_looks = 1U; // surfaces differ
 SHARED_CONSTANT uint subsurface_is_upright = 2U;
-SHARED_CONSTANT uint subsurface_is_first = 4U; // level
 
 #ifdef __cplusplus
-static_assert(sizeof(SubsurfaceLook) == 176);
+static_assert(sizeof(SubsurfaceLook) == 48);
 } // namespace estampe::shared
 #endif
 

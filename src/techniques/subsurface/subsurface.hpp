@@ -18,6 +18,9 @@ namespace estampe::subsurface {
 [[nodiscard]] bool shines(const SubsurfaceStyle& style);
 [[nodiscard]] bool scatters(const SubsurfaceStyle& style);
 
+/// Whether what lies behind is seen.
+[[nodiscard]] bool is_clear(const SubsurfaceStyle& style);
+
 /// How far off the page the pixels may lie that one of this style hangs on.
 [[nodiscard]] uint32_t reach_px(const SubsurfaceStyle& style, float pixels_per_mm);
 
@@ -54,12 +57,13 @@ struct FarSide {
 
 /// Lets `light` spread under the surface. Returns its new version.
 ///
-/// Cost    eight dispatches, all but the last over every second pixel each way; time goes with the pixels
-///         that take light in
+/// Cost    two dispatches for each doubling of the reach on the page, and one, over every second pixel each
+///         way, of four texels a pixel that takes light in; then one over all
 /// Source  Christensen and Burley, "Approximate Reflectance Profiles for Efficient Subsurface Scattering",
 ///         2015; Gaussians after d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007; on
 ///         the page after Jimenez, Sundstedt and Gutierrez, "Screen-Space Perceptual Rendering of Human
-///         Skin", 2009
+///         Skin", 2009; with holes after Shensa, "The Discrete Wavelet Transform: Wedding the a Trous and
+///         Mallat Algorithms", 1992
 [[nodiscard]] gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::ImageId light);
 
 } // namespace estampe::subsurface

@@ -2,6 +2,7 @@
 // Light that goes into things, in whole pictures.
 #include "techniques/subsurface/subsurface.hpp"
 
+#include <cmath>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include <estampe/renderer.hpp>
 
 #include "scene/shapes.hpp"
+#include "support/effect_pictures.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 
@@ -18,7 +20,7 @@ namespace {
 const Camera camera{.eye = {0.0, 0.5, 4.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.6};
 constexpr RenderSettings small{.width = 120, .height = 90};
 
-/// Two slabs against the sun.
+/// Two slabs against the sun; in the one of skin there is a thin one of stone.
 Scene against_the_sun()
 {
     Scene scene = test::scene_of(shapes::box({0.8F, 1.0F, 0.1F}));
@@ -26,22 +28,15 @@ Scene against_the_sun()
     scene.nodes.front().transform.translation = {-0.6, 0.0, 0.0};
     test::add_object(scene, shapes::box({0.8F, 1.0F, 0.1F}), glm::vec3(1.0F), {0.6, 0.0, 0.0});
     scene.materials.back().name = "stone";
+    test::add_object(scene, shapes::box({0.6F, 0.8F, 0.02F}), glm::vec3(1.0F), {-0.6, 0.1, 0.0});
+    scene.materials.back().name = "stone within";
     test::add_sun(scene, {0.0, 0.3, -1.0});
     return scene;
 }
 
 Style with(const std::vector<std::string>& assignments)
 {
-    Style style;
-    for (const char* flat :
-         {"paper.grain=0", "paper.granulation=0", "paper.ink_break=0", "picture.ground=none",
-          "contour.drawn=false", "hatch.drawn=false", "sky.mode=paper"}) {
-        style.set(flat);
-    }
-    for (const std::string& assignment : assignments) {
-        style.set(assignment);
-    }
-    return style;
+    return test::effect_style({"hatch.drawn=false", "sky.mode=paper"}, assignments);
 }
 
 /// Mean of a channel over a part of the page.
@@ -65,23 +60,18 @@ protected:
         return renderer.render(camera, with(assignments), small);
     }
 
-    [[nodiscard]] bool has_pass() const
-    {
-        return renderer.graph_dot().find("subsurface") != std::string::npos;
-    }
-
     Renderer& renderer = test::shared_renderer();
 };
 
 TEST_F(SubsurfaceInPictures, LightInThingsCostsNothingWhenOff)
 {
     const Image plain = draw({});
-    EXPECT_FALSE(has_pass());
+    EXPECT_FALSE(test::has_pass("subsurface"));
     EXPECT_EQ(draw({"subsurface.scatter_m=0.1", "subsurface.depth_m=1"}).rgba, plain.rgba);
-    EXPECT_FALSE(has_pass());
+    EXPECT_FALSE(test::has_pass("subsurface"));
     EXPECT_EQ(draw({"subsurface.drawn=true", "subsurface.scatter_m=0", "subsurface.depth_m=0"}).rgba,
               plain.rgba);
-    EXPECT_FALSE(has_pass());
+    EXPECT_FALSE(test::has_pass("subsurface"));
 }
 
 TEST_F(SubsurfaceInPictures, LightComesThroughNamedMaterialsAlone)
@@ -91,7 +81,7 @@ TEST_F(SubsurfaceInPictures, LightComesThroughNamedMaterialsAlone)
                                            "material.sk*.subsurface.tint=#e04020"};
     const Image plain = draw({});
     const Image image = draw(glowing);
-    EXPECT_TRUE(has_pass());
+    EXPECT_TRUE(test::has_pass("subsurface"));
     const glm::uvec2 skin_from(30, 35);
     const glm::uvec2 skin_to(45, 60);
     const glm::uvec2 stone_from(75, 35);
@@ -105,17 +95,83 @@ TEST_F(SubsurfaceInPictures, LightComesThroughNamedMaterialsAlone)
 
 TEST_F(SubsurfaceInPictures, LightInThingsHasNoSeamsBetweenTiles)
 {
-    const std::vector<std::string> assignments{"subsurface.drawn=true", "subsurface.depth_m=0.1",
-                                               "subsurface.scatter_m=0.02", "subsurface.reach_mm=8"};
-    RenderSettings in_tiles{.width = 240, .height = 180};
-    const Image whole = renderer.render(camera, with(assignments), in_tiles);
-    in_tiles.tile_px = 130;
-    const Image tiled = renderer.render(camera, with(assignments), in_tiles);
-    size_t different = 0;
-    for (size_t i = 0; i < whole.rgba.size(); ++i) {
-        different += std::abs(int{whole.rgba[i]} - int{tiled.rgba[i]}) > 2 ? 1 : 0;
+    const Style style = with({"subsurface.drawn=true", "subsurface.depth_m=0.1", "subsurface.scatter_m=0.2",
+                              "subsurface.reach_mm=18"});
+    EXPECT_LE(test::most_between_tiles(camera, style, 130), 2);
+}
+
+/// A clear slab of some thickness before a wall whose left half is bright.
+Scene slab_before_halves(float thickness_m)
+{
+    Scene scene = test::scene_of(shapes::box({2.0F, 2.0F, thickness_m}));
+    scene.materials.front().name = "glass";
+    scene.nodes.front().transform.translation = {0.0, -1.0, -0.5 * static_cast<double>(thickness_m)};
+    for (const double side : {-1.0, 1.0}) {
+        const glm::vec3 color = side < 0.0 ? glm::vec3(0.9F) : glm::vec3(0.2F, 0.1F, 0.05F);
+        test::add_object(scene, shapes::box({4.0F, 8.0F, 0.1F}), color, {2.0 * side, -4.0, -2.0});
+        scene.materials.back().unlit = true;
     }
-    EXPECT_LT(different, whole.rgba.size() / 1000);
+    test::add_sun(scene, {0.0, 0.3, 1.0});
+    return scene;
+}
+
+class SeenBehind : public testing::Test {
+protected:
+    [[nodiscard]] static LinearImage draw(float thickness_m, const std::vector<std::string>& assignments)
+    {
+        std::vector<std::string> all{"paper.margin_mm=0", "paper.color=#ffffff", "wash.strength=1",
+                                     "wash.neutral=1",    "wash.least=0",        "light.shadows=false"};
+        all.insert(all.end(), assignments.begin(), assignments.end());
+        Camera parallel{.eye = {0.0, 0.0, 4.0}, .target = {0.0, 0.0, 0.0}};
+        parallel.orthographic_half_height_m = 0.8;
+        test::shared_renderer().set_scene(slab_before_halves(thickness_m));
+        return test::shared_renderer().render_linear(parallel, with(all), {.width = 128, .height = 64});
+    }
+
+    /// Along the middle row.
+    [[nodiscard]] static glm::dvec3 at(const LinearImage& image, uint32_t x)
+    {
+        return glm::dvec3(image.pixels[size_t{32} * image.width + x]);
+    }
+
+    std::vector<std::string> clear{
+        "material.glass.subsurface.drawn=true", "material.glass.subsurface.behind=1",
+        "material.glass.subsurface.depth_m=0.2", "material.glass.subsurface.tint=#808080",
+        "material.glass.subsurface.behind_blur=0"};
+};
+
+TEST_F(SeenBehind, IsTintedByTheThickness)
+{
+    const LinearImage bare = draw(0.01F, {"object.*.subsurface.drawn=false", "picture.ground=none"});
+    const double gray = std::pow((128.0 / 255.0 + 0.055) / 1.055, 2.4);
+    const LinearImage thin = draw(0.001F, clear);
+    // Paper adds a share of its own to all three alike.
+    const auto left = [&](double thickness_m) { return std::pow(gray, (thickness_m - 0.001) / 0.2); };
+    const LinearImage thicker = draw(0.1F, clear);
+    const LinearImage thickest = draw(0.4F, clear);
+    for (const uint32_t x : {50U, 78U}) {
+        const auto off = static_cast<double>(at(thin, x).y - at(thicker, x).y);
+        EXPECT_NEAR((at(thicker, x).y - at(thickest, x).y) / off, (left(0.1) - left(0.4)) / (1.0 - left(0.1)),
+                    0.02)
+            << x;
+    }
+    EXPECT_GT(at(thin, 50).x, at(thin, 78).x + 0.3) << "the wall is seen";
+    EXPECT_NEAR(at(bare, 50).x, at(bare, 78).x, 0.05) << "and not where there is nothing clear";
+}
+
+TEST_F(SeenBehind, IsTheMoreBlurredTheThickerItIs)
+{
+    clear.back() = "material.glass.subsurface.behind_blur=0.5";
+    clear.emplace_back("material.glass.subsurface.tint=#ffffff");
+    clear.emplace_back("subsurface.reach_mm=200");
+    double before = 1.0;
+    for (const float thickness_m : {0.001F, 0.1F, 0.2F, 0.4F}) {
+        const LinearImage seen = draw(thickness_m, clear);
+        // How much of the step two pixels span.
+        const double steep = (at(seen, 63).x - at(seen, 65).x) / (at(seen, 28).x - at(seen, 100).x);
+        EXPECT_LT(steep, before * 1.001) << thickness_m;
+        before = 0.8 * steep;
+    }
 }
 
 } // namespace

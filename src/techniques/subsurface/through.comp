@@ -36,11 +36,16 @@ void main()
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px)) || word == 0u) {
         return;
     }
-    SubsurfaceLook look = looks[look_of(word)];
+    uint look = look_of(word);
+    vec4 through = look_through(look);
+    float sheet_m = look_scatter(look).a;
     vec2 middle_px = vec2(pixel) + 0.5;
-    vec3 front = anchor_at(frame, middle_px, texelFetch(depth_image, pixel, 0).x);
-    vec3 back = anchor_at(frame, middle_px, texelFetch(exit_image, pixel, 0).x);
-    vec3 left = look.strength * exp(-look.absorbed_per_m * distance(front, back));
+    float own_depth = texelFetch(depth_image, pixel, 0).x;
+    float far_depth = texelFetch(exit_image, pixel, 0).x;
+    vec3 front = anchor_at(frame, middle_px, own_depth);
+    vec3 back = anchor_at(frame, middle_px, far_depth);
+    float inside_m = far_depth == own_depth ? sheet_m : distance(front, back);
+    vec3 left = through.a * exp(-through.rgb * inside_m);
     vec3 sum = imageLoad(light, pixel).rgb + left * texelFetch(far_light_image, pixel, 0).rgb;
     sum = min(sum, vec3(most_light));
     imageStore(light, pixel, vec4(sum, luminance(sum)));

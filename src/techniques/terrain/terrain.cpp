@@ -100,25 +100,4 @@ void Terrain::paint_mask(std::string_view mask, const std::vector<float>& height
     program_ = std::move(painted);
 }
 
-Camera terrain_camera(const Terrain& terrain, double time_s)
-{
-    glm::dvec3 highest(0.0, -1e9, 0.0);
-    for (int i = -16; i <= 16; ++i) {
-        for (int j = -16; j <= 16; ++j) {
-            const glm::dvec2 place = 5.0 * glm::dvec2(i, j);
-            const double height_m = terrain.sample(place.x, place.y, time_s).height_m;
-            if (height_m > highest.y) {
-                highest = {place.x, height_m, place.y};
-            }
-        }
-    }
-    const double angle_rad =
-        glm::radians(static_cast<double>(terrain.description().wind.direction_deg) + 120.0);
-    const glm::dvec3 ahead = glm::normalize(glm::dvec3(std::cos(angle_rad), -0.1, std::sin(angle_rad)));
-    const glm::dvec3 eye = highest + glm::dvec3(0.0, 3.0, 0.0);
-    constexpr double farthest_m = 100.0;
-    const std::optional<glm::dvec3> seen = terrain.hit(eye, ahead, farthest_m, time_s);
-    return {.eye = eye, .target = seen.value_or(eye + farthest_m * ahead), .vertical_fov_rad = 0.8};
-}
-
 } // namespace estampe

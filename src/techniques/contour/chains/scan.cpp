@@ -9,7 +9,7 @@
 namespace estampe::contour {
 namespace {
 
-Scanned add_spread_scan(gpu::Graph& graph, const std::string& name, const ScanInputs& in)
+Scanned add_spread_scan(gpu::Graph& graph, const gpu::Name& name, const ScanInputs& in)
 {
     const gpu::BufferId sizes_before =
         in.sizes_are_new
@@ -32,7 +32,7 @@ Scanned add_spread_scan(gpu::Graph& graph, const std::string& name, const ScanIn
 
 } // namespace
 
-Scanned add_scan(gpu::Graph& graph, const std::string& name, const ScanInputs& in)
+Scanned add_scan(gpu::Graph& graph, const gpu::Name& name, const ScanInputs& in)
 {
     if (in.is_spread) {
         return add_spread_scan(graph, name, in);

@@ -23,7 +23,7 @@ struct Scanned {
 };
 
 /// Sums up a list whose length only the device knows. Cost: one workgroup, or twice as many as scan_parts.
-[[nodiscard]] Scanned add_scan(gpu::Graph& graph, const std::string& name, const ScanInputs& in);
+[[nodiscard]] Scanned add_scan(gpu::Graph& graph, const gpu::Name& name, const ScanInputs& in);
 
 /// Where the size of a list, as the arguments of a dispatch, lies in `sizes`.
 [[nodiscard]] inline uint64_t indirect_offset(uint32_t list)

@@ -35,7 +35,7 @@ void main()
         int component = are_scalars ? fluid_scalar : i;
         if (!are_scalars || i == 0) {
             vec3 at = place_of_node(component);
-            vec3 here = velocity_at(velocity, cell, at);
+            vec3 here = velocity_at_node(velocity, component, cell);
             way = way_along(velocity, here, cell, at, -advect.cells_per_speed);
         }
         int first_layer = i * int(grid.depth);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of a volume: vorticity in its middle, of unit cells, component by component.
+// One thread a cell of a volume: vorticity in its middle, of unit cells, component by component, and how much
+// it is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -41,10 +42,12 @@ void main()
     if (!is_in_grid(cell)) {
         return;
     }
+    vec3 whole;
     for (int i = 0; i < 3; ++i) {
         int next = (i + 1) % 3;
         int last = (i + 2) % 3;
-        float curl = growth(cell, last, next) - growth(cell, next, last);
-        imageStore(out_curl, ivec3(cell.xy, i * int(grid.depth) + cell.z), vec4(curl));
+        whole[i] = growth(cell, last, next) - growth(cell, next, last);
+        imageStore(out_curl, ivec3(cell.xy, i * int(grid.depth) + cell.z), vec4(whole[i]));
     }
+    imageStore(out_curl, ivec3(cell.xy, 3 * int(grid.depth) + cell.z), vec4(length(whole)));
 }

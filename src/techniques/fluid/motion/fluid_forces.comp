@@ -13,7 +13,7 @@ layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray velocity;
 layout(binding = 1) uniform sampler2DArray quantities;
-layout(binding = 2) uniform sampler2DArray curl; // of volumes
+layout(binding = 2) uniform sampler2DArray confining; // of volumes: the force in the middle of cells
 layout(binding = 3, r32f) writeonly uniform image2DArray out_velocity;
 
 layout(push_constant, scalar) uniform Constants
@@ -36,6 +36,19 @@ float buoyancy(ivec3 cell)
     vec2 there = vec2(texelFetch(quantities, ivec3(below.xy, fluid_density * depth + cell.z), 0).x,
                       texelFetch(quantities, ivec3(below.xy, fluid_temperature * depth + cell.z), 0).x);
     return dot(0.5 * (here + there), vec2(-forces.weight, forces.lift));
+}
+
+// At the faces of a cell of a volume towards its lower neighbours.
+vec3 confining_force_of_volume(ivec3 cell)
+{
+    vec3 force;
+    for (int axis = 0; axis < 3; ++axis) {
+        int first = axis * int(grid.depth);
+        ivec3 below = neighbour(cell, axis, -1);
+        force[axis] = 0.5 * (texelFetch(confining, ivec3(cell.xy, first + cell.z), 0).x +
+                             texelFetch(confining, ivec3(below.xy, first + below.z), 0).x);
+    }
+    return force;
 }
 
 void main()

@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_FLUID_VORTICITY
 #define ESTAMPE_FLUID_VORTICITY
 
-// Vorticity confinement. Needs what fluid_fields.glsl needs, is included after it, and needs `velocity`, and
-// for volumes `curl`, vorticity in the middle of cells. Source: Steinhoff and Underhill, "Modification of the
-// Euler equations for vorticity confinement", Physics of Fluids 6, 1994.
+// Vorticity confinement in the plane; for volumes see fluid_confine.comp. Needs what fluid_fields.glsl needs,
+// is included after it, and needs `velocity`. Source: Steinhoff and Underhill, "Modification of the Euler
+// equations for vorticity confinement", Physics of Fluids 6, 1994.
 
 // Vorticity of unit cells at the low corner of a cell.
 float vorticity_at(ivec2 corner)
@@ -37,35 +37,6 @@ vec2 confining_force(ivec3 cell)
     vec2 on_y = vec2(right - here, 0.25 * (abs(at[7]) + abs(at[8]) - abs(at[1]) - abs(at[2])));
     return vec2(towards_vortex(on_x).y * 0.5 * (at[4] + at[7]),
                 -towards_vortex(on_y).x * 0.5 * (at[4] + at[5]));
-}
-
-vec3 curl_at(ivec3 cell)
-{
-    int depth = int(grid.depth);
-    return vec3(texelFetch(curl, cell, 0).x, texelFetch(curl, ivec3(cell.xy, depth + cell.z), 0).x,
-                texelFetch(curl, ivec3(cell.xy, 2 * depth + cell.z), 0).x);
-}
-
-// In the middle of a cell of a volume.
-vec3 confining_force_in(ivec3 cell)
-{
-    vec3 gradient;
-    for (int axis = 0; axis < 3; ++axis) {
-        gradient[axis] =
-            length(curl_at(neighbour(cell, axis, 1))) - length(curl_at(neighbour(cell, axis, -1)));
-    }
-    return cross(gradient * inversesqrt(dot(gradient, gradient) + 1e-12), curl_at(cell));
-}
-
-// At the faces of a cell of a volume towards its lower neighbours.
-vec3 confining_force_of_volume(ivec3 cell)
-{
-    vec3 here = confining_force_in(cell);
-    vec3 force;
-    for (int axis = 0; axis < 3; ++axis) {
-        force[axis] = 0.5 * (here[axis] + confining_force_in(neighbour(cell, axis, -1))[axis]);
-    }
-    return force;
 }
 
 #endif

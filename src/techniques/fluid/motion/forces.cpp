@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "shaders/fluid_confine_comp.hpp"
 #include "shaders/fluid_curl_comp.hpp"
 #include "shaders/fluid_forces_comp.hpp"
 
@@ -10,14 +11,20 @@ namespace estampe::fluid {
 
 namespace {
 
-gpu::ImageId curl_of(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity)
+/// What feeds the vortices of a volume, in the middle of cells.
+gpu::ImageId confining_force(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity)
 {
-    auto pass = graph.compute("fluid/curl", shaders::fluid_curl_comp);
-    pass.sample(velocity);
-    const gpu::ImageId curl = pass.write(graph.image("fluid/curl", velocity_desc(grid)));
+    auto curl_pass = graph.compute("fluid/curl", shaders::fluid_curl_comp);
+    curl_pass.sample(velocity);
+    const gpu::ImageId curl = curl_pass.write(graph.image("fluid/curl", field_desc(grid, 4)));
+    curl_pass.push(grid_constants(grid)).variant(grid_bits(grid));
+    dispatch_over_cells(curl_pass, grid);
+    auto pass = graph.compute("fluid/confine", shaders::fluid_confine_comp);
+    pass.sample(curl);
+    const gpu::ImageId force = pass.write(graph.image("fluid/confining", velocity_desc(grid)));
     pass.push(grid_constants(grid)).variant(grid_bits(grid));
     dispatch_over_cells(pass, grid);
-    return curl;
+    return force;
 }
 
 } // namespace
@@ -30,9 +37,12 @@ gpu::ImageId add_forces(gpu::Graph& graph, const Grid& grid, const ForceStyle& s
     }
     const bool is_buoyant = quantities.has_value() && (style.lift_m_s2 != 0.0F || style.weight_m_s2 != 0.0F);
     const bool is_confined = style.confinement_per_s != 0.0F;
-    const gpu::ImageId curl = is_confined && grid.is_volume() ? curl_of(graph, grid, velocity) : velocity;
+    const gpu::ImageId confining =
+        is_confined && grid.is_volume() ? confining_force(graph, grid, velocity) : velocity;
     auto pass = graph.compute("fluid/forces", shaders::fluid_forces_comp);
-    pass.sample(velocity, gpu::Sampling::linear_repeat).sample(quantities.value_or(velocity)).sample(curl);
+    pass.sample(velocity, gpu::Sampling::linear_repeat)
+        .sample(quantities.value_or(velocity))
+        .sample(confining);
     const gpu::ImageId forced = pass.write(graph.image("fluid/forced", velocity_desc(grid)));
     pass.push(WithGrid<shared::FluidForces>{grid_constants(grid),
                                             {.speed_gain = time_s * style.acceleration_m_s2,

@@ -18,7 +18,7 @@ GroundLevels ground_levels_about(const glm::dvec2& eye_m, const glm::dvec2& anch
     const glm::dvec2 sunwards = length > 1e-9 ? level_sun / length : glm::dvec2(0.0);
     GroundLevels levels;
     for (uint32_t i = 0; i < levels.size(); ++i) {
-        const double own_texel_m = texel_m * std::pow(3.0, i);
+        const double own_texel_m = texel_m * std::pow(4.0, i);
         const double extent_m = own_texel_m * size;
         const double step_m = 16.0 * own_texel_m;
         const glm::dvec2 middle = eye_m + 0.25 * extent_m * sunwards;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef ESTAMPE_GROUND_SHADOW_GLSL_H
 #define ESTAMPE_GROUND_SHADOW_GLSL_H
-// Fields of heights and horizons about the eye, each three times as coarse as the one before.
+// Fields of heights and horizons about the eye, each four times as coarse as the one before.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -9,7 +9,7 @@ namespace estampe::shared {
 #include "shaders/shared.glsl"
 #endif
 
-SHARED_CONSTANT uint ground_levels = 4U;
+SHARED_CONSTANT uint ground_levels = 5U;
 
 // Anchor space; origin is the middle of the first texel.
 struct GroundLevel {
@@ -23,7 +23,7 @@ struct GroundKeepConstants {
 };
 
 struct GroundShareConstants {
-    GroundLevel levels[4];
+    GroundLevel levels[5];
     vec3 towards_sun;
     float radius_rad;
     uint size; // texels a side

@@ -15,8 +15,9 @@ namespace estampe::shadow {
 /// Where the fields lie.
 using GroundLevels = std::array<shared::GroundLevel, shared::ground_levels>;
 
-/// Fields of `size` texels a side about an eye, the finest of `texel_m`. They are moved towards the sun,
-/// where what throws shadows stands, and go along with the eye in steps of 16 texels.
+/// Fields of `size` texels a side about an eye, the finest of `texel_m`, each next of four times that. They
+/// are moved towards the sun, where what throws shadows stands, and go along with the eye in steps of 16
+/// texels.
 [[nodiscard]] GroundLevels ground_levels_about(const glm::dvec2& eye_m, const glm::dvec2& anchor_m,
                                                const glm::dvec3& towards_sun, uint32_t size, double texel_m);
 

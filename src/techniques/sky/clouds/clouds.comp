@@ -25,10 +25,12 @@ layout(binding = 3) uniform samplerBuffer puff_texels;
 layout(binding = 4) uniform samplerBuffer streak_texels;
 layout(binding = 5, rgba16f) uniform image2D wash_image;
 layout(binding = 6, r16f) uniform image2D ink_image;
+layout(binding = 7, r16f) writeonly uniform image2D out_cover; // of the variant that keeps it
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool have_hatching = (variant & clouds_have_hatching) != 0u;
 const bool have_streaks = (variant & clouds_have_streaks) != 0u;
+const bool keep_cover = (variant & clouds_keep_cover) != 0u;
 
 #include "techniques/sky/clouds/puffs.glsl"
 #include "techniques/sky/clouds/streaks.glsl"
@@ -50,7 +52,13 @@ vec3 tone_of(float shade)
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(uvec2(pixel), frame.size_px)) || frame.is_orthographic != 0u) {
+    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
+        return;
+    }
+    if (keep_cover) {
+        imageStore(out_cover, pixel, vec4(0.0));
+    }
+    if (frame.is_orthographic != 0u) {
         return;
     }
     const float lowest = 0.012; // of a direction: below, clouds are too far
@@ -63,10 +71,12 @@ void main()
     vec3 down = direction_at(position + vec2(0.0, 1.0));
     vec3 wash = imageLoad(wash_image, pixel).rgb;
     float ink = imageLoad(ink_image, pixel).x;
+    float open = 1.0;
     if (have_streaks) {
         float cover = streaks_along(clouds.streaks, in_wind(d), in_wind(right), in_wind(down));
         wash = mix(wash, clouds.lit_color, cover);
         ink *= 1.0 - cover;
+        open -= cover;
     }
     vec3 in_layer = in_wind(d);
     float pixel_rad = 0.5 * (distance(d, right) + distance(d, down));
@@ -76,6 +86,7 @@ void main()
         wash = mix(wash, tone_of(seen.shade), seen.cover);
         ink = max(ink * (1.0 - seen.cover), seen.line);
         hatched = mix(hatched, seen.shade, seen.cover);
+        open *= 1.0 - seen.cover;
     }
     if (have_hatching) {
         ink = max(ink, line_ink(level_strokes(d, position), level_pen(clouds.hatch_width_px),
@@ -83,4 +94,7 @@ void main()
     }
     imageStore(wash_image, pixel, vec4(wash, 1.0));
     imageStore(ink_image, pixel, vec4(ink));
+    if (keep_cover) {
+        imageStore(out_cover, pixel, vec4(1.0 - open));
+    }
 }

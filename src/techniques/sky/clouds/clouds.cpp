@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/cloud_shadow_comp.hpp"
 #include "shaders/clouds_comp.hpp"
 #include "techniques/sky/clouds/cover.hpp"
 
@@ -190,16 +191,33 @@ std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& v
     return plan;
 }
 
-Sky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky)
+CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky)
 {
     auto pass = graph.compute("clouds", shaders::clouds_comp);
     pass.uniform(in.frame).uniform(in.globals);
     pass.sample(in.starts, gpu::Format::r32ui).sample(in.puffs, gpu::Format::rgba32f);
-    pass.sample(in.streaks, gpu::Format::r32f).variant(in.variant);
+    pass.sample(in.streaks, gpu::Format::r32f);
     const gpu::ImageId wash = pass.modify(sky.wash);
     const gpu::ImageId ink = pass.modify(sky.ink);
+    const glm::uvec2 cover_px = in.keeps_cover ? in.size_px : glm::uvec2(1);
+    const gpu::ImageId cover = pass.write(graph.image(
+        "clouds/cover", {.width = cover_px.x, .height = cover_px.y, .format = gpu::Format::r16f}));
+    pass.variant(in.variant | (in.keeps_cover ? shared::clouds_keep_cover : 0U));
     pass.dispatch_over(in.size_px.x, in.size_px.y);
-    return {wash, ink};
+    return {{wash, ink}, cover};
+}
+
+gpu::ImageId add_cloud_shadow(gpu::Graph& graph, const CloudShadowInputs& in, float strength)
+{
+    auto pass = graph.compute("clouds/shadow", shaders::cloud_shadow_comp);
+    pass.uniform(in.frame).uniform(in.globals);
+    pass.sample(in.starts, gpu::Format::r32ui).sample(in.puffs, gpu::Format::rgba32f);
+    pass.sample(in.depth).sample(in.share.value_or(in.depth));
+    const gpu::ImageId share = pass.write(graph.image(
+        "clouds/share", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
+    pass.push(shared::CloudShadow{.strength = strength}).variant(in.share ? shared::clouds_have_share : 0U);
+    pass.dispatch_over(in.size_px.x, in.size_px.y);
+    return share;
 }
 
 } // namespace estampe::sky

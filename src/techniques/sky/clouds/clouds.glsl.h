@@ -12,6 +12,9 @@ namespace estampe::shared {
 SHARED_CONSTANT uint clouds_have_hatching = 1U << 0U;
 SHARED_CONSTANT uint clouds_have_streaks = 1U << 1U;
 
+SHARED_CONSTANT uint clouds_have_share = 1U << 2U; // of the sun, that something else leaves
+SHARED_CONSTANT uint clouds_keep_cover = 1U << 3U; // for a mask
+
 SHARED_CONSTANT uint most_puff_layers = 2U;
 
 // Space "layer": along the wind, above the base, across the wind, in cells, of which a tile of `cells` x
@@ -62,6 +65,10 @@ struct CloudGlobals {
     float hatch_darkness;
     float hatch_width_px;
     float reach_m; // what is farther dissolves
+};
+
+struct CloudShadow {
+    float strength;
 };
 
 #ifdef __cplusplus

@@ -44,7 +44,14 @@ struct CloudInputs {
     gpu::BufferId puffs;
     gpu::BufferId streaks;
     uint32_t variant = 0;
+    bool keeps_cover = false; ///< for a mask of them
     glm::uvec2 size_px{0};
+};
+
+/// A sky, and what of it clouds cover: r16f, one texel where that is not kept.
+struct CloudedSky {
+    Sky sky;
+    gpu::ImageId cover;
 };
 
 /// Paints clouds into a sky: its wash is theirs where they are, its strokes end at them. Not in parallel
@@ -53,6 +60,20 @@ struct CloudInputs {
 /// Cost    one full-screen dispatch
 /// Source  the walk through cells: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
 ///         Eurographics 1987
-[[nodiscard]] Sky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky);
+[[nodiscard]] CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky);
+
+struct CloudShadowInputs {
+    gpu::BufferId frame;   ///< FrameGlobals
+    gpu::BufferId globals; ///< CloudGlobals
+    gpu::BufferId starts;
+    gpu::BufferId puffs;
+    gpu::ImageId depth;                ///< r32f: reversed, 0 where nothing is
+    std::optional<gpu::ImageId> share; ///< of the sun, as large as the page, that something else leaves
+    glm::uvec2 size_px{0};
+};
+
+/// How much of the sun is left where something is seen, r16f; heaps and flocks throw shadows, `strength`
+/// dark. Cost: a full-screen dispatch, a walk through each layer's slab for every pixel that sees something.
+[[nodiscard]] gpu::ImageId add_cloud_shadow(gpu::Graph& graph, const CloudShadowInputs& in, float strength);
 
 } // namespace estampe::sky

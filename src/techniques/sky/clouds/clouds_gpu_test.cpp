@@ -54,6 +54,7 @@ Painted paint(const View& view, CloudStyle style, double time_s = 0.0)
                                   .variant = of.variant,
                                   .size_px = view.size_px},
                                  bare)
+                          .sky
                     : bare;
     };
     gpu::Graph for_wash;
@@ -247,6 +248,99 @@ TEST(Clouds, AreHatchedInTheirShadeAlone)
     }
     ASSERT_GT(shaded, 1000.0);
     EXPECT_NEAR(ink / shaded, 0.5, 0.06);
+}
+
+/// What is left of the sun on a level plain below the eye, and where on it each pixel lies, in metres.
+struct Plain {
+    std::vector<float> share;
+    std::vector<glm::dvec2> places;
+};
+
+Plain shadow_on_plain(const View& view, const CloudStyle& style, float strength, double time_s)
+{
+    constexpr double height_m = 200.0;
+    gpu::Device& device = test::shared_device();
+    const auto plan =
+        plan_clouds(style, {.eye_m = view.camera.eye, .time_s = time_s, .towards_sun = view.towards_sun});
+    const shared::FrameGlobals globals = view.globals();
+    gpu::Buffer frame = gpu::upload_buffer(device, "frame", std::vector{globals});
+    gpu::Buffer clouds = gpu::upload_buffer(device, "clouds", std::vector{plan->globals});
+    gpu::Buffer starts = gpu::upload_buffer(device, "cloud cells", plan->starts);
+    gpu::Buffer puffs = gpu::upload_buffer(device, "puffs", plan->puffs);
+    const glm::dmat4 anchor_from_clip = glm::inverse(glm::dmat4(globals.clip_from_anchor));
+    Plain plain;
+    std::vector<float> depths;
+    for (uint32_t i = 0; i < view.size_px.x * view.size_px.y; ++i) {
+        const glm::dvec2 ndc =
+            2.0 * (glm::dvec2(i % view.size_px.x, i / view.size_px.x) + 0.5) / glm::dvec2(view.size_px) - 1.0;
+        const glm::dvec4 near = anchor_from_clip * glm::dvec4(ndc, 1.0, 1.0);
+        const glm::dvec3 eye(globals.eye_anchor);
+        const glm::dvec3 way = glm::dvec3(near) / near.w - eye;
+        const glm::dvec3 place = eye - way * (height_m / way.y);
+        const glm::dvec4 clip = glm::dmat4(globals.clip_from_anchor) * glm::dvec4(place, 1.0);
+        depths.push_back(way.y < 0.0 ? static_cast<float>(clip.z / clip.w) : 0.0F);
+        plain.places.emplace_back(place.x, place.z);
+    }
+    auto depth = test::Layer::depth(
+        view.size_px, [&](glm::uvec2 pixel) { return depths[pixel.y * view.size_px.x + pixel.x]; });
+    gpu::Graph graph;
+    plain.share = test::run_and_read_coverage(
+        graph, add_cloud_shadow(graph,
+                                {.frame = gpu::import_whole(graph, "frame", frame),
+                                 .globals = gpu::import_whole(graph, "clouds", clouds),
+                                 .starts = gpu::import_whole(graph, "cloud cells", starts),
+                                 .puffs = gpu::import_whole(graph, "puffs", puffs),
+                                 .depth = depth.in(graph),
+                                 .share = std::nullopt,
+                                 .size_px = view.size_px},
+                                strength));
+    return plain;
+}
+
+TEST(CloudShadows, CoverAsMuchGroundAsCloudsCoverSky)
+{
+    // From above, of a plain as wide as a tile and more, under a sun overhead.
+    View down{.camera = looking(-89.9, 0.0, 1.9), .size_px = {160, 160}};
+    down.towards_sun = glm::vec3(0.0F, 1.0F, 0.0F);
+    const float eye_m = static_cast<float>(down.camera.eye.y);
+    for (const float share : {0.2F, 0.6F}) {
+        const CloudStyle style{.coverage = share,
+                               .base_m = eye_m + 100.0F,
+                               .size_m = 2.0F * 200.0F * std::tan(0.95F) * 6.0F / 64.0F,
+                               .heaped = 0.1F,
+                               .reach_m = 2e5F};
+        EXPECT_NEAR(1.0 - mean(shadow_on_plain(down, style, 1.0F, 0.0).share), static_cast<double>(share),
+                    0.04);
+        EXPECT_NEAR(1.0 - mean(shadow_on_plain(down, style, 0.5F, 0.0).share),
+                    0.5 * static_cast<double>(share), 0.02);
+    }
+}
+
+TEST(CloudShadows, LieWhereTheSunMeetsAClouds)
+{
+    // A second view looks from the plain's places to the sun: it sees clouds where there is shadow.
+    View down{.camera = looking(-60.0, 30.0, 1.2), .size_px = {48, 36}};
+    down.towards_sun = glm::normalize(glm::vec3(0.5F, 0.7F, -0.2F));
+    const CloudStyle style{.coverage = 0.7F, .base_m = 900.0F, .size_m = 400.0F, .tones = 1, .reach_m = 2e5F};
+    const Plain plain = shadow_on_plain(down, style, 1.0F, 3.0);
+    size_t shaded = 0;
+    size_t open = 0;
+    for (size_t i = 0; i < plain.share.size(); i += 37) {
+        View up{.camera = down.camera, .size_px = {3, 3}};
+        const glm::dvec3 eye(down.globals().eye_anchor);
+        up.camera.eye += glm::dvec3(plain.places[i].x - eye.x, -200.0, plain.places[i].y - eye.z);
+        up.camera.target = up.camera.eye + glm::dvec3(down.towards_sun);
+        up.camera.vertical_fov_rad = 0.01;
+        up.towards_sun = down.towards_sun;
+        const float seen = paint(up, style, 3.0).white[4];
+        if (plain.share[i] < 0.02F || plain.share[i] > 0.98F) {
+            EXPECT_NEAR(1.0F - plain.share[i], seen, 0.3F) << i;
+            shaded += plain.share[i] < 0.5F ? 1 : 0;
+            open += plain.share[i] > 0.5F ? 1 : 0;
+        }
+    }
+    EXPECT_GT(shaded, 3U);
+    EXPECT_GT(open, 3U);
 }
 
 } // namespace

@@ -26,21 +26,7 @@ struct DriftStyle {
     glm::vec3 ink = style::srgb(0x2a2320);
 };
 
-inline const style::Table<DriftStyle>& drift_table()
-{
-    static const auto table =
-        style::Table<DriftStyle>("drift", "Sand that the wind blows off the crests of a terrain")
-            .choice("mode", &DriftStyle::mode,
-                    {{"auto", DriftMode::automatic}, {"drawn", DriftMode::drawn}, {"none", DriftMode::none}},
-                    "Drawn, none, or (auto) drawn where the terrain's wind is of 6 m/s or more")
-            .number("amount", &DriftStyle::amount, {0.0F, 1.0F}, "", "How much of it")
-            .number("length_m", &DriftStyle::length_m, {0.05F, 20.0F}, "m", "Of a usual stroke")
-            .number("lift_m", &DriftStyle::lift_m, {0.0F, 20.0F}, "m", "How high it rises at most")
-            .number("width_mm", &DriftStyle::width_mm, {0.05F, 5.0F}, "mm", "Of a stroke in its middle")
-            .number("reach_m", &DriftStyle::reach_m, {5.0F, 1000.0F}, "m", "How far it is drawn")
-            .color("ink", &DriftStyle::ink, "Colour of the strokes");
-    return table;
-}
+[[nodiscard]] const style::Table<DriftStyle>& drift_table();
 
 /// The drift of a picture: what its streaks have in common, and the field of heights they need.
 struct DriftPlan {

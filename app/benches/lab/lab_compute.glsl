@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_LAB_COMPUTE
+#define ESTAMPE_LAB_COMPUTE
+
+// A kernel of one thread an item, that leaves one word each.
+
+#include "lab.glsl"
+#include "shaders/items.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) writeonly buffer Results
+{
+    uint results[];
+};
+
+#endif

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Takes what the corners have made, or does their work.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+layout(constant_id = 0) const uint variant = 0u;
+
+#include "lab_grid.glsl"
+
+layout(location = 0) in float across;
+layout(location = 0) out float result;
+
+void main()
+{
+    result = (variant & at_corners) != 0u ? across : worked_on(across);
+}

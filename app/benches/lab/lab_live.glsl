@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Reads that wait for one another, in threads that keep so many numbers: ALL(M) names them.
+
+#include "lab_compute.glsl"
+
+layout(scalar, binding = 1) readonly buffer Words
+{
+    uint words[];
+};
+
+#define NAMED(id) uvec4 kept_##id = uvec4(words[(q = next_of(q)) & a], words[(q = next_of(q)) & a], q, q ^ b);
+#define TOUCHED(id) kept_##id += p;
+#define SUMMED(id) sum += kept_##id.x + kept_##id.y + kept_##id.z + kept_##id.w;
+
+void main()
+{
+    uint i = item_index();
+    if (i >= threads) {
+        return;
+    }
+    uint p = scattered(i) & a;
+    uint q = i;
+    ALL(NAMED)
+    uint sum = 0u;
+    for (uint r = 0u; r < rounds; ++r) {
+        p = words[p];
+        sum += p;
+        if (p > a) { // never: but the compiler cannot know, and has to keep them
+            ALL(TOUCHED)
+        }
+    }
+    ALL(SUMMED)
+    results[i] = sum;
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// One triangle that covers the page.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+void main()
+{
+    vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.5, 1.0);
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// What is seen through: thick bodies that blur what lies behind them, and see-through surfaces one by one.
+#include "frame/steps.hpp"
+
+#include <vector>
+
+#include "gpu/imports.hpp"
+#include "techniques/subsurface/behind.hpp"
+
+namespace estampe::frame {
+namespace {
+
+/// A visibility lit and painted as what is seen first is, without what lies in things.
+gpu::ImageId add_painted(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+                         const ShadowMaps& maps, const std::optional<gpu::ImageId>& background)
+{
+    const surface::Surface surface = add_surface(making, scene, visibility);
+    light::LightInputs inputs = light_inputs(making, scene, surface, maps);
+    inputs.has_emissive = making.plan.needs.emissive;
+    return add_paint(making, scene, surface, light::add_light(making.graph, inputs).light, background);
+}
+
+gpu::ImageId add_behind(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+                        const surface::Surface& surface, const ShadowMaps& maps, const Colors& colors)
+{
+    gpu::Graph& graph = making.graph;
+    const SubsurfacePlan& plan = *making.plan.subsurface;
+    const gpu::BufferId background =
+        raster::add_visibility(graph, "subsurface/background", scene.meshes, plan.others, eye_view(making));
+    raster::View view = eye_view(making);
+    view.cull_back_faces = false;
+    const subsurface::BehindInputs inputs{
+        .common = subsurface_inputs(making, scene, surface),
+        .visibility = visibility,
+        .inside = raster::add_layers(graph, "subsurface/inside", scene.meshes, plan.clear, view,
+                                     subsurface::inside_layers),
+        .background = background,
+        .triangles = scene.meshes.triangles,
+        .posed_vertices = scene.meshes.posed_vertices,
+        .painted = add_painted(making, scene, background, maps,
+                               making.plan.page.has_sky ? std::optional(colors.sky_wash) : std::nullopt)};
+    return subsurface::add_behind(graph, inputs, colors.wash);
+}
+
+} // namespace
+
+Colors add_seen_through(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+                        const surface::Surface& surface, const ShadowMaps& maps, const SeenThrough& screen,
+                        Colors colors)
+{
+    if (making.plan.subsurface && !making.plan.subsurface->clear.empty()) {
+        colors.wash = add_behind(making, scene, visibility, surface, maps, colors);
+    }
+    if (!screen.is_there || making.style.screen.mode != screen::Mode::sorted) {
+        return colors;
+    }
+    const screen::ScreenInputs inputs = screen_inputs(making, scene, visibility, screen.layers);
+    const std::vector<gpu::BufferId> farthest_first(screen.layers.rbegin(), screen.layers.rend());
+    for (const gpu::BufferId& layer : farthest_first) {
+        const gpu::ImageId painted = add_painted(making, scene, layer, maps, std::nullopt);
+        colors.wash = screen::add_sheet(making.graph, inputs, layer, painted, colors.wash);
+    }
+    return colors;
+}
+
+} // namespace estampe::frame

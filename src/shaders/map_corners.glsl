@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_MAP_CORNERS
+#define ESTAMPE_MAP_CORNERS
+
+// Where triangles lie in the map of shaders/surface_map.glsl. Wanted before: MAP_CORNERS_BINDING.
+
+layout(binding = MAP_CORNERS_BINDING) uniform usamplerBuffer map_corners; // three a triangle
+
+// In texels, of which the middles lie at halves; negative where a triangle lies in no map.
+vec2 map_corner_at(uint corner)
+{
+    return uintBitsToFloat(texelFetch(map_corners, int(corner)).xy);
+}
+
+vec2 place_in_map(uint triangle, vec3 weight)
+{
+    return mat3x2(map_corner_at(3u * triangle), map_corner_at(3u * triangle + 1u),
+                  map_corner_at(3u * triangle + 2u)) *
+           weight;
+}
+
+#endif

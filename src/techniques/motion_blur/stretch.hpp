@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Meshes drawn out along the way that they go while the shutter is open, so that what they pass has a
+// velocity too.
+
+#include <span>
+
+#include "gpu/graph/graph.hpp"
+#include "gpu/resources.hpp"
+#include "techniques/motion_blur/motion_blur.glsl.h"
+
+namespace estampe::motion_blur {
+
+/// Vertices at one place of one draw, which go together whatever their normals are: for each vertex where its
+/// list begins and how long it is, then the lists.
+struct TogetherList {
+    std::vector<glm::uvec2> of_vertex;
+    std::vector<uint32_t> members;
+};
+
+/// `places` are of posed vertices at rest. Cost: n log n.
+[[nodiscard]] TogetherList list_together(std::span<const glm::vec3> places,
+                                         std::span<const uint32_t> draw_of_vertex);
+
+/// The same on the device, made when a style first asks for it.
+struct TogetherBuffers {
+    gpu::Buffer of_vertex;
+    gpu::Buffer members;
+    uint32_t vertex_count = 0;
+
+    [[nodiscard]] bool empty() const { return vertex_count == 0; }
+};
+
+[[nodiscard]] TogetherBuffers upload_together(gpu::Device& device, const TogetherList& list);
+
+struct StretchInputs {
+    gpu::BufferId posed_vertices;
+    gpu::BufferId posed_vertices_before;
+    shared::StretchConstants constants; ///< vertex_count aside
+};
+
+/// Vertices of the drawn-out shape now, and where they stood before.
+struct Stretched {
+    gpu::BufferId vertices;
+    gpu::BufferId before;
+};
+
+/// Moves each vertex along its way, by half of it and its share: forwards where the surface about it faces
+/// that way, else backwards.
+///
+/// Cost    one dispatch, one thread a vertex
+/// Source  Wloka and Zeleznik, "Interactive Real-Time Motion Blur", The Visual Computer 12, 1996; Zanuttini,
+///         "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 8.3
+[[nodiscard]] Stretched add_stretch(gpu::Graph& graph, TogetherBuffers& together, const StretchInputs& in);
+
+} // namespace estampe::motion_blur

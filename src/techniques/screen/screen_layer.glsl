@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_SCREEN_LAYER
+#define ESTAMPE_SCREEN_LAYER
+
+// A see-through surface at a pixel. Wanted before: `frame`, a FrameGlobals; texels of meshes, draws and
+// materials; `rest_vertices`; textures of all classes, and TEXTURE_CLASSES.
+
+#include "shaders/texture.glsl"
+
+struct Layer {
+    uint draw; // draw + 1
+    uint depth_bits;
+    vec4 color; // linear; cover
+};
+
+Layer layer_at(uvec2 seen, ivec2 pixel)
+{
+    uvec4 corners = triangle_at(seen_triangle(seen));
+    uint draw_index = corners.w & triangle_draw_mask;
+    DrawPart draw = draw_at(draw_index);
+    Barycentric at = barycentric_at(frame.clip_from_anchor * vec4(posed_vertex_at(corners.x).position, 1.0),
+                                    frame.clip_from_anchor * vec4(posed_vertex_at(corners.y).position, 1.0),
+                                    frame.clip_from_anchor * vec4(posed_vertex_at(corners.z).position, 1.0),
+                                    page_place(frame, vec2(pixel) + 0.5), frame.page_px);
+    uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
+    mat3x4 vertex_colors =
+        mat3x4(vertex_color(rest_vertices[rest.x].color), vertex_color(rest_vertices[rest.y].color),
+               vertex_color(rest_vertices[rest.z].color));
+    vec4 color = base_color_of(draw.material) * (vertex_colors * at.weight);
+    TextureSlot slot = base_texture_of(draw.material);
+    if (TEXTURE_CLASSES != 0u && slot.location != no_texture) {
+        bool second = ((slot.location >> 24) & 1u) != 0u;
+        mat3x2 uv =
+            second
+                ? mat3x2(rest_vertices[rest.x].uv_1, rest_vertices[rest.y].uv_1, rest_vertices[rest.z].uv_1)
+                : mat3x2(rest_vertices[rest.x].uv_0, rest_vertices[rest.y].uv_0, rest_vertices[rest.z].uv_0);
+        vec4 texel = sample_texture(slot, UvFootprint(uv * at.weight, uv * at.dx, uv * at.dy));
+        color *= vec4(linear_from_srgb(texel.rgb), texel.a);
+    }
+    color = clamp(color, 0.0, 1.0);
+    return Layer(color.a >= least_cover ? draw_index + 1u : 0u, seen.y, color);
+}
+
+#endif

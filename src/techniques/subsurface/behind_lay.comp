@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// One thread a pixel lays what is seen through a body over its own paint: the background, blurred by a cubic
+// spline over whichever halves of it are as coarse as the blur is wide.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "techniques/subsurface/subsurface.glsl.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform sampler2D clear_image;
+layout(binding = 1) uniform sampler2D share_image;
+layout(binding = 2) uniform sampler2D level_0;
+layout(binding = 3) uniform sampler2D level_1;
+layout(binding = 4) uniform sampler2D level_2;
+layout(binding = 5) uniform sampler2D level_3;
+layout(binding = 6) uniform sampler2D level_4;
+layout(binding = 7) uniform sampler2D level_5;
+layout(binding = 8, rgba16f) uniform image2D wash;
+
+layout(push_constant) uniform Constants
+{
+    float most_px; // deviation
+}
+
+constants;
+
+vec3 level_at(int level, vec2 place)
+{
+    return level == 0   ? textureLod(level_0, place, 0.0).rgb
+           : level == 1 ? textureLod(level_1, place, 0.0).rgb
+           : level == 2 ? textureLod(level_2, place, 0.0).rgb
+           : level == 3 ? textureLod(level_3, place, 0.0).rgb
+           : level == 4 ? textureLod(level_4, place, 0.0).rgb
+                        : textureLod(level_5, place, 0.0).rgb;
+}
+
+// Four looks between texels stand for the sixteen of a cubic B-spline: Sigg and Hadwiger, "Fast Third-Order
+// Texture Filtering", GPU Gems 2, 2005.
+vec3 smooth_at(int level, vec2 pixel, vec2 size_px)
+{
+    vec2 texels = ceil(size_px / float(1 << level));
+    vec2 place = pixel / float(1 << level) - 0.5;
+    vec2 first = floor(place);
+    vec2 t = place - first;
+    vec2 w0 = (1.0 - t) * (1.0 - t) * (1.0 - t) / 6.0;
+    vec2 w1 = (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0;
+    vec2 w3 = t * t * t / 6.0;
+    vec2 w2 = 1.0 - w0 - w1 - w3;
+    vec2 low = w0 + w1;
+    vec2 from = (first - 0.5 + w1 / low) / texels;
+    vec2 to = (first + 1.5 + w3 / (w2 + w3)) / texels;
+    vec3 sum = vec3(0.0);
+    int i = 0;
+    do {
+        bvec2 far = bvec2((i & 1) != 0, (i >> 1) != 0);
+        vec2 weight = mix(low, 1.0 - low, far);
+        sum += weight.x * weight.y * level_at(level, mix(from, to, far));
+        ++i;
+    } while (i < 4);
+    return sum;
+}
+
+// Deviation on the page of a level looked up so: of its halvings, and of the spline.
+float deviation_of(int level)
+{
+    float side = float(1 << level);
+    return sqrt((side * side - 1.0) / 12.0 + side * side / 3.0);
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size_px = imageSize(wash);
+    if (any(greaterThanEqual(pixel, size_px))) {
+        return;
+    }
+    float share = texelFetch(share_image, pixel, 0).x;
+    if (share <= 0.0) {
+        return;
+    }
+    vec4 clear = texelFetch(clear_image, pixel, 0);
+    float wanted_px = min(clear.a, constants.most_px);
+    vec2 middle_px = vec2(pixel) + 0.5;
+    // Between two levels by variance; between the background itself and the first of them too.
+    int upper = 0;
+    while (upper < int(behind_levels) - 1 && deviation_of(upper) < wanted_px) {
+        ++upper;
+    }
+    float below = upper == 0 ? 0.0 : deviation_of(upper - 1);
+    float above = deviation_of(upper);
+    float part = clamp((wanted_px * wanted_px - below * below) / (above * above - below * below), 0.0, 1.0);
+    vec3 finer =
+        upper == 0 ? texelFetch(level_0, pixel, 0).rgb : smooth_at(upper - 1, middle_px, vec2(size_px));
+    vec3 behind = mix(finer, smooth_at(upper, middle_px, vec2(size_px)), part);
+    vec4 own = imageLoad(wash, pixel);
+    imageStore(wash, pixel, vec4(mix(own.rgb, clear.rgb * behind, share), own.a));
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A minute's way of a camera: from the dunes down the avenue, through gate, court, arcade and portal, to the
+// last hall.
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include <estampe/scene.hpp>
+
+#include "walk/chart.hpp"
+
+namespace temple {
+
+class Flight {
+public:
+    static constexpr double length_s = 60.0;
+
+    /// Through a scene that build_temple() made from that seed. Cost: about a second.
+    Flight(const estampe::Scene& scene, uint64_t seed);
+
+    /// Where it is seen from at a moment of the minute; before and after it as at its ends.
+    [[nodiscard]] estampe::Camera camera(double time_s) const;
+
+    /// When it comes to a stand, in the last hall.
+    [[nodiscard]] double arrives_s() const { return arrives_s_; }
+
+private:
+    struct Key {
+        glm::dvec3 eye_m{0.0};
+        glm::dvec3 target_m{0.0};
+        double fov_rad = 0.9;
+    };
+
+    std::vector<Key> keys_; ///< at even times
+    double arrives_s_ = 0.0;
+};
+
+} // namespace temple

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The temple's weather and its time of day, as a line of time that chance lays out: one wind for sand, flags
+// and ink, gusts, storms of sand that rise, close the view and pass, tornadoes that walk by, clouds, and a
+// sun that goes on.
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <glm/glm.hpp>
+
+namespace temple {
+
+/// What it may be told to be like, for as long as one looks.
+enum class WeatherKind : uint8_t { calm, gusts, storm, tornado };
+
+/// The kind of that name; nothing for another.
+[[nodiscard]] std::optional<WeatherKind> weather_named(std::string_view name);
+
+/// A tornado on its way.
+struct Tornado {
+    glm::vec2 foot_m{0.0F};
+    float strength = 0.0F; ///< 0 there is none, to 1
+};
+
+/// The weather at a moment.
+struct Weather {
+    float wind_m_s = 7.0F;
+    double blown_m = 0.0; ///< how far the wind has blown since the beginning
+    float gusts = 0.0F;   ///< 0 to 1
+    float dust = 0.0F;    ///< in the air: 0 to 1, where one sees no farther than a room is long
+    float clouds = 0.0F;  ///< share of the sky
+    Tornado tornado;
+    std::optional<float> hour; ///< of the sun; nothing: it stands as the scene has it
+};
+
+inline constexpr float wind_to_deg = 200.0F; ///< where it blows to, always: 0 is +x, 90 is +z
+inline constexpr float calm_m_s = 7.0F;
+inline constexpr float strongest_m_s = 19.0F;
+
+/// Unit: where the wind blows to, along x and z.
+[[nodiscard]] glm::vec2 wind_way();
+
+/// What was asked for.
+struct WeatherChoice {
+    std::optional<WeatherKind> kind; ///< nothing: it changes
+    std::optional<float> hour;       ///< where the sun stands; nothing: it goes on, or stands in stills
+    float hours_a_minute = 0.0F;     ///< that the sun goes on, from the hour or from the scene's own
+};
+
+/// All weather of a temple. Each moment is worked out by itself: it is the same whatever was asked before.
+class WeatherTimeline {
+public:
+    static constexpr double rises_s = 9.0; ///< a storm
+    static constexpr double holds_s = 9.0;
+    static constexpr double passes_s = 11.0;
+    static constexpr double between_s = 75.0; ///< from the middle of one to that of the next, about
+
+    WeatherTimeline(uint64_t seed, WeatherChoice choice) : seed_(seed), choice_(choice) {}
+
+    /// Cost: a few hundred sums.
+    [[nodiscard]] Weather at(double time_s) const;
+
+private:
+    [[nodiscard]] double storm_s(int64_t number) const;
+    [[nodiscard]] float dust_at(double time_s) const;
+    [[nodiscard]] float gusts_at(double time_s) const;
+    [[nodiscard]] double wind_at(double time_s) const;
+    [[nodiscard]] Tornado tornado_at(double time_s) const;
+
+    uint64_t seed_;
+    WeatherChoice choice_;
+};
+
+} // namespace temple

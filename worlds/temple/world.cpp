@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <glm/gtc/constants.hpp>
+
+#include <estampe/error.hpp>
+
+#include "air.hpp"
+#include "sight.hpp"
+#include "temple.hpp"
+
+namespace temple {
+namespace {
+
+constexpr double before_s = 8.0;      ///< that all has been going on when time begins
+constexpr double remembered_s = 60.0; ///< of a moment that one leaps to
+constexpr double sample_s = 0.1;      ///< between places that plumes go by
+
+const glm::vec3 dust_color(0.84F, 0.72F, 0.52F); ///< sRGB
+
+bool is_in_prison(const Plan& plan, const glm::vec2& place)
+{
+    return std::ranges::any_of(plan.rooms, [&](const Room& room) {
+        return room.is_roofed() && glm::all(glm::greaterThan(place, room.low_m())) &&
+               glm::all(glm::lessThan(place, room.high_m()));
+    });
+}
+
+/// 0 outside, 1 where a roof is all around.
+float shelter_at(const Plan& plan, const glm::vec2& place)
+{
+    constexpr float within_m = 3.5F;
+    float inside_m = 0.0F;
+    for (const Room& room : plan.rooms) {
+        const glm::vec2 in = glm::min(place - room.low_m(), room.high_m() - place);
+        // What lies deep in the prison is no nearer to the open for the walls between its rooms.
+        if (room.is_roofed() && std::min(in.x, in.y) > 0.0F) {
+            inside_m = front_z_m - place.y;
+        }
+    }
+    return glm::smoothstep(0.0F, within_m, inside_m);
+}
+
+class Setter {
+public:
+    explicit Setter(estampe::Style& style) : style_(style) {}
+
+    void operator()(const std::string& key, double value) { style_.set(key + "=" + std::to_string(value)); }
+
+    void operator()(const std::string& key, const std::string& value) { style_.set(key + "=" + value); }
+
+    void color(const std::string& key, const glm::vec3& srgb)
+    {
+        const glm::ivec3 bytes(glm::round(255.0F * glm::clamp(srgb, 0.0F, 1.0F)));
+        char text[8];
+        std::snprintf(text, sizeof text, "#%02x%02x%02x", bytes.x, bytes.y, bytes.z);
+        style_.set(key + "=" + text);
+    }
+
+private:
+    estampe::Style& style_;
+};
+
+/// Towards `to` by a share, in equal parts of its size.
+double mixed_size(double from, double to, double share)
+{
+    return std::exp((1.0 - share) * std::log(std::max(from, 0.01)) + share * std::log(std::max(to, 0.01)));
+}
+
+void dress_demons(Setter& set)
+{
+    // What is of ink is black in every style.
+    set("material.demon*.wash.strength", 1.0);
+    set("material.demon*.wash.neutral", 1.0);
+    set("material.demon*.wash.least", 0.0);
+    set("material.demon*.wash.detail", 0.0);
+    const std::string wisp = "object.wisp*.particles.";
+    set(wisp + "look", "blots");
+    set(wisp + "ink", "#0a090d");
+    set(wisp + "per_s", 15.0);
+    set(wisp + "life_s", 1.7);
+    set(wisp + "speed_mps", 0.3);
+    set(wisp + "spread_deg", 50.0);
+    set(wisp + "lift_mps2", 0.3);
+    set(wisp + "swirl_mps", 0.5);
+    set(wisp + "swirl_m", 0.8);
+    set(wisp + "size_m", 0.34);
+    set(wisp + "grown_m", 0.04);
+    set(wisp + "opacity", 1.0);
+    set(wisp + "soft_m", 0.05);
+}
+
+void dress_air(Setter& set)
+{
+    const std::string sand = "object.sand*.particles.";
+    set(sand + "look", "wash");
+    set(sand + "per_s", 5.0);
+    set(sand + "life_s", 2.6);
+    set(sand + "speed_mps", 4.0);
+    set(sand + "spread_deg", 25.0);
+    set(sand + "lift_mps2", 0.15);
+    set(sand + "swirl_mps", 1.4);
+    set(sand + "swirl_m", 5.0);
+    set(sand + "size_m", 0.8);
+    set(sand + "grown_m", 5.5);
+    set(sand + "opacity", 0.3);
+    set(sand + "soft_m", 1.5);
+    set("object.whirl*.particles.look", "drawn");
+    set("object.whirl*.particles.opacity", 0.75);
+    set("object.murk*.particles.look", "strokes");
+    set("object.murk*.particles.ink", "#17141a");
+    for (const std::string& whirl :
+         {std::string("object.whirl*.particles."), std::string("object.murk*.particles.")}) {
+        set(whirl + "per_s", 13.0);
+        set(whirl + "life_s", 1.5);
+        set(whirl + "speed_mps", 11.0);
+        set(whirl + "spread_deg", 14.0);
+        set(whirl + "lift_mps2", 1.2);
+        set(whirl + "swirl_mps", 1.5);
+        set(whirl + "swirl_m", 6.0);
+        set(whirl + "size_m", 1.4);
+        set(whirl + "grown_m", 6.0);
+        set(whirl + "soft_m", 1.0);
+    }
+}
+
+/// Ink runs from demons, and over the page when they dissolve; of a style that has ink already there is that.
+void dress_ink(Setter& set, const estampe::Style& base)
+{
+    if (base.number("ink.drawn") != 0.0) {
+        return;
+    }
+    set("ink.drawn", "true");
+    set("ink.source", "things");
+    set("ink.objects", R"("body of demon*")");
+    set("ink.zones", R"("stain*=give:0.6 turn:12, eddy*=turn:110")");
+    set("ink.color", "#0b0a0e");
+    set("ink.thin_color", "#2b2830");
+    set("ink.spot_mm", 0.9);
+    set("ink.spacing_mm", 4.2);
+    set("ink.amount_per_s", 22.0);
+    set("ink.spot_s", 1.5);
+    set("ink.life_s", 1.7);
+    set("ink.soak", 0.12);
+    set("ink.stain_s", 7.0);
+    set("ink.swirl_mm", 34.0);
+    set("ink.swirl_mm_s", 12.0);
+    set("ink.sharpness", 0.8);
+}
+
+} // namespace
+
+World::World(uint64_t seed, const WeatherChoice& weather)
+    : seed_(seed), plan_(make_plan(seed)), site_(make_site(seed)), desert_(plan_, seed),
+      still_(desert_.with({})), demons_(plan_, site_, still_, seed), timeline_(seed, weather),
+      weather_(timeline_.at(0.0))
+{
+}
+
+estampe::Scene World::scene() const
+{
+    estampe::Scene scene = build_temple(seed_);
+    demons_.add_to(scene);
+    add_air(scene);
+    return scene;
+}
+
+void World::go_to(double time_s, const estampe::Camera& walker)
+{
+    constexpr double leap_s = 10.0;
+    constexpr double slack_s = 0.5; // as of two pictures that are drawn in turn
+    if (!time_s_ || time_s < *time_s_ - slack_s || time_s > *time_s_ + leap_s) {
+        demons_ = Demons(plan_, site_, still_, seed_);
+        time_s_ = std::max(time_s - remembered_s, 0.0) - before_s;
+        shown_.clear();
+    }
+    const std::vector<bool> in_sight = rooms_in_sight(plan_, glm::vec3(walker.eye));
+    const auto record = [&] {
+        weather_ = timeline_.at(*time_s_);
+        // What lives behind walls is not drawn.
+        Shown shown{.time_s = *time_s_, .places = demons_.places(first_of_demons_, [&](const Demon& demon) {
+                        return demon.haunt().room != outside &&
+                               !in_sight[static_cast<size_t>(demon.haunt().room)];
+                    })};
+        const auto air =
+            air_places(first_of_air_, weather_,
+                       {.eye_m = walker.eye,
+                        .time_s = *time_s_,
+                        .ground_m =
+                            [&](const glm::vec2& place) {
+                                return static_cast<float>(still_.sample(place.x, place.y).height_m);
+                            },
+                        .is_roofed = [&](const glm::vec2& place) { return is_in_prison(plan_, place); }});
+        shown.places.insert(shown.places.end(), air.begin(), air.end());
+        // What stands still until then is not made to move before.
+        has_begun_to_end_ = has_begun_to_end_ || (end_s_ && *time_s_ >= *end_s_);
+        if (has_begun_to_end_ && ending_) {
+            const auto moved = ending_->nodes(end_s_ ? *time_s_ - *end_s_ : -1.0);
+            shown.places.insert(shown.places.end(), moved.begin(), moved.end());
+        }
+        shown_.push_back(std::move(shown));
+    };
+    while (*time_s_ < time_s) {
+        const double step_s = std::min(sample_s, time_s - *time_s_);
+        weather_ = timeline_.at(*time_s_);
+        demons_.step(step_s, walker.eye, weather_.wind_m_s * wind_way());
+        time_s_ = step_s < sample_s ? time_s : *time_s_ + step_s;
+        if (time_s - *time_s_ < before_s) {
+            record();
+        }
+    }
+    if (shown_.empty()) {
+        record();
+    }
+}
+
+void World::meet(const estampe::Scene& scene)
+{
+    const auto first = [&](const char* name) {
+        const auto found = std::ranges::find(scene.nodes, name, &estampe::Node::name);
+        if (found == scene.nodes.end()) {
+            throw estampe::Error("the scene has no demons", scene.name, "it must be one of World::scene()");
+        }
+        return static_cast<estampe::Index>(found - scene.nodes.begin());
+    };
+    first_of_demons_ = first("demon 0");
+    first_of_air_ = first("sand 0");
+    ending_.emplace(scene, seed_);
+}
+
+void World::show(estampe::Renderer& renderer)
+{
+    for (const Shown& shown : shown_) {
+        renderer.place(shown.places, shown.time_s);
+    }
+    shown_.clear();
+    if (ending_ && end_s_ && time_s_) {
+        renderer.set_brightness(ending_->lights(*time_s_ - *end_s_));
+    }
+}
+
+void World::press(estampe::Renderer& renderer)
+{
+    std::vector<Hollow> hollows = demons_.hollows();
+    const auto is_near = [](const Hollow& a, const Hollow& b) {
+        constexpr float least_m = 0.01F;
+        return glm::distance(a.place_m, b.place_m) < least_m && std::abs(a.depth_m - b.depth_m) < least_m;
+    };
+    if (!pressed_ || !std::ranges::equal(hollows, *pressed_, is_near)) {
+        renderer.set_terrain(desert_.with(hollows));
+        pressed_ = std::move(hollows);
+    }
+}
+
+estampe::Style World::style(const estampe::Style& base, const estampe::Camera& camera) const
+{
+    estampe::Style style = base;
+    Setter set(style);
+    set("particles.emitters", R"("wisp*, sand*, whirl*, murk*")");
+    dress_demons(set);
+    dress_air(set);
+    dress_ink(set, base);
+
+    const auto wind_m_s = static_cast<double>(weather_.wind_m_s);
+    const auto gusts = static_cast<double>(weather_.gusts);
+    const double shelter = static_cast<double>(shelter_at(plan_, {camera.eye.x, camera.eye.z}));
+    const double dust = static_cast<double>(weather_.dust) * (1.0 - 0.93 * shelter);
+    const double bearing_deg = 90.0 - static_cast<double>(wind_to_deg);
+    set("wind.from", "style");
+    set("wind.speed_m_s", wind_m_s);
+    set("wind.blown_m", weather_.blown_m);
+    set("wind.direction_deg", static_cast<double>(wind_to_deg));
+    const auto blow = [&](const std::string& what, double speed_m_s) {
+        set("object." + what + ".particles.wind_mps", speed_m_s);
+        set("object." + what + ".particles.wind_deg", bearing_deg);
+    };
+    // Plumes are the flights of all their particles at once: wind that changed with every gust would shake
+    // them.
+    blow("wisp*", 0.8);
+    blow("sand*", 12.0);
+    blow("whirl*", 4.0);
+    blow("murk*", 4.0);
+    // Lighter than what lies there; in a storm darker than what all the air is full of.
+    set.color("object.sand*.particles.color", dust_color + static_cast<float>(glm::mix(0.06, -0.16, dust)));
+    set("sky.darkness", base.number("sky.darkness") * (1.0 - 0.85 * dust));
+    set.color("object.whirl*.particles.color", dust_color);
+    set("drift.amount", std::min(0.6 + 0.4 * gusts, 1.0));
+
+    // Where the wind goes on the page.
+    const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(ahead, camera.up));
+    const glm::dvec3 way(wind_way().x, 0.0, wind_way().y);
+    const glm::dvec2 on_page(glm::dot(way, right), glm::dot(way, glm::cross(right, ahead)) + 0.25);
+    set("ink.wind_mm_s", 1.6 * wind_m_s * glm::length(on_page) * (1.0 - 0.7 * shelter));
+    set("ink.wind_deg", glm::degrees(std::atan2(on_page.y, on_page.x)));
+
+    set("haze.start_m", mixed_size(base.number("haze.start_m"), 2.5, dust));
+    set("haze.reach_m", mixed_size(base.number("haze.reach_m"), 15.0, dust));
+    const auto dusty = [&](const char* key, double share) {
+        set.color(key, glm::mix(base.color(key), dust_color, static_cast<float>(share)));
+    };
+    dusty("sky.horizon", 0.9 * dust);
+    dusty("sky.zenith", 0.75 * dust);
+    dusty("wash.air_color", dust);
+    set("light.ambient", std::min(base.number("light.ambient") + 0.25 * dust, 1.0));
+    set("clouds.coverage",
+        (1.0 - dust) * std::max(static_cast<double>(weather_.clouds), base.number("clouds.coverage")));
+    set("clouds.wind_deg", bearing_deg);
+    if (base.number("clouds.coverage") == 0.0) {
+        // The temple's clouds have the sky's colours: no white but the marble's.
+        const glm::vec3 straw = base.color("sky.horizon");
+        set.color("clouds.color", glm::mix(base.color("clouds.color"), straw, 0.6F));
+        set.color("clouds.shade_color", glm::mix(straw, base.color("sky.zenith"), 0.3F));
+    }
+    if (weather_.hour) {
+        set("sun.by", "place");
+        set("sun.latitude_deg", 31.0);
+        set("sun.date", "2026-03-21");
+        set("sun.hour", static_cast<double>(*weather_.hour));
+        set("sun.north_deg", -34.6);
+    }
+    return style;
+}
+
+} // namespace temple

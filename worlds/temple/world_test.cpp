@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "temple/world.hpp"
+
+#include <string>
+#include <tuple>
+
+#include <estampe/error.hpp>
+#include <gtest/gtest.h>
+
+#include "temple/viewpoints.hpp"
+
+namespace temple {
+namespace {
+
+estampe::Camera seen_from(const World& world, const std::string& name)
+{
+    estampe::Camera camera;
+    for (const Viewpoint& view : find_viewpoints(world.plan(), world.site(), world.desert())) {
+        if (view.name == name) {
+            camera.eye = glm::dvec3(view.eye_m);
+            camera.target = glm::dvec3(view.target_m);
+        }
+    }
+    return camera;
+}
+
+TEST(TempleWorld, TheSunStandsAtItsUsualHourWhereTheSceneHasIt)
+{
+    World world(1, {.hour = 16.67F});
+    const estampe::Camera camera = seen_from(world, "court");
+    world.go_to(0.0, camera);
+    const estampe::SunBearing sun = world.style(estampe::Style::load("temple-day"), camera).sun_bearing();
+    EXPECT_TRUE(sun.rules);
+    EXPECT_NEAR(sun.azimuth_deg, 66.0, 1.5);
+    EXPECT_NEAR(sun.elevation_deg, 17.0, 1.0);
+}
+
+TEST(TempleWorld, AStormClosesTheViewOutsideAndNotInTheHalls)
+{
+    World world(1, {.kind = WeatherKind::storm});
+    const estampe::Style day = estampe::Style::load("temple-day");
+    const estampe::Camera outside = seen_from(world, "court");
+    world.go_to(0.0, outside);
+    const estampe::Style stormy = world.style(day, outside);
+    EXPECT_LT(stormy.number("haze.reach_m"), 20.0);
+    EXPECT_LT(stormy.number("haze.start_m"), 5.0);
+    EXPECT_GT(stormy.color("sky.zenith").x, day.color("sky.zenith").x + 0.2F);
+    const estampe::Style within = world.style(day, seen_from(world, "last hall"));
+    EXPECT_GT(within.number("haze.reach_m"), 0.6 * day.number("haze.reach_m"));
+
+    World calm(1, {.kind = WeatherKind::calm});
+    calm.go_to(0.0, outside);
+    const estampe::Style clear = calm.style(day, outside);
+    EXPECT_NEAR(clear.number("haze.reach_m"), day.number("haze.reach_m"), 0.01);
+    EXPECT_NEAR(clear.number("haze.start_m"), day.number("haze.start_m"), 0.01);
+}
+
+TEST(TempleWorld, EveryPresetTakesItsWeather)
+{
+    World world(1, {.kind = WeatherKind::tornado, .hour = 9.0F});
+    const estampe::Camera camera = seen_from(world, "avenue");
+    world.go_to(1.0, camera);
+    for (const std::string& preset : estampe::Style::presets()) {
+        const estampe::Style style = world.style(estampe::Style::load(preset), camera);
+        EXPECT_EQ(style.number("wind.speed_m_s"), static_cast<double>(world.weather().wind_m_s)) << preset;
+        EXPECT_EQ(style.number("ink.drawn"), 1.0) << preset;
+    }
+    EXPECT_THROW(std::ignore = estampe::Style().number("haze.length"), estampe::Error);
+    EXPECT_THROW(std::ignore = estampe::Style().number("sky.horizon"), estampe::Error);
+    EXPECT_THROW(std::ignore = estampe::Style().color("haze.reach_m"), estampe::Error);
+}
+
+TEST(TempleWorld, IsTheSameInOneLeapAndPictureByPicture)
+{
+    World leaping(1);
+    World walking(1);
+    const estampe::Camera camera = seen_from(leaping, "court");
+    for (int frame = 0; frame <= 72; ++frame) {
+        walking.go_to(frame / 24.0, camera);
+    }
+    leaping.go_to(3.0, camera);
+    for (size_t i = 0; i < leaping.demons().all().size(); ++i) {
+        const glm::vec3 off = leaping.demons().all()[i].head() - walking.demons().all()[i].head();
+        EXPECT_LT(glm::length(off), 0.02F) << "but for how the wind is sampled";
+    }
+    EXPECT_EQ(leaping.weather().wind_m_s, walking.weather().wind_m_s);
+    // Going back begins anew.
+    walking.go_to(1.0, camera);
+    walking.go_to(3.0, camera);
+    EXPECT_EQ(walking.demons().all()[0].place_m(), leaping.demons().all()[0].place_m());
+}
+
+TEST(TempleWorld, OnlyASceneOfItsOwnIsMet)
+{
+    World world(1);
+    EXPECT_THROW(world.meet(estampe::Scene{}), estampe::Error);
+    EXPECT_NO_THROW(world.meet(world.scene()));
+}
+
+} // namespace
+} // namespace temple
