@@ -224,6 +224,7 @@ void PictureThread::draw_picture(Renderer& renderer, size_t slot, const PictureR
         Picture picture{.slot = slot,
                         .image = renderer.render(request.camera, style, settings),
                         .scale = request.scale,
+                        .samples = settings.samples,
                         .view = request.view,
                         .continuity = settings.continuity};
         film_size_px_ = is_film ? size_px : glm::uvec2(0);

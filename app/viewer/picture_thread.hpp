@@ -35,6 +35,7 @@ struct Picture {
     size_t slot = 0;
     Image image;
     double scale = 1.0;
+    uint32_t samples = 1;
     uint64_t view = 0;
     Continuity continuity = Continuity::still;
     double seconds = 0.0;

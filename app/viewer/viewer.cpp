@@ -182,7 +182,7 @@ void Viewer::request(size_t slot, const Sight& sight, bool is_moving)
     }
     style_drawn_ = sight.style;
     requested_view_.at(slot) = view_;
-    requested_whole_.at(slot) = scale == 1.0;
+    requested_whole_.at(slot) = !is_moving || (scale == 1.0 && studio_.samples == 1);
     pictures_->draw(slot, std::move(request));
 }
 
@@ -201,9 +201,10 @@ void Viewer::ask_for_pictures()
     is_moving_ = app::seconds_since(changed_) < settling_s || studio_.time.is_playing || drag_ != Drag::none;
     for (size_t slot = 0; slot < (now.has_other ? 2U : 1U); ++slot) {
         const bool is_asked = requested_view_.at(slot) == view_;
-        if (is_moving_ && !is_asked) {
+        // The whole picture may take minutes: it waits until the quick one is seen.
+        if (!is_asked) {
             request(slot, now, true);
-        } else if (!is_moving_ && !(is_asked && requested_whole_.at(slot))) {
+        } else if (!is_moving_ && answered_view_.at(slot) == view_ && !requested_whole_.at(slot)) {
             request(slot, now, false);
         }
     }

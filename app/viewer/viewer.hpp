@@ -116,7 +116,7 @@ private:
     uint64_t view_ = 0;                        ///< number of `asked_`
     std::array<uint64_t, 2> requested_view_{}; ///< by slot
     std::array<bool, 2> requested_whole_{};
-    std::array<uint64_t, 2> shown_view_{};
+    std::array<uint64_t, 2> answered_view_{}; ///< by a picture, or by why there is none
     app::Clock::time_point changed_ = start_; ///< when the sight last changed
     uint64_t scene_number_ = 0;
     uint64_t style_drawn_ = 0;

@@ -45,7 +45,9 @@ void Viewer::take(const Failure& failure)
     if (failure.what == Failure::Of::job) {
         studio_.work.reset();
     }
-    if (failure.what != Failure::Of::picture) {
+    if (failure.what == Failure::Of::picture) {
+        answered_view_ = requested_view_;
+    } else {
         asked_ = {}; // what was asked for meanwhile is gone
     }
     studio_.say(Message::Kind::problem, topic, failure.message);
@@ -104,8 +106,9 @@ void Viewer::take(const SceneTaken& taken)
 void Viewer::take(Picture& picture)
 {
     textures_.at(picture.slot)->set(picture.image.width, picture.image.height, picture.image.rgba);
-    shown_view_.at(picture.slot) = picture.view;
-    const bool is_whole = picture.scale == 1.0 && picture.continuity == Continuity::still;
+    answered_view_.at(picture.slot) = picture.view;
+    const bool is_whole = picture.scale == 1.0 && picture.samples == studio_.samples &&
+                          picture.continuity == Continuity::still;
     if (picture.slot == 0) {
         studio_.shown_scale = picture.scale;
         studio_.shown_px = {picture.image.width, picture.image.height};
