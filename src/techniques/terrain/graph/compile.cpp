@@ -223,8 +223,9 @@ private:
     {
         Frame result = frame.turned(angle_rad);
         if (frame.is_warped()) {
-            const uint32_t cosine = constant(std::cos(angle_rad));
-            const uint32_t sine = constant(std::sin(angle_rad));
+            const glm::dvec2 turn = cosine_and_sine(angle_rad);
+            const uint32_t cosine = constant(turn.x);
+            const uint32_t sine = constant(turn.y);
             const auto [u, v] = frame.warp;
             result.warp = {add(multiply(u, cosine), multiply(v, sine)),
                            subtract(multiply(v, cosine), multiply(u, sine))};

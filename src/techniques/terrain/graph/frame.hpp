@@ -9,6 +9,15 @@
 
 namespace estampe::terrain {
 
+/// Cosine and sine of an angle. Those of quarter turns are exact, so that what repeats along an axis still
+/// does so a million metres away.
+[[nodiscard]] inline glm::dvec2 cosine_and_sine(double angle_rad)
+{
+    constexpr double rounding = 1e-15; // of the angle, in a turn or two
+    const auto exact = [](double value) { return std::abs(value) < rounding ? 0.0 : value; };
+    return {exact(std::cos(angle_rad)), exact(std::sin(angle_rad))};
+}
+
 /// The coordinates that a part of a graph is looked up by, in metres: linear in x, z and time, plus a warp,
 /// two values of the program, where there is one.
 struct Frame {
@@ -31,8 +40,9 @@ struct Frame {
     /// What is inside turns from x towards z; the warp is left as it is.
     [[nodiscard]] Frame turned(double angle_rad) const
     {
-        const double c = std::cos(angle_rad);
-        const double s = std::sin(angle_rad);
+        const glm::dvec2 turn = cosine_and_sine(angle_rad);
+        const double c = turn.x;
+        const double s = turn.y;
         Frame result = *this;
         result.u = {c * u.x + s * v.x, c * u.z + s * v.z, c * u.t + s * v.t, c * u.constant + s * v.constant};
         result.v = {c * v.x - s * u.x, c * v.z - s * u.z, c * v.t - s * u.t, c * v.constant - s * u.constant};

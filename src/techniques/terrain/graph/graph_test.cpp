@@ -7,6 +7,7 @@
 
 #include "techniques/terrain/graph/compile.hpp"
 #include "techniques/terrain/graph/evaluate.hpp"
+#include "techniques/terrain/graph/frame.hpp"
 #include "techniques/terrain/graph/test_graphs.hpp"
 
 namespace estampe {
@@ -95,6 +96,16 @@ TEST(HeightGraph, IsTheSameAMillionMetresAway)
         const glm::vec2 local(0.25F * static_cast<float>(i), 1.5F * static_cast<float>(i));
         EXPECT_EQ(terrain::evaluate_single(terrain.program(), here, local),
                   terrain::evaluate_single(terrain.program(), there, local));
+    }
+}
+
+/// Turned by a quarter, sand looks along one axis alone.
+TEST(HeightGraph, QuarterTurnsAreExact)
+{
+    for (int quarter = -3; quarter <= 6; ++quarter) {
+        const glm::dvec2 turn = terrain::cosine_and_sine(quarter * std::numbers::pi / 2.0);
+        EXPECT_EQ(turn.x * turn.y, 0.0) << quarter;
+        EXPECT_EQ(std::abs(turn.x + turn.y), 1.0) << quarter;
     }
 }
 
