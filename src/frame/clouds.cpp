@@ -5,12 +5,16 @@
 
 namespace estampe::frame {
 
-CloudBuffers cloud_buffers(gpu::Device& device, const sky::CloudPlan& plan)
+void refill_clouds(gpu::Device& device, const sky::CloudPlan& plan, CloudBuffers& buffers)
 {
-    return {.globals = mapped_buffer(device, "clouds", std::span(&plan.globals, 1)),
-            .starts = mapped_buffer(device, "cloud cells", plan.starts),
-            .puffs = mapped_buffer(device, "puffs", plan.puffs),
-            .streaks = mapped_buffer(device, "streaks", plan.streaks)};
+    refill(device, "clouds", std::span(&plan.globals, 1), buffers.globals);
+    if (buffers.shapes == plan.shapes) {
+        return;
+    }
+    buffers.shapes = plan.shapes;
+    refill(device, "cloud cells", plan.shapes->starts, buffers.starts);
+    refill(device, "puffs", plan.shapes->puffs, buffers.puffs);
+    refill(device, "streaks", plan.shapes->streaks, buffers.streaks);
 }
 
 } // namespace estampe::frame

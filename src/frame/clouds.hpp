@@ -10,12 +10,14 @@ namespace estampe::frame {
 
 /// The clouds of a plan.
 struct CloudBuffers {
+    std::shared_ptr<const sky::CloudShapes> shapes; ///< what starts, puffs and streaks hold
     gpu::Buffer globals;
     gpu::Buffer starts;
     gpu::Buffer puffs;
     gpu::Buffer streaks;
 };
 
-[[nodiscard]] CloudBuffers cloud_buffers(gpu::Device& device, const sky::CloudPlan& plan);
+/// Brings the clouds of a plan to the device; shapes only where they are others than before.
+void refill_clouds(gpu::Device& device, const sky::CloudPlan& plan, CloudBuffers& buffers);
 
 } // namespace estampe::frame

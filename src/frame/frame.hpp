@@ -38,9 +38,17 @@ struct StrungPart {
     contour::PartOfPage part;
 };
 
+/// Lists that each frame fills anew, in the room that the one before took.
+struct FrameLists {
+    std::vector<raster::Batch> casters; ///< that the sun's shadow map is drawn from
+    std::vector<hatch::LookHatch> hatch_looks;
+    std::vector<wash::LookWash> wash_looks;
+};
+
 /// The buffers of the outside world that a frame reads and writes.
 struct FrameResources {
     gpu::Device& device;
+    FrameLists& frame_lists;
     pose::MeshBuffers& meshes;
     surface::MaterialBuffers& materials;
     gpu::Buffer& frame_globals;

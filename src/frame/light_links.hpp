@@ -4,6 +4,7 @@
 // What a style says of single lights and objects, over what their file says.
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include <estampe/renderer.hpp>
@@ -20,6 +21,14 @@ struct LightingOfScene {
     std::vector<LightLinks> material_links;
 
     bool operator==(const LightingOfScene& other) const = default;
+};
+
+/// What a style says of that.
+struct LightingWords {
+    std::string lights;
+    std::string objects;
+
+    bool operator==(const LightingWords& other) const = default;
 };
 
 [[nodiscard]] LightingOfScene lighting_of(const Scene& scene);

@@ -238,7 +238,12 @@ bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terra
 
 bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style)
 {
+    if (loaded.styled_by && loaded.styled_by->lights == style.lights &&
+        loaded.styled_by->objects == style.objects) {
+        return false;
+    }
     LightingOfScene wanted = styled_lighting(loaded.own_lighting, loaded.scene, style);
+    loaded.styled_by = {style.lights, style.objects};
     if (wanted == loaded.styled_lighting) {
         return false;
     }

@@ -27,11 +27,18 @@
 
 namespace estampe::frame {
 
+/// The nodes that give particles, and the style's words that they were found by.
+struct EmittingNodes {
+    std::string patterns;
+    std::vector<size_t> nodes;
+};
+
 /// Everything of one scene that lives on the device, and the scene itself without its pictures.
 struct LoadedScene {
     Scene scene;
-    LightingOfScene own_lighting;    ///< as the file has it
-    LightingOfScene styled_lighting; ///< as `scene` has it now
+    LightingOfScene own_lighting;           ///< as the file has it
+    LightingOfScene styled_lighting;        ///< as `scene` has it now
+    std::optional<LightingWords> styled_by; ///< what made that of the file's, unless that has changed since
     pose::MeshData layout;
     pose::MeshBuffers meshes;
     surface::MaterialBuffers materials;
@@ -48,6 +55,7 @@ struct LoadedScene {
     motion_blur::TogetherBuffers together;       ///< then, too
     HouseLight house_light;
     light::KeyLightMemory key_light;
+    EmittingNodes emitting;
     PlacedNodes placed;                               ///< what a program moves
     std::unique_ptr<MovingCloth> cloth;               ///< where the scene has any
     std::unique_ptr<terrain::TerrainBuffers> terrain; ///< where the scene has one

@@ -15,9 +15,10 @@ bool counts(const pose::CasterRun& run, Casters which)
 
 } // namespace
 
-std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups groups, Casters which)
+void list_casters(const pose::MeshData& layout, Groups groups, Casters which,
+                  std::vector<raster::Batch>& batches)
 {
-    std::vector<raster::Batch> batches;
+    batches.clear();
     for (const pose::CasterRun& run : layout.casters) {
         if ((run.groups & groups) != 0 && counts(run, which)) {
             batches.push_back({.first_triangle = run.range.first,
@@ -27,6 +28,12 @@ std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups g
                                .groups = run.groups});
         }
     }
+}
+
+std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups groups, Casters which)
+{
+    std::vector<raster::Batch> batches;
+    list_casters(layout, groups, which, batches);
     return batches;
 }
 

@@ -27,7 +27,12 @@ struct LocalShadowBuffers {
 /// Which casters count.
 enum class Casters : uint8_t { all, still, moving };
 
-/// What blocks a light that `groups` of casters shadow, as runs of triangles.
+/// What blocks a light that `groups` of casters shadow, as runs of triangles, in place of what `batches`
+/// held.
+void list_casters(const pose::MeshData& layout, Groups groups, Casters which,
+                  std::vector<raster::Batch>& batches);
+
+/// The same in a list of its own.
 [[nodiscard]] std::vector<raster::Batch> caster_batches(const pose::MeshData& layout, Groups groups,
                                                         Casters which = Casters::all);
 

@@ -85,49 +85,52 @@ shadow::AtlasRequest atlas_request(const shared::LightRecord& record, const shad
             .importance = reach_share * reach_share * luminance(record.color)};
 }
 
-LocalShadowPlan LocalShadows::plan(light::Lighting& lighting, std::span<const Bounds> moved,
-                                   const PageView& page, const shadow::ShadowStyle& style,
-                                   const CasterKinds& casters)
+const LocalShadowPlan& LocalShadows::plan(light::Lighting& lighting, std::span<const Bounds> moved,
+                                          const PageView& page, const shadow::ShadowStyle& style,
+                                          const CasterKinds& casters)
 {
-    LocalShadowPlan plan;
+    LocalShadowPlan& plan = plan_;
+    plan.shadows.clear();
+    plan.views.clear();
+    plan.without = 0;
     const std::span records = std::span(lighting.records).subspan(lighting.directional_count);
-    std::vector<shadow::LocalLight> lights;
-    std::vector<shadow::AtlasRequest> requests;
+    lights_.clear();
+    requests_.clear();
     for (shared::LightRecord& record : records) {
         record.shadow = 0;
-        lights.push_back(local_light(record));
-        const bool throws_shadows = lights.back().casters != 0 && luminance(record.color) > 0.0F;
-        requests.push_back(throws_shadows ? atlas_request(record, lights.back(), page, style)
-                                          : shadow::AtlasRequest{});
+        lights_.push_back(local_light(record));
+        const bool throws_shadows = lights_.back().casters != 0 && luminance(record.color) > 0.0F;
+        requests_.push_back(throws_shadows ? atlas_request(record, lights_.back(), page, style)
+                                           : shadow::AtlasRequest{});
     }
     const auto budget_texels = static_cast<uint64_t>(style.local_megatexels * 1e6F);
-    const auto lots =
-        atlas_.allot(requests, {.texels = budget_texels, .lights = static_cast<size_t>(style.local_lights)});
+    const std::vector<shadow::Allotment>& lots =
+        atlas_.allot(requests_, {.texels = budget_texels, .lights = static_cast<size_t>(style.local_lights)});
     kept_.resize(records.size());
     const bool has_layers = casters.moving && casters.still && 2 * atlas_.end_texel() <= budget_texels;
     for (size_t i = 0; i < records.size(); ++i) {
         const shadow::Allotment& lot = lots[i];
         if (lot.size == 0) {
-            plan.without += requests[i].map_count > 0 ? 1U : 0U;
+            plan.without += requests_[i].map_count > 0 ? 1U : 0U;
             kept_[i] = {};
             continue;
         }
         plan.shadows.push_back(
-            shadow::local_shadow(lights[i], lot.size, lot.first_texel, radius_of(records[i], style)));
+            shadow::local_shadow(lights_[i], lot.size, lot.first_texel, radius_of(records[i], style)));
         records[i].shadow = static_cast<uint32_t>(plan.shadows.size());
-        const bool stands = kept_[i].light == lights[i] && kept_[i].allotment == lot;
+        const bool stands = kept_[i].light == lights_[i] && kept_[i].allotment == lot;
         const bool is_kept = stands && std::ranges::none_of(moved, [&](const Bounds& place) {
-                                 return reaches(lights[i], place);
+                                 return reaches(lights_[i], place);
                              });
         if (is_kept) {
             continue;
         }
         const bool in_layers = stands && has_layers;
         if (in_layers && !kept_[i].has_layer) {
-            add_views(plan.views.still, lights[i], plan.shadows.back());
+            add_views(plan.views.still, lights_[i], plan.shadows.back());
         }
-        add_views(in_layers ? plan.views.moving : plan.views.whole, lights[i], plan.shadows.back());
-        kept_[i] = {lights[i], lot, in_layers};
+        add_views(in_layers ? plan.views.moving : plan.views.whole, lights_[i], plan.shadows.back());
+        kept_[i] = {lights_[i], lot, in_layers};
     }
     raster::place_views(plan.views.whole);
     raster::place_views(plan.views.still);

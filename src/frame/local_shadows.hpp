@@ -54,6 +54,14 @@ struct LocalMapViews {
     std::vector<shared::RasterView> moving; ///< to be drawn from what moves, and merged with that layer
 
     [[nodiscard]] bool empty() const { return whole.empty() && still.empty() && moving.empty(); }
+
+    /// Keeps the room that they took.
+    void clear()
+    {
+        whole.clear();
+        still.clear();
+        moving.clear();
+    }
 };
 
 /// Shadow maps of local lights, as a picture is to have them.
@@ -77,10 +85,10 @@ public:
     /// Fills in the records' `shadow`. `moved` are the places, before and after, of what moved since the last
     /// call. A light within whose reach casters move while it stands keeps a layer of those that do not, in a
     /// second buffer as large as the maps', where both fit `shadow.local_megatexels`; else its maps are drawn
-    /// whole. Cost: linear in lights and in what moved.
-    [[nodiscard]] LocalShadowPlan plan(light::Lighting& lighting, std::span<const Bounds> moved,
-                                       const PageView& page, const shadow::ShadowStyle& style,
-                                       const CasterKinds& casters = {});
+    /// whole. Valid until the next call. Cost: linear in lights and in what moved.
+    [[nodiscard]] const LocalShadowPlan& plan(light::Lighting& lighting, std::span<const Bounds> moved,
+                                              const PageView& page, const shadow::ShadowStyle& style,
+                                              const CasterKinds& casters = {});
 
     /// All maps and layers are out of date: another scene, or another buffer.
     void forget() { kept_.clear(); }
@@ -94,6 +102,9 @@ private:
 
     shadow::Atlas atlas_;
     std::vector<Kept> kept_; ///< by local light: what its maps show
+    LocalShadowPlan plan_;   ///< its room serves the next frame, as does that of these:
+    std::vector<shadow::LocalLight> lights_;
+    std::vector<shadow::AtlasRequest> requests_;
 };
 
 } // namespace estampe::frame

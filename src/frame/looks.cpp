@@ -78,9 +78,11 @@ contour::ContourStyle lines_of(const std::vector<StyleTables>& styles)
 
 } // namespace
 
-LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const StyleTables& style)
+LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const StyleTables& style,
+                    std::vector<StyleTables> room)
 {
-    LookPlan plan{.styles = {style}, .look_of_draw = {}, .lines = style.contour};
+    LookPlan plan{.styles = std::move(room), .look_of_draw = {}, .lines = style.contour};
+    plan.styles.assign(1, style);
     if (style.overrides.empty()) {
         return plan;
     }

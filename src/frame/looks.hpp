@@ -24,8 +24,10 @@ struct LookPlan {
     [[nodiscard]] bool has_several() const { return styles.size() > 1; }
 };
 
-/// Draws of which the same overrides speak share a look. Cost: linear in draws times overrides.
-[[nodiscard]] LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const StyleTables& style);
+/// Draws of which the same overrides speak share a look. The list of styles takes `room`. Cost: linear in
+/// draws times overrides.
+[[nodiscard]] LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const StyleTables& style,
+                                  std::vector<StyleTables> room = {});
 
 /// The look of each node by itself, as `styles` of them: what hangs on a node is meant with it. Cost: linear
 /// in nodes times overrides.

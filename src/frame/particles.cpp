@@ -125,7 +125,12 @@ std::vector<particles::ParticlePlan> provide_particles(gpu::Device& device, gpu:
                                                        std::vector<ParticleBuffers>& buffers,
                                                        const ParticlePlanInputs& in)
 {
-    const std::vector<size_t> nodes = emitting_nodes(in.loaded.scene, in.style.particles.emitters);
+    EmittingNodes& emitting = in.loaded.emitting;
+    if (emitting.patterns != in.style.particles.emitters) {
+        emitting = {in.style.particles.emitters,
+                    emitting_nodes(in.loaded.scene, in.style.particles.emitters)};
+    }
+    const std::vector<size_t>& nodes = emitting.nodes;
     if (nodes.empty()) {
         return {};
     }

@@ -28,7 +28,7 @@ struct ParticleBuffers {
 };
 
 struct ParticlePlanInputs {
-    const LoadedScene& loaded;
+    LoadedScene& loaded;
     const ScenePose& pose;
     std::function<ScenePose(double time_s)> pose_at; ///< at other moments
     const Camera& camera;

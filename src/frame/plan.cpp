@@ -125,13 +125,15 @@ std::optional<sky::CloudPlan> plan_clouds(const PlanInputs& in, const PagePlan& 
         return std::nullopt;
     }
     const sky::SkyStyle& style = in.style.sky;
-    return sky::plan_clouds(in.style.clouds, {.eye_m = in.camera.eye,
-                                              .time_s = in.settings.time_s,
-                                              .towards_sun = sun.towards,
-                                              .follows_elevation_rad = sky::followed_elevation_rad(
-                                                  style, sun.towards, sun.daylight_rad),
-                                              .look = sky::look_under(style, sun.towards, sun.daylight_rad),
-                                              .pixels_per_mm = page.pixels_per_mm});
+    return sky::plan_clouds(
+        in.style.clouds,
+        {.eye_m = in.camera.eye,
+         .time_s = in.settings.time_s,
+         .towards_sun = sun.towards,
+         .follows_elevation_rad = sky::followed_elevation_rad(style, sun.towards, sun.daylight_rad),
+         .look = sky::look_under(style, sun.towards, sun.daylight_rad),
+         .pixels_per_mm = page.pixels_per_mm},
+        in.clouds);
 }
 
 /// Runs of solid triangles whose looks are chosen.
@@ -160,15 +162,13 @@ std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const LookPlan&
 std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout, const LookPlan& looks,
                                               bool has_ground)
 {
+    if (std::ranges::none_of(looks.styles, [](const StyleTables& style) { return style.subsurface.drawn; })) {
+        return std::nullopt;
+    }
     SubsurfacePlan plan;
-    bool is_drawn = false;
     for (const StyleTables& style : looks.styles) {
         plan.looks.push_back(subsurface::look_of(style.subsurface));
         plan.scatters |= subsurface::scatters(style.subsurface);
-        is_drawn |= style.subsurface.drawn;
-    }
-    if (!is_drawn) {
-        return std::nullopt;
     }
     plan.bodies = runs_of(layout, looks, subsurface::shines);
     plan.clear = runs_of(layout, looks, subsurface::is_clear);
@@ -224,11 +224,12 @@ FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px
     return shrunk;
 }
 
-FramePlan plan_frame(const PlanInputs& in)
+FramePlan plan_frame(const PlanInputs& in, PlanLists room)
 {
     const PagePlan page = plan_page(in);
-    LookPlan looks = plan_looks(in.loaded.layout, in.loaded.scene, in.style);
-    StrokePlan strokes = plan_strokes(in.loaded.layout, in.loaded.scene.materials, looks);
+    LookPlan looks = plan_looks(in.loaded.layout, in.loaded.scene, in.style, std::move(room.styles));
+    StrokePlan strokes =
+        plan_strokes(in.loaded.layout, in.loaded.scene.materials, looks, std::move(room.kind_of_draw));
     if (in.loaded.scene.terrain) {
         const float wind_rad = glm::radians(in.loaded.scene.terrain->description().wind.direction_deg);
         strokes.ground_wind = {std::cos(wind_rad), std::sin(wind_rad)};

@@ -147,6 +147,12 @@ struct SamplePlan {
     float line_step_px = 3.0F; ///< between samples of lines, about
 };
 
+/// Lists of a plan that is done with, for the next one to fill.
+struct PlanLists {
+    std::vector<StyleTables> styles;
+    std::vector<uint32_t> kind_of_draw;
+};
+
 /// What a plan is made from.
 struct PlanInputs {
     const LoadedScene& loaded; ///< posed
@@ -157,6 +163,7 @@ struct PlanInputs {
     const StyleTables& style;
     const gpu::Device& device;
     RasterPath raster_path = RasterPath::compute; ///< never automatic
+    sky::CloudMemory& clouds;
 };
 
 /// The plan of the same page in pixels `shrink` times as large each way, of which `size_px` hold it: what its
@@ -173,6 +180,6 @@ struct PlanInputs {
 /// Plans all that needs no room on the device: shadows of local lights, motion, what the eye is used to and
 /// what lines remember are left as they are by default. Throws Error as plan_strokes(). Cost: linear in
 /// draws.
-[[nodiscard]] FramePlan plan_frame(const PlanInputs& in);
+[[nodiscard]] FramePlan plan_frame(const PlanInputs& in, PlanLists room = {});
 
 } // namespace estampe::frame

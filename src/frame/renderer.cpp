@@ -98,6 +98,7 @@ void Renderer::set_brightness(std::span<const LightBrightness> lights)
                     "call set_scene first");
     }
     frame::brighten(impl_->loaded->own_lighting, lights);
+    impl_->loaded->styled_by.reset();
 }
 
 void Renderer::Impl::update_pose(const ScenePose& scene_pose)
@@ -175,6 +176,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
         ground_shadow.provide(device, plan.sun.ground);
     }
     frame::FrameResources resources{.device = device,
+                                    .frame_lists = frame_lists,
                                     .meshes = loaded->meshes,
                                     .materials = loaded->materials,
                                     .frame_globals = frame_globals,
@@ -328,7 +330,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
                                                .settings = settings,
                                                .style = tables,
                                                .device = device,
-                                               .raster_path = raster_path});
+                                               .raster_path = raster_path,
+                                               .clouds = cloud_memory},
+                                              std::exchange(plan_lists, {}));
     plan.light.lightmap_scale = lightmap_scale;
     plan.particles = frame::provide_particles(
         device, executor, particles,
@@ -358,6 +362,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         plan.light.ambient = luminance(lighting.ambient);
     }
     plan.light.adapt_stops = exposure.prepare(device, tables.light, settings.time_s);
+    loaded->key_light.room = std::move(lighting.records);
     return plan;
 }
 
@@ -430,6 +435,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
     if (settings.motion_since) {
         motion = frame::read_motion(motion_pixels, settings);
     }
+    plan_lists = {std::move(plan.looks.styles), std::move(plan.strokes.kind_of_draw)};
     if (target != nullptr) {
         return {};
     }

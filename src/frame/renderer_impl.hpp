@@ -174,6 +174,9 @@ struct Renderer::Impl {
     frame::Page page;
     gpu::Buffer motion_pixels;
     Motion motion;
+    sky::CloudMemory cloud_memory;
+    frame::PlanLists plan_lists; ///< of the picture before
+    frame::FrameLists frame_lists;
     gpu::Graph declared; ///< room for the next frame's
     gpu::Graph drawn;    ///< the last frame, to look at; its resources may be gone
     std::vector<std::string> notes;

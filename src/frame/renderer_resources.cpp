@@ -26,16 +26,17 @@ frame::LocalMapPlan Renderer::Impl::provide_local_shadows(const frame::PagePlan&
                                     .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
                                     .longer_side_px = std::max(page_plan.size_px.x, page_plan.size_px.y)};
     const frame::CasterKinds casters = frame::caster_kinds(loaded->layout);
-    frame::LocalShadowPlan local = local_shadows.plan(lighting, moved, page_view, style, casters);
+    const frame::LocalShadowPlan* plan = &local_shadows.plan(lighting, moved, page_view, style, casters);
     moved.clear();
     gpu::Buffer& maps = local_shadow_buffers.maps;
-    const uint64_t needed_bytes = std::max<uint64_t>(sizeof(uint32_t) * local.texel_count, 16);
+    const uint64_t needed_bytes = std::max<uint64_t>(sizeof(uint32_t) * plan->texel_count, 16);
     if (maps.empty() || maps.size_bytes() < needed_bytes) {
         maps = gpu::Buffer(device, "local shadow maps", needed_bytes, gpu::MemoryUse::device);
         local_shadows.forget();
-        local = local_shadows.plan(lighting, {}, page_view, style, casters);
+        plan = &local_shadows.plan(lighting, {}, page_view, style, casters);
         local_shadow_buffers.layers = {};
     }
+    const frame::LocalShadowPlan& local = *plan;
     frame::refill(device, "local shadows", local.shadows, local_shadow_buffers.shadows);
     frame::LocalViewBuffers& views = local_shadow_buffers.views;
     frame::refill(device, "local views", local.views.whole, views.whole);
@@ -52,7 +53,7 @@ frame::LocalMapPlan Renderer::Impl::provide_local_shadows(const frame::PagePlan&
     }
     return {.is_there = !local.shadows.empty(),
             .variant = shadow::lamps_variant(local.shadows),
-            .views = std::move(local.views)};
+            .views = local.views};
 }
 
 void Renderer::Impl::provide_strokes(const frame::StrokePlan& strokes)
@@ -75,7 +76,7 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
         frame::refill(device, "focus lines", plan.focus.lines, focus_lines);
     }
     if (plan.clouds) {
-        clouds = frame::cloud_buffers(device, *plan.clouds);
+        frame::refill_clouds(device, *plan.clouds, clouds);
     }
     if (const occlusion::OcclusionStyle& style = plan.looks.styles.front().occlusion;
         style.drawn && occlusion::has_discs(style.method) && loaded->discs.empty()) {

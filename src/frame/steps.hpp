@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "core/few.hpp"
 #include "frame/frame.hpp"
 #include "techniques/contour/contour.hpp"
 #include "techniques/lens/lens.hpp"
@@ -75,7 +76,7 @@ struct MovingLayers {
 [[nodiscard]] PosedScene add_posed_scene(const Making& making);
 
 /// What hides what is behind it.
-[[nodiscard]] std::vector<raster::Batch> solid_batches(const pose::MeshData& layout, bool with_ground);
+[[nodiscard]] Few<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground);
 
 /// All that the camera sees.
 [[nodiscard]] raster::View eye_view(const Making& making);
@@ -139,7 +140,7 @@ struct LightBefore {
 [[nodiscard]] std::optional<gpu::BufferId> look_of_draw(const Making& making);
 
 /// What strokes are drawn from.
-[[nodiscard]] std::vector<hatch::LookHatch> hatch_looks(const Making& making);
+[[nodiscard]] const std::vector<hatch::LookHatch>& hatch_looks(const Making& making);
 
 [[nodiscard]] hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
                                               const surface::Surface& surface, const light::LitPixels& lit,

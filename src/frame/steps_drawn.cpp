@@ -11,10 +11,11 @@
 namespace estampe::frame {
 namespace {
 
-std::vector<wash::LookWash> wash_looks(const LookPlan& plan)
+const std::vector<wash::LookWash>& wash_looks(const Making& making)
 {
-    std::vector<wash::LookWash> looks;
-    for (const StyleTables& style : plan.styles) {
+    std::vector<wash::LookWash>& looks = making.resources.frame_lists.wash_looks;
+    looks.clear();
+    for (const StyleTables& style : making.plan.looks.styles) {
         looks.push_back({.style = style.wash, .tone = light::tone_constants(style.tone)});
     }
     return looks;
@@ -76,9 +77,10 @@ std::optional<gpu::BufferId> look_of_draw(const Making& making)
     return gpu::import_whole(making.graph, "looks", making.resources.look_of_draw);
 }
 
-std::vector<hatch::LookHatch> hatch_looks(const Making& making)
+const std::vector<hatch::LookHatch>& hatch_looks(const Making& making)
 {
-    std::vector<hatch::LookHatch> looks;
+    std::vector<hatch::LookHatch>& looks = making.resources.frame_lists.hatch_looks;
+    looks.clear();
     for (const StyleTables& style : making.plan.looks.styles) {
         hatch::MapImages* const map = making.resources.maps.of_look(looks.size());
         looks.push_back(
@@ -347,7 +349,7 @@ gpu::ImageId add_paint(const Making& making, const PosedScene& scene, const surf
                            .has_background = background.has_value(),
                            .size_px = making.sample.size_px,
                            .look_of_draw = look_of_draw(making)},
-                          wash_looks(making.plan.looks));
+                          wash_looks(making));
 }
 
 haze::HazeInputs haze_inputs(const Making& making, const PosedScene& scene, const surface::Surface& surface)

@@ -16,7 +16,8 @@ gpu::BufferId sun_map_of(const Making& making, const PosedScene& scene)
 {
     const FramePlan& plan = making.plan;
     // The ground receives but does not throw.
-    const std::vector<raster::Batch> casters = caster_batches(making.layout, plan.sun.casters);
+    std::vector<raster::Batch>& casters = making.resources.frame_lists.casters;
+    list_casters(making.layout, plan.sun.casters, Casters::all, casters);
     return add_sun_map(making.graph,
                        {.raster = scene.meshes,
                         .casters = casters,

@@ -16,9 +16,11 @@ raster::Batch batch(const pose::Range& range, bool masked = false)
 
 } // namespace
 
-std::vector<raster::Batch> solid_batches(const pose::MeshData& layout, bool with_ground)
+Few<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground)
 {
-    std::vector<raster::Batch> batches{batch(layout.opaque), batch(layout.masked, true)};
+    Few<raster::Batch, 3> batches;
+    batches.push_back(batch(layout.opaque));
+    batches.push_back(batch(layout.masked, true));
     if (with_ground) {
         batches.push_back(batch(layout.ground));
     }
@@ -172,8 +174,9 @@ SeenThrough add_screen(const Making& making, const PosedScene& scene, gpu::Buffe
     const uint32_t most =
         style.mode == screen::Mode::sorted ? screen::most_sorted_layers : screen::most_layers;
     const uint32_t wanted = std::min({layout.blended_sheets, static_cast<uint32_t>(style.layers), most});
-    const auto layers = raster::add_layers(making.graph, "screen", scene.meshes,
-                                           {batch(layout.blended, true)}, eye_view(making), wanted);
+    const raster::Batch blended = batch(layout.blended, true);
+    const auto layers =
+        raster::add_layers(making.graph, "screen", scene.meshes, {&blended, 1}, eye_view(making), wanted);
     return {.images = screen::add_screen(making.graph, screen_inputs(making, scene, visibility, layers)),
             .layers = layers,
             .is_there = true};

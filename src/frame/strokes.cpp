@@ -36,6 +36,9 @@ uint32_t kind_named(const std::string& name)
 std::map<Index, uint32_t> kinds_of_materials(const std::vector<Material>& materials, std::string_view text)
 {
     std::map<Index, uint32_t> kinds;
+    if (text.empty()) {
+        return kinds;
+    }
     for (const Assignment& part : assignments(text, key, "material=kind", "Skin=form, Sea=wind")) {
         const uint32_t kind = kind_named(part.value);
         std::vector<std::string> names;
@@ -89,11 +92,12 @@ const StyleTables& look_of(const LookPlan& looks, size_t draw)
 } // namespace
 
 StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
-                        const LookPlan& looks)
+                        const LookPlan& looks, std::vector<uint32_t> room)
 {
     const std::map<Index, uint32_t> kinds =
         kinds_of_materials(materials, looks.styles.front().hatch.materials);
-    StrokePlan plan;
+    StrokePlan plan{.kind_of_draw = std::move(room)};
+    plan.kind_of_draw.clear();
     plan.kind_of_draw.reserve(meshes.draws.size());
     for (const shared::DrawRecord& draw : meshes.draws) {
         const auto own = kinds.find(draw.material);

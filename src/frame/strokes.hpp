@@ -29,9 +29,9 @@ struct StrokePlan {
 };
 
 /// The wish of each surface's look, or that for a single material by `hatch.materials`. UVs are followed only
-/// where there are any; grounds have no form, dunes keep to their slopes. Throws Error when
-/// `hatch.materials` cannot be read, or names what is not there. Cost: linear in draws.
+/// where there are any; grounds have no form, dunes keep to their slopes. The list takes `room`. Throws Error
+/// when `hatch.materials` cannot be read, or names what is not there. Cost: linear in draws.
 [[nodiscard]] StrokePlan plan_strokes(const pose::MeshData& meshes, const std::vector<Material>& materials,
-                                      const LookPlan& looks);
+                                      const LookPlan& looks, std::vector<uint32_t> room = {});
 
 } // namespace estampe::frame

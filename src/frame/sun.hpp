@@ -81,7 +81,7 @@ private:
 
 struct SunMapInputs {
     const raster::RasterInputs& raster;
-    const std::vector<raster::Batch>& casters;
+    std::span<const raster::Batch> casters;
     const SunMapPlan& plan;
     const SunMapWork& work;
     RasterPath path = RasterPath::compute; ///< never automatic

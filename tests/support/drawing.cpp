@@ -155,20 +155,19 @@ screen::Screen Drawing::add_screen(gpu::Graph& graph)
 {
     const gpu::BufferId posed = add_posed(graph);
     const raster::RasterInputs inputs = raster_inputs(graph, posed);
-    return screen::add_screen(
-        graph, {.frame = gpu::import_whole(graph, "frame", frame_),
-                .solid_visibility = add_visibility(graph, posed),
-                .layers = raster::add_layers(graph, "screen", inputs,
-                                             {{layout.blended.first, layout.blended.count, true}},
-                                             raster_view(), layout.blended_sheets),
-                .triangles = inputs.triangles,
-                .posed_vertices = posed,
-                .draws = inputs.draws,
-                .rest_vertices = inputs.rest_vertices,
-                .materials = inputs.materials,
-                .textures = inputs.textures,
-                .texture_classes = needs_.texture_classes,
-                .size_px = size_px});
+    const raster::Batch blended{layout.blended.first, layout.blended.count, true};
+    return screen::add_screen(graph, {.frame = gpu::import_whole(graph, "frame", frame_),
+                                      .solid_visibility = add_visibility(graph, posed),
+                                      .layers = raster::add_layers(graph, "screen", inputs, {&blended, 1},
+                                                                   raster_view(), layout.blended_sheets),
+                                      .triangles = inputs.triangles,
+                                      .posed_vertices = posed,
+                                      .draws = inputs.draws,
+                                      .rest_vertices = inputs.rest_vertices,
+                                      .materials = inputs.materials,
+                                      .textures = inputs.textures,
+                                      .texture_classes = needs_.texture_classes,
+                                      .size_px = size_px});
 }
 
 light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, LightSetup setup)

@@ -152,13 +152,15 @@ Weather WeatherTimeline::at(double time_s) const
     const double left_s = end_s - static_cast<double>(whole) * step_s;
     weather.blown_m += left_s * wind_at(static_cast<double>(whole) * step_s + 0.5 * left_s);
     const double veil = noise(seed_ + 13, time_s / 40.0);
-    weather.clouds =
-        static_cast<float>(choice_.kind == WeatherKind::calm
-                               ? 0.0
-                               : std::min(0.02 + 0.1 * veil + 0.1 * static_cast<double>(weather.gusts) +
-                                              0.35 * static_cast<double>(weather.dust) +
-                                              0.25 * static_cast<double>(weather.tornado.strength),
-                                          0.75));
+    // In steps that nobody sees, so that clouds need not be shaped anew for every picture.
+    constexpr double cloud_steps = 1024.0;
+    const double clouds = choice_.kind == WeatherKind::calm
+                              ? 0.0
+                              : std::min(0.02 + 0.1 * veil + 0.1 * static_cast<double>(weather.gusts) +
+                                             0.35 * static_cast<double>(weather.dust) +
+                                             0.25 * static_cast<double>(weather.tornado.strength),
+                                         0.75);
+    weather.clouds = static_cast<float>(std::round(cloud_steps * clouds) / cloud_steps);
     if (choice_.hour || choice_.hours_a_minute != 0.0F) {
         const auto from = static_cast<double>(choice_.hour.value_or(usual_hour));
         const double passed = static_cast<double>(choice_.hours_a_minute) * end_s / 60.0;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 #include "core/luminance.hpp"
 #include "scene/lamp_light.hpp"
@@ -151,11 +153,10 @@ float manual_exposure(float ev100)
     return 1.0F / (std::numbers::pi_v<float> * 1.2F * std::exp2(ev100));
 }
 
-std::vector<shared::LightRecord> scene_records(const Scene& scene, const ScenePose& pose,
-                                               const Bounds& bounds, const glm::dvec3& anchor)
+void add_scene_records(std::vector<shared::LightRecord>& records, const Scene& scene, const ScenePose& pose,
+                       const Bounds& bounds, const glm::dvec3& anchor)
 {
     const auto radius_m = static_cast<float>(std::max(bounds.radius(), 1e-6));
-    std::vector<shared::LightRecord> records;
     for (Index node = 0; node < scene.nodes.size(); ++node) {
         const Index light = scene.nodes[node].light;
         if (light != no_index && scene.lights[light].type != LightType::ambient) {
@@ -165,7 +166,6 @@ std::vector<shared::LightRecord> scene_records(const Scene& scene, const ScenePo
             range_m = range_m > 0.0F ? range_m : is_unit_volume(records.back()) ? radius_m : 0.0F;
         }
     }
-    return records;
 }
 
 glm::vec3 ambient_lights(const Scene& scene)
@@ -194,7 +194,8 @@ shared::LightRecord parallel_light(const glm::dvec3& towards, float brightness)
 }
 
 /// The style's sun, and a weak light from the other side of the viewer, low, so that shade has form.
-std::vector<shared::LightRecord> sun_and_fill(const LightStyle& style, const Outlook& outlook)
+void add_sun_and_fill(std::vector<shared::LightRecord>& records, const LightStyle& style,
+                      const Outlook& outlook)
 {
     SunPlace sun{style.sun_azimuth_deg, style.sun_elevation_deg};
     if (style.turn_sun && outlook.wind_deg) {
@@ -204,12 +205,11 @@ std::vector<shared::LightRecord> sun_and_fill(const LightStyle& style, const Out
         return style.turn_sun ? outlook.towards_sun(bearing_deg, height_deg)
                               : bearing(glm::radians(bearing_deg), glm::radians(height_deg));
     };
-    std::vector records{parallel_light(towards(sun.azimuth_deg, sun.elevation_deg), 1.0F)};
+    records.push_back(parallel_light(towards(sun.azimuth_deg, sun.elevation_deg), 1.0F));
     if (style.fill > 0.0F) {
         records.push_back(parallel_light(towards(sun.azimuth_deg + 100.0, 20.0), style.fill));
         records.back().is_fill = 1;
     }
-    return records;
 }
 
 /// What arrives at a surface, its slant counted.
@@ -279,6 +279,24 @@ void expose(Lighting& lighting, float exposure, const Bounds& bounds)
     }
 }
 
+/// Those that cast shadows before those that do not, then the brighter. Returns how many there are.
+uint32_t put_suns_first(std::vector<shared::LightRecord>& records)
+{
+    const auto is_before = [](const shared::LightRecord& a, const shared::LightRecord& b) {
+        const auto rank = [](const shared::LightRecord& record) {
+            const bool is_sun = record.type == shared::light_directional;
+            return std::tuple(!is_sun, is_sun && casters_of(record) == 0,
+                              is_sun ? -luminance(record.color) : 0.0F);
+        };
+        return rank(a) < rank(b);
+    };
+    if (!std::ranges::is_sorted(records, is_before)) { // sorting takes room
+        std::ranges::stable_sort(records, is_before);
+    }
+    return static_cast<uint32_t>(
+        std::ranges::count(records, shared::light_directional, &shared::LightRecord::type));
+}
+
 } // namespace
 
 Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& bounds,
@@ -287,8 +305,12 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
 {
     Lighting lighting;
     std::vector<shared::LightRecord>& records = lighting.records;
+    if (memory != nullptr) {
+        records = std::exchange(memory->room, {});
+        records.clear();
+    }
     if (style.source != LightSource::sun) {
-        records = scene_records(scene, pose, bounds, anchor);
+        add_scene_records(records, scene, pose, bounds, anchor);
     }
     const glm::vec3 ambient = style.source != LightSource::sun ? ambient_lights(scene) : glm::vec3(0.0F);
     const bool has_own = !records.empty();
@@ -297,7 +319,7 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
         records = lamp_light(*outlook.shelter, anchor, style);
         lighting.indoors = true;
     } else if (is_unlit && style.source != LightSource::scene) {
-        records = sun_and_fill(style, outlook);
+        add_sun_and_fill(records, style, outlook);
     }
     const bool is_manual = style.metering == Metering::manual && has_own;
     float key = 1.0F;
@@ -305,17 +327,7 @@ Lighting gather_lights(const Scene& scene, const ScenePose& pose, const Bounds& 
         key = memory != nullptr ? remembered_key_light(records, scene, pose, anchor, *memory)
                                 : key_light(records, scene, pose, anchor);
     }
-    const auto first_local =
-        std::stable_partition(records.begin(), records.end(), [](const shared::LightRecord& record) {
-            return record.type == shared::light_directional;
-        });
-    lighting.directional_count = static_cast<uint32_t>(first_local - records.begin());
-    std::stable_sort(records.begin(), first_local,
-                     [](const shared::LightRecord& a, const shared::LightRecord& b) {
-                         const bool a_casts = casters_of(a) != 0;
-                         const bool b_casts = casters_of(b) != 0;
-                         return a_casts != b_casts ? a_casts : luminance(a.color) > luminance(b.color);
-                     });
+    lighting.directional_count = put_suns_first(records);
     // Metering by the page adds its own stops later.
     const float stops = style.metering == Metering::page ? 0.0F : style.exposure_stops;
     const float metered = is_manual ? manual_exposure(style.ev100) : key > 0.0F ? 1.0F / key : 1.0F;

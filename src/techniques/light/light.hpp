@@ -34,6 +34,7 @@ struct KeyLightMemory {
     ScenePose pose;
     glm::dvec3 anchor{0.0};
     float key = 1.0F;
+    std::vector<shared::LightRecord> room; ///< of a Lighting's records that is done with, for the next
 };
 
 /// Places the scene's lights in anchor space. Where it has none it gets the style's sun, which turns with the

@@ -72,7 +72,7 @@ RasterPath measure_paths(gpu::Device& device, gpu::Executor& executor)
                                                 gpu::import_whole(graph, "vertices", vertices));
         const Batch batch{.triangle_count = static_cast<uint32_t>(mesh.triangles.size()), .plain = true};
         graph.export_buffer(
-            add_visibility(graph, "measured", in, {batch}, {.size_px = page_px, .path = path}));
+            add_visibility(graph, "measured", in, {&batch, 1}, {.size_px = page_px, .path = path}));
         executor.run(graph);
         return total_ms(executor.timings());
     };

@@ -98,7 +98,7 @@ gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterIn
 } // namespace
 
 gpu::BufferId draw_by_compute(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                              const std::vector<Batch>& batches, const View& view, gpu::BufferId target,
+                              std::span<const Batch> batches, const View& view, gpu::BufferId target,
                               bool depth_only)
 {
     target = add_clear(graph, name, target);

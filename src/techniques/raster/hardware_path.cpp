@@ -151,7 +151,7 @@ gpu::BufferId add_copy(gpu::Graph& graph, const gpu::Name& name, gpu::ImageId fr
 }
 
 Attachments draw_batches(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                         const std::vector<Batch>& batches, const View& view, bool depth_only)
+                         std::span<const Batch> batches, const View& view, bool depth_only)
 {
     const auto image = [&](const char* part, gpu::Format format) {
         return graph.image(name + part,
@@ -174,7 +174,7 @@ Attachments draw_batches(gpu::Graph& graph, const gpu::Name& name, const RasterI
 } // namespace
 
 gpu::BufferId draw_by_hardware(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                               const std::vector<Batch>& batches, const View& view, gpu::BufferId target,
+                               std::span<const Batch> batches, const View& view, gpu::BufferId target,
                                bool depth_only)
 {
     const Attachments drawn = draw_batches(graph, name, in, batches, view, depth_only);
@@ -185,7 +185,7 @@ gpu::BufferId draw_by_hardware(gpu::Graph& graph, const gpu::Name& name, const R
 }
 
 gpu::BufferId draw_parts_by_hardware(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                                     const std::vector<Batch>& batches, const View& view,
+                                     std::span<const Batch> batches, const View& view,
                                      const std::vector<DepthPart>& parts, uint32_t row_texels,
                                      gpu::BufferId map)
 {

@@ -20,13 +20,13 @@ void bind_masks(gpu::Pass& pass, const RasterInputs& in);
 
 /// Draws the batches that hold triangles into `target`, 64 bits a pixel, or 32 when `depth_only`.
 [[nodiscard]] gpu::BufferId draw_by_compute(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                                            const std::vector<Batch>& batches, const View& view,
+                                            std::span<const Batch> batches, const View& view,
                                             gpu::BufferId target, bool depth_only);
 [[nodiscard]] gpu::BufferId draw_by_hardware(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                                             const std::vector<Batch>& batches, const View& view,
+                                             std::span<const Batch> batches, const View& view,
                                              gpu::BufferId target, bool depth_only);
 [[nodiscard]] gpu::BufferId draw_parts_by_hardware(gpu::Graph& graph, const gpu::Name& name,
-                                                   const RasterInputs& in, const std::vector<Batch>& batches,
+                                                   const RasterInputs& in, std::span<const Batch> batches,
                                                    const View& view, const std::vector<DepthPart>& parts,
                                                    uint32_t row_texels, gpu::BufferId map);
 

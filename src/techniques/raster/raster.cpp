@@ -28,10 +28,9 @@ gpu::BufferId add_part(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId p
 }
 
 gpu::BufferId draw(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                   std::vector<Batch> batches, const View& view, gpu::BufferId target, bool depth_only)
+                   std::span<const Batch> batches, const View& view, gpu::BufferId target, bool depth_only)
 {
-    std::erase_if(batches, [](const Batch& batch) { return batch.triangle_count == 0; });
-    if (batches.empty()) {
+    if (std::ranges::none_of(batches, &Batch::triangle_count)) {
         return add_clear(graph, name, target);
     }
     const auto by_path = view.path == RasterPath::hardware ? draw_by_hardware : draw_by_compute;
@@ -52,7 +51,7 @@ RasterInputs unmasked_inputs(gpu::Graph& graph, gpu::BufferId triangles, gpu::Bu
 }
 
 gpu::BufferId add_visibility(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                             const std::vector<Batch>& batches, const View& view)
+                             std::span<const Batch> batches, const View& view)
 {
     const uint64_t size_bytes = sizeof(uint64_t) * view.size_px.x * view.size_px.y;
     const gpu::BufferId target = graph.buffer(name, {.size_bytes = (size_bytes + 15) / 16 * 16});
@@ -60,7 +59,7 @@ gpu::BufferId add_visibility(gpu::Graph& graph, const gpu::Name& name, const Ras
 }
 
 std::vector<gpu::BufferId> add_layers(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                                      const std::vector<Batch>& batches, View view, uint32_t count)
+                                      std::span<const Batch> batches, View view, uint32_t count)
 {
     std::vector<gpu::BufferId> layers{add_visibility(graph, name, in, batches, view)};
     while (layers.size() < count) {
@@ -72,13 +71,13 @@ std::vector<gpu::BufferId> add_layers(gpu::Graph& graph, const gpu::Name& name, 
 }
 
 gpu::BufferId add_depth(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                        const std::vector<Batch>& batches, const View& view, gpu::BufferId target)
+                        std::span<const Batch> batches, const View& view, gpu::BufferId target)
 {
     return draw(graph, name, in, batches, view, target, true);
 }
 
 gpu::BufferId add_depth_parts(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                              const std::vector<Batch>& batches, const View& view,
+                              std::span<const Batch> batches, const View& view,
                               const std::vector<DepthPart>& parts, uint32_t row_texels, gpu::BufferId map)
 {
     const auto holds_any = [](const Batch& batch) { return batch.triangle_count > 0; };

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,21 +69,20 @@ struct View {
 ///         division by size; exact edge functions after Pineda, "A Parallel Algorithm for Polygon
 ///         Rasterization", 1988
 [[nodiscard]] gpu::BufferId add_visibility(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                                           const std::vector<Batch>& batches, const View& view);
+                                           std::span<const Batch> batches, const View& view);
 
 /// Visibility of what is nearest, of what lies behind that, and so on: `count` buffers, at least one. Batches
 /// are masked. Costs as much as so many pictures.
 ///
 /// Source  Everitt, "Interactive Order-Independent Transparency", 2001
 [[nodiscard]] std::vector<gpu::BufferId> add_layers(gpu::Graph& graph, const gpu::Name& name,
-                                                    const RasterInputs& in, const std::vector<Batch>& batches,
+                                                    const RasterInputs& in, std::span<const Batch> batches,
                                                     View view, uint32_t count);
 
 /// Draws a picture of 32-bit words into `target`: the bits of reversed depth as float; 0 where nothing is
 /// seen.
 [[nodiscard]] gpu::BufferId add_depth(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                                      const std::vector<Batch>& batches, const View& view,
-                                      gpu::BufferId target);
+                                      std::span<const Batch> batches, const View& view, gpu::BufferId target);
 
 /// A rectangle of a depth picture, and the texel of a map where its first row begins.
 struct DepthPart {
@@ -94,7 +94,7 @@ struct DepthPart {
 /// Draws as add_depth() does, and puts `parts` of the picture into `map`, an imported buffer whose rows are
 /// `row_texels` apart and whose other texels stay as they are.
 [[nodiscard]] gpu::BufferId add_depth_parts(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                                            const std::vector<Batch>& batches, const View& view,
+                                            std::span<const Batch> batches, const View& view,
                                             const std::vector<DepthPart>& parts, uint32_t row_texels,
                                             gpu::BufferId map);
 

@@ -56,7 +56,7 @@ inline std::vector<uint64_t> draw(const std::vector<ClipTriangle>& soup, glm::uv
     gpu::Graph graph;
     const RasterInputs in = unmasked_inputs(graph, gpu::import_whole(graph, "triangles", triangle_buffer),
                                             gpu::import_whole(graph, "vertices", vertex_buffer));
-    auto page = test::run_and_read_as<uint64_t>(graph, add_visibility(graph, "visibility", in, {batch},
+    auto page = test::run_and_read_as<uint64_t>(graph, add_visibility(graph, "visibility", in, {&batch, 1},
                                                                       {.clip_from_anchor = plain_perspective,
                                                                        .size_px = size_px,
                                                                        .path = way.path,

@@ -150,7 +150,7 @@ auto copy_views(gpu::ImageId from, gpu::BufferId to, const std::vector<shared::R
 }
 
 gpu::BufferId draw_views_by_hardware(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                                     const std::vector<Batch>& batches, const DepthViews& views,
+                                     std::span<const Batch> batches, const DepthViews& views,
                                      gpu::BufferId target)
 {
     glm::uvec2 image_px(1);
@@ -222,13 +222,12 @@ void place_views(std::vector<shared::RasterView>& views)
 }
 
 gpu::BufferId add_depth_views(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                              const std::vector<Batch>& batches, const DepthViews& views,
-                              gpu::BufferId target)
+                              std::span<const Batch> batches, const DepthViews& views, gpu::BufferId target)
 {
     if (views.list.empty()) {
         return target;
     }
-    std::vector<Batch> drawn = batches;
+    std::vector<Batch> drawn(batches.begin(), batches.end());
     std::erase_if(drawn, [](const Batch& batch) { return batch.triangle_count == 0; });
     if (views.path == RasterPath::hardware && !drawn.empty()) {
         return draw_views_by_hardware(graph, name, in, drawn, views, target);

@@ -42,7 +42,7 @@ void place_views(std::vector<shared::RasterView>& views);
 ///         loaded once for all views; in hardware a cull and a draw a batch, and a copy of the views
 /// Source  culling by clusters after Haar and Aaltonen, "GPU-Driven Rendering Pipelines", 2015
 [[nodiscard]] gpu::BufferId add_depth_views(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
-                                            const std::vector<Batch>& batches, const DepthViews& views,
+                                            std::span<const Batch> batches, const DepthViews& views,
                                             gpu::BufferId target);
 
 /// Merges into the views of `target` what `source` has at the same texels: the nearer of both stays, bit for

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace estampe::shadow {
 namespace {
@@ -28,89 +28,91 @@ uint32_t next_size(const AtlasRequest& request, uint32_t held)
 
 } // namespace
 
-std::vector<uint32_t> Atlas::sizes(std::span<const AtlasRequest> requests, const AtlasBudget& budget) const
+void Atlas::choose_sizes(std::span<const AtlasRequest> requests, const AtlasBudget& budget)
 {
     const auto held_size = [&](size_t i) { return i < held_.size() ? held_[i].allotment.size : 0U; };
-    std::vector<uint32_t> result(requests.size(), 0);
-    std::vector<size_t> order;
+    sizes_.assign(requests.size(), 0);
+    order_.clear();
     uint64_t total = 0;
-    const auto texels = [&](size_t i) { return uint64_t{requests[i].map_count} * result[i] * result[i]; };
+    const auto texels = [&](size_t i) { return uint64_t{requests[i].map_count} * sizes_[i] * sizes_[i]; };
     for (size_t i = 0; i < requests.size(); ++i) {
         if (requests[i].map_count > 0) {
-            result[i] = next_size(requests[i], held_size(i));
+            sizes_[i] = next_size(requests[i], held_size(i));
             total += texels(i);
-            order.push_back(i);
+            order_.push_back(i);
         }
     }
-    const auto worth = [&](size_t i) { return requests[i].importance * (held_size(i) > 0 ? loyalty : 1.0F); };
-    std::ranges::stable_sort(order, [&](size_t a, size_t b) { return worth(a) < worth(b); });
-    while (order.size() > budget.lights) {
-        total -= texels(order.front());
-        result[order.front()] = 0;
-        order.erase(order.begin());
+    const auto worth = [&](size_t i) {
+        return std::pair(requests[i].importance * (held_size(i) > 0 ? loyalty : 1.0F), i);
+    };
+    std::ranges::sort(order_, {}, worth);
+    while (order_.size() > budget.lights) {
+        total -= texels(order_.front());
+        sizes_[order_.front()] = 0;
+        order_.erase(order_.begin());
     }
     // Halve the largest, of these the least important first, until all fit; then drop from below.
-    while (total > budget.texels && !order.empty()) {
+    while (total > budget.texels && !order_.empty()) {
         const size_t largest =
-            *std::ranges::max_element(order, [&](size_t a, size_t b) { return result[a] < result[b]; });
-        const size_t chosen = result[largest] > smallest_map ? largest : order.front();
+            *std::ranges::max_element(order_, [&](size_t a, size_t b) { return sizes_[a] < sizes_[b]; });
+        const size_t chosen = sizes_[largest] > smallest_map ? largest : order_.front();
         total -= texels(chosen);
-        result[chosen] = result[chosen] > smallest_map ? result[chosen] / 2 : 0;
+        sizes_[chosen] = sizes_[chosen] > smallest_map ? sizes_[chosen] / 2 : 0;
         total += texels(chosen);
-        if (result[chosen] == 0) {
-            std::erase(order, chosen);
+        if (sizes_[chosen] == 0) {
+            std::erase(order_, chosen);
         }
     }
-    return result;
 }
 
-void Atlas::place(const std::vector<uint32_t>& sizes, std::span<const AtlasRequest> requests,
-                  uint64_t budget_texels)
+void Atlas::place(std::span<const AtlasRequest> requests, uint64_t budget_texels)
 {
-    std::vector<Held> old = std::move(held_);
+    std::swap(held_before_, held_);
+    const std::vector<Held>& old = held_before_;
     held_.assign(requests.size(), {});
-    std::vector<size_t> taken; // who has a place, in the order of places
-    std::vector<size_t> waiting;
+    taken_.clear();
+    waiting_.clear();
     for (size_t i = 0; i < requests.size(); ++i) {
-        if (sizes[i] == 0) {
+        if (sizes_[i] == 0) {
             continue;
         }
-        held_[i] = {{.size = sizes[i]}, requests[i].map_count};
+        held_[i] = {{.size = sizes_[i]}, requests[i].map_count};
         const bool keeps =
-            i < old.size() && old[i].allotment.size == sizes[i] && old[i].map_count == requests[i].map_count;
+            i < old.size() && old[i].allotment.size == sizes_[i] && old[i].map_count == requests[i].map_count;
         held_[i].allotment.first_texel = keeps ? old[i].allotment.first_texel : 0;
-        (keeps ? taken : waiting).push_back(i);
+        (keeps ? taken_ : waiting_).push_back(i);
     }
-    std::ranges::sort(taken, {}, [&](size_t i) { return held_[i].allotment.first_texel; });
-    for (const size_t light : waiting) {
+    std::ranges::sort(taken_, {}, [&](size_t i) { return held_[i].allotment.first_texel; });
+    for (const size_t light : waiting_) {
         uint64_t at = 0;
-        auto before = taken.begin();
-        while (before != taken.end() && held_[*before].allotment.first_texel < at + held_[light].texels()) {
+        auto before = taken_.begin();
+        while (before != taken_.end() && held_[*before].allotment.first_texel < at + held_[light].texels()) {
             at = held_[*before].allotment.first_texel + held_[*before].texels();
             ++before;
         }
         held_[light].allotment.first_texel = static_cast<uint32_t>(at);
-        taken.insert(before, light);
+        taken_.insert(before, light);
     }
     if (end_texel() <= budget_texels) {
         return;
     }
     // Free places lie scattered: all move together.
     uint64_t at = 0;
-    for (const size_t light : taken) {
+    for (const size_t light : taken_) {
         held_[light].allotment.first_texel = static_cast<uint32_t>(at);
         at += held_[light].texels();
     }
 }
 
-std::vector<Allotment> Atlas::allot(std::span<const AtlasRequest> requests, const AtlasBudget& budget)
+const std::vector<Allotment>& Atlas::allot(std::span<const AtlasRequest> requests, const AtlasBudget& budget)
 {
-    place(sizes(requests, budget), requests, budget.texels);
-    std::vector<Allotment> result;
+    choose_sizes(requests, budget);
+    place(requests, budget.texels);
+    allotted_.clear();
     for (const Held& held : held_) {
-        result.push_back(held.allotment);
+        allotted_.push_back(held.allotment);
     }
-    return result;
+    return allotted_;
 }
 
 uint64_t Atlas::end_texel() const

@@ -40,8 +40,9 @@ public:
     /// important get the power of two next to what they want. When that is too much, the largest are halved,
     /// of these the least important first, and of those at `smallest_map` the least important go without.
     /// Cost: a sort, and linear in lights for each halving.
-    [[nodiscard]] std::vector<Allotment> allot(std::span<const AtlasRequest> requests,
-                                               const AtlasBudget& budget);
+    /// Valid until the next call.
+    [[nodiscard]] const std::vector<Allotment>& allot(std::span<const AtlasRequest> requests,
+                                                      const AtlasBudget& budget);
 
     /// How many texels the buffer must hold.
     [[nodiscard]] uint64_t end_texel() const;
@@ -57,12 +58,17 @@ private:
         }
     };
 
-    [[nodiscard]] std::vector<uint32_t> sizes(std::span<const AtlasRequest> requests,
-                                              const AtlasBudget& budget) const;
-    void place(const std::vector<uint32_t>& sizes, std::span<const AtlasRequest> requests,
-               uint64_t budget_texels);
+    void choose_sizes(std::span<const AtlasRequest> requests, const AtlasBudget& budget);
+    void place(std::span<const AtlasRequest> requests, uint64_t budget_texels);
 
     std::vector<Held> held_; ///< by light
+    // Room that a frame works in, so that the next needs none.
+    std::vector<uint32_t> sizes_; ///< by light
+    std::vector<size_t> order_;   ///< lights by what they are worth
+    std::vector<Held> held_before_;
+    std::vector<size_t> taken_; ///< lights that have a place, in the order of places
+    std::vector<size_t> waiting_;
+    std::vector<Allotment> allotted_;
 };
 
 } // namespace estampe::shadow

@@ -50,11 +50,11 @@ Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle&
         auto light = test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(0.0F); });
         gpu::Graph graph;
         const raster::RasterInputs meshes = drawing.raster_inputs(graph);
+        const raster::Batch body{.first_triangle = drawing.layout.opaque.first,
+                                 .triangle_count = drawing.layout.opaque.count,
+                                 .masked = true};
         const gpu::BufferId behind =
-            raster::add_visibility(graph, "behind", meshes,
-                                   {{.first_triangle = drawing.layout.opaque.first,
-                                     .triangle_count = drawing.layout.opaque.count,
-                                     .masked = true}},
+            raster::add_visibility(graph, "behind", meshes, {&body, 1},
                                    {.clip_from_anchor = drawing.globals.clip_from_anchor,
                                     .size_px = size_px,
                                     .cull_back_faces = false,

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/few.hpp"
 #include "gpu/graph/graph.hpp"
 #include "techniques/contour/chains/line_history.hpp"
 #include "techniques/contour/chains/line_mesh.hpp"
@@ -50,6 +51,8 @@ struct ChainStrokes {
 };
 
 /// The way and the width of the pen, once along all strokes.
+constexpr size_t most_hands = 3; ///< that go over a line, see `contour.strokes`
+
 struct HandDrawn {
     gpu::BufferId line_points; ///< LinePoint, two a sample: as its piece starts, as the piece before it ends
     gpu::BufferId touches;     ///< LineTouch, two a sample as well; of no use where there are no brushes
@@ -58,7 +61,7 @@ struct HandDrawn {
 struct ShapedStrokes {
     ChainStrokes strokes;
     gpu::BufferId facing;                                     ///< as in Chains
-    std::vector<HandDrawn> hands;                             ///< one for each time that lines are gone over
+    Few<HandDrawn, most_hands> hands;                         ///< one for each time that lines are gone over
     std::optional<std::pair<ChainStrokes, HandDrawn>> hidden; ///< where they are wanted
 };
 

@@ -161,10 +161,9 @@ HandDrawn add_shape(gpu::Graph& graph, const ShapeInputs& in, const ContourStyle
 }
 
 /// Makes strokes of one class of lines, each drawn by as many hands as are wanted.
-std::pair<ChainStrokes, std::vector<HandDrawn>> add_class(gpu::Graph& graph, const ContourInputs& page,
-                                                          const ChainInputs& mesh, gpu::BufferId facing,
-                                                          const ChainSamples& samples, LineHistory* history,
-                                                          const ContourStyle& style, LineClass lines)
+std::pair<ChainStrokes, Few<HandDrawn, most_hands>>
+add_class(gpu::Graph& graph, const ContourInputs& page, const ChainInputs& mesh, gpu::BufferId facing,
+          const ChainSamples& samples, LineHistory* history, const ContourStyle& style, LineClass lines)
 {
     const gpu::BufferId grid =
         history != nullptr
@@ -175,8 +174,7 @@ std::pair<ChainStrokes, std::vector<HandDrawn>> add_class(gpu::Graph& graph, con
     const gpu::BufferId recalls =
         recalls_frame ? add_recall(graph, strokes, *history, page, style, lines) : strokes.strokes_before;
     const uint32_t hand_count = lines == LineClass::hidden ? 1 : static_cast<uint32_t>(style.strokes);
-    std::vector<HandDrawn> hands;
-    hands.reserve(hand_count);
+    Few<HandDrawn, most_hands> hands;
     for (uint32_t hand = 0; hand < hand_count; ++hand) {
         hands.push_back(add_shape(graph,
                                   {.page = page,
@@ -189,7 +187,7 @@ std::pair<ChainStrokes, std::vector<HandDrawn>> add_class(gpu::Graph& graph, con
                                    .hand = hand},
                                   style));
     }
-    return {strokes, std::move(hands)};
+    return {strokes, hands};
 }
 
 } // namespace
@@ -214,7 +212,7 @@ ShapedStrokes add_shaped_strokes(gpu::Graph& graph, const ContourInputs& in, Lin
     page.brushes = brushes_of_seen_lines(in.brushes);
     auto [seen, hands] =
         add_class(graph, page, lines, chains.facing, samples, history, style, LineClass::seen);
-    ShapedStrokes shaped{.strokes = seen, .facing = chains.facing, .hands = std::move(hands), .hidden = {}};
+    ShapedStrokes shaped{.strokes = seen, .facing = chains.facing, .hands = hands, .hidden = {}};
     if (style.hidden == Hidden::dashed) {
         samples.sizes = seen.sizes;
         auto [hidden, hidden_hands] =

@@ -22,7 +22,7 @@ gpu::Buffer room_for(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from,
 /// What is copied where.
 using Copies = std::vector<std::pair<gpu::BufferId, gpu::Buffer*>>;
 
-void list_copies(const ChainStrokes& from, const std::vector<HandDrawn>& hands, StrungLines::Strokes& to,
+void list_copies(const ChainStrokes& from, std::span<const HandDrawn> hands, StrungLines::Strokes& to,
                  Copies& copies)
 {
     copies.insert(copies.end(), {{from.samples, &to.samples},
@@ -86,7 +86,7 @@ void add_keeping(gpu::Graph& graph, gpu::Device& device, const ShapedStrokes& sh
     list_copies(shaped.strokes, shaped.hands, lines.seen, copies);
     if (shaped.hidden) {
         lines.hidden.emplace();
-        list_copies(shaped.hidden->first, {shaped.hidden->second}, *lines.hidden, copies);
+        list_copies(shaped.hidden->first, {&shaped.hidden->second, 1}, *lines.hidden, copies);
     }
     for (const auto& [from, to] : copies) {
         *to = room_for(graph, device, from);

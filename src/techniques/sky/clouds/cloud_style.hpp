@@ -31,6 +31,8 @@ struct CloudStyle {
     float shadow = 0.0F;
     float reach_m = 32000.0F;
     int seed = 1;
+
+    bool operator==(const CloudStyle& other) const = default;
 };
 
 [[nodiscard]] const style::Table<CloudStyle>& cloud_table();

@@ -13,6 +13,7 @@ namespace {
 
 constexpr uint32_t tile_cells = 64;
 constexpr uint32_t streak_cells = 32;
+constexpr uint32_t streak_mass_cells = 4;
 
 /// One kind of clouds made of puffs.
 struct Kind {
@@ -79,46 +80,67 @@ glm::vec2 on_tile(const glm::dvec2& place, double tile)
     return glm::vec2(place - tile * glm::floor(place / tile));
 }
 
+/// In steps so small that nobody sees them, and so large that most pictures of a film share one.
 float turn_of(const CloudStyle& style, double time_s)
 {
+    constexpr double steps = 32768.0;
     const double turns = time_s / static_cast<double>(style.change_s);
-    return static_cast<float>(turns - std::floor(turns));
+    return static_cast<float>(std::floor(steps * (turns - std::floor(turns))) / steps);
 }
 
-void add_kind(CloudPlan& plan, const Kind& kind, const CloudStyle& style, const CloudView& view)
+CloudShapes::Layer add_shapes(CloudShapes& shapes, const Kind& kind, float turn)
+{
+    if (kind.coverage <= 0.0F) {
+        return {};
+    }
+    const CoverField field =
+        cover_field({.cells = tile_cells, .mass_cells = kind.mass_cells, .turn = turn, .seed = kind.seed});
+    const float limit = limit_for(field, kind.shape, kind.coverage, kind.seed);
+    const PuffLists lists = list_puffs(puffs_of(field, kind.shape, limit, kind.seed), tile_cells);
+    CloudShapes::Layer layer{.first_cell = static_cast<uint32_t>(shapes.starts.size())};
+    for (const shared::CloudPuff& puff : lists.puffs) {
+        layer.top = std::max(layer.top, puff.centre.y + 1.1F * puff.radius);
+    }
+    const auto first_puff = static_cast<uint32_t>(shapes.puffs.size());
+    for (const uint32_t start : lists.starts) {
+        shapes.starts.push_back(first_puff + start);
+    }
+    shapes.puffs.insert(shapes.puffs.end(), lists.puffs.begin(), lists.puffs.end());
+    return layer;
+}
+
+std::vector<float> streak_shapes(const CloudStyle& style, float turn)
+{
+    if (style.streaks <= 0.0F) {
+        return {};
+    }
+    const CoverField field = cover_field({.cells = streak_cells,
+                                          .mass_cells = streak_mass_cells,
+                                          .turn = turn,
+                                          .seed = static_cast<uint32_t>(style.seed) + 40503U});
+    return streak_density(field, style.streaks);
+}
+
+void add_kind(CloudPlan& plan, const Kind& kind, const CloudShapes::Layer& layer, const CloudStyle& style,
+              const CloudView& view)
 {
     const double base_m = static_cast<double>(kind.base_m) - view.eye_m.y;
     if (kind.coverage <= 0.0F || base_m <= 0.0) {
         return;
     }
-    const CoverField field = cover_field({.cells = tile_cells,
-                                          .mass_cells = kind.mass_cells,
-                                          .turn = turn_of(style, view.time_s),
-                                          .seed = kind.seed});
-    const float limit = limit_for(field, kind.shape, kind.coverage, kind.seed);
-    const PuffLists lists = list_puffs(puffs_of(field, kind.shape, limit, kind.seed), tile_cells);
-    float top = 0.0F;
-    for (const shared::CloudPuff& puff : lists.puffs) {
-        top = std::max(top, puff.centre.y + 1.1F * puff.radius);
-    }
     const glm::dvec3 cell_m(kind.cell_m);
     const glm::dvec2 eye =
         wind_of(style, view.time_s).from_world(view.eye_m) / glm::dvec2(cell_m.x, cell_m.z);
     const glm::vec2 eye_on_tile = on_tile(eye, tile_cells);
-    const auto first_puff = static_cast<uint32_t>(plan.puffs.size());
     plan.globals.puffs[plan.globals.puff_layer_count++] = {
         .eye = {eye_on_tile.x, -static_cast<float>(base_m / cell_m.y), eye_on_tile.y},
         .base_m = static_cast<float>(base_m),
         .per_m = 1.0F / kind.cell_m,
-        .thick_m = top * kind.cell_m.y,
+        .thick_m = layer.top * kind.cell_m.y,
         .pen = kind.pen,
         .under = kind.under,
         .cells = tile_cells,
-        .first_cell = static_cast<uint32_t>(plan.starts.size())};
-    for (const uint32_t start : lists.starts) {
-        plan.starts.push_back(first_puff + start);
-    }
-    plan.puffs.insert(plan.puffs.end(), lists.puffs.begin(), lists.puffs.end());
+        .first_cell = layer.first_cell};
 }
 
 void add_streaks(CloudPlan& plan, const CloudStyle& style, const CloudView& view)
@@ -127,13 +149,7 @@ void add_streaks(CloudPlan& plan, const CloudStyle& style, const CloudView& view
     if (style.streaks <= 0.0F || base_m <= 0.0) {
         return;
     }
-    constexpr uint32_t mass_cells = 4;
-    const double cell_m = static_cast<double>(style.streaks_size_m) / mass_cells;
-    const CoverField field = cover_field({.cells = streak_cells,
-                                          .mass_cells = mass_cells,
-                                          .turn = turn_of(style, view.time_s),
-                                          .seed = static_cast<uint32_t>(style.seed) + 40503U});
-    plan.streaks = streak_density(field, style.streaks);
+    const double cell_m = static_cast<double>(style.streaks_size_m) / streak_mass_cells;
     plan.variant |= shared::clouds_have_streaks;
     plan.globals.streaks = {
         .eye = on_tile(wind_of(style, view.time_s).from_world(view.eye_m) / cell_m, streak_cells),
@@ -165,11 +181,27 @@ void set_colors(shared::CloudGlobals& globals, const CloudStyle& style, const Cl
 
 } // namespace
 
-std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view)
+std::shared_ptr<const CloudShapes> CloudMemory::shapes(const CloudStyle& style, float turn)
 {
-    CloudPlan plan;
-    add_kind(plan, heaps(style), style, view);
-    add_kind(plan, flocks(style), style, view);
+    if (!shapes_ || style_ != style || turn_ != turn) {
+        auto shapes = std::make_shared<CloudShapes>();
+        shapes->layers = {add_shapes(*shapes, heaps(style), turn), add_shapes(*shapes, flocks(style), turn)};
+        shapes->streaks = streak_shapes(style, turn);
+        shapes_ = std::move(shapes);
+        style_ = style;
+        turn_ = turn;
+    }
+    return shapes_;
+}
+
+std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view, CloudMemory& memory)
+{
+    if (style.coverage <= 0.0F && style.flocks <= 0.0F && style.streaks <= 0.0F) {
+        return std::nullopt;
+    }
+    CloudPlan plan{.shapes = memory.shapes(style, turn_of(style, view.time_s))};
+    add_kind(plan, heaps(style), plan.shapes->layers[0], style, view);
+    add_kind(plan, flocks(style), plan.shapes->layers[1], style, view);
     add_streaks(plan, style, view);
     shared::CloudGlobals& globals = plan.globals;
     if (globals.puff_layer_count == 0 && plan.variant == 0) {

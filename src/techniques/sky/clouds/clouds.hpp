@@ -4,6 +4,8 @@
 // Clouds: heaps of round puffs on a flat base, flocks of small flat ones above them, and streaks above all,
 // in layers that stand in the world and drift with the wind.
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,18 +26,45 @@ struct CloudView {
     float pixels_per_mm = 1.0F;
 };
 
-/// The clouds of a picture.
-struct CloudPlan {
-    shared::CloudGlobals globals{};
-    uint32_t variant = 0;
+/// What clouds there are, whoever looks.
+struct CloudShapes {
+    /// Of one kind that is made of puffs.
+    struct Layer {
+        uint32_t first_cell = 0;
+        float top = 0.0F; ///< in its own cells; 0 where there is none
+    };
+
+    std::array<Layer, 2> layers;  ///< heaps, flocks
     std::vector<uint32_t> starts; ///< of each cell of each layer, where its puffs begin; and the end
     std::vector<shared::CloudPuff> puffs;
     std::vector<float> streaks; ///< how dense they are at each corner, row by row
 };
 
-/// Nothing where the style has no clouds, or the eye is above all of them. The same for the same arguments,
-/// whatever was planned before. Cost: about 10 ms a layer.
-[[nodiscard]] std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view);
+/// Shapes kept from picture to picture, as clouds change slowly.
+class CloudMemory {
+public:
+    /// The shapes of that style when they are `turn` (0 to 1) through their changes. Cost: nothing where both
+    /// are as they were; else some milliseconds a layer.
+    [[nodiscard]] std::shared_ptr<const CloudShapes> shapes(const CloudStyle& style, float turn);
+
+private:
+    CloudStyle style_;
+    float turn_ = 0.0F;
+    std::shared_ptr<const CloudShapes> shapes_;
+};
+
+/// The clouds of a picture.
+struct CloudPlan {
+    shared::CloudGlobals globals{};
+    uint32_t variant = 0;
+    std::shared_ptr<const CloudShapes> shapes;
+};
+
+/// Nothing where the style has no clouds, or the eye is above all of them. Clouds change in small steps,
+/// 32,768 in `clouds.change_s`. The same for the same arguments, whatever `memory` holds. Cost: that of
+/// memory.shapes().
+[[nodiscard]] std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view,
+                                                   CloudMemory& memory);
 
 struct CloudInputs {
     gpu::BufferId frame;   ///< FrameGlobals

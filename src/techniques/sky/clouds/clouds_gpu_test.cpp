@@ -27,18 +27,21 @@ Painted paint(const View& view, CloudStyle style, double time_s = 0.0)
 {
     const SkyStyle sky{.horizon = glm::vec3(0.0F), .zenith = glm::vec3(0.0F), .darkness = 0.0F};
     style.color = glm::vec3(1.0F);
-    const auto plan = plan_clouds(style, {.eye_m = view.camera.eye,
-                                          .time_s = time_s,
-                                          .towards_sun = view.towards_sun,
-                                          .pixels_per_mm = view.pixels_per_mm});
+    CloudMemory memory;
+    const auto plan = plan_clouds(style,
+                                  {.eye_m = view.camera.eye,
+                                   .time_s = time_s,
+                                   .towards_sun = view.towards_sun,
+                                   .pixels_per_mm = view.pixels_per_mm},
+                                  memory);
     gpu::Device& device = test::shared_device();
     gpu::Buffer frame = gpu::upload_buffer(device, "frame", std::vector{view.globals()});
-    const CloudPlan none;
+    const CloudPlan none{.shapes = std::make_shared<CloudShapes>()};
     const CloudPlan& of = plan ? *plan : none;
     gpu::Buffer globals = gpu::upload_buffer(device, "clouds", std::vector{of.globals});
-    gpu::Buffer starts = gpu::upload_buffer(device, "cloud cells", of.starts);
-    gpu::Buffer puffs = gpu::upload_buffer(device, "puffs", of.puffs);
-    gpu::Buffer streaks = gpu::upload_buffer(device, "streaks", of.streaks);
+    gpu::Buffer starts = gpu::upload_buffer(device, "cloud cells", of.shapes->starts);
+    gpu::Buffer puffs = gpu::upload_buffer(device, "puffs", of.shapes->puffs);
+    gpu::Buffer streaks = gpu::upload_buffer(device, "streaks", of.shapes->streaks);
     const auto add = [&](gpu::Graph& graph) {
         const gpu::BufferId frame_id = gpu::import_whole(graph, "frame", frame);
         const Sky bare = add_sky(
@@ -203,9 +206,10 @@ TEST(Clouds, AreNotUnderTheHorizonNorUnderTheEyeNorThereUnasked)
         }
     }
     EXPECT_GT(mean(painted.white), 0.02);
-    EXPECT_FALSE(plan_clouds({}, {}));
-    EXPECT_FALSE(plan_clouds(heaps, {.eye_m = {0.0, heaps.base_m + 1.0F, 0.0}}));
-    EXPECT_TRUE(plan_clouds(heaps, {.eye_m = {0.0, heaps.base_m - 1.0F, 0.0}}));
+    CloudMemory memory;
+    EXPECT_FALSE(plan_clouds({}, {}, memory));
+    EXPECT_FALSE(plan_clouds(heaps, {.eye_m = {0.0, heaps.base_m + 1.0F, 0.0}}, memory));
+    EXPECT_TRUE(plan_clouds(heaps, {.eye_m = {0.0, heaps.base_m - 1.0F, 0.0}}, memory));
 }
 
 TEST(Clouds, ShowTheirLitSideTowardsTheSun)
@@ -260,13 +264,14 @@ Plain shadow_on_plain(const View& view, const CloudStyle& style, float strength,
 {
     constexpr double height_m = 200.0;
     gpu::Device& device = test::shared_device();
-    const auto plan =
-        plan_clouds(style, {.eye_m = view.camera.eye, .time_s = time_s, .towards_sun = view.towards_sun});
+    CloudMemory memory;
+    const auto plan = plan_clouds(
+        style, {.eye_m = view.camera.eye, .time_s = time_s, .towards_sun = view.towards_sun}, memory);
     const shared::FrameGlobals globals = view.globals();
     gpu::Buffer frame = gpu::upload_buffer(device, "frame", std::vector{globals});
     gpu::Buffer clouds = gpu::upload_buffer(device, "clouds", std::vector{plan->globals});
-    gpu::Buffer starts = gpu::upload_buffer(device, "cloud cells", plan->starts);
-    gpu::Buffer puffs = gpu::upload_buffer(device, "puffs", plan->puffs);
+    gpu::Buffer starts = gpu::upload_buffer(device, "cloud cells", plan->shapes->starts);
+    gpu::Buffer puffs = gpu::upload_buffer(device, "puffs", plan->shapes->puffs);
     const glm::dmat4 anchor_from_clip = glm::inverse(glm::dmat4(globals.clip_from_anchor));
     Plain plain;
     std::vector<float> depths;
@@ -295,6 +300,28 @@ Plain shadow_on_plain(const View& view, const CloudStyle& style, float strength,
                                  .size_px = view.size_px},
                                 strength));
     return plain;
+}
+
+/// Shapes are kept while nothing changes them, and what is kept is what would be made.
+TEST(CloudMemories, HoldWhatWouldBeMade)
+{
+    CloudMemory memory;
+    const auto shapes_at = [&](const CloudStyle& style, double time_s) {
+        const auto shapes = plan_clouds(style, {.time_s = time_s}, memory)->shapes;
+        CloudMemory fresh;
+        const auto anew = plan_clouds(style, {.time_s = time_s}, fresh)->shapes;
+        EXPECT_EQ(shapes->starts, anew->starts);
+        EXPECT_EQ(shapes->streaks, anew->streaks);
+        return shapes;
+    };
+    CloudStyle style = all_kinds;
+    const auto first = shapes_at(style, 0.0);
+    EXPECT_EQ(shapes_at(style, 0.02), first) << "an eye sees no change in a fiftieth of a second";
+    EXPECT_NE(shapes_at(style, 60.0), first);
+    style.wind_mps = 2.0F;
+    const auto other = shapes_at(style, 0.0);
+    style.flocks = 0.5F;
+    EXPECT_NE(shapes_at(style, 0.0)->starts, other->starts);
 }
 
 TEST(CloudShadows, CoverAsMuchGroundAsCloudsCoverSky)

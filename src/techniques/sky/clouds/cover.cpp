@@ -103,6 +103,13 @@ float limit_for(const CoverField& field, const PuffShape& shape, float share, ui
     constexpr uint32_t points_a_cell = 2;
     constexpr int reach = 2; // of a puff, in cells
     const auto cells = static_cast<int>(field.cells);
+    std::vector<PuffSeed> seeds;
+    seeds.reserve(field.values.size());
+    for (int y = 0; y < cells; ++y) {
+        for (int x = 0; x < cells; ++x) {
+            seeds.push_back(seed_of(field, shape, x, y, 0, seed));
+        }
+    }
     std::vector<float> limits; // below which each point is covered
     limits.reserve(size_t{points_a_cell} * field.values.size());
     for (int y = 0; y < cells; ++y) {
@@ -113,7 +120,7 @@ float limit_for(const CoverField& field, const PuffShape& shape, float share, ui
                 float covered = -10.0F;
                 for (int dy = -reach; dy <= reach; ++dy) {
                     for (int dx = -reach; dx <= reach; ++dx) {
-                        const PuffSeed puff = seed_of(field, shape, x + dx, y + dy, 0, seed);
+                        const PuffSeed& puff = seeds[field.index(x + dx, y + dy)];
                         const float away = glm::distance(point, puff.place + glm::vec2(dx, dy)) / puff.radius;
                         if (away < 1.0F) {
                             covered = std::max(covered, field.at(x + dx, y + dy) -
