@@ -141,14 +141,14 @@ template <typename Chosen>
 std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const LookPlan& looks, const Chosen& chosen)
 {
     std::vector<raster::Batch> runs;
-    for (const pose::Range& range : {layout.opaque, layout.masked}) {
+    for (const pose::Range* range : {&layout.opaque, &layout.masked}) {
         bool goes_on = false;
-        for (uint32_t triangle = range.first; triangle < range.first + range.count; ++triangle) {
+        for (uint32_t triangle = range->first; triangle < range->first + range->count; ++triangle) {
             const uint32_t draw = layout.triangles[triangle].w & shared::triangle_draw_mask;
             const uint32_t look = looks.has_several() ? looks.look_of_draw[draw] : 0U;
             const bool is_chosen = chosen(looks.styles[look].subsurface);
             if (is_chosen && !goes_on) {
-                runs.push_back({.first_triangle = triangle, .masked = true});
+                runs.push_back({.first_triangle = triangle, .masked = range == &layout.masked});
             }
             if (is_chosen) {
                 ++runs.back().triangle_count;

@@ -257,6 +257,7 @@ gpu::ImageId add_subsurface(const Making& making, const PosedScene& scene, gpu::
         far_inputs.draw = far_side.draw;
         far_inputs.depth = far_side.depth;
         far_inputs.normal = far_side.normal;
+        far_inputs.tiles = far_side.tiles;
         const gpu::ImageId far_light = light::add_light(graph, far_inputs).light;
         light = subsurface::add_through(graph, inputs, far_side, far_light, light);
     }

@@ -12,6 +12,7 @@
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
+#include "shaders/tile_list.glsl.h"
 #include "techniques/light/light.glsl.h"
 #include "techniques/light/local_light.glsl"
 #include "techniques/shadow/edge.glsl.h"
@@ -80,6 +81,11 @@ layout(binding = 21) uniform sampler2D occlusion_image;       // share of light 
 layout(binding = 22) uniform sampler2D thrown_image; // of ambient light, by what keeps it off
 layout(binding = 23) uniform sampler2D points_image; // places to light, where they lie anywhere
 
+layout(scalar, binding = 24) readonly buffer Tiles
+{
+    uint tiles[]; // see tile_list.glsl.h
+};
+
 layout(push_constant, scalar) uniform Constants
 {
     ListTiles list_tiles;
@@ -109,6 +115,7 @@ const bool occludes_ambient = (variant & light_occludes_ambient) != 0u;
 const bool occludes_all = (variant & light_occludes_all) != 0u;
 const bool has_thrown = (variant & light_has_thrown) != 0u;
 const bool has_points = (variant & light_has_points) != 0u;
+const bool has_tiles = (variant & light_has_tiles) != 0u;
 
 const float most_light = 65504.0; // that half floats hold
 const uint lights_per_round = 256u;
@@ -182,9 +189,9 @@ vec3 shadowed_light(LightRecord light, Receiver at)
 }
 
 // The sum of the local lights that reach a place.
-vec3 local_lights(Tile tile, Receiver at)
+vec3 local_lights(uvec2 from_px, Tile tile, Receiver at)
 {
-    uvec2 part = gl_WorkGroupID.xy * 8u / list_tiles.tile_px;
+    uvec2 part = from_px / list_tiles.tile_px;
     uint first = (part.y * list_tiles.columns + part.x) * (lighting.local_count + 1u);
     uint count = has_lists ? lists[first] : lighting.local_count;
     uint thread = gl_LocalInvocationIndex;
@@ -221,7 +228,16 @@ vec3 local_lights(Tile tile, Receiver at)
 
 void main()
 {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    uint group = gl_WorkGroupID.x | gl_WorkGroupID.y << 16;
+    if (has_tiles) {
+        uint number = gl_WorkGroupID.y * tile_list_groups + gl_WorkGroupID.x;
+        if (number >= tiles[tile_list_count]) {
+            return;
+        }
+        group = tiles[tile_list_first + number];
+    }
+    uvec2 from_px = 8u * uvec2(group & 0xffffu, group >> 16);
+    ivec2 pixel = ivec2(from_px + gl_LocalInvocationID.xy);
     bool on_page = all(lessThan(uvec2(pixel), frame.size_px));
     uint word = on_page ? texelFetch(draw_image, pixel, 0).x : 0u;
     float depth = sees_draw(word) ? texelFetch(depth_image, pixel, 0).x : 0.0;
@@ -291,8 +307,9 @@ void main()
         light += arriving;
     } while (subgroupAny(++i < directional_count));
     if (has_local_lights) {
-        Tile tile = find_tile(sees_draw(word), point);
-        vec3 local = local_lights(tile, Receiver(point, normal, smooth_normal, groups, takes_shadow, edge));
+        Tile tile = find_tile(from_px, sees_draw(word), point);
+        vec3 local =
+            local_lights(from_px, tile, Receiver(point, normal, smooth_normal, groups, takes_shadow, edge));
         light = counts_visits ? local : light + local;
     }
     if (!on_page) {

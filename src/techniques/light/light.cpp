@@ -61,7 +61,7 @@ uint32_t light_variant(const LightInputs& in, const Lists& lists)
             : in.occludes_all ? shared::light_occludes_all
                               : shared::light_occludes_ambient) |
            (in.thrown ? shared::light_has_thrown : 0U) | (in.points ? shared::light_has_points : 0U) |
-           (in.keeps_sun ? shared::light_keeps_sun : 0U);
+           (in.tiles ? shared::light_has_tiles : 0U) | (in.keeps_sun ? shared::light_keeps_sun : 0U);
 }
 
 } // namespace
@@ -107,8 +107,13 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
     pass.sample(in.sun_share.value_or(in.depth)).sample(in.occlusion.value_or(in.depth));
     pass.sample(in.thrown.value_or(in.depth)).sample(in.points.value_or(in.depth));
     pass.variant(light_variant(in, lists));
+    pass.read(in.tiles.value_or(lists.words));
     pass.push(lists.tiles);
-    pass.dispatch_over(in.size_px.x, in.size_px.y);
+    if (in.tiles) {
+        pass.dispatch_indirect(*in.tiles);
+    } else {
+        pass.dispatch_over(in.size_px.x, in.size_px.y);
+    }
     return {.light = light, .strongest = strongest, .sun = sun};
 }
 

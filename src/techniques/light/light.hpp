@@ -94,6 +94,8 @@ struct LightInputs {
     std::optional<gpu::ImageId> thrown;    ///< ambient light that what occludes throws back, as a share
     std::optional<gpu::ImageId> points;    ///< places in anchor space to light, in place of what depths say;
                                            ///< at every light
+    std::optional<gpu::BufferId> tiles;    ///< to light, see shaders/tile_list.glsl.h; elsewhere nothing is
+                                           ///< written
     bool has_shadow = false;
     uint32_t local_count = 0; ///< point and spot lights, after the directional ones
     bool has_emissive = false;

@@ -42,7 +42,8 @@ uint slice_at(Tile tile, float along_m)
     return uint(clamp(32.0 * share, 0.0, 31.0));
 }
 
-Tile find_tile(bool sees, vec3 point)
+// `from_px` is the tile's upper left pixel.
+Tile find_tile(uvec2 from_px, bool sees, vec3 point)
 {
     if (gl_LocalInvocationIndex == 0u) {
         tile_nearest = 0xffffffffu;
@@ -50,7 +51,7 @@ Tile find_tile(bool sees, vec3 point)
         tile_slices = 0u;
     }
     barrier();
-    vec2 corner = vec2(gl_WorkGroupID.xy * 8u);
+    vec2 corner = vec2(from_px);
     // As far as the scene is large, so that directions are well known.
     bool is_parallel = frame.is_orthographic != 0u;
     float depth = is_parallel ? 0.5 : min(frame.near_m / frame.scene_radius_m, 0.5);

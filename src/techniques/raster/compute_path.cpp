@@ -78,9 +78,9 @@ gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterIn
         large = first ? pass.write(large) : pass.modify(large);
         tiles = first ? pass.write(tiles) : pass.modify(tiles);
         target = pass.modify(target);
-        if (batch.masked) {
+        if (batch.masked || view.behind) {
             bind_masks(pass, in);
-            pass.variant(in.texture_classes);
+            pass.variant(mask_variant(in, batch, view));
         }
         if (view.behind) {
             pass.read(*view.behind);

@@ -38,7 +38,7 @@ void main()
         discard;
     }
 #ifdef RASTER_MASKED
-    if (!passes_mask(triangle_drawn, ivec2(gl_FragCoord.xy))) {
+    if ((variant & draw_has_no_masks) == 0u && !passes_mask(triangle_drawn, ivec2(gl_FragCoord.xy))) {
         discard;
     }
 #endif

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "gpu/graph/execute.hpp"
+#include "shaders/corner_listed_behind_vert.hpp"
 #include "shaders/corner_listed_vert.hpp"
 #include "shaders/corner_vert.hpp"
 #include "shaders/cull_list_comp.hpp"
@@ -82,14 +83,21 @@ void add_culled_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInpu
 {
     const Culled culled = add_cull(graph, name, in, batch, view);
     const bool tests_sides = view.cull_back_faces && !batch.plain;
-    auto pass = graph.raster(name, shaders::corner_listed_vert, shaders::draw_ids_frag);
-    pass.sample(in.triangles).sample(in.posed_vertices).sample(culled.listed, gpu::Format::r32ui);
+    auto pass = view.behind
+                    ? graph.raster(name, shaders::corner_listed_behind_vert, shaders::draw_behind_frag)
+                    : graph.raster(name, shaders::corner_listed_vert, shaders::draw_ids_frag);
+    pass.sample(in.triangles).sample(in.posed_vertices);
+    if (view.behind) {
+        bind_masks(pass, in);
+        pass.read(*view.behind);
+    }
+    pass.sample(culled.listed, gpu::Format::r32ui);
     to.words = pass.color(to.words);
     to.depth = pass.depth(to.depth);
     if (view.cull_back_faces && !tests_sides) {
         pass.cull_back_faces();
     }
-    pass.variant(tests_sides ? shared::draw_tests_sides : 0U);
+    pass.variant(mask_variant(in, batch, view) | (tests_sides ? shared::draw_tests_sides : 0U));
     pass.push(constants_of(batch, view)).draw_indirect(culled.arguments);
 }
 
@@ -99,7 +107,7 @@ void add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
     const bool tests_sides = view.cull_back_faces && !batch.plain;
     auto pass = begin_draw(graph, name, batch.masked, depth_only, tests_sides, view.behind.has_value());
     pass.sample(in.triangles).sample(in.posed_vertices);
-    if (batch.masked) {
+    if (batch.masked || view.behind) {
         bind_masks(pass, in);
     }
     if (view.behind) {
@@ -112,7 +120,7 @@ void add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
     if (view.cull_back_faces && !tests_sides) {
         pass.cull_back_faces();
     }
-    pass.variant((batch.masked ? in.texture_classes : 0U) | (tests_sides ? shared::draw_tests_sides : 0U));
+    pass.variant(mask_variant(in, batch, view) | (tests_sides ? shared::draw_tests_sides : 0U));
     pass.push(constants_of(batch, view)).draw(3 * batch.triangle_count);
 }
 
@@ -160,7 +168,7 @@ Attachments draw_batches(gpu::Graph& graph, const gpu::Name& name, const RasterI
     Attachments to{image("/words", gpu::Format::rg32ui), image("/depth", gpu::Format::depth32f)};
     for (const Batch& batch : batches) {
         const bool is_culled =
-            batch.triangle_count >= view.tuning.culled_from && !batch.masked && !depth_only && !view.behind;
+            batch.triangle_count >= view.tuning.culled_from && !batch.masked && !depth_only;
         if (is_culled) {
             add_culled_batch(graph, name + "/draw", in, batch, view, to);
         } else if (batch.triangle_count > 0) {

@@ -2,6 +2,7 @@
 #include "techniques/raster/passes.hpp"
 
 #include "shaders/fill_comp.hpp"
+#include "techniques/raster/raster.glsl.h"
 
 namespace estampe::raster {
 
@@ -24,6 +25,14 @@ void bind_masks(gpu::Pass& pass, const RasterInputs& in)
     for (const gpu::ImageId texture : in.textures) {
         pass.sample(texture, gpu::Sampling::linear_repeat);
     }
+}
+
+uint32_t mask_variant(const RasterInputs& in, const Batch& batch, const View& view)
+{
+    if (batch.masked) {
+        return in.texture_classes;
+    }
+    return view.behind ? shared::draw_has_no_masks : 0U;
 }
 
 } // namespace estampe::raster

@@ -18,6 +18,9 @@ inline constexpr uint32_t most_tiles_a_group = 1000;
 /// Binds what alpha masks look up, eight bindings, in the order of mask.glsl.
 void bind_masks(gpu::Pass& pass, const RasterInputs& in);
 
+/// The variant of a shader that draws a batch: what peels can test masks, and need not.
+[[nodiscard]] uint32_t mask_variant(const RasterInputs& in, const Batch& batch, const View& view);
+
 /// Draws the batches that hold triangles into `target`, 64 bits a pixel, or 32 when `depth_only`.
 [[nodiscard]] gpu::BufferId draw_by_compute(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                                             std::span<const Batch> batches, const View& view,

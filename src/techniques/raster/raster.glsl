@@ -251,7 +251,7 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
     }
 #endif
 #ifdef RASTER_MASKED
-    if (!passes_mask(triangle, pixel)) {
+    if ((variant & draw_has_no_masks) == 0u && !passes_mask(triangle, pixel)) {
         return;
     }
 #endif

@@ -10,7 +10,9 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint cluster_triangles = 64U;
 SHARED_CONSTANT uint raster_tile_px = 64U;
-SHARED_CONSTANT uint draw_tests_sides = 1U << 5U; // variant bit, above those of the texture classes
+// Bits of the variants, above those of the texture classes.
+SHARED_CONSTANT uint draw_tests_sides = 1U << 5U;
+SHARED_CONSTANT uint draw_has_no_masks = 1U << 6U; // of shaders that could test them
 
 // Which triangles to draw into which picture.
 struct RasterConstants {

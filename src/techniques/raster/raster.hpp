@@ -56,7 +56,7 @@ struct View {
     RasterPath path = RasterPath::compute; ///< never automatic
     Tuning tuning;
     /// A visibility buffer of the same size: only what lies behind is drawn, and of equal depths what has a
-    /// lower number, so that one layer after another is peeled off. For identities of masked batches.
+    /// lower number, so that one layer after another is peeled off. For identities.
     std::optional<gpu::BufferId> behind = std::nullopt;
 };
 
@@ -71,8 +71,8 @@ struct View {
 [[nodiscard]] gpu::BufferId add_visibility(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                                            std::span<const Batch> batches, const View& view);
 
-/// Visibility of what is nearest, of what lies behind that, and so on: `count` buffers, at least one. Batches
-/// are masked. Costs as much as so many pictures.
+/// Visibility of what is nearest, of what lies behind that, and so on: `count` buffers, at least one. Costs
+/// as much as so many pictures.
 ///
 /// Source  Everitt, "Interactive Order-Independent Transparency", 2001
 [[nodiscard]] std::vector<gpu::BufferId> add_layers(gpu::Graph& graph, const gpu::Name& name,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread a pixel finds where the eye's ray leaves what it entered: the next surface behind, if its back
-// is turned; else what is seen is a sheet, whose other side lies where it does.
+// is turned; else what is seen is a sheet, whose other side lies where it does. Where next to nothing comes
+// through so much, nothing has to be lit: tiles with anything to light are listed.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -8,6 +9,7 @@
 #include "shaders/camera.glsl"
 #include "shaders/draw_word.glsl"
 #include "shaders/octahedral.glsl"
+#include "shaders/tile_list.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -35,23 +37,34 @@ layout(binding = 9, r32ui) writeonly uniform uimage2D out_draw;
 layout(binding = 10, r32f) writeonly uniform image2D out_depth;
 layout(binding = 11, rg32ui) writeonly uniform uimage2D out_normal; // away from the eye
 
+layout(scalar, binding = 12) buffer Tiles
+{
+    uint tiles[]; // see tile_list.glsl.h
+};
+
+#include "techniques/subsurface/thickness.glsl"
+
+const float least_through = 1.0 / 4096.0; // a white light sixteen times as bright changes no pixel by it
+
+shared uint shines_in_tile;
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
-        return;
+    bool is_on_page = all(lessThan(uvec2(pixel), frame.size_px));
+    ivec2 held = min(pixel, ivec2(frame.size_px) - 1);
+    if (gl_LocalInvocationIndex == 0u) {
+        shines_in_tile = 0u;
     }
-    uint word = texelFetch(draw_image, pixel, 0).x;
-    if (!takes_light_in(word) || look_through(look_of(word)).a <= 0.0) {
-        imageStore(out_draw, pixel, uvec4(0u));
-        imageStore(out_depth, pixel, vec4(0.0));
-        imageStore(out_normal, pixel, uvec4(0u));
-        return;
-    }
-    float depth = texelFetch(depth_image, pixel, 0).x;
-    vec3 normal = -unpack_normal(texelFetch(normal_image, pixel, 0).y);
-    uvec2 seen = visibility_at(pixel);
-    if (sees_triangle(seen)) {
+    barrier();
+    uint word = texelFetch(draw_image, held, 0).x;
+    uint look = look_of(word);
+    vec4 through = takes_light_in(word) ? look_through(look) : vec4(0.0);
+    float own_depth = texelFetch(depth_image, held, 0).x;
+    float depth = own_depth;
+    vec3 normal = -unpack_normal(texelFetch(normal_image, held, 0).y);
+    uvec2 seen = visibility_at(held);
+    if (through.a > 0.0 && sees_triangle(seen)) {
         uvec4 corners = triangle_at(seen_triangle(seen));
         vec3 a = posed_vertex_at(corners.x).position;
         vec3 b = posed_vertex_at(corners.y).position;
@@ -62,8 +75,24 @@ void main()
         normal = turns_its_back ? unit(flat_normal) : normal;
         depth = turns_its_back ? seen_depth(seen) : depth;
     }
+    float inside_m = thickness_m(vec2(pixel) + 0.5, own_depth, depth, look_scatter(look).a);
+    vec3 left = through.a * exp(-through.rgb * inside_m);
+    bool shines = is_on_page && max(max(left.r, left.g), left.b) > least_through;
+    if (shines) {
+        atomicOr(shines_in_tile, 1u);
+    }
+    barrier();
+    if (gl_LocalInvocationIndex == 0u && shines_in_tile != 0u) {
+        uint number = atomicAdd(tiles[tile_list_count], 1u);
+        tiles[tile_list_first + number] = gl_WorkGroupID.x | gl_WorkGroupID.y << 16;
+        atomicMax(tiles[0], tile_list_groups);
+        atomicMax(tiles[1], number / tile_list_groups + 1u);
+    }
+    if (!is_on_page) {
+        return;
+    }
     uint packed = pack_normal(normal);
-    imageStore(out_draw, pixel, uvec4(draw_of(word) + 1u));
-    imageStore(out_depth, pixel, vec4(depth));
+    imageStore(out_draw, pixel, uvec4(shines ? draw_of(word) + 1u : 0u));
+    imageStore(out_depth, pixel, vec4(through.a > 0.0 ? depth : 0.0));
     imageStore(out_normal, pixel, uvec4(packed, packed, 0u, 0u));
 }

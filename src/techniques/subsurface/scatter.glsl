@@ -51,4 +51,20 @@ float level_from_px(int level)
     return sqrt(deviation_px(level - 1) * deviation_px(level));
 }
 
+// Of a pixel's light a thousandth has deviations beyond so many times d: nobody can tell.
+const float held_deviations = 9.6;
+
+bool holds_all(float deviation, float spread_px)
+{
+    return held_deviations * spread_px <= deviation;
+}
+
+// The share of a pixel's light whose deviations are at most so large: all of it, where next to nothing is
+// left.
+vec3 share_up_to(float deviation, vec3 spread_px)
+{
+    return mix(share_below(deviation, spread_px), vec3(1.0),
+               lessThanEqual(held_deviations * spread_px, vec3(deviation)));
+}
+
 #endif

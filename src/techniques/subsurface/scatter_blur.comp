@@ -17,10 +17,8 @@ layout(scalar, binding = 0) uniform Frame
 
 layout(binding = 1) uniform sampler2D spread_image;
 layout(binding = 2) uniform sampler2D light_image;
-layout(binding = 3) uniform sampler2D sum_image; // of the levels before
-
-layout(binding = 4, rgba32f) writeonly uniform image2D out_light;
-layout(binding = 5, rgba32f) writeonly uniform image2D out_sum;
+layout(binding = 3, rgba32f) writeonly uniform image2D out_light;
+layout(binding = 4, rgba32f) uniform image2D sum_image; // of the levels before, and this one
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -63,9 +61,9 @@ void main()
     imageStore(out_light, half_pixel, own);
     if (is_upright) {
         vec3 until =
-            constants.is_last != 0u ? vec3(1.0) : share_below(level_from_px(constants.level + 1), spread.rgb);
-        vec3 share = until - share_below(level_from_px(constants.level), spread.rgb);
-        vec3 sum = texelFetch(sum_image, half_pixel, 0).rgb + share * own.rgb;
-        imageStore(out_sum, half_pixel, vec4(sum, own.w));
+            constants.is_last != 0u ? vec3(1.0) : share_up_to(level_from_px(constants.level + 1), spread.rgb);
+        vec3 share = until - share_up_to(level_from_px(constants.level), spread.rgb);
+        vec3 sum = imageLoad(sum_image, half_pixel).rgb + share * own.rgb;
+        imageStore(sum_image, half_pixel, vec4(sum, own.w));
     }
 }

@@ -162,6 +162,15 @@ TEST(Scatter, LeavesEvenLightAsItIs)
     }
 }
 
+TEST(Scatter, LeavesWhatSpreadsWithinPixelsToTheBit)
+{
+    const auto stripes = [](glm::uvec2 pixel) { return glm::vec4(pixel.x % 3 == 0 ? 1.0F : 0.25F); };
+    const std::vector<glm::vec4> result = spread({.light = stripes}, spreading(0.04));
+    for (uint32_t x = 0; x < size_px.x; ++x) {
+        EXPECT_EQ(result[size_t{48} * size_px.x + x].x, stripes({x, 48}).x) << x;
+    }
+}
+
 TEST(Scatter, DoesNotCrossAGap)
 {
     // A lit sheet before a dark one; light beside both that takes none in.

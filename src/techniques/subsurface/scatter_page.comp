@@ -37,13 +37,14 @@ void main()
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     uint word = texelFetch(draw_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
     vec3 scatter_m = takes_light_in(word) ? look_scatter(look_of(word)).rgb : vec3(0.0);
-    bool scatters = scatter_m != vec3(0.0);
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }
     vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(texelFetch(depth_image, pixel, 0).x, 1e-9));
     float pixel_m = pixel_size_m(frame, point);
     vec3 spread_px = min(scatter_m / pixel_m, vec3(constants.most_px));
+    vec3 kept = share_up_to(kept_below_px(), spread_px);
+    bool scatters = kept != vec3(1.0);
     float tolerance_m = max(4.0 * pixel_m, max(max(scatter_m.x, scatter_m.y), scatter_m.z));
     float per_variance = -0.5 / max(tolerance_m * tolerance_m, 1e-12);
     float ahead = ahead_m(point);
@@ -69,6 +70,6 @@ void main()
         return;
     }
     vec3 own = imageLoad(light, pixel).rgb;
-    vec3 mixed = share_below(kept_below_px(), spread_px) * own + sum.rgb / sum.w;
+    vec3 mixed = kept * own + sum.rgb / sum.w;
     imageStore(light, pixel, vec4(mixed, luminance(mixed)));
 }

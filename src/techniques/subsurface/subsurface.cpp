@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gpu/fills.hpp"
 #include "shaders/exit_comp.hpp"
 #include "shaders/scatter_blur_comp.hpp"
 #include "shaders/scatter_page_comp.hpp"
 #include "shaders/scatter_source_comp.hpp"
 #include "shaders/through_comp.hpp"
+#include "shaders/tile_list.glsl.h"
 
 namespace estampe::subsurface {
 namespace {
@@ -96,6 +98,10 @@ FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferI
     const auto image = [&](const char* name, gpu::Format format) {
         return graph.image(name, {.width = in.size_px.x, .height = in.size_px.y, .format = format});
     };
+    const glm::uvec2 tiles_across = (in.size_px + 7U) / 8U;
+    const uint64_t words = shared::tile_list_first + uint64_t{tiles_across.x} * tiles_across.y;
+    const gpu::BufferId no_tiles =
+        gpu::add_empty_list(graph, "subsurface/far tiles", (sizeof(uint32_t) * words + 15) / 16 * 16);
     auto pass = graph.compute("subsurface/exit", shaders::exit_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.normal);
     pass.sample(behind, gpu::Format::rg32ui).sample(triangles).sample(posed_vertices);
@@ -103,8 +109,9 @@ FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferI
     const gpu::ImageId draw = pass.write(image("subsurface/far draw", gpu::Format::r32ui));
     const gpu::ImageId depth = pass.write(image("subsurface/far depth", gpu::Format::r32f));
     const gpu::ImageId normal = pass.write(image("subsurface/far normal", gpu::Format::rg32ui));
+    const gpu::BufferId tiles = pass.modify(no_tiles);
     pass.dispatch_over(in.size_px.x, in.size_px.y);
-    return {draw, depth, normal};
+    return {draw, depth, normal, tiles};
 }
 
 gpu::ImageId add_through(gpu::Graph& graph, const SubsurfaceInputs& in, const FarSide& far_side,
@@ -114,7 +121,7 @@ gpu::ImageId add_through(gpu::Graph& graph, const SubsurfaceInputs& in, const Fa
     pass.uniform(in.frame).sample(far_side.draw).sample(in.depth).sample(far_side.depth).sample(far_light);
     pass.variant(bind_looks(pass, in));
     const gpu::ImageId sum = pass.modify(light);
-    pass.dispatch_over(in.size_px.x, in.size_px.y);
+    pass.read(far_side.tiles).dispatch_indirect(far_side.tiles);
     return sum;
 }
 
@@ -126,18 +133,21 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
     shared::ScatterConstants constants{.from_half = from_half,
                                        .half_px = glm::max(last_half + 1U, from_half + 1U) - from_half,
                                        .most_px = most_spread_px(levels),
-                                       .level = 0,
+                                       .level = static_cast<int>(levels),
                                        .is_last = 0U};
-    const auto image = [&](const char* name, glm::uvec2 size_px) {
-        return graph.image(name, {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba32f});
+    const auto half_image = [&](const char* name) {
+        return graph.image(
+            name,
+            {.width = constants.half_px.x, .height = constants.half_px.y, .format = gpu::Format::rgba32f});
     };
-    const auto half_image = [&](const char* name) { return image(name, constants.half_px); };
+    const gpu::BufferId none = gpu::add_zeros(graph, "subsurface/needs", sizeof(glm::uvec4) * (levels + 1));
     auto source = graph.compute("subsurface/source", shaders::scatter_source_comp);
     source.uniform(in.frame).sample(in.draw).sample(in.depth).sample(light);
     source.variant(bind_looks(source, in));
     gpu::ImageId blurred = source.write(half_image("subsurface/source"));
     const gpu::ImageId spread = source.write(half_image("subsurface/spread"));
     gpu::ImageId sum = source.write(half_image("subsurface/sum"));
+    const gpu::BufferId needs = source.modify(none);
     source.push(constants).dispatch_over(constants.half_px.x, constants.half_px.y);
     for (uint32_t level = 0; level < levels; ++level) {
         constants.level = static_cast<int>(level);
@@ -145,21 +155,18 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
         for (const bool is_upright : {false, true}) {
             auto pass = graph.compute(is_upright ? "subsurface/columns" : "subsurface/rows",
                                       shaders::scatter_blur_comp);
-            pass.uniform(in.frame).sample(spread).sample(blurred).sample(sum);
+            pass.uniform(in.frame).sample(spread).sample(blurred);
             pass.variant(is_upright ? shared::subsurface_is_upright : 0U);
-            const gpu::ImageId next = pass.write(half_image("subsurface/blurred"));
-            const gpu::ImageId next_sum = pass.write(is_upright ? half_image("subsurface/sum")
-                                                                : image("subsurface/no sum", glm::uvec2(1)));
-            pass.push(constants).dispatch_over(constants.half_px.x, constants.half_px.y);
-            blurred = next;
-            sum = is_upright ? next_sum : sum;
+            blurred = pass.write(half_image("subsurface/blurred"));
+            sum = pass.modify(sum);
+            pass.push(constants).dispatch_indirect(needs, sizeof(glm::uvec4) * (level + 1));
         }
     }
     auto pass = graph.compute("subsurface/page", shaders::scatter_page_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(sum);
     pass.variant(bind_looks(pass, in));
     const gpu::ImageId result = pass.modify(light);
-    pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    pass.push(constants).dispatch_indirect(needs);
     return result;
 }
 

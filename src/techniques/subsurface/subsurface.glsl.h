@@ -29,7 +29,7 @@ struct ScatterConstants {
     uvec2 from_half;
     uvec2 half_px;
     float most_px; // that d may be on the page
-    int level;     // of the blur, 0 the narrowest: taps are two to this power apart
+    int level;     // of the blur, 0 the narrowest: taps are two to this power apart; of the source, how many
     uint is_last;  // level: what is wider goes with it
 };
 

@@ -40,9 +40,10 @@ struct SubsurfaceInputs {
 
 /// The far side of what is seen, for light to fall on: a surface as that of the near side.
 struct FarSide {
-    gpu::ImageId draw;   ///< r32ui: draw + 1, 0 where no light comes through
+    gpu::ImageId draw;   ///< r32ui: draw + 1, 0 where next to no light comes through
     gpu::ImageId depth;  ///< r32f: reversed
     gpu::ImageId normal; ///< rg32ui: away from the eye, twice
+    gpu::BufferId tiles; ///< in which light does, see shaders/tile_list.glsl.h
 };
 
 /// Finds where the eye's ray leaves what it entered. `behind` is the visibility of what takes light in and
@@ -51,14 +52,15 @@ struct FarSide {
                                    gpu::BufferId triangles, gpu::BufferId posed_vertices);
 
 /// Adds to `light` what of `far_light`, which falls on the far side, comes through: Beer and Lambert's law.
-/// Returns the new version of `light`. Cost: one full-screen dispatch.
+/// Returns the new version of `light`. Cost: one dispatch over the listed tiles.
 [[nodiscard]] gpu::ImageId add_through(gpu::Graph& graph, const SubsurfaceInputs& in, const FarSide& far_side,
                                        gpu::ImageId far_light, gpu::ImageId light);
 
 /// Lets `light` spread under the surface. Returns its new version.
 ///
-/// Cost    two dispatches for each doubling of the reach on the page, and one, over every second pixel each
-///         way, of four texels a pixel that takes light in; then one over all
+/// Cost    two dispatches for each doubling of how far light spreads on the page, as far as its reach, and
+/// one,
+///         over every second pixel each way, of four texels a pixel that takes light in; then one over all
 /// Source  Christensen and Burley, "Approximate Reflectance Profiles for Efficient Subsurface Scattering",
 ///         2015; Gaussians after d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007; on
 ///         the page after Jimenez, Sundstedt and Gutierrez, "Screen-Space Perceptual Rendering of Human

@@ -51,8 +51,7 @@ Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle&
         gpu::Graph graph;
         const raster::RasterInputs meshes = drawing.raster_inputs(graph);
         const raster::Batch body{.first_triangle = drawing.layout.opaque.first,
-                                 .triangle_count = drawing.layout.opaque.count,
-                                 .masked = true};
+                                 .triangle_count = drawing.layout.opaque.count};
         const gpu::BufferId behind =
             raster::add_visibility(graph, "behind", meshes, {&body, 1},
                                    {.clip_from_anchor = drawing.globals.clip_from_anchor,
@@ -103,7 +102,8 @@ TEST(Through, KnowsHowThickASphereIs)
         for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {
             Scene scene = test::scene_of(shapes::sphere(1.0F, 256, 128));
             scene.materials.front().double_sided = is_two_sided;
-            const Far far = far_side_of(scene, camera, {.drawn = true}, path);
+            const SubsurfaceStyle style{.drawn = true, .depth_m = 1.0F, .tint = glm::vec3(0.5F)};
+            const Far far = far_side_of(scene, camera, style, path);
             double worst = 0.0;
             int count = 0;
             for (size_t i = 0; i < far.draw.size(); ++i) {
@@ -111,6 +111,7 @@ TEST(Through, KnowsHowThickASphereIs)
                 if (wanted > 0.3) {
                     EXPECT_EQ(far.draw[i], 1U);
                     worst = std::max(worst, std::abs(far.thickness_m[i] / wanted - 1.0));
+                    EXPECT_NEAR(far.light[i].x, std::exp2(-far.thickness_m[i]), 2e-3) << "in every tile";
                     ++count;
                 } else if (wanted == 0.0) {
                     EXPECT_EQ(far.draw[i], 0U);
@@ -138,6 +139,20 @@ TEST(Through, AbsorbsAsBeerAndLambertSay)
             EXPECT_NEAR(through[channel], wanted, 1e-3 * wanted + 1e-6) << thickness_m;
         }
         EXPECT_EQ(far.light.front().x, 0.0F) << "beside it";
+    }
+}
+
+TEST(Through, LightsNothingWhereNothingComesThrough)
+{
+    // A ray that loses half its light each centimetre has nothing left behind half a metre.
+    const Scene scene = test::scene_of(shapes::box({0.5F, 0.5F, 0.5F}));
+    const Camera camera{
+        .eye = {0.0, 0.25, 3.0}, .target = {0.0, 0.25, 0.0}, .orthographic_half_height_m = 0.4};
+    const Far far = far_side_of(scene, camera, {.drawn = true, .depth_m = 0.01F, .tint = glm::vec3(0.5F)});
+    EXPECT_NEAR(far.thickness_m[size_t{48} * size_px.x + 60], 0.5, 1e-3);
+    EXPECT_EQ(std::ranges::max(far.draw), 0U);
+    for (const glm::vec4& light : far.light) {
+        EXPECT_EQ(light.x, 0.0F);
     }
 }
 
