@@ -66,7 +66,7 @@ TEST(BoneCapsules, ACapeOnAWalkerNeverEntersThem)
         lab.cloths().set_solids(test::shared_device(), solids);
         return solids;
     };
-    lab.cloths().forget_targets();
+    lab.cloths().forget_before();
     std::ignore = go_to(0.0);
     std::ignore = lab.carry(glm::mat4(0.0F));
     std::ignore = lab.run(0.5);

@@ -247,7 +247,11 @@ cloth::Surroundings MovingCloth::surroundings(const Scene& scene, const StyleTab
                                               const ClothMoments& moments, const glm::dvec3& anchor) const
 {
     cloth::Surroundings result{
-        .time_s = moments.step_s, .wind = style.wind, .origin_m = anchor, .effort = style.cloth.effort};
+        .time_s = moments.step_s,
+        .wind = style.wind,
+        .origin_m = anchor,
+        .effort = style.cloth.effort,
+        .rest_m_s = 1e-3F * style.cloth.rest_mm_s};
     if (style.wind.from == cloth::WindSource::automatic && scene.terrain) {
         const TerrainWind& wind = scene.terrain->description().wind;
         result.wind.speed_m_s = wind.speed_m_s;

@@ -61,7 +61,7 @@ void Renderer::Impl::start_cloth(const frame::ClothRun& run, const RenderSetting
     cloth::Cloths& sheets = loaded->cloth->sheets();
     gpu::Graph graph;
     const gpu::BufferId posed = pose_for_cloth(graph, run.from_s, settings.animation);
-    sheets.forget_targets();
+    sheets.forget_before();
     cloth::Cloths::Handles handles = sheets.import(graph);
     sheets.add_targets(graph, handles, posed);
     if (run.starts_anew) {
@@ -97,7 +97,7 @@ void Renderer::Impl::step_cloth(double from_s, double to_s, const RenderSettings
         const gpu::BufferId posed = pose_for_cloth(graph, from_s + done * step_s, settings.animation);
         const auto carries = cloth.carries(*loaded->pose, loaded->layout.anchor, now * step_s);
         if (!carries.empty()) {
-            sheets.forget_targets();
+            sheets.forget_before();
         }
         cloth::Cloths::Handles handles = sheets.import(graph);
         sheets.add_targets(graph, handles, posed);

@@ -22,6 +22,7 @@ SHARED_CONSTANT uint cloth_group = 64U;        // particles of a sheet are padde
 SHARED_CONSTANT uint cloth_small_group = 256U; // threads that share a small sheet
 SHARED_CONSTANT uint cloth_small_share = 4U;   // particles of each of them
 SHARED_CONSTANT uint cloth_most_tethers = 4U;
+SHARED_CONSTANT float cloth_rest_s = 0.5; // a sheet that has been calm for so long rests
 
 // A particle's mass is shared among its links: those to direct neighbours have so much more than far ones.
 SHARED_CONSTANT float cloth_near_share = 3.0F;
@@ -93,7 +94,9 @@ struct ClothRun {
     float time_s;     // of the first step's beginning
     float air_kg_m3;
     float most_speed_m_s;
-    vec3 origin_m; // of places, in that of the wind
+    vec3 origin_m;    // of places, in that of the wind
+    float rest_m_s;   // what is slower is calm; negative: nothing is
+    uint rouses_all;  // no sheet rests, whatever it does
 };
 
 // Where a pass is within a run.
@@ -108,6 +111,7 @@ struct ClothNearConstants {
     uint first_group;
     uint cell_mask; // cells of the table less 1
     uint is_search; // else all enter themselves
+    uint step;
 };
 
 // At the beginning of a run, or at its end: turned, then moved.

@@ -26,6 +26,7 @@ struct Surroundings {
     double ahead_m = 0.0;     ///< that it has blown farther than its speed times the time
     glm::dvec3 origin_m{0.0}; ///< of places, in the world
     float effort = 1.0F;      ///< see ClothStyle
+    float rest_m_s = 5e-3F;   ///< see ClothStyle::rest_mm_s
 };
 
 /// The drawn vertices of a sheet.
@@ -42,7 +43,9 @@ struct SheetReach {
     glm::vec3 max_m{0.0F};
 };
 
-/// The same sheets and runs give the same places on the same device, bit for bit.
+/// The same sheets and runs give the same places on the same device, bit for bit. A sheet that has been calm
+/// for shared::cloth_rest_s, by all of its particles, rests: steps leave it as it is until wind blows,
+/// something that holds it moves, a solid moves near it, it is carried, or the surroundings are others.
 class Cloths {
 public:
     /// Sheets lie still where they were cut. `drawn` is one a sheet, or empty. Throws Error as
@@ -93,8 +96,14 @@ public:
     /// As many as one graph takes, at least one.
     [[nodiscard]] uint32_t most_steps(const Surroundings& surroundings) const;
 
-    /// The next targets hold for the beginning of their run too.
-    void forget_targets() { has_targets_ = false; }
+    /// The next targets hold for the beginning of their run too, and what the next run finds otherwise than
+    /// the one before wakes nobody.
+    void forget_before()
+    {
+        has_targets_ = false;
+        rouses_all_ = false;
+        surroundings_.reset();
+    }
 
     /// Keeps where sheets are, for add_vertices_before().
     void add_snapshot(gpu::Graph& graph, const Handles& handles);
@@ -120,7 +129,7 @@ public:
     {
         places_ = std::move(state[0]);
         speeds_ = std::move(state[1]);
-        forget_targets();
+        forget_before();
     }
 
 private:
@@ -152,11 +161,12 @@ private:
     void bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
                      gpu::Buffer& sheet_of_group);
     void add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind);
-    void add_near(gpu::Graph& graph, Handles& handles, Kind& kind);
+    void add_rest(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId& awake);
+    void add_near(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake);
     void add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
-                     uint32_t predicted);
+                     uint32_t predicted, gpu::BufferId awake);
     void add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
-                          uint32_t small_steps);
+                          uint32_t small_steps, gpu::BufferId& awake);
 
     std::vector<shared::ClothSheet> records_;
     std::vector<float> rigidities_n_m_;
@@ -177,6 +187,8 @@ private:
     std::vector<shared::ClothCollider> solids_before_, solids_;
     std::vector<shared::ClothCollider> met_before_, met_; ///< of those, what the run may meet
     std::vector<SheetReach> reach_;
+    bool rouses_all_ = false;                  ///< something has come or gone since the last run
+    std::optional<Surroundings> surroundings_; ///< of the last run
     gpu::Buffer colliders_;
     gpu::Buffer grids_; ///< numbers of all grids, each behind its head
     std::vector<uint32_t> first_of_grid_;

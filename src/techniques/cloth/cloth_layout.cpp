@@ -245,12 +245,14 @@ Cloths::Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<con
     }
     set_grids(device, {});
     set_solids(device, {});
+    rouses_all_ = false;
 }
 
 void Cloths::set_solver(gpu::Device& device, std::optional<ClothSolver> solver)
 {
     if (solver_ != solver) {
         solver_ = solver;
+        rouses_all_ = true;
         group_sheets(device);
     }
 }
@@ -265,6 +267,7 @@ void Cloths::set_solids(gpu::Device& device, std::span<const Solid> solids)
     }
     if (solids_before_.size() != solids_.size()) {
         solids_before_ = solids_;
+        rouses_all_ = true;
     }
     for (size_t i = 0; i < solids.size(); ++i) {
         turn_alike(solids_before_[i], solids_[i]);
@@ -297,6 +300,7 @@ void Cloths::set_grids(gpu::Device& device, std::span<const SolidGrid> grids)
     }
     numbers.resize(std::max<size_t>(numbers.size(), 4));
     grids_ = gpu::upload_buffer(device, "cloth grids", numbers);
+    rouses_all_ = true;
 }
 
 void Cloths::set_targets(gpu::Device& device, std::span<const glm::vec3> places_m)

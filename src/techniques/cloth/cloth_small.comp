@@ -6,7 +6,7 @@
 
 layout(local_size_x = 256) in;
 
-#include "techniques/cloth/cloth_data.glsl"
+#include "techniques/cloth/cloth_rest.glsl"
 
 layout(scalar, binding = 10) buffer Places
 {
@@ -15,7 +15,7 @@ layout(scalar, binding = 10) buffer Places
 
 layout(scalar, binding = 11) buffer Speeds
 {
-    vec4 speeds[];
+    vec4 speeds[]; // and how long each particle has been calm
 };
 
 layout(scalar, binding = 12) buffer Pushes
@@ -30,6 +30,8 @@ layout(push_constant, scalar) uniform Constants
 
 shared vec4 predicted[2][cloth_small_group * cloth_small_share]; // by turns
 uint newest = 0u;
+shared uint awake_in; // 1 more than the step
+vec4 began[cloth_small_share]; // places, and how long each had been calm
 
 vec4 predicted_at(uint local)
 {
@@ -56,12 +58,24 @@ void take_turns()
     newest = 1u - newest;
 }
 
-void begin_step(uint step)
+// What the step begins with, and whether there has to be one.
+bool is_awake(uint step)
 {
     for (uint local = gl_LocalInvocationID.x; local < sheet.count; local += cloth_small_group) {
-        predicted[1u - newest][local] = places[sheet.first + local];
+        vec4 place = places[sheet.first + local];
+        float calm_s = is_roused(local, place.xyz) ? 0.0 : speeds[sheet.first + local].w;
+        predicted[1u - newest][local] = place;
+        began[local / cloth_small_group] = vec4(place.xyz, calm_s);
+        if (calm_s < cloth_rest_s) {
+            awake_in = step + 1u;
+        }
     }
     take_turns();
+    return awake_in == step + 1u;
+}
+
+void begin_step(uint step)
+{
     float time_s = run.time_s + float(step) * run.step_s;
     for (uint local = gl_LocalInvocationID.x; local < sheet.count; local += cloth_small_group) {
         uint particle = sheet.first + local;
@@ -85,8 +99,10 @@ void small_step(uint step, uint number)
         vec3 to = moved(local, from.xyz, from.w, step, number);
         vec3 speed = speed_after(from.xyz, to);
         vec4 push = pushes[particle];
+        vec4 before = began[local / cloth_small_group];
+        bool is_last = number + 1u == run.small_steps;
         places[particle] = vec4(to, from.w);
-        speeds[particle] = vec4(speed, 0.0);
+        speeds[particle] = vec4(speed, is_last ? calm_after(before.w, before.xyz, to) : before.w);
         predicted[1u - newest][local] = vec4(foreseen(local, to, speed, push.xyz, from.w, next), push.w);
     }
     take_turns();
@@ -95,7 +111,14 @@ void small_step(uint step, uint number)
 void main()
 {
     sheet = sheets[sheet_of_group[moment.first_group + gl_WorkGroupID.x]];
+    if (gl_LocalInvocationID.x == 0u) {
+        awake_in = 0u;
+    }
+    barrier();
     for (uint step = 0u; step < run.step_count; ++step) {
+        if (!is_awake(step)) { // nor in any later one
+            break;
+        }
         begin_step(step);
         for (uint i = 0u; i < run.small_steps; ++i) {
             small_step(step, i);

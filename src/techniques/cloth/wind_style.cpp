@@ -33,7 +33,10 @@ const style::Table<ClothStyle>& cloth_table()
             .number("settle_s", &ClothStyle::settle_s, {0.0F, 20.0F}, "s",
                     "How long it has moved, from how it was laid out, when a still or a film begins")
             .number("effort", &ClothStyle::effort, {0.25F, 8.0F}, "",
-                    "How finely time is cut: more stretches less and costs as much more");
+                    "How finely time is cut: more stretches less and costs as much more")
+            .number("rest_mm_s", &ClothStyle::rest_mm_s, {0.0F, 100.0F}, "mm/s",
+                    "A sheet that is slower for half a second, in still air, rests until something moves it; "
+                    "0: none rests");
     return table;
 }
 
