@@ -13,6 +13,7 @@
 #include "gpu/read_back.hpp"
 #include "shaders/cloth_carry_comp.hpp"
 #include "shaders/cloth_descend_comp.hpp"
+#include "shaders/cloth_flow_comp.hpp"
 #include "shaders/cloth_near_comp.hpp"
 #include "shaders/cloth_push_comp.hpp"
 #include "shaders/cloth_rest_comp.hpp"
@@ -41,13 +42,17 @@ glm::vec3 direction_of(const WindStyle& wind)
     return {std::cos(angle_rad), 0.0F, std::sin(angle_rad)};
 }
 
-/// Whether sheets at rest in `before` would not be in `now`. A breath of wind moves nothing of note.
-bool rouses(const Surroundings& now, const std::optional<Surroundings>& before)
+/// A breath of wind moves nothing of note.
+bool blows(const Surroundings& now)
 {
-    constexpr float breath_m_s = 0.05F;
-    const bool is_other = before && (before->gravity_m_s2 != now.gravity_m_s2 ||
-                                     before->effort != now.effort || before->rest_m_s != now.rest_m_s);
-    return is_other || (now.air_kg_m3 > 0.0F && now.wind.speed_m_s > breath_m_s);
+    return now.air_kg_m3 > 0.0F && now.wind.speed_m_s > shared::cloth_breath_m_s;
+}
+
+/// Whether sheets at rest in `before` would not be in `now`, but for the wind.
+bool are_other(const Surroundings& now, const Surroundings& before)
+{
+    return before.gravity_m_s2 != now.gravity_m_s2 || before.effort != now.effort ||
+           before.rest_m_s != now.rest_m_s;
 }
 
 bool is_of_grid(const shared::ClothCollider& solid)
@@ -105,27 +110,31 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
     find_met_solids();
     const size_t size_bytes = met_.size() * sizeof(shared::ClothCollider);
     const bool moves = !met_.empty() && std::memcmp(met_before_.data(), met_.data(), size_bytes) != 0;
-    rouses_all_ = rouses_all_ || rouses(surroundings, surroundings_);
+    const bool rouses = rouses_all_ || (surroundings_ && are_other(surroundings, *surroundings_));
+    const uint32_t roused_steps = blows(surroundings) ? count : (rouses ? 1U : 0U);
     float longest_small_s = 0.0F;
     for (Kind& kind : kinds_) {
-        const shared::ClothRun run{.gravity_m_s2 = surroundings.gravity_m_s2,
-                                   .step_s = std::min(surroundings.step_s, longest_step_s),
-                                   .step_count = count,
-                                   .small_steps = small_steps(kind, surroundings),
-                                   .collider_count = static_cast<uint32_t>(met_.size()),
-                                   .collider_stride = moves ? static_cast<uint32_t>(met_.size()) : 0,
-                                   .wind_m_s = wind.speed_m_s * direction_of(wind),
-                                   .ahead_m = static_cast<float>(surroundings.ahead_m) * direction_of(wind),
-                                   .gustiness = wind.gustiness,
-                                   .gust_m = wind.gust_m,
-                                   .turbulence = wind.turbulence,
-                                   .eddy_m = wind.eddy_m,
-                                   .time_s = static_cast<float>(surroundings.time_s),
-                                   .air_kg_m3 = surroundings.air_kg_m3,
-                                   .most_speed_m_s = 60.0F,
-                                   .origin_m = glm::vec3(surroundings.origin_m),
-                                   .rest_m_s = surroundings.rest_m_s > 0.0F ? surroundings.rest_m_s : -1.0F,
-                                   .rouses_all = rouses_all_ ? 1U : 0U};
+        shared::ClothRun run{.gravity_m_s2 = surroundings.gravity_m_s2,
+                             .step_s = std::min(surroundings.step_s, longest_step_s),
+                             .step_count = count,
+                             .small_steps = small_steps(kind, surroundings),
+                             .collider_count = static_cast<uint32_t>(met_.size()),
+                             .collider_stride = moves ? static_cast<uint32_t>(met_.size()) : 0,
+                             .wind_m_s = wind.speed_m_s * direction_of(wind),
+                             .ahead_m = static_cast<float>(surroundings.ahead_m) * direction_of(wind),
+                             .gustiness = wind.gustiness,
+                             .gust_m = wind.gust_m,
+                             .turbulence = wind.turbulence,
+                             .eddy_m = wind.eddy_m,
+                             .time_s = static_cast<float>(surroundings.time_s),
+                             .air_kg_m3 = surroundings.air_kg_m3,
+                             .most_speed_m_s = 60.0F,
+                             .origin_m = glm::vec3(surroundings.origin_m),
+                             .rest_m_s = surroundings.rest_m_s > 0.0F ? surroundings.rest_m_s : -1.0F,
+                             .roused_steps = roused_steps,
+                             .flow_count = static_cast<uint32_t>(flows_.size()),
+                             .flows = {}};
+        std::ranges::copy(flows_, std::begin(run.flows));
         std::memcpy(kind.run.mapped().data(), &run, sizeof run);
         const bool is_cut = (kind.variant & (shared::cloth_bit_relax | shared::cloth_bit_descent)) == 0;
         longest_small_s =
@@ -189,6 +198,16 @@ void Cloths::add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId pose
     add(handles.targets[1]);
 }
 
+void Cloths::add_flow(gpu::Graph& graph, size_t flow, gpu::ImageId velocity)
+{
+    const shared::ClothFlow& box = flows_.at(flow);
+    auto pass = graph.compute("cloth/flow", shaders::cloth_flow_comp);
+    pass.sample(velocity);
+    graph.export_buffer(pass.modify(gpu::import_whole(graph, "cloth/flows", flow_speeds_)));
+    const glm::uvec3 groups = (box.cells + 3U) / 4U;
+    pass.push(box).dispatch(groups.x, groups.y, groups.z);
+}
+
 void Cloths::add_carry(gpu::Graph& graph, Handles& handles, std::span<const glm::mat4> carries)
 {
     std::memcpy(carries_.mapped().data(), carries.data(), carries.size_bytes());
@@ -208,6 +227,7 @@ void Cloths::add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind)
     handles.places = pass.modify(handles.places);
     handles.speeds = pass.modify(handles.speeds);
     handles.pushes = pass.modify(handles.pushes);
+    pass.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
     pass.variant(kind.variant).push(shared::ClothMoment{.first_group = kind.first_group});
     pass.dispatch(kind.group_count);
 }
@@ -219,6 +239,7 @@ void Cloths::add_rest(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t 
     pass.sample(handles.places, gpu::Format::rgba32f);
     handles.speeds = pass.modify(handles.speeds);
     awake = pass.modify(awake);
+    pass.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
     pass.variant(kind.variant).push(shared::ClothMoment{.step = step, .first_group = kind.first_group});
     pass.dispatch(kind.group_count);
 }
@@ -280,6 +301,7 @@ void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, u
     push.read(awake);
     const gpu::BufferId began =
         push.write(graph.buffer("cloth/began", {.size_bytes = sizeof(glm::vec4) * particle_count_}));
+    push.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
     push.variant(kind.variant).push(shared::ClothMoment{.step = step, .first_group = kind.first_group});
     push.dispatch(kind.group_count);
     for (uint32_t i = 0; i < small_steps; ++i) {
@@ -308,12 +330,13 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     const uint32_t surrounded =
         (met_.empty() ? 0U : shared::cloth_bit_colliders) |
         (std::ranges::any_of(met_, is_of_grid) ? shared::cloth_bit_grids : 0U) |
+        (flows_.empty() ? 0U : shared::cloth_bit_flow) |
         (wind.speed_m_s > 0.0F && (wind.gustiness > 0.0F || wind.turbulence > 0.0F) ? shared::cloth_bit_gusts
                                                                                     : 0U);
     std::optional<gpu::BufferId> awake; // of large sheets
     for (Kind& kind : kinds_) {
-        constexpr uint32_t changing =
-            shared::cloth_bit_colliders | shared::cloth_bit_grids | shared::cloth_bit_gusts;
+        constexpr uint32_t changing = shared::cloth_bit_colliders | shared::cloth_bit_grids |
+                                      shared::cloth_bit_flow | shared::cloth_bit_gusts;
         kind.variant = (kind.variant & ~changing) | surrounded;
         if (kind.is_small) {
             add_small_sheets(graph, handles, kind);

@@ -43,6 +43,12 @@ struct SheetReach {
     glm::vec3 max_m{0.0F};
 };
 
+/// A box of air that a fluid moves, whose ends meet.
+struct Flow {
+    glm::uvec3 cells{0};
+    glm::mat4 cells_from_place{1.0F}; ///< from the low corner; all axes alike
+};
+
 /// The same sheets and runs give the same places on the same device, bit for bit. A sheet that has been calm
 /// for shared::cloth_rest_s, by all of its particles, rests: steps leave it as it is until wind blows,
 /// something that holds it moves, a solid moves near it, it is carried, or the surroundings are others.
@@ -67,6 +73,10 @@ public:
     /// upload.
     void set_grids(gpu::Device& device, std::span<const SolidGrid> grids);
 
+    /// Boxes in which later runs find the speeds that add_flow() last told, in place of the wind; where they
+    /// overlap, those of the last. Throws std::logic_error for more than shared::cloth_most_flows.
+    void set_flows(gpu::Device& device, std::span<const Flow> flows);
+
     /// Where particles are wanted at the end of the next run, if they are held, sheet by sheet. The same
     /// holds as of solids.
     void set_targets(gpu::Device& device, std::span<const glm::vec3> places_m);
@@ -82,6 +92,11 @@ public:
     };
 
     [[nodiscard]] Handles import(gpu::Graph& graph);
+
+    /// Tells how the air of a box moves: component by component on the low faces of cells, layer by layer, as
+    /// `fluid` keeps it. Of each box once before the next run, one a
+    /// graph.
+    void add_flow(gpu::Graph& graph, size_t flow, gpu::ImageId velocity);
 
     /// set_targets() as a pass: the drawn vertices as they are posed.
     void add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
@@ -190,6 +205,8 @@ private:
     bool rouses_all_ = false;                  ///< something has come or gone since the last run
     std::optional<Surroundings> surroundings_; ///< of the last run
     gpu::Buffer colliders_;
+    std::vector<shared::ClothFlow> flows_;
+    gpu::Buffer flow_speeds_;
     gpu::Buffer grids_; ///< numbers of all grids, each behind its head
     std::vector<uint32_t> first_of_grid_;
     std::array<gpu::Buffer, 2> targets_; ///< of the run's beginning and its end

@@ -2,6 +2,7 @@
 // How sheets lie on the device.
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 #include <estampe/error.hpp>
 
@@ -244,6 +245,7 @@ Cloths::Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<con
         buffer = gpu::upload_buffer(device, "cloth targets", targets);
     }
     set_grids(device, {});
+    set_flows(device, {});
     set_solids(device, {});
     rouses_all_ = false;
 }
@@ -301,6 +303,25 @@ void Cloths::set_grids(gpu::Device& device, std::span<const SolidGrid> grids)
     numbers.resize(std::max<size_t>(numbers.size(), 4));
     grids_ = gpu::upload_buffer(device, "cloth grids", numbers);
     rouses_all_ = true;
+}
+
+void Cloths::set_flows(gpu::Device& device, std::span<const Flow> flows)
+{
+    if (flows.size() > shared::cloth_most_flows) {
+        throw std::logic_error("more boxes of air than cloth knows of");
+    }
+    flows_.clear();
+    uint32_t cell_count = 0;
+    for (const Flow& flow : flows) {
+        flows_.push_back(
+            {.cells_from_place = flow.cells_from_place, .cells = flow.cells, .first = cell_count});
+        cell_count += flow.cells.x * flow.cells.y * flow.cells.z;
+    }
+    const uint64_t size_bytes = sizeof(glm::vec4) * std::max(cell_count, 1U);
+    if (flow_speeds_.empty() || flow_speeds_.size_bytes() < size_bytes) {
+        flow_speeds_ =
+            gpu::upload_buffer(device, "cloth flows", std::vector<glm::vec4>(std::max(cell_count, 1U)));
+    }
 }
 
 void Cloths::set_targets(gpu::Device& device, std::span<const glm::vec3> places_m)

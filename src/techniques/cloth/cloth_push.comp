@@ -35,6 +35,8 @@ layout(scalar, binding = 15) writeonly buffer Began
     vec4 began[]; // places, and how long each had been calm
 };
 
+layout(binding = 16) uniform samplerBuffer flow_texels;
+
 layout(push_constant, scalar) uniform Constants
 {
     ClothMoment moment;

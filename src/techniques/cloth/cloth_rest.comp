@@ -6,7 +6,7 @@
 
 layout(local_size_x = 64) in;
 
-#include "techniques/cloth/cloth_rest.glsl"
+#include "techniques/cloth/cloth_data.glsl"
 
 layout(binding = 10) uniform samplerBuffer place_texels;
 
@@ -20,10 +20,14 @@ layout(scalar, binding = 12) buffer Awake
     uint awake_in[]; // 1 more than the step, one a sheet: all that write it write the same
 };
 
+layout(binding = 13) uniform samplerBuffer flow_texels;
+
 layout(push_constant, scalar) uniform Constants
 {
     ClothMoment moment;
 };
+
+#include "techniques/cloth/cloth_rest.glsl"
 
 void main()
 {
@@ -35,7 +39,7 @@ void main()
         return;
     }
     uint particle = sheet.first + local;
-    bool is_awoken = is_roused(local, texelFetch(place_texels, int(particle)).xyz);
+    bool is_awoken = is_roused(local, texelFetch(place_texels, int(particle)).xyz, moment.step);
     if (is_awoken) {
         speeds[particle].w = 0.0;
     }

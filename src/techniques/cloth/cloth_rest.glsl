@@ -2,17 +2,11 @@
 #ifndef ESTAMPE_CLOTH_REST
 #define ESTAMPE_CLOTH_REST
 
-// When sheets rest: all of their particles have been calm for a while, and nothing about them moves. Told by
-// whole steps, as a small one's way is too short to be told from rounding.
+// When sheets rest: all of their particles have been calm for a while, and nothing about them moves.
+//
+// Wanted before: what cloth_flow.glsl wants.
 
-#include "techniques/cloth/cloth_data.glsl"
-
-// How long a particle has been calm, at the end of a step.
-float calm_after(float calm_s, vec3 began, vec3 ended)
-{
-    bool is_calm = distance(began, ended) <= run.rest_m_s * run.step_s;
-    return is_calm ? min(calm_s + run.step_s, cloth_rest_s) : 0.0;
-}
+#include "techniques/cloth/cloth_flow.glsl"
 
 // Whether a solid that moves in this run comes near a place.
 bool is_neared(vec3 place)
@@ -38,12 +32,14 @@ bool is_neared(vec3 place)
 }
 
 // Whether something other than its sheet moves a particle, or is about to.
-bool is_roused(uint local, vec3 place)
+bool is_roused(uint local, vec3 place, uint step)
 {
     vec4 before = texelFetch(target_before_texels, int(sheet.first + local));
     vec4 after = texelFetch(target_after_texels, int(sheet.first + local));
     bool is_led = after.w > 0.0 && before.xyz != after.xyz;
-    return run.rouses_all != 0u || is_led || is_neared(place);
+    bool is_blown =
+        (variant & cloth_bit_flow) != 0u && length(in_flows(place, vec3(0.0))) > cloth_breath_m_s;
+    return step < run.roused_steps || is_led || is_blown || is_neared(place);
 }
 
 #endif

@@ -6,7 +6,7 @@
 
 layout(local_size_x = 256) in;
 
-#include "techniques/cloth/cloth_rest.glsl"
+#include "techniques/cloth/cloth_data.glsl"
 
 layout(scalar, binding = 10) buffer Places
 {
@@ -23,6 +23,8 @@ layout(scalar, binding = 12) buffer Pushes
     vec4 pushes[];
 };
 
+layout(binding = 13) uniform samplerBuffer flow_texels;
+
 layout(push_constant, scalar) uniform Constants
 {
     ClothMoment moment;
@@ -30,7 +32,6 @@ layout(push_constant, scalar) uniform Constants
 
 shared vec4 predicted[2][cloth_small_group * cloth_small_share]; // by turns
 uint newest = 0u;
-shared uint awake_in; // 1 more than the step
 vec4 began[cloth_small_share]; // places, and how long each had been calm
 
 vec4 predicted_at(uint local)
@@ -50,6 +51,7 @@ uvec4 near_of(uint local)
 
 #include "techniques/cloth/cloth_air.glsl"
 #include "techniques/cloth/cloth_move.glsl"
+#include "techniques/cloth/cloth_rest.glsl"
 
 // What is written is seen by all, and what was read is free.
 void take_turns()
@@ -58,20 +60,21 @@ void take_turns()
     newest = 1u - newest;
 }
 
-// What the step begins with, and whether there has to be one.
+// What the step begins with, and whether there has to be one: the first particle's share of links, which this
+// turn has no use for and is never negative, tells it. There is no shared memory left.
 bool is_awake(uint step)
 {
     for (uint local = gl_LocalInvocationID.x; local < sheet.count; local += cloth_small_group) {
         vec4 place = places[sheet.first + local];
-        float calm_s = is_roused(local, place.xyz) ? 0.0 : speeds[sheet.first + local].w;
-        predicted[1u - newest][local] = place;
+        float calm_s = is_roused(local, place.xyz, step) ? 0.0 : speeds[sheet.first + local].w;
+        predicted[1u - newest][local].xyz = place.xyz;
         began[local / cloth_small_group] = vec4(place.xyz, calm_s);
         if (calm_s < cloth_rest_s) {
-            awake_in = step + 1u;
+            predicted[1u - newest][0].w = -float(step + 1u);
         }
     }
     take_turns();
-    return awake_in == step + 1u;
+    return predicted[newest][0].w == -float(step + 1u);
 }
 
 void begin_step(uint step)
@@ -112,7 +115,7 @@ void main()
 {
     sheet = sheets[sheet_of_group[moment.first_group + gl_WorkGroupID.x]];
     if (gl_LocalInvocationID.x == 0u) {
-        awake_in = 0u;
+        predicted[1u - newest][0].w = 0.0;
     }
     barrier();
     for (uint step = 0u; step < run.step_count; ++step) {

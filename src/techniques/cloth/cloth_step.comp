@@ -6,7 +6,7 @@
 
 layout(local_size_x = 64) in;
 
-#include "techniques/cloth/cloth_rest.glsl"
+#include "techniques/cloth/cloth_data.glsl"
 
 layout(scalar, binding = 10) buffer Places
 {

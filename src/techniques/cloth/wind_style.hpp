@@ -5,7 +5,7 @@
 
 namespace estampe::cloth {
 
-enum class WindSource : uint8_t { automatic, style };
+enum class WindSource : uint8_t { automatic, style, smoke };
 
 /// The wind that moves cloth.
 struct WindStyle {
