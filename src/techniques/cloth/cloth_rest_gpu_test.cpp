@@ -76,7 +76,7 @@ TEST(ClothRest, IsNotForWhatIsSlowForAMoment)
     Sheet sheet = hung_by_its_edge(5, 5, {.damping_per_s = 0.0F});
     Lab lab(sheet);
     lab.run(1.0);
-    lab.carry(glm::rotate(glm::mat4(1.0F), 0.05F, glm::vec3(1.0F, 0.0F, 0.0F)));
+    lab.carry(glm::rotate(glm::mat4(1.0F), 0.02F, glm::vec3(1.0F, 0.0F, 0.0F)));
     double farthest_m = 0.0;
     double nearest_m = 1.0;
     for (int i = 0; i < 24; ++i) {
@@ -85,7 +85,7 @@ TEST(ClothRest, IsNotForWhatIsSlowForAMoment)
         farthest_m = std::max(farthest_m, state.places_m.back().z);
         nearest_m = std::min(nearest_m, state.places_m.back().z);
     }
-    EXPECT_GT(farthest_m - nearest_m, 0.02);
+    EXPECT_GT(farthest_m - nearest_m, 0.01);
     sheet.cloth.damping_per_s = 12.0F;
     Lab never(sheet);
     never.air.rest_m_s = 0.0F;
@@ -112,6 +112,8 @@ TEST(ClothRest, BeginsAtTheSameStepHoweverStepsAreCutIntoRuns)
         }
         EXPECT_TRUE(last.places_m == whole.places_m) << kind.name;
         EXPECT_TRUE(last.speeds_m_s == whole.speeds_m_s) << kind.name;
+        at_once.cloths().set_grids(test::shared_device(), {}); // wakes it, and no more
+        EXPECT_EQ(at_once.run(0.75).calm_s, shared::cloth_rest_s) << kind.name;
     }
 }
 
