@@ -73,7 +73,7 @@ TEST(ClothRest, ComesAndStaysBitByBit)
 TEST(ClothRest, IsNotForWhatIsSlowForAMoment)
 {
     // A pendulum at its turning point.
-    Sheet sheet = hung_by_its_edge(5, 5, {.damping_per_s = 0.0F});
+    Sheet sheet = hung_by_its_edge(5, 5, {});
     Lab lab(sheet);
     lab.run(1.0);
     lab.carry(glm::rotate(glm::mat4(1.0F), 0.02F, glm::vec3(1.0F, 0.0F, 0.0F)));
