@@ -25,7 +25,7 @@ SHARED_CONSTANT uint cloth_small_share = 4U;   // particles of each of them
 SHARED_CONSTANT uint cloth_most_tethers = 4U;
 SHARED_CONSTANT uint cloth_most_flows = 8U;
 SHARED_CONSTANT float cloth_breath_m_s = 0.05F; // what blows less moves nothing of note
-SHARED_CONSTANT float cloth_rest_s = 0.5F; // a sheet that has been calm for so long rests
+SHARED_CONSTANT float cloth_rest_s = 0.5F;      // a sheet that has been calm for so long rests
 
 // A particle's mass is shared among its links: those to direct neighbours have so much more than far ones.
 SHARED_CONSTANT float cloth_near_share = 3.0F;
@@ -104,8 +104,8 @@ struct ClothRun {
     float time_s;     // of the first step's beginning
     float air_kg_m3;
     float most_speed_m_s;
-    vec3 origin_m;   // of places, in that of the wind
-    float rest_m_s;  // what is slower is calm; negative: nothing is
+    vec3 origin_m;     // of places, in that of the wind
+    float rest_m_s;    // what is slower is calm; negative: nothing is
     uint roused_steps; // in so many no sheet rests, whatever it does
     uint flow_count;
     ClothFlow flows[cloth_most_flows];
