@@ -36,6 +36,7 @@ std::optional<std::vector<smoke::Box>> Renderer::Impl::blow_cloth(const ScenePos
         notes.emplace_back("wind.from is smoke, of which there is none");
     }
     std::vector<cloth::Flow> flows;
+    flows.reserve(boxes.size());
     for (const smoke::Box& box : boxes) {
         flows.push_back({.cells = box.cells, .cells_from_place = box.grid_from_anchor});
     }
