@@ -33,9 +33,11 @@ struct Options {
     float wind_m_s = 5.0F;
     float step_s = 1.0F / 120.0F;
     float effort = 1.0F;
+    float before_s = 0.0F;
     bool verlet = false;
     bool descent = false;
     bool strain = false;
+    bool restless = false;
     bool passes = false;
 };
 
@@ -149,6 +151,15 @@ void measure(const Options& options)
                       gpu::MemoryUse::device);
     cloth::Surroundings surroundings{.step_s = options.step_s, .effort = options.effort};
     surroundings.wind.speed_m_s = options.wind_m_s;
+    surroundings.rest_m_s = options.restless ? 0.0F : surroundings.rest_m_s;
+    for (auto left = static_cast<uint32_t>(options.before_s / options.step_s); left > 0;) {
+        const uint32_t now = std::min(left, cloths.most_steps(surroundings));
+        left -= now;
+        gpu::Graph graph;
+        cloth::Cloths::Handles handles = cloths.import(graph);
+        cloths.add_steps(graph, handles, surroundings, now);
+        executor.run(graph);
+    }
     const auto steps = static_cast<uint32_t>(std::max(1.0F, std::round(1.0F / 60.0F / options.step_s)));
     std::vector<double> device_ms;
     std::vector<double> wall_ms;
@@ -201,6 +212,8 @@ int main(int count, char** arguments)
     app.add_option("--step", options.step_s, "Seconds; a frame is a sixtieth")
         ->check(CLI::Range(1e-4, 1.0 / 30));
     app.add_option("--effort", options.effort)->check(CLI::Range(0.05, 8.0));
+    app.add_option("--before", options.before_s, "Seconds that they have moved when frames begin");
+    app.add_flag("--restless", options.restless, "None comes to rest");
     app.add_flag("--verlet", options.verlet, "The thesis's relaxation");
     app.add_flag("--descent", options.descent, "Vertex block descent");
     app.add_flag("--strain", options.strain, "Tells what one sheet stretches instead");

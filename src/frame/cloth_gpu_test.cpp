@@ -86,6 +86,73 @@ TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
     EXPECT_EQ(film_frame(renderer, set_up, style, 3).rgba, whole[3].rgba);
 }
 
+/// A flag that is soon at rest where no wind blows.
+ClothScene limp_flag()
+{
+    ClothScene set_up = make_set_up("flag", 0.3F);
+    Node& flag =
+        *std::ranges::find_if(set_up.scene.nodes, [](const Node& node) { return node.cloth.has_value(); });
+    flag.cloth->damping_per_s = 15.0F;
+    set_up.style.emplace_back("wind.speed_m_s=0");
+    return set_up;
+}
+
+TEST(ClothFrame, WhatRestsIsTakenUpAtRestAndWokenByTheStyle)
+{
+    const ClothScene set_up = limp_flag();
+    const Style style = style_of(set_up, "cloth.settle_s=4");
+    Renderer& renderer = test::shared_renderer();
+    const auto film = [&](uint32_t count, bool is_taken_up) {
+        std::vector<Image> frames;
+        for (uint32_t i = 0; i < count; ++i) {
+            if (i == 1 && is_taken_up) {
+                const auto memory = renderer.film_memory();
+                renderer.set_scene(set_up.scene);
+                renderer.recall_film(memory);
+            }
+            frames.push_back(film_frame(renderer, set_up, style, i));
+        }
+        return frames;
+    };
+    renderer.set_scene(set_up.scene);
+    const std::vector<Image> whole = film(3, false);
+    EXPECT_EQ(differing(whole[1], whole[0]), 0U); // it rests
+    const Image blown = film_frame(renderer, set_up, style_of(set_up, "wind.speed_m_s=6"), 8);
+    EXPECT_GT(differing(blown, whole[2]), 20U);
+    const std::vector<Image> taken_up = film(3, true);
+    EXPECT_EQ(taken_up[1].rgba, whole[1].rgba);
+    EXPECT_EQ(taken_up[2].rgba, whole[2].rgba);
+    const Style restless = style_of(set_up, "cloth.rest_mm_s=0");
+    static_cast<void>(film_frame(renderer, set_up, restless, 0));
+    const Image still = renderer.render(set_up.camera, style, small);
+    EXPECT_EQ(still.rgba, whole[0].rgba); // whatever was awake before
+}
+
+TEST(ClothFrame, AirOfSmokeBlowsOnIt)
+{
+    ClothScene set_up = limp_flag();
+    Node node{.name = "draught"};
+    node.transform.translation = {1.0, 1.5, 0.0};
+    node.transform.scale = glm::dvec3(2.5, 2.0, 2.5);
+    set_up.scene.roots.push_back(static_cast<Index>(set_up.scene.nodes.size()));
+    set_up.scene.nodes.push_back(node);
+    for (const char* assignment :
+         {"smoke.drawn=true", "smoke.objects=draught", "smoke.cells=16", "smoke.age_s=0.2",
+          "smoke.amount_per_s=0", "smoke.wind_m_s=5", "smoke.wind_deg=90"}) {
+        set_up.style.emplace_back(assignment);
+    }
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(set_up.scene);
+    const Image limp = renderer.render(set_up.camera, style_of(set_up), small);
+    const Style style = style_of(set_up, "wind.from=smoke");
+    const Image blown = renderer.render(set_up.camera, style, small);
+    EXPECT_GT(differing(blown, limp), 100U);
+    EXPECT_EQ(renderer.render(set_up.camera, style, small).rgba, blown.rgba);
+    EXPECT_EQ(film_frame(renderer, set_up, style, 0).rgba, blown.rgba);
+    EXPECT_GT(differing(film_frame(renderer, set_up, style, 3), blown), 20U);
+    EXPECT_EQ(renderer.render(set_up.camera, style_of(set_up), small).rgba, limp.rgba);
+}
+
 TEST(ClothFrame, MotionIsOfTheSheetToo)
 {
     const ClothScene set_up = make_set_up("flag", 0.5F);

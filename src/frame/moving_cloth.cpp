@@ -216,7 +216,8 @@ std::optional<ClothRun> MovingCloth::plan(const RenderSettings& settings, const 
                                           std::optional<double> before_s) const
 {
     constexpr double longest_gap_s = 10.0;
-    const bool is_same_still = is_still_ && settings.continuity == Continuity::still && !before_s &&
+    const bool is_same_still = is_still_ && style.wind.from != cloth::WindSource::smoke &&
+                               settings.continuity == Continuity::still && !before_s &&
                                time_s_ == settings.time_s && animation_ == settings.animation &&
                                wind_ == style.wind && style_ == style.cloth;
     if (is_same_still) {
@@ -246,8 +247,11 @@ void MovingCloth::done(const RenderSettings& settings, const StyleTables& style)
 cloth::Surroundings MovingCloth::surroundings(const Scene& scene, const StyleTables& style,
                                               const ClothMoments& moments, const glm::dvec3& anchor) const
 {
-    cloth::Surroundings result{
-        .time_s = moments.step_s, .wind = style.wind, .origin_m = anchor, .effort = style.cloth.effort};
+    cloth::Surroundings result{.time_s = moments.step_s,
+                               .wind = style.wind,
+                               .origin_m = anchor,
+                               .effort = style.cloth.effort,
+                               .rest_m_s = 1e-3F * style.cloth.rest_mm_s};
     if (style.wind.from == cloth::WindSource::automatic && scene.terrain) {
         const TerrainWind& wind = scene.terrain->description().wind;
         result.wind.speed_m_s = wind.speed_m_s;

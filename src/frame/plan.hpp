@@ -128,8 +128,9 @@ struct FramePlan {
     std::optional<shared::LensConstants> lens;
     std::optional<MotionPlan> motion;
     std::optional<MotionBlurPlan> motion_blur;
-    std::optional<InkPlan> ink;     ///< that flows
-    std::vector<smoke::Lamp> lamps; ///< that smoke stands in, where the style has any
+    std::optional<InkPlan> ink;                   ///< that flows
+    std::optional<std::vector<smoke::Box>> risen; ///< where smoke rose already, for cloth
+    std::vector<smoke::Lamp> lamps;               ///< that smoke stands in, where the style has any
     std::optional<SmokePlan> smoke;
 };
 

@@ -283,6 +283,8 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     const pose::MeshData& layout = loaded->layout;
     const ScenePose& scene_pose = pose_at(settings);
     check_places(loaded->scene, scene_pose);
+    notes = loaded->notes;
+    const auto risen = blow_cloth(scene_pose, tables, settings);
     update_cloth(settings, tables);
     const bool has_cloth_moved = loaded->cloth && loaded->cloth->has_moved;
     const std::optional<double> before_s = moment_before(settings, tables);
@@ -315,7 +317,6 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
                          tables.smoke, settings.time_s);
     }
     const float lightmap_scale = frame::make_room(lighting, loaded->baked, tables.lightmap);
-    notes = loaded->notes;
     if (loaded->terrain && !loaded->terrain->problem().empty()) {
         notes.push_back(fmt::format("the ground is drawn slowly: {}", loaded->terrain->problem()));
     }
@@ -334,6 +335,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
                                                .clouds = cloud_memory},
                                               std::exchange(plan_lists, {}));
     plan.light.lightmap_scale = lightmap_scale;
+    plan.risen = risen;
     plan.particles = frame::provide_particles(
         device, executor, particles,
         {.loaded = *loaded,
@@ -389,7 +391,8 @@ std::optional<frame::SmokePlan> Renderer::Impl::plan_smoke(const frame::FramePla
                                  .settings = settings,
                                  .style = tables,
                                  .lamps = plan.lamps,
-                                 .ambient = plan.light.ambient},
+                                 .ambient = plan.light.ambient,
+                                 .risen = plan.risen ? &*plan.risen : nullptr},
                                 notes);
 }
 

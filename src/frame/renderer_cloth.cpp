@@ -16,6 +16,39 @@ constexpr uint32_t steps_between_poses = 4; // in between all that is held goes 
 
 } // namespace
 
+std::optional<std::vector<smoke::Box>> Renderer::Impl::blow_cloth(const ScenePose& pose,
+                                                                  const frame::StyleTables& style,
+                                                                  const RenderSettings& settings)
+{
+    if (!loaded->cloth) {
+        return std::nullopt;
+    }
+    cloth::Cloths& sheets = loaded->cloth->sheets();
+    if (style.wind.from != cloth::WindSource::smoke) {
+        sheets.set_flows(device, {});
+        return std::nullopt;
+    }
+    const std::vector<smoke::Lamp> none;
+    auto boxes = rising_smoke.rise(
+        device, executor,
+        {.loaded = *loaded, .pose = pose, .settings = settings, .style = style, .lamps = none}, notes);
+    if (boxes.empty()) {
+        notes.emplace_back("wind.from is smoke, of which there is none");
+    }
+    std::vector<cloth::Flow> flows;
+    flows.reserve(boxes.size());
+    for (const smoke::Box& box : boxes) {
+        flows.push_back({.cells = box.cells, .cells_from_place = box.grid_from_anchor});
+    }
+    sheets.set_flows(device, flows);
+    for (size_t i = 0; i < flows.size(); ++i) {
+        gpu::Graph graph;
+        sheets.add_flow(graph, i, rising_smoke.velocity(graph, i));
+        executor.run(graph);
+    }
+    return boxes;
+}
+
 void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::StyleTables& style)
 {
     if (!loaded->cloth) {
@@ -61,7 +94,7 @@ void Renderer::Impl::start_cloth(const frame::ClothRun& run, const RenderSetting
     cloth::Cloths& sheets = loaded->cloth->sheets();
     gpu::Graph graph;
     const gpu::BufferId posed = pose_for_cloth(graph, run.from_s, settings.animation);
-    sheets.forget_targets();
+    sheets.forget_before();
     cloth::Cloths::Handles handles = sheets.import(graph);
     sheets.add_targets(graph, handles, posed);
     if (run.starts_anew) {
@@ -97,7 +130,7 @@ void Renderer::Impl::step_cloth(double from_s, double to_s, const RenderSettings
         const gpu::BufferId posed = pose_for_cloth(graph, from_s + done * step_s, settings.animation);
         const auto carries = cloth.carries(*loaded->pose, loaded->layout.anchor, now * step_s);
         if (!carries.empty()) {
-            sheets.forget_targets();
+            sheets.forget_before();
         }
         cloth::Cloths::Handles handles = sheets.import(graph);
         sheets.add_targets(graph, handles, posed);

@@ -73,6 +73,9 @@ struct Renderer::Impl {
     /// Brings the ground to where the eye is.
     void update_terrain(const Camera& camera, const RenderSettings& settings,
                         const frame::StyleTables& style);
+    /// Tells cloth how the air of smoke moves, where the style has it blow; which lets that rise.
+    [[nodiscard]] std::optional<std::vector<smoke::Box>>
+    blow_cloth(const ScenePose& pose, const frame::StyleTables& style, const RenderSettings& settings);
     /// Brings cloth to where the picture wants it; afterwards the scene is posed as it was somewhere on the
     /// way.
     void update_cloth(const RenderSettings& settings, const frame::StyleTables& style);

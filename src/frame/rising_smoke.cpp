@@ -358,28 +358,28 @@ std::unique_ptr<RisingSmoke::Column> RisingSmoke::started(gpu::Device& device, g
     return column;
 }
 
-std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor& executor,
-                                              const SmokeInputs& in, std::vector<std::string>& notes)
+std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& executor, const SmokeInputs& in,
+                                          std::vector<std::string>& notes)
 {
     const smoke::SmokeStyle& style = in.style.smoke;
-    SmokePlan plan;
+    std::vector<smoke::Box> boxes;
     if (style.drawn) {
-        plan.boxes = smoke_boxes(in.loaded.scene, in.pose, in.loaded.layout.anchor, style.objects,
-                                 std::bit_floor(style.cells));
+        boxes = smoke_boxes(in.loaded.scene, in.pose, in.loaded.layout.anchor, style.objects,
+                            std::bit_floor(style.cells));
     }
-    if (style.drawn && plan.boxes.empty()) {
+    if (style.drawn && boxes.empty()) {
         notes.push_back(
             fmt::format("smoke.objects speaks of objects without a mesh {}, of which the scene has none",
                         style::in_quotes(style.objects)));
     }
-    if (plan.boxes.empty()) {
+    if (boxes.empty()) {
         forget();
-        return std::nullopt;
+        return {};
     }
-    if (plan.boxes.size() > shared::smoke_most_boxes) {
+    if (boxes.size() > shared::smoke_most_boxes) {
         notes.push_back(fmt::format("smoke rises from the first {} of {} objects", shared::smoke_most_boxes,
-                                    plan.boxes.size()));
-        plan.boxes.resize(shared::smoke_most_boxes);
+                                    boxes.size()));
+        boxes.resize(shared::smoke_most_boxes);
     }
     const double time_s = in.settings.time_s;
     std::erase_if(columns_, [&](const auto& column) {
@@ -387,7 +387,7 @@ std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor
                time_s - column->time_s > longest_gap_s;
     });
     std::vector<std::unique_ptr<Column>> columns;
-    for (smoke::Box& box : plan.boxes) {
+    for (smoke::Box& box : boxes) {
         columns.push_back(started(device, executor, box, in));
         Column& column = *columns.back();
         let_rise(*column.fluid, executor, box, style, time_s - column.time_s);
@@ -395,6 +395,22 @@ std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor
         carry_along(box, style, time_s);
     }
     columns_ = std::move(columns);
+    return boxes;
+}
+
+gpu::ImageId RisingSmoke::velocity(gpu::Graph& graph, size_t box)
+{
+    return columns_.at(box)->fluid->add_steps(graph, {}, 0).velocity;
+}
+
+std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor& executor,
+                                              const SmokeInputs& in, std::vector<std::string>& notes)
+{
+    const smoke::SmokeStyle& style = in.style.smoke;
+    SmokePlan plan{.boxes = in.risen ? *in.risen : rise(device, executor, in, notes)};
+    if (plan.boxes.empty()) {
+        return std::nullopt;
+    }
     const shared::SmokeGlobals globals =
         smoke::globals_of(plan.boxes, style, {.lamps = in.lamps, .ambient = in.ambient});
     globals_ = gpu::upload_buffer(device, "smoke globals", std::vector{globals});

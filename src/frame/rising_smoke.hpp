@@ -37,7 +37,8 @@ struct SmokeInputs {
     const RenderSettings& settings;
     const StyleTables& style;
     const std::vector<smoke::Lamp>& lamps;
-    float ambient = 0.0F; ///< luminance
+    float ambient = 0.0F;                           ///< luminance
+    const std::vector<smoke::Box>* risen = nullptr; ///< what rise() returned, if it has been called
 };
 
 struct SmokePlan {
@@ -71,10 +72,17 @@ public:
     RisingSmoke(const RisingSmoke&) = delete;
     RisingSmoke& operator=(const RisingSmoke&) = delete;
 
-    /// Lets the smoke rise to the moment of a picture, and plans how it is lit and drawn there; nothing
-    /// where the style or the scene has none. It goes on from the picture before where that is followed, at
-    /// most a second later; else it starts `age_s` ago, and takes 24 steps for each of these seconds.
-    /// Patterns that name nothing, or more than shared::smoke_most_boxes, go into `notes`.
+    /// Lets the smoke rise to the moment of a picture, and returns its boxes; none where the style or the
+    /// scene has none. It goes on from the picture before where that is followed, at most a second later;
+    /// else it starts `age_s` ago, and takes 24 steps for each of these seconds. Patterns that name nothing,
+    /// or more than shared::smoke_most_boxes, go into `notes`.
+    [[nodiscard]] std::vector<smoke::Box> rise(gpu::Device& device, gpu::Executor& executor,
+                                               const SmokeInputs& in, std::vector<std::string>& notes);
+
+    /// The velocity in a box of those; once a graph.
+    [[nodiscard]] gpu::ImageId velocity(gpu::Graph& graph, size_t box);
+
+    /// Plans how the smoke is lit and drawn, which rises before unless it has; nothing where there is none.
     [[nodiscard]] std::optional<SmokePlan> provide(gpu::Device& device, gpu::Executor& executor,
                                                    const SmokeInputs& in, std::vector<std::string>& notes);
 

@@ -103,7 +103,9 @@ std::vector<uint8_t> standing_cells(const Scene& scene, const ScenePose& pose, c
         const std::vector<glm::mat4> one{glm::mat4(1.0F)};
         for (const glm::mat4& instance : node.instances.empty() ? one : node.instances) {
             for (const Primitive& primitive : scene.meshes[node.mesh].primitives) {
-                if (primitive.topology == Topology::triangles && primitive.morph_targets.empty()) {
+                const bool is_rigid =
+                    primitive.morph_targets.empty() && cloth_of(scene, node, primitive) == nullptr;
+                if (primitive.topology == Topology::triangles && is_rigid) {
                     touch_all(cells, primitive, grid_from_node * glm::dmat4(instance));
                 }
             }

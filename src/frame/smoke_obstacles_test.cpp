@@ -2,6 +2,7 @@
 // Where smoke's box stands, and what of it is solid.
 #include "frame/smoke_obstacles.hpp"
 
+#include <algorithm>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -20,6 +21,19 @@ Scene one_triangle(const std::array<glm::vec3, 3>& corners)
     scene.nodes.push_back({.mesh = 0});
     scene.roots = {0};
     return scene;
+}
+
+TEST(SmokeObstacles, AreNoCloth)
+{
+    Scene scene = one_triangle({glm::vec3(1.0F), {5.0F, 1.0F, 2.0F}, {1.0F, 6.0F, 3.0F}});
+    const smoke::Box box{.cells = glm::uvec3(8)};
+    const auto touched = [&] {
+        const auto cells = standing_cells(scene, pose_scene(scene, 0.0), glm::dvec3(0.0), box);
+        return std::ranges::count(cells, 1);
+    };
+    EXPECT_GT(touched(), 10);
+    scene.nodes[0].cloth = Cloth{};
+    EXPECT_EQ(touched(), 0);
 }
 
 TEST(SmokeObstacles, AreAllCellsThatATriangleTouchesAndNoOther)

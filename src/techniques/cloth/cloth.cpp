@@ -13,8 +13,10 @@
 #include "gpu/read_back.hpp"
 #include "shaders/cloth_carry_comp.hpp"
 #include "shaders/cloth_descend_comp.hpp"
+#include "shaders/cloth_flow_comp.hpp"
 #include "shaders/cloth_near_comp.hpp"
 #include "shaders/cloth_push_comp.hpp"
+#include "shaders/cloth_rest_comp.hpp"
 #include "shaders/cloth_small_comp.hpp"
 #include "shaders/cloth_step_comp.hpp"
 #include "shaders/cloth_target_comp.hpp"
@@ -38,6 +40,19 @@ glm::vec3 direction_of(const WindStyle& wind)
 {
     const float angle_rad = wind.direction_deg * std::numbers::pi_v<float> / 180.0F;
     return {std::cos(angle_rad), 0.0F, std::sin(angle_rad)};
+}
+
+/// A breath of wind moves nothing of note.
+bool blows(const Surroundings& now)
+{
+    return now.air_kg_m3 > 0.0F && now.wind.speed_m_s > shared::cloth_breath_m_s;
+}
+
+/// Whether sheets at rest in `before` would not be in `now`, but for the wind.
+bool are_other(const Surroundings& now, const Surroundings& before)
+{
+    return before.gravity_m_s2 != now.gravity_m_s2 || before.effort != now.effort ||
+           before.rest_m_s != now.rest_m_s;
 }
 
 bool is_of_grid(const shared::ClothCollider& solid)
@@ -64,7 +79,7 @@ uint32_t Cloths::most_steps(const Surroundings& surroundings) const
     for (const Kind& kind : kinds_) {
         const auto descents = static_cast<uint32_t>(sweeps_of_descent * kind.colours.size());
         const uint32_t searches = (kind.variant & shared::cloth_bit_self) != 0 ? 3 : 0;
-        passes += kind.is_small ? 0 : 1 + searches + small_steps(kind, surroundings) * (1 + descents);
+        passes += kind.is_small ? 0 : 2 + searches + small_steps(kind, surroundings) * (1 + descents);
     }
     return passes == 0 ? most_at_once : std::clamp(most_passes / passes, 1U, most_at_once);
 }
@@ -95,24 +110,31 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
     find_met_solids();
     const size_t size_bytes = met_.size() * sizeof(shared::ClothCollider);
     const bool moves = !met_.empty() && std::memcmp(met_before_.data(), met_.data(), size_bytes) != 0;
+    const bool rouses = rouses_all_ || (surroundings_ && are_other(surroundings, *surroundings_));
+    const uint32_t roused_steps = blows(surroundings) ? count : (rouses ? 1U : 0U);
     float longest_small_s = 0.0F;
     for (Kind& kind : kinds_) {
-        const shared::ClothRun run{.gravity_m_s2 = surroundings.gravity_m_s2,
-                                   .step_s = std::min(surroundings.step_s, longest_step_s),
-                                   .step_count = count,
-                                   .small_steps = small_steps(kind, surroundings),
-                                   .collider_count = static_cast<uint32_t>(met_.size()),
-                                   .collider_stride = moves ? static_cast<uint32_t>(met_.size()) : 0,
-                                   .wind_m_s = wind.speed_m_s * direction_of(wind),
-                                   .ahead_m = static_cast<float>(surroundings.ahead_m) * direction_of(wind),
-                                   .gustiness = wind.gustiness,
-                                   .gust_m = wind.gust_m,
-                                   .turbulence = wind.turbulence,
-                                   .eddy_m = wind.eddy_m,
-                                   .time_s = static_cast<float>(surroundings.time_s),
-                                   .air_kg_m3 = surroundings.air_kg_m3,
-                                   .most_speed_m_s = 60.0F,
-                                   .origin_m = glm::vec3(surroundings.origin_m)};
+        shared::ClothRun run{.gravity_m_s2 = surroundings.gravity_m_s2,
+                             .step_s = std::min(surroundings.step_s, longest_step_s),
+                             .step_count = count,
+                             .small_steps = small_steps(kind, surroundings),
+                             .collider_count = static_cast<uint32_t>(met_.size()),
+                             .collider_stride = moves ? static_cast<uint32_t>(met_.size()) : 0,
+                             .wind_m_s = wind.speed_m_s * direction_of(wind),
+                             .ahead_m = static_cast<float>(surroundings.ahead_m) * direction_of(wind),
+                             .gustiness = wind.gustiness,
+                             .gust_m = wind.gust_m,
+                             .turbulence = wind.turbulence,
+                             .eddy_m = wind.eddy_m,
+                             .time_s = static_cast<float>(surroundings.time_s),
+                             .air_kg_m3 = surroundings.air_kg_m3,
+                             .most_speed_m_s = 60.0F,
+                             .origin_m = glm::vec3(surroundings.origin_m),
+                             .rest_m_s = surroundings.rest_m_s > 0.0F ? surroundings.rest_m_s : -1.0F,
+                             .roused_steps = roused_steps,
+                             .flow_count = static_cast<uint32_t>(flows_.size()),
+                             .flows = {}};
+        std::ranges::copy(flows_, std::begin(run.flows));
         std::memcpy(kind.run.mapped().data(), &run, sizeof run);
         const bool is_cut = (kind.variant & (shared::cloth_bit_relax | shared::cloth_bit_descent)) == 0;
         longest_small_s =
@@ -130,6 +152,8 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
         std::memcpy(solids + size_bytes, met_.data(), size_bytes);
     }
     solids_before_ = solids_;
+    surroundings_ = surroundings;
+    rouses_all_ = false;
 }
 
 Cloths::Handles Cloths::import(gpu::Graph& graph)
@@ -174,6 +198,16 @@ void Cloths::add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId pose
     add(handles.targets[1]);
 }
 
+void Cloths::add_flow(gpu::Graph& graph, size_t flow, gpu::ImageId velocity)
+{
+    const shared::ClothFlow& box = flows_.at(flow);
+    auto pass = graph.compute("cloth/flow", shaders::cloth_flow_comp);
+    pass.sample(velocity);
+    graph.export_buffer(pass.modify(gpu::import_whole(graph, "cloth/flows", flow_speeds_)));
+    const glm::uvec3 groups = (box.cells + 3U) / 4U;
+    pass.push(box).dispatch(groups.x, groups.y, groups.z);
+}
+
 void Cloths::add_carry(gpu::Graph& graph, Handles& handles, std::span<const glm::mat4> carries)
 {
     std::memcpy(carries_.mapped().data(), carries.data(), carries.size_bytes());
@@ -193,11 +227,24 @@ void Cloths::add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind)
     handles.places = pass.modify(handles.places);
     handles.speeds = pass.modify(handles.speeds);
     handles.pushes = pass.modify(handles.pushes);
+    pass.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
     pass.variant(kind.variant).push(shared::ClothMoment{.first_group = kind.first_group});
     pass.dispatch(kind.group_count);
 }
 
-void Cloths::add_near(gpu::Graph& graph, Handles& handles, Kind& kind)
+void Cloths::add_rest(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId& awake)
+{
+    auto pass = graph.compute("cloth/rest", shaders::cloth_rest_comp);
+    bind_common(graph, pass, handles, kind.run, sheet_of_group_);
+    pass.sample(handles.places, gpu::Format::rgba32f);
+    handles.speeds = pass.modify(handles.speeds);
+    awake = pass.modify(awake);
+    pass.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
+    pass.variant(kind.variant).push(shared::ClothMoment{.step = step, .first_group = kind.first_group});
+    pass.dispatch(kind.group_count);
+}
+
+void Cloths::add_near(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake)
 {
     const uint32_t cells = std::bit_ceil(std::max(2 * particle_count_, 64U));
     gpu::BufferId first_in_cell = gpu::add_zeros(graph, "cloth/cells", sizeof(uint32_t) * cells);
@@ -211,15 +258,18 @@ void Cloths::add_near(gpu::Graph& graph, Handles& handles, Kind& kind)
         first_in_cell = pass.modify(first_in_cell);
         next_in_cell = is_search != 0 ? pass.modify(next_in_cell) : pass.write(next_in_cell);
         handles.near = pass.modify(handles.near);
+        pass.read(awake);
         pass.variant(kind.variant)
-            .push(shared::ClothNearConstants{
-                .first_group = kind.first_group, .cell_mask = cells - 1, .is_search = is_search});
+            .push(shared::ClothNearConstants{.first_group = kind.first_group,
+                                             .cell_mask = cells - 1,
+                                             .is_search = is_search,
+                                             .step = step});
         pass.dispatch(kind.group_count);
     }
 }
 
 void Cloths::add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
-                         uint32_t predicted)
+                         uint32_t predicted, gpu::BufferId awake)
 {
     for (uint32_t sweep = 0; sweep < sweeps_of_descent; ++sweep) {
         for (const glm::uvec2& colour : kind.colours) {
@@ -227,7 +277,8 @@ void Cloths::add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const 
             bind_common(graph, pass, handles, kind.run, sheet_of_group_);
             pass.read(handles.places).read(handles.speeds).read(handles.pushes);
             handles.predicted.at(predicted) = pass.modify(handles.predicted.at(predicted));
-            pass.sample(gpu::import_whole(graph, "cloth/by colour", by_colour_), gpu::Format::r32ui);
+            pass.sample(gpu::import_whole(graph, "cloth/by colour", by_colour_), gpu::Format::r32ui)
+                .read(awake);
             shared::ClothMoment own = moment;
             own.first_group = colour.x;
             pass.variant(kind.variant).push(own).dispatch(colour.y);
@@ -236,27 +287,32 @@ void Cloths::add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const 
 }
 
 void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
-                              uint32_t small_steps)
+                              uint32_t small_steps, gpu::BufferId& awake)
 {
+    add_rest(graph, handles, kind, step, awake);
     if ((kind.variant & shared::cloth_bit_self) != 0) {
-        add_near(graph, handles, kind);
+        add_near(graph, handles, kind, step, awake);
     }
     auto push = graph.compute("cloth/push", shaders::cloth_push_comp);
     bind_common(graph, push, handles, kind.run, sheet_of_group_);
     push.sample(handles.places, gpu::Format::rgba32f).read(handles.speeds);
     handles.pushes = push.modify(handles.pushes);
     handles.predicted[0] = push.modify(handles.predicted[0]);
+    push.read(awake);
+    const gpu::BufferId began =
+        push.write(graph.buffer("cloth/began", {.size_bytes = sizeof(glm::vec4) * particle_count_}));
+    push.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
     push.variant(kind.variant).push(shared::ClothMoment{.step = step, .first_group = kind.first_group});
     push.dispatch(kind.group_count);
     for (uint32_t i = 0; i < small_steps; ++i) {
-        add_descent(graph, handles, kind, {.step = step, .small_step = i}, i % 2);
+        add_descent(graph, handles, kind, {.step = step, .small_step = i}, i % 2, awake);
         auto pass = graph.compute("cloth/step", shaders::cloth_step_comp);
         bind_common(graph, pass, handles, kind.run, sheet_of_group_);
         handles.places = pass.modify(handles.places);
         handles.speeds = pass.modify(handles.speeds);
         pass.read(handles.pushes).sample(handles.predicted[i % 2], gpu::Format::rgba32f);
         handles.predicted[1 - i % 2] = pass.modify(handles.predicted[1 - i % 2]);
-        pass.sample(handles.near);
+        pass.sample(handles.near).read(awake).read(began);
         const bool is_last = i + 1 == small_steps;
         pass.variant(kind.variant | (is_last ? shared::cloth_bit_last : 0U))
             .push(shared::ClothMoment{.step = step, .small_step = i, .first_group = kind.first_group});
@@ -274,17 +330,23 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     const uint32_t surrounded =
         (met_.empty() ? 0U : shared::cloth_bit_colliders) |
         (std::ranges::any_of(met_, is_of_grid) ? shared::cloth_bit_grids : 0U) |
+        (flows_.empty() ? 0U : shared::cloth_bit_flow) |
         (wind.speed_m_s > 0.0F && (wind.gustiness > 0.0F || wind.turbulence > 0.0F) ? shared::cloth_bit_gusts
                                                                                     : 0U);
+    std::optional<gpu::BufferId> awake; // of large sheets
     for (Kind& kind : kinds_) {
-        constexpr uint32_t changing =
-            shared::cloth_bit_colliders | shared::cloth_bit_grids | shared::cloth_bit_gusts;
+        constexpr uint32_t changing = shared::cloth_bit_colliders | shared::cloth_bit_grids |
+                                      shared::cloth_bit_flow | shared::cloth_bit_gusts;
         kind.variant = (kind.variant & ~changing) | surrounded;
         if (kind.is_small) {
             add_small_sheets(graph, handles, kind);
         } else {
+            if (!awake) {
+                awake = gpu::add_zeros(graph, "cloth/awake",
+                                       std::max<uint64_t>(sizeof(uint32_t) * records_.size(), 16));
+            }
             for (uint32_t step = 0; step < count; ++step) {
-                add_large_sheets(graph, handles, kind, step, small_steps(kind, surroundings));
+                add_large_sheets(graph, handles, kind, step, small_steps(kind, surroundings), *awake);
             }
         }
     }

@@ -16,12 +16,16 @@ SHARED_CONSTANT uint cloth_bit_last = 8U;      // this pass ends a step, or a sm
 SHARED_CONSTANT uint cloth_bit_gusts = 16U;    // the wind is not the same everywhere
 SHARED_CONSTANT uint cloth_bit_descent = 64U;  // links have been solved before, by block descent
 SHARED_CONSTANT uint cloth_bit_self = 128U;    // sheets do not pass through themselves
+SHARED_CONSTANT uint cloth_bit_flow = 256U;    // there are boxes of air that a fluid moves
 SHARED_CONSTANT uint cloth_bit_grids = 32U;    // among what it runs into are grids of heights or distances
 
 SHARED_CONSTANT uint cloth_group = 64U;        // particles of a sheet are padded to whole workgroups
 SHARED_CONSTANT uint cloth_small_group = 256U; // threads that share a small sheet
 SHARED_CONSTANT uint cloth_small_share = 4U;   // particles of each of them
 SHARED_CONSTANT uint cloth_most_tethers = 4U;
+SHARED_CONSTANT uint cloth_most_flows = 8U;
+SHARED_CONSTANT float cloth_breath_m_s = 0.05F; // what blows less moves nothing of note
+SHARED_CONSTANT float cloth_rest_s = 0.5F;      // a sheet that has been calm for so long rests
 
 // A particle's mass is shared among its links: those to direct neighbours have so much more than far ones.
 SHARED_CONSTANT float cloth_near_share = 3.0F;
@@ -76,6 +80,13 @@ struct ClothLink {
     float bending; // of flexural rigidity 1: force a metre
 };
 
+// A box of air, in cells.
+struct ClothFlow {
+    mat4 cells_from_place; // from the low corner
+    uvec3 cells;
+    uint first; // where the speeds in the middle of cells begin
+};
+
 // Of a run of steps, all sheets alike.
 struct ClothRun {
     vec3 gravity_m_s2;
@@ -93,7 +104,11 @@ struct ClothRun {
     float time_s;     // of the first step's beginning
     float air_kg_m3;
     float most_speed_m_s;
-    vec3 origin_m; // of places, in that of the wind
+    vec3 origin_m;     // of places, in that of the wind
+    float rest_m_s;    // what is slower is calm; negative: nothing is
+    uint roused_steps; // in so many no sheet rests, whatever it does
+    uint flow_count;
+    ClothFlow flows[cloth_most_flows];
 };
 
 // Where a pass is within a run.
@@ -108,6 +123,7 @@ struct ClothNearConstants {
     uint first_group;
     uint cell_mask; // cells of the table less 1
     uint is_search; // else all enter themselves
+    uint step;
 };
 
 // At the beginning of a run, or at its end: turned, then moved.

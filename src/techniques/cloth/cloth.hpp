@@ -26,6 +26,7 @@ struct Surroundings {
     double ahead_m = 0.0;     ///< that it has blown farther than its speed times the time
     glm::dvec3 origin_m{0.0}; ///< of places, in the world
     float effort = 1.0F;      ///< see ClothStyle
+    float rest_m_s = 5e-3F;   ///< see ClothStyle::rest_mm_s
 };
 
 /// The drawn vertices of a sheet.
@@ -42,7 +43,15 @@ struct SheetReach {
     glm::vec3 max_m{0.0F};
 };
 
-/// The same sheets and runs give the same places on the same device, bit for bit.
+/// A box of air that a fluid moves, whose ends meet.
+struct Flow {
+    glm::uvec3 cells{0};
+    glm::mat4 cells_from_place{1.0F}; ///< from the low corner; all axes alike
+};
+
+/// The same sheets and runs give the same places on the same device, bit for bit. A sheet that has been calm
+/// for shared::cloth_rest_s, by all of its particles, rests: steps leave it as it is until wind blows,
+/// something that holds it moves, a solid moves near it, it is carried, or the surroundings are others.
 class Cloths {
 public:
     /// Sheets lie still where they were cut. `drawn` is one a sheet, or empty. Throws Error as
@@ -64,6 +73,10 @@ public:
     /// upload.
     void set_grids(gpu::Device& device, std::span<const SolidGrid> grids);
 
+    /// Boxes in which later runs find the speeds that add_flow() last told, in place of the wind; where they
+    /// overlap, those of the last. Throws std::logic_error for more than shared::cloth_most_flows.
+    void set_flows(gpu::Device& device, std::span<const Flow> flows);
+
     /// Where particles are wanted at the end of the next run, if they are held, sheet by sheet. The same
     /// holds as of solids.
     void set_targets(gpu::Device& device, std::span<const glm::vec3> places_m);
@@ -80,6 +93,11 @@ public:
 
     [[nodiscard]] Handles import(gpu::Graph& graph);
 
+    /// Tells how the air of a box moves: component by component on the low faces of cells, layer by layer, as
+    /// `fluid` keeps it. Of each box once before the next run, one a
+    /// graph.
+    void add_flow(gpu::Graph& graph, size_t flow, gpu::ImageId velocity);
+
     /// set_targets() as a pass: the drawn vertices as they are posed.
     void add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
@@ -93,8 +111,14 @@ public:
     /// As many as one graph takes, at least one.
     [[nodiscard]] uint32_t most_steps(const Surroundings& surroundings) const;
 
-    /// The next targets hold for the beginning of their run too.
-    void forget_targets() { has_targets_ = false; }
+    /// The next targets hold for the beginning of their run too, and what the next run finds otherwise than
+    /// the one before wakes nobody.
+    void forget_before()
+    {
+        has_targets_ = false;
+        rouses_all_ = false;
+        surroundings_.reset();
+    }
 
     /// Keeps where sheets are, for add_vertices_before().
     void add_snapshot(gpu::Graph& graph, const Handles& handles);
@@ -120,7 +144,7 @@ public:
     {
         places_ = std::move(state[0]);
         speeds_ = std::move(state[1]);
-        forget_targets();
+        forget_before();
     }
 
 private:
@@ -152,11 +176,12 @@ private:
     void bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
                      gpu::Buffer& sheet_of_group);
     void add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind);
-    void add_near(gpu::Graph& graph, Handles& handles, Kind& kind);
+    void add_rest(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId& awake);
+    void add_near(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake);
     void add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
-                     uint32_t predicted);
+                     uint32_t predicted, gpu::BufferId awake);
     void add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
-                          uint32_t small_steps);
+                          uint32_t small_steps, gpu::BufferId& awake);
 
     std::vector<shared::ClothSheet> records_;
     std::vector<float> rigidities_n_m_;
@@ -177,7 +202,11 @@ private:
     std::vector<shared::ClothCollider> solids_before_, solids_;
     std::vector<shared::ClothCollider> met_before_, met_; ///< of those, what the run may meet
     std::vector<SheetReach> reach_;
+    bool rouses_all_ = false;                  ///< something has come or gone since the last run
+    std::optional<Surroundings> surroundings_; ///< of the last run
     gpu::Buffer colliders_;
+    std::vector<shared::ClothFlow> flows_;
+    gpu::Buffer flow_speeds_;
     gpu::Buffer grids_; ///< numbers of all grids, each behind its head
     std::vector<uint32_t> first_of_grid_;
     std::array<gpu::Buffer, 2> targets_; ///< of the run's beginning and its end

@@ -5,10 +5,10 @@
 // The wind, and what it does to a sheet. Eddies: Bridson, Hourihan and Nordenstam, "Curl-Noise for Procedural
 // Fluid Flow", SIGGRAPH 2007, with the curl of a pair of potentials as the cross product of their slopes.
 //
-// Wanted before: vec3 place_at(uint local).
+// Wanted before: vec3 place_at(uint local), and what cloth_flow.glsl wants.
 
 #include "shaders/hash.glsl"
-#include "techniques/cloth/cloth_data.glsl"
+#include "techniques/cloth/cloth_flow.glsl"
 
 float corner_value(ivec3 cell, uint seed)
 {
@@ -39,7 +39,7 @@ vec4 noise_and_slope(vec3 place, uint seed)
 }
 
 // Gusts go with the wind, and eddies go with it and turn over slowly.
-vec3 wind_at(vec3 place, float time_s)
+vec3 open_wind_at(vec3 place, float time_s)
 {
     vec3 wind = run.wind_m_s;
     if ((variant & cloth_bit_gusts) == 0u) {
@@ -51,6 +51,12 @@ vec3 wind_at(vec3 place, float time_s)
     vec3 in_eddies = blown / run.eddy_m + vec3(0.0, 0.35 * time_s, 0.0);
     vec3 eddy = cross(noise_and_slope(in_eddies, 31u).xyz, noise_and_slope(in_eddies, 57u).xyz);
     return wind * (1.0 + run.gustiness * gust) + 0.5 * run.turbulence * speed_m_s * eddy;
+}
+
+vec3 wind_at(vec3 place, float time_s)
+{
+    vec3 wind = open_wind_at(place, time_s);
+    return (variant & cloth_bit_flow) != 0u ? in_flows(place, wind) : wind;
 }
 
 // On a face of the area vector `area`, by air that comes with `relative`: pressure along its normal, and lift

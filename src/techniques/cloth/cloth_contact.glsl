@@ -43,7 +43,8 @@ vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to)
 
 vec4 turn_between(uvec4 before, uvec4 after, float part)
 {
-    return normalize(mix(uintBitsToFloat(before), uintBitsToFloat(after), part));
+    vec4 from = uintBitsToFloat(before);
+    return normalize(from + part * (uintBitsToFloat(after) - from));
 }
 
 // Where a particle comes to that moves from `from` to `to` between two parts of a run.
@@ -56,8 +57,9 @@ vec3 beside_colliders(vec3 from, vec3 to, float begin, float end)
         uvec4 place_after = texelFetch(collider_texels, after);
         vec3 centre_after = uintBitsToFloat(place_after.xyz);
         vec4 size = uintBitsToFloat(texelFetch(collider_texels, after + 2)); // and reach
-        vec3 from_there = from - mix(centre_before, centre_after, begin);
-        vec3 centre_m = mix(centre_before, centre_after, end);
+        vec3 centre_way = centre_after - centre_before; // 0 of what stands still, to the bit
+        vec3 from_there = from - (centre_before + begin * centre_way);
+        vec3 centre_m = centre_before + end * centre_way;
         vec3 way = to - centre_m - from_there;
         float nearest = clamp(-dot(from_there, way) / max(dot(way, way), 1e-20), 0.0, 1.0);
         if (length(from_there + nearest * way) <= size.w + sheet.thickness_m) {

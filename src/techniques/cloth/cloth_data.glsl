@@ -46,7 +46,7 @@ vec4 target_of(uint local, float part)
 {
     vec4 before = texelFetch(target_before_texels, int(sheet.first + local));
     vec4 after = texelFetch(target_after_texels, int(sheet.first + local));
-    return mix(before, after, part);
+    return before + part * (after - before); // what stands still does so to the bit
 }
 
 float small_step_s()

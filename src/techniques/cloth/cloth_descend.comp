@@ -32,6 +32,11 @@ layout(scalar, binding = 13) buffer Predicted
 
 layout(binding = 14) uniform usamplerBuffer particle_texels; // by colours, each padded to whole workgroups
 
+layout(scalar, binding = 15) readonly buffer Awake
+{
+    uint awake_in[];
+};
+
 layout(push_constant, scalar) uniform Constants
 {
     ClothMoment moment;
@@ -104,10 +109,11 @@ void add_links_of_lists(uint local, vec3 own, float most_n_m)
 void main()
 {
     uint group = moment.first_group + gl_WorkGroupID.x;
-    sheet = sheets[sheet_of_group[2u * group]];
+    uint sheet_index = sheet_of_group[2u * group];
+    sheet = sheets[sheet_index];
     uint listed = sheet_of_group[2u * group + 1u] + gl_LocalInvocationID.x;
     uint local = texelFetch(particle_texels, int(listed)).x;
-    if (local == cloth_no_vertex) {
+    if (local == cloth_no_vertex || awake_in[sheet_index] != moment.step + 1u) {
         return;
     }
     uint particle = sheet.first + local;

@@ -222,7 +222,7 @@ TEST(Cloth, SettlesAgainAfterATeleportAndAStall)
     lab.air.air_kg_m3 = 1.2F;
     lab.run(1.0);
     const glm::vec3 away(100.0F, 0.0F, 0.0F);
-    lab.cloths().forget_targets();
+    lab.cloths().forget_before();
     lab.move_to([&](glm::vec3 rest) { return rest + away; });
     lab.carry(glm::translate(glm::mat4(1.0F), away));
     State state = lab.run(4.0);

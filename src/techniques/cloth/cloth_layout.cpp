@@ -2,6 +2,7 @@
 // How sheets lie on the device.
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 #include <estampe/error.hpp>
 
@@ -244,13 +245,16 @@ Cloths::Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<con
         buffer = gpu::upload_buffer(device, "cloth targets", targets);
     }
     set_grids(device, {});
+    set_flows(device, {});
     set_solids(device, {});
+    rouses_all_ = false;
 }
 
 void Cloths::set_solver(gpu::Device& device, std::optional<ClothSolver> solver)
 {
     if (solver_ != solver) {
         solver_ = solver;
+        rouses_all_ = true;
         group_sheets(device);
     }
 }
@@ -265,6 +269,7 @@ void Cloths::set_solids(gpu::Device& device, std::span<const Solid> solids)
     }
     if (solids_before_.size() != solids_.size()) {
         solids_before_ = solids_;
+        rouses_all_ = true;
     }
     for (size_t i = 0; i < solids.size(); ++i) {
         turn_alike(solids_before_[i], solids_[i]);
@@ -297,6 +302,26 @@ void Cloths::set_grids(gpu::Device& device, std::span<const SolidGrid> grids)
     }
     numbers.resize(std::max<size_t>(numbers.size(), 4));
     grids_ = gpu::upload_buffer(device, "cloth grids", numbers);
+    rouses_all_ = true;
+}
+
+void Cloths::set_flows(gpu::Device& device, std::span<const Flow> flows)
+{
+    if (flows.size() > shared::cloth_most_flows) {
+        throw std::logic_error("more boxes of air than cloth knows of");
+    }
+    flows_.clear();
+    uint32_t cell_count = 0;
+    for (const Flow& flow : flows) {
+        flows_.push_back(
+            {.cells_from_place = flow.cells_from_place, .cells = flow.cells, .first = cell_count});
+        cell_count += flow.cells.x * flow.cells.y * flow.cells.z;
+    }
+    const uint64_t size_bytes = sizeof(glm::vec4) * std::max(cell_count, 1U);
+    if (flow_speeds_.empty() || flow_speeds_.size_bytes() < size_bytes) {
+        flow_speeds_ =
+            gpu::upload_buffer(device, "cloth flows", std::vector<glm::vec4>(std::max(cell_count, 1U)));
+    }
 }
 
 void Cloths::set_targets(gpu::Device& device, std::span<const glm::vec3> places_m)

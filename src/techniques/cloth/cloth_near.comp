@@ -29,6 +29,11 @@ layout(scalar, binding = 14) writeonly buffer Near
     uvec4 near[]; // within the sheet
 };
 
+layout(scalar, binding = 15) readonly buffer Awake
+{
+    uint awake_in[];
+};
+
 layout(push_constant, scalar) uniform Constants
 {
     ClothNearConstants constants;
@@ -72,9 +77,10 @@ void look_into(uint cell, uint particle, vec3 place, vec3 rest, inout vec4 away_
 void main()
 {
     uint group = constants.first_group + gl_WorkGroupID.x;
-    sheet = sheets[sheet_of_group[2u * group]];
+    uint sheet_index = sheet_of_group[2u * group];
+    sheet = sheets[sheet_index];
     uint local = sheet_of_group[2u * group + 1u] + gl_LocalInvocationID.x;
-    if (local >= sheet.count) {
+    if (local >= sheet.count || awake_in[sheet_index] != constants.step + 1u) {
         return;
     }
     uint particle = sheet.first + local;

@@ -25,6 +25,18 @@ layout(scalar, binding = 13) writeonly buffer Predicted
     vec4 predicted[];
 };
 
+layout(scalar, binding = 14) readonly buffer Awake
+{
+    uint awake_in[];
+};
+
+layout(scalar, binding = 15) writeonly buffer Began
+{
+    vec4 began[]; // places, and how long each had been calm
+};
+
+layout(binding = 16) uniform samplerBuffer flow_texels;
+
 layout(push_constant, scalar) uniform Constants
 {
     ClothMoment moment;
@@ -40,14 +52,16 @@ vec3 place_at(uint local)
 void main()
 {
     uint group = moment.first_group + gl_WorkGroupID.x;
-    sheet = sheets[sheet_of_group[2u * group]];
+    uint sheet_index = sheet_of_group[2u * group];
+    sheet = sheets[sheet_index];
     uint local = sheet_of_group[2u * group + 1u] + gl_LocalInvocationID.x;
-    if (local >= sheet.count) {
+    if (local >= sheet.count || awake_in[sheet_index] != moment.step + 1u) {
         return;
     }
     uint particle = sheet.first + local;
     vec4 place = texelFetch(place_texels, int(particle));
     vec3 speed = speeds[particle].xyz;
+    began[particle] = vec4(place.xyz, speeds[particle].w);
     float time_s = run.time_s + float(moment.step) * run.step_s;
     vec3 push = place.w == 0.0 ? vec3(0.0) : push_on(local, place.xyz, speed, place.w, time_s);
     float split = pushes[particle].w;

@@ -15,13 +15,15 @@ layout(scalar, binding = 10) buffer Places
 
 layout(scalar, binding = 11) buffer Speeds
 {
-    vec4 speeds[];
+    vec4 speeds[]; // and how long each particle has been calm
 };
 
 layout(scalar, binding = 12) buffer Pushes
 {
     vec4 pushes[];
 };
+
+layout(binding = 13) uniform samplerBuffer flow_texels;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -30,6 +32,7 @@ layout(push_constant, scalar) uniform Constants
 
 shared vec4 predicted[2][cloth_small_group * cloth_small_share]; // by turns
 uint newest = 0u;
+vec4 began[cloth_small_share]; // places, and how long each had been calm
 
 vec4 predicted_at(uint local)
 {
@@ -48,6 +51,7 @@ uvec4 near_of(uint local)
 
 #include "techniques/cloth/cloth_air.glsl"
 #include "techniques/cloth/cloth_move.glsl"
+#include "techniques/cloth/cloth_rest.glsl"
 
 // What is written is seen by all, and what was read is free.
 void take_turns()
@@ -56,12 +60,25 @@ void take_turns()
     newest = 1u - newest;
 }
 
-void begin_step(uint step)
+// What the step begins with, and whether there has to be one: the first particle's share of links, which this
+// turn has no use for and is never negative, tells it. There is no shared memory left.
+bool is_awake(uint step)
 {
     for (uint local = gl_LocalInvocationID.x; local < sheet.count; local += cloth_small_group) {
-        predicted[1u - newest][local] = places[sheet.first + local];
+        vec4 place = places[sheet.first + local];
+        float calm_s = is_roused(local, place.xyz, step) ? 0.0 : speeds[sheet.first + local].w;
+        predicted[1u - newest][local].xyz = place.xyz;
+        began[local / cloth_small_group] = vec4(place.xyz, calm_s);
+        if (calm_s < cloth_rest_s) {
+            predicted[1u - newest][0].w = -float(step + 1u);
+        }
     }
     take_turns();
+    return predicted[newest][0].w == -float(step + 1u);
+}
+
+void begin_step(uint step)
+{
     float time_s = run.time_s + float(step) * run.step_s;
     for (uint local = gl_LocalInvocationID.x; local < sheet.count; local += cloth_small_group) {
         uint particle = sheet.first + local;
@@ -85,8 +102,10 @@ void small_step(uint step, uint number)
         vec3 to = moved(local, from.xyz, from.w, step, number);
         vec3 speed = speed_after(from.xyz, to);
         vec4 push = pushes[particle];
+        vec4 before = began[local / cloth_small_group];
+        bool is_last = number + 1u == run.small_steps;
         places[particle] = vec4(to, from.w);
-        speeds[particle] = vec4(speed, 0.0);
+        speeds[particle] = vec4(speed, is_last ? calm_after(before.w, before.xyz, to) : before.w);
         predicted[1u - newest][local] = vec4(foreseen(local, to, speed, push.xyz, from.w, next), push.w);
     }
     take_turns();
@@ -95,7 +114,14 @@ void small_step(uint step, uint number)
 void main()
 {
     sheet = sheets[sheet_of_group[moment.first_group + gl_WorkGroupID.x]];
+    if (gl_LocalInvocationID.x == 0u) {
+        predicted[1u - newest][0].w = 0.0;
+    }
+    barrier();
     for (uint step = 0u; step < run.step_count; ++step) {
+        if (!is_awake(step)) { // nor in any later one
+            break;
+        }
         begin_step(step);
         for (uint i = 0u; i < run.small_steps; ++i) {
             small_step(step, i);

@@ -15,7 +15,7 @@ layout(scalar, binding = 10) buffer Places
 
 layout(scalar, binding = 11) writeonly buffer Speeds
 {
-    vec4 speeds[];
+    vec4 speeds[]; // and how long each particle has been calm
 };
 
 layout(scalar, binding = 12) readonly buffer Pushes
@@ -42,6 +42,16 @@ vec4 predicted_at(uint local)
 
 layout(binding = 15) uniform usamplerBuffer near_texels;
 
+layout(scalar, binding = 16) readonly buffer Awake
+{
+    uint awake_in[];
+};
+
+layout(scalar, binding = 17) readonly buffer Began
+{
+    vec4 began[];
+};
+
 uvec4 near_of(uint local)
 {
     return texelFetch(near_texels, int(sheet.first + local));
@@ -52,9 +62,10 @@ uvec4 near_of(uint local)
 void main()
 {
     uint group = moment.first_group + gl_WorkGroupID.x;
-    sheet = sheets[sheet_of_group[2u * group]];
+    uint sheet_index = sheet_of_group[2u * group];
+    sheet = sheets[sheet_index];
     uint local = sheet_of_group[2u * group + 1u] + gl_LocalInvocationID.x;
-    if (local >= sheet.count) {
+    if (local >= sheet.count || awake_in[sheet_index] != moment.step + 1u) {
         return;
     }
     uint particle = sheet.first + local;
@@ -70,7 +81,8 @@ void main()
     vec3 speed = speed_after(from.xyz, to);
     places[particle] = vec4(to, from.w);
     if (is_last || (variant & cloth_bit_descent) != 0u) { // which wants to know it in between
-        speeds[particle] = vec4(speed, 0.0);
+        vec4 before = began[particle];
+        speeds[particle] = vec4(speed, is_last ? calm_after(before.w, before.xyz, to) : before.w);
     }
     if (is_last) {
         return;

@@ -17,6 +17,7 @@ namespace estampe::cloth {
 struct State {
     std::vector<glm::dvec3> places_m;
     std::vector<glm::dvec3> speeds_m_s;
+    float calm_s = 0.0F; ///< how long all of it has been
 };
 
 /// One sheet, on the tests' device.
@@ -68,10 +69,11 @@ private:
     State read(gpu::Graph& graph, const Cloths::Handles& handles) const
     {
         const auto bytes = test::run_and_read(graph, std::array{handles.places, handles.speeds});
-        State state;
+        State state{.calm_s = shared::cloth_rest_s};
         for (size_t i = 0; i < sheet_.rest_m.size(); ++i) {
             state.places_m.emplace_back(glm::vec3(test::items_of<glm::vec4>(bytes[0])[i]));
             state.speeds_m_s.emplace_back(glm::vec3(test::items_of<glm::vec4>(bytes[1])[i]));
+            state.calm_s = std::min(state.calm_s, test::items_of<glm::vec4>(bytes[1])[i].w);
         }
         return state;
     }

@@ -9,8 +9,11 @@ const style::Table<WindStyle>& wind_table()
 {
     static const auto table =
         style::Table<WindStyle>("wind", "What moves cloth")
-            .choice("from", &WindStyle::from, {{"auto", WindSource::automatic}, {"style", WindSource::style}},
-                    "Whose speed and direction: (auto) the terrain's where the scene has one, or the style's")
+            .choice(
+                "from", &WindStyle::from,
+                {{"auto", WindSource::automatic}, {"style", WindSource::style}, {"smoke", WindSource::smoke}},
+                "Whose speed and direction: (auto) the terrain's where the scene has one, or the style's; "
+                "(smoke) within the boxes that smoke rises in that of its air, elsewhere the style's")
             .number("speed_m_s", &WindStyle::speed_m_s, {0.0F, 60.0F}, "m/s", "How fast, on the whole")
             .number("blown_m", &WindStyle::blown_m, {-1.0F, 1e7F}, "m",
                     "How far it has blown, where its speed changes from picture to picture; -1: its speed "
@@ -33,7 +36,10 @@ const style::Table<ClothStyle>& cloth_table()
             .number("settle_s", &ClothStyle::settle_s, {0.0F, 20.0F}, "s",
                     "How long it has moved, from how it was laid out, when a still or a film begins")
             .number("effort", &ClothStyle::effort, {0.25F, 8.0F}, "",
-                    "How finely time is cut: more stretches less and costs as much more");
+                    "How finely time is cut: more stretches less and costs as much more")
+            .number("rest_mm_s", &ClothStyle::rest_mm_s, {0.0F, 100.0F}, "mm/s",
+                    "A sheet that is slower for half a second, in still air, rests until something moves it; "
+                    "0: none rests");
     return table;
 }
 

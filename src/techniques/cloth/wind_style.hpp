@@ -5,7 +5,7 @@
 
 namespace estampe::cloth {
 
-enum class WindSource : uint8_t { automatic, style };
+enum class WindSource : uint8_t { automatic, style, smoke };
 
 /// The wind that moves cloth.
 struct WindStyle {
@@ -25,6 +25,7 @@ struct WindStyle {
 struct ClothStyle {
     float settle_s = 3.0F;
     float effort = 1.0F;
+    float rest_mm_s = 5.0F;
 
     bool operator==(const ClothStyle&) const = default;
 };
