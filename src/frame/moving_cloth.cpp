@@ -179,36 +179,38 @@ std::vector<glm::mat4> MovingCloth::places_of_draws(const pose::PoseData& pose) 
     return places;
 }
 
-Bounds MovingCloth::reach(const pose::PoseData& pose) const
+std::vector<SheetPlace> MovingCloth::sheet_places(const pose::PoseData& pose) const
 {
-    Bounds reach;
+    std::vector<SheetPlace> sheets;
     const std::vector<glm::mat4> places = places_of_draws(pose);
+    const bool may_go = !all_hang_ || std::ranges::any_of(draws_, [&](uint32_t draw) {
+        return pose.draws[draw].first_skin_vertex != shared::no_skin;
+    });
     for (size_t i = 0; i < places.size(); ++i) {
-        const Bounds placed = box_about(reaches_[i], places[i]);
-        reach.extend(placed.min);
-        reach.extend(placed.max);
+        SheetPlace& sheet = sheets.emplace_back(SheetPlace{.box = box_about(reaches_[i], places[i])});
+        if (!may_go) {
+            // Whatever hangs is within its own diagonal of what holds it, and stretches little.
+            Bounds larger = reaches_[i];
+            larger.extend(reaches_[i].min - reaches_[i].radius());
+            larger.extend(reaches_[i].max + reaches_[i].radius());
+            sheet.stays_in = box_about(larger, places[i]);
+        }
     }
-    return reach;
+    return sheets;
 }
 
-std::vector<cloth::SheetReach> MovingCloth::stays_in(const pose::PoseData& pose)
+std::vector<cloth::SheetReach> MovingCloth::stays_in(std::span<const SheetPlace> now)
 {
-    std::vector<cloth::SheetReach> now;
-    const std::vector<glm::mat4> places = places_of_draws(pose);
-    for (size_t i = 0; i < places.size(); ++i) {
-        if (!all_hang_ || pose.draws[draws_[i]].first_skin_vertex != shared::no_skin) {
+    std::vector<cloth::SheetReach> boxes;
+    for (const SheetPlace& sheet : now) {
+        if (!sheet.stays_in) {
             return {};
         }
-        // Whatever hangs is within its own diagonal of what holds it, and stretches little.
-        Bounds larger = reaches_[i];
-        larger.extend(reaches_[i].min - reaches_[i].radius());
-        larger.extend(reaches_[i].max + reaches_[i].radius());
-        const Bounds placed = box_about(larger, places[i]);
-        now.push_back({.min_m = glm::vec3(placed.min), .max_m = glm::vec3(placed.max)});
+        boxes.push_back({.min_m = glm::vec3(sheet.stays_in->min), .max_m = glm::vec3(sheet.stays_in->max)});
     }
-    std::vector<cloth::SheetReach> both = now;
+    std::vector<cloth::SheetReach> both = boxes;
     both.insert(both.end(), stayed_in_.begin(), stayed_in_.end());
-    stayed_in_ = std::move(now);
+    stayed_in_ = std::move(boxes);
     return both;
 }
 
@@ -266,7 +268,8 @@ cloth::Surroundings MovingCloth::surroundings(const Scene& scene, const StyleTab
 void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const ClothPose& pose,
                                const pose::MeshData& layout)
 {
-    if (grids_.follow_ground(scene, reach(pose.draws), layout.anchor, pose.time_s)) {
+    const std::vector<SheetPlace> sheets = sheet_places(pose.draws);
+    if (grids_.follow_ground(scene, sheets, layout.anchor, pose.time_s)) {
         sheets_.set_grids(device, grids_.grids());
     }
     const glm::dmat4 anchor_from_world = glm::translate(glm::dmat4(1.0), -layout.anchor);
@@ -297,7 +300,7 @@ void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const Cl
         const auto floor_m = static_cast<float>(layout.bounds.min.y - layout.anchor.y);
         solids.push_back(cloth::below({0.0F, floor_m, 0.0F}, {0.0F, 1.0F, 0.0F}));
     }
-    sheets_.set_reach(stays_in(pose.draws));
+    sheets_.set_reach(stays_in(sheets));
     sheets_.set_solids(device, solids);
 }
 

@@ -96,10 +96,10 @@ private:
     };
 
     [[nodiscard]] std::vector<glm::mat4> places_of_draws(const pose::PoseData& pose) const;
-    [[nodiscard]] Bounds reach(const pose::PoseData& pose) const;
+    [[nodiscard]] std::vector<SheetPlace> sheet_places(const pose::PoseData& pose) const;
 
     /// What sheets stay in between the last pose and this; nothing where one of them may come anywhere.
-    [[nodiscard]] std::vector<cloth::SheetReach> stays_in(const pose::PoseData& pose);
+    [[nodiscard]] std::vector<cloth::SheetReach> stays_in(std::span<const SheetPlace> now);
     [[nodiscard]] static Cut cut(const Scene& scene, const pose::MeshData& layout);
     MovingCloth(gpu::Device& device, Cut&& cut);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 namespace estampe::frame {
 namespace {
@@ -30,6 +32,50 @@ cloth::SolidGrid grid_of(const Mesh& mesh, bool is_mirrored)
     return cloth::grid_of_distances(positions, triangles, mesh_cells);
 }
 
+using HeightAt = std::function<double(double x_m, double z_m)>;
+
+/// Whole metres about the chosen sheets, a metre more than they take: least x and z, most x and z.
+template <typename Chosen>
+glm::dvec4 level_box(std::span<const SheetPlace> sheets, const Chosen& chosen)
+{
+    constexpr double margin_m = 1.0;
+    Bounds all;
+    for (const SheetPlace& sheet : sheets) {
+        if (chosen(sheet)) {
+            all.extend(sheet.box.min);
+            all.extend(sheet.box.max);
+        }
+    }
+    return all.empty() ? glm::dvec4(0.0)
+                       : glm::dvec4(std::floor(all.min.x - margin_m), std::floor(all.min.z - margin_m),
+                                    std::ceil(all.max.x + margin_m), std::ceil(all.max.z + margin_m));
+}
+
+std::vector<double> lows_of(std::span<const SheetPlace> sheets)
+{
+    std::vector<double> lows_m;
+    for (const SheetPlace& sheet : sheets) {
+        lows_m.push_back(sheet.stays_in ? std::floor(4.0 * sheet.stays_in->min.y) / 4.0 : 0.0);
+    }
+    return lows_m;
+}
+
+/// Whether the ground below a box may reach up to it.
+bool comes_down_to(const Bounds& box, const HeightAt& height_at)
+{
+    constexpr int places = 5;         // either way
+    constexpr double steepest = 0.7;  // sand lies at no more
+    constexpr double unasked_m = 1.0; // a sheet moves as far before it is asked again, along and down
+    const glm::dvec3 step = (box.max - box.min) / static_cast<double>(places - 1);
+    double highest_m = -std::numeric_limits<double>::infinity();
+    for (int z = 0; z < places; ++z) {
+        for (int x = 0; x < places; ++x) {
+            highest_m = std::max(highest_m, height_at(box.min.x + x * step.x, box.min.z + z * step.z));
+        }
+    }
+    return box.min.y <= highest_m + 0.5 * steepest * std::hypot(step.x, step.z) + unasked_m;
+}
+
 } // namespace
 
 SolidGrids::SolidGrids(const Scene& scene) : grids_(scene.terrain ? 1 : 0)
@@ -53,40 +99,49 @@ SolidGrids::SolidGrids(const Scene& scene) : grids_(scene.terrain ? 1 : 0)
     }
 }
 
-bool SolidGrids::follow_ground(const Scene& scene, const Bounds& box, const glm::dvec3& anchor, double time_s)
+bool SolidGrids::follow_ground(const Scene& scene, std::span<const SheetPlace> sheets,
+                               const glm::dvec3& anchor, double time_s)
 {
-    if (!scene.terrain || box.empty()) {
+    if (!scene.terrain || sheets.empty()) {
         return false;
     }
-    constexpr double margin_m = 1.0;
     constexpr double spacing_m = 0.125;
     constexpr double most_cells = 96.0;
     const bool stands = scene.terrain->description().meshing.update == TerrainUpdate::still;
-    const GroundKey key{.box_m = {std::floor(box.min.x - margin_m), std::floor(box.min.z - margin_m),
-                                  std::ceil(box.max.x + margin_m), std::ceil(box.max.z + margin_m)},
+    const GroundKey key{.box_m = level_box(sheets, [](const SheetPlace&) { return true; }),
                         .anchor = anchor,
                         .time_s = stands ? 0.0 : std::floor(2.0 * std::max(time_s, 0.0)) / 2.0,
-                        .program = &scene.terrain->program()};
+                        .program = &scene.terrain->program(),
+                        .lows_m = lows_of(sheets)};
     if (ground_ == key) {
         return false;
     }
     ground_ = key;
     terrain_ = scene.terrain;
-    const glm::dvec2 low(key.box_m);
-    const glm::dvec2 high(key.box_m.z, key.box_m.w);
+    const HeightAt height_at = [&](double x_m, double z_m) {
+        return scene.terrain->sample(x_m + anchor.x, z_m + anchor.z, key.time_s).height_m - anchor.y;
+    };
+    const glm::dvec4 near_m = level_box(sheets, [&](const SheetPlace& sheet) {
+        return !sheet.stays_in || comes_down_to(*sheet.stays_in, height_at);
+    });
+    is_ground_near_ = near_m.z > near_m.x;
+    if (!is_ground_near_) {
+        return false;
+    }
+    const glm::dvec2 low(near_m);
+    const glm::dvec2 high(near_m.z, near_m.w);
     const glm::dvec2 middle = 0.5 * (low + high);
     const glm::uvec2 cells(glm::min((high - low) / spacing_m, most_cells));
-    grids_.front() = cloth::grid_of_heights(
-        cells + 1U, {middle.x, 0.0F, middle.y}, glm::vec2(0.5 * (high - low)), [&](double x_m, double z_m) {
-            return scene.terrain->sample(x_m + anchor.x, z_m + anchor.z, key.time_s).height_m - anchor.y;
-        });
+    grids_.front() = cloth::grid_of_heights(cells + 1U, {middle.x, 0.0F, middle.y},
+                                            glm::vec2(0.5 * (high - low)), height_at);
     return true;
 }
 
 std::optional<cloth::Solid> SolidGrids::ground() const
 {
-    return ground_ ? std::optional(cloth::solid_of_grid(cloth::SolidKind::heights, grids_.front(), 0))
-                   : std::nullopt;
+    return ground_ && is_ground_near_
+               ? std::optional(cloth::solid_of_grid(cloth::SolidKind::heights, grids_.front(), 0))
+               : std::nullopt;
 }
 
 std::optional<cloth::Solid> SolidGrids::placed_mesh(Index mesh, const glm::dmat4& place) const

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,12 @@
 
 namespace estampe::frame {
 
+/// Where a sheet hangs, in anchor space.
+struct SheetPlace {
+    Bounds box;
+    std::optional<Bounds> stays_in; ///< however it swings; it may come anywhere where there is none
+};
+
 class SolidGrids {
 public:
     SolidGrids() = default;
@@ -22,13 +29,17 @@ public:
     /// cloth::grid_of_distances().
     explicit SolidGrids(const Scene& scene);
 
-    /// Heights of the scene's ground under a box in anchor space, at half seconds; returns whether they are
-    /// others than before. Cost: up to 9,409 samples of the ground when they are, else none.
-    bool follow_ground(const Scene& scene, const Bounds& box, const glm::dvec3& anchor, double time_s);
+    /// Heights of the scene's ground under the sheets that may come down to it, at half seconds; returns
+    /// whether they are others than before. Of ground that is steeper than sand lies, what is narrower than a
+    /// quarter of a sheet may not be seen to come near. Cost: where ground or sheets are others than before
+    /// 25 samples of the ground for each that stays somewhere, and up to 9,409 where one comes near; else
+    /// none.
+    bool follow_ground(const Scene& scene, std::span<const SheetPlace> sheets, const glm::dvec3& anchor,
+                       double time_s);
 
     [[nodiscard]] const std::vector<cloth::SolidGrid>& grids() const { return grids_; }
 
-    /// The ground in anchor space, once it has been followed.
+    /// The ground in anchor space, where one was followed that some sheet may come down to.
     [[nodiscard]] std::optional<cloth::Solid> ground() const;
 
     /// A mesh in its place; nothing for one without triangles.
@@ -40,6 +51,7 @@ private:
         glm::dvec3 anchor{0.0};
         double time_s = 0.0;
         const terrain::Program* program = nullptr;
+        std::vector<double> lows_m; ///< of what sheets stay in, in quarters of a metre
 
         bool operator==(const GroundKey&) const = default;
     };
@@ -47,6 +59,7 @@ private:
     std::vector<cloth::SolidGrid> grids_;                ///< the ground first, if any
     std::map<std::pair<Index, bool>, uint32_t> of_mesh_; ///< and whether it is mirrored
     std::optional<GroundKey> ground_;
+    bool is_ground_near_ = false;
     std::optional<Terrain> terrain_; ///< that it is of
 };
 

@@ -14,7 +14,7 @@ Scene on_ground(const char* height)
     return scene;
 }
 
-const Bounds box{.min = {-2.0, 0.0, -1.0}, .max = {1.0, 1.0, 2.5}};
+const std::vector<SheetPlace> box{{.box = {.min = {-2.0, 0.0, -1.0}, .max = {1.0, 1.0, 2.5}}}};
 
 TEST(SolidGrids, GroundIsTheTerrainsBelowTheSheets)
 {
@@ -50,6 +50,29 @@ TEST(SolidGrids, GroundIsSampledAnewWhereItIsAnother)
     scene.terrain = on_ground("time + x").terrain;
     EXPECT_TRUE(grids.follow_ground(scene, box, {64.0, 0.0, 0.0}, 0.6));
     EXPECT_FALSE(SolidGrids().follow_ground(Scene{}, box, {}, 0.0));
+}
+
+/// What hangs high above the ground does not meet it, and so nobody asks how high that is.
+TEST(SolidGrids, GroundIsNearWhereSheetsMayComeDown)
+{
+    const Scene scene = on_ground("2 + 0.5 * x");
+    const auto flag_at = [](double low_m) {
+        return std::vector<SheetPlace>{
+            {.box = {.min = {-1.0, low_m + 1.0, -1.0}, .max = {1.0, low_m + 2.0, 1.0}},
+             .stays_in = Bounds{.min = {-2.0, low_m, -2.0}, .max = {2.0, low_m + 3.0, 2.0}}}};
+    };
+    SolidGrids grids(scene);
+    EXPECT_FALSE(grids.follow_ground(scene, flag_at(5.0), {}, 0.0)) << "the ground is 3 m high below";
+    EXPECT_FALSE(grids.ground());
+    auto both = flag_at(5.0);
+    both.push_back(flag_at(2.5).front());
+    both.back().box.min.x = -30.0; // so that the whole is another place
+    EXPECT_TRUE(grids.follow_ground(scene, both, {}, 0.0));
+    EXPECT_TRUE(grids.ground());
+    both.pop_back();
+    EXPECT_FALSE(grids.follow_ground(scene, both, {}, 0.0));
+    EXPECT_FALSE(grids.ground()) << "it is far again";
+    EXPECT_TRUE(grids.follow_ground(scene, flag_at(2.5), {}, 0.0)) << "let down in its place";
 }
 
 TEST(SolidGrids, MirroredMeshesAreMirrored)
