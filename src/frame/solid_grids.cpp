@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 namespace estampe::frame {
@@ -11,6 +12,8 @@ namespace {
 
 constexpr uint32_t mesh_cells = 40;
 constexpr double mirror = -1.0;
+constexpr double margin_m = 1.0;
+constexpr double nobody_there_m = -1e4; // height of ground that no sheet comes down to
 
 cloth::SolidGrid grid_of(const Mesh& mesh, bool is_mirrored)
 {
@@ -34,21 +37,22 @@ cloth::SolidGrid grid_of(const Mesh& mesh, bool is_mirrored)
 
 using HeightAt = std::function<double(double x_m, double z_m)>;
 
-/// Whole metres about the chosen sheets, a metre more than they take: least x and z, most x and z.
-template <typename Chosen>
-glm::dvec4 level_box(std::span<const SheetPlace> sheets, const Chosen& chosen)
+/// Whole metres about the sheets, a metre more than they take: least x and z, most x and z.
+glm::dvec4 level_box(std::span<const SheetPlace> sheets)
 {
-    constexpr double margin_m = 1.0;
     Bounds all;
     for (const SheetPlace& sheet : sheets) {
-        if (chosen(sheet)) {
-            all.extend(sheet.box.min);
-            all.extend(sheet.box.max);
-        }
+        all.extend(sheet.box.min);
+        all.extend(sheet.box.max);
     }
-    return all.empty() ? glm::dvec4(0.0)
-                       : glm::dvec4(std::floor(all.min.x - margin_m), std::floor(all.min.z - margin_m),
-                                    std::ceil(all.max.x + margin_m), std::ceil(all.max.z + margin_m));
+    return {std::floor(all.min.x - margin_m), std::floor(all.min.z - margin_m),
+            std::ceil(all.max.x + margin_m), std::ceil(all.max.z + margin_m)};
+}
+
+bool is_over(const Bounds& box, const glm::dvec2& place_m, const glm::dvec2& beside_m)
+{
+    return place_m.x >= box.min.x - beside_m.x && place_m.x <= box.max.x + beside_m.x &&
+           place_m.y >= box.min.z - beside_m.y && place_m.y <= box.max.z + beside_m.y;
 }
 
 std::vector<double> lows_of(std::span<const SheetPlace> sheets)
@@ -108,7 +112,7 @@ bool SolidGrids::follow_ground(const Scene& scene, std::span<const SheetPlace> s
     constexpr double spacing_m = 0.125;
     constexpr double most_cells = 96.0;
     const bool stands = scene.terrain->description().meshing.update == TerrainUpdate::still;
-    const GroundKey key{.box_m = level_box(sheets, [](const SheetPlace&) { return true; }),
+    const GroundKey key{.box_m = level_box(sheets),
                         .anchor = anchor,
                         .time_s = stands ? 0.0 : std::floor(2.0 * std::max(time_s, 0.0)) / 2.0,
                         .program = &scene.terrain->program(),
@@ -121,19 +125,27 @@ bool SolidGrids::follow_ground(const Scene& scene, std::span<const SheetPlace> s
     const HeightAt height_at = [&](double x_m, double z_m) {
         return scene.terrain->sample(x_m + anchor.x, z_m + anchor.z, key.time_s).height_m - anchor.y;
     };
-    const glm::dvec4 near_m = level_box(sheets, [&](const SheetPlace& sheet) {
+    std::vector<SheetPlace> near;
+    std::ranges::copy_if(sheets, std::back_inserter(near), [&](const SheetPlace& sheet) {
         return !sheet.stays_in || comes_down_to(*sheet.stays_in, height_at);
     });
-    is_ground_near_ = near_m.z > near_m.x;
+    is_ground_near_ = !near.empty();
     if (!is_ground_near_) {
         return false;
     }
-    const glm::dvec2 low(near_m);
-    const glm::dvec2 high(near_m.z, near_m.w);
+    const glm::dvec4 box_m = level_box(near);
+    const glm::dvec2 low(box_m);
+    const glm::dvec2 high(box_m.z, box_m.w);
     const glm::dvec2 middle = 0.5 * (low + high);
     const glm::uvec2 cells(glm::min((high - low) / spacing_m, most_cells));
-    grids_.front() = cloth::grid_of_heights(cells + 1U, {middle.x, 0.0F, middle.y},
-                                            glm::vec2(0.5 * (high - low)), height_at);
+    const glm::dvec2 beside_m = glm::dvec2(margin_m) + (high - low) / glm::dvec2(cells);
+    grids_.front() = cloth::grid_of_heights(
+        cells + 1U, {middle.x, 0.0F, middle.y}, glm::vec2(0.5 * (high - low)), [&](double x_m, double z_m) {
+            const bool is_asked = std::ranges::any_of(near, [&](const SheetPlace& sheet) {
+                return !sheet.stays_in || is_over(*sheet.stays_in, {x_m, z_m}, beside_m);
+            });
+            return is_asked ? height_at(x_m, z_m) : nobody_there_m;
+        });
     return true;
 }
 

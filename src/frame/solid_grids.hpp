@@ -32,7 +32,7 @@ public:
     /// Heights of the scene's ground under the sheets that may come down to it, at half seconds; returns
     /// whether they are others than before. Of ground that is steeper than sand lies, what is narrower than a
     /// quarter of a sheet may not be seen to come near. Cost: where ground or sheets are others than before
-    /// 25 samples of the ground for each that stays somewhere, and up to 9,409 where one comes near; else
+    /// 25 samples of the ground for each that stays somewhere, and up to 9,409 below those that do; else
     /// none.
     bool follow_ground(const Scene& scene, std::span<const SheetPlace> sheets, const glm::dvec3& anchor,
                        double time_s);

@@ -68,7 +68,10 @@ TEST(SolidGrids, GroundIsNearWhereSheetsMayComeDown)
     both.push_back(flag_at(2.5).front());
     both.back().box.min.x = -30.0; // so that the whole is another place
     EXPECT_TRUE(grids.follow_ground(scene, both, {}, 0.0));
-    EXPECT_TRUE(grids.ground());
+    ASSERT_TRUE(grids.ground());
+    const cloth::SolidGrid& grid = grids.grids().at(grids.ground()->grid);
+    EXPECT_EQ(grid.values_m.front(), -1e4F) << "far from where the sheet stays";
+    EXPECT_NEAR(grid.values_m.at(grid.values_m.size() - 1), 2.0 + 0.5 * 2.0, 0.05);
     both.pop_back();
     EXPECT_FALSE(grids.follow_ground(scene, both, {}, 0.0));
     EXPECT_FALSE(grids.ground()) << "it is far again";
