@@ -107,8 +107,8 @@ void Viewer::take(Picture& picture)
 {
     textures_.at(picture.slot)->set(picture.image.width, picture.image.height, picture.image.rgba);
     answered_view_.at(picture.slot) = picture.view;
-    const bool is_whole = picture.scale == 1.0 && picture.samples == studio_.samples &&
-                          picture.continuity == Continuity::still;
+    const bool is_whole =
+        picture.scale == 1.0 && picture.samples == studio_.samples && picture.continuity == Continuity::still;
     if (picture.slot == 0) {
         studio_.shown_scale = picture.scale;
         studio_.shown_px = {picture.image.width, picture.image.height};
