@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <memory>
 #include <new>
 #include <span>
@@ -17,6 +18,15 @@ template <class T, size_t most>
 
 requires(std::is_trivially_copyable_v<T>&& std::is_trivially_destructible_v<T>) class Few {
 public:
+    Few() = default;
+
+    Few(std::initializer_list<T> items)
+    {
+        for (const T& item : items) {
+            push_back(item);
+        }
+    }
+
     void push_back(const T& item)
     {
         if (size_ == most) {
@@ -25,6 +35,8 @@ public:
         std::construct_at(reinterpret_cast<T*>(room_.data()) + size_, item);
         ++size_;
     }
+
+    [[nodiscard]] bool empty() const { return size_ == 0; }
 
     [[nodiscard]] size_t size() const { return size_; }
 
