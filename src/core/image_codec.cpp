@@ -2,6 +2,7 @@
 #include "core/image_codec.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdio>
 #include <cstring>
 
@@ -29,11 +30,13 @@ void check_size(uint64_t width, uint64_t height, const std::string& name)
     }
 }
 
-Image make_image(uint64_t width, uint64_t height, const std::string& name)
+template <class Picture = Image>
+Picture make_image(uint64_t width, uint64_t height, const std::string& name)
 {
     check_size(width, height, name);
-    require_memory(width * height * 4, fmt::format("an image of {} x {} pixels", width, height), name);
-    Image image{.width = static_cast<uint32_t>(width), .height = static_cast<uint32_t>(height), .rgba = {}};
+    require_memory(width * height * 4 * sizeof(typename decltype(Picture::rgba)::value_type),
+                   fmt::format("an image of {} x {} pixels", width, height), name);
+    Picture image{.width = static_cast<uint32_t>(width), .height = static_cast<uint32_t>(height), .rgba = {}};
     image.rgba.resize(width * height * 4);
     return image;
 }
@@ -77,13 +80,17 @@ bool read_png_header(PngReader& reader)
 }
 
 /// Takes memory for a row.
-bool ask_for_rgba(PngReader& reader)
+bool ask_for_rgba(PngReader& reader, bool is_deep)
 {
     if (setjmp(reader.failure.jump) != 0) {
         return false;
     }
     png_set_expand(reader.png);
-    png_set_scale_16(reader.png);
+    if (!is_deep) {
+        png_set_scale_16(reader.png);
+    } else if (std::endian::native == std::endian::little) {
+        png_set_swap(reader.png);
+    }
     png_set_gray_to_rgb(reader.png);
     png_set_add_alpha(reader.png, 0xFF, PNG_FILLER_AFTER);
     png_set_interlace_handling(reader.png);
@@ -100,8 +107,11 @@ bool read_png_pixels(PngReader& reader)
     return true;
 }
 
-Image decode_png(std::span<const std::byte> data, const std::string& name)
+/// `Picture` is of 8 bits a channel, or of 16 where the data is.
+template <class Picture>
+Picture decode_png(std::span<const std::byte> data, const std::string& name)
 {
+    using Value = typename decltype(Picture::rgba)::value_type;
     PngReader reader;
     reader.source.data = data;
     reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader.failure, png_failed, png_warned);
@@ -115,19 +125,19 @@ Image decode_png(std::span<const std::byte> data, const std::string& name)
     const uint64_t width = png_get_image_width(reader.png, reader.info);
     const uint64_t height = png_get_image_height(reader.png, reader.info);
     check_size(width, height, name);
-    if (!ask_for_rgba(reader)) {
+    if (!ask_for_rgba(reader, sizeof(Value) == 2)) {
         throw Error(fmt::format("corrupt PNG: {}", reader.failure.message), name);
     }
-    const uint64_t bits = uint64_t{png_get_channels(reader.png, reader.info)} * 8;
+    const uint64_t bits = uint64_t{png_get_channels(reader.png, reader.info)} * 8 * sizeof(Value);
     constexpr uint64_t best_deflate_ratio = 1040;
     if (width * height * bits / 8 > 64 * best_deflate_ratio * data.size()) {
         throw Error(
             fmt::format("corrupt PNG: {} x {} pixels cannot come from {} bytes", width, height, data.size()),
             name);
     }
-    Image image = make_image(width, height, name);
+    Picture image = make_image<Picture>(width, height, name);
     for (uint64_t row = 0; row < height; ++row) {
-        reader.rows.push_back(image.rgba.data() + row * width * 4);
+        reader.rows.push_back(reinterpret_cast<png_bytep>(image.rgba.data() + row * width * 4));
     }
     if (!read_png_pixels(reader)) {
         throw Error(fmt::format("corrupt PNG: {}", reader.failure.message), name);
@@ -241,12 +251,26 @@ bool starts_with(std::span<const std::byte> data, size_t offset, std::string_vie
            std::memcmp(data.data() + offset, magic.data(), magic.size()) == 0;
 }
 
+bool is_png(std::span<const std::byte> data)
+{
+    return starts_with(data, 0, "\x89PNG\r\n\x1a\n");
+}
+
 } // namespace
+
+std::optional<DeepImage> decode_deep_image(std::span<const std::byte> data, const std::string& name)
+{
+    constexpr size_t depth_at = 24; // in the first chunk, which has to be the header
+    if (!is_png(data) || data.size() <= depth_at || data[depth_at] != std::byte{16}) {
+        return std::nullopt;
+    }
+    return decode_png<DeepImage>(data, name);
+}
 
 Image decode_image(std::span<const std::byte> data, const std::string& name)
 {
-    if (starts_with(data, 0, "\x89PNG\r\n\x1a\n")) {
-        return decode_png(data, name);
+    if (is_png(data)) {
+        return decode_png<Image>(data, name);
     }
     if (starts_with(data, 0, "\xFF\xD8\xFF")) {
         return decode_jpeg(data, name);

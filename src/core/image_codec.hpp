@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,17 @@ inline constexpr uint64_t max_image_pixels = uint64_t{1} << 26;
 /// limits above. Cost: about 20 ms a megapixel for PNG, half of it for JPEG. Any number of threads may call
 /// it.
 [[nodiscard]] Image decode_image(std::span<const std::byte> data, const std::string& name);
+
+/// Rows of four channels, from top to bottom.
+struct DeepImage {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<uint16_t> rgba;
+};
+
+/// The same of a PNG of 16 bits a channel, of which none is lost; nothing of any other data.
+[[nodiscard]] std::optional<DeepImage> decode_deep_image(std::span<const std::byte> data,
+                                                         const std::string& name);
 
 /// Encodes as PNG that says to be sRGB, for speed rather than size. Throws Error when the image is empty or
 /// its size and bytes disagree. `dots_per_m` is how finely it is to be printed; 0 says nothing of that.

@@ -128,6 +128,30 @@ TEST(Image, kinds_of_png)
               (std::vector<uint8_t>{0, 0, 0, 255, 255, 255, 255, 255}));
 }
 
+TEST(Image, sixteen_bits_are_kept_where_they_are_asked_for)
+{
+    const std::vector<uint16_t> deep = {0, 1, 258, 32769, 65534, 65535};
+    const auto grey = decode_deep_image(encode_png_as(PNG_FORMAT_LINEAR_Y, 3, 2, deep.data()), "a");
+    ASSERT_TRUE(grey);
+    EXPECT_EQ(glm::uvec2(grey->width, grey->height), glm::uvec2(3, 2));
+    ASSERT_EQ(grey->rgba.size(), 24U);
+    for (size_t i = 0; i < deep.size(); ++i) {
+        for (size_t channel = 0; channel < 4; ++channel) {
+            EXPECT_EQ(grey->rgba[4 * i + channel], channel < 3 ? deep[i] : 65535) << i;
+        }
+    }
+    const auto colours = decode_deep_image(encode_png(1, 2, 3, deep), "a");
+    ASSERT_TRUE(colours);
+    EXPECT_EQ(colours->rgba, (std::vector<uint16_t>{0, 1, 258, 65535, 32769, 65534, 65535, 65535}));
+    EXPECT_FALSE(decode_deep_image(encode_png(gradient(5, 2)), "a"));
+    EXPECT_FALSE(decode_deep_image(encode_webp(gradient(5, 2)), "a"));
+    EXPECT_FALSE(decode_deep_image({}, "a"));
+    const Bytes whole = encode_png(1, 2, 3, deep);
+    for (size_t size = 25; size + 16 < whole.size(); ++size) {
+        EXPECT_THROW((void)decode_deep_image(std::span(whole).first(size), "a"), Error) << size;
+    }
+}
+
 TEST(Image, webp_round_trip)
 {
     Image image = gradient(17, 9);

@@ -20,6 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
             estampe::ExrFile file = estampe::decode_exr(bytes, "fuzz.exr");
             (void)estampe::baked_lightmap(std::move(file), "fuzz.exr");
         } else {
+            (void)estampe::decode_deep_image(bytes, "fuzz.png");
             (void)estampe::decode_image(bytes, "fuzz.png");
         }
     } catch (const estampe::Error&) {

@@ -5,6 +5,9 @@
 #include <estampe/terrain.hpp>
 #include <gtest/gtest.h>
 
+#include "core/file.hpp"
+#include "core/image_codec.hpp"
+#include "support/folder.hpp"
 #include "techniques/terrain/graph/compile.hpp"
 #include "techniques/terrain/graph/evaluate.hpp"
 #include "techniques/terrain/graph/frame.hpp"
@@ -194,6 +197,25 @@ TEST(HeightGraph, IsSavedAsItWas)
     EXPECT_EQ(again.wind, once.wind);
     EXPECT_EQ(again.meshing, once.meshing);
     EXPECT_EQ(again.look, once.look);
+}
+
+TEST(HeightGraph, APictureOfSixteenBitsHasNoTerraces)
+{
+    const test::Folder folder;
+    std::vector<uint16_t> ramp; // 4 x 4 texels of three equal channels, one step apart
+    for (uint16_t i = 0; i < 48; ++i) {
+        ramp.push_back(static_cast<uint16_t>(30000 + i / 3));
+    }
+    write_file_atomically(folder / "ramp.png", encode_png(4, 4, 3, ramp));
+    const Terrain terrain(
+        parse_terrain("[terrain]\nheight = '65535 * texture(\"ramp.png\", 4, filter = \"bilinear\")'\n",
+                      (folder / "ramp.toml").string()));
+    for (int i = 0; i < 3; ++i) {
+        const double x = 0.5 + i;
+        EXPECT_NEAR(terrain.sample(x + 1.0, 0.5, 0.0).height_m - terrain.sample(x, 0.5, 0.0).height_m, 1.0,
+                    0.01);
+        EXPECT_NEAR(terrain.sample(x, 0.5, 0.0).height_m, 30000.0 + i, 20.0);
+    }
 }
 
 TEST(HeightGraph, RaysMeetTheGround)

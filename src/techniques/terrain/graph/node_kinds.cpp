@@ -94,7 +94,7 @@ std::vector<NodeKind> made_kinds()
          height_texture,
          {text("file"), number("size", {}, 0.001, 1e7), text("filter", "bicubic", {"bicubic", "bilinear"}),
           text("wrap", "repeat", {"repeat", "mirror", "clamp"})},
-         "A picture, black 0 and white 1; so many metres wide"},
+         "A picture of 8 or 16 bits, or of floats, black 0 and white 1; so many metres wide"},
         {"mask",
          mask,
          height_texture,

@@ -2,13 +2,14 @@
 #include "techniques/terrain/graph/textures.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include <estampe/error.hpp>
-#include <estampe/image.hpp>
 
 #include "core/exr.hpp"
 #include "core/file.hpp"
+#include "core/image_codec.hpp"
 
 namespace estampe::terrain {
 namespace {
@@ -22,14 +23,17 @@ void check_room(const Program& program, size_t added)
     }
 }
 
-HeightTexture append_picture(Program& program, const std::filesystem::path& path)
+/// An Image or a DeepImage: the mean of its colours, of which the brightest is one.
+template <class Picture>
+HeightTexture append_picture(Program& program, const Picture& image)
 {
-    const Image image = load_image(path);
+    using Value = typename decltype(Picture::rgba)::value_type;
+    constexpr auto white = static_cast<float>(3 * std::numeric_limits<Value>::max());
     const size_t count = size_t{image.width} * image.height;
     check_room(program, count);
     for (size_t pixel = 0; pixel < count; ++pixel) {
-        const uint8_t* const parts = &image.rgba[pixel * 4];
-        program.texels.push_back(static_cast<float>(parts[0] + parts[1] + parts[2]) / 765.0F);
+        const Value* const parts = &image.rgba[pixel * 4];
+        program.texels.push_back(static_cast<float>(parts[0] + parts[1] + parts[2]) / white);
     }
     return {.columns = image.width, .rows = image.height};
 }
@@ -49,7 +53,12 @@ HeightTexture append_file(Program& program, const std::filesystem::path& path)
 {
     constexpr uint64_t largest_bytes = uint64_t{1} << 30;
     const std::vector<std::byte> bytes = read_file(path, largest_bytes);
-    return is_exr(bytes) ? append_floats(program, bytes, path.string()) : append_picture(program, path);
+    if (is_exr(bytes)) {
+        return append_floats(program, bytes, path.string());
+    }
+    const std::optional<DeepImage> deep = decode_deep_image(bytes, path.string());
+    return deep ? append_picture(program, *deep)
+                : append_picture(program, decode_image(bytes, path.string()));
 }
 
 } // namespace
