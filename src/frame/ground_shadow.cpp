@@ -5,19 +5,19 @@
 
 namespace estampe::frame {
 
-GroundShadowPlan plan_ground_shadow(const Camera& camera, const glm::dvec3& anchor,
-                                    const glm::dvec3& towards_sun, bool is_thrown,
-                                    const shadow::ShadowStyle& style, bool is_processor)
+GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene, const shadow::ShadowStyle& style)
 {
     constexpr double texel_m = 0.125; // a power of two, or patterns that repeat would have others far off
-    constexpr uint32_t size = 512;
-    return {.is_thrown = is_thrown,
-            .towards_sun = towards_sun,
+    constexpr uint32_t small_page_px = 540;
+    const uint32_t size = scene.page_height_px <= small_page_px ? 256 : 512;
+    const glm::dvec3& eye = scene.camera.eye;
+    return {.is_thrown = scene.is_thrown,
+            .towards_sun = scene.towards_sun,
             .sun_radius_rad = glm::radians(style.sun_radius_deg),
             .size = size,
-            .levels = shadow::ground_levels_about({camera.eye.x, camera.eye.z}, {anchor.x, anchor.z},
-                                                  towards_sun, size, texel_m),
-            .method = is_processor ? shadow::HeightMethod::sweep : shadow::HeightMethod::pyramid};
+            .levels = shadow::ground_levels_about({eye.x, eye.z}, {scene.anchor.x, scene.anchor.z},
+                                                  scene.towards_sun, size, texel_m),
+            .method = scene.is_processor ? shadow::HeightMethod::sweep : shadow::HeightMethod::pyramid};
 }
 
 void GroundShadow::provide(gpu::Device& device, const GroundShadowPlan& plan)
@@ -40,18 +40,24 @@ gpu::ImageId GroundShadow::add_share(gpu::Graph& graph, terrain::TerrainBuffers&
 {
     const GroundShadowPlan& plan = in.plan;
     gpu::BufferId kept = gpu::import_whole(graph, "ground shadow", kept_);
-    for (uint32_t level = 0; level < shared::ground_levels; ++level) {
-        if (is_held(plan, level, terrain.form())) {
-            continue;
+    shadow::LevelNumbers stale;
+    terrain::HeightFields fields;
+    for (uint32_t number = 0; number < shared::ground_levels; ++number) {
+        if (!is_held(plan, number, terrain.form())) {
+            stale.push_back(number);
+            fields.push_back(
+                {.origin_m = plan.levels[number].origin_m, .texel_m = plan.levels[number].texel_m});
         }
-        const shared::GroundLevel& place = plan.levels[level];
-        const gpu::ImageId height = terrain.add_heights(
-            graph, {.origin_m = place.origin_m, .texel_m = place.texel_m, .size = glm::uvec2(plan.size)},
-            in.texels);
-        kept = shadow::add_ground_field(
-            graph,
-            {.height = height, .level = level, .place = place, .size = plan.size, .method = plan.method},
-            plan.towards_sun, kept);
+    }
+    if (!stale.empty()) {
+        const gpu::ImageId height = terrain.add_heights(graph, fields, glm::uvec2(plan.size), in.texels);
+        kept = shadow::add_ground_fields(graph,
+                                         {.height = height,
+                                          .numbers = stale,
+                                          .levels = plan.levels,
+                                          .size = plan.size,
+                                          .method = plan.method},
+                                         plan.towards_sun, kept);
     }
     return shadow::add_ground_share(graph, {.frame = in.frame,
                                             .depth = in.depth,

@@ -24,11 +24,20 @@ struct GroundShadowPlan {
     shadow::HeightMethod method = shadow::HeightMethod::sweep;
 };
 
+struct GroundShadowScene {
+    const Camera& camera;
+    glm::dvec3 anchor{0.0};
+    glm::dvec3 towards_sun{0.0, 1.0, 0.0};
+    bool is_thrown = false;
+    uint32_t page_height_px = 0;
+    bool is_processor = false; ///< that draws it
+};
+
 /// Plans the fields about the camera. Their horizons are found by sweeps on a processor, which does least
-/// then; a device of many threads keeps too few of them busy by that, and climbs pyramids.
-[[nodiscard]] GroundShadowPlan plan_ground_shadow(const Camera& camera, const glm::dvec3& anchor,
-                                                  const glm::dvec3& towards_sun, bool is_thrown,
-                                                  const shadow::ShadowStyle& style, bool is_processor);
+/// then; a device of many threads keeps too few of them busy by that, and climbs pyramids. A small page's
+/// fields reach half as far each: its pixels are as large there as a large page's are twice as far away.
+[[nodiscard]] GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene,
+                                                  const shadow::ShadowStyle& style);
 
 struct GroundShadowInputs {
     const GroundShadowPlan& plan;

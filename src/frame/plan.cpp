@@ -60,11 +60,15 @@ SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
                 in.daylight ? std::optional(static_cast<float>(in.daylight->elevation_rad)) : std::nullopt,
             .casters = lighting.sun_casters,
             .map = plan_sun_map(scene, in.camera, page.size_px, page.pixel, in.style),
-            .ground =
-                in.loaded.terrain == nullptr
-                    ? GroundShadowPlan{}
-                    : plan_ground_shadow(in.camera, layout.anchor, lighting.towards_sun, scene.throws_shadow,
-                                         in.style.shadow, in.device.info().software)};
+            .ground = in.loaded.terrain == nullptr
+                          ? GroundShadowPlan{}
+                          : plan_ground_shadow({.camera = in.camera,
+                                                .anchor = layout.anchor,
+                                                .towards_sun = lighting.towards_sun,
+                                                .is_thrown = scene.throws_shadow,
+                                                .page_height_px = page.size_px.y,
+                                                .is_processor = in.device.info().software},
+                                               in.style.shadow)};
 }
 
 LightPlan plan_light(const PlanInputs& in, const StrokePlan& strokes)

@@ -194,8 +194,8 @@ gpu::ImageId add_drift(const Making& making, const PosedScene& scene, const surf
     if (!plan) {
         return lines;
     }
-    const gpu::ImageId heights =
-        making.resources.terrain->add_heights(making.graph, plan->field, *scene.terrain_texels);
+    const gpu::ImageId heights = making.resources.terrain->add_heights(
+        making.graph, {plan->field}, glm::uvec2(plan->streaks.side), *scene.terrain_texels);
     return terrain::add_drift(
         making.graph,
         {.frame = scene.frame, .heights = heights, .depth = surface.depth, .size_px = making.sample.size_px},

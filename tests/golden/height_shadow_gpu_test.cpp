@@ -44,7 +44,7 @@ TEST(HeightShadowGolden, DunesInALowSun)
         gpu::Graph graph;
         const gpu::ImageId seen = shadow::add_height_shadow(graph,
                                                             {.height = height.in(graph),
-                                                             .texel_m = texel_m,
+                                                             .texel_m = {texel_m},
                                                              .towards_sun = towards_sun,
                                                              .sun_radius_rad = 0.02},
                                                             {.method = method});

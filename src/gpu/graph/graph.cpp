@@ -218,9 +218,9 @@ Pass& Pass::push_bytes(std::span<const std::byte> bytes)
     return *this;
 }
 
-void Pass::dispatch_over(uint32_t width, uint32_t height)
+void Pass::dispatch_over(uint32_t width, uint32_t height, uint32_t layers)
 {
-    dispatch(groups_over(width), groups_over(height));
+    dispatch(groups_over(width), groups_over(height), layers);
 }
 
 Pass& Pass::variant(uint32_t bits)

@@ -266,16 +266,19 @@ TerrainBuffers::Posed TerrainBuffers::add_vertices(gpu::Graph& graph, const Pose
     return posed;
 }
 
-gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const shared::TerrainFieldConstants& field,
+gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const HeightFields& fields, glm::uvec2 size,
                                          gpu::BufferId texels)
 {
+    const auto count = static_cast<uint32_t>(fields.size());
+    shared::TerrainFieldConstants constants{.size = size};
+    std::ranges::copy(fields, constants.fields);
     auto pass = graph.compute("terrain/heights", shader(Task::heights));
     pass.uniform(gpu::import_whole(graph, "terrain", globals_))
         .uniform(gpu::import_whole(graph, "terrain program", words_))
         .sample(texels, gpu::Format::r32f);
     const gpu::ImageId height = pass.write(graph.image(
-        "terrain/heights", {.width = field.size.x, .height = field.size.y, .format = gpu::Format::r32f}));
-    pass.push(field).dispatch_over(field.size.x, field.size.y);
+        "terrain/heights", {.width = size.x, .height = count * size.y, .format = gpu::Format::r32f}));
+    pass.push(constants).dispatch_over(size.x, size.y, count);
     return height;
 }
 

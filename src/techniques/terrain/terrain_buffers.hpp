@@ -9,6 +9,7 @@
 
 #include <estampe/terrain.hpp>
 
+#include "core/few.hpp"
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/terrain/graph/program.hpp"
@@ -44,6 +45,9 @@ struct TerrainTarget {
     uint32_t first_vertex = 0;
     double stroke_unit_m = 1.0;
 };
+
+/// Lattices whose heights are asked for together.
+using HeightFields = Few<shared::TerrainField, shared::terrain_fields_most>;
 
 class TerrainBuffers {
 public:
@@ -90,10 +94,11 @@ public:
 
     [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes, gpu::BufferId texels);
 
-    /// Heights above the anchor on a lattice, r32f, `size` texels; what the lattice cannot show is left out.
+    /// Heights above the anchor on lattices, r32f, of `size` texels each, one under another; what a lattice
+    /// cannot show is left out of it.
     ///
     /// Cost    one dispatch, one thread a texel
-    [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const shared::TerrainFieldConstants& field,
+    [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const HeightFields& fields, glm::uvec2 size,
                                            gpu::BufferId texels);
 
     /// Why the graph is interpreted where it should have been compiled; empty when it is not.

@@ -27,7 +27,10 @@ void main()
     if (any(greaterThanEqual(texel, uvec2(constants.size)))) {
         return;
     }
-    float height = texelFetch(height_image, ivec2(texel), 0).r;
-    float horizon = texelFetch(horizon_image, ivec2(texel), 0).r;
-    kept[constants.first_texel + texel.y * constants.size + texel.x] = packHalf2x16(vec2(height, horizon));
+    uint field = gl_GlobalInvocationID.z;
+    ivec2 place = ivec2(texel.x, field * constants.size + texel.y);
+    float height = texelFetch(height_image, place, 0).r;
+    float horizon = texelFetch(horizon_image, place, 0).r;
+    uint row = constants.level[field] * constants.size + texel.y;
+    kept[row * constants.size + texel.x] = packHalf2x16(vec2(height, horizon));
 }

@@ -28,18 +28,23 @@ GroundLevels ground_levels_about(const glm::dvec2& eye_m, const glm::dvec2& anch
     return levels;
 }
 
-gpu::BufferId add_ground_field(gpu::Graph& graph, const GroundField& field, const glm::dvec3& towards_sun,
-                               gpu::BufferId kept)
+gpu::BufferId add_ground_fields(gpu::Graph& graph, const GroundFields& fields, const glm::dvec3& towards_sun,
+                                gpu::BufferId kept)
 {
-    const gpu::ImageId horizon = add_height_horizon(
-        graph, {.height = field.height, .texel_m = field.place.texel_m, .towards_sun = towards_sun},
-        {.method = field.method});
+    FieldTexels texel_m;
+    for (const uint32_t number : fields.numbers) {
+        texel_m.push_back(fields.levels[number].texel_m);
+    }
+    const gpu::ImageId horizon =
+        add_height_horizon(graph, {.height = fields.height, .texel_m = texel_m, .towards_sun = towards_sun},
+                           {.method = fields.method});
     auto pass = graph.compute("ground/keep", shaders::ground_keep_comp);
-    pass.sample(field.height).sample(horizon);
+    pass.sample(fields.height).sample(horizon);
     const gpu::BufferId result = pass.modify(kept);
-    pass.push(shared::GroundKeepConstants{.size = field.size,
-                                          .first_texel = field.level * field.size * field.size})
-        .dispatch_over(field.size, field.size);
+    shared::GroundKeepConstants constants{.size = fields.size};
+    std::ranges::copy(fields.numbers, constants.level);
+    pass.push(constants).dispatch_over(fields.size, fields.size,
+                                       static_cast<uint32_t>(fields.numbers.size()));
     return result;
 }
 

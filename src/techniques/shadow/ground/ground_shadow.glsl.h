@@ -17,9 +17,10 @@ struct GroundLevel {
     float texel_m;
 };
 
+// Fields that are kept, the third coordinate of a dispatch counts them.
 struct GroundKeepConstants {
     uint size;
-    uint first_texel;
+    uint level[5]; // of each field
 };
 
 struct GroundShareConstants {

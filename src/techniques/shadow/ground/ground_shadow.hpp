@@ -21,18 +21,21 @@ using GroundLevels = std::array<shared::GroundLevel, shared::ground_levels>;
 [[nodiscard]] GroundLevels ground_levels_about(const glm::dvec2& eye_m, const glm::dvec2& anchor_m,
                                                const glm::dvec3& towards_sun, uint32_t size, double texel_m);
 
-struct GroundField {
-    gpu::ImageId height; ///< r32f, metres above the anchor, `size` texels a side
-    uint32_t level = 0;
-    shared::GroundLevel place{};
+/// Numbers of levels.
+using LevelNumbers = Few<uint32_t, shared::ground_levels>;
+
+struct GroundFields {
+    gpu::ImageId height; ///< r32f, metres above the anchor: a square for each of `numbers`, one under another
+    LevelNumbers numbers;
+    const GroundLevels& levels; ///< all of them
     uint32_t size = 0;
     HeightMethod method = HeightMethod::sweep; ///< not the march
 };
 
-/// Brings one field of `kept`, a word a texel, level by level, up to date. Cost: that of
+/// Brings some fields of `kept`, a word a texel, level by level, up to date. Cost: that of
 /// add_height_horizon(), and one small dispatch.
-[[nodiscard]] gpu::BufferId add_ground_field(gpu::Graph& graph, const GroundField& field,
-                                             const glm::dvec3& towards_sun, gpu::BufferId kept);
+[[nodiscard]] gpu::BufferId add_ground_fields(gpu::Graph& graph, const GroundFields& fields,
+                                              const glm::dvec3& towards_sun, gpu::BufferId kept);
 
 struct GroundShareInputs {
     gpu::BufferId frame; ///< FrameGlobals

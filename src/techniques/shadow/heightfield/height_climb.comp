@@ -29,17 +29,19 @@ float height_at(vec2 place)
 {
     ivec2 cell = clamp(ivec2(floor(place)), ivec2(0), ivec2(pyramid.cells) - 1);
     vec2 share = clamp(place - vec2(cell), 0.0, 1.0);
-    return mix(
-        mix(texelFetch(height_image, cell, 0).x, texelFetch(height_image, cell + ivec2(1, 0), 0).x, share.x),
-        mix(texelFetch(height_image, cell + ivec2(0, 1), 0).x,
-            texelFetch(height_image, cell + ivec2(1, 1), 0).x, share.x),
-        share.y);
+    ivec2 corner = place_of_texel(cell);
+    return mix(mix(texelFetch(height_image, corner, 0).x, texelFetch(height_image, corner + ivec2(1, 0), 0).x,
+                   share.x),
+               mix(texelFetch(height_image, corner + ivec2(0, 1), 0).x,
+                   texelFetch(height_image, corner + ivec2(1, 1), 0).x, share.x),
+               share.y);
 }
 
 float horizon_slope(ivec2 texel)
 {
     const float past_the_edge = 1e-3; // texels: into the next cell
-    float from_m = texelFetch(height_image, texel, 0).x;
+    float texel_m = pyramid.texel_m[gl_GlobalInvocationID.z];
+    float from_m = texelFetch(height_image, place_of_texel(texel), 0).x;
     float best = pyramid.slopes.x;
     float along = 0.0;
     uint level = 0u;
@@ -55,14 +57,14 @@ float horizon_slope(ivec2 texel)
                         greaterThan(abs(pyramid.sunwards), vec2(1e-6)));
         float leaves = max(min(ways.x, ways.y), along + past_the_edge);
         float rise = texelFetch(greatest_image, place_of_cell(cell, level), 0).x - from_m;
-        bool can_raise = rise > best * pyramid.texel_m * along;
+        bool can_raise = rise > best * texel_m * along;
         if (can_raise && level > 0u) {
             --level;
             continue;
         }
         if (can_raise) {
             float there = height_at(vec2(texel) + leaves * pyramid.sunwards);
-            best = max(best, (there - from_m) / (leaves * pyramid.texel_m));
+            best = max(best, (there - from_m) / (leaves * texel_m));
         } else {
             level = min(level + 1u, pyramid.level);
         }
@@ -74,11 +76,11 @@ float horizon_slope(ivec2 texel)
 void main()
 {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(texel, textureSize(height_image, 0)))) {
+    if (any(greaterThan(texel, ivec2(pyramid.cells)))) {
         return;
     }
     float above_rad =
         above_sun_rad(horizon_slope(texel), pyramid.sun.cos_elevation, pyramid.sun.sin_elevation);
     float written = variant != 0u ? above_rad : share_of_disc(above_rad / pyramid.sun.radius_rad);
-    imageStore(out_visibility, texel, vec4(written));
+    imageStore(out_visibility, place_of_texel(texel), vec4(written));
 }

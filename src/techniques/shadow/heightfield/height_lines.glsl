@@ -3,7 +3,7 @@
 #define ESTAMPE_SWEEP_LINES
 
 // Where the lines of a sweep meet the field; see height_shadow.glsl.h. In whole numbers, so that every shader
-// finds the same places. Needs `sweep`, a SweepConstants, and height_image.
+// finds the same places, in this thread's field. Needs `sweep`, a SweepConstants, and height_image.
 
 // Steps that the field has.
 uint step_total()
@@ -35,9 +35,15 @@ ivec2 texel_at(uint step, int across)
     return sweep.steps_along_y != 0u ? ivec2(across, along) : ivec2(along, across);
 }
 
+ivec2 place_of_texel(ivec2 texel)
+{
+    return texel + ivec2(0, gl_GlobalInvocationID.z * sweep.size.y);
+}
+
 float height_of_texel(uint step, int across)
 {
-    return texelFetch(height_image, texel_at(step, clamp(across, 0, texels_across() - 1)), 0).x;
+    ivec2 texel = texel_at(step, clamp(across, 0, texels_across() - 1));
+    return texelFetch(height_image, place_of_texel(texel), 0).x;
 }
 
 // Height where line `c` crosses a step.
@@ -48,7 +54,8 @@ float height_of_line(uint step, int c)
 
 uint cell_of(uint step, int c)
 {
-    return step * uint(texels_across() + 1) + uint(c);
+    uint steps_before = gl_GlobalInvocationID.z * step_total() + step;
+    return steps_before * uint(texels_across() + 1) + uint(c);
 }
 
 #endif

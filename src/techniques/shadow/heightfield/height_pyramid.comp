@@ -16,15 +16,18 @@ layout(push_constant, scalar) uniform Constants
     PyramidConstants pyramid;
 };
 
+#include "techniques/shadow/heightfield/height_pyramid.glsl"
+
 void main()
 {
     ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(cell, ivec2(pyramid.cells)))) {
         return;
     }
-    float greatest = texelFetch(height_image, cell, 0).x;
-    greatest = max(greatest, texelFetch(height_image, cell + ivec2(1, 0), 0).x);
-    greatest = max(greatest, texelFetch(height_image, cell + ivec2(0, 1), 0).x);
-    greatest = max(greatest, texelFetch(height_image, cell + ivec2(1, 1), 0).x);
-    imageStore(out_greatest, cell, vec4(greatest));
+    ivec2 corner = place_of_texel(cell);
+    float greatest = texelFetch(height_image, corner, 0).x;
+    greatest = max(greatest, texelFetch(height_image, corner + ivec2(1, 0), 0).x);
+    greatest = max(greatest, texelFetch(height_image, corner + ivec2(0, 1), 0).x);
+    greatest = max(greatest, texelFetch(height_image, corner + ivec2(1, 1), 0).x);
+    imageStore(out_greatest, place_of_cell(cell, 0u), vec4(greatest));
 }

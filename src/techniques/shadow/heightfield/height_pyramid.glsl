@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_HEIGHT_PYRAMID
 #define ESTAMPE_HEIGHT_PYRAMID
 
-// Where a cell of a level stands in the pyramid's image; see height_shadow.glsl.h.
+// Where a cell of a level, and a texel, of this thread's field stand; see height_shadow.glsl.h.
 
 ivec2 cells_of_level(uint level)
 {
@@ -11,8 +11,14 @@ ivec2 cells_of_level(uint level)
 
 ivec2 place_of_cell(ivec2 cell, uint level)
 {
-    return level == 0u ? cell
-                       : cell + ivec2(pyramid.cells.x, int(pyramid.rows - (pyramid.rows >> (level - 1u))));
+    ivec2 first =
+        level == 0u ? ivec2(0) : ivec2(pyramid.cells.x, pyramid.rows - (pyramid.rows >> (level - 1u)));
+    return cell + first + ivec2(0, gl_GlobalInvocationID.z * pyramid.rows);
+}
+
+ivec2 place_of_texel(ivec2 texel)
+{
+    return texel + ivec2(0, gl_GlobalInvocationID.z * (pyramid.cells.y + 1u));
 }
 
 #endif

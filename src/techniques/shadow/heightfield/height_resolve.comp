@@ -21,6 +21,7 @@ layout(push_constant, scalar) uniform Constants
 {
     SweepConstants sweep;
     SunConstants sun;
+    float texel_m[5]; // of each field
 };
 
 // 1: the horizon's height above the sun is written in place of what is seen of the sun.
@@ -38,7 +39,8 @@ float horizon_slope(uint step, int c)
     }
     int there = c - moved_across(step) + moved_across(seen);
     float rise = height_of_line(seen, there) - height_of_line(step, c);
-    return max(rise / (float(step - seen) * sweep.step_m), 0.0);
+    float way_m = float(step - seen) * sweep.step_texels * texel_m[gl_GlobalInvocationID.z];
+    return max(rise / way_m, 0.0);
 }
 
 void main()
@@ -53,5 +55,5 @@ void main()
     float slope = mix(horizon_slope(step, across + 1), horizon_slope(step, across), fraction_across(step));
     float above_rad = above_sun_rad(slope, sun.cos_elevation, sun.sin_elevation);
     float written = variant != 0u ? above_rad : share_of_disc(above_rad / sun.radius_rad);
-    imageStore(out_visibility, ivec2(texel), vec4(written));
+    imageStore(out_visibility, place_of_texel(ivec2(texel)), vec4(written));
 }

@@ -13,7 +13,6 @@
 #include "shaders/height_resolve_comp.hpp"
 #include "shaders/height_soften_comp.hpp"
 #include "shaders/height_sweep_comp.hpp"
-#include "techniques/shadow/heightfield/height_shadow.glsl.h"
 
 namespace estampe::shadow {
 namespace {
@@ -28,22 +27,27 @@ constexpr uint32_t steps_a_dispatch = 2048;
 /// A horizon as good as upright.
 constexpr float steepest = 1e6F;
 
-struct Field {
+struct Fields {
     glm::uvec2 size;
+    uint32_t count;      ///< of the fields
     glm::dvec2 sunwards; ///< unit, over the field
     double elevation_rad;
     shared::SunConstants sun;
 };
 
-Field field_of(const gpu::Graph& graph, const HeightShadowInputs& in)
+Fields fields_of(const gpu::Graph& graph, const HeightShadowInputs& in)
 {
     const gpu::ImageDesc& height = graph.describe(in.height);
-    if (std::min(height.width, height.height) < 2 || std::max(height.width, height.height) > 16384) {
+    const auto count = static_cast<uint32_t>(in.texel_m.size());
+    const glm::uvec2 size(height.width, height.height / std::max(count, 1U));
+    if (count == 0 || std::min(size.x, size.y) < 2 || std::max(size.x, size.y) > 16384 ||
+        size.y * count != height.height) {
         throw std::logic_error("a height shadow takes fields of 2 x 2 to 16384 x 16384 texels");
     }
     const glm::dvec2 level(in.towards_sun.x, in.towards_sun.z);
     const double length = glm::length(level);
-    return {.size = {height.width, height.height},
+    return {.size = size,
+            .count = count,
             .sunwards = length > 1e-9 ? level / length : glm::dvec2(1.0, 0.0),
             .elevation_rad = std::atan2(in.towards_sun.y, length),
             .sun = {.cos_elevation = static_cast<float>(length),
@@ -51,52 +55,54 @@ Field field_of(const gpu::Graph& graph, const HeightShadowInputs& in)
                     .radius_rad = static_cast<float>(in.sun_radius_rad)}};
 }
 
-gpu::ImageId result_image(gpu::Graph& graph, const char* name, glm::uvec2 size)
+gpu::ImageId result_image(gpu::Graph& graph, const char* name, const Fields& fields)
 {
-    return graph.image(name, {.width = size.x, .height = size.y, .format = gpu::Format::r16f});
+    return graph.image(
+        name, {.width = fields.size.x, .height = fields.count * fields.size.y, .format = gpu::Format::r16f});
 }
 
-shared::SweepConstants sweep_constants(const Field& field, float texel_m)
+shared::SweepConstants sweep_constants(const Fields& fields)
 {
-    const bool along_y = std::abs(field.sunwards.y) > std::abs(field.sunwards.x);
-    const double along = along_y ? field.sunwards.y : field.sunwards.x;
-    const double across = along_y ? field.sunwards.x : field.sunwards.y;
+    const bool along_y = std::abs(fields.sunwards.y) > std::abs(fields.sunwards.x);
+    const double along = along_y ? fields.sunwards.y : fields.sunwards.x;
+    const double across = along_y ? fields.sunwards.x : fields.sunwards.y;
     const double slope = -across / std::abs(along);
-    return {.size = field.size,
+    return {.size = fields.size,
             .steps_along_y = along_y ? 1U : 0U,
             .from_far_end = along > 0.0 ? 1U : 0U,
             .slope = static_cast<int>(std::lround(slope * 65536.0)),
-            .step_m = texel_m * static_cast<float>(std::sqrt(1.0 + slope * slope))};
+            .step_texels = static_cast<float>(std::sqrt(1.0 + slope * slope))};
 }
 
-gpu::ImageId add_sweep(gpu::Graph& graph, const HeightShadowInputs& in, const Field& field, Written written)
+gpu::ImageId add_sweep(gpu::Graph& graph, const HeightShadowInputs& in, const Fields& fields, Written written)
 {
-    shared::SweepConstants sweep = sweep_constants(field, in.texel_m);
+    shared::SweepConstants sweep = sweep_constants(fields);
     const bool along_y = sweep.steps_along_y != 0;
-    const uint32_t steps = along_y ? field.size.y : field.size.x;
-    const uint32_t across = along_y ? field.size.x : field.size.y;
+    const uint32_t steps = along_y ? fields.size.y : fields.size.x;
+    const uint32_t across = along_y ? fields.size.x : fields.size.y;
     const auto moved = static_cast<uint32_t>((std::abs(sweep.slope) * static_cast<int>(steps - 1) >> 16) + 1);
-    gpu::BufferId seen =
-        graph.buffer("height shadow/seen", {.size_bytes = sizeof(uint32_t) * steps * (across + 1ULL)});
+    gpu::BufferId seen = graph.buffer(
+        "height shadow/seen", {.size_bytes = sizeof(uint32_t) * fields.count * steps * (across + 1ULL)});
     for (uint32_t first = 0; first < steps; first += steps_a_dispatch) {
         sweep.first_step = first;
         sweep.end_step = std::min(first + steps_a_dispatch, steps);
         auto pass = graph.compute("height shadow/sweep", shaders::height_sweep_comp);
         pass.sample(in.height);
         seen = first == 0 ? pass.write(seen) : pass.modify(seen);
-        pass.push(sweep).dispatch_items(across + 1 + moved);
+        pass.push(sweep).dispatch((across + moved) / 64 + 1, 1, fields.count);
     }
     auto pass = graph.compute("height shadow/resolve", shaders::height_resolve_comp);
     pass.sample(in.height).read(seen);
-    const gpu::ImageId result = pass.write(result_image(graph, "height shadow", field.size));
+    const gpu::ImageId result = pass.write(result_image(graph, "height shadow", fields));
     pass.variant(static_cast<uint32_t>(written));
-    pass.push(shared::ResolveConstants{.sweep = sweep, .sun = field.sun})
-        .dispatch_over(field.size.x, field.size.y);
+    shared::ResolveConstants constants{.sweep = sweep, .sun = fields.sun};
+    std::ranges::copy(in.texel_m, constants.texel_m);
+    pass.push(constants).dispatch_over(fields.size.x, fields.size.y, fields.count);
     return result;
 }
 
 /// Slopes of a horizon between which it makes a difference.
-glm::vec2 slopes_that_matter(const Field& field, double radius_rad, Written written)
+glm::vec2 slopes_that_matter(const Fields& fields, double radius_rad, Written written)
 {
     if (written == Written::horizon) {
         return {0.0F, steepest};
@@ -104,65 +110,69 @@ glm::vec2 slopes_that_matter(const Field& field, double radius_rad, Written writ
     const auto slope = [](double rad) {
         return rad < 1.57 ? std::clamp(static_cast<float>(std::tan(rad)), 0.0F, steepest) : steepest;
     };
-    return {slope(std::max(field.elevation_rad - radius_rad, 0.0)),
-            slope(std::max(field.elevation_rad + radius_rad, 0.0))};
+    return {slope(std::max(fields.elevation_rad - radius_rad, 0.0)),
+            slope(std::max(fields.elevation_rad + radius_rad, 0.0))};
 }
 
-gpu::ImageId add_pyramid(gpu::Graph& graph, const HeightShadowInputs& in, const Field& field, Written written)
+gpu::ImageId add_pyramid(gpu::Graph& graph, const HeightShadowInputs& in, const Fields& fields,
+                         Written written)
 {
-    const glm::uvec2 cells = field.size - 1U;
+    const glm::uvec2 cells = fields.size - 1U;
     const uint32_t rows = std::bit_ceil(cells.y);
     const auto topmost =
         static_cast<uint32_t>(std::min(std::bit_width(std::max(cells.x, cells.y)), std::bit_width(rows)) - 1);
     shared::PyramidConstants pyramid{.cells = cells,
                                      .rows = rows,
-                                     .texel_m = in.texel_m,
-                                     .sunwards = glm::vec2(field.sunwards),
-                                     .slopes = slopes_that_matter(field, in.sun_radius_rad, written),
-                                     .sun = field.sun};
+                                     .sunwards = glm::vec2(fields.sunwards),
+                                     .slopes = slopes_that_matter(fields, in.sun_radius_rad, written),
+                                     .sun = fields.sun};
+    std::ranges::copy(in.texel_m, pyramid.texel_m);
     auto base = graph.compute("height shadow/pyramid", shaders::height_pyramid_comp);
     base.sample(in.height);
-    gpu::ImageId greatest = base.write(
-        graph.image("height shadow/greatest",
-                    {.width = cells.x + (cells.x + 1) / 2, .height = rows, .format = gpu::Format::r32f}));
-    base.push(pyramid).dispatch_over(cells.x, cells.y);
+    gpu::ImageId greatest = base.write(graph.image(
+        "height shadow/greatest",
+        {.width = cells.x + (cells.x + 1) / 2, .height = fields.count * rows, .format = gpu::Format::r32f}));
+    base.push(pyramid).dispatch_over(cells.x, cells.y, fields.count);
     for (pyramid.level = 1; pyramid.level <= topmost; ++pyramid.level) {
         auto pass = graph.compute("height shadow/pyramid", shaders::height_level_comp);
         greatest = pass.modify(greatest);
         pass.push(pyramid).dispatch_over(((cells.x - 1) >> pyramid.level) + 1,
-                                         ((cells.y - 1) >> pyramid.level) + 1);
+                                         ((cells.y - 1) >> pyramid.level) + 1, fields.count);
     }
     pyramid.level = topmost;
     auto pass = graph.compute("height shadow/climb", shaders::height_climb_comp);
     pass.sample(in.height).sample(greatest);
-    const gpu::ImageId result = pass.write(result_image(graph, "height shadow", field.size));
+    const gpu::ImageId result = pass.write(result_image(graph, "height shadow", fields));
     pass.variant(static_cast<uint32_t>(written));
-    pass.push(pyramid).dispatch_over(field.size.x, field.size.y);
+    pass.push(pyramid).dispatch_over(fields.size.x, fields.size.y, fields.count);
     return result;
 }
 
-gpu::ImageId add_march(gpu::Graph& graph, const HeightShadowInputs& in, const Field& field,
+gpu::ImageId add_march(gpu::Graph& graph, const HeightShadowInputs& in, const Fields& fields,
                        const HeightShadowStyle& style)
 {
+    if (fields.count > 1) {
+        throw std::logic_error("a march over heights takes one field at a time");
+    }
     constexpr float deviations_taken_in = 2.5F;
     const float deviation = style.march_blur_texels;
     const shared::MarchConstants march{
-        .size = field.size,
-        .sunwards = glm::vec2(field.sunwards),
-        .rise_m = in.texel_m * std::min(static_cast<float>(std::tan(field.elevation_rad)), steepest),
+        .size = fields.size,
+        .sunwards = glm::vec2(fields.sunwards),
+        .rise_m = in.texel_m.front() * std::min(static_cast<float>(std::tan(fields.elevation_rad)), steepest),
         .step_count = static_cast<uint32_t>(style.march_steps),
         .blur_radius = static_cast<uint32_t>(std::ceil(deviations_taken_in * deviation)),
         .blur_falloff = deviation > 0.0F ? 0.5F / (deviation * deviation) : 0.0F};
     auto pass = graph.compute("height shadow/march", shaders::height_march_comp);
     pass.sample(in.height, gpu::Sampling::linear);
-    gpu::ImageId result = pass.write(result_image(graph, "height shadow/hard", field.size));
-    pass.push(march).dispatch_over(field.size.x, field.size.y);
+    gpu::ImageId result = pass.write(result_image(graph, "height shadow/hard", fields));
+    pass.push(march).dispatch_over(fields.size.x, fields.size.y);
     for (uint32_t side = 0; side < 2 && march.blur_radius > 0; ++side) {
         auto blur = graph.compute("height shadow/soften", shaders::height_soften_comp);
         blur.sample(result);
-        result = blur.write(result_image(graph, "height shadow", field.size));
+        result = blur.write(result_image(graph, "height shadow", fields));
         blur.variant(side);
-        blur.push(march).dispatch_over(field.size.x, field.size.y);
+        blur.push(march).dispatch_over(fields.size.x, fields.size.y);
     }
     return result;
 }
@@ -172,27 +182,27 @@ gpu::ImageId add_march(gpu::Graph& graph, const HeightShadowInputs& in, const Fi
 gpu::ImageId add_height_shadow(gpu::Graph& graph, const HeightShadowInputs& in,
                                const HeightShadowStyle& style)
 {
-    const Field field = field_of(graph, in);
+    const Fields fields = fields_of(graph, in);
     switch (style.method) {
     case HeightMethod::sweep:
-        return add_sweep(graph, in, field, Written::visibility);
+        return add_sweep(graph, in, fields, Written::visibility);
     case HeightMethod::pyramid:
-        return add_pyramid(graph, in, field, Written::visibility);
+        return add_pyramid(graph, in, fields, Written::visibility);
     case HeightMethod::march:
         break;
     }
-    return add_march(graph, in, field, style);
+    return add_march(graph, in, fields, style);
 }
 
 gpu::ImageId add_height_horizon(gpu::Graph& graph, const HeightShadowInputs& in,
                                 const HeightShadowStyle& style)
 {
-    const Field field = field_of(graph, in);
+    const Fields fields = fields_of(graph, in);
     if (style.method == HeightMethod::march) {
         throw std::logic_error("a march over heights knows no horizon");
     }
-    return style.method == HeightMethod::sweep ? add_sweep(graph, in, field, Written::horizon)
-                                               : add_pyramid(graph, in, field, Written::horizon);
+    return style.method == HeightMethod::sweep ? add_sweep(graph, in, fields, Written::horizon)
+                                               : add_pyramid(graph, in, fields, Written::horizon);
 }
 
 } // namespace estampe::shadow

@@ -6,8 +6,10 @@
 
 #include <glm/glm.hpp>
 
+#include "core/few.hpp"
 #include "gpu/graph/graph.hpp"
 #include "style/parameter.hpp"
+#include "techniques/shadow/heightfield/height_shadow.glsl.h"
 
 namespace estampe::shadow {
 
@@ -25,21 +27,26 @@ struct HeightShadowStyle {
 
 [[nodiscard]] const style::Table<HeightShadowStyle>& height_shadow_table();
 
+/// Between two texels, for each of the fields that are worked out together.
+using FieldTexels = Few<float, shared::height_fields_most>;
+
 struct HeightShadowInputs {
-    gpu::ImageId height;             ///< r32f or r16f, metres; at least 2 x 2 texels, at most 16384 a side
-    float texel_m = 1.0F;            ///< between two texels
+    gpu::ImageId height;             ///< r32f or r16f, metres; fields of one size, one under another
+    FieldTexels texel_m;             ///< of each field
     glm::dvec3 towards_sun;          ///< unit; x along the field's rows, y up, z down its columns
     double sun_radius_rad = 0.00465; ///< half the angle that the disc takes; above 0
 };
 
 /// How much of the sun's disc each texel sees: 1 all of it, 0 none. Between texels the ground is linear;
-/// beyond the field it is level and low, so that a sun under the horizon lights nothing.
+/// beyond its field it is level and low, so that a sun under the horizon lights nothing.
 ///
-/// Writes  r16f of the field's size
-/// Throws  std::logic_error for a field that is smaller or larger than that
+/// Writes  r16f of the size of `height`
+/// Throws  std::logic_error for fields of less than 2 x 2 or more than 16384 x 16384 texels, for none, and
+///         for more than one by march
 /// Cost    sweep: two steps a texel, whatever the light; one thread a line, so large fields fill a device
-///         best. Pyramid: a third more memory and about as many texels to look at as the way to what throws
-///         the shadow has digits; low suns cost more. March: `march_steps` a texel in the light
+///         best, as do several fields at once. Pyramid: a third more memory and about as many texels to look
+///         at as the way to what throws the shadow has digits; low suns cost more. March: `march_steps` a
+///         texel in the light
 /// Source  Timonen and Westerholm, "Scalable Height Field Self-Shadowing", Eurographics 2010 (sweep); Snyder
 ///         and Nowrouzezahrai, "Fast Soft Self-Shadowing on Dynamic Height Fields", EGSR 2008 (pyramid);
 ///         Zanuttini, "Recherches en rendu non réaliste temps réel", 2008 (march)

@@ -3,9 +3,12 @@
 #include "techniques/shadow/heightfield/height_shadow.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -60,7 +63,7 @@ std::vector<float> shadow_of(const Field& field, const Sky& sky, const HeightSha
     test::Layer height = field.layer();
     gpu::Graph graph;
     const HeightShadowInputs in{.height = height.in(graph),
-                                .texel_m = static_cast<float>(field.texel_m),
+                                .texel_m = {static_cast<float>(field.texel_m)},
                                 .towards_sun = sky.towards_sun(),
                                 .sun_radius_rad = sky.radius_rad};
     return test::run_and_read_coverage(graph, horizon ? add_height_horizon(graph, in, style)
@@ -342,8 +345,59 @@ TEST(HeightShadow, MarchAgreesButForTheSunsSize)
     EXPECT_LT(steepest, 0.2F);
 }
 
+/// Fields of one size, one under another.
+test::Layer stacked(std::span<const Field> fields)
+{
+    const glm::uvec2 size = fields.front().size;
+    return test::Layer::depth({size.x, size.y * static_cast<uint32_t>(fields.size())}, [&](glm::uvec2 texel) {
+        const Field& field = fields[texel.y / size.y];
+        return static_cast<float>(field.ground(field.place({texel.x, texel.y % size.y})));
+    });
+}
+
+TEST(HeightShadow, FieldsTogetherAreAsEachAlone)
+{
+    const auto turned_hills = [](glm::dvec2 p) { return 1.4 * hills({p.y, -p.x}); };
+    const std::array<Field, 3> fields{Field{.size = {96, 70}, .texel_m = 0.5, .ground = hills},
+                                      Field{.size = {96, 70}, .texel_m = 0.125, .ground = turned_hills},
+                                      Field{.size = {96, 70}, .texel_m = 2.0, .ground = hills}};
+    FieldTexels texel_m;
+    for (const Field& field : fields) {
+        texel_m.push_back(static_cast<float>(field.texel_m));
+    }
+    for (const auto& style : {by_sweep, by_pyramid}) {
+        for (const double azimuth : {0.4, 2.1, 3.9, 5.5}) {
+            const Sky sky{.azimuth_rad = azimuth, .elevation_rad = 0.3};
+            test::Layer height = stacked(fields);
+            gpu::Graph graph;
+            const std::vector<float> together =
+                test::run_and_read_coverage(graph, add_height_horizon(graph,
+                                                                      {.height = height.in(graph),
+                                                                       .texel_m = texel_m,
+                                                                       .towards_sun = sky.towards_sun(),
+                                                                       .sun_radius_rad = sky.radius_rad},
+                                                                      style));
+            std::vector<float> alone;
+            for (const Field& field : fields) {
+                std::ranges::copy(shadow_of(field, sky, style, true), std::back_inserter(alone));
+            }
+            EXPECT_EQ(together, alone) << azimuth;
+        }
+    }
+}
+
 TEST(HeightShadow, FieldsOfNoAreaAreRefused)
 {
+    test::Layer height = Field{.size = {8, 9}, .ground = flat}.layer();
+    gpu::Graph graph;
+    const gpu::ImageId image = height.in(graph);
+    const auto in = [&](FieldTexels texel_m) {
+        return HeightShadowInputs{.height = image, .texel_m = texel_m, .towards_sun = Sky{}.towards_sun()};
+    };
+    EXPECT_THROW(static_cast<void>(add_height_shadow(graph, in({}))), std::logic_error);
+    EXPECT_THROW(static_cast<void>(add_height_shadow(graph, in({1.0F, 1.0F}))), std::logic_error);
+    EXPECT_THROW(static_cast<void>(add_height_shadow(graph, in({1.0F, 1.0F, 1.0F}), by_march)),
+                 std::logic_error);
     EXPECT_THROW(static_cast<void>(shadow_of({.size = {1, 8}, .ground = flat}, {})), std::logic_error);
     for (const glm::uvec2 size : {glm::uvec2(2, 2), glm::uvec2(2, 33), glm::uvec2(17, 2)}) {
         for (const auto& style : {by_sweep, by_pyramid, by_march}) {

@@ -46,9 +46,7 @@ std::optional<DriftPlan> drift_at(const TerrainWind& wind, const DriftStyle& sty
                                  .reach_m = style.reach_m,
                                  .half_width_px = 0.5F * style.width_mm * view.pixels_per_mm,
                                  .amount = style.amount},
-                     .field = {.origin_m = corner_m,
-                               .texel_m = static_cast<float>(cell_m),
-                               .size = glm::uvec2(grid_side)}};
+                     .field = {.origin_m = corner_m, .texel_m = static_cast<float>(cell_m)}};
 }
 
 gpu::ImageId add_drift(gpu::Graph& graph, const DriftInputs& in, const shared::DriftConstants& streaks,

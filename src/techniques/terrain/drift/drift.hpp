@@ -31,7 +31,7 @@ struct DriftStyle {
 /// The drift of a picture: what its streaks have in common, and the field of heights they need.
 struct DriftPlan {
     shared::DriftConstants streaks;
-    shared::TerrainFieldConstants field;
+    shared::TerrainField field; ///< `side` texels a side, as the streaks have it
 };
 
 struct DriftView {

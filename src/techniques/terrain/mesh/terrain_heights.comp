@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread finds the height of one texel of a field.
+// One thread finds the height of one texel of one field.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -24,7 +24,7 @@ layout(binding = 3, r32f) writeonly uniform image2D out_height; // above the anc
 
 layout(push_constant, scalar) uniform Constants
 {
-    TerrainFieldConstants field;
+    TerrainFieldConstants constants;
 };
 
 #include "techniques/terrain/graph/height_program.glsl"
@@ -32,9 +32,11 @@ layout(push_constant, scalar) uniform Constants
 void main()
 {
     uvec2 texel = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(texel, field.size))) {
+    if (any(greaterThanEqual(texel, constants.size))) {
         return;
     }
+    TerrainField field = constants.fields[gl_GlobalInvocationID.z];
     float height = height_at(field.origin_m + field.texel_m * vec2(texel), field.texel_m).x;
-    imageStore(out_height, ivec2(texel), vec4(height - terrain.anchor_y_m));
+    ivec2 place = ivec2(texel.x, gl_GlobalInvocationID.z * constants.size.y + texel.y);
+    imageStore(out_height, place, vec4(height - terrain.anchor_y_m));
 }

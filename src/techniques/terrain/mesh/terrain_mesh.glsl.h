@@ -46,10 +46,17 @@ struct TerrainGlobals {
 };
 
 // A field of heights: origin is the middle of the first texel, from the anchor.
-struct TerrainFieldConstants {
+struct TerrainField {
     vec2 origin_m;
     float texel_m;
-    uvec2 size;
+};
+
+SHARED_CONSTANT uint terrain_fields_most = 5U;
+
+// Fields of one size, one under another in their image; the third coordinate of a dispatch counts them.
+struct TerrainFieldConstants {
+    TerrainField fields[5];
+    uvec2 size; // of a field, texels
 };
 
 // Where the heights of sand go among the texels.
