@@ -50,6 +50,7 @@ struct FrameResources {
     gpu::Device& device;
     FrameLists& frame_lists;
     pose::MeshBuffers& meshes;
+    const pose::PoseData& pose; ///< of this moment
     surface::MaterialBuffers& materials;
     gpu::Buffer& frame_globals;
     gpu::Buffer& light_globals;

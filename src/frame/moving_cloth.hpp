@@ -49,6 +49,9 @@ public:
 
     [[nodiscard]] cloth::Cloths& sheets() { return sheets_; }
 
+    /// In ascending order; vertices of a sheet take the place of posed ones.
+    [[nodiscard]] std::span<const uint32_t> draws() const { return draws_; }
+
     /// What is to be done before a picture; nothing where sheets are as it wants them. `before_s` is the
     /// moment that motion is told from.
     [[nodiscard]] std::optional<ClothRun> plan(const RenderSettings& settings, const StyleTables& style,

@@ -116,13 +116,21 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
         const auto places = pose::moved_places(loaded->layout, *loaded->pose, now);
         moved.insert(moved.end(), places.begin(), places.end());
     }
-    std::swap(loaded->meshes.posed_vertices[0], loaded->meshes.posed_vertices[1]);
+    pose::swap_posed(loaded->meshes);
     if (pose::upload_pose(device, loaded->meshes, loaded->layout, now)) {
         loaded->line_meshes.forget();
     }
     loaded->pose = std::move(now);
     loaded->pose_moved = true;
     sun_map.forget();
+}
+
+void Renderer::Impl::posed()
+{
+    if (loaded->pose_moved) {
+        pose::keep_posed(loaded->meshes);
+        loaded->pose_moved = false;
+    }
 }
 
 namespace {
@@ -178,6 +186,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
     frame::FrameResources resources{.device = device,
                                     .frame_lists = frame_lists,
                                     .meshes = loaded->meshes,
+                                    .pose = *loaded->pose,
                                     .materials = loaded->materials,
                                     .frame_globals = frame_globals,
                                     .light_globals = light_globals,
@@ -229,7 +238,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
     }
     executor.run(declared);
     executor.replace_timings(); // by those of the next sample
-    loaded->pose_moved = false;
+    posed();
     loaded->terrain_moved = false;
     if (loaded->cloth) {
         loaded->cloth->has_moved = false;

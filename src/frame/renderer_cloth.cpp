@@ -84,9 +84,7 @@ gpu::BufferId Renderer::Impl::pose_for_cloth(gpu::Graph& graph, double time_s, I
     update_pose(pose);
     loaded->cloth->place_solids(device, loaded->scene,
                                 {.nodes = pose, .draws = *loaded->pose, .time_s = time_s}, loaded->layout);
-    pose::MeshBuffers& meshes = loaded->meshes;
-    return pose::add_pose(graph, meshes, loaded->layout, gpu::import_whole(graph, "draws", meshes.draws),
-                          gpu::import_whole(graph, "rest vertices", meshes.rest_vertices));
+    return add_moved(graph);
 }
 
 void Renderer::Impl::start_cloth(const frame::ClothRun& run, const RenderSettings& settings)
@@ -104,6 +102,7 @@ void Renderer::Impl::start_cloth(const frame::ClothRun& run, const RenderSetting
     sheets.add_snapshot(graph, handles);
     std::ignore = loaded->cloth->carries(*loaded->pose, loaded->layout.anchor, 0.0);
     executor.run(graph);
+    pose::keep_posed(loaded->meshes);
 }
 
 void Renderer::Impl::step_cloth(double from_s, double to_s, const RenderSettings& settings,
@@ -139,6 +138,7 @@ void Renderer::Impl::step_cloth(double from_s, double to_s, const RenderSettings
         }
         sheets.add_steps(graph, handles, surroundings, now);
         executor.run(graph);
+        pose::keep_posed(loaded->meshes);
     }
 }
 

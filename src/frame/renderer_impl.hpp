@@ -66,6 +66,11 @@ struct Renderer::Impl {
     }
 
     void update_pose(const ScenePose& scene_pose);
+
+    /// Poses what does not stand as it does now; pose::keep_posed() is to be called when the graph has run.
+    [[nodiscard]] gpu::BufferId add_moved(gpu::Graph& graph);
+    /// The device has posed the vertices.
+    void posed();
     /// Poses the scene, unless that is how it stands; valid until another moment is asked for.
     const ScenePose& pose_at(const RenderSettings& settings);
     /// Takes the anchor along with an eye that has gone far over the ground, so that floats stay fine there.
@@ -82,7 +87,7 @@ struct Renderer::Impl {
     void start_cloth(const frame::ClothRun& run, const RenderSettings& settings);
     void step_cloth(double from_s, double to_s, const RenderSettings& settings,
                     const frame::StyleTables& style);
-    /// Poses all, and tells cloth where solids are.
+    /// Poses what moved, and tells cloth where solids are.
     [[nodiscard]] gpu::BufferId pose_for_cloth(gpu::Graph& graph, double time_s, Index animation);
     /// The ink of a picture that has been prepared.
     [[nodiscard]] std::optional<frame::InkPlan>

@@ -21,6 +21,15 @@ void Renderer::place(std::span<const NodePlace> places, double time_s)
     frame::place_nodes(impl_->device, *impl_->loaded, places, time_s);
 }
 
+gpu::BufferId Renderer::Impl::add_moved(gpu::Graph& graph)
+{
+    pose::MeshBuffers& meshes = loaded->meshes;
+    return pose::add_pose_of_moved(graph, meshes, loaded->layout, *loaded->pose,
+                                   loaded->cloth ? loaded->cloth->draws() : std::span<const uint32_t>(),
+                                   gpu::import_whole(graph, "draws", meshes.draws),
+                                   gpu::import_whole(graph, "rest vertices", meshes.rest_vertices));
+}
+
 void Renderer::Impl::pose_before(const ScenePose& scene_pose)
 {
     update_pose(scene_pose);
@@ -28,13 +37,10 @@ void Renderer::Impl::pose_before(const ScenePose& scene_pose)
         return;
     }
     gpu::Graph graph;
-    pose::MeshBuffers& meshes = loaded->meshes;
-    const auto posed =
-        pose::add_pose(graph, meshes, loaded->layout, gpu::import_whole(graph, "draws", meshes.draws),
-                       gpu::import_whole(graph, "rest vertices", meshes.rest_vertices));
-    graph.custom("posed before").touch(posed, gpu::Access::compute_storage_read).keep();
+    const gpu::BufferId vertices = add_moved(graph);
+    graph.custom("posed before").touch(vertices, gpu::Access::compute_storage_read).keep();
     executor.run(graph);
-    loaded->pose_moved = false;
+    posed();
 }
 
 std::optional<double> Renderer::Impl::moment_before(const RenderSettings& settings,

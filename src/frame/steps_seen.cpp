@@ -41,9 +41,12 @@ PosedScene add_posed_scene(const Making& making)
     pose::MeshBuffers& meshes = making.resources.meshes;
     const auto draws = gpu::import_whole(graph, "draws", meshes.draws);
     const auto rest_vertices = gpu::import_whole(graph, "rest vertices", meshes.rest_vertices);
+    const std::span<const uint32_t> sheets_drawn =
+        making.resources.cloth != nullptr ? making.resources.cloth->draws() : std::span<const uint32_t>();
     terrain::TerrainBuffers::Posed posed{
         .vertices = making.sample.pose_moved
-                        ? pose::add_pose(graph, meshes, making.layout, draws, rest_vertices)
+                        ? pose::add_pose_of_moved(graph, meshes, making.layout, making.resources.pose,
+                                                  sheets_drawn, draws, rest_vertices)
                         : gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]),
         .before = gpu::import_whole(graph, "vertices before", meshes.posed_vertices[1]),
         .stroke_coordinates = gpu::import_whole(graph, "stroke coordinates", meshes.stroke_coordinates)};

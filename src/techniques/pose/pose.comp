@@ -49,6 +49,7 @@ layout(scalar, binding = 7) writeonly buffer PosedVertices
 
 layout(push_constant, scalar) uniform Constants
 {
+    uint first_vertex;
     uint vertex_count;
 };
 
@@ -75,10 +76,11 @@ mat4 skin_matrix(DrawPose draw, uint local)
 
 void main()
 {
-    uint index = item_index();
-    if (index >= vertex_count) {
+    uint item = item_index();
+    if (item >= vertex_count) {
         return;
     }
+    uint index = first_vertex + item;
     uint draw_index = draw_of_vertex[index];
     DrawPose draw = draw_pose_at(draw_index);
     DrawPart lists = draw_at(draw_index);

@@ -1,12 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/pose/pose.hpp"
 
+#include <utility>
+
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/pose_comp.hpp"
 #include "techniques/pose/pose_variant.glsl.h"
 
 namespace estampe::pose {
+namespace {
+
+gpu::BufferId add_runs(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data, const VertexRuns& runs,
+                       gpu::BufferId draws, gpu::BufferId rest_vertices)
+{
+    gpu::BufferId posed = gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]);
+    const auto draw_of_vertex = gpu::import_whole(graph, "draw of vertex", meshes.draw_of_vertex);
+    const auto skin_vertices = gpu::import_whole(graph, "skin vertices", meshes.skin_vertices);
+    const auto morph_offsets = gpu::import_whole(graph, "morph offsets", meshes.morph_offsets);
+    const auto joints = gpu::import_whole(graph, "joints", meshes.joints);
+    const auto morph_weights = gpu::import_whole(graph, "morph weights", meshes.morph_weights);
+    for (const VertexRun& run : runs) {
+        auto pass = graph.compute("pose", shaders::pose_comp);
+        pass.sample(draws).read(draw_of_vertex).sample(rest_vertices);
+        pass.read(skin_vertices).read(morph_offsets).read(joints).read(morph_weights);
+        posed = pass.modify(posed);
+        pass.variant((data.joint_count > 0 ? shared::pose_has_skins : 0U) |
+                     (data.morph_weight_count > 0 ? shared::pose_has_morphs : 0U));
+        pass.push(glm::uvec2(run.first, run.count)).dispatch_items(run.count);
+    }
+    return posed;
+}
+
+} // namespace
 
 MeshBuffers upload_meshes(gpu::Device& device, const MeshData& data)
 {
@@ -37,23 +63,32 @@ bool upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const
     return has_turned;
 }
 
+void swap_posed(MeshBuffers& meshes)
+{
+    std::swap(meshes.posed_vertices[0], meshes.posed_vertices[1]);
+    std::swap(meshes.posed_as[0], meshes.posed_as[1]);
+}
+
 gpu::BufferId add_pose(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data, gpu::BufferId draws,
                        gpu::BufferId rest_vertices)
 {
-    auto pass = graph.compute("pose", shaders::pose_comp);
-    pass.sample(draws)
-        .read(gpu::import_whole(graph, "draw of vertex", meshes.draw_of_vertex))
-        .sample(rest_vertices)
-        .read(gpu::import_whole(graph, "skin vertices", meshes.skin_vertices))
-        .read(gpu::import_whole(graph, "morph offsets", meshes.morph_offsets))
-        .read(gpu::import_whole(graph, "joints", meshes.joints))
-        .read(gpu::import_whole(graph, "morph weights", meshes.morph_weights));
-    const gpu::BufferId posed =
-        pass.write(gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]));
-    pass.variant((data.joint_count > 0 ? shared::pose_has_skins : 0U) |
-                 (data.morph_weight_count > 0 ? shared::pose_has_morphs : 0U));
-    pass.push(meshes.vertex_count).dispatch_items(meshes.vertex_count);
-    return posed;
+    return add_runs(graph, meshes, data, {VertexRun{.count = meshes.vertex_count}}, draws, rest_vertices);
+}
+
+gpu::BufferId add_pose_of_moved(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data,
+                                const PoseData& now, std::span<const uint32_t> written_over,
+                                gpu::BufferId draws, gpu::BufferId rest_vertices)
+{
+    PosedAs& posed = meshes.posed_as[0];
+    const VertexRuns runs = runs_to_pose(data, posed.is_known ? &posed.pose : nullptr, now, written_over);
+    posed.is_known = false; // until the graph has run
+    posed.pose = now;
+    return add_runs(graph, meshes, data, runs, draws, rest_vertices);
+}
+
+void keep_posed(MeshBuffers& meshes)
+{
+    meshes.posed_as[0].is_known = true;
 }
 
 } // namespace estampe::pose

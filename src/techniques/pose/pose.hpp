@@ -6,8 +6,15 @@
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/pose/mesh_data.hpp"
+#include "techniques/pose/runs.hpp"
 
 namespace estampe::pose {
+
+/// What stands in a buffer of posed vertices.
+struct PosedAs {
+    PoseData pose;
+    bool is_known = false;
+};
 
 /// A scene's meshes on the GPU. The posed vertices are kept twice: of this frame and of the one before.
 struct MeshBuffers {
@@ -21,6 +28,7 @@ struct MeshBuffers {
     gpu::Buffer joints;
     gpu::Buffer morph_weights;
     gpu::Buffer posed_vertices[2];
+    PosedAs posed_as[2];
     uint32_t vertex_count = 0;
 };
 
@@ -31,6 +39,9 @@ struct MeshBuffers {
 /// made of, turned inside out or back; returns whether any did. Waits for the copy.
 bool upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const PoseData& pose);
 
+/// What was of this frame is of the one before, and the other way round.
+void swap_posed(MeshBuffers& meshes);
+
 /// Poses all vertices of `meshes`, which were made of `data`: morph targets, then the skin, or the place of
 /// the object where there is none. `draws` and `rest_vertices` are their handles in this graph.
 ///
@@ -39,5 +50,15 @@ bool upload_pose(gpu::Device& device, MeshBuffers& meshes, MeshData& data, const
 /// Source  linear blend skinning as glTF 2.0, section 3.7.3, has it
 [[nodiscard]] gpu::BufferId add_pose(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data,
                                      gpu::BufferId draws, gpu::BufferId rest_vertices);
+
+/// The same of those alone that do not stand in their buffer as `now`, which was uploaded, has them, and of
+/// the draws `written_over`, in ascending order, in whose place others write. keep_posed() is to be
+/// called when the graph has run. Cost: a dispatch for each of the runs that runs_to_pose() finds.
+[[nodiscard]] gpu::BufferId add_pose_of_moved(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& data,
+                                              const PoseData& now, std::span<const uint32_t> written_over,
+                                              gpu::BufferId draws, gpu::BufferId rest_vertices);
+
+/// What add_pose_of_moved() was to pose is posed.
+void keep_posed(MeshBuffers& meshes);
 
 } // namespace estampe::pose

@@ -2,12 +2,15 @@
 // Posed vertices against the processor's, and which side of a posed triangle is its front.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <random>
+#include <tuple>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
+#include "gpu/imports.hpp"
 #include "scene/pose.hpp"
 #include "scene/shapes.hpp"
 #include "support/drawing.hpp"
@@ -195,6 +198,39 @@ TEST(Pose, SkinsWithEightInfluences)
 {
     expect_posed(skinned_scene(), 0.0);
     expect_posed(skinned_scene(), 0.5);
+}
+
+TEST(Pose, OfWhatMovedIsThatOfAll)
+{
+    // Boxes that stand, rise at a time of their own, and stand again.
+    Scene scene = morphing_scene();
+    for (uint32_t i = 0; i < 12; ++i) {
+        const Index box =
+            test::add_object(scene, shapes::box(glm::vec3(1.0F)), glm::vec3(1.0F), {2.0 * i, 0, 0});
+        const auto at_s = static_cast<float>(i % 3);
+        scene.animations[0].channels.push_back({.node = box,
+                                                .path = AnimatedPath::translation,
+                                                .times_s = {at_s, at_s + 1.0F},
+                                                .values = {0, 0, 0, 0, 1, static_cast<float>(i)}});
+    }
+    scene.animations[0].duration_s = 3.0F;
+    MeshData meshes = build_meshes(scene, static_cast<Index>(scene.materials.size()));
+    MeshBuffers buffers = upload_meshes(test::shared_device(), meshes);
+    for (const double time_s : {0.0, 0.5, 0.7, 1.5, 1.5, 2.5, 0.0}) {
+        const PoseData now = pose_meshes(meshes, scene, pose_scene(scene, time_s));
+        std::ignore = upload_pose(test::shared_device(), buffers, meshes, now);
+        swap_posed(buffers);
+        gpu::Graph graph;
+        const gpu::BufferId posed = add_pose_of_moved(
+            graph, buffers, meshes, now, {}, gpu::import_whole(graph, "draws", buffers.draws),
+            gpu::import_whole(graph, "rest vertices", buffers.rest_vertices));
+        const auto actual = test::run_and_read_as<shared::PosedVertex>(graph, posed);
+        keep_posed(buffers);
+        const auto wanted = test::Drawing(scene, {}, {16, 16}, time_s).posed();
+        ASSERT_EQ(actual.size(), wanted.size());
+        EXPECT_EQ(std::memcmp(actual.data(), wanted.data(), std::as_bytes(std::span(wanted)).size()), 0)
+            << time_s;
+    }
 }
 
 /// Sum over the page of whether something is seen, and of its depth.
