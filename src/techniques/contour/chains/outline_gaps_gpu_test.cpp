@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Outlines have no gaps: wherever a thing ends before the background there is a line.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -86,6 +87,31 @@ TEST(Outlines, ThatPassFromSmoothPartsToHardEdgesHaveFewGaps)
 {
     EXPECT_LT(share_of_gaps(banded_ring()), 0.002);
     EXPECT_LT(share_of_gaps(wound_backwards(banded_ring())), 0.002);
+}
+
+/// A screen that fills the page, a ball before it and, if asked for, a thousand boxes behind it.
+std::vector<float> lines_before_a_screen(bool is_crowded)
+{
+    constexpr glm::uvec2 small_px{200, 150};
+    const int rows = is_crowded ? 32 : 0;
+    Scene scene;
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < rows; ++column) {
+            test::add_object(scene, shapes::box(glm::vec3(0.08F)), glm::vec3(0.5F),
+                             {0.1 * column - 1.6, 0.1 * row - 1.6, -1.0});
+        }
+    }
+    test::add_object(scene, shapes::box({8.0F, 8.0F, 0.1F}), glm::vec3(0.5F), {0.0, -4.0, 0.0});
+    test::add_object(scene, shapes::sphere(0.6F, 48, 24), glm::vec3(0.5F), {0.0, 0.0, 1.0});
+    test::Drawing drawing(scene, test::front_camera(5.0, 0.8), small_px);
+    return drawing.lines(even_lines(2.0F), 1.0F);
+}
+
+TEST(Outlines, AreNotLostForALackOfRoomWhereACrowdIsHiddenOnASmallPage)
+{
+    const std::vector<float> alone = lines_before_a_screen(false);
+    EXPECT_GT(*std::ranges::max_element(alone), 0.9F);
+    EXPECT_EQ(lines_before_a_screen(true), alone);
 }
 
 } // namespace
