@@ -41,6 +41,9 @@ public:
     /// The same of a colour, sRGB of 0 to 1: "sky.horizon".
     [[nodiscard]] glm::vec3 color(std::string_view key) const;
 
+    /// The same of a choice or a text: "light.metering".
+    [[nodiscard]] std::string text(std::string_view key) const;
+
     /// Every parameter with its value, as a TOML text that load() reads back to an equal style.
     [[nodiscard]] std::string to_toml() const;
 

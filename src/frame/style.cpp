@@ -85,6 +85,15 @@ glm::vec3 Style::color(std::string_view key) const
     return glm::vec3(style::srgb_from_linear(std::get<glm::vec3>(*value)));
 }
 
+std::string Style::text(std::string_view key) const
+{
+    const std::optional<style::Value> value = value_of(*tables_, key);
+    if (!value || !std::holds_alternative<std::string>(*value)) {
+        throw Error("is no choice or text of a style", std::string(key), "estampe --help-style lists them");
+    }
+    return std::get<std::string>(*value);
+}
+
 std::string Style::to_toml() const
 {
     frame::StyleTables copy = *tables_;

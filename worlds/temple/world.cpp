@@ -307,6 +307,11 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     dusty("sky.horizon", 0.9 * dust);
     dusty("sky.zenith", 0.75 * dust);
     dusty("wash.air_color", dust);
+    if (base.text("light.metering") == "lights") {
+        // By its many lamps the whole court would be dark; the sun gives white marble its white.
+        set("light.metering", "manual");
+        set("light.ev100", -0.1);
+    }
     set("light.ambient", std::min(base.number("light.ambient") + 0.25 * dust, 1.0));
     set("clouds.coverage",
         (1.0 - dust) * std::max(static_cast<double>(weather_.clouds), base.number("clouds.coverage")));

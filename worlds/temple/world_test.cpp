@@ -68,6 +68,25 @@ TEST(TempleWorld, EveryPresetTakesItsWeather)
     EXPECT_THROW(std::ignore = estampe::Style().number("haze.length"), estampe::Error);
     EXPECT_THROW(std::ignore = estampe::Style().number("sky.horizon"), estampe::Error);
     EXPECT_THROW(std::ignore = estampe::Style().color("haze.reach_m"), estampe::Error);
+    EXPECT_THROW(std::ignore = estampe::Style().text("haze.reach_m"), estampe::Error);
+}
+
+TEST(TempleWorld, ExposesForItsSunWhereAPresetWouldMeterItsLamps)
+{
+    World world(1);
+    const estampe::Camera camera = seen_from(world, "court");
+    world.go_to(0.0, camera);
+    const auto shown = [&](const std::string& metering) {
+        estampe::Style base = estampe::Style::load("comic");
+        base.set("light.metering=" + metering);
+        base.set("light.ev100=3");
+        return world.style(base, camera);
+    };
+    EXPECT_EQ(shown("lights").text("light.metering"), "manual");
+    EXPECT_LT(shown("lights").number("light.ev100"), 0.0);
+    EXPECT_EQ(shown("page").text("light.metering"), "page");
+    EXPECT_EQ(shown("manual").text("light.metering"), "manual");
+    EXPECT_EQ(shown("manual").number("light.ev100"), 3.0);
 }
 
 TEST(TempleWorld, IsTheSameInOneLeapAndPictureByPicture)
