@@ -77,8 +77,7 @@ Steady draw_on(Renderer& renderer, const Style& style, const std::function<doubl
         const RenderSettings settings{.width = 160, .height = 90, .time_s = time_s(frame)};
         const double begin_ms = thread_ms();
         const uint64_t before = test::heap_count().times;
-        const Image picture =
-            (getenv("TR") && frame == 20 ? raise(10) : 0, renderer.render(camera_at(frame), style, settings));
+        const Image picture = renderer.render(camera_at(frame), style, settings);
         if (frame >= frames_before) {
             steady.requests.push_back(test::heap_count().times - before);
             steady.cpu_ms.push_back(thread_ms() - begin_ms);
