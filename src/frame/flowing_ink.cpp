@@ -87,6 +87,13 @@ std::optional<InkPlan> FlowingInk::provide(gpu::Device& device, gpu::Executor& e
     return plan;
 }
 
+InkPlan FlowingInk::shown_on(gpu::Device& device, const InkPlan& drawn, const FlowingInkInputs& in)
+{
+    InkPlan shown{.ink = ink::shown_on(drawn.ink, page_of(in)), .motion = {}};
+    memory_.show(device, shown.ink);
+    return shown;
+}
+
 void FlowingInk::drawn(const InkPlan& plan, const Camera& camera)
 {
     memory_.end_picture(plan.ink);

@@ -43,6 +43,9 @@ public:
     [[nodiscard]] std::optional<InkPlan> provide(gpu::Device& device, gpu::Executor& executor,
                                                  const FlowingInkInputs& in, std::vector<std::string>& notes);
 
+    /// The ink of `drawn`, a picture of another size that has just been drawn, on the page of this one.
+    [[nodiscard]] InkPlan shown_on(gpu::Device& device, const InkPlan& drawn, const FlowingInkInputs& in);
+
     /// To be called when the first sample of that picture has been drawn.
     void drawn(const InkPlan& plan, const Camera& camera);
 

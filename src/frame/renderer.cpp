@@ -377,17 +377,15 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     return plan;
 }
 
-std::optional<frame::InkPlan> Renderer::Impl::plan_ink(const Camera& camera, const frame::StyleTables& tables,
-                                                       const RenderSettings& settings)
+frame::FlowingInkInputs Renderer::Impl::ink_inputs(const Camera& camera, const frame::StyleTables& tables,
+                                                   const RenderSettings& settings)
 {
-    return flowing_ink.provide(device, executor,
-                               {.loaded = *loaded,
-                                .pose = pose_at(settings),
-                                .camera = camera,
-                                .settings = settings,
-                                .style = tables,
-                                .nearby_m = nearby_m(loaded->layout, camera.eye)},
-                               notes);
+    return {.loaded = *loaded,
+            .pose = pose_at(settings),
+            .camera = camera,
+            .settings = settings,
+            .style = tables,
+            .nearby_m = nearby_m(loaded->layout, camera.eye)};
 }
 
 std::optional<frame::SmokePlan> Renderer::Impl::plan_smoke(const frame::FramePlan& plan,
@@ -418,7 +416,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
         }
     }
     frame::FramePlan plan = prepare(seen_by, tables, page_settings);
-    plan.ink = plan_ink(seen_by, tables, settings);
+    plan.ink = flowing_ink.provide(device, executor, ink_inputs(seen_by, tables, settings), notes);
     plan.smoke = plan_smoke(plan, tables, settings);
     frame::provide_page(device, page, plan.page_px, settings.samples);
     // Later samples of a picture of several go their own way by a pixel at most.

@@ -89,9 +89,9 @@ struct Renderer::Impl {
                     const frame::StyleTables& style);
     /// Poses what moved, and tells cloth where solids are.
     [[nodiscard]] gpu::BufferId pose_for_cloth(gpu::Graph& graph, double time_s, Index animation);
-    /// The ink of a picture that has been prepared.
-    [[nodiscard]] std::optional<frame::InkPlan>
-    plan_ink(const Camera& camera, const frame::StyleTables& tables, const RenderSettings& settings);
+    /// What the ink of a picture that has been prepared is planned from.
+    [[nodiscard]] frame::FlowingInkInputs ink_inputs(const Camera& camera, const frame::StyleTables& tables,
+                                                     const RenderSettings& settings);
     /// The smoke of a picture that has been prepared; risen and lit on the device.
     [[nodiscard]] std::optional<frame::SmokePlan> plan_smoke(const frame::FramePlan& plan,
                                                              const frame::StyleTables& tables,
@@ -135,6 +135,9 @@ struct Renderer::Impl {
     /// The same picture as draw_picture() makes, tile by tile.
     void draw_tiles(const Camera& camera, const Style& style, const RenderSettings& settings,
                     const BandSink& sink);
+    /// Has ink flow over a page that is drawn in one go, for one in tiles.
+    [[nodiscard]] frame::InkPlan let_ink_flow(const Camera& camera, const frame::StyleTables& tables,
+                                              const RenderSettings& settings);
     /// What tiles share: the lines of each sample, and how bright the page is.
     [[nodiscard]] std::vector<contour::StrungLines>
     survey_page(const Camera& camera, const frame::StyleTables& style, const frame::FramePlan& plan,

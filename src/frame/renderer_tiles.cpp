@@ -16,10 +16,16 @@ namespace estampe {
 namespace {
 
 constexpr uint32_t usual_tile_px = 2048;
-constexpr uint64_t most_survey_pixels = uint64_t{1} << 24U;
+constexpr uint64_t most_survey_pixels = uint64_t{1} << 27U;
 
 /// About what the device holds of a picture while it is drawn.
 constexpr uint64_t bytes_a_pixel = 160;
+
+/// Of half of the device's memory: all that tiles share is kept beside it.
+uint64_t survey_pixels(const gpu::Device& device, const frame::PageLimits& limits)
+{
+    return std::min({limits.pixels, most_survey_pixels, device.memory().whole_bytes() / (2 * bytes_a_pixel)});
+}
 
 uint32_t automatic_tile_px(const frame::PageLimits& limits, uint32_t overlap)
 {
@@ -82,21 +88,45 @@ std::vector<contour::StrungLines> Renderer::Impl::survey_page(const Camera& came
     return lines;
 }
 
+frame::InkPlan Renderer::Impl::let_ink_flow(const Camera& camera, const frame::StyleTables& tables,
+                                            const RenderSettings& settings)
+{
+    frame::FramePlan plan = prepare(camera, tables, settings);
+    plan.ink = flowing_ink.provide(device, executor, ink_inputs(camera, tables, settings), notes);
+    plan.smoke = plan_smoke(plan, tables, settings);
+    frame::provide_page(device, page, plan.page_px, settings.samples);
+    draw_frame(camera, tables, plan, {.accumulation = {.sample_index = 0, .sample_count = settings.samples}});
+    flowing_ink.drawn(*plan.ink, camera);
+    return *plan.ink;
+}
+
 void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const RenderSettings& settings,
                                 const BandSink& sink)
 {
     const frame::StyleTables& tables = style.tables();
     const Camera seen_by = page_camera(camera, tables.paper, settings);
+    const frame::PageLimits limits = frame::page_limits(device);
+    const frame::Survey survey =
+        frame::survey_of({settings.width, settings.height}, limits.side_px, survey_pixels(device, limits));
+    std::optional<frame::InkPlan> flowed;
+    std::vector<std::string> notes_of_ink;
+    if (tables.ink.drawn) {
+        RenderSettings surveyed = settings;
+        surveyed.width = survey.size_px().x;
+        surveyed.height = survey.size_px().y;
+        flowed = let_ink_flow(seen_by, tables, surveyed);
+        notes_of_ink = std::move(notes);
+    }
     frame::FramePlan plan = prepare(seen_by, tables, settings);
     plan.smoke = plan_smoke(plan, tables, settings);
-    if (tables.ink.drawn) {
-        notes.emplace_back("a page that is drawn in tiles has no ink that flows");
+    if (flowed) {
+        plan.ink = flowing_ink.shown_on(device, *flowed, ink_inputs(seen_by, tables, settings));
+        notes = std::move(notes_of_ink);
     }
     if (plan.motion_blur) {
         notes.emplace_back("a page that is drawn in tiles has no motion blur and no speed lines");
         plan.motion_blur.reset();
     }
-    const frame::PageLimits limits = frame::page_limits(device);
     uint32_t overlap = 0;
     for (const frame::StyleTables& look : plan.looks.styles) {
         overlap = std::max(overlap, frame::overlap_px(look, plan.page.pixels_per_mm));
@@ -104,8 +134,6 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
     const uint32_t tile_px = settings.tile_px > 0 ? std::min(settings.tile_px, limits.side_px)
                                                   : automatic_tile_px(limits, overlap);
     const std::vector<frame::Tile> tiles = frame::tiles_of(plan.page_px, tile_px, overlap);
-    const frame::Survey survey =
-        frame::survey_of(plan.page_px, limits.side_px, std::min(limits.pixels, most_survey_pixels));
     std::vector<contour::StrungLines> lines = survey_page(seen_by, tables, plan, survey, settings.samples);
     bool is_first = lines.empty() && !plan.light.meters_page;
     frame::provide_page(device, page, tiles.front().drawn.size_px, settings.samples);

@@ -95,6 +95,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Charcoal", "charcoal", {"contour.joints=mitre", "contour.strokes=2", "bleed.width_mm=2"}},
         Case{"HiddenLines", "blueprint"},
         Case{"LinesOfThePage", "comic", {"contour.lines=page", "sky.mode=drawn"}},
+        Case{"FlowingInk", "flowing-ink"},
+        Case{"FlowingInkInSamples", "flowing-ink", {"ink.follow=around", "ink.budget=0.05"}, 2},
         Case{"ShadowLines", "manual", {"contour.shadow_mm=0.5", "contour.intersection_mm=0.5"}}),
     [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
 

@@ -117,7 +117,7 @@ private:
         auto pass = graph_.compute("ink/measure", shaders::ink_measure_comp);
         pass.uniform(frame).uniform(globals_).sample(cells_.at(memory_.newest_), gpu::Format::r32ui);
         sums_ = pass.modify(sums_);
-        const glm::uvec2 measured = (plan_.globals.page_px + 1U) / 2U;
+        const glm::uvec2 measured = (plan_.globals.measured_px + 1U) / 2U;
         pass.push(shared::InkMeasure{.sum_now = memory_.sum_now_})
             .variant(plan_.variant & shared::ink_is_around)
             .dispatch_over(measured.x, (measured.y + shared::ink_block - 1) / shared::ink_block);

@@ -58,6 +58,7 @@ struct InkGlobals {
     uint zone_count;
     uvec2 grid_size;   // cells
     uvec2 page_px;     // the whole page
+    uvec2 measured_px; // of the page that what it covers is measured on
     vec2 margin_cells; // of the grid, beyond the page's left and upper edge
     float cells_per_px;
     float mm_per_cell;

@@ -87,12 +87,18 @@ struct Plan {
 /// millimetres a second, carry the ink of a plan besides. Around the eye there is none.
 void add_stream(Plan& plan, std::vector<float> stream);
 
+/// The ink of `plan`, which has flowed, as it lies on the same page in other pixels: no step is left to take.
+[[nodiscard]] Plan shown_on(const Plan& plan, const Page& page);
+
 /// What the ink is in from picture to picture.
 class Memory {
 public:
     /// Makes room for what the plan needs; what is remembered of another grid is forgotten, whose plan must
     /// start afresh. Throws Error when memory runs out, or when `flow_map` of the style cannot be read.
     void provide(gpu::Device& device, const InkStyle& style, const Plan& plan);
+
+    /// Has the ink that is there laid on the page of `plan`, of the same grid.
+    void show(gpu::Device& device, const Plan& plan);
 
     /// Whether ink of this grid is there to go on from.
     [[nodiscard]] bool holds(const Grid& grid) const { return time_s_ && grid == grid_; }

@@ -24,7 +24,7 @@ vec2 ink_cover(vec2 wet_and_dry)
 // How many pixels of a page are measured: one of four.
 uvec2 measured_size()
 {
-    return (globals.page_px + 1u) / 2u;
+    return (globals.measured_px + 1u) / 2u;
 }
 
 float mean_cover(uint sum)

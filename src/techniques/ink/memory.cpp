@@ -50,7 +50,7 @@ void Memory::provide(gpu::Device& device, const InkStyle& style, const Plan& pla
         sums_ = gpu::upload_buffer(device, "ink sums", std::vector<std::byte>(sums_bytes));
         sum_now_ = 0;
     }
-    globals_ = mapped_buffer(device, "ink", std::span(&plan.globals, 1));
+    show(device, plan);
     mask_ = mapped_buffer(device, "ink mask", std::span<const uint32_t>(plan.mask));
     const bool has_map = (plan.variant & shared::ink_has_map) != 0;
     const bool has_picture = has_map && !style.flow_map.empty();
@@ -71,6 +71,11 @@ void Memory::provide(gpu::Device& device, const InkStyle& style, const Plan& pla
         map_ = gpu::upload_buffer(device, "ink flow map", has_picture ? map_stream_ : std::vector<float>(4));
         holds_picture_ = has_picture;
     }
+}
+
+void Memory::show(gpu::Device& device, const Plan& plan)
+{
+    globals_ = mapped_buffer(device, "ink", std::span(&plan.globals, 1));
 }
 
 void Memory::end_picture(const Plan& plan)

@@ -66,6 +66,7 @@ shared::InkGlobals globals_of(const InkStyle& style, const Page& page, const Gri
                                .zone_count = static_cast<uint32_t>(zones.size()),
                                .grid_size = grid.size,
                                .page_px = page.size_px,
+                               .measured_px = page.size_px,
                                .margin_cells = grid.margin_cells,
                                .cells_per_px = grid.cells_per_px,
                                .mm_per_cell = grid.mm_per_cell,
@@ -185,6 +186,22 @@ Plan plan_of(const InkStyle& style, const Page& page, const Time& time, const Vi
         plan.steps.back().sum_now = (count - 1 - i) % every == 0 ? 0 : unmeasured;
     }
     return plan;
+}
+
+Plan shown_on(const Plan& plan, const Page& page)
+{
+    Plan shown = plan;
+    shown.steps.clear();
+    shared::InkGlobals& globals = shown.globals;
+    const float finer = page.pixels_per_mm / globals.px_per_mm;
+    globals.page_px = page.size_px;
+    globals.px_per_mm = page.pixels_per_mm;
+    globals.cells_per_px /= finer;
+    for (glm::vec2* const place_px :
+         {&globals.window_min_px, &globals.window_max_px, &globals.clip_min_px, &globals.clip_max_px}) {
+        *place_px *= finer;
+    }
+    return shown;
 }
 
 void add_stream(Plan& plan, std::vector<float> stream)
