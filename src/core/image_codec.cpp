@@ -92,7 +92,7 @@ bool ask_for_rgba(PngReader& reader, bool is_deep)
         png_set_swap(reader.png);
     }
     png_set_gray_to_rgb(reader.png);
-    png_set_add_alpha(reader.png, 0xFF, PNG_FILLER_AFTER);
+    png_set_add_alpha(reader.png, 0xFFFF, PNG_FILLER_AFTER);
     png_set_interlace_handling(reader.png);
     png_read_update_info(reader.png, reader.info);
     return true;

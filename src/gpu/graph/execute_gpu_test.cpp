@@ -53,7 +53,7 @@ TEST(Execute, ValidationSeesAPlantedHazard)
     std::ignore = run_and_read_as<uint32_t>(graph, to);
     const std::vector<std::string> messages = test::take_validation_messages();
     ASSERT_EQ(messages.size(), 1U);
-    EXPECT_NE(messages.front().find("SYNC-HAZARD-READ-AFTER-WRITE"), std::string::npos) << messages.front();
+    EXPECT_NE(messages.front().find("READ_AFTER_WRITE"), std::string::npos) << messages.front();
 }
 
 TEST(Execute, TheGateFailsATestThatLeavesAMessage)
