@@ -15,7 +15,7 @@ estampe_shaders(hatch hatch/clear.comp)
 estampe_shaders(light light/clear.comp)
 END
 touch "$folder/empty.cpp"
-if "$1" -S "$folder" -B "$folder/build" >"$folder/log" 2>&1 || ! grep -q 'Two shaders are named clear.comp' "$folder/log"; then
+if "$1" -G Ninja -S "$folder" -B "$folder/build" >"$folder/log" 2>&1 || ! grep -q 'Two shaders are named clear.comp' "$folder/log"; then
     echo "FAILED: two shaders of one name were taken" >&2
     cat "$folder/log" >&2
     exit 1
