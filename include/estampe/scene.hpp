@@ -72,6 +72,14 @@ struct ToonShade {
     glm::vec3 outline_color{0.0F};
 };
 
+/// What is seen through a body: KHR_materials_transmission, and KHR_materials_volume.
+struct Transmission {
+    float share = 0.0F;         ///< of what lies behind, 0 to 1
+    float thickness_m = 0.0F;   ///< where the body has no far side
+    float attenuation_m = 0.0F; ///< way through it that leaves the colour of white light; 0: it takes nothing
+    glm::vec3 attenuation_color{1.0F}; ///< linear
+};
+
 /// What a surface is made of, as in glTF 2.0: factors multiply what is looked up.
 struct Material {
     std::string name;
@@ -90,6 +98,7 @@ struct Material {
     bool double_sided = false;
     bool unlit = false;
     std::optional<ToonShade> toon;
+    std::optional<Transmission> transmission; ///< where anything is seen through it
     LightLinks links;
     std::optional<Cloth> cloth; ///< what is made of it moves as cloth
 };

@@ -72,6 +72,7 @@ struct FrameResources {
     SurfaceMap* occlusion_map = nullptr;    ///< then
     SurfaceMap* scatter_map = nullptr;      ///< that light spreads in
     gpu::Buffer& map_frame;                 ///< then: FrameGlobals, of a page as large as the map
+    gpu::Buffer& half_frame;                ///< FrameGlobals of every second pixel each way
     motion_blur::TogetherBuffers& together; ///< where meshes are drawn out
     GroundShadow& ground_shadow;
     MovingCloth* cloth;               ///< where the scene has any

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "style/raw.hpp"
+#include "techniques/subsurface/subsurface.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -63,6 +64,24 @@ StyleTables look_of(const StyleTables& style, const Matches& matches)
     return look;
 }
 
+bool is_seen_through(const StyleTables& style, const Material& material)
+{
+    return material.transmission && material.alpha_mode != AlphaMode::blend &&
+           style.subsurface.transmission && !subsurface::is_clear(style.subsurface);
+}
+
+/// A look for what the file says is seen through: strokes pale on it as behind a screen, colour tints where
+/// colour is painted.
+StyleTables seen_through(StyleTables look, const Material& material)
+{
+    look.subsurface = subsurface::seen_through(look.subsurface, material, look.wash.strength);
+    const float left = 1.0F - 0.7F * look.subsurface.behind;
+    look.tone.exposure /= left;
+    look.tone.ceiling *= left;
+    look.tone.floor *= left;
+    return look;
+}
+
 contour::ContourStyle lines_of(const std::vector<StyleTables>& styles)
 {
     contour::ContourStyle lines = styles.front().contour;
@@ -83,7 +102,9 @@ LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const Styl
 {
     LookPlan plan{.styles = std::move(room), .look_of_draw = {}, .lines = style.contour};
     plan.styles.assign(1, style);
-    if (style.overrides.empty()) {
+    const bool has_clear = std::ranges::any_of(
+        scene.materials, [](const Material& material) { return material.transmission.has_value(); });
+    if (style.overrides.empty() && !has_clear) {
         return plan;
     }
     const std::vector<Matches> of_nodes = matches_of_nodes(scene, style.overrides);
@@ -92,6 +113,7 @@ LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const Styl
         of_materials.push_back(matches_of(style.overrides, By::material, material.name));
     }
     std::map<Matches, uint32_t> looks{{Matches(style.overrides.size(), false), 0U}};
+    std::map<std::pair<uint32_t, Index>, uint32_t> clear_looks; // by look and material
     for (size_t draw = 0; draw < meshes.draws.size(); ++draw) {
         Matches matches(style.overrides.size(), false);
         if (draw < meshes.sources.size()) { // else it is the ground
@@ -104,7 +126,18 @@ LookPlan plan_looks(const pose::MeshData& meshes, const Scene& scene, const Styl
         if (is_new) {
             plan.styles.push_back(look_of(style, matches));
         }
-        plan.look_of_draw.push_back(look->second);
+        uint32_t number = look->second;
+        const Index material = meshes.draws[draw].material;
+        if (material < scene.materials.size() &&
+            is_seen_through(plan.styles[number], scene.materials[material])) {
+            const auto [clear, is_first] =
+                clear_looks.try_emplace({number, material}, static_cast<uint32_t>(plan.styles.size()));
+            if (is_first) {
+                plan.styles.push_back(seen_through(plan.styles[number], scene.materials[material]));
+            }
+            number = clear->second;
+        }
+        plan.look_of_draw.push_back(number);
     }
     if (!plan.has_several()) {
         plan.look_of_draw.clear();

@@ -171,6 +171,8 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
     frame::refill(device, "frame", std::span(&globals, 1), frame_globals);
     const shared::FrameGlobals of_map = map_globals(globals, plan.scatter_texels.value_or(1));
     frame::refill(device, "frame of the map", std::span(&of_map, 1), map_frame_globals);
+    const shared::FrameGlobals of_half = frame::every_second(globals);
+    frame::refill(device, "frame of the half page", std::span(&of_half, 1), half_frame_globals);
     const frame::SamplePlan sample{.accumulation = accumulation,
                                    .is_first = job.is_first,
                                    .size_px = globals.size_px,
@@ -208,6 +210,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .occlusion_map = map_of(*loaded, plan.occlusion_texels),
                                     .scatter_map = map_of(*loaded, plan.scatter_texels),
                                     .map_frame = map_frame_globals,
+                                    .half_frame = half_frame_globals,
                                     .together = loaded->together,
                                     .ground_shadow = ground_shadow,
                                     .cloth = loaded->cloth.get(),

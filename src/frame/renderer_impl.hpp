@@ -174,6 +174,7 @@ struct Renderer::Impl {
     gpu::Buffer line_looks;
     gpu::Buffer subsurface_looks;
     gpu::Buffer map_frame_globals;
+    gpu::Buffer half_frame_globals;
     gpu::Buffer focus_lines;
     frame::CloudBuffers clouds;
     std::vector<frame::ParticleBuffers> particles;

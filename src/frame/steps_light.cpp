@@ -242,6 +242,7 @@ gpu::ImageId add_subsurface(const Making& making, const PosedScene& scene, gpu::
     if (has_map) {
         light = spread_in_map(making, scene, visibility, light_inputs(making, scene, surface, maps), light);
     }
+    std::optional<subsurface::Through> through;
     if (!plan.bodies.empty()) {
         const gpu::BufferId behind =
             raster::add_visibility(graph, "subsurface/behind", scene.meshes, plan.bodies,
@@ -250,18 +251,21 @@ gpu::ImageId add_subsurface(const Making& making, const PosedScene& scene, gpu::
                                     .cull_back_faces = false,
                                     .path = making.plan.raster.path,
                                     .tuning = making.plan.raster.tuning,
-                                    .behind = visibility});
+                                    .behind = visibility,
+                                    .second_from = inputs.second_from()});
         const subsurface::FarSide far_side = subsurface::add_far_side(
             graph, inputs, behind, scene.meshes.triangles, scene.meshes.posed_vertices);
         light::LightInputs far_inputs = light_inputs(making, scene, surface, maps);
+        far_inputs.frame = gpu::import_whole(graph, "frame of the half page", making.resources.half_frame);
+        far_inputs.size_px = inputs.half_px();
         far_inputs.draw = far_side.draw;
         far_inputs.depth = far_side.depth;
         far_inputs.normal = far_side.normal;
         far_inputs.tiles = far_side.tiles;
-        const gpu::ImageId far_light = light::add_light(graph, far_inputs).light;
-        light = subsurface::add_through(graph, inputs, far_side, far_light, light);
+        through = {.far_side = far_side, .light = light::add_light(graph, far_inputs).light};
     }
-    return plan.scatters && !has_map ? subsurface::add_scatter(graph, inputs, light) : light;
+    const bool spreads = plan.scatters && !has_map;
+    return spreads || through ? subsurface::add_scatter(graph, inputs, light, through, spreads) : light;
 }
 
 } // namespace

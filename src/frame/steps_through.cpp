@@ -37,6 +37,7 @@ gpu::ImageId add_behind(const Making& making, const PosedScene& scene, gpu::Buff
         .background = background,
         .triangles = scene.meshes.triangles,
         .posed_vertices = scene.meshes.posed_vertices,
+        .color = surface.color,
         .painted = add_painted(making, scene, background, maps,
                                making.plan.page.has_sky ? std::optional(colors.sky_wash) : std::nullopt)};
     return subsurface::add_behind(graph, inputs, colors.wash);

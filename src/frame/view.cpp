@@ -87,6 +87,29 @@ glm::mat4 drawn_clip(const shared::FrameGlobals& globals)
     return {crop_of(drawn, globals.page_px) * glm::dmat4(globals.clip_from_anchor)};
 }
 
+shared::FrameGlobals every_second(shared::FrameGlobals globals)
+{
+    // The middle of pixel i is that of pixel 2 i of the page.
+    const glm::dvec2 page_px(globals.page_px);
+    const glm::uvec2 half_page_px = (globals.page_px + 1U) / 2U;
+    const glm::dvec2 scale = 2.0 * glm::dvec2(half_page_px) / page_px;
+    const glm::dvec2 offset = scale - 1.0 / page_px - 1.0;
+    glm::dmat4 page_from_half(1.0);
+    page_from_half[0][0] = scale.x;
+    page_from_half[1][1] = scale.y;
+    page_from_half[3][0] = offset.x;
+    page_from_half[3][1] = offset.y;
+    const glm::uvec2 from_px = globals.tile_from_px;
+    globals.clip_from_anchor = glm::mat4(glm::inverse(page_from_half) * glm::dmat4(globals.clip_from_anchor));
+    globals.anchor_from_clip = glm::mat4(glm::dmat4(globals.anchor_from_clip) * page_from_half);
+    globals.pixels_per_mm *= 0.5F;
+    globals.pixel_m *= 2.0F;
+    globals.page_px = half_page_px;
+    globals.tile_from_px = (from_px + 1U) / 2U;
+    globals.size_px = glm::max((globals.size_px + 1U - (from_px & 1U)) / 2U, glm::uvec2(1));
+    return globals;
+}
+
 float nearby(std::span<const glm::vec3> places, const glm::vec3& eye)
 {
     constexpr size_t most = 4096;

@@ -30,6 +30,9 @@ struct ViewSettings {
 /// From anchor space to the clip space of what is drawn: of the page, or of a tile.
 [[nodiscard]] glm::mat4 drawn_clip(const shared::FrameGlobals& globals);
 
+/// The same of every second pixel each way, of those at even places of the page.
+[[nodiscard]] shared::FrameGlobals every_second(shared::FrameGlobals globals);
+
 /// How far from the eye the nearest fifth of some thousand of `places` is, in their unit; 0 if there are
 /// none. It changes smoothly as the eye moves.
 [[nodiscard]] float nearby(std::span<const glm::vec3> places, const glm::vec3& eye);

@@ -59,5 +59,30 @@ TEST(SeenWithin, ShowsTheSameInASmallerWindow)
     }
 }
 
+TEST(EverySecond, HasTheMiddlesOfEvenPixels)
+{
+    const Camera camera{.eye = {1.0, 2.0, 7.0}, .target = {0.0, 0.5, 0.0}, .vertical_fov_rad = 0.7};
+    for (const PixelRect& tile : {PixelRect{.from_px = {0, 0}, .size_px = {401, 300}},
+                                  PixelRect{.from_px = {33, 18}, .size_px = {64, 51}}}) {
+        const auto whole = frame_globals(camera, {{-5.0, -5.0, -5.0}, {5.0, 5.0, 5.0}}, {},
+                                         {.size_px = {401, 301}, .tile = tile});
+        const auto half = every_second(whole);
+        const auto seen_at = [](const shared::FrameGlobals& globals, glm::uvec2 pixel) {
+            const glm::vec2 place = glm::vec2(pixel + globals.tile_from_px) + 0.5F;
+            const glm::vec2 ndc = 2.0F * place / glm::vec2(globals.page_px) - 1.0F;
+            const glm::vec4 p = globals.anchor_from_clip * glm::vec4(ndc, 0.03F, 1.0F);
+            return glm::vec3(p) / p.w;
+        };
+        const glm::uvec2 first = tile.from_px & 1U;
+        EXPECT_EQ(half.size_px, (tile.size_px + 1U - first) / 2U);
+        for (const glm::uvec2 pixel : {glm::uvec2(0, 0), glm::uvec2(3, 20), half.size_px - 1U}) {
+            EXPECT_LT(glm::distance(seen_at(half, pixel), seen_at(whole, first + 2U * pixel)), 1e-5F);
+            const glm::vec4 clip = half.clip_from_anchor * glm::vec4(seen_at(half, pixel), 1.0F);
+            const glm::vec2 place = 0.5F * (glm::vec2(clip) / clip.w + 1.0F) * glm::vec2(half.page_px);
+            EXPECT_LT(glm::distance(place, glm::vec2(pixel + half.tile_from_px) + 0.5F), 1e-3F);
+        }
+    }
+}
+
 } // namespace
 } // namespace estampe::frame

@@ -128,7 +128,7 @@ tinygltf::Model parse_model(const json& document, const std::string& file)
 
 bool knows_extension(const std::string& name)
 {
-    static constexpr std::array<std::string_view, 13> known = {
+    static constexpr std::array<std::string_view, 15> known = {
         "EXT_mesh_gpu_instancing",
         "EXT_mesh_primitive_edge_visibility",
         "EXT_meshopt_compression",
@@ -137,7 +137,9 @@ bool knows_extension(const std::string& name)
         "KHR_lights_punctual",
         "KHR_materials_emissive_strength",
         "KHR_materials_pbrSpecularGlossiness",
+        "KHR_materials_transmission",
         "KHR_materials_unlit",
+        "KHR_materials_volume",
         "KHR_mesh_quantization",
         "KHR_texture_transform",
         "MOZ_lightmap",

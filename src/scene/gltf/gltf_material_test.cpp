@@ -89,6 +89,29 @@ TEST(GltfMaterial, specular_glossiness_gives_the_diffuse_colour)
     EXPECT_EQ(material.roughness, 0.25F);
 }
 
+TEST(GltfMaterial, transmission_and_volume)
+{
+    const Material glass = material_of(R"({"extensions": {
+        "KHR_materials_transmission": {"transmissionFactor": 0.75},
+        "KHR_materials_volume": {"thicknessFactor": 0.02, "attenuationDistance": 0.5,
+                                 "attenuationColor": [0.25, 1, 0.5]}}})");
+    ASSERT_TRUE(glass.transmission.has_value());
+    EXPECT_EQ(glass.transmission->share, 0.75F);
+    EXPECT_EQ(glass.transmission->thickness_m, 0.02F);
+    EXPECT_EQ(glass.transmission->attenuation_m, 0.5F);
+    EXPECT_EQ(glass.transmission->attenuation_color, glm::vec3(.25F, 1, .5F));
+    const Material pane =
+        material_of(R"({"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}})");
+    ASSERT_TRUE(pane.transmission.has_value());
+    EXPECT_EQ(pane.transmission->attenuation_m, 0.0F);
+    EXPECT_EQ(pane.transmission->attenuation_color, glm::vec3(1));
+    EXPECT_FALSE(
+        material_of(R"({"extensions": {"KHR_materials_transmission": {}}})").transmission.has_value());
+    EXPECT_FALSE(material_of(R"({"extensions": {"KHR_materials_volume": {"thicknessFactor": 1}}})")
+                     .transmission.has_value())
+        << "nothing is seen through it";
+}
+
 TEST(GltfMaterial, mtoon)
 {
     TestFile file = textured_file(encode_png(two_pixels()));

@@ -135,6 +135,34 @@ ToonShade toon_shade(Data& data, TextureTable& textures, const Extension& mtoon,
     return toon;
 }
 
+/// Nothing where nothing is seen through it.
+std::optional<Transmission> transmission_of(Data& data, const tinygltf::Material& source,
+                                            const std::string& pointer)
+{
+    const auto found = extension(source.extensions, "KHR_materials_transmission");
+    if (!found) {
+        return std::nullopt;
+    }
+    const std::string there = pointer + "/extensions/KHR_materials_transmission";
+    const auto warn_of_texture = [&](const Extension& where, const char* key, const std::string& name) {
+        if (where.texture(key).index >= 0) {
+            data.warn(name + "/" + key, "is not looked up; the factor holds all over");
+        }
+    };
+    Transmission seen;
+    seen.share = fraction(data, static_cast<double>(found->number("transmissionFactor", 0.0F)),
+                          there + "/transmissionFactor");
+    warn_of_texture(*found, "transmissionTexture", there);
+    if (const auto volume = extension(source.extensions, "KHR_materials_volume")) {
+        seen.thickness_m = volume->number("thicknessFactor", 0.0F);
+        seen.attenuation_m = volume->number("attenuationDistance", 0.0F);
+        seen.attenuation_color =
+            glm::clamp(volume->vector<3>("attenuationColor", glm::vec3(1.0F)), 0.0F, 1.0F);
+        warn_of_texture(*volume, "thicknessTexture", pointer + "/extensions/KHR_materials_volume");
+    }
+    return seen.share > 0.0F ? std::optional(seen) : std::nullopt;
+}
+
 void apply_extensions(Data& data, TextureTable& textures, const tinygltf::Material& source,
                       const std::string& pointer, Material& material)
 {
@@ -150,6 +178,7 @@ void apply_extensions(Data& data, TextureTable& textures, const tinygltf::Materi
         material.metallic = 0.0F;
         material.roughness = 1.0F - std::clamp(gloss->number("glossinessFactor", 1.0F), 0.0F, 1.0F);
     }
+    material.transmission = transmission_of(data, source, pointer);
     if (const auto mtoon = extension(source.extensions, "VRMC_materials_mtoon")) {
         material.toon = toon_shade(data, textures, *mtoon, pointer + "/extensions/VRMC_materials_mtoon");
     }

@@ -14,5 +14,6 @@ void draw_corner(uint triangle, uint corner)
     uint vertex = corner == 0u ? corners.x : corner == 1u ? corners.y : corners.z;
     gl_Position = constants.clip_from_anchor * vec4(posed_vertex_at(vertex).position, 1.0);
     triangle_drawn = triangle;
-    triangle_flags = (variant & draw_tests_sides) != 0u ? corners.w : 0u;
+    bool are_wanted = (variant & draw_tests_sides) != 0u || constants.second != 0u;
+    triangle_flags = are_wanted ? corners.w : 0u;
 }

@@ -25,15 +25,21 @@ layout(constant_id = 0) const uint variant = 0u;
 
 void main()
 {
+    bool front = gl_FrontFacing != ((triangle_flags & triangle_mirrored) != 0u);
 #ifdef RASTER_BEHIND
-    uint index = uint(gl_FragCoord.y) * PICTURE_PX.x + uint(gl_FragCoord.x);
-    if (!lies_behind(index, floatBitsToUint(clamp(gl_FragCoord.z, 1e-30, 1.0)), triangle_drawn)) {
+    uvec2 second = uvec2(constants.second >> 1, constants.second >> 2) & 1u;
+    uvec2 pixel = uvec2(gl_FragCoord.xy) * (1u + (constants.second & draws_second)) + second;
+    uint index = pixel.y * constants.peeled_width_px + pixel.x;
+    float depth = clamp(gl_FragCoord.z, 1e-30, 1.0);
+    float change = fwidth(gl_FragCoord.z);
+    bool is_behind = constants.second != 0u ? lies_clearly_behind(index, depth, change, triangle_drawn, front)
+                                            : lies_behind(index, floatBitsToUint(depth), triangle_drawn);
+    if (!is_behind) {
         discard;
     }
 #endif
     bool counts_either_way =
         (variant & draw_tests_sides) == 0u || (triangle_flags & triangle_two_sided) != 0u;
-    bool front = gl_FrontFacing != ((triangle_flags & triangle_mirrored) != 0u);
     if (!counts_either_way && !front) {
         discard;
     }

@@ -43,12 +43,32 @@ gpu::Pass begin_draw(gpu::Graph& graph, const gpu::Name& name, bool masked, bool
                         masked ? shaders::draw_masked_frag : shaders::draw_ids_frag);
 }
 
+/// Clip space of the picture that is drawn: the middle of its pixel i is that of pixel 2 i + second_from.
+glm::mat4 drawn_clip(const View& view)
+{
+    if (!view.second_from) {
+        return view.clip_from_anchor;
+    }
+    const glm::dvec2 size_px(view.size_px);
+    const glm::dvec2 drawn_px(view.drawn_px());
+    const glm::dvec2 scale = 0.5 * size_px / drawn_px;
+    const glm::dvec2 offset = (0.5 * size_px + 0.5 - glm::dvec2(*view.second_from)) / drawn_px - 1.0;
+    glm::dmat4 drawn_from_whole(1.0);
+    drawn_from_whole[0][0] = scale.x;
+    drawn_from_whole[1][1] = scale.y;
+    drawn_from_whole[3][0] = offset.x;
+    drawn_from_whole[3][1] = offset.y;
+    return {drawn_from_whole * glm::dmat4(view.clip_from_anchor)};
+}
+
 shared::DrawConstants constants_of(const Batch& batch, const View& view)
 {
-    return {.clip_from_anchor = view.clip_from_anchor,
-            .size_px = view.size_px,
+    return {.clip_from_anchor = drawn_clip(view),
+            .size_px = view.drawn_px(),
             .first_triangle = batch.first_triangle,
-            .triangle_count = batch.triangle_count};
+            .triangle_count = batch.triangle_count,
+            .peeled_width_px = view.size_px.x,
+            .second = second_bits(view)};
 }
 
 /// The triangles of a batch that may be seen.
@@ -162,8 +182,8 @@ Attachments draw_batches(gpu::Graph& graph, const gpu::Name& name, const RasterI
                          std::span<const Batch> batches, const View& view, bool depth_only)
 {
     const auto image = [&](const char* part, gpu::Format format) {
-        return graph.image(name + part,
-                           {.width = view.size_px.x, .height = view.size_px.y, .format = format});
+        const glm::uvec2 drawn_px = view.drawn_px();
+        return graph.image(name + part, {.width = drawn_px.x, .height = drawn_px.y, .format = format});
     };
     Attachments to{image("/words", gpu::Format::rg32ui), image("/depth", gpu::Format::depth32f)};
     for (const Batch& batch : batches) {
@@ -186,10 +206,10 @@ gpu::BufferId draw_by_hardware(gpu::Graph& graph, const gpu::Name& name, const R
                                bool depth_only)
 {
     const Attachments drawn = draw_batches(graph, name, in, batches, view, depth_only);
-    const DepthPart whole{.size_px = view.size_px};
+    const DepthPart whole{.size_px = view.drawn_px()};
     return add_copy(graph, name, depth_only ? drawn.depth : drawn.words,
                     depth_only ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT, {&whole, 1},
-                    view.size_px.x, target);
+                    whole.size_px.x, target);
 }
 
 gpu::BufferId draw_parts_by_hardware(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,

@@ -27,6 +27,12 @@ void bind_masks(gpu::Pass& pass, const RasterInputs& in)
     }
 }
 
+uint32_t second_bits(const View& view)
+{
+    return view.second_from ? shared::draws_second | view.second_from->x << 1U | view.second_from->y << 2U
+                            : 0U;
+}
+
 uint32_t mask_variant(const RasterInputs& in, const Batch& batch, const View& view)
 {
     if (batch.masked) {

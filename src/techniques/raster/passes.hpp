@@ -18,6 +18,9 @@ inline constexpr uint32_t most_tiles_a_group = 1000;
 /// Binds what alpha masks look up, eight bindings, in the order of mask.glsl.
 void bind_masks(gpu::Pass& pass, const RasterInputs& in);
 
+/// Which pixels of a peel are drawn, as the shaders know it: see draws_second.
+[[nodiscard]] uint32_t second_bits(const View& view);
+
 /// The variant of a shader that draws a batch: what peels can test masks, and need not.
 [[nodiscard]] uint32_t mask_variant(const RasterInputs& in, const Batch& batch, const View& view);
 

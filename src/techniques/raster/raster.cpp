@@ -53,7 +53,8 @@ RasterInputs unmasked_inputs(gpu::Graph& graph, gpu::BufferId triangles, gpu::Bu
 gpu::BufferId add_visibility(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                              std::span<const Batch> batches, const View& view)
 {
-    const uint64_t size_bytes = sizeof(uint64_t) * view.size_px.x * view.size_px.y;
+    const glm::uvec2 drawn_px = view.drawn_px();
+    const uint64_t size_bytes = sizeof(uint64_t) * drawn_px.x * drawn_px.y;
     const gpu::BufferId target = graph.buffer(name, {.size_bytes = (size_bytes + 15) / 16 * 16});
     return draw(graph, name, in, batches, view, target, false);
 }

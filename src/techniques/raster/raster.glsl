@@ -242,6 +242,31 @@ int owns_its_pixels(ivec2 from, ivec2 to)
 #include "techniques/raster/behind.glsl"
 #endif
 
+// Peels may draw but every second pixel each way.
+#ifdef RASTER_BEHIND
+#define DRAWN_SECOND constants.second
+#else
+#define DRAWN_SECOND 0u
+#endif
+
+int drawn_step()
+{
+    return DRAWN_SECOND == 0u ? 1 : 2;
+}
+
+// The first pixel from `low` on, each way, that is drawn.
+ivec2 first_drawn(ivec2 low)
+{
+    ivec2 first = ivec2(DRAWN_SECOND >> 1, DRAWN_SECOND >> 2);
+    return low + ((low - first) & (drawn_step() - 1));
+}
+
+uint drawn_index(ivec2 pixel)
+{
+    uint width = DRAWN_SECOND == 0u ? PICTURE_PX.x : (PICTURE_PX.x + 1u - ((DRAWN_SECOND >> 1) & 1u)) / 2u;
+    return uint(pixel.y / drawn_step()) * width + uint(pixel.x / drawn_step());
+}
+
 void write_pixel(ivec2 pixel, float depth, uint triangle)
 {
     uint depth_bits = floatBitsToUint(clamp(depth, 1e-30, 1.0));
@@ -255,7 +280,7 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
         return;
     }
 #endif
-    uint index = uint(pixel.y) * PICTURE_PX.x + uint(pixel.x);
+    uint index = drawn_index(pixel);
 #ifdef RASTER_VIEWS
     index += view.first_texel;
 #endif
@@ -285,15 +310,17 @@ void fill_small(PageTriangle t, ivec2 low, ivec2 high, uint triangle)
     float inverse_area = 1.0 / float(e2.x * -e1.y + e2.y * e1.x);
     ivec3 owned = ivec3(owns_its_pixels(t.p[1], t.p[2]), owns_its_pixels(t.p[2], t.p[0]),
                         owns_its_pixels(t.p[0], t.p[1]));
-    ivec2 start = low * 256 + 128;
+    int drawn = drawn_step();
+    ivec2 first = first_drawn(low);
+    ivec2 start = first * 256 + 128;
     ivec3 row = ivec3(e0.x * (start.y - t.p[1].y) - e0.y * (start.x - t.p[1].x),
                       e1.x * (start.y - t.p[2].y) - e1.y * (start.x - t.p[2].x),
                       e2.x * (start.y - t.p[0].y) - e2.y * (start.x - t.p[0].x));
-    ivec3 right = -256 * ivec3(e0.y, e1.y, e2.y);
-    ivec3 down = 256 * ivec3(e0.x, e1.x, e2.x);
-    for (int y = low.y; y <= high.y; ++y) {
+    ivec3 right = -256 * drawn * ivec3(e0.y, e1.y, e2.y);
+    ivec3 down = 256 * drawn * ivec3(e0.x, e1.x, e2.x);
+    for (int y = first.y; y <= high.y; y += drawn) {
         ivec3 edge = row;
-        for (int x = low.x; x <= high.x; ++x) {
+        for (int x = first.x; x <= high.x; x += drawn) {
             if (all(greaterThanEqual(edge + owned, ivec3(0)))) {
                 write_pixel(ivec2(x, y), depth_of(vec3(edge), inverse_area, t.depth), triangle);
             }
@@ -324,17 +351,20 @@ LargeEdge large_edge(ivec2 from, ivec2 to, ivec2 pixel)
     return edge;
 }
 
-// Visits the pixels of one column of a tile.
-void fill_column(PageTriangle t, ivec2 top, int count, uint triangle)
+// Visits the pixels of one column of a tile, `apart` one below the other, down to row `last`.
+void fill_column(PageTriangle t, ivec2 top, int last, int apart, uint triangle)
 {
     LargeEdge e0 = large_edge(t.p[1], t.p[2], top);
     LargeEdge e1 = large_edge(t.p[2], t.p[0], top);
     LargeEdge e2 = large_edge(t.p[0], t.p[1], top);
     float inverse_area = 1.0 / float(e0.value + e1.value + e2.value);
-    for (int i = 0; i < count; ++i) {
+    e0.down *= int64_t(apart);
+    e1.down *= int64_t(apart);
+    e2.down *= int64_t(apart);
+    for (int y = top.y; y <= last; y += apart) {
         if (e0.value + e0.owned >= 0 && e1.value + e1.owned >= 0 && e2.value + e2.owned >= 0) {
             vec3 edges = vec3(float(e0.value), float(e1.value), float(e2.value));
-            write_pixel(top + ivec2(0, i), depth_of(edges, inverse_area, t.depth), triangle);
+            write_pixel(ivec2(top.x, y), depth_of(edges, inverse_area, t.depth), triangle);
         }
         e0.value += e0.down;
         e1.value += e1.down;

@@ -13,6 +13,8 @@ SHARED_CONSTANT uint raster_tile_px = 64U;
 // Bits of the variants, above those of the texture classes.
 SHARED_CONSTANT uint draw_tests_sides = 1U << 5U;
 SHARED_CONSTANT uint draw_has_no_masks = 1U << 6U; // of shaders that could test them
+// Of peels that draw but every second pixel each way; the two bits above it say at which they begin.
+SHARED_CONSTANT uint draws_second = 1U;
 
 // Which triangles to draw into which picture.
 struct RasterConstants {
@@ -24,6 +26,7 @@ struct RasterConstants {
     uint tile_capacity;
     uint cull_back_faces;
     uint small_area_px; // up to this many pixels of bounding box one thread draws a triangle whole
+    uint second;        // of peels, see draws_second
 };
 
 // One square depth map of many that are drawn together.
@@ -97,12 +100,14 @@ struct DrawConstants {
     uvec2 size_px;
     uint first_triangle;
     uint triangle_count;
+    uint peeled_width_px; // of the picture that is peeled
+    uint second;          // of peels, see draws_second
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(DepthPartConstants) == 28);
-static_assert(sizeof(DrawConstants) == 80);
-static_assert(sizeof(RasterConstants) == 96);
+static_assert(sizeof(DrawConstants) == 88);
+static_assert(sizeof(RasterConstants) == 100);
 static_assert(sizeof(RasterView) == 100);
 static_assert(sizeof(ClusterBounds) == 24);
 static_assert(sizeof(ViewsConstants) == 40);

@@ -58,6 +58,15 @@ struct View {
     /// A visibility buffer of the same size: only what lies behind is drawn, and of equal depths what has a
     /// lower number, so that one layer after another is peeled off. For identities.
     std::optional<gpu::BufferId> behind = std::nullopt;
+    /// With that, only every second pixel each way is drawn, from this one on, 0 or 1: the picture is half as
+    /// large as the one that is peeled.
+    std::optional<glm::uvec2> second_from = std::nullopt;
+
+    /// Of the picture that is drawn.
+    [[nodiscard]] glm::uvec2 drawn_px() const
+    {
+        return second_from ? glm::max((size_px - *second_from + 1U) / 2U, glm::uvec2(1)) : size_px;
+    }
 };
 
 /// A picture of 64-bit words, row by row: reversed depth above, triangle below; 0 where nothing is seen.

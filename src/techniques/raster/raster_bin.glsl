@@ -49,8 +49,9 @@ void main()
                 tiles[slot] = TriangleTile(large.triangle, pack_tile(part, large.part_and_view >> 1, tile));
                 continue;
             }
-            for (int x = tile_low.x; x <= tile_high.x; ++x) {
-                fill_column(t, ivec2(x, tile_low.y), tile_high.y - tile_low.y + 1, large.triangle);
+            ivec2 top = first_drawn(tile_low);
+            for (; top.x <= tile_high.x; top.x += drawn_step()) {
+                fill_column(t, top, tile_high.y, drawn_step(), large.triangle);
             }
         }
     }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/shapes.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 #include "techniques/raster/passes.hpp"
@@ -220,6 +221,63 @@ TEST_P(RasterPaths, AlphaMasksCutHoles)
                 const bool seen = static_cast<uint32_t>(page[y * 160 + x]) >= drawing.layout.masked.first;
                 ASSERT_TRUE(near_edge || seen == stands) << x << ", " << y;
             }
+        }
+    }
+}
+
+TEST_P(RasterPaths, PeelsEverySecondPixel)
+{
+    // Bodies of a few pixels and of many, seen through each other: what lies behind the nearest.
+    const glm::uvec2 size_px(181, 133);
+    Scene scene;
+    test::add_object(scene, shapes::sphere(0.3F, 48, 24), glm::vec3(1.0F), {-0.3, 0.2, 0.0});
+    test::add_object(scene, shapes::sphere(0.2F, 96, 48), glm::vec3(1.0F), {0.3, 0.0, 0.5});
+    test::add_object(scene, shapes::box({1.6F, 0.8F, 0.3F}), glm::vec3(1.0F), {0.0, -0.4, -1.0});
+    test::Drawing drawing(scene, test::front_camera(3.0, 0.6), size_px);
+    drawing.path = GetParam();
+    std::vector<uint64_t> words = drawing.visibility();
+    words.resize((words.size() + 1) / 2 * 2);
+    gpu::Buffer seen = gpu::upload_buffer(test::shared_device(), "seen", words);
+    const auto peeled = [&](const Way& way, std::optional<glm::uvec2> second_from) {
+        gpu::Graph graph;
+        const RasterInputs meshes = drawing.raster_inputs(graph);
+        const Batch all{.first_triangle = drawing.layout.opaque.first,
+                        .triangle_count = drawing.layout.opaque.count};
+        return test::run_and_read_as<uint64_t>(
+            graph, add_visibility(graph, "peeled", meshes, {&all, 1},
+                                  {.clip_from_anchor = drawing.globals.clip_from_anchor,
+                                   .size_px = size_px,
+                                   .cull_back_faces = false,
+                                   .path = GetParam(),
+                                   .tuning = way.tuning,
+                                   .behind = gpu::import_whole(graph, "seen", seen),
+                                   .second_from = second_from}));
+    };
+    for (const Way& way : ways()) {
+        const std::vector<uint64_t> whole = peeled(way, std::nullopt);
+        for (const glm::uvec2 from :
+             {glm::uvec2(0, 0), glm::uvec2(1, 0), glm::uvec2(0, 1), glm::uvec2(1, 1)}) {
+            const std::vector<uint64_t> half = peeled(way, from);
+            const glm::uvec2 half_px = (size_px + 1U - from) / 2U;
+            size_t other = 0;
+            size_t there = 0;
+            for (uint32_t y = 0; y < half_px.y; ++y) {
+                for (uint32_t x = 0; x < half_px.x; ++x) {
+                    const uint64_t wanted = whole[size_t{from.y + 2 * y} * size_px.x + from.x + 2 * x];
+                    const uint64_t found = half[size_t{y} * half_px.x + x];
+                    const double off =
+                        static_cast<double>(depth_of(found)) / static_cast<double>(depth_of(wanted));
+                    const bool is_same = GetParam() == RasterPath::compute ? found == wanted
+                                         : wanted == 0                     ? found == 0
+                                                                           : std::abs(off - 1.0) < 1e-3;
+                    other += is_same ? 0U : 1U;
+                    there += wanted != 0 ? 1U : 0U;
+                }
+            }
+            EXPECT_GT(there, 1000U);
+            // The hardware places edges anew.
+            EXPECT_LE(other, GetParam() == RasterPath::compute ? 0U : there / 500)
+                << from.x << ", " << from.y;
         }
     }
 }

@@ -30,7 +30,7 @@ void draw_part(ClippedTriangle clipped, uint part, uint view_index, uint triangl
     // A list for all triangles in all views would be too long; what it cannot hold is drawn here: slow, but
     // whole.
     for (int x = low.x; x <= high.x; ++x) {
-        fill_column(t, ivec2(x, low.y), high.y - low.y + 1, triangle);
+        fill_column(t, ivec2(x, low.y), high.y, 1, triangle);
     }
 #endif
 }

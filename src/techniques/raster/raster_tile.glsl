@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup draws one triangle in one tile of the picture after another; each thread takes one column.
+// One workgroup draws one triangle in one tile of the picture after another; each thread takes one column,
+// or where but every second is drawn every second pixel of it.
 
 #include "techniques/raster/raster.glsl"
 
@@ -21,9 +22,13 @@ void main()
         pixel_bounds(t, low, high);
         low = max(low, corner);
         high = min(high, corner + tile_px - 1);
-        int x = corner.x + int(gl_LocalInvocationID.x);
-        if (x >= low.x && x <= high.x && high.y >= low.y) {
-            fill_column(t, ivec2(x, low.y), high.y - low.y + 1, tile.triangle);
+        int drawn = drawn_step();
+        int columns = tile_px / drawn;
+        int thread = int(gl_LocalInvocationID.x);
+        ivec2 top = ivec2(first_drawn(corner).x, first_drawn(low).y) +
+                    drawn * ivec2(thread % columns, thread / columns);
+        if (top.x >= low.x && top.x <= high.x) {
+            fill_column(t, top, high.y, drawn * drawn, tile.triangle);
         }
     }
 }

@@ -40,6 +40,7 @@ gpu::ImageId add_behind(gpu::Graph& graph, const BehindInputs& in, gpu::ImageId 
     for (size_t i = 0; i < inside_layers; ++i) {
         inside.sample(in.inside[std::min(i, in.inside.size() - 1)], gpu::Format::rg32ui);
     }
+    inside.sample(in.color);
     const gpu::ImageId clear = inside.write(
         graph.image("subsurface/clear",
                     {.width = common.size_px.x, .height = common.size_px.y, .format = gpu::Format::rgba32f}));

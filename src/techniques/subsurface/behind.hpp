@@ -19,6 +19,7 @@ struct BehindInputs {
     gpu::BufferId background;          ///< visibility of all that is solid but them
     gpu::BufferId triangles;
     gpu::BufferId posed_vertices;
+    gpu::ImageId color;   ///< rgba8: of what is seen, square root of linear
     gpu::ImageId painted; ///< rgba16f: paint of the background
 };
 

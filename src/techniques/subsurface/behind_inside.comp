@@ -33,8 +33,10 @@ layout(binding = 8) uniform usamplerBuffer inside_1;
 layout(binding = 9) uniform usamplerBuffer inside_2;
 layout(binding = 10) uniform usamplerBuffer inside_3;
 
-layout(binding = 11, rgba32f) writeonly uniform image2D out_clear; // what is left; deviation on the page
-layout(binding = 12, r16f) writeonly uniform image2D out_share;    // of what lies behind that is seen
+layout(binding = 11) uniform sampler2D color_image; // square root of linear colour
+
+layout(binding = 12, rgba32f) writeonly uniform image2D out_clear; // what is left; deviation on the page
+layout(binding = 13, r16f) writeonly uniform image2D out_share;    // of what lies behind that is seen
 
 uvec2 inside_at(int layer, int index)
 {
@@ -51,7 +53,8 @@ void main()
         return;
     }
     uint word = texelFetch(draw_image, pixel, 0).x;
-    float share = takes_light_in(word) ? look_behind(look_of(word)).x : 0.0;
+    vec3 seen_behind = takes_light_in(word) ? look_behind(look_of(word)) : vec3(0.0);
+    float share = seen_behind.x;
     int index = pixel.y * int(frame.size_px.x) + pixel.x;
     vec2 middle_px = vec2(pixel) + 0.5;
     float end_depth = seen_depth(texelFetch(background, index).xy);
@@ -102,6 +105,8 @@ void main()
         absorbed += look_through(entered - 1u).rgb * look_scatter(entered - 1u).a;
         blur_m += look_behind(entered - 1u).y * look_scatter(entered - 1u).a;
     }
-    imageStore(out_clear, pixel, vec4(exp(-absorbed), blur_m / pixel_m));
+    vec3 color = texelFetch(color_image, pixel, 0).rgb;
+    vec3 tint = mix(vec3(1.0), color * color, seen_behind.z);
+    imageStore(out_clear, pixel, vec4(tint * exp(-absorbed), blur_m / pixel_m));
     imageStore(out_share, pixel, vec4(share));
 }

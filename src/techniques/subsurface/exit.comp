@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel finds where the eye's ray leaves what it entered: the next surface behind, if its back
-// is turned; else what is seen is a sheet, whose other side lies where it does. Where next to nothing comes
-// through so much, nothing has to be lit: tiles with anything to light are listed.
+// One thread a pixel of the half page finds where the eye's ray leaves what it entered: the next surface
+// behind, if its back is turned; else what is seen is a sheet, whose other side lies where it does. Where
+// next to nothing comes through so much, nothing has to be lit: tiles with anything to light are listed.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -10,6 +10,7 @@
 #include "shaders/draw_word.glsl"
 #include "shaders/octahedral.glsl"
 #include "shaders/tile_list.glsl.h"
+#include "shaders/visibility.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -22,8 +23,7 @@ layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform sampler2D depth_image;
 layout(binding = 3) uniform usampler2D normal_image;
 
-#define VISIBILITY_BINDING 4
-#include "shaders/visibility_texels.glsl" // of what lies behind
+layout(binding = 4) uniform usamplerBuffer behind_texels; // visibility of what lies behind
 
 #define MESH_TEXELS_BINDING 5
 #include "shaders/mesh_texels.glsl"
@@ -42,6 +42,12 @@ layout(scalar, binding = 12) buffer Tiles
     uint tiles[]; // see tile_list.glsl.h
 };
 
+layout(push_constant, scalar) uniform Constants
+{
+    ScatterConstants constants;
+};
+
+#include "techniques/subsurface/scatter.glsl"
 #include "techniques/subsurface/thickness.glsl"
 
 const float least_through = 1.0 / 4096.0; // a white light sixteen times as bright changes no pixel by it
@@ -50,20 +56,21 @@ shared uint shines_in_tile;
 
 void main()
 {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    bool is_on_page = all(lessThan(uvec2(pixel), frame.size_px));
-    ivec2 held = min(pixel, ivec2(frame.size_px) - 1);
+    ivec2 half_pixel = ivec2(gl_GlobalInvocationID.xy);
+    bool is_on_page = is_on_half_page(half_pixel);
+    half_pixel = min(half_pixel, ivec2(constants.half_px) - 1);
+    ivec2 pixel = whole_pixel(half_pixel);
     if (gl_LocalInvocationIndex == 0u) {
         shines_in_tile = 0u;
     }
     barrier();
-    uint word = texelFetch(draw_image, held, 0).x;
+    uint word = texelFetch(draw_image, pixel, 0).x;
     uint look = look_of(word);
     vec4 through = takes_light_in(word) ? look_through(look) : vec4(0.0);
-    float own_depth = texelFetch(depth_image, held, 0).x;
+    float own_depth = texelFetch(depth_image, pixel, 0).x;
     float depth = own_depth;
-    vec3 normal = -unpack_normal(texelFetch(normal_image, held, 0).y);
-    uvec2 seen = visibility_at(held);
+    vec3 normal = -unpack_normal(texelFetch(normal_image, pixel, 0).y);
+    uvec2 seen = texelFetch(behind_texels, half_pixel.y * int(constants.half_px.x) + half_pixel.x).xy;
     if (through.a > 0.0 && sees_triangle(seen)) {
         uvec4 corners = triangle_at(seen_triangle(seen));
         vec3 a = posed_vertex_at(corners.x).position;
@@ -92,7 +99,7 @@ void main()
         return;
     }
     uint packed = pack_normal(normal);
-    imageStore(out_draw, pixel, uvec4(shines ? draw_of(word) + 1u : 0u));
-    imageStore(out_depth, pixel, vec4(through.a > 0.0 ? depth : 0.0));
-    imageStore(out_normal, pixel, uvec4(packed, packed, 0u, 0u));
+    imageStore(out_draw, half_pixel, uvec4(shines ? draw_of(word) + 1u : 0u));
+    imageStore(out_depth, half_pixel, vec4(through.a > 0.0 ? depth : 0.0));
+    imageStore(out_normal, half_pixel, uvec4(packed, packed, 0u, 0u));
 }

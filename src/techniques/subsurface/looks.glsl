@@ -31,8 +31,8 @@ vec4 look_scatter(uint look)
     return texelFetch(look_texels, int(3u * look + 1u));
 }
 
-// How much of what lies behind is seen, and how blurred.
-vec2 look_behind(uint look)
+// How much of what lies behind is seen, how blurred, and how much the surface's own colour tints it.
+vec3 look_behind(uint look)
 {
-    return texelFetch(look_texels, int(3u * look + 2u)).xy;
+    return texelFetch(look_texels, int(3u * look + 2u)).xyz;
 }

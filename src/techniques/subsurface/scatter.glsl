@@ -13,6 +13,11 @@ const float half_page_variance_px2 = 0.85;
 
 const float nowhere_m = 1e30; // how far off a pixel is that takes no light in
 
+// What becomes of light in a pixel; both may hold.
+const float takes_nothing = 0.0;
+const float takes_light_through = 1.0; // it comes from the far side
+const float takes_light_about = 2.0;   // it spreads
+
 // Of what is drawn, the pixel that one of the half page stands for.
 ivec2 whole_pixel(ivec2 half_pixel)
 {
@@ -29,6 +34,25 @@ bool is_on_half_page(ivec2 half_pixel)
 float ahead_m(vec3 point)
 {
     return dot(point - frame.eye_anchor, frame.view_forward);
+}
+
+// What a pixel of the page spans so far along the view.
+float pixel_m_at(float ahead)
+{
+    return frame.pixel_m * (frame.is_orthographic != 0u ? 1.0 : ahead);
+}
+
+// Numbers as half floats hold them, so that shares of them add up to one wherever they are worked out.
+vec3 in_halves(vec3 numbers)
+{
+    return vec3(unpackHalf2x16(packHalf2x16(numbers.xy)),
+                unpackHalf2x16(packHalf2x16(vec2(numbers.z, 0.0))).x);
+}
+
+// How far light spreads on the page, by colour.
+vec3 spread_px_of(vec3 scatter_m, float pixel_m)
+{
+    return in_halves(min(scatter_m / pixel_m, vec3(constants.most_px)));
 }
 
 // The standard deviation of the half page blurred up to a level, in pixels of the page; of the half page
@@ -51,6 +75,23 @@ float level_from_px(int level)
     return sqrt(deviation_px(level - 1) * deviation_px(level));
 }
 
+// By what squares of ways along the view count less for a pixel, in a blur whose taps are so far apart: its
+// deviation in the scene is as wide as they are. Nothing counts for what takes no light in.
+float falloff_at(vec4 own, int apart)
+{
+    float deviation_m = 2.0 * float(apart) * pixel_m_at(own.w);
+    return own.w < nowhere_m ? -0.5 / max(deviation_m * deviation_m, 1e-12) : 0.0;
+}
+
+// By how much the light of a pixel changes by another, one or two steps off. Where one of the two takes none
+// in it does not.
+vec3 change_by(vec4 own, vec4 other, int steps, float falloff)
+{
+    float off = min(abs(other.w - own.w), 1e15);
+    float near = falloff < 0.0 ? exp(max(falloff * off * off, -80.0)) : 0.0;
+    return (steps == 2 ? 0.0625 : 0.25) * near * (other.rgb - own.rgb);
+}
+
 // Of a pixel's light a thousandth has deviations beyond so many times d: nobody can tell.
 const float held_deviations = 9.6;
 
@@ -65,6 +106,13 @@ vec3 share_up_to(float deviation, vec3 spread_px)
 {
     return mix(share_below(deviation, spread_px), vec3(1.0),
                lessThanEqual(held_deviations * spread_px, vec3(deviation)));
+}
+
+// The share of a pixel's light that is taken of a blur.
+vec3 share_of_level(int level, vec3 spread_px)
+{
+    vec3 until = constants.is_last != 0u ? vec3(1.0) : share_up_to(level_from_px(level + 1), spread_px);
+    return until - share_up_to(level_from_px(level), spread_px);
 }
 
 #endif

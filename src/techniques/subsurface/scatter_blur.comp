@@ -37,33 +37,26 @@ void main()
         return;
     }
     vec4 own = texelFetch(light_image, half_pixel, 0);
-    vec4 spread = texelFetch(spread_image, half_pixel, 0);
     int apart = 1 << constants.level;
-    // Distance counts in the scene: the spline's deviation is as wide as its taps are apart.
-    float deviation_m = 2.0 * float(apart) * spread.w;
-    float per_variance = -0.5 / max(deviation_m * deviation_m, 1e-12);
+    float by = falloff_at(own, apart);
     // Mesa takes a vector that a specialization constant chooses for the one it has by default.
     int upright = is_upright ? 1 : 0;
     ivec2 along = apart * ivec2(1 - upright, upright);
-    int taps = own.w < nowhere_m ? 4 : 1;
+    int taps = by < 0.0 ? 4 : 1;
     vec3 change = vec3(0.0);
     int i = 0;
     do {
         int tap = i < 2 ? i - 2 : i - 1;
         ivec2 pixel = half_pixel + tap * along;
         vec4 other = texelFetch(light_image, clamp(pixel, ivec2(0), ivec2(constants.half_px) - 1), 0);
-        float off = other.w - own.w;
-        float near = is_on_half_page(pixel) ? exp(max(per_variance * off * off, -80.0)) : 0.0;
-        change += (abs(tap) == 2 ? 0.0625 : 0.25) * near * (other.rgb - own.rgb);
+        change += is_on_half_page(pixel) ? change_by(own, other, abs(tap), by) : vec3(0.0);
         ++i;
     } while (i < taps);
     own.rgb += change;
     imageStore(out_light, half_pixel, own);
     if (is_upright) {
-        vec3 until =
-            constants.is_last != 0u ? vec3(1.0) : share_up_to(level_from_px(constants.level + 1), spread.rgb);
-        vec3 share = until - share_up_to(level_from_px(constants.level), spread.rgb);
-        vec3 sum = imageLoad(sum_image, half_pixel).rgb + share * own.rgb;
-        imageStore(sum_image, half_pixel, vec4(sum, own.w));
+        vec3 share = share_of_level(constants.level, texelFetch(spread_image, half_pixel, 0).rgb);
+        vec4 sum = imageLoad(sum_image, half_pixel);
+        imageStore(sum_image, half_pixel, vec4(sum.rgb + share * own.rgb, sum.w));
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the page lays what light has come from elsewhere under the surface over what stays.
+// One thread a pixel of the page lays what light has come through, and from elsewhere under the surface, over
+// what stays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -17,13 +18,16 @@ layout(scalar, binding = 0) uniform Frame
 layout(binding = 1) uniform usampler2D draw_image;
 layout(binding = 2) uniform sampler2D depth_image;
 layout(binding = 3) uniform sampler2D sum_image;
+layout(binding = 4) uniform sampler2D through_image;
 
-#define LOOKS_BINDING 4
+#define LOOKS_BINDING 5
 #define HAS_LOOKS ((variant & subsurface_has_looks) != 0u)
 layout(constant_id = 0) const uint variant = 0u;
 #include "techniques/subsurface/looks.glsl"
+const bool shines = (variant & subsurface_shines) != 0u;
+const bool spreads = (variant & subsurface_spreads) != 0u;
 
-layout(binding = 6, rgba16f) uniform image2D light;
+layout(binding = 7, rgba16f) uniform image2D light;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -32,44 +36,68 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/subsurface/scatter.glsl"
 
+const float most_light = 65504.0; // that half floats hold
+const float least_near = 1e-4;    // what is so thin that the half page saw nothing of it shines as others do
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    uint word = texelFetch(draw_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
-    vec3 scatter_m = takes_light_in(word) ? look_scatter(look_of(word)).rgb : vec3(0.0);
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }
-    vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(texelFetch(depth_image, pixel, 0).x, 1e-9));
-    float pixel_m = pixel_size_m(frame, point);
-    vec3 spread_px = min(scatter_m / pixel_m, vec3(constants.most_px));
-    vec3 kept = share_up_to(kept_below_px(), spread_px);
-    bool scatters = kept != vec3(1.0);
+    uint word = texelFetch(draw_image, pixel, 0).x;
+    uint look = look_of(word);
+    bool takes = takes_light_in(word);
+    vec3 scatter_m = spreads && takes ? look_scatter(look).rgb : vec3(0.0);
+    float ahead =
+        ahead_m(anchor_at(frame, vec2(pixel) + 0.5, max(texelFetch(depth_image, pixel, 0).x, 1e-9)));
+    float pixel_m = pixel_m_at(ahead);
+    vec3 spread_px = spread_px_of(scatter_m, pixel_m);
+    bool scatters = !holds_all(kept_below_px(), max(max(spread_px.r, spread_px.g), spread_px.b));
+    bool is_shone_through = shines && takes && look_through(look).a > 0.0;
     float tolerance_m = max(4.0 * pixel_m, max(max(scatter_m.x, scatter_m.y), scatter_m.z));
     float per_variance = -0.5 / max(tolerance_m * tolerance_m, 1e-12);
-    float ahead = ahead_m(point);
-    // Pixels of the half page stand for the middle of four of the page.
-    vec2 place = 0.5 * (vec2(pixel) + vec2(frame.tile_from_px)) - 0.25 - vec2(constants.from_half);
+    // Pixels of the half page stand for the middle of four of the page; what comes through was looked up at
+    // the first of them.
+    uvec2 on_page = uvec2(pixel) + frame.tile_from_px;
+    vec2 place = 0.5 * vec2(on_page) - 0.25 - vec2(constants.from_half);
     ivec2 first = ivec2(floor(place));
     vec2 between = place - vec2(first);
+    vec2 off_first = 0.5 * vec2(on_page & 1u);
     vec4 sum = vec4(0.0);
+    vec4 through = vec4(0.0);
     int i = 0;
-    int corners = scatters ? 4 : 1;
+    int corners = scatters || is_shone_through ? 4 : 1;
     do {
         ivec2 corner = ivec2(i & 1, i >> 1);
         ivec2 looked = first + corner;
         ivec2 held = clamp(looked, ivec2(0), ivec2(constants.half_px) - 1);
         vec4 other = texelFetch(sum_image, held, 0);
-        vec2 bilinear = mix(1.0 - between, between, vec2(corner));
-        float off = other.w - ahead;
+        vec4 shone = shines ? texelFetch(through_image, held, 0) : vec4(vec3(0.0), takes_light_about);
+        float off = min(abs(other.w - ahead), 1e15);
         float near = is_on_half_page(looked) ? exp(max(per_variance * off * off, -40.0)) : 0.0;
-        sum += bilinear.x * bilinear.y * near * vec4(other.rgb, 1.0);
+        if (spreads) {
+            vec2 bilinear = mix(1.0 - between, between, vec2(corner));
+            float share = shone.w >= takes_light_about ? bilinear.x * bilinear.y * near : 0.0;
+            sum += share * vec4(other.rgb, 1.0);
+        }
+        if (shines) {
+            vec2 bilinear = mix(off_first, 1.0 - off_first, vec2(corner));
+            bool is_shone = shone.w == takes_light_through || shone.w > takes_light_about;
+            float share = is_shone && is_on_half_page(looked) ? max(near, least_near) : 0.0;
+            through += share * bilinear.x * bilinear.y * vec4(shone.rgb, 1.0);
+        }
         ++i;
     } while (i < corners);
-    if (!scatters || sum.w <= 1e-6) {
+    scatters = scatters && sum.w > 1e-6;
+    vec3 more = is_shone_through && through.w > 0.0 ? through.rgb / through.w : vec3(0.0);
+    if (!scatters && more == vec3(0.0)) {
         return;
     }
-    vec3 own = imageLoad(light, pixel).rgb;
-    vec3 mixed = kept * own + sum.rgb / sum.w;
+    vec3 mixed = imageLoad(light, pixel).rgb + more;
+    if (scatters) {
+        mixed = share_up_to(kept_below_px(), spread_px) * mixed + sum.rgb / sum.w;
+    }
+    mixed = min(mixed, vec3(most_light));
     imageStore(light, pixel, vec4(mixed, luminance(mixed)));
 }

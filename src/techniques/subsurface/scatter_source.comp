@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the half page takes the light that spreads from there. Blurs that no pixel needs are
-// never run.
+// One thread a pixel of the half page takes the light that spreads from there, with what comes through from
+// the far side. Blurs that no pixel needs are never run.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -22,72 +22,107 @@ layout(binding = 3) uniform sampler2D light_image;
 #define HAS_LOOKS ((variant & subsurface_has_looks) != 0u)
 layout(constant_id = 0) const uint variant = 0u;
 #include "techniques/subsurface/looks.glsl"
+const bool shines = (variant & subsurface_shines) != 0u;
+const bool spreads = (variant & subsurface_spreads) != 0u;
 
-layout(binding = 6, rgba32f) writeonly uniform image2D out_light;  // and how far ahead of the eye it is
-layout(binding = 7, rgba32f) writeonly uniform image2D out_spread; // by colour, on the page; a pixel there
-layout(binding = 8, rgba32f) writeonly uniform image2D out_sum;    // of blurs so far; how far ahead
+// Of the far side, on the half page.
+layout(binding = 6) uniform usampler2D far_draw_image; // 0 where no light comes through
+layout(binding = 7) uniform sampler2D far_depth_image;
+layout(binding = 8) uniform sampler2D far_light_image;
+
+layout(binding = 9, rgba32f) writeonly uniform image2D out_light;    // and how far ahead of the eye it is
+layout(binding = 10, rgba16f) writeonly uniform image2D out_spread;  // by colour, on the page
+layout(binding = 11, rgba32f) writeonly uniform image2D out_sum;     // of blurs so far; how far ahead
+layout(binding = 12, rgba16f) writeonly uniform image2D out_through; // light; takes_... of scatter.glsl
 
 layout(push_constant, scalar) uniform Constants
 {
     ScatterConstants constants;
 };
 
-layout(scalar, binding = 9) buffer Needs
+layout(scalar, binding = 13) buffer Needs
 {
     uvec4 needs[]; // how many groups to dispatch: over the page, then for one blur after another
 };
 
 #include "techniques/subsurface/scatter.glsl"
+#include "techniques/subsurface/thickness.glsl"
 
-shared uint needed_by_group;
+const float most_light = 65504.0; // that half floats hold
 
-// How many of the passes that follow a pixel needs, if any: the page first, then one blur after another.
-uint passes_for(vec3 spread_px)
+shared uint widest_of_group; // spread on the page, as bits
+shared uint shines_in_group;
+
+// Whether any pixel of the group needs the page, or one of the blurs.
+bool needs_pass(uint pass)
 {
-    float widest = max(max(spread_px.r, spread_px.g), spread_px.b);
-    uint passes = holds_all(kept_below_px(), widest) ? 0u : 1u;
-    for (int level = 0; level < constants.level; ++level) {
-        passes += holds_all(level_from_px(level), widest) ? 0u : 1u;
-    }
-    return passes;
+    float widest = uintBitsToFloat(widest_of_group);
+    float kept = pass == 0u ? kept_below_px() : level_from_px(int(pass) - 1);
+    return !holds_all(kept, widest) || (pass == 0u && shines_in_group != 0u);
 }
 
 void main()
 {
     ivec2 half_pixel = min(ivec2(gl_GlobalInvocationID.xy), ivec2(constants.half_px) - 1);
     if (gl_LocalInvocationIndex == 0u) {
-        needed_by_group = 0u;
+        widest_of_group = 0u;
+        shines_in_group = 0u;
     }
     barrier();
     ivec2 pixel = whole_pixel(half_pixel);
     uint word = texelFetch(draw_image, pixel, 0).x;
-    vec3 scatter_m = takes_light_in(word) ? look_scatter(look_of(word)).rgb : vec3(0.0);
-    vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(texelFetch(depth_image, pixel, 0).x, 1e-9));
-    float pixel_m = pixel_size_m(frame, point);
-    vec3 spread_px = min(scatter_m / pixel_m, vec3(constants.most_px));
-    uint passes = passes_for(spread_px);
-    bool scatters = passes > 0u;
-    // Light of the pixels about it counts, so that the edge of a shadow does not jump from one to the next.
-    vec4 sum = vec4(0.0);
-    int i = 0;
-    int corners = scatters ? 4 : 1;
-    do {
-        ivec2 looked = min(pixel + ivec2(i & 1, i >> 1), ivec2(frame.size_px) - 1);
-        float share = texelFetch(draw_image, looked, 0).x == word ? 1.0 : 0.0;
-        sum += share * vec4(texelFetch(light_image, looked, 0).rgb, 1.0);
-        ++i;
-    } while (i < corners);
-    float ahead = scatters ? ahead_m(point) : nowhere_m;
-    vec3 light = sum.rgb / max(sum.w, 1.0);
-    vec3 share = share_up_to(level_from_px(0), spread_px) - share_up_to(kept_below_px(), spread_px);
-    imageStore(out_light, half_pixel, vec4(light, ahead));
-    imageStore(out_spread, half_pixel, vec4(spread_px, pixel_m));
-    imageStore(out_sum, half_pixel, vec4(share * light, ahead));
-    atomicMax(needed_by_group, passes);
+    uint look = look_of(word);
+    vec4 scatter_m = takes_light_in(word) ? look_scatter(look) : vec4(0.0);
+    float depth = texelFetch(depth_image, pixel, 0).x;
+    float ahead = ahead_m(anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9)));
+    vec3 through = vec3(0.0);
+    float takes = takes_nothing;
+    if (shines) {
+        vec4 look_in = takes_light_in(word) ? look_through(look) : vec4(0.0);
+        bool is_lit = texelFetch(far_draw_image, half_pixel, 0).x != 0u;
+        float inside_m =
+            thickness_m(vec2(pixel) + 0.5, depth, texelFetch(far_depth_image, half_pixel, 0).x, scatter_m.a);
+        vec3 left = look_in.a * exp(-look_in.rgb * inside_m);
+        vec3 far_light = is_lit ? texelFetch(far_light_image, half_pixel, 0).rgb : vec3(0.0);
+        through = min(left * far_light, vec3(most_light));
+        takes = look_in.a > 0.0 ? takes_light_through : takes_nothing;
+        if (through != vec3(0.0)) {
+            atomicOr(shines_in_group, 1u);
+        }
+    }
+    vec3 kept = vec3(0.0);
+    if (spreads) {
+        vec3 spread_px = spread_px_of(scatter_m.rgb, pixel_m_at(ahead));
+        float widest = max(max(spread_px.r, spread_px.g), spread_px.b);
+        bool scatters = !holds_all(kept_below_px(), widest);
+        // Light of the pixels about it counts, so that the edge of a shadow does not jump from one to the
+        // next.
+        vec4 sum = vec4(0.0);
+        int i = 0;
+        int corners = scatters ? 4 : 1;
+        do {
+            ivec2 looked = min(pixel + ivec2(i & 1, i >> 1), ivec2(frame.size_px) - 1);
+            float share = texelFetch(draw_image, looked, 0).x == word ? 1.0 : 0.0;
+            sum += share * vec4(texelFetch(light_image, looked, 0).rgb, 1.0);
+            ++i;
+        } while (i < corners);
+        float found = scatters ? ahead : nowhere_m;
+        vec3 light = sum.rgb / max(sum.w, 1.0) + through;
+        vec3 share = share_up_to(level_from_px(0), spread_px) - share_up_to(kept_below_px(), spread_px);
+        imageStore(out_light, half_pixel, vec4(light, found));
+        imageStore(out_spread, half_pixel, vec4(spread_px, 0.0));
+        kept = share * light;
+        takes += scatters ? takes_light_about : takes_nothing;
+        atomicMax(widest_of_group, floatBitsToUint(widest));
+    }
+    imageStore(out_sum, half_pixel, vec4(kept, takes > takes_nothing ? ahead : nowhere_m));
+    if (shines) {
+        imageStore(out_through, half_pixel, vec4(through, takes));
+    }
     barrier();
     // One thread for each says that it has to run.
     uint pass = gl_LocalInvocationIndex;
-    if (pass < needed_by_group) {
+    if (pass <= uint(constants.level) && needs_pass(pass)) {
         uvec2 threads = pass == 0u ? frame.size_px : constants.half_px;
         atomicMax(needs[pass].x, (threads.x + 7u) / 8u);
         atomicMax(needs[pass].y, (threads.y + 7u) / 8u);

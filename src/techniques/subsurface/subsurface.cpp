@@ -9,11 +9,13 @@
 #include "shaders/scatter_blur_comp.hpp"
 #include "shaders/scatter_page_comp.hpp"
 #include "shaders/scatter_source_comp.hpp"
-#include "shaders/through_comp.hpp"
 #include "shaders/tile_list.glsl.h"
 
 namespace estampe::subsurface {
 namespace {
+
+/// Tangent by which glass of roughness 1 throws what is behind it about, at a refraction of 1.5.
+constexpr float rough_blur = 0.5F;
 
 /// How far off the page the light of a pixel spreads over so many levels.
 uint32_t reach_of_levels(uint32_t levels)
@@ -53,6 +55,47 @@ uint32_t bind_looks(gpu::Pass& pass, const SubsurfaceInputs& in)
     return in.look_of_draw ? shared::subsurface_has_looks : 0U;
 }
 
+/// Of so many blurs.
+shared::ScatterConstants constants_of(const SubsurfaceInputs& in, uint32_t levels)
+{
+    return {.from_half = (in.from_px + 1U) / 2U,
+            .half_px = in.half_px(),
+            .most_px = most_spread_px(levels),
+            .level = static_cast<int>(levels),
+            .is_last = 0U};
+}
+
+/// Light of the half page, what of it stays, and which blurs are needed.
+struct Source {
+    gpu::ImageId light;
+    gpu::ImageId spread;
+    gpu::ImageId sum;
+    gpu::BufferId needs;
+};
+
+/// The sum of the blurs of a source. `constants` say how many there are at most.
+gpu::ImageId add_blurs(gpu::Graph& graph, const SubsurfaceInputs& in, shared::ScatterConstants constants,
+                       Source source)
+{
+    const auto levels = static_cast<uint32_t>(constants.level);
+    for (uint32_t level = 0; level < levels; ++level) {
+        constants.level = static_cast<int>(level);
+        constants.is_last = level + 1 == levels ? 1U : 0U;
+        for (const bool is_upright : {false, true}) {
+            auto pass = graph.compute(is_upright ? "subsurface/columns" : "subsurface/rows",
+                                      shaders::scatter_blur_comp);
+            pass.uniform(in.frame).sample(source.spread).sample(source.light);
+            pass.variant(is_upright ? shared::subsurface_is_upright : 0U);
+            source.light = pass.write(graph.image("subsurface/blurred", {.width = constants.half_px.x,
+                                                                         .height = constants.half_px.y,
+                                                                         .format = gpu::Format::rgba32f}));
+            source.sum = pass.modify(source.sum);
+            pass.push(constants).dispatch_indirect(source.needs, sizeof(glm::uvec4) * (level + 1));
+        }
+    }
+    return source.sum;
+}
+
 } // namespace
 
 shared::SubsurfaceLook look_of(const SubsurfaceStyle& style)
@@ -64,11 +107,27 @@ shared::SubsurfaceLook look_of(const SubsurfaceStyle& style)
     look.strength = shines(style) ? style.strength : 0.0F;
     look.behind = is_clear(style) ? style.behind : 0.0F;
     look.behind_blur = style.behind_blur;
+    look.behind_tint = style.behind_tint;
     if (scatters(style)) {
         look.scatter_m = style.scatter_m * style.scatter_color;
     }
     look.sheet_m = style.sheet_m;
     return look;
+}
+
+SubsurfaceStyle seen_through(SubsurfaceStyle style, const Material& material, float color_share)
+{
+    const Transmission& seen = *material.transmission;
+    style.drawn = true;
+    style.scatter_m = 0.0F;
+    style.strength = 0.0F; // light that comes through is what is seen behind
+    style.depth_m = seen.attenuation_m;
+    style.tint = glm::mix(glm::vec3(1.0F), seen.attenuation_color, color_share);
+    style.sheet_m = seen.thickness_m;
+    style.behind = seen.share * (1.0F - material.metallic); // metals let nothing through
+    style.behind_blur = rough_blur * material.roughness * material.roughness;
+    style.behind_tint = color_share;
+    return style;
 }
 
 bool shines(const SubsurfaceStyle& style)
@@ -95,10 +154,12 @@ uint32_t reach_px(const SubsurfaceStyle& style, float pixels_per_mm)
 FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferId behind,
                      gpu::BufferId triangles, gpu::BufferId posed_vertices)
 {
+    const shared::ScatterConstants constants = constants_of(in, 0);
+    const glm::uvec2 half_px = constants.half_px;
     const auto image = [&](const char* name, gpu::Format format) {
-        return graph.image(name, {.width = in.size_px.x, .height = in.size_px.y, .format = format});
+        return graph.image(name, {.width = half_px.x, .height = half_px.y, .format = format});
     };
-    const glm::uvec2 tiles_across = (in.size_px + 7U) / 8U;
+    const glm::uvec2 tiles_across = (half_px + 7U) / 8U;
     const uint64_t words = shared::tile_list_first + uint64_t{tiles_across.x} * tiles_across.y;
     const gpu::BufferId no_tiles =
         gpu::add_empty_list(graph, "subsurface/far tiles", (sizeof(uint32_t) * words + 15) / 16 * 16);
@@ -110,61 +171,37 @@ FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferI
     const gpu::ImageId depth = pass.write(image("subsurface/far depth", gpu::Format::r32f));
     const gpu::ImageId normal = pass.write(image("subsurface/far normal", gpu::Format::rg32ui));
     const gpu::BufferId tiles = pass.modify(no_tiles);
-    pass.dispatch_over(in.size_px.x, in.size_px.y);
+    pass.push(constants).dispatch_over(half_px.x, half_px.y);
     return {draw, depth, normal, tiles};
 }
 
-gpu::ImageId add_through(gpu::Graph& graph, const SubsurfaceInputs& in, const FarSide& far_side,
-                         gpu::ImageId far_light, gpu::ImageId light)
+gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::ImageId light,
+                         const std::optional<Through>& through, bool spreads)
 {
-    auto pass = graph.compute("subsurface/through", shaders::through_comp);
-    pass.uniform(in.frame).sample(far_side.draw).sample(in.depth).sample(far_side.depth).sample(far_light);
-    pass.variant(bind_looks(pass, in));
-    const gpu::ImageId sum = pass.modify(light);
-    pass.read(far_side.tiles).dispatch_indirect(far_side.tiles);
-    return sum;
-}
-
-gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::ImageId light)
-{
-    const glm::uvec2 from_half = (in.from_px + 1U) / 2U;
-    const glm::uvec2 last_half = (in.from_px + in.size_px - 1U) / 2U;
-    const uint32_t levels = levels_within(in.reach_mm, in.pixels_per_mm);
-    shared::ScatterConstants constants{.from_half = from_half,
-                                       .half_px = glm::max(last_half + 1U, from_half + 1U) - from_half,
-                                       .most_px = most_spread_px(levels),
-                                       .level = static_cast<int>(levels),
-                                       .is_last = 0U};
-    const auto half_image = [&](const char* name) {
-        return graph.image(
-            name,
-            {.width = constants.half_px.x, .height = constants.half_px.y, .format = gpu::Format::rgba32f});
-    };
+    const uint32_t levels = spreads ? levels_within(in.reach_mm, in.pixels_per_mm) : 0U;
+    const shared::ScatterConstants constants = constants_of(in, levels);
     const gpu::BufferId none = gpu::add_zeros(graph, "subsurface/needs", sizeof(glm::uvec4) * (levels + 1));
+    const uint32_t variant =
+        (through ? shared::subsurface_shines : 0U) | (spreads ? shared::subsurface_spreads : 0U);
     auto source = graph.compute("subsurface/source", shaders::scatter_source_comp);
     source.uniform(in.frame).sample(in.draw).sample(in.depth).sample(light);
-    source.variant(bind_looks(source, in));
-    gpu::ImageId blurred = source.write(half_image("subsurface/source"));
-    const gpu::ImageId spread = source.write(half_image("subsurface/spread"));
-    gpu::ImageId sum = source.write(half_image("subsurface/sum"));
+    source.variant(variant | bind_looks(source, in));
+    source.sample(through ? through->far_side.draw : in.draw);
+    source.sample(through ? through->far_side.depth : in.depth).sample(through ? through->light : light);
+    const auto written = [&](const char* name, gpu::Format format, bool is_wanted) {
+        const glm::uvec2 size_px = is_wanted ? constants.half_px : glm::uvec2(1);
+        return source.write(graph.image(name, {.width = size_px.x, .height = size_px.y, .format = format}));
+    };
+    const gpu::ImageId lit = written("subsurface/source", gpu::Format::rgba32f, spreads);
+    const gpu::ImageId spread = written("subsurface/spread", gpu::Format::rgba16f, spreads);
+    const gpu::ImageId kept = written("subsurface/sum", gpu::Format::rgba32f, true);
+    const gpu::ImageId shone = written("subsurface/through", gpu::Format::rgba16f, through.has_value());
     const gpu::BufferId needs = source.modify(none);
     source.push(constants).dispatch_over(constants.half_px.x, constants.half_px.y);
-    for (uint32_t level = 0; level < levels; ++level) {
-        constants.level = static_cast<int>(level);
-        constants.is_last = level + 1 == levels ? 1U : 0U;
-        for (const bool is_upright : {false, true}) {
-            auto pass = graph.compute(is_upright ? "subsurface/columns" : "subsurface/rows",
-                                      shaders::scatter_blur_comp);
-            pass.uniform(in.frame).sample(spread).sample(blurred);
-            pass.variant(is_upright ? shared::subsurface_is_upright : 0U);
-            blurred = pass.write(half_image("subsurface/blurred"));
-            sum = pass.modify(sum);
-            pass.push(constants).dispatch_indirect(needs, sizeof(glm::uvec4) * (level + 1));
-        }
-    }
+    const gpu::ImageId sum = add_blurs(graph, in, constants, {lit, spread, kept, needs});
     auto pass = graph.compute("subsurface/page", shaders::scatter_page_comp);
-    pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(sum);
-    pass.variant(bind_looks(pass, in));
+    pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(sum).sample(shone);
+    pass.variant(variant | bind_looks(pass, in));
     const gpu::ImageId result = pass.modify(light);
     pass.push(constants).dispatch_indirect(needs);
     return result;

@@ -20,11 +20,12 @@ struct SubsurfaceLook {
     float sheet_m;       // thickness of what has no far side
     float behind;        // share of what lies behind that is seen
     float behind_blur;   // deviation of its blur, by the thickness
-    vec2 unused;
+    float behind_tint;   // share of the surface's own colour that tints it
+    float unused;
 };
 
-// Every second pixel of the page each way, as `from_half` tells: pixel `i` is pixel 2 * (from_half + i) of
-// the page.
+// Every second pixel of the page each way, those at even places, as `from_half` tells: pixel `i` is pixel 2 *
+// (from_half + i) of the page.
 struct ScatterConstants {
     uvec2 from_half;
     uvec2 half_px;
@@ -44,6 +45,8 @@ struct TextureConstants {
 // Bits of the variants.
 SHARED_CONSTANT uint subsurface_has_looks = 1U; // surfaces differ
 SHARED_CONSTANT uint subsurface_is_upright = 2U;
+SHARED_CONSTANT uint subsurface_shines = 4U;  // light comes through from the far side
+SHARED_CONSTANT uint subsurface_spreads = 8U; // light comes out beside where it went in
 
 #ifdef __cplusplus
 static_assert(sizeof(SubsurfaceLook) == 48);

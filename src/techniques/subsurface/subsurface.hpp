@@ -5,6 +5,8 @@
 
 #include <optional>
 
+#include <estampe/scene.hpp>
+
 #include "gpu/graph/graph.hpp"
 #include "techniques/subsurface/subsurface.glsl.h"
 #include "techniques/subsurface/subsurface_style.hpp"
@@ -13,6 +15,11 @@ namespace estampe::subsurface {
 
 /// What the shaders know of a style.
 [[nodiscard]] shared::SubsurfaceLook look_of(const SubsurfaceStyle& style);
+
+/// A style with what a material says of what is seen through it; `color_share` is how much of its colours is
+/// painted, else they tint nothing.
+[[nodiscard]] SubsurfaceStyle seen_through(SubsurfaceStyle style, const Material& material,
+                                           float color_share);
 
 /// Whether light comes through, or spreads.
 [[nodiscard]] bool shines(const SubsurfaceStyle& style);
@@ -36,9 +43,18 @@ struct SubsurfaceInputs {
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
     glm::uvec2 from_px{0}; ///< where on the page what is drawn begins
+
+    /// Every second pixel each way, of those at even places of the page: which is the first, and how many.
+    [[nodiscard]] glm::uvec2 second_from() const { return from_px & 1U; }
+
+    [[nodiscard]] glm::uvec2 half_px() const
+    {
+        return glm::max((size_px + 1U - second_from()) / 2U, glm::uvec2(1));
+    }
 };
 
-/// The far side of what is seen, for light to fall on: a surface as that of the near side.
+/// The far side of what is seen, for light to fall on: a surface as that of the near side, of every second
+/// pixel each way.
 struct FarSide {
     gpu::ImageId draw;   ///< r32ui: draw + 1, 0 where next to no light comes through
     gpu::ImageId depth;  ///< r32f: reversed
@@ -47,25 +63,30 @@ struct FarSide {
 };
 
 /// Finds where the eye's ray leaves what it entered. `behind` is the visibility of what takes light in and
-/// lies behind what is seen. Cost: one full-screen dispatch.
+/// lies behind what is seen, of every second pixel each way. Cost: one dispatch over these.
 [[nodiscard]] FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferId behind,
                                    gpu::BufferId triangles, gpu::BufferId posed_vertices);
 
-/// Adds to `light` what of `far_light`, which falls on the far side, comes through: Beer and Lambert's law.
-/// Returns the new version of `light`. Cost: one dispatch over the listed tiles.
-[[nodiscard]] gpu::ImageId add_through(gpu::Graph& graph, const SubsurfaceInputs& in, const FarSide& far_side,
-                                       gpu::ImageId far_light, gpu::ImageId light);
+/// Light that falls on the far side.
+struct Through {
+    FarSide far_side;
+    gpu::ImageId light;
+};
 
-/// Lets `light` spread under the surface. Returns its new version.
+/// Lets `light`, with what comes through from the far side, spread under the surface; or, if it does not
+/// spread, adds the one to the other. Returns the new version of `light`. What comes through follows Beer and
+/// Lambert's law.
 ///
-/// Cost    two dispatches for each doubling of how far light spreads on the page, as far as its reach, and
-/// one,
-///         over every second pixel each way, of four texels a pixel that takes light in; then one over all
+/// Cost    one dispatch over every second pixel each way, then one over all. Where it spreads two for each
+///         doubling of how far it does on the page, as far as its reach, over every second pixel, of four
+///         texels a pixel that takes light in
 /// Source  Christensen and Burley, "Approximate Reflectance Profiles for Efficient Subsurface Scattering",
 ///         2015; Gaussians after d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007; on
 ///         the page after Jimenez, Sundstedt and Gutierrez, "Screen-Space Perceptual Rendering of Human
 ///         Skin", 2009; with holes after Shensa, "The Discrete Wavelet Transform: Wedding the a Trous and
 ///         Mallat Algorithms", 1992
-[[nodiscard]] gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::ImageId light);
+[[nodiscard]] gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::ImageId light,
+                                       const std::optional<Through>& through = std::nullopt,
+                                       bool spreads = true);
 
 } // namespace estampe::subsurface

@@ -174,5 +174,84 @@ TEST_F(SeenBehind, IsTheMoreBlurredTheThickerItIs)
     }
 }
 
+/// A slab of glass, as a file has it, before a wall whose left half is bright.
+Scene glass_before_halves(const Transmission& transmission, const glm::vec3& color = glm::vec3(1.0F))
+{
+    Scene scene = slab_before_halves(0.2F);
+    Material& glass = scene.materials.front();
+    glass.transmission = transmission;
+    glass.base_color = glm::vec4(color, 1.0F);
+    glass.metallic = 0.0F;
+    glass.roughness = 0.0F;
+    return scene;
+}
+
+class SeenThroughGlass : public testing::Test {
+protected:
+    [[nodiscard]] static LinearImage draw(const Scene& scene, const std::vector<std::string>& more = {})
+    {
+        std::vector<std::string> all{"paper.margin_mm=0",  "paper.color=#ffffff", "wash.strength=1",
+                                     "wash.neutral=1",     "wash.least=0",        "light.shadows=false",
+                                     "picture.ground=none"};
+        all.insert(all.end(), more.begin(), more.end());
+        Camera parallel{.eye = {0.0, 0.0, 4.0}, .target = {0.0, 0.0, 0.0}};
+        parallel.orthographic_half_height_m = 0.8;
+        test::shared_renderer().set_scene(scene);
+        return test::shared_renderer().render_linear(parallel, with(all), {.width = 128, .height = 64});
+    }
+
+    [[nodiscard]] static glm::vec4 at(const LinearImage& image, uint32_t x)
+    {
+        return image.pixels[size_t{32} * image.width + x];
+    }
+};
+
+TEST_F(SeenThroughGlass, IsWhatTheFileSays)
+{
+    // The same slab by the style alone.
+    Scene plain = glass_before_halves({});
+    plain.materials.front().transmission.reset();
+    const LinearImage by_style =
+        draw(plain, {"material.glass.subsurface.drawn=true", "material.glass.subsurface.behind=0.75",
+                     "material.glass.subsurface.behind_blur=0", "material.glass.subsurface.depth_m=0.2",
+                     "material.glass.subsurface.strength=0", "material.glass.subsurface.scatter_m=0",
+                     "material.glass.subsurface.tint=#00ffff"});
+    const LinearImage by_file = draw(glass_before_halves(
+        {.share = 0.75F, .attenuation_m = 0.2F, .attenuation_color = {1e-4F, 1.0F, 1.0F}}));
+    for (const uint32_t x : {40U, 50U, 78U, 88U}) {
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_NEAR(at(by_file, x)[channel], at(by_style, x)[channel], 5e-3F) << x;
+        }
+    }
+    EXPECT_GT(at(by_file, 50).y, at(by_file, 78).y + 0.2F) << "the wall is seen";
+}
+
+TEST_F(SeenThroughGlass, IsLeftToTheStyle)
+{
+    Scene plain = glass_before_halves({});
+    plain.materials.front().transmission.reset();
+    const Scene glass = glass_before_halves({.share = 1.0F});
+    EXPECT_EQ(draw(glass, {"subsurface.transmission=false"}).pixels, draw(plain).pixels);
+    EXPECT_FALSE(test::has_pass("subsurface"));
+    (void)draw(glass);
+    EXPECT_TRUE(test::has_pass("subsurface/clear"));
+}
+
+TEST_F(SeenThroughGlass, IsTintedByItsOwnColour)
+{
+    const auto seen = [](float share, const std::vector<std::string>& more = {}) {
+        return at(draw(glass_before_halves({.share = 1.0F}, {1.0F, share, share}), more), 50);
+    };
+    const glm::vec4 clear = seen(1.0F);
+    const glm::vec4 red = seen(0.25F);
+    EXPECT_NEAR(red.x, clear.x, 5e-3F);
+    // Paper adds a share of its own to all three alike.
+    EXPECT_NEAR((clear.y - seen(0.5F).y) / (clear.y - red.y), 2.0F / 3.0F, 0.01F);
+    EXPECT_GT(clear.y - red.y, 0.3F);
+    const std::vector<std::string> gray{"wash.strength=0"};
+    EXPECT_NEAR(seen(0.25F, gray).y, seen(1.0F, gray).y, 5e-3F)
+        << "where no colour is painted glass has none";
+}
+
 } // namespace
 } // namespace estampe::subsurface

@@ -27,6 +27,10 @@ const style::Table<SubsurfaceStyle>& subsurface_table()
             .number("behind_blur", &SubsurfaceStyle::behind_blur, {0.0F, 8.0F}, "",
                     "How much thickness blurs what lies behind: the blur's deviation in the scene by the "
                     "thickness of all that is looked through")
+            .toggle(
+                "transmission", &SubsurfaceStyle::transmission,
+                "Whether what the file says is seen through (glTF's transmission and volume) is, where the "
+                "style has no behind for it")
             .number("reach_mm", &SubsurfaceStyle::reach_mm, {0.1F, 200.0F}, "mm",
                     "How far light may spread on the page; what would go farther spreads less")
             .choice("space", &SubsurfaceStyle::space, {{"page", Space::page}, {"texture", Space::texture}},

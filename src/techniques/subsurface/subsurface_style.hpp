@@ -18,6 +18,8 @@ struct SubsurfaceStyle {
     float sheet_m = 0.0F;
     float behind = 0.0F;
     float behind_blur = 0.5F;
+    float behind_tint = 0.0F; ///< by the surface's own colour, of what a file says is seen through
+    bool transmission = true;
     float reach_mm = 20.0F;
     Space space = Space::page;
     uint32_t texels = 512;
