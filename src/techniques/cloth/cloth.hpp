@@ -61,6 +61,10 @@ public:
     /// Which solver takes all sheets, in place of their own; what they do goes on.
     void set_solver(gpu::Device& device, std::optional<ClothSolver> solver);
 
+    /// Whether neighbours on grids are read in the way that graphics cards like, or in that of processors:
+    /// otherwise as the device is. Results are the same, bit for bit.
+    void suit_cards(bool is_wanted) { suits_cards_ = is_wanted; }
+
     /// Where solids are at the end of the next run; until then they go there from where they were, if there
     /// were as many. Later runs find them there.
     void set_solids(gpu::Device& device, std::span<const Solid> solids);
@@ -180,6 +184,7 @@ private:
     void add_near(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake);
     void add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
                      uint32_t predicted, gpu::BufferId awake);
+    [[nodiscard]] uint64_t met_bytes(const Kind& kind) const;
     void add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
                           uint32_t small_steps, gpu::BufferId& awake);
 
@@ -190,6 +195,8 @@ private:
     std::optional<ClothSolver> solver_;
     uint32_t particle_count_ = 0;
     std::vector<float> held_; ///< one a particle
+    bool has_half_held_ = false;
+    bool suits_cards_ = true;
     gpu::Buffer sheets_;
     gpu::Buffer links_;
     gpu::Buffer faces_;
