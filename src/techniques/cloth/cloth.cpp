@@ -344,12 +344,8 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     std::optional<gpu::BufferId> awake; // of large sheets
     for (Kind& kind : kinds_) {
         constexpr uint32_t changing = shared::cloth_bit_colliders | shared::cloth_bit_grids |
-                                      shared::cloth_bit_flow | shared::cloth_bit_gusts |
-                                      shared::cloth_bit_cards;
-        constexpr uint32_t seeks = shared::cloth_bit_grid | shared::cloth_bit_descent;
-        const bool reads_grid = (kind.variant & seeks) == shared::cloth_bit_grid;
-        kind.variant = (kind.variant & ~changing) | surrounded |
-                       (suits_cards_ && reads_grid ? shared::cloth_bit_cards : 0U);
+                                      shared::cloth_bit_flow | shared::cloth_bit_gusts;
+        kind.variant = (kind.variant & ~changing) | surrounded;
         if (kind.is_small) {
             add_small_sheets(graph, handles, kind);
         } else {

@@ -19,8 +19,7 @@ SHARED_CONSTANT uint cloth_bit_self = 128U;    // sheets do not pass through the
 SHARED_CONSTANT uint cloth_bit_flow = 256U;    // there are boxes of air that a fluid moves
 SHARED_CONSTANT uint cloth_bit_grids = 32U;    // among what it runs into are grids of heights or distances
 
-SHARED_CONSTANT uint cloth_bit_cards = 512U;      // neighbours are read as graphics cards like it
-SHARED_CONSTANT uint cloth_bit_half_held = 1024U; // some particles are held a little
+SHARED_CONSTANT uint cloth_bit_half_held = 512U; // some particles are held a little
 
 SHARED_CONSTANT uint cloth_group = 64U;         // particles of a sheet are padded to whole workgroups
 SHARED_CONSTANT uint cloth_tile_side = 8U;      // of a grid they go by squares of so many each way

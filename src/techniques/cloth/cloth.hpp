@@ -61,10 +61,6 @@ public:
     /// Which solver takes all sheets, in place of their own; what they do goes on.
     void set_solver(gpu::Device& device, std::optional<ClothSolver> solver);
 
-    /// Whether neighbours on grids are read in the way that graphics cards like, or in that of processors:
-    /// otherwise as the device is. Results are the same, bit for bit.
-    void suit_cards(bool is_wanted) { suits_cards_ = is_wanted; }
-
     /// Where solids are at the end of the next run; until then they go there from where they were, if there
     /// were as many. Later runs find them there.
     void set_solids(gpu::Device& device, std::span<const Solid> solids);
@@ -196,7 +192,6 @@ private:
     uint32_t particle_count_ = 0;
     std::vector<float> held_; ///< one a particle
     bool has_half_held_ = false;
-    bool suits_cards_ = true;
     gpu::Buffer sheets_;
     gpu::Buffer links_;
     gpu::Buffer faces_;

@@ -114,35 +114,6 @@ TEST(Cloth, LargeAndSmallWaysAgree)
     EXPECT_LE(glm::distance(lowest(32, 32), lowest(33, 32)), 0.02);
 }
 
-TEST(Cloth, CardsAndProcessorsGoDifferentWaysToTheSameBytes)
-{
-    struct Case {
-        glm::uvec2 particles;
-        float self_m;
-        ClothSolver solver;
-    };
-
-    for (const Case& of :
-         {Case{{43, 29}, 0.008F, ClothSolver::small_steps}, Case{{43, 29}, 0.0F, ClothSolver::verlet},
-          Case{{13, 29}, 0.0F, ClothSolver::small_steps}}) {
-        const auto places = [&](bool suits_cards) {
-            Sheet sheet = grid_sheet(of.particles, {}, {0.7F, 0.0F, 0.0F}, {0.0F, -0.5F, 0.0F},
-                                     {.bending_n_m = 1e-3F, .self_m = of.self_m});
-            sheet.held.assign(sheet.rest_m.size(), 0.0F);
-            sheet.held[0] = 1.0F;
-            sheet.held[of.particles.x - 1] = 0.5F;
-            Lab lab(sheet);
-            lab.cloths().set_solver(test::shared_device(), of.solver);
-            lab.cloths().suit_cards(suits_cards);
-            lab.cloths().set_solids(test::shared_device(), std::array{ball({0.4F, -0.4F, 0.05F}, 0.1F)});
-            lab.air.air_kg_m3 = 1.2F;
-            lab.air.wind = {.speed_m_s = 3.0F, .direction_deg = 70.0F};
-            return lab.run(0.3).places_m;
-        };
-        EXPECT_TRUE(places(true) == places(false)) << of.particles.x << ' ' << of.self_m;
-    }
-}
-
 TEST(Cloth, WhatIsHeldALittleComesNearer)
 {
     for (const uint32_t side : {10U, 34U}) {

@@ -243,7 +243,6 @@ void Cloths::lay_out_vertices(gpu::Device& device, std::span<const DrawnSheet> d
 
 Cloths::Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<const DrawnSheet> drawn)
 {
-    suits_cards_ = !device.info().software;
     lay_out(device, sheets);
     group_sheets(device);
     lay_out_vertices(device, drawn);

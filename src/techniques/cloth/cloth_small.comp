@@ -43,9 +43,9 @@ uvec2 mets[cloth_small_share]; // solids that come near that
 uint slot = 0u;                // of the one that has its turn
 uint slots = 0u;
 
-// On processors a thread has a piece of a grid's column, and rows go through this: what is predicted of a
-// particle and of two more each way. Graphics cards read their shared memory as quickly.
-const bool goes_by_rows = (variant & (cloth_bit_grid | cloth_bit_cards)) == cloth_bit_grid;
+// Of a grid a thread has a piece of a column, and rows go through this: what is predicted of a particle and
+// of two more each way. So each is read once for two or three particles.
+const bool goes_by_rows = (variant & cloth_bit_grid) != 0u;
 vec4 window[25];
 
 vec4 predicted_at(uint local)

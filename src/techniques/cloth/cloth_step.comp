@@ -40,22 +40,6 @@ vec4 predicted_at(uint local)
     return texelFetch(predicted_texels, int(sheet.first + local));
 }
 
-// What the workgroup's square of a grid reads: it, and two more each way.
-const uint border = 2u;
-const uint tile_side = cloth_tile_side + 2u * border;
-shared vec4 tile[tile_side * tile_side];
-
-void read_tile(uint first)
-{
-    ivec2 size = ivec2(sheet.columns, sheet.rows);
-    ivec2 corner = ivec2(first % sheet.columns, first / sheet.columns) - int(border);
-    for (uint i = gl_LocalInvocationID.x; i < tile_side * tile_side; i += cloth_group) {
-        ivec2 at = clamp(corner + ivec2(i % tile_side, i / tile_side), ivec2(0), size - 1);
-        tile[i] = predicted_at(uint(at.y * size.x + at.x));
-    }
-    barrier();
-}
-
 vec4 own_predicted(uint local)
 {
     return predicted_at(local);
@@ -63,11 +47,6 @@ vec4 own_predicted(uint local)
 
 vec4 predicted_beside(uint local, ivec2 way, bool is_there)
 {
-    if ((variant & cloth_bit_cards) != 0u) {
-        ivec2 own = ivec2(gl_LocalInvocationID.x % cloth_tile_side, gl_LocalInvocationID.x / cloth_tile_side);
-        ivec2 at = own + int(border) + way;
-        return tile[at.y * int(tile_side) + at.x];
-    }
     return predicted_at(is_there ? uint(int(local) + way.y * int(sheet.columns) + way.x) : local);
 }
 
@@ -114,11 +93,7 @@ void main()
         return;
     }
     sheet = sheets[sheet_index];
-    uint first = sheet_of_group[2u * group + 1u];
-    if ((variant & cloth_bit_cards) != 0u) {
-        read_tile(first);
-    }
-    uint local = own_particle(first);
+    uint local = own_particle(sheet_of_group[2u * group + 1u]);
     if (local == cloth_no_vertex) {
         return;
     }
