@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +39,6 @@ struct Options {
     bool strain = false;
     bool restless = false;
     bool passes = false;
-    std::optional<bool> cards;
 };
 
 struct Hung {
@@ -148,9 +146,6 @@ void measure(const Options& options)
     const Hung hung = hang_up(options);
     cloth::Cloths cloths(device, hung.sheets, hung.drawn);
     choose_solver(device, cloths, options);
-    if (options.cards) {
-        cloths.suit_cards(*options.cards);
-    }
     cloths.set_solids(device, solids_of(options));
     gpu::Buffer posed(device, "posed vertices", hung.vertex_count * sizeof(shared::PosedVertex),
                       gpu::MemoryUse::device);
@@ -222,7 +217,6 @@ int main(int count, char** arguments)
     app.add_flag("--verlet", options.verlet, "The thesis's relaxation");
     app.add_flag("--descent", options.descent, "Vertex block descent");
     app.add_flag("--strain", options.strain, "Tells what one sheet stretches instead");
-    app.add_flag("--cards,!--no-cards", options.cards, "Neighbours are read as graphics cards like it");
     app.add_flag("--passes", options.passes, "Tells each pass of the last frame");
     CLI11_PARSE(app, count, arguments);
     try {
