@@ -226,7 +226,7 @@ void Cloths::add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind)
     bind_common(graph, pass, handles, kind.run, sheet_of_group_);
     handles.places = pass.modify(handles.places);
     handles.speeds = pass.modify(handles.speeds);
-    handles.pushes = pass.modify(handles.pushes);
+    pass.read(handles.pushes);
     pass.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
     pass.variant(kind.variant).push(shared::ClothMoment{.first_group = kind.first_group});
     pass.dispatch(kind.group_count);
@@ -286,6 +286,13 @@ void Cloths::add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const 
     }
 }
 
+uint64_t Cloths::met_bytes(const Kind& kind) const
+{
+    const auto words = static_cast<uint32_t>((met_.size() + 31) / 32);
+    return sizeof(uint32_t) * kind.group_count *
+           (shared::cloth_met_head + std::min(words, uint32_t{shared::cloth_met_words}));
+}
+
 void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
                               uint32_t small_steps, gpu::BufferId& awake)
 {
@@ -302,6 +309,7 @@ void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, u
     const gpu::BufferId began =
         push.write(graph.buffer("cloth/began", {.size_bytes = sizeof(glm::vec4) * particle_count_}));
     push.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
+    const gpu::BufferId met = push.write(graph.buffer("cloth/met", {.size_bytes = met_bytes(kind)}));
     push.variant(kind.variant).push(shared::ClothMoment{.step = step, .first_group = kind.first_group});
     push.dispatch(kind.group_count);
     for (uint32_t i = 0; i < small_steps; ++i) {
@@ -312,7 +320,7 @@ void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, u
         handles.speeds = pass.modify(handles.speeds);
         pass.read(handles.pushes).sample(handles.predicted[i % 2], gpu::Format::rgba32f);
         handles.predicted[1 - i % 2] = pass.modify(handles.predicted[1 - i % 2]);
-        pass.sample(handles.near).read(awake).read(began);
+        pass.sample(handles.near).read(awake).read(began).read(met);
         const bool is_last = i + 1 == small_steps;
         pass.variant(kind.variant | (is_last ? shared::cloth_bit_last : 0U))
             .push(shared::ClothMoment{.step = step, .small_step = i, .first_group = kind.first_group});
@@ -330,7 +338,7 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     const uint32_t surrounded =
         (met_.empty() ? 0U : shared::cloth_bit_colliders) |
         (std::ranges::any_of(met_, is_of_grid) ? shared::cloth_bit_grids : 0U) |
-        (flows_.empty() ? 0U : shared::cloth_bit_flow) |
+        (flows_.empty() ? 0U : shared::cloth_bit_flow) | (has_half_held_ ? shared::cloth_bit_half_held : 0U) |
         (wind.speed_m_s > 0.0F && (wind.gustiness > 0.0F || wind.turbulence > 0.0F) ? shared::cloth_bit_gusts
                                                                                     : 0U);
     std::optional<gpu::BufferId> awake; // of large sheets

@@ -19,10 +19,16 @@ SHARED_CONSTANT uint cloth_bit_self = 128U;    // sheets do not pass through the
 SHARED_CONSTANT uint cloth_bit_flow = 256U;    // there are boxes of air that a fluid moves
 SHARED_CONSTANT uint cloth_bit_grids = 32U;    // among what it runs into are grids of heights or distances
 
-SHARED_CONSTANT uint cloth_group = 64U;        // particles of a sheet are padded to whole workgroups
-SHARED_CONSTANT uint cloth_small_group = 256U; // threads that share a small sheet
-SHARED_CONSTANT uint cloth_small_share = 4U;   // particles of each of them
+SHARED_CONSTANT uint cloth_bit_half_held = 512U; // some particles are held a little
+
+SHARED_CONSTANT uint cloth_group = 64U;         // particles of a sheet are padded to whole workgroups
+SHARED_CONSTANT uint cloth_tile_side = 8U;      // of a grid they go by squares of so many each way
+SHARED_CONSTANT uint cloth_small_group = 256U;  // threads that share a small sheet
+SHARED_CONSTANT uint cloth_small_sheet = 1024U; // particles that it has at most
+SHARED_CONSTANT uint cloth_small_share = 8U;    // those of one of them, at most
 SHARED_CONSTANT uint cloth_most_tethers = 4U;
+SHARED_CONSTANT uint cloth_met_head = 4U;   // numbers of the ball about a group, before what it may meet
+SHARED_CONSTANT uint cloth_met_words = 32U; // of 32 solids each, at most: of those after it is not asked
 SHARED_CONSTANT uint cloth_most_flows = 8U;
 SHARED_CONSTANT float cloth_breath_m_s = 0.05F; // what blows less moves nothing of note
 SHARED_CONSTANT float cloth_rest_s = 0.5F;      // a sheet that has been calm for so long rests

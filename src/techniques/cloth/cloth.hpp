@@ -180,6 +180,7 @@ private:
     void add_near(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake);
     void add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
                      uint32_t predicted, gpu::BufferId awake);
+    [[nodiscard]] uint64_t met_bytes(const Kind& kind) const;
     void add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
                           uint32_t small_steps, gpu::BufferId& awake);
 
@@ -190,6 +191,7 @@ private:
     std::optional<ClothSolver> solver_;
     uint32_t particle_count_ = 0;
     std::vector<float> held_; ///< one a particle
+    bool has_half_held_ = false;
     gpu::Buffer sheets_;
     gpu::Buffer links_;
     gpu::Buffer faces_;

@@ -35,6 +35,20 @@ layout(scalar, binding = 8) readonly buffer SheetOfGroup
 
 ClothSheet sheet; // of this thread
 
+// The particle of a thread of 64, whose workgroup begins with `first`: of grids they take squares, so that
+// those of a group are near each other. None beyond the sheet.
+uint own_particle(uint first)
+{
+    uint thread = gl_LocalInvocationID.x;
+    if ((variant & cloth_bit_grid) == 0u) {
+        return first + thread < sheet.count ? first + thread : cloth_no_vertex;
+    }
+    uvec2 size = uvec2(sheet.columns, sheet.rows);
+    uvec2 at =
+        uvec2(first % size.x, first / size.x) + uvec2(thread % cloth_tile_side, thread / cloth_tile_side);
+    return all(lessThan(at, size)) ? at.y * size.x + at.x : cloth_no_vertex;
+}
+
 // Of a run, from 0 to 1.
 float part_of_run(uint step, float steps)
 {

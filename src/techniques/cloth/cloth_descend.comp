@@ -71,24 +71,24 @@ void add_links_of_grid(uint local, vec3 own, float most_n_m)
 {
     ivec2 size = ivec2(sheet.columns, sheet.rows);
     ivec2 at = ivec2(local % sheet.columns, local / sheet.columns);
-    vec3 towards[25];
+    float columns[5] = there_about(at.x, size.x);
+    float rows[5] = there_about(at.y, size.y);
+    vec3 bend = vec3(0.0);
     [[unroll]] for (int y = -2; y <= 2; ++y)
     {
         [[unroll]] for (int x = -2; x <= 2; ++x)
         {
             ivec2 there = at + ivec2(x, y);
-            bool is_there = abs(x) * abs(y) != 2 && all(greaterThanEqual(there, ivec2(0))) &&
-                            all(lessThan(there, size)) && (x != 0 || y != 0);
-            vec3 other = is_there ? predicted_at(uint(there.y * size.x + there.x)).xyz : own;
-            towards[12 + 5 * y + x] = other - own;
-            vec2 rest = vec2(abs(x) * sheet.spacing_x_m, abs(y) * sheet.spacing_y_m);
-            if (is_there) {
-                add_link(other - own, length(rest), max(abs(x), abs(y)) > 1, sheet.softness * dot(rest, rest),
+            if (abs(x) * abs(y) != 2 && (x != 0 || y != 0) && columns[2 + x] * rows[2 + y] > 0.0) {
+                vec3 towards = predicted_at(uint(there.y * size.x + there.x)).xyz - own;
+                vec2 rest = vec2(abs(x) * sheet.spacing_x_m, abs(y) * sheet.spacing_y_m);
+                add_link(towards, length(rest), max(abs(x), abs(y)) > 1, sheet.softness * dot(rest, rest),
                          most_n_m);
+                bend += grid_bend_share(x, y, columns, rows) * towards;
             }
         }
     }
-    force += sheet.bending_n_m * grid_bend(towards, at, size);
+    force += sheet.bending_n_m * bend;
     hessian += mat3(sheet.bending_n_m * grid_bend_own(at, size));
 }
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "techniques/cloth/cloth_test_support.hpp"
@@ -111,6 +112,54 @@ TEST(Cloth, LargeAndSmallWaysAgree)
         return state.places_m.back();
     };
     EXPECT_LE(glm::distance(lowest(32, 32), lowest(33, 32)), 0.02);
+}
+
+TEST(Cloth, WhatIsHeldALittleComesNearer)
+{
+    for (const uint32_t side : {10U, 34U}) {
+        std::array<double, 2> forward_m{};
+        for (const float share : {0.0F, 0.1F}) {
+            Sheet sheet = hanging_square(side);
+            std::fill_n(sheet.held.begin(), side, 1.0F);
+            sheet.held.back() = share;
+            Lab lab(sheet);
+            lab.move_to([](glm::vec3 rest) {
+                return rest + glm::vec3(0.0F, 0.0F, rest.x > 0.99F && rest.y < -0.99F ? 0.2F : 0.0F);
+            });
+            forward_m.at(share > 0.0F ? 1 : 0) = lab.run(1.0).places_m.back().z;
+        }
+        EXPECT_NEAR(forward_m[0], 0.0, 1e-3) << side;
+        EXPECT_NEAR(forward_m[1], 0.2, 0.05) << side;
+    }
+}
+
+TEST(Cloth, IrregularMeshesHangInAllSolvers)
+{
+    for (const ClothSolver solver :
+         {ClothSolver::small_steps, ClothSolver::verlet, ClothSolver::block_descent}) {
+        Sheet sheet = out_of_rank(hanging_square(16), 0.01F);
+        sheet.held[0] = 1.0F;
+        sheet.held[15] = 1.0F;
+        Lab lab(sheet);
+        lab.air.air_kg_m3 = 1.2F;
+        lab.cloths().set_solver(test::shared_device(), solver);
+        const auto strained = strains(sheet, lab.run(3.0));
+        RecordProperty(fmt::format("strain_99_per_10000_{}", static_cast<int>(solver)),
+                       static_cast<int>(1e4 * percentile(strained, 0.99)));
+        EXPECT_LE(percentile(strained, 0.99), solver == ClothSolver::verlet ? 0.05 : 0.03)
+            << static_cast<int>(solver);
+    }
+}
+
+TEST(Cloth, ThesisMethodHoldsWholeEdges)
+{
+    Sheet sheet = hanging_square(12);
+    std::fill_n(sheet.held.begin(), 12, 1.0F);
+    Lab lab(sheet);
+    lab.cloths().set_solver(test::shared_device(), ClothSolver::verlet);
+    for (const glm::dvec3& place : lab.run(1.0).places_m) {
+        ASSERT_LE(glm::length(place), 2.0); // nor is it no number
+    }
 }
 
 /// Whether a sheet stays where it lies on a slope.

@@ -12,8 +12,6 @@
 namespace estampe::cloth {
 namespace {
 
-constexpr uint32_t small_sheet = shared::cloth_small_group * shared::cloth_small_share;
-
 uint32_t whole_groups(size_t count)
 {
     constexpr uint32_t group = shared::cloth_group;
@@ -92,6 +90,7 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
             rest.push_back(places.back());
             pushes.emplace_back(0.0F, 0.0F, 0.0F, inverse_mass * shares);
             held_.push_back(held);
+            has_half_held_ = has_half_held_ || (held > 0.0F && held < 1.0F);
         }
         particle_count_ += stride;
     }
@@ -129,7 +128,9 @@ uint32_t Cloths::variant_of(size_t sheet) const
 
 bool Cloths::is_small(size_t sheet) const
 {
-    return (variant_of(sheet) & ~shared::cloth_bit_grid) == 0 && records_[sheet].count <= small_sheet;
+    return (variant_of(sheet) & ~shared::cloth_bit_grid) == 0 &&
+           records_[sheet].count <= shared::cloth_small_sheet &&
+           records_[sheet].columns <= shared::cloth_small_group; // a thread has part of one
 }
 
 void Cloths::append_colours(Kind& kind, std::vector<uint32_t>& groups) const
@@ -157,15 +158,26 @@ void Cloths::append_colours(Kind& kind, std::vector<uint32_t>& groups) const
 void Cloths::group_sheets(gpu::Device& device)
 {
     std::vector<uint32_t> groups; // sheet and first particle, two by two; of small sheets the sheet alone
-    const auto append_large = [&](uint32_t sheet) {
+    const auto append_in_order = [&](uint32_t sheet) {
         for (uint32_t first = 0; first < records_[sheet].count; first += shared::cloth_group) {
             groups.insert(groups.end(), {sheet, first});
+        }
+    };
+    const auto append_large = [&](uint32_t sheet) {
+        const shared::ClothSheet& record = records_[sheet];
+        if (record.columns == 0) {
+            append_in_order(sheet);
+        }
+        for (uint32_t row = 0; row < record.rows; row += shared::cloth_tile_side) {
+            for (uint32_t column = 0; column < record.columns; column += shared::cloth_tile_side) {
+                groups.insert(groups.end(), {sheet, row * record.columns + column});
+            }
         }
     };
     const auto sheet_count = static_cast<uint32_t>(records_.size());
     std::map<std::pair<bool, uint32_t>, std::vector<uint32_t>> alike; // large ones first
     for (uint32_t sheet = 0; sheet < sheet_count; ++sheet) {
-        append_large(sheet);
+        append_in_order(sheet);
         alike[{is_small(sheet), variant_of(sheet)}].push_back(sheet);
     }
     all_groups_ = static_cast<uint32_t>(groups.size() / 2);
@@ -175,13 +187,13 @@ void Cloths::group_sheets(gpu::Device& device)
         kind.first_group = static_cast<uint32_t>(kind.is_small ? groups.size() : groups.size() / 2);
         for (const uint32_t sheet : members) {
             kind.most_particles = std::max(kind.most_particles, records_[sheet].count);
-            kind.group_count += kind.is_small ? 1 : whole_groups(records_[sheet].count);
             if (kind.is_small) {
                 groups.push_back(sheet);
             } else {
                 append_large(sheet);
             }
         }
+        kind.group_count = static_cast<uint32_t>(groups.size()) / (kind.is_small ? 1 : 2) - kind.first_group;
         if ((kind.variant & shared::cloth_bit_descent) != 0) {
             append_colours(kind, groups);
         }

@@ -9,7 +9,8 @@
 // Splitting for Jitter-Free Parallel Rigid Body Simulation", SIGGRAPH 2012.
 //
 // Wanted before: vec4 predicted_at(uint local), a place and the inverse mass times the shares of the links
-// there.
+// there, and vec4 predicted_beside(uint local, ivec2 way, bool is_there), the same of another of its grid if
+// that is there.
 
 #extension GL_EXT_control_flow_attributes : require
 
@@ -19,9 +20,9 @@
 // more.
 const float over_relaxation = (variant & cloth_bit_grid) != 0u ? 1.6 : 4.0 / 3.0;
 
-// Times the inverse mass. `split_masses` is of a far link; `softness` is the compliance by the square of the
-// step.
-vec3 link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, float softness)
+// By how much of the way to the other end, times the inverse mass. `split_masses` is of a far link;
+// `softness` is the compliance by the square of the step.
+float link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, float softness)
 {
     float length_m = length(towards);
     float excess_m = length_m - rest_m;
@@ -30,38 +31,38 @@ vec3 link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, floa
     }
     float share = is_far ? 1.0 : cloth_near_share;
     share *= is_relaxing ? cloth_knights_share : 1.0;
-    float give = max(split_masses / (over_relaxation * share), is_relaxing ? 0.0 : softness);
-    return towards * (excess_m / (max(length_m, 1e-9) * give));
+    float give = max(split_masses * (1.0 / (over_relaxation * share)), is_relaxing ? 0.0 : softness);
+    return excess_m / (max(length_m, 1e-9) * give);
 }
 
+// Without branches: those that are not there weigh nothing.
 vec3 pull_of_grid(uint local, vec4 own, float inverse_mass, float time_s)
 {
     ivec2 size = ivec2(sheet.columns, sheet.rows);
     ivec2 at = ivec2(local % sheet.columns, local / sheet.columns);
+    float columns[5] = there_about(at.x, size.x);
+    float rows[5] = there_about(at.y, size.y);
     float softness = sheet.softness / (time_s * time_s);
-    vec3 towards[25];
-    vec3 stretch = vec3(0.0);
+    float bending = time_s * time_s * sheet.bending_n_m;
+    vec3 pull = vec3(0.0);
     [[unroll]] for (int y = -2; y <= 2; ++y)
     {
         [[unroll]] for (int x = -2; x <= 2; ++x)
         {
-            ivec2 there = at + ivec2(x, y);
             // Those a knight's move away only relaxation is better for.
-            bool is_linked = is_relaxing || abs(x) * abs(y) != 2;
-            bool is_there = is_linked && there.x >= 0 && there.y >= 0 && there.x < size.x && there.y < size.y;
-            vec4 other =
-                x == 0 && y == 0 ? own : predicted_at(is_there ? uint(there.y * size.x + there.x) : local);
-            vec3 to_other = other.xyz - own.xyz;
-            towards[12 + 5 * y + x] = to_other;
-            vec2 rest = vec2(abs(x) * sheet.spacing_x_m, abs(y) * sheet.spacing_y_m);
-            if (is_there && (x != 0 || y != 0)) {
-                stretch += link_pull(to_other, own.w + other.w, length(rest), max(abs(x), abs(y)) > 1,
-                                     softness * dot(rest, rest));
+            if ((is_relaxing || abs(x) * abs(y) != 2) && (x != 0 || y != 0)) {
+                float there = columns[2 + x] * rows[2 + y];
+                vec4 other = predicted_beside(local, ivec2(x, y), there > 0.0);
+                vec3 to_other = other.xyz - own.xyz;
+                vec2 rest = vec2(abs(x) * sheet.spacing_x_m, abs(y) * sheet.spacing_y_m);
+                float share = there * link_pull(to_other, own.w + other.w, length(rest),
+                                                max(abs(x), abs(y)) > 1, softness * dot(rest, rest));
+                share += is_relaxing ? 0.0 : bending * grid_bend_share(x, y, columns, rows);
+                pull += share * to_other;
             }
         }
     }
-    vec3 bend = is_relaxing ? vec3(0.0) : grid_bend(towards, at, size);
-    return inverse_mass * (stretch + time_s * time_s * sheet.bending_n_m * bend);
+    return inverse_mass * pull;
 }
 
 vec3 pull_of_lists(uint local, vec4 own, float inverse_mass, float time_s)
@@ -74,8 +75,8 @@ vec3 pull_of_lists(uint local, vec4 own, float inverse_mass, float time_s)
         if (link.x != 0.0) {
             vec4 other = predicted_at(words.x);
             vec3 to_other = other.xyz - own.xyz;
-            stretch +=
-                link_pull(to_other, own.w + other.w, abs(link.x), link.x < 0.0, link.y / (time_s * time_s));
+            stretch += to_other * link_pull(to_other, own.w + other.w, abs(link.x), link.x < 0.0,
+                                            link.y / (time_s * time_s));
             bend += link.z * to_other;
         }
     }

@@ -3,6 +3,8 @@
 #define ESTAMPE_CLOTH_MOVE
 
 // A small step of one particle: what links, tethers, hands and solids leave of where it wanted to go.
+//
+// Wanted before: vec4 own_predicted(uint local), as predicted_at() that cloth_links.glsl wants.
 
 #include "techniques/cloth/cloth_contact.glsl"
 #include "techniques/cloth/cloth_links.glsl"
@@ -19,11 +21,11 @@ vec3 held_a_little(uint local, vec3 place, float part)
 vec3 moved(uint local, vec3 from, float inverse_mass, uint step, uint small_step)
 {
     float part = part_of_run(step, float(small_step + 1u));
-    if (inverse_mass == 0.0) {
-        return target_of(local, part).xyz;
-    }
-    vec4 own = predicted_at(local);
+    vec4 own = own_predicted(local);
     vec3 place = own.xyz;
+    if (inverse_mass == 0.0) { // is held, and was foreseen there
+        return place;
+    }
     if ((variant & cloth_bit_descent) == 0u) {
         place += pull_of(local, own, inverse_mass);
     }
@@ -31,7 +33,9 @@ vec3 moved(uint local, vec3 from, float inverse_mass, uint step, uint small_step
     if ((variant & cloth_bit_self) != 0u) {
         place = kept_from_self(local, place);
     }
-    place = held_a_little(local, place, part);
+    if ((variant & cloth_bit_half_held) != 0u) {
+        place = held_a_little(local, place, part);
+    }
     if ((variant & cloth_bit_colliders) != 0u) {
         place = beside_colliders(from, place, part_of_run(step, float(small_step)), part);
     }

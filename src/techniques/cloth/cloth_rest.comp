@@ -34,8 +34,8 @@ void main()
     uint group = moment.first_group + gl_WorkGroupID.x;
     uint sheet_index = sheet_of_group[2u * group];
     sheet = sheets[sheet_index];
-    uint local = sheet_of_group[2u * group + 1u] + gl_LocalInvocationID.x;
-    if (local >= sheet.count) {
+    uint local = own_particle(sheet_of_group[2u * group + 1u]);
+    if (local == cloth_no_vertex) {
         return;
     }
     uint particle = sheet.first + local;

@@ -67,6 +67,62 @@ TEST(ClothSolids, WhatIsOutOfReachChangesNothing)
     EXPECT_FALSE(places_with({{{8.0F, 8.0F, 8.0F}, {9.0F, 9.0F, 9.0F}}}, 0.3F) == all) << "the balls count";
 }
 
+/// One of each way that particles are told what they may meet: small sheets, squares of large ones, lists.
+std::vector<Sheet> sheets_of_all_ways()
+{
+    return {hanging_square(11), hanging_square(34), out_of_rank(hanging_square(34), 1e-3F)};
+}
+
+TEST(ClothSolids, SolidsFarAwayChangeNoByte)
+{
+    for (Sheet& sheet : sheets_of_all_ways()) {
+        sheet.held.front() = 1.0F;
+        const auto places_among = [&](size_t others) {
+            Lab lab(sheet);
+            State state;
+            for (int i = 0; i < 4; ++i) {
+                std::vector<Solid> solids(others, ball({9.0F, 0.0F, 0.0F}, 0.5F));
+                const float x_m = 0.9F - 0.08F * static_cast<float>(i);
+                solids.push_back(ball({x_m, -0.6F, 0.05F}, 0.2F));
+                solids.push_back(below({0.0F, -1.1F, 0.0F}, {0.0F, 1.0F, 0.0F}));
+                lab.cloths().set_solids(test::shared_device(), solids);
+                state = lab.run(0.05);
+            }
+            return state.places_m;
+        };
+        const auto alone = places_among(0);
+        for (const size_t others : {size_t{31}, size_t{70}, size_t{1030}}) {
+            EXPECT_TRUE(places_among(others) == alone) << sheet.rest_m.size() << ' ' << others;
+        }
+    }
+}
+
+TEST(ClothSolids, WhatIsThrownFartherThanForeseenIsStoppedToo)
+{
+    // A board at 12 m/s drives a sheet at rest into a ball, 5 cm away and 10 cm a step.
+    constexpr float radius_m = 0.045F;
+    const glm::vec3 centre(0.5F, -0.6F, 0.1F);
+    for (Sheet& sheet : sheets_of_all_ways()) {
+        std::fill_n(sheet.held.begin(), 8, 1.0F);
+        Lab lab(sheet);
+        lab.run(0.1);
+        const auto place_board = [&](float z_m) {
+            const Solid board{
+                .kind = SolidKind::box, .half_m = {0.6F, 0.3F, 0.02F}, .centre_m = {0.5F, -0.6F, z_m}};
+            lab.cloths().set_solids(test::shared_device(), std::array{board, ball(centre, radius_m)});
+        };
+        place_board(-0.04F);
+        lab.run(1.0 / 120.0);
+        place_board(0.06F);
+        double nearest_m = 1.0;
+        for (const glm::dvec3& place : lab.run(1.0 / 120.0).places_m) {
+            nearest_m = std::min(nearest_m, glm::distance(place, glm::dvec3(centre)));
+        }
+        EXPECT_GE(nearest_m, radius_m - 1e-3) << sheet.rest_m.size();
+        EXPECT_LE(nearest_m, radius_m + 0.02) << sheet.rest_m.size();
+    }
+}
+
 /// A ring about y.
 double to_ring_m(const glm::dvec3& place)
 {

@@ -6,7 +6,7 @@
 
 layout(local_size_x = 64) in;
 
-#include "techniques/cloth/cloth_data.glsl"
+#include "techniques/cloth/cloth_met.glsl"
 
 layout(scalar, binding = 10) buffer Places
 {
@@ -40,6 +40,16 @@ vec4 predicted_at(uint local)
     return texelFetch(predicted_texels, int(sheet.first + local));
 }
 
+vec4 own_predicted(uint local)
+{
+    return predicted_at(local);
+}
+
+vec4 predicted_beside(uint local, ivec2 way, bool is_there)
+{
+    return predicted_at(is_there ? uint(int(local) + way.y * int(sheet.columns) + way.x) : local);
+}
+
 layout(binding = 15) uniform usamplerBuffer near_texels;
 
 layout(scalar, binding = 16) readonly buffer Awake
@@ -52,9 +62,25 @@ layout(scalar, binding = 17) readonly buffer Began
     vec4 began[];
 };
 
+layout(scalar, binding = 18) readonly buffer Met
+{
+    uint met[]; // of each group: the ball about it, and which solids come near that
+};
+
 uvec4 near_of(uint local)
 {
     return texelFetch(near_texels, int(sheet.first + local));
+}
+
+vec4 met_ball()
+{
+    uint at = gl_WorkGroupID.x * met_stride();
+    return uintBitsToFloat(uvec4(met[at], met[at + 1u], met[at + 2u], met[at + 3u]));
+}
+
+uint met_solids(uint word)
+{
+    return met[gl_WorkGroupID.x * met_stride() + cloth_met_head + word];
 }
 
 #include "techniques/cloth/cloth_move.glsl"
@@ -63,9 +89,12 @@ void main()
 {
     uint group = moment.first_group + gl_WorkGroupID.x;
     uint sheet_index = sheet_of_group[2u * group];
+    if (awake_in[sheet_index] != moment.step + 1u) {
+        return;
+    }
     sheet = sheets[sheet_index];
-    uint local = sheet_of_group[2u * group + 1u] + gl_LocalInvocationID.x;
-    if (local >= sheet.count || awake_in[sheet_index] != moment.step + 1u) {
+    uint local = own_particle(sheet_of_group[2u * group + 1u]);
+    if (local == cloth_no_vertex) {
         return;
     }
     uint particle = sheet.first + local;
@@ -73,7 +102,7 @@ void main()
     bool is_last = (variant & cloth_bit_last) != 0u;
     if (is_relaxing && !is_last) {
         vec4 own = predicted_at(local);
-        own.xyz += pull_of(local, own, from.w);
+        own.xyz += from.w > 0.0 ? pull_of(local, own, from.w) : vec3(0.0);
         predicted[particle] = own;
         return;
     }

@@ -6,43 +6,44 @@
 //
 // Wanted before: vec4 predicted_at(uint local), a place and whatever else.
 
+#extension GL_EXT_control_flow_attributes : require
+
 #include "techniques/cloth/cloth_data.glsl"
 
 const bool is_relaxing = (variant & cloth_bit_relax) != 0u;
 
-// Force by bending of rigidity 1: that of a thin plate in finite differences, of which those are left out
-// that reach beyond the edge.
-vec3 grid_bend(vec3 towards[25], ivec2 at, ivec2 size)
+// Whether there are particles so many places from one of a row of a grid, from two before to two after: 1, or
+// 0.
+float[5] there_about(int at, int size)
 {
-    vec3 sum = vec3(0.0);
+    float there[5];
+    [[unroll]] for (int i = 0; i < 5; ++i)
+    {
+        there[i] = uint(at + i - 2) < uint(size) ? 1.0 : 0.0;
+    }
+    return there;
+}
+
+// Bending of a grid: that of a thin plate in finite differences, of which those are left out that reach
+// beyond the edge. By how much of a force of rigidity 1 the way to the particle so many places on takes part
+// in it. Summed up way by way it takes less room than all ways at once.
+float grid_bend_share(int x, int y, float columns[5], float rows[5])
+{
     vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
-    [[unroll]] for (int axis = 0; axis < 2; ++axis)
-    {
-        int way = axis == 0 ? 1 : 5;
-        vec3 along = vec3(0.0);
-        if (at[axis] >= 1 && at[axis] + 1 < size[axis]) {
-            along += 2.0 * (towards[12 - way] + towards[12 + way]);
-        }
-        if (at[axis] >= 2) {
-            along -= towards[12 - 2 * way] - 2.0 * towards[12 - way];
-        }
-        if (at[axis] + 2 < size[axis]) {
-            along -= towards[12 + 2 * way] - 2.0 * towards[12 + way];
-        }
-        sum += along * spacing[1 - axis] / (spacing[axis] * spacing[axis] * spacing[axis]);
+    float twist = 2.0 / (spacing.x * spacing.y);
+    if (x != 0 && y != 0) {
+        return abs(x) == 1 && abs(y) == 1 ? -twist * columns[2 + x] * rows[2 + y] : 0.0;
     }
-    vec3 twist = vec3(0.0);
-    [[unroll]] for (int y = -1; y <= 1; y += 2)
-    {
-        [[unroll]] for (int x = -1; x <= 1; x += 2)
-        {
-            ivec2 corner = at + ivec2(x, y);
-            if (all(greaterThanEqual(corner, ivec2(0))) && all(lessThan(corner, size))) {
-                twist -= towards[12 + 5 * y + x] - towards[12 + 5 * y] - towards[12 + x];
-            }
-        }
+    int way = x + y;
+    float along[5] = y == 0 ? columns : rows;
+    float across[5] = y == 0 ? rows : columns;
+    float by_side = y == 0 ? spacing.y / (spacing.x * spacing.x * spacing.x)
+                           : spacing.x / (spacing.y * spacing.y * spacing.y);
+    if (abs(way) == 2) {
+        return -by_side * along[2 + way];
     }
-    return sum + twist * (2.0 / (spacing.x * spacing.y));
+    return 2.0 * by_side * (along[1] * along[3] + along[2 + 2 * way]) +
+           twist * along[2 + way] * (across[1] + across[3]);
 }
 
 // By how much of that force a particle's own place takes part in it.
@@ -66,15 +67,20 @@ float grid_bend_own(ivec2 at, ivec2 size)
 // Attachments", SCA 2012.
 vec3 tethered(uint local, vec3 place)
 {
-    for (uint k = 0u; k < (is_relaxing ? 0u : sheet.tether_width); ++k) {
-        uvec2 tether = texelFetch(tether_texels, int(sheet.first_tether + k * sheet.stride + local)).xy;
-        vec3 held = predicted_at(tether.x).xyz;
-        float length_m = distance(place, held);
-        float most_m = uintBitsToFloat(tether.y);
-        if (length_m > most_m) {
-            place = held + (place - held) * (most_m / length_m);
+    uint width = is_relaxing ? 0u : sheet.tether_width;
+    uint k = 0u;
+    do { // processors run a loop whose condition comes first once more than it says
+        if (k < width) {
+            uvec2 tether = texelFetch(tether_texels, int(sheet.first_tether + k * sheet.stride + local)).xy;
+            vec3 held = predicted_at(tether.x).xyz;
+            float length_m = distance(place, held);
+            float most_m = uintBitsToFloat(tether.y);
+            if (length_m > most_m) {
+                place = held + (place - held) * (most_m / length_m);
+            }
         }
-    }
+        ++k;
+    } while (k < width);
     return place;
 }
 

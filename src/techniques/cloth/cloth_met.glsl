@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CLOTH_MET
+#define ESTAMPE_CLOTH_MET
+
+// Which solids may be met in a step: once for all of its small ones, so that what is far costs little.
+
+#include "techniques/cloth/cloth_data.glsl"
+
+// Words of a group's record.
+uint met_stride()
+{
+    return cloth_met_head + min((run.collider_count + 31u) / 32u, cloth_met_words);
+}
+
+// How far a particle will hardly go in a step.
+float hardly_beyond_m(vec3 speed, vec3 push)
+{
+    const float spare_m = 2e-3;
+    return spare_m + 1.5 * run.step_s * (length(speed) + run.step_s * length(push));
+}
+
+// Whether a solid comes near a ball at any moment of a step.
+bool comes_near(uint i, vec4 ball, uint step)
+{
+    int before = 3 * int(i);
+    int after = before + 3 * int(run.collider_stride);
+    vec3 centre_before = uintBitsToFloat(texelFetch(collider_texels, before).xyz);
+    vec3 centre_way = uintBitsToFloat(texelFetch(collider_texels, after).xyz) - centre_before;
+    float reach_m = uintBitsToFloat(texelFetch(collider_texels, after + 2).w);
+    vec3 from = centre_before + part_of_run(step, 0.0) * centre_way;
+    vec3 way = centre_before + part_of_run(step + 1u, 0.0) * centre_way - from;
+    float nearest = clamp(dot(ball.xyz - from, way) / max(dot(way, way), 1e-20), 0.0, 1.0);
+    float away_m = distance(ball.xyz, from + nearest * way);
+    const float rounding = 1e-5;
+    return away_m * (1.0 - rounding) <= reach_m + sheet.thickness_m + ball.w + 1e-3;
+}
+
+// Of the solids of a word, 32 each, those that do.
+uint solids_near(uint word, vec4 ball, uint step)
+{
+    uint near = 0u;
+    uint first = 32u * word;
+    uint count = run.collider_count > first ? min(run.collider_count - first, 32u) : 0u;
+    for (uint i = 0u; i < count; ++i) {
+        near |= comes_near(first + i, ball, step) ? 1u << i : 0u;
+    }
+    return near;
+}
+
+#endif
