@@ -133,6 +133,8 @@ void pass(fluid::Fluid& fluid, gpu::Executor& executor, const Spoons& spoons, do
     const double step_s = count > 0 ? (to_s - from_s) / count : 0.0;
     const fluid::FluidStyle style{.step_s = static_cast<float>(step_s),
                                   .stepping = fluid::Stepping::project,
+                                  // What splines would keep in jets is to spread over the page.
+                                  .velocity_advection = fluid::Advection::maccormack,
                                   .forces = {.friction_per_s = 0.1F}};
     for (uint32_t done = 0; done < count;) {
         const uint32_t now = std::min(count - done, fluid.most_steps(style));

@@ -53,6 +53,37 @@ fluid::Grid grid_of(const smoke::Box& box)
     return {.cells = box.cells, .cell_m = box.cell_m, .edges = {open, open, open}};
 }
 
+fluid::Solver solver_of(const smoke::SmokeStyle& style)
+{
+    switch (style.solver) {
+    case smoke::Solver::spectral:
+        // Which knows of nothing in its way.
+        return style.obstacles ? fluid::Solver::automatic : fluid::Solver::spectral;
+    case smoke::Solver::multigrid:
+        return fluid::Solver::multigrid;
+    case smoke::Solver::jacobi:
+        return fluid::Solver::jacobi;
+    case smoke::Solver::automatic:
+        break;
+    }
+    return fluid::Solver::automatic;
+}
+
+fluid::Advection advection_of(const smoke::SmokeStyle& style)
+{
+    switch (style.advection) {
+    case smoke::Advection::linear:
+        return fluid::Advection::linear;
+    case smoke::Advection::cubic:
+        return fluid::Advection::cubic;
+    case smoke::Advection::maccormack:
+        return fluid::Advection::maccormack;
+    case smoke::Advection::automatic:
+        break;
+    }
+    return fluid::Advection::automatic;
+}
+
 fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style, double step_s)
 {
     const Draught draught = draught_of(box, style);
@@ -61,7 +92,11 @@ fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style,
     const fluid::Rim calming{.breadth_m = 0.15F * draught.width_m, .share_per_s = crossing_per_s};
     const fluid::Rim clearing{.breadth_m = 0.15F * draught.width_m, .share_per_s = 8.0F * crossing_per_s};
     return {.step_s = static_cast<float>(step_s),
-            .stepping = fluid::Stepping::project,
+            .stepping = style.stepping == smoke::Stepping::reflect ? fluid::Stepping::reflect
+                                                                   : fluid::Stepping::project,
+            .velocity_advection = advection_of(style),
+            .quantity_advection = advection_of(style),
+            .projection = {.solver = solver_of(style)},
             .forces = {.lift_m_s2 = 5.0F * draught.speed_m_s * draught.speed_m_s / draught.height_m,
                        .confinement_per_s = 4.0F * style.curl / style.rise_s,
                        .rim = calming,

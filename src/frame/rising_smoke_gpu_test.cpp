@@ -103,6 +103,32 @@ TEST(RisingSmoke, AStillStandsForItselfAndAFilmFlowsOn)
     EXPECT_EQ(film(renderer, smoking()), once) << "of the scene loaded anew";
 }
 
+TEST(RisingSmoke, RisesByEachSolverAndAdvectionAsTheStyleSays)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(smoking_box());
+    const Image usual = renderer.render(camera, smoking(), still);
+    // What is the same by name or by nature.
+    EXPECT_EQ(
+        renderer.render(camera, smoking({"smoke.solver=spectral", "smoke.advection=maccormack"}), still),
+        usual);
+    EXPECT_LT(changed(renderer.render(camera, smoking({"smoke.solver=multigrid"}), still), usual), 60U);
+    for (const char* other : {"smoke.solver=jacobi", "smoke.advection=linear", "smoke.advection=cubic",
+                              "smoke.stepping=reflect"}) {
+        EXPECT_GT(changed(renderer.render(camera, smoking({other}), still), usual), 10U) << other;
+    }
+    // While it rises.
+    std::vector<Image> images = film(renderer, smoking());
+    RenderSettings settings = still;
+    settings.time_s = 4.0 / 12.0;
+    settings.continuity = Continuity::follows;
+    const Image by_other = renderer.render(camera, smoking({"smoke.solver=multigrid"}), settings);
+    EXPECT_LT(changed(by_other, images.back()), changed(by_other, renderer.render(camera, {}, still)))
+        << "it goes on";
+    EXPECT_NO_THROW(
+        renderer.render(camera, smoking({"smoke.solver=spectral", "smoke.obstacles=true"}), still));
+}
+
 TEST(RisingSmoke, ATiledPageIsTheSame)
 {
     Renderer& renderer = test::shared_renderer();

@@ -40,11 +40,6 @@ void check_start(const Grid& grid, uint32_t channels, std::span<const float> sta
     }
 }
 
-uint32_t passes_of(Advection advection)
-{
-    return advection == Advection::maccormack ? 2 : 1;
-}
-
 } // namespace
 
 /// What the steps of one graph hand on to each other.
@@ -72,38 +67,48 @@ public:
                                                 handles_.standing, handles_.tables.solids.cells);
             handles_.tables.weights = add_weights(graph_, grid_, handles_.tables.solids);
         }
-        const gpu::ImageId carrier = style_.stepping == Stepping::reflect ? add_reflected() : add_projected();
-        if (fluid_.channels_ > 0) {
-            add_quantities(carrier);
+        if (style_.stepping == Stepping::reflect) {
+            add_quantities(add_reflected(), {});
+        } else {
+            add_projected();
         }
     }
 
 private:
-    /// Both return the velocity that carries the quantities.
-    [[nodiscard]] gpu::ImageId add_projected()
+    /// All is carried by the velocity at the start, the same ways.
+    void add_projected()
     {
-        const gpu::ImageId moved = forced(diffused(advected(handles_.velocity, handles_.velocity)));
-        handles_.velocity = projected(moved, handles_.velocity, false).velocity;
-        return handles_.velocity;
+        const gpu::ImageId carrier = handles_.velocity;
+        const bool goes_both_ways = advection_for(grid_, style_.velocity_advection) == Advection::maccormack;
+        const std::optional<gpu::ImageId> ways =
+            goes_both_ways ? std::optional(add_ways(graph_, grid_, carrier, part_s())) : std::nullopt;
+        const gpu::ImageId start = advected(carrier, carrier, ways);
+        add_quantities(carrier, ways);
+        handles_.velocity = projected(forced(diffused(start)), handles_.velocity, false).velocity;
     }
 
+    /// Returns the velocity that carries the quantities.
     [[nodiscard]] gpu::ImageId add_reflected()
     {
         const gpu::ImageId start = diffused(handles_.velocity);
         const gpu::ImageId target = graph_.image("fluid/half", velocity_desc(grid_));
-        const Projected half = projected(forced(advected(start, start)), target, true);
-        const gpu::ImageId moved = diffused(forced(advected(half.velocity, half.reflected)));
+        const Projected half = projected(forced(advected(start, start, {})), target, true);
+        const gpu::ImageId moved = diffused(forced(advected(half.velocity, half.reflected, {})));
         handles_.velocity = projected(moved, handles_.velocity, false).velocity;
         return half.velocity;
     }
 
-    void add_quantities(gpu::ImageId carrier)
+    void add_quantities(gpu::ImageId carrier, std::optional<gpu::ImageId> ways)
     {
+        if (fluid_.channels_ == 0) {
+            return;
+        }
         const uint32_t last = fluid_.newest_quantities_;
         fluid_.newest_quantities_ = 1 - last;
         gpu::ImageId& newest = handles_.quantities[1 - last];
         newest = add_advection(graph_, grid_, style_.quantity_advection,
-                               {carrier, handles_.quantities[last], newest, fluid_.channels_}, style_.step_s);
+                               {carrier, handles_.quantities[last], newest, fluid_.channels_, ways},
+                               style_.step_s);
         newest = add_matter(graph_, grid_, style_.matter, handles_.shapes, shapes_for(style_.step_s), newest);
     }
 
@@ -117,10 +122,12 @@ private:
         return fluid_.shapes_.constants(grid_, age_s_, time_s, fluid_.channels_);
     }
 
-    [[nodiscard]] gpu::ImageId advected(gpu::ImageId carrier, gpu::ImageId velocity)
+    [[nodiscard]] gpu::ImageId advected(gpu::ImageId carrier, gpu::ImageId velocity,
+                                        std::optional<gpu::ImageId> ways)
     {
         const gpu::ImageId target = graph_.image("fluid/moved", velocity_desc(grid_));
-        return add_advection(graph_, grid_, style_.velocity_advection, {carrier, velocity, target}, part_s());
+        return add_advection(graph_, grid_, style_.velocity_advection, {carrier, velocity, target, 0, ways},
+                             part_s());
     }
 
     [[nodiscard]] gpu::ImageId diffused(gpu::ImageId velocity)
@@ -145,7 +152,7 @@ private:
 
     [[nodiscard]] Projected projected(gpu::ImageId velocity, gpu::ImageId target, bool reflects)
     {
-        if (fluid_.shapes_.are_any() || fluid_.are_standing_) {
+        if (fluid_.shapes_.are_pushing() || fluid_.are_solid()) {
             velocity = add_push(graph_, grid_, handles_.shapes, shapes_for(part_s()), handles_.tables.solids,
                                 velocity);
         }
@@ -222,10 +229,10 @@ uint32_t Fluid::most_steps(const FluidStyle& style) const
     const float share = style.viscosity_m2_s * style.step_s / (grid_.cell_m * grid_.cell_m);
     const uint32_t diffusion =
         style.viscosity_m2_s > 0.0F ? diffusion_stages(grid_, reflects ? 0.5F * share : share) : 0;
-    const uint32_t part = passes_of(style.velocity_advection) + 4 + diffusion +
+    const uint32_t part = passes_of_advection(grid_, style.velocity_advection) + 4 + diffusion +
                           passes_of_projection(grid_, trusted(style.projection), are_solid());
-    const uint32_t step =
-        (reflects ? 2 : 1) * part + 2 + (channels_ > 0 ? 1 + passes_of(style.quantity_advection) : 0);
+    const uint32_t step = (reflects ? 2 : 1) * part + 2 +
+                          (channels_ > 0 ? 1 + passes_of_advection(grid_, style.quantity_advection) : 0);
     return std::max(most_passes / step, 1U);
 }
 

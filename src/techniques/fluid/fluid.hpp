@@ -27,8 +27,8 @@ enum class Stepping : uint8_t {
 struct FluidStyle {
     float step_s = 1.0F / 120.0F;
     Stepping stepping = Stepping::reflect;
-    Advection velocity_advection = Advection::maccormack;
-    Advection quantity_advection = Advection::maccormack;
+    Advection velocity_advection = Advection::automatic;
+    Advection quantity_advection = Advection::automatic;
     ProjectionStyle projection;
     float viscosity_m2_s = 0.0F;
     ForceStyle forces;

@@ -32,12 +32,18 @@ bool is_in_grid(ivec3 cell)
     return all(lessThan(cell, fluid_size()));
 }
 
-// The cell so many steps along an axis: round where ends meet, else the last one.
+// Of a place at most `size` beyond either end, the one it stands for: round where ends meet, else the last.
+// By comparisons, as dividing by what only the host knows takes some twenty instructions.
+int place_in_grid(int place, int size, bool is_round)
+{
+    int turned = place < 0 ? place + size : place >= size ? place - size : place;
+    return is_round ? turned : clamp(place, 0, size - 1);
+}
+
+// The cell so many steps along an axis, at most as many as there are cells.
 ivec3 neighbour(ivec3 cell, int axis, int steps)
 {
-    int size = fluid_size()[axis];
-    int moved = cell[axis] + steps;
-    cell[axis] = is_periodic(axis) ? (moved + size) % size : clamp(moved, 0, size - 1);
+    cell[axis] = place_in_grid(cell[axis] + steps, fluid_size()[axis], is_periodic(axis));
     return cell;
 }
 
@@ -76,11 +82,20 @@ void mend(inout vec2 first, inout vec2 second, int low, int component, int axis)
     }
 }
 
+// Two neighbours, the first with index `low`, that need no mending, whatever they are of.
+bool is_far_from_wall(int low, int axis)
+{
+    return is_periodic(axis) || low >= 1 && low < fluid_size()[axis] - 1;
+}
+
 // The four nodes from `low` on, in a layer: 00, 10, 01, 11.
 vec4 plane_nodes(sampler2DArray field, int component, ivec2 low, int layer)
 {
     vec2 corner = (vec2(low) + 1.0) * vec2(grid.texel_x, grid.texel_y);
     vec4 quad = textureGather(field, vec3(corner, float(layer)));
+    if (is_far_from_wall(low.x, 0) && is_far_from_wall(low.y, 1)) {
+        return quad.wzxy;
+    }
     vec2 left = quad.wx;
     vec2 right = quad.zy;
     mend(left, right, low.x, component, 0);
@@ -92,8 +107,7 @@ vec4 plane_nodes(sampler2DArray field, int component, ivec2 low, int layer)
 
 int layer_of_slice(int slice)
 {
-    int depth = int(grid.depth);
-    return is_periodic(2) ? (slice + depth) % depth : clamp(slice, 0, depth - 1);
+    return place_in_grid(slice, int(grid.depth), is_periodic(2));
 }
 
 // Eight nodes from `low` on; in two dimensions `far` is left as it is.
@@ -221,6 +235,20 @@ vec3 velocity_at_node(sampler2DArray velocity, int component, ivec3 cell)
                 speed[axis] = sample_linear(velocity, axis, cell, first_layer, offset);
             }
         }
+    }
+    return speed;
+}
+
+// The velocity in the middle of a cell: the means of opposite faces.
+vec3 velocity_in_middle(sampler2DArray velocity, ivec3 cell)
+{
+    vec3 speed = vec3(0.0);
+    for (int axis = 0; axis < fluid_dimensions(); ++axis) {
+        int first_layer = axis * int(grid.depth);
+        ivec3 next = neighbour(cell, axis, 1);
+        float low = texelFetch(velocity, ivec3(cell.xy, first_layer + cell.z), 0).x;
+        float high = texelFetch(velocity, ivec3(next.xy, first_layer + next.z), 0).x;
+        speed[axis] = 0.5 * ((is_on_wall(axis, cell) ? 0.0 : low) + (next == cell ? 0.0 : high));
     }
     return speed;
 }

@@ -53,6 +53,13 @@ gpu::ImageDesc velocity_desc(const Grid& grid)
     return field_desc(grid, grid.dimensions());
 }
 
+gpu::ImageDesc vectors_desc(const Grid& grid, uint32_t sets)
+{
+    gpu::ImageDesc desc = field_desc(grid, sets);
+    desc.format = gpu::Format::rgba32f;
+    return desc;
+}
+
 void dispatch_over_cells(gpu::Pass& pass, const Grid& grid)
 {
     constexpr uint32_t group = 8;

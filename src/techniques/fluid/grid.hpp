@@ -59,6 +59,10 @@ void check_grid(const Grid& grid);
 [[nodiscard]] gpu::ImageDesc field_desc(const Grid& grid, uint32_t channels);
 [[nodiscard]] gpu::ImageDesc velocity_desc(const Grid& grid);
 
+/// So many sets of vectors in the middle of cells, which are read as they stand: a texel each, slice by
+/// slice.
+[[nodiscard]] gpu::ImageDesc vectors_desc(const Grid& grid, uint32_t sets);
+
 /// A thread a cell.
 void dispatch_over_cells(gpu::Pass& pass, const Grid& grid);
 

@@ -93,7 +93,10 @@ private:
         const bool keeps_depth = (more & shared::ink_keeps_depth) != 0;
         const gpu::BufferId stream = add_stream(step);
         auto pass = graph_.compute("ink/step", shaders::ink_step_comp);
-        pass.uniform(globals_).sample(cells_.at(before), gpu::Format::r32ui).sample(source);
+        pass.uniform(globals_)
+            .sample(cells_.at(before), gpu::Format::r32ui)
+            .sample(cells_.at(before), gpu::Format::rgba32ui)
+            .sample(source);
         pass.sample(stream, gpu::Format::r32f).sample(in.depth);
         // Read in the first step alone, and written there: later ones take the place of what they do not
         // read.

@@ -210,7 +210,7 @@ public:
         const uint32_t rows = grid_.face_side + 2 * shared::ink_gutter;
         const auto row = static_cast<size_t>(static_cast<int>(face * rows + shared::ink_gutter) + y);
         return static_cast<double>(
-            cells_.at(row * rows + static_cast<size_t>(x + int{shared::ink_gutter})).x);
+            cells_.at(row * grid_.size.x + static_cast<size_t>(x + int{shared::ink_gutter})).x);
     }
 
     /// At a place of -1 to 1.

@@ -17,23 +17,24 @@ layout(scalar, binding = 0) uniform Ink
 };
 
 layout(binding = 1) uniform usamplerBuffer state_texels;
-layout(binding = 2) uniform sampler2D source_image;
-layout(binding = 3) uniform samplerBuffer stream_texels;       // on the page
-layout(binding = 4) uniform sampler2D depth_image;             // of the variant on surfaces
-layout(binding = 5) uniform samplerBuffer depth_before_texels; // of the same
-layout(binding = 6) uniform sampler2D motion_image;            // of the variant that has motion
+layout(binding = 2) uniform usamplerBuffer fours_of_state; // the same, four cells a texel
+layout(binding = 3) uniform sampler2D source_image;
+layout(binding = 4) uniform samplerBuffer stream_texels;       // on the page
+layout(binding = 5) uniform sampler2D depth_image;             // of the variant on surfaces
+layout(binding = 6) uniform samplerBuffer depth_before_texels; // of the same
+layout(binding = 7) uniform sampler2D motion_image;            // of the variant that has motion
 
-layout(scalar, binding = 7) buffer Sums
+layout(scalar, binding = 8) buffer Sums
 {
     InkSums sums;
 };
 
-layout(scalar, binding = 8) writeonly buffer State
+layout(scalar, binding = 9) writeonly buffer State
 {
     uint state[];
 };
 
-layout(scalar, binding = 9) writeonly buffer Depth
+layout(scalar, binding = 10) writeonly buffer Depth
 {
     float depth_now[]; // of the variant that keeps depth
 };
@@ -55,20 +56,51 @@ const bool keeps_depth = (variant & ink_keeps_depth) != 0u;
 #include "techniques/ink/grid.glsl"
 #include "techniques/ink/look.glsl"
 
-// x: wet, y: dry.
+// Weights of nine cells, of which six in a row count, from the `past`-th on, 0 to 3.
+struct NineWeights {
+    vec4 first;
+    vec4 next;
+    float last;
+};
+
+NineWeights moved(Weights weights, int past)
+{
+    vec4 first = vec4(weights.first, weights.last.x);
+    vec4 next = vec4(weights.last.yz, 0.0, 0.0);
+    bool is_odd = (past & 1) != 0;
+    next = is_odd ? vec4(first.w, next.xyz) : next;
+    first = is_odd ? vec4(0.0, first.xyz) : first;
+    bool is_two = (past & 2) != 0;
+    return NineWeights(is_two ? vec4(0.0, 0.0, first.xy) : first, is_two ? vec4(first.zw, next.xy) : next,
+                       is_two ? next.z : 0.0);
+}
+
+// x: wet, y: dry. A row is read four cells at a time: what has no weight may come from another row.
 vec2 ink_at(vec2 grid)
 {
     vec2 at = grid - 0.5;
     ivec2 third = ivec2(floor(at));
-    Weights across = weights_of(at.x - float(third.x), third.x, int(globals.grid_size.x));
-    Weights down = weights_of(at.y - float(third.y), third.y, int(globals.grid_size.y));
+    ivec2 size = ivec2(globals.grid_size);
+    int past = (third.x - 2) & 3;
+    int four = (third.x - 2) >> 2;
+    NineWeights across = moved(weights_of(at.x - float(third.x), third.x, size.x), past);
+    Weights down = weights_of(at.y - float(third.y), third.y, size.y);
+    int last_four = size.y * (size.x >> 2) - 1;
     vec2 sum = vec2(0.0);
     for (int row = 0; row < 6; ++row) {
-        vec2 of_row = vec2(0.0);
-        for (int column = 0; column < 6; ++column) {
-            float weight = column < 3 ? across.first[column] : across.last[column - 3];
-            of_row += weight * unpacked_ink(cell_at(third + ivec2(column, row) - 2));
-        }
+        int place = clamp(third.y + row - 2, 0, size.y - 1) * (size.x >> 2) + four;
+        uvec4 first = texelFetch(fours_of_state, clamp(place, 0, last_four));
+        uvec4 next = texelFetch(fours_of_state, clamp(place + 1, 0, last_four));
+        uint last = texelFetch(state_texels, 4 * clamp(place + 2, 0, last_four)).x;
+        vec2 of_row = across.first.x * unpacked_ink(first.x);
+        of_row += across.first.y * unpacked_ink(first.y);
+        of_row += across.first.z * unpacked_ink(first.z);
+        of_row += across.first.w * unpacked_ink(first.w);
+        of_row += across.next.x * unpacked_ink(next.x);
+        of_row += across.next.y * unpacked_ink(next.y);
+        of_row += across.next.z * unpacked_ink(next.z);
+        of_row += across.next.w * unpacked_ink(next.w);
+        of_row += across.last * unpacked_ink(last);
         sum += (row < 3 ? down.first[row] : down.last[row - 3]) * of_row;
     }
     return clamp(sum, 0.0, 1.0);

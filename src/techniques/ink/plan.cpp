@@ -120,6 +120,12 @@ uint32_t first_variant_of(const InkStyle& style, const Grid& grid, const Time& t
            (is_on_surface ? shared::ink_keeps_depth : 0U);
 }
 
+/// Rows of cells are read four at a time; those too many lie beyond the page's right edge.
+uint32_t whole_fours(uint32_t cells)
+{
+    return (cells + 3) / 4 * 4;
+}
+
 } // namespace
 
 Grid grid_of(const InkStyle& style, const Page& page)
@@ -132,7 +138,7 @@ Grid grid_of(const InkStyle& style, const Page& page)
         Grid grid{.cells_per_px = 1.0F / (widest_mm * page.pixels_per_mm),
                   .face_side = std::clamp(static_cast<uint32_t>(side), 16U, most_face_cells)};
         const uint32_t rows = grid.face_side + 2 * shared::ink_gutter;
-        grid.size = {rows, 6 * rows};
+        grid.size = {whole_fours(rows), 6 * rows};
         grid.mm_per_cell = 2.0F / (page.rad_per_mm * static_cast<float>(grid.face_side));
         return grid;
     }
@@ -141,6 +147,7 @@ Grid grid_of(const InkStyle& style, const Page& page)
     const glm::vec2 cells = glm::ceil(glm::vec2(page.size_px) * grid.cells_per_px);
     grid.margin_cells = is_larger ? glm::ceil(0.5F * (style.oversize - 1.0F) * cells) : glm::vec2(0.0F);
     grid.size = glm::uvec2(cells + 2.0F * grid.margin_cells);
+    grid.size.x = whole_fours(grid.size.x);
     return grid;
 }
 

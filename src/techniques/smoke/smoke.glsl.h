@@ -28,6 +28,10 @@ SHARED_CONSTANT uint smoke_most_boxes = 8U;
 SHARED_CONSTANT uint smoke_no_shadow = 0U;
 SHARED_CONSTANT uint smoke_sun_shadow = 1U;
 SHARED_CONSTANT uint smoke_local_shadow = 2U;
+// Of the lattice that puffs stand on: how far a middle is from the planes of knots about it at least, and how
+// large a puff is at most.
+SHARED_CONSTANT float smoke_least_stray = 0.2F;
+SHARED_CONSTANT float smoke_most_puff = 0.95F;
 
 // A light in the grid's axes.
 struct SmokeLight {

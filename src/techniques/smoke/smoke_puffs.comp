@@ -48,8 +48,9 @@ void main()
     uvec3 key = uvec3(ivec3(knot));
     uint identity = hash(key.x, key.y, key.z ^ smoke.boxes[turn.box].seed);
     vec3 stray = vec3(unit_float(identity), unit_float(hash(identity + 1u)), unit_float(hash(identity + 2u)));
-    vec3 middle = (knot + mix(vec3(0.2), vec3(0.8), stray)) * apart + smoke.boxes[turn.box].puffs_risen;
-    float most = mix(0.5, 0.95, unit_float(hash(identity + 3u))) * apart;
+    vec3 middle = (knot + mix(vec3(smoke_least_stray), vec3(1.0 - smoke_least_stray), stray)) * apart +
+                  smoke.boxes[turn.box].puffs_risen;
+    float most = mix(0.5, smoke_most_puff, unit_float(hash(identity + 3u))) * apart;
     float radius = most * sqrt(smoothstep(0.1, 0.7, density_near(middle, uvec3(cells))));
     // The box cuts none of them but by its floor.
     vec3 inside = min(middle, cells - middle);

@@ -29,18 +29,41 @@ layout(push_constant, scalar) uniform Constants
 
 const float soft_cells = 1.5; // in which a puff ends
 
-// How far within the deepest of the puffs about a place it is, in cells; negative outside. A puff's middle
-// strays by less than half of the lattice, and is less than one of it large: 27 may reach a place.
+// Which knots of the lattice, from `first` to `last` on from the one below a place, may have a puff that
+// reaches it.
+struct Knots {
+    ivec3 first;
+    ivec3 last;
+};
+
+Knots knots_about(vec3 within)
+{
+    float reach = smoke_most_puff + 0.5 * soft_cells / smoke.boxes[turn.box].puff_cells;
+    bvec3 is_below_far = greaterThan(within + smoke_least_stray, vec3(reach));
+    bvec3 is_above_near = lessThanEqual(1.0 + smoke_least_stray - within, vec3(reach));
+    return Knots(ivec3(is_below_far) - 1, ivec3(is_above_near));
+}
+
+// How far within the deepest of the puffs about a place it is, in cells; negative outside.
 float depth_in_puffs(vec3 place)
 {
     vec3 at = (place - smoke.boxes[turn.box].puffs_risen) / smoke.boxes[turn.box].puff_cells;
-    ivec3 home = ivec3(floor(at) - smoke.boxes[turn.box].puffs_from);
+    vec3 below = floor(at);
+    ivec3 home = ivec3(below - smoke.boxes[turn.box].puffs_from);
     ivec3 counts = ivec3(smoke.boxes[turn.box].puff_counts);
+    Knots knots = knots_about(at - below);
+    ivec3 size = knots.last - knots.first + 1;
+    ivec3 aside = knots.first;
     float deepest = -1e3;
-    for (int i = 0; i < rounds(27, int(place.x)); ++i) {
-        ivec3 knot = clamp(home + ivec3(i % 3, (i / 3) % 3, i / 9) - 1, ivec3(0), counts - 1);
+    for (int i = 0; i < rounds(size.x * size.y * size.z, int(place.x)); ++i) {
+        ivec3 knot = clamp(home + aside, ivec3(0), counts - 1);
         vec4 puff = texelFetch(puff_texels, (knot.z * counts.y + knot.y) * counts.x + knot.x);
         deepest = max(deepest, puff.w > 0.0 ? puff.w - length(place - puff.xyz) : -1e3);
+        bool ends_row = aside.x == knots.last.x;
+        bool ends_plane = ends_row && aside.y == knots.last.y;
+        aside.x = ends_row ? knots.first.x : aside.x + 1;
+        aside.y = ends_plane ? knots.first.y : ends_row ? aside.y + 1 : aside.y;
+        aside.z = ends_plane ? aside.z + 1 : aside.z;
     }
     return deepest;
 }

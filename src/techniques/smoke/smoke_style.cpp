@@ -30,6 +30,23 @@ const style::Table<SmokeStyle>& smoke_table()
             .number("curl", &SmokeStyle::curl, {0.0F, 4.0F}, "", "How much its swirls are fed")
             .toggle("obstacles", &SmokeStyle::obstacles,
                     "Whether it flows around what stands in its box, as that stands when it starts")
+            .choice(
+                "solver", &SmokeStyle::solver,
+                {{"automatic", Solver::automatic},
+                 {"spectral", Solver::spectral},
+                 {"multigrid", Solver::multigrid},
+                 {"jacobi", Solver::jacobi}},
+                "How the air's pressure is found: automatic is spectral, directly, where nothing stands in "
+                "the box, and else multigrid")
+            .choice("advection", &SmokeStyle::advection,
+                    {{"automatic", Advection::automatic},
+                     {"linear", Advection::linear},
+                     {"cubic", Advection::cubic},
+                     {"maccormack", Advection::maccormack}},
+                    "How what the air carries is looked up: linear blurs, automatic is maccormack")
+            .choice("stepping", &SmokeStyle::stepping,
+                    {{"project", Stepping::project}, {"reflect", Stepping::reflect}},
+                    "Whether the air loses swirls to its steps, or keeps them at twice the price")
             .number("life_s", &SmokeStyle::life_s, {0.1F, 1000.0F}, "s",
                     "After this long a third of it is left")
             .number("thickness", &SmokeStyle::thickness, {0.1F, 100.0F}, "",

@@ -16,6 +16,11 @@ enum class Sampling : uint8_t {
     view  ///< on planes that face the eye
 };
 
+/// What takes the divergence out of what moves it, and how that carries things.
+enum class Solver : uint8_t { automatic, spectral, multigrid, jacobi };
+enum class Advection : uint8_t { automatic, linear, cubic, maccormack };
+enum class Stepping : uint8_t { project, reflect };
+
 enum class Medium : uint8_t { wash, strokes, both };
 
 struct SmokeStyle {
@@ -30,6 +35,9 @@ struct SmokeStyle {
     float wind_deg = 90.0F;
     float curl = 1.0F;
     bool obstacles = false;
+    Solver solver = Solver::automatic;
+    Advection advection = Advection::automatic;
+    Stepping stepping = Stepping::project;
     float life_s = 4.0F;
     float thickness = 6.0F;
     bool puffs = true;

@@ -73,6 +73,12 @@ void Shapes::set(std::span<const Shape> obstacles, std::span<const Source> sourc
     obstacle_count_ = static_cast<uint32_t>(obstacles.size());
 }
 
+bool Shapes::are_pushing() const
+{
+    return std::ranges::any_of(std::span(shapes_).subspan(obstacle_count_),
+                               [](const shared::FluidShape& source) { return source.push != 0.0F; });
+}
+
 void Shapes::advance(float time_s)
 {
     for (shared::FluidShape& shape : shapes_) {

@@ -54,7 +54,8 @@ public:
     [[nodiscard]] shared::FluidShapes constants(const Grid& grid, float age_s, float step_s,
                                                 uint32_t channels) const;
 
-    [[nodiscard]] bool are_any() const { return !shapes_.empty(); }
+    /// Whether a source pushes what is in it.
+    [[nodiscard]] bool are_pushing() const;
 
     [[nodiscard]] bool are_solid() const { return obstacle_count_ > 0; }
 

@@ -12,7 +12,8 @@ layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray velocity;
 layout(binding = 1) uniform sampler2DArray field;
-layout(binding = 2, r32f) writeonly uniform image2DArray out_field;
+layout(binding = 2) uniform sampler2DArray ways; // of the variant that has them
+layout(binding = 3, r32f) writeonly uniform image2DArray out_field;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -22,6 +23,17 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 #include "techniques/fluid/motion/fluid_cubic.glsl"
+#include "techniques/fluid/motion/fluid_ways.glsl"
+
+// Back along the flow.
+vec3 way_back(int component, ivec3 cell, vec3 own)
+{
+    if ((variant & fluid_bit_ways) != 0u) {
+        return way_of_node(component, cell, 0, own);
+    }
+    vec3 here = velocity_at_node(velocity, component, cell);
+    return way_along(velocity, here, cell, place_of_node(component), -advect.cells_per_speed);
+}
 
 void main()
 {
@@ -30,24 +42,21 @@ void main()
         return;
     }
     bool are_scalars = (variant & fluid_bit_scalars) != 0u;
+    vec3 own = (variant & fluid_bit_ways) != 0u ? way_of_cell(cell, 0) : vec3(0.0);
     vec3 way = vec3(0.0);
-    for (int i = 0; i < int(advect.channels); ++i) {
+    int count = are_scalars ? int(advect.channels) : fluid_dimensions();
+    for (int i = 0; i < count; ++i) {
         int component = are_scalars ? fluid_scalar : i;
         if (!are_scalars || i == 0) {
-            vec3 at = place_of_node(component);
-            vec3 here = velocity_at_node(velocity, component, cell);
-            way = way_along(velocity, here, cell, at, -advect.cells_per_speed);
+            way = way_back(component, cell, own);
         }
         int first_layer = i * int(grid.depth);
         float value;
         if ((variant & fluid_bit_cubic) == 0u) {
             value = sample_linear(field, component, cell, first_layer, way);
         } else {
-            value = sample_cubic(field, component, cell, first_layer, way);
-            if (are_scalars) {
-                vec2 range = range_of_nodes(field, component, cell, first_layer, way);
-                value = clamp(value, range.x, range.y);
-            }
+            CubicSample found = sample_cubic(field, component, cell, first_layer, way);
+            value = are_scalars ? clamp(found.value, found.range.x, found.range.y) : found.value;
         }
         value = is_on_wall(component, cell) ? 0.0 : value;
         imageStore(out_field, ivec3(cell.xy, first_layer + cell.z), vec4(value));

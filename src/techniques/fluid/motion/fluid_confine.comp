@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray curl; // see fluid_curl.comp
-layout(binding = 1, r32f) writeonly uniform image2DArray out_force;
+layout(binding = 1, rgba32f) writeonly uniform image2DArray out_force;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -22,27 +22,22 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-float curl_at(ivec3 cell, int component)
+vec4 curl_at(ivec3 cell)
 {
-    return texelFetch(curl, ivec3(cell.xy, component * int(grid.depth) + cell.z), 0).x;
+    return texelFetch(curl, cell, 0);
 }
 
 void main()
 {
-    const int size_of_curl = 3;
     ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (!is_in_grid(cell)) {
         return;
     }
     vec3 gradient;
     for (int axis = 0; axis < 3; ++axis) {
-        gradient[axis] = curl_at(neighbour(cell, axis, 1), size_of_curl) -
-                         curl_at(neighbour(cell, axis, -1), size_of_curl);
+        gradient[axis] = curl_at(neighbour(cell, axis, 1)).w - curl_at(neighbour(cell, axis, -1)).w;
     }
-    vec3 here = vec3(curl_at(cell, 0), curl_at(cell, 1), curl_at(cell, 2));
     // Towards where there is more of it, no longer than 1.
-    vec3 force = cross(gradient * inversesqrt(dot(gradient, gradient) + 1e-12), here);
-    for (int i = 0; i < 3; ++i) {
-        imageStore(out_force, ivec3(cell.xy, i * int(grid.depth) + cell.z), vec4(force[i]));
-    }
+    vec3 force = cross(gradient * inversesqrt(dot(gradient, gradient) + 1e-12), curl_at(cell).xyz);
+    imageStore(out_force, cell, vec4(force, 0.0));
 }

@@ -12,7 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const uint variant = 0u;
 
-layout(binding = 0) uniform sampler2DArray velocity;
+layout(binding = 0) uniform sampler2DArray ways;
 layout(binding = 1) uniform sampler2DArray field;
 layout(binding = 2) uniform sampler2DArray advected;
 layout(binding = 3, r32f) writeonly uniform image2DArray out_field;
@@ -24,10 +24,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/fluid/fluid_fields.glsl"
-
-// Half a step ahead the velocity is as much more as it is less half a step back, to the order of the midpoint
-// rule, which saves looking it up; but where ways differ by more than this, in cells, it is looked up.
-const float most_bend = 0.25;
+#include "techniques/fluid/motion/fluid_ways.glsl"
 
 void main()
 {
@@ -36,22 +33,19 @@ void main()
         return;
     }
     bool are_scalars = (variant & fluid_bit_scalars) != 0u;
-    vec3 back = vec3(0.0);
-    vec3 forth = vec3(0.0);
-    for (int i = 0; i < int(advect.channels); ++i) {
+    int depth = int(grid.depth);
+    vec3 own_back = way_of_cell(cell, 0);
+    vec3 own_forth = way_of_cell(cell, depth);
+    vec3 back = own_back;
+    vec3 forth = own_forth;
+    int count = are_scalars ? int(advect.channels) : fluid_dimensions();
+    for (int i = 0; i < count; ++i) {
         int component = are_scalars ? fluid_scalar : i;
-        if (!are_scalars || i == 0) {
-            vec3 at = place_of_node(component);
-            vec3 here = velocity_at_node(velocity, component, cell);
-            vec3 half_back = velocity_half_way(velocity, here, cell, at, -advect.cells_per_speed);
-            vec3 half_forth = 2.0 * here - half_back;
-            if (length(advect.cells_per_speed * (here - half_back)) > most_bend) {
-                half_forth = velocity_half_way(velocity, here, cell, at, advect.cells_per_speed);
-            }
-            back = kept_inside(-advect.cells_per_speed * half_back, cell, at);
-            forth = kept_inside(advect.cells_per_speed * half_forth, cell, at);
+        if (!are_scalars) {
+            back = way_of_node(component, cell, 0, own_back);
+            forth = way_of_node(component, cell, depth, own_forth);
         }
-        int first_layer = i * int(grid.depth);
+        int first_layer = i * depth;
         ivec3 texel = ivec3(cell.xy, first_layer + cell.z);
         float returned = sample_linear(advected, component, cell, first_layer, forth);
         float value = texelFetch(advected, texel, 0).x + 0.5 * (texelFetch(field, texel, 0).x - returned);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell of a volume: vorticity in its middle, of unit cells, component by component, and how much
-// it is.
+// One thread a cell of a volume: vorticity in its middle, of unit cells, and how much it is. What lies
+// between two faces along an axis is their mean.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,7 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray velocity;
-layout(binding = 1, r32f) writeonly uniform image2DArray out_curl;
+layout(binding = 1, rgba32f) writeonly uniform image2DArray out_curl;
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -21,19 +21,18 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 
-float speed_in(ivec3 cell, int component)
+// Four faces of `component` in a slice, from `low` on: 00, 10, 01, 11.
+vec4 faces(int component, ivec2 low, int slice)
 {
-    int first = component * int(grid.depth);
-    ivec3 next = neighbour(cell, component, 1);
-    return 0.5 * (texelFetch(velocity, ivec3(cell.xy, first + cell.z), 0).x +
-                  texelFetch(velocity, ivec3(next.xy, first + next.z), 0).x);
-}
-
-// How much a component grows from cell to cell along an axis.
-float growth(ivec3 cell, int component, int axis)
-{
-    return 0.5 *
-           (speed_in(neighbour(cell, axis, 1), component) - speed_in(neighbour(cell, axis, -1), component));
+    int inside = layer_of_slice(slice);
+    vec4 nodes = plane_nodes(velocity, component, low, component * int(grid.depth) + inside);
+    if (is_periodic(2) || inside == slice) {
+        return nodes;
+    }
+    bool is_high = slice > 0;
+    return component == 2 ? vec4(0.0)
+                          : vec4(beyond_wall(nodes.xy, component, 2, is_high),
+                                 beyond_wall(nodes.zw, component, 2, is_high));
 }
 
 void main()
@@ -42,12 +41,25 @@ void main()
     if (!is_in_grid(cell)) {
         return;
     }
-    vec3 whole;
-    for (int i = 0; i < 3; ++i) {
-        int next = (i + 1) % 3;
-        int last = (i + 2) % 3;
-        whole[i] = growth(cell, last, next) - growth(cell, next, last);
-        imageStore(out_curl, ivec3(cell.xy, i * int(grid.depth) + cell.z), vec4(whole[i]));
-    }
-    imageStore(out_curl, ivec3(cell.xy, 3 * int(grid.depth) + cell.z), vec4(length(whole)));
+    ivec2 low = cell.xy - 1;
+    ivec2 right = low + ivec2(1, 0);
+    ivec2 above = low + ivec2(0, 1);
+    vec4 x_behind = faces(0, cell.xy, cell.z - 1);
+    vec4 x_below = faces(0, right, cell.z);
+    vec4 x_here = faces(0, cell.xy, cell.z);
+    vec4 x_before = faces(0, cell.xy, cell.z + 1);
+    vec4 y_behind = faces(1, cell.xy, cell.z - 1);
+    vec4 y_left = faces(1, above, cell.z);
+    vec4 y_here = faces(1, cell.xy, cell.z);
+    vec4 y_before = faces(1, cell.xy, cell.z + 1);
+    vec4 z_low = faces(2, low, cell.z) + faces(2, low, cell.z + 1);
+    vec4 z_here = faces(2, cell.xy, cell.z) + faces(2, cell.xy, cell.z + 1);
+    float y_along_x = y_here.y + y_here.w - y_left.x - y_left.z;
+    float x_along_y = x_here.z + x_here.w - x_below.x - x_below.y;
+    float x_along_z = x_before.x + x_before.y - x_behind.x - x_behind.y;
+    float y_along_z = y_before.x + y_before.z - y_behind.x - y_behind.z;
+    float z_along_x = z_here.y - z_low.z;
+    float z_along_y = z_here.z - z_low.y;
+    vec3 whole = 0.25 * vec3(z_along_y - y_along_z, x_along_z - z_along_x, y_along_x - x_along_y);
+    imageStore(out_curl, cell, vec4(whole, length(whole)));
 }

@@ -41,12 +41,10 @@ float buoyancy(ivec3 cell)
 // At the faces of a cell of a volume towards its lower neighbours.
 vec3 confining_force_of_volume(ivec3 cell)
 {
+    vec3 here = texelFetch(confining, cell, 0).xyz;
     vec3 force;
     for (int axis = 0; axis < 3; ++axis) {
-        int first = axis * int(grid.depth);
-        ivec3 below = neighbour(cell, axis, -1);
-        force[axis] = 0.5 * (texelFetch(confining, ivec3(cell.xy, first + cell.z), 0).x +
-                             texelFetch(confining, ivec3(below.xy, first + below.z), 0).x);
+        force[axis] = 0.5 * (here[axis] + texelFetch(confining, neighbour(cell, axis, -1), 0)[axis]);
     }
     return force;
 }

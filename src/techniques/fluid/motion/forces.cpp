@@ -16,12 +16,12 @@ gpu::ImageId confining_force(gpu::Graph& graph, const Grid& grid, gpu::ImageId v
 {
     auto curl_pass = graph.compute("fluid/curl", shaders::fluid_curl_comp);
     curl_pass.sample(velocity);
-    const gpu::ImageId curl = curl_pass.write(graph.image("fluid/curl", field_desc(grid, 4)));
+    const gpu::ImageId curl = curl_pass.write(graph.image("fluid/curl", vectors_desc(grid, 1)));
     curl_pass.push(grid_constants(grid)).variant(grid_bits(grid));
     dispatch_over_cells(curl_pass, grid);
     auto pass = graph.compute("fluid/confine", shaders::fluid_confine_comp);
     pass.sample(curl);
-    const gpu::ImageId force = pass.write(graph.image("fluid/confining", velocity_desc(grid)));
+    const gpu::ImageId force = pass.write(graph.image("fluid/confining", vectors_desc(grid, 1)));
     pass.push(grid_constants(grid)).variant(grid_bits(grid));
     dispatch_over_cells(pass, grid);
     return force;

@@ -30,14 +30,14 @@ layout(push_constant, scalar) uniform Constants
 // rows themselves run along x.
 ivec3 start_of(int pair)
 {
-    int number = (int(gl_WorkGroupID.x) << transform.log_pairs) + pair;
-    int width = int(transform.width);
-    if (axis_of_rows() == 0) {
-        return ivec3(0, 2 * number % int(transform.height), 2 * number / int(transform.height));
-    }
-    int across = number / (width / 2);
-    ivec3 start = ivec3(2 * (number % (width / 2)), 0, 0);
-    return axis_of_rows() == 1 ? start + ivec3(0, 0, across) : start + ivec3(0, across, 0);
+    // Sides are powers of two.
+    int first = 2 * ((int(gl_WorkGroupID.x) << transform.log_pairs) + pair);
+    int side = int(axis_of_rows() == 0 ? transform.height : transform.width);
+    int within = first & (side - 1);
+    int across = first >> findMSB(side);
+    return axis_of_rows() == 0   ? ivec3(0, within, across)
+           : axis_of_rows() == 1 ? ivec3(within, 0, across)
+                                 : ivec3(within, across, 0);
 }
 
 int index_of(ivec3 cell)
@@ -87,29 +87,47 @@ void write_rows()
     }
 }
 
+// Coefficients k and n - k, of which the first alone stands for itself where k is 0 or half of n, come of one
+// frequency.
+bool is_first_of_two(int k)
+{
+    return 2 * k <= row_length();
+}
+
+bool has_other(int k)
+{
+    return k > 0 && 2 * k < row_length();
+}
+
 void write_coefficients()
 {
     int n = row_length();
     for (int i = int(gl_LocalInvocationIndex); i < numbers_in_group(); i += transform_threads) {
         ivec2 work = work_of(i);
-        int low = min(work.y, n - work.y);
-        vec2 first;
-        vec2 second;
-        untangle(work.x, low, first, second);
-        first = times(first, turn_of(low));
-        second = times(second, turn_of(low));
-        int at = place_of_number(work.x, work.y);
-        out_numbers[at] = low == work.y ? first.x : -first.y;
-        out_numbers[at + to_second_row()] = low == work.y ? second.x : -second.y;
+        if (is_first_of_two(work.y)) {
+            vec2 first;
+            vec2 second;
+            untangle(work.x, work.y, first, second);
+            first = times(first, turn_of(work.y));
+            second = times(second, turn_of(work.y));
+            int at = place_of_number(work.x, work.y);
+            out_numbers[at] = first.x;
+            out_numbers[at + to_second_row()] = second.x;
+            if (has_other(work.y)) {
+                int at_other = place_of_number(work.x, n - work.y);
+                out_numbers[at_other] = -first.y;
+                out_numbers[at_other + to_second_row()] = -second.y;
+            }
+        }
     }
 }
 
-// A(low) from coefficients `low`, and n - `low`, which stand at two places.
-vec2 from_coefficients(int low, int at_low, int at_high)
+// A(k) from coefficients k and n - k, which stand at two places.
+vec2 from_coefficients(int k, int at, int at_other)
 {
-    bool is_real = low == 0 || 2 * low == row_length() && !has_walls();
-    vec2 turned = vec2(texelFetch(numbers, at_low).x, is_real ? 0.0 : -texelFetch(numbers, at_high).x);
-    return times(turned, conjugate(turn_of(low)));
+    bool is_real = k == 0 || 2 * k == row_length() && !has_walls();
+    vec2 turned = vec2(texelFetch(numbers, at).x, is_real ? 0.0 : -texelFetch(numbers, at_other).x);
+    return times(turned, conjugate(turn_of(k)));
 }
 
 void read_coefficients()
@@ -117,13 +135,17 @@ void read_coefficients()
     int n = row_length();
     for (int i = int(gl_LocalInvocationIndex); i < numbers_in_group(); i += transform_threads) {
         ivec2 work = work_of(i);
-        int low = min(work.y, n - work.y);
-        int at_low = place_of_number(work.x, low);
-        int at_high = place_of_number(work.x, (n - low) & (n - 1));
-        vec2 first = from_coefficients(low, at_low, at_high);
-        vec2 second = from_coefficients(low, at_low + to_second_row(), at_high + to_second_row());
-        vec2 both = low == work.y ? first + times_i(second) : conjugate(first) + times_i(conjugate(second));
-        put_number(place_of_frequency(work.x, work.y), both);
+        if (is_first_of_two(work.y)) {
+            int at = place_of_number(work.x, work.y);
+            int at_other = place_of_number(work.x, (n - work.y) & (n - 1));
+            vec2 first = from_coefficients(work.y, at, at_other);
+            vec2 second = from_coefficients(work.y, at + to_second_row(), at_other + to_second_row());
+            put_number(place_of_frequency(work.x, work.y), first + times_i(second));
+            if (has_other(work.y)) {
+                put_number(place_of_frequency(work.x, n - work.y),
+                           conjugate(first) + times_i(conjugate(second)));
+            }
+        }
     }
     barrier();
 }
@@ -164,7 +186,7 @@ void divide()
     for (int i = int(gl_LocalInvocationIndex); i < numbers_in_group(); i += transform_threads) {
         int pair = i >> transform.log_length;
         int k = i & (n - 1);
-        if (2 * k <= n) {
+        if (is_first_of_two(k)) {
             vec2 first;
             vec2 second;
             untangle(pair, k, first, second);
@@ -172,7 +194,7 @@ void divide()
             first = divided(first, stiffness_across(start), k);
             second = divided(second, stiffness_across(start + ivec3(1, 0, 0)), k);
             put_number(place_of_frequency(pair, k), first + times_i(second));
-            if (k > 0 && 2 * k < n) {
+            if (has_other(k)) {
                 put_number(place_of_frequency(pair, n - k), conjugate(first) + times_i(conjugate(second)));
             }
         }

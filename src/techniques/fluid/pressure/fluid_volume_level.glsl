@@ -21,7 +21,10 @@ ivec3 neighbour(ivec3 cell, int axis, int step)
     int size = level_size()[axis];
     bool wraps = (variant & (fluid_bit_periodic << axis)) != 0u;
     int place = cell[axis] + step;
-    cell[axis] = place >= 0 && place < size ? place : wraps ? (place + size) % size : cell[axis];
+    cell[axis] = place >= 0 && place < size ? place
+                 : !wraps                   ? cell[axis]
+                 : place < 0                ? place + size
+                                            : place - size;
     return cell;
 }
 

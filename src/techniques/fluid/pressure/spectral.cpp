@@ -38,7 +38,10 @@ public:
     {
         const uint32_t length = grid_.cells[static_cast<int>(axis)];
         const auto pairs = static_cast<uint32_t>(grid_.cell_count() / length / 2);
-        const uint32_t at_once = std::clamp(shared::fluid_transform_pairs / length, 1U, pairs);
+        // Numbers of eight pairs side by side are 64 bytes in a row; more would leave fewer workgroups.
+        constexpr uint32_t most_at_once = 8;
+        const uint32_t at_once =
+            std::min(std::clamp(shared::fluid_transform_pairs / length, 1U, pairs), most_at_once);
         auto pass = graph_.compute(name, shaders::fluid_rows_comp);
         pass.sample(numbers, gpu::Format::r32f).sample(angles_, gpu::Format::rg32ui);
         const gpu::BufferId out =
