@@ -8,6 +8,7 @@
 #include "frame/particles.hpp"
 #include "frame/plan.hpp"
 #include "frame/style_tables.hpp"
+#include "frame/sun_casters.hpp"
 #include "frame/surface_map.hpp"
 #include "frame/tonal_maps.hpp"
 #include "frame/vectors.hpp"
@@ -73,6 +74,7 @@ struct FrameResources {
     SurfaceMap* scatter_map = nullptr;      ///< that light spreads in
     gpu::Buffer& map_frame;                 ///< then: FrameGlobals, of a page as large as the map
     motion_blur::TogetherBuffers& together; ///< where meshes are drawn out
+    std::span<const StillCaster> still_casters;
     GroundShadow& ground_shadow;
     MovingCloth* cloth;               ///< where the scene has any
     terrain::TerrainBuffers* terrain; ///< where the scene has one

@@ -209,6 +209,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .scatter_map = map_of(*loaded, plan.scatter_texels),
                                     .map_frame = map_frame_globals,
                                     .together = loaded->together,
+                                    .still_casters = loaded->still_casters,
                                     .ground_shadow = ground_shadow,
                                     .cloth = loaded->cloth.get(),
                                     .terrain = loaded->terrain.get(),
