@@ -33,6 +33,7 @@ struct Typed {
     std::string camera;
     std::string style;
     std::vector<std::string> assignments;
+    bool draft = false;
     std::string from;
     std::string brush;
     std::string preview;
@@ -87,6 +88,9 @@ void add_look_options(CLI::App& command, Typed& typed)
     add_set_option(
         command, typed,
         "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)");
+    command.add_flag("--draft", typed.draft,
+                     "Quicker and coarser: one layer of strokes, wide cells of ink and\nsmoke, small shadow "
+                     "maps, fewer kinds of lines");
     command
         .add_option("--seed", typed.seed, "Of a scene that is made by chance: another number, another temple")
         ->type_name("N")
@@ -305,8 +309,11 @@ DrawOptions read_draw_options(const Typed& typed)
     check_device(typed.device);
     draw.device.device = typed.device;
     draw.device.raster = parse_raster_path(typed.raster);
-    draw.style = read_style(typed.style, typed.assignments);
-    draw.assignments = typed.assignments;
+    if (typed.draft) { // what is set says more
+        draw.assignments.assign(draft_assignments.begin(), draft_assignments.end());
+    }
+    draw.assignments.insert(draw.assignments.end(), typed.assignments.begin(), typed.assignments.end());
+    draw.style = read_style(typed.style, draw.assignments);
     if (draw.page.height_mm) {
         check_page_is_free(typed.assignments);
         draw.style.set(fmt::format("paper.height_mm={}", *draw.page.height_mm));

@@ -8,6 +8,7 @@
 #include "frame/particles.hpp"
 #include "frame/plan.hpp"
 #include "frame/style_tables.hpp"
+#include "frame/sun_casters.hpp"
 #include "frame/surface_map.hpp"
 #include "frame/tonal_maps.hpp"
 #include "frame/vectors.hpp"
@@ -74,6 +75,7 @@ struct FrameResources {
     gpu::Buffer& map_frame;                 ///< then: FrameGlobals, of a page as large as the map
     gpu::Buffer& half_frame;                ///< FrameGlobals of every second pixel each way
     motion_blur::TogetherBuffers& together; ///< where meshes are drawn out
+    std::span<const StillCaster> still_casters;
     GroundShadow& ground_shadow;
     MovingCloth* cloth;               ///< where the scene has any
     terrain::TerrainBuffers* terrain; ///< where the scene has one

@@ -198,6 +198,7 @@ void lay_out(gpu::Device& device, LoadedScene& loaded)
     loaded.has_plain_links = pose::has_plain_links(loaded.layout);
     loaded.stroke_kinds.clear();
     loaded.line_meshes.forget();
+    loaded.still_casters = still_casters(loaded.layout, loaded.scene);
     loaded.discs = {};
     loaded.disc_map = {};
     loaded.surface_maps.clear();

@@ -16,6 +16,7 @@
 #include "frame/line_meshes.hpp"
 #include "frame/moving_cloth.hpp"
 #include "frame/placed_nodes.hpp"
+#include "frame/sun_casters.hpp"
 #include "frame/surface_map.hpp"
 #include "techniques/light/light.hpp"
 #include "techniques/motion_blur/stretch.hpp"
@@ -40,6 +41,7 @@ struct LoadedScene {
     LightingOfScene styled_lighting;        ///< as `scene` has it now
     std::optional<LightingWords> styled_by; ///< what made that of the file's, unless that has changed since
     pose::MeshData layout;
+    std::vector<StillCaster> still_casters; ///< of that
     pose::MeshBuffers meshes;
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;

@@ -212,6 +212,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .map_frame = map_frame_globals,
                                     .half_frame = half_frame_globals,
                                     .together = loaded->together,
+                                    .still_casters = loaded->still_casters,
                                     .ground_shadow = ground_shadow,
                                     .cloth = loaded->cloth.get(),
                                     .terrain = loaded->terrain.get(),

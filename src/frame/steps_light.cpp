@@ -17,10 +17,14 @@ gpu::BufferId sun_map_of(const Making& making, const PosedScene& scene)
     const FramePlan& plan = making.plan;
     // The ground receives but does not throw.
     std::vector<raster::Batch>& casters = making.resources.frame_lists.casters;
-    list_casters(making.layout, plan.sun.casters, Casters::all, casters);
+    list_casters(making.layout, plan.sun.casters, plan.sun.map.clipmap ? Casters::moving : Casters::all,
+                 casters);
     return add_sun_map(making.graph,
                        {.raster = scene.meshes,
                         .casters = casters,
+                        .still = making.resources.still_casters,
+                        .groups = plan.sun.casters,
+                        .anchor = making.layout.anchor,
                         .plan = plan.sun.map,
                         .work = making.sample.sun_map,
                         .path = plan.raster.path,

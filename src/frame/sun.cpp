@@ -134,6 +134,19 @@ void SunMap::drawn(const SunMapPlan& plan)
     }
 }
 
+namespace {
+
+std::vector<raster::Batch> casters_of(const SunMapInputs& in, const shadow::Piece& piece)
+{
+    // A batch costs a GPU several dispatches, and a processor next to nothing.
+    const size_t most = in.path == RasterPath::compute ? 6 : 24;
+    std::vector<raster::Batch> casters(in.casters.begin(), in.casters.end());
+    add_casters_within(piece, *in.plan.clipmap, in.anchor, in.still, in.groups, most, casters);
+    return casters;
+}
+
+} // namespace
+
 gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, gpu::BufferId map)
 {
     const SunMapPlan& plan = in.plan;
@@ -159,8 +172,8 @@ gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, gpu::Buffer
         for (const shadow::PieceHome& home : shadow::homes(*plan.clipmap, piece)) {
             parts.push_back({.from_px = home.from, .size_px = home.size, .first_texel = home.texel});
         }
-        map = raster::add_depth_parts(graph, "shadow", by_sun, in.casters, view, parts, plan.clipmap->size,
-                                      map);
+        map = raster::add_depth_parts(graph, "shadow", by_sun, casters_of(in, piece), view, parts,
+                                      plan.clipmap->size, map);
     }
     return map;
 }

@@ -10,6 +10,7 @@
 
 #include "frame/strokes.hpp"
 #include "frame/style_tables.hpp"
+#include "frame/sun_casters.hpp"
 #include "frame/view.hpp"
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
@@ -81,7 +82,10 @@ private:
 
 struct SunMapInputs {
     const raster::RasterInputs& raster;
-    std::span<const raster::Batch> casters;
+    std::span<const raster::Batch> casters; ///< for a clipmap those that move alone
+    std::span<const StillCaster> still;     ///< and the others
+    Groups groups = all_groups;             ///< of those that the sun shadows
+    glm::dvec3 anchor{0.0};
     const SunMapPlan& plan;
     const SunMapWork& work;
     RasterPath path = RasterPath::compute; ///< never automatic
@@ -92,7 +96,7 @@ struct SunMapInputs {
 /// Draws what is to be drawn of the map, and hands it back.
 ///
 /// Cost    nothing where nothing is to be drawn; else that of raster::add_depth(), of a clipmap for each
-/// piece
+/// piece, of what stands still only what is seen there
 [[nodiscard]] gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, gpu::BufferId map);
 
 } // namespace estampe::frame

@@ -141,6 +141,14 @@ expect_error 2 '--plotter: goes with strokes alone' render scene.glb -o a.png --
 expect_error 2 '--hidden: goes with strokes alone' render scene.glb -o a.png --hidden
 expect_error 2 '--samples: goes with pictures alone' render scene.glb -o a.svg --samples 2
 
+# A draft is coarser, and what is set goes over it
+expect_success render scene.glb -o fine.png --style engraving --size 64x48 --device cpu
+expect_success render scene.glb -o draft.png --style engraving --size 64x48 --device cpu --draft
+expect_success render scene.glb -o set.png --style engraving --size 64x48 --device cpu --draft --set hatch.layers=3
+! cmp -s fine.png draft.png || wrong "a draft is no coarser"
+! cmp -s set.png draft.png || wrong "what is set does not go over a draft"
+rm -f fine.png draft.png set.png
+
 # A typing mistake in a key that there is gets the right one suggested
 key="$("$estampe" --help-style | awk '$1 ~ /\./ && !found { print $1; found = 1 }')"
 expect_error 2 "did you mean \"$key\"" render scene.glb -o a.png --set "${key}x=1"

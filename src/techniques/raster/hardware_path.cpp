@@ -97,22 +97,36 @@ Culled add_cull(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in
     return {listed, arguments};
 }
 
+/// Draws from a list of triangles.
+gpu::Pass begin_listed_draw(gpu::Graph& graph, const gpu::Name& name, bool depth_only, bool tests_sides,
+                            bool behind)
+{
+    if (behind) {
+        return graph.raster(name, shaders::corner_listed_behind_vert, shaders::draw_behind_frag);
+    }
+    if (depth_only && !tests_sides) {
+        return graph.raster(name, shaders::corner_listed_vert);
+    }
+    return graph.raster(name, shaders::corner_listed_vert,
+                        depth_only ? shaders::draw_depth_frag : shaders::draw_ids_frag);
+}
+
 /// A batch of many triangles without masks: drawn from a list of those that may be seen.
 void add_culled_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in, const Batch& batch,
-                      const View& view, Attachments& to)
+                      const View& view, bool depth_only, Attachments& to)
 {
     const Culled culled = add_cull(graph, name, in, batch, view);
     const bool tests_sides = view.cull_back_faces && !batch.plain;
-    auto pass = view.behind
-                    ? graph.raster(name, shaders::corner_listed_behind_vert, shaders::draw_behind_frag)
-                    : graph.raster(name, shaders::corner_listed_vert, shaders::draw_ids_frag);
+    auto pass = begin_listed_draw(graph, name, depth_only, tests_sides, view.behind.has_value());
     pass.sample(in.triangles).sample(in.posed_vertices);
     if (view.behind) {
         bind_masks(pass, in);
         pass.read(*view.behind);
     }
     pass.sample(culled.listed, gpu::Format::r32ui);
-    to.words = pass.color(to.words);
+    if (!depth_only) {
+        to.words = pass.color(to.words);
+    }
     to.depth = pass.depth(to.depth);
     if (view.cull_back_faces && !tests_sides) {
         pass.cull_back_faces();
@@ -187,10 +201,8 @@ Attachments draw_batches(gpu::Graph& graph, const gpu::Name& name, const RasterI
     };
     Attachments to{image("/words", gpu::Format::rg32ui), image("/depth", gpu::Format::depth32f)};
     for (const Batch& batch : batches) {
-        const bool is_culled =
-            batch.triangle_count >= view.tuning.culled_from && !batch.masked && !depth_only;
-        if (is_culled) {
-            add_culled_batch(graph, name + "/draw", in, batch, view, to);
+        if (batch.triangle_count >= view.tuning.culled_from && !batch.masked) {
+            add_culled_batch(graph, name + "/draw", in, batch, view, depth_only, to);
         } else if (batch.triangle_count > 0) {
             add_batch(graph, name + (batch.masked ? "/masked/draw" : "/draw"), in, batch, view, depth_only,
                       to);
