@@ -48,6 +48,24 @@ const bool has_screen = (variant & wash_has_screen) != 0u;
 const bool has_background = (variant & wash_has_background) != 0u;
 const bool is_of_one_look = (variant & wash_is_of_one_look) != 0u;
 
+float darkness_at(ivec2 pixel)
+{
+    float open = texelFetch(color_image, pixel, 0).a;
+    return darkness(constants.tone, occluded(constants.tone, texelFetch(light_image, pixel, 0).a, open), 1.0);
+}
+
+// How fast the darkness rises there, a pixel: of each axis the gentler side, as beyond the other there may be
+// something else.
+float steepness(ivec2 pixel, float dark)
+{
+    ivec2 last = ivec2(frame.size_px) - 1;
+    vec2 before = vec2(darkness_at(ivec2(max(pixel.x - 1, 0), pixel.y)),
+                       darkness_at(ivec2(pixel.x, max(pixel.y - 1, 0))));
+    vec2 after = vec2(darkness_at(ivec2(min(pixel.x + 1, last.x), pixel.y)),
+                      darkness_at(ivec2(pixel.x, min(pixel.y + 1, last.y))));
+    return length(min(abs(before - dark), abs(after - dark)));
+}
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -77,9 +95,14 @@ void main()
         color = mix(vec3(1.0), color, mix(constants.neutral, 1.0, smoothstep(0.0, 0.3, saturation)));
         vec4 light = texelFetch(light_image, pixel, 0);
         float dark = darkness(constants.tone, occluded(constants.tone, light.a, stored.a), 1.0);
-        // The edge of the second wash wanders a little, as a loaded brush does.
-        float waver =
-            0.05 * (value_noise(page_place(frame, vec2(pixel)) / (0.9 * frame.pixels_per_mm), 5u) - 0.5);
+        // The edge of the second wash wanders a little, as a loaded brush does; never so far that it breaks
+        // up into spots where light falls off slowly.
+        float waver = 0.0;
+        if (abs(dark - constants.shadow_from) < constants.softness + 0.026) {
+            float grain_px = 0.9 * frame.pixels_per_mm;
+            float most = min(0.05, steepness(pixel, dark) * max(grain_px, 1.0));
+            waver = most * (value_noise(page_place(frame, vec2(pixel)) / grain_px, 5u) - 0.5);
+        }
         float shadow = smoothstep(constants.shadow_from - constants.softness,
                                   constants.shadow_from + constants.softness, dark + waver);
         vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // darkness has none

@@ -186,6 +186,31 @@ TEST(Wash, StepsIntoShadowOnceAndWandersLittle)
     EXPECT_NE(*std::ranges::min_element(edges), *std::ranges::max_element(edges)) << "it does wander";
 }
 
+TEST(Wash, ItsEdgeStaysWholeWhereLightFallsOffSlowly)
+{
+    // Darkness rises by 0.002 a pixel: 0.025 of it either way are half of the page.
+    Page page;
+    const WashStyle style = [] {
+        WashStyle hard = strong();
+        hard.softness = 0.001F;
+        return hard;
+    }();
+    page.light = [&](glm::uvec2 pixel) {
+        const float from_middle = static_cast<float>(pixel.x) - 0.5F * static_cast<float>(size_px.x);
+        return glm::vec4(1.0F - style.shadow_from - 0.002F * from_middle);
+    };
+    const auto wash = paint(page, style);
+    const float half = 0.5F * (red.x + red.x * style.shadow_tint.x);
+    int turns = 0;
+    for (uint32_t y = 0; y < size_px.y; ++y) {
+        for (uint32_t x = 1; x < size_px.x; ++x) {
+            const bool is_dark = wash[y * size_px.x + x].x < half;
+            turns += is_dark != (wash[y * size_px.x + x - 1].x < half) ? 1 : 0;
+        }
+    }
+    EXPECT_LE(turns, static_cast<int>(2 * size_px.y)) << "one edge a row, and few spots";
+}
+
 TEST(Wash, TakesHalfOfTheLightsHue)
 {
     Page page;
