@@ -52,7 +52,7 @@ draws "$folder/found/installed"
 # asks WORDS: whether find_package(estampe WORDS) is content
 asks() {
     printf 'cmake_minimum_required(VERSION 3.25)\nproject(asks LANGUAGES CXX)\nfind_package(estampe %s REQUIRED)\n' "$1" >"$folder/CMakeLists.txt"
-    "$cmake" -S "$folder" -B "$folder/asked" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null 2>&1
+    "$cmake" -G Ninja -S "$folder" -B "$folder/asked" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null 2>&1
 }
 asks "0.1 COMPONENTS bake" || wrong "the component bake is not found"
 ! asks 9 || wrong "version 9 is found"
