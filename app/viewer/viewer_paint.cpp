@@ -6,12 +6,26 @@
 #include <cmath>
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <backends/imgui_impl_glfw.h>
 
 #include "viewer/texture_id.hpp"
 
 namespace estampe::viewer {
+namespace {
+
+/// From version 1.87 on Dear ImGui takes quick typing a key a frame: what is left needs frames of its own.
+bool has_input_left()
+{
+#if IMGUI_VERSION_NUM >= 18700
+    return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
+#else
+    return false;
+#endif
+}
+
+} // namespace
 
 void Viewer::apply_scale()
 {
@@ -89,6 +103,9 @@ void Viewer::lay_out()
         show_keys(studio_, area, ui_scale_);
     }
     ImGui::Render();
+    if (has_input_left()) {
+        frames_to_paint_ = 3;
+    }
 }
 
 void Viewer::paint()
