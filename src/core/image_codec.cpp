@@ -135,7 +135,7 @@ Picture decode_png(std::span<const std::byte> data, const std::string& name)
             fmt::format("corrupt PNG: {} x {} pixels cannot come from {} bytes", width, height, data.size()),
             name);
     }
-    Picture image = make_image<Picture>(width, height, name);
+    auto image = make_image<Picture>(width, height, name);
     for (uint64_t row = 0; row < height; ++row) {
         reader.rows.push_back(reinterpret_cast<png_bytep>(image.rgba.data() + row * width * 4));
     }
