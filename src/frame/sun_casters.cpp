@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -78,9 +79,14 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
                         std::vector<raster::Batch>& batches)
 {
     const size_t first = batches.size();
+    std::vector<bool> bars; // of each batch: what lies before it may be seen, but throws no shadow
+    bool is_barred = false;
     for (const StillCaster& caster : still) {
-        const bool is_there = caster.place.empty() || is_within(caster.place, anchor, clipmap, piece);
-        if ((caster.groups & groups) == 0 || !is_there) {
+        if (!caster.place.empty() && !is_within(caster.place, anchor, clipmap, piece)) {
+            continue;
+        }
+        if ((caster.groups & groups) == 0) {
+            is_barred = true;
             continue;
         }
         const bool goes_on =
@@ -89,7 +95,9 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
             batches.back().first_triangle + batches.back().triangle_count == caster.range.first;
         if (goes_on) {
             batches.back().triangle_count += caster.range.count;
+            batches.back().plain = batches.back().plain && caster.range.plain;
         } else {
+            bars.push_back(std::exchange(is_barred, false));
             batches.push_back({.first_triangle = caster.range.first,
                                .triangle_count = caster.range.count,
                                .masked = caster.masked,
@@ -99,7 +107,8 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
     }
     const auto gap_before = [&](size_t i) {
         const raster::Batch& before = batches[i - 1];
-        const bool is_one_kind = before.masked == batches[i].masked && before.groups == batches[i].groups;
+        const bool is_one_kind =
+            before.masked == batches[i].masked && before.groups == batches[i].groups && !bars[i - first];
         return is_one_kind ? batches[i].first_triangle - before.first_triangle - before.triangle_count : ~0U;
     };
     while (batches.size() > first + most) {
@@ -111,7 +120,9 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
             return;
         }
         batches[shortest - 1].triangle_count += gap_before(shortest) + batches[shortest].triangle_count;
+        batches[shortest - 1].plain = batches[shortest - 1].plain && batches[shortest].plain;
         batches.erase(batches.begin() + static_cast<std::ptrdiff_t>(shortest));
+        bars.erase(bars.begin() + static_cast<std::ptrdiff_t>(shortest - first));
     }
 }
 

@@ -90,6 +90,30 @@ TEST(SunCasters, TooManyBatchesAreDrawnTogether)
     EXPECT_EQ(seen.about(14.0, 3, {64, 64}, 1).front().triangle_count, 7U * 12U);
 }
 
+TEST(SunCasters, WhatThrowsNoShadowIsNotDrawnWithItsNeighbours)
+{
+    Seen seen(3);
+    seen.still[1].groups = 0;
+    const auto apart = seen.about(4.0, 3, {64, 64}, 1);
+    ASSERT_EQ(apart.size(), 2U);
+    EXPECT_EQ(apart[0].triangle_count + apart[1].triangle_count, 24U);
+}
+
+TEST(SunCasters, TwoSidedThingsAreNotTakenForPlainOnes)
+{
+    for (const bool is_apart : {false, true}) {
+        Seen seen(3);
+        ASSERT_TRUE(seen.still[0].range.plain);
+        seen.still[2].range.plain = false;
+        if (is_apart) {
+            seen.still[1].place = {.min = {900.0, 0.0, 0.0}, .max = {901.0, 1.0, 1.0}};
+        }
+        const auto together = seen.about(4.0, 3, {64, 64}, 1);
+        ASSERT_EQ(together.size(), 1U);
+        EXPECT_FALSE(together[0].plain);
+    }
+}
+
 TEST(SunCasters, WhatMayMoveIsNotAmongThem)
 {
     Scene scene = row_of_boxes(3);
