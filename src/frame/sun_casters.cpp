@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -79,14 +78,14 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
                         std::vector<raster::Batch>& batches)
 {
     const size_t first = batches.size();
-    std::vector<bool> bars; // of each batch: what lies before it may be seen, but throws no shadow
-    bool is_barred = false;
+    std::vector<bool> bars; // of each batch: not all before it is a caster that the piece does not show
+    uint32_t passed_triangles = 0; // of such casters, since the last that it shows
     for (const StillCaster& caster : still) {
         if (!caster.place.empty() && !is_within(caster.place, anchor, clipmap, piece)) {
+            passed_triangles += caster.range.count;
             continue;
         }
         if ((caster.groups & groups) == 0) {
-            is_barred = true;
             continue;
         }
         const bool goes_on =
@@ -97,13 +96,16 @@ void add_casters_within(const shadow::Piece& piece, const shadow::Clipmap& clipm
             batches.back().triangle_count += caster.range.count;
             batches.back().plain = batches.back().plain && caster.range.plain;
         } else {
-            bars.push_back(std::exchange(is_barred, false));
+            const uint32_t end =
+                bars.empty() ? 0 : batches.back().first_triangle + batches.back().triangle_count;
+            bars.push_back(caster.range.first - end != passed_triangles);
             batches.push_back({.first_triangle = caster.range.first,
                                .triangle_count = caster.range.count,
                                .masked = caster.masked,
                                .plain = caster.range.plain,
                                .groups = caster.groups});
         }
+        passed_triangles = 0;
     }
     const auto gap_before = [&](size_t i) {
         const raster::Batch& before = batches[i - 1];

@@ -97,6 +97,8 @@ TEST(SunCasters, WhatThrowsNoShadowIsNotDrawnWithItsNeighbours)
     const auto apart = seen.about(4.0, 3, {64, 64}, 1);
     ASSERT_EQ(apart.size(), 2U);
     EXPECT_EQ(apart[0].triangle_count + apart[1].triangle_count, 24U);
+    seen.still.erase(seen.still.begin() + 1); // it is no caster that stands still
+    EXPECT_EQ(seen.about(4.0, 3, {64, 64}, 1).size(), 2U);
 }
 
 TEST(SunCasters, TwoSidedThingsAreNotTakenForPlainOnes)
