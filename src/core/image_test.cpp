@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -111,6 +112,24 @@ TEST(Image, saving_replaces_the_old_file)
     save_png(gradient(3, 3), folder / "a.png");
     save_png(gradient(5, 2), folder / "a.png");
     EXPECT_EQ(load_image(folder / "a.png"), gradient(5, 2));
+}
+
+TEST(Image, png_of_many_strips_comes_back_whole)
+{
+    // Rows of a prime number of pixels, so that no strip ends where another buffer would; noise over a ramp.
+    std::mt19937 random(7);
+    Image image = gradient(1009, 1201);
+    for (size_t i = 0; i < image.rgba.size() / 2; ++i) {
+        image.rgba[2 * i] = static_cast<uint8_t>(random());
+    }
+    EXPECT_EQ(decode_image(encode_png(image), "a"), image);
+    std::vector<uint16_t> deep(size_t{1009} * 701 * 3);
+    std::ranges::generate(deep, [&] { return static_cast<uint16_t>(random()); });
+    const auto back = decode_deep_image(encode_png(1009, 701, 3, deep), "a");
+    ASSERT_TRUE(back);
+    for (size_t i = 0; i < deep.size(); ++i) {
+        ASSERT_EQ(back->rgba[i / 3 * 4 + i % 3], deep[i]) << i;
+    }
 }
 
 TEST(Image, kinds_of_png)

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <bit>
-
 #include <png.h>
 
 #include <fmt/format.h>
@@ -10,21 +8,10 @@
 #include "core/codec_failure.hpp"
 #include "core/image_codec.hpp"
 #include "core/png_head.hpp"
+#include "core/png_strips.hpp"
 
 namespace estampe {
 namespace {
-
-/// Samples as they lie in memory, row by row without gaps.
-struct Samples {
-    uint32_t width = 0;
-    uint32_t height = 0;
-    uint32_t channels = 4;
-    uint32_t bits = 8;
-    std::span<const std::byte> bytes;
-    uint32_t dots_per_m = 0;
-
-    [[nodiscard]] uint64_t row_bytes() const { return uint64_t{width} * channels * bits / 8; }
-};
 
 struct PngWriter {
     png_structp png = nullptr;
@@ -42,34 +29,27 @@ void append(png_structp png, png_bytep data, png_size_t count)
     bytes->insert(bytes->end(), first, first + count);
 }
 
-bool write(PngWriter& writer, const Samples& samples)
+bool write(PngWriter& writer, const PngHead& head, const std::vector<std::vector<std::byte>>& rows)
 {
     if (setjmp(writer.failure.jump) != 0) {
         return false;
     }
     png_set_write_fn(writer.png, &writer.bytes, append, nullptr);
-    png_write_head(writer.png, writer.info,
-                   {.width = samples.width,
-                    .height = samples.height,
-                    .channels = samples.channels,
-                    .bits = samples.bits,
-                    .dots_per_m = samples.dots_per_m});
-    if (samples.bits == 16 && std::endian::native == std::endian::little) {
-        png_set_swap(writer.png);
+    png_write_head(writer.png, writer.info, head);
+    for (const std::vector<std::byte>& part : rows) {
+        png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IDAT"),
+                        reinterpret_cast<png_const_bytep>(part.data()), part.size());
     }
-    for (uint32_t row = 0; row < samples.height; ++row) {
-        png_write_row(writer.png,
-                      reinterpret_cast<png_const_bytep>(samples.bytes.data()) + samples.row_bytes() * row);
-    }
-    png_write_end(writer.png, writer.info);
+    // png_write_end() wants to have deflated the rows itself.
+    png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
     return true;
 }
 
-std::vector<std::byte> encode(const Samples& samples)
+std::vector<std::byte> encode(const PngPixels& pixels, uint32_t dots_per_m)
 {
-    if (samples.bytes.empty() || samples.bytes.size() != samples.row_bytes() * samples.height) {
-        throw Error(fmt::format("an image of {} x {} pixels with {} bytes cannot be written", samples.width,
-                                samples.height, samples.bytes.size()));
+    if (pixels.bytes.empty() || pixels.bytes.size() != pixels.row_bytes() * pixels.height) {
+        throw Error(fmt::format("an image of {} x {} pixels with {} bytes cannot be written", pixels.width,
+                                pixels.height, pixels.bytes.size()));
     }
     PngWriter writer;
     writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.failure, png_failed, png_warned);
@@ -77,8 +57,13 @@ std::vector<std::byte> encode(const Samples& samples)
     if (writer.info == nullptr) {
         throw Error("out of memory");
     }
-    writer.bytes.reserve(samples.bytes.size() / 4);
-    if (!write(writer, samples)) {
+    writer.bytes.reserve(pixels.bytes.size() / 4);
+    const PngHead head{.width = pixels.width,
+                       .height = pixels.height,
+                       .channels = pixels.channels,
+                       .bits = pixels.bits,
+                       .dots_per_m = dots_per_m};
+    if (!write(writer, head, deflate_png_rows(pixels))) {
         throw Error(fmt::format("cannot encode PNG: {}", writer.failure.message));
     }
     return std::move(writer.bytes);
@@ -88,21 +73,17 @@ std::vector<std::byte> encode(const Samples& samples)
 
 std::vector<std::byte> encode_png(const Image& image, uint32_t dots_per_m)
 {
-    return encode({.width = image.width,
-                   .height = image.height,
-                   .bytes = std::as_bytes(std::span(image.rgba)),
-                   .dots_per_m = dots_per_m});
+    return encode(
+        {.width = image.width, .height = image.height, .bytes = std::as_bytes(std::span(image.rgba))},
+        dots_per_m);
 }
 
 std::vector<std::byte> encode_png(uint32_t width, uint32_t height, uint32_t channels,
                                   std::span<const uint16_t> values, uint32_t dots_per_m)
 {
-    return encode({.width = width,
-                   .height = height,
-                   .channels = channels,
-                   .bits = 16,
-                   .bytes = std::as_bytes(values),
-                   .dots_per_m = dots_per_m});
+    return encode(
+        {.width = width, .height = height, .channels = channels, .bits = 16, .bytes = std::as_bytes(values)},
+        dots_per_m);
 }
 
 } // namespace estampe

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "core/at_once.hpp"
 #include "techniques/contour/chains/suggestive.hpp"
 
 namespace estampe::frame {
@@ -65,6 +66,11 @@ std::vector<uint8_t> clockwise_triangles(const pose::MeshData& layout)
     return clockwise;
 }
 
+bool has_chains(const pose::MeshData& layout, const contour::ContourStyle& style)
+{
+    return style.drawn && style.lines == contour::Lines::chains && !layout.triangles.empty();
+}
+
 } // namespace
 
 contour::EdgeMesh edge_mesh_of(const pose::MeshData& layout)
@@ -95,10 +101,18 @@ contour::EdgeMesh edge_mesh_of(const pose::MeshData& layout)
                                      .edge_marks = layout.edge_marks});
 }
 
+std::future<void> LineMeshes::find_edges(const pose::MeshData& layout, const contour::ContourStyle& style)
+{
+    if (edges_ || !has_chains(layout, style)) {
+        return {};
+    }
+    return std::async(at_once, [this, &layout] { edges_ = edge_mesh_of(layout); });
+}
+
 contour::LineMesh* LineMeshes::provide(gpu::Device& device, const pose::MeshData& layout,
                                        const contour::ContourStyle& style)
 {
-    if (!style.drawn || style.lines != contour::Lines::chains || layout.triangles.empty()) {
+    if (!has_chains(layout, style)) {
         return nullptr;
     }
     if (!edges_) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <future>
 #include <optional>
 
 #include "techniques/contour/chains/line_mesh.hpp"
@@ -17,6 +18,11 @@ public:
     /// choice changed; else linear in triangles. Throws Error when memory runs out.
     [[nodiscard]] contour::LineMesh* provide(gpu::Device& device, const pose::MeshData& layout,
                                              const contour::ContourStyle& style);
+
+    /// Begins that part of it which needs no device, in a thread that ends before what is returned does, and
+    /// before which no other function may be called. Nothing to wait for where there is nothing to find.
+    [[nodiscard]] std::future<void> find_edges(const pose::MeshData& layout,
+                                               const contour::ContourStyle& style);
 
     /// What the line mesh was made of; null when there is none.
     [[nodiscard]] const contour::EdgeMesh* edges() const { return edges_ ? &*edges_ : nullptr; }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "frame/loaded_scene.hpp"
 
+#include <future>
+
 #include <glm/gtc/packing.hpp>
 
 #include <estampe/error.hpp>
 
+#include "core/at_once.hpp"
 #include "frame/ground_mesh.hpp"
 #include "scene/drawn_size.hpp"
 
@@ -14,9 +17,23 @@ namespace {
 /// A copy of the scene that is enough to pose it: geometry and images are on the device by now.
 Scene without_images(const Scene& scene)
 {
-    Scene copy = scene;
-    for (Texture& texture : copy.textures) {
-        texture.image = {};
+    Scene copy{.name = scene.name,
+               .textures = {},
+               .materials = scene.materials,
+               .meshes = scene.meshes,
+               .nodes = scene.nodes,
+               .roots = scene.roots,
+               .skins = scene.skins,
+               .lights = scene.lights,
+               .cameras = scene.cameras,
+               .animations = scene.animations,
+               .terrain = scene.terrain,
+               .extensions_used = scene.extensions_used,
+               .extensions_ignored = scene.extensions_ignored,
+               .warnings = scene.warnings};
+    for (const Texture& texture : scene.textures) {
+        copy.textures.push_back(
+            {.name = texture.name, .image = {}, .wrap_u = texture.wrap_u, .wrap_v = texture.wrap_v});
     }
     return copy;
 }
@@ -95,6 +112,49 @@ Scene with_both_sides(const Scene& scene)
     return result;
 }
 
+pose::MeshData layout_of(const Scene& scene)
+{
+    const auto ground_material = static_cast<Index>(scene.materials.size());
+    if (!scene.terrain) {
+        return pose::build_meshes(scene, ground_material);
+    }
+    const pose::ForeignMesh ground = ground_mesh(scene);
+    return pose::build_meshes(scene, ground_material, &ground);
+}
+
+/// Brings a layout of the loaded scene to the device, and forgets what was made of the one before.
+void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout)
+{
+    loaded.layout = std::move(layout);
+    if (loaded.scene.terrain) {
+        const terrain::TerrainTarget target{.first_vertex = *loaded.layout.foreign_vertex,
+                                            .stroke_unit_m = loaded.layout.stroke_unit_m};
+        if (loaded.terrain) {
+            loaded.terrain->set_mesh(device, target, raised_object(loaded.scene));
+        } else {
+            loaded.terrain = std::make_unique<terrain::TerrainBuffers>(device, *loaded.scene.terrain, target,
+                                                                       raised_object(loaded.scene));
+            loaded.trodden = std::make_unique<terrain::TroddenSand>(loaded.scene.terrain->description());
+        }
+    }
+    loaded.meshes = pose::upload_meshes(device, loaded.layout);
+    loaded.cloth = MovingCloth::is_in(loaded.scene)
+                       ? std::make_unique<MovingCloth>(device, loaded.scene, loaded.layout)
+                       : nullptr;
+    loaded.baked =
+        upload_baked(device, loaded.lightmap ? &*loaded.lightmap : nullptr, loaded.scene, loaded.layout);
+    loaded.has_plain_links = pose::has_plain_links(loaded.layout);
+    loaded.stroke_kinds.clear();
+    loaded.line_meshes.forget();
+    loaded.still_casters = still_casters(loaded.layout, loaded.scene);
+    loaded.discs = {};
+    loaded.disc_map = {};
+    loaded.surface_maps.clear();
+    loaded.together = {};
+    loaded.pose.reset();
+    loaded.pose_moved = true;
+}
+
 } // namespace
 
 LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Lightmap* lightmap)
@@ -109,14 +169,15 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Ligh
     if (lightmap != nullptr) {
         loaded.lightmap = *lightmap;
     }
+    loaded.scene = without_images(scene);
+    std::future<pose::MeshData> layout = std::async(at_once, [&] { return layout_of(loaded.scene); });
     const surface::TexturePlan textures = surface::plan_textures(scene, device.limits().maxImageArrayLayers);
     loaded.materials = surface::upload_materials(device, scene, textures);
     loaded.needs = surface::scene_needs(scene, textures);
     loaded.notes = surface::notes_of(textures);
-    loaded.scene = without_images(scene);
     loaded.own_lighting = lighting_of(scene);
     loaded.styled_lighting = loaded.own_lighting;
-    lay_out(device, loaded);
+    take_layout(device, loaded, layout.get());
     return loaded;
 }
 
@@ -173,38 +234,7 @@ occlusion::DiscBuffers discs_of(gpu::Device& device, const LoadedScene& loaded)
 
 void lay_out(gpu::Device& device, LoadedScene& loaded)
 {
-    const auto ground_material = static_cast<Index>(loaded.scene.materials.size());
-    if (loaded.scene.terrain) {
-        const pose::ForeignMesh ground = ground_mesh(loaded.scene);
-        loaded.layout = pose::build_meshes(loaded.scene, ground_material, &ground);
-        const terrain::TerrainTarget target{.first_vertex = *loaded.layout.foreign_vertex,
-                                            .stroke_unit_m = loaded.layout.stroke_unit_m};
-        if (loaded.terrain) {
-            loaded.terrain->set_mesh(device, target, raised_object(loaded.scene));
-        } else {
-            loaded.terrain = std::make_unique<terrain::TerrainBuffers>(device, *loaded.scene.terrain, target,
-                                                                       raised_object(loaded.scene));
-            loaded.trodden = std::make_unique<terrain::TroddenSand>(loaded.scene.terrain->description());
-        }
-    } else {
-        loaded.layout = pose::build_meshes(loaded.scene, ground_material);
-    }
-    loaded.meshes = pose::upload_meshes(device, loaded.layout);
-    loaded.cloth = MovingCloth::is_in(loaded.scene)
-                       ? std::make_unique<MovingCloth>(device, loaded.scene, loaded.layout)
-                       : nullptr;
-    loaded.baked =
-        upload_baked(device, loaded.lightmap ? &*loaded.lightmap : nullptr, loaded.scene, loaded.layout);
-    loaded.has_plain_links = pose::has_plain_links(loaded.layout);
-    loaded.stroke_kinds.clear();
-    loaded.line_meshes.forget();
-    loaded.still_casters = still_casters(loaded.layout, loaded.scene);
-    loaded.discs = {};
-    loaded.disc_map = {};
-    loaded.surface_maps.clear();
-    loaded.together = {};
-    loaded.pose.reset();
-    loaded.pose_moved = true;
+    take_layout(device, loaded, layout_of(loaded.scene));
 }
 
 bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terrain)

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <future>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -277,6 +278,16 @@ Camera page_camera(const Camera& camera, const paper::PaperStyle& style, const R
     return frame::seen_within(camera, window_share(style, settings));
 }
 
+light::Lighting Renderer::Impl::gather_lights(const Camera& camera, const ScenePose& scene_pose,
+                                              const frame::StyleTables& tables)
+{
+    // What lines will want is found in the meantime.
+    const std::future<void> edges = loaded->line_meshes.find_edges(loaded->layout, tables.contour);
+    return light::gather_lights(
+        loaded->scene, scene_pose, loaded->layout.bounds, loaded->layout.anchor, tables.light,
+        loaded->house_light.outlook(loaded->scene, tables.light, camera.eye), &loaded->key_light);
+}
+
 frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::StyleTables& tables,
                                          const RenderSettings& settings)
 {
@@ -316,9 +327,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     update_pose(scene_pose);
     loaded->pose_moved = loaded->pose_moved || has_cloth_moved;
     update_terrain(camera, settings, tables);
-    light::Lighting lighting = light::gather_lights(
-        loaded->scene, scene_pose, layout.bounds, layout.anchor, tables.light,
-        loaded->house_light.outlook(loaded->scene, tables.light, camera.eye), &loaded->key_light);
+    light::Lighting lighting = gather_lights(camera, scene_pose, tables);
     const std::optional<light::Daylight> daylight = light::daylight_of(tables.sun);
     if (daylight) {
         light::set_daylight(lighting, *daylight, tables.light);

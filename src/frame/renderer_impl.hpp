@@ -75,6 +75,8 @@ struct Renderer::Impl {
     const ScenePose& pose_at(const RenderSettings& settings);
     /// Takes the anchor along with an eye that has gone far over the ground, so that floats stay fine there.
     void follow_eye(const Camera& camera);
+    [[nodiscard]] light::Lighting gather_lights(const Camera& camera, const ScenePose& scene_pose,
+                                                const frame::StyleTables& tables);
     /// Brings the ground to where the eye is.
     void update_terrain(const Camera& camera, const RenderSettings& settings,
                         const frame::StyleTables& style);

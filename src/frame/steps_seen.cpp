@@ -180,9 +180,11 @@ SeenThrough add_screen(const Making& making, const PosedScene& scene, gpu::Buffe
     const raster::Batch blended = batch(layout.blended, true);
     const auto layers =
         raster::add_layers(making.graph, "screen", scene.meshes, {&blended, 1}, eye_view(making), wanted);
-    return {.images = screen::add_screen(making.graph, screen_inputs(making, scene, visibility, layers)),
-            .layers = layers,
-            .is_there = true};
+    screen::ScreenInputs inputs = screen_inputs(making, scene, visibility, layers);
+    if (making.plan.raster.on_processor) {
+        inputs.tiles = raster::add_seen_tiles(making.graph, "screen", layers.front(), making.sample.size_px);
+    }
+    return {.images = screen::add_screen(making.graph, inputs), .layers = layers, .is_there = true};
 }
 
 } // namespace estampe::frame

@@ -54,8 +54,10 @@ vec3 emissive_of(uint material)
     return uintBitsToFloat(material_words(material, 4u).xyz);
 }
 
-TextureSlot texture_slot(uint material, uint texel)
+// The nth: of the base colour, of the normal, of the occlusion.
+TextureSlot texture_of(uint material, uint nth)
 {
+    uint texel = 5u + 2u * nth;
     uvec4 a = material_words(material, texel);
     vec4 b = uintBitsToFloat(material_words(material, texel + 1u));
     return TextureSlot(a.x, uintBitsToFloat(a.yz), vec2(uintBitsToFloat(a.w), b.x), b.yz, b.w);
@@ -63,17 +65,17 @@ TextureSlot texture_slot(uint material, uint texel)
 
 TextureSlot base_texture_of(uint material)
 {
-    return texture_slot(material, 5u);
+    return texture_of(material, 0u);
 }
 
 TextureSlot normal_texture_of(uint material)
 {
-    return texture_slot(material, 7u);
+    return texture_of(material, 1u);
 }
 
 TextureSlot occlusion_texture_of(uint material)
 {
-    return texture_slot(material, 9u);
+    return texture_of(material, 2u);
 }
 
 #endif

@@ -19,6 +19,11 @@ float wrap_coordinate(float x, uint mode, float half_texel)
     return clamp(inside, half_texel, 1.0 - half_texel);
 }
 
+uint uv_set_of(TextureSlot slot)
+{
+    return (slot.location >> 24) & 1u;
+}
+
 struct UvFootprint {
     vec2 uv;
     vec2 dx; // change over one pixel to the right

@@ -12,7 +12,6 @@
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
 #include "shaders/octahedral.glsl"
-#include "shaders/tile_list.glsl.h"
 #include "techniques/light/light.glsl.h"
 #include "techniques/light/local_light.glsl"
 #include "techniques/shadow/edge.glsl.h"
@@ -81,10 +80,8 @@ layout(binding = 21) uniform sampler2D occlusion_image;       // share of light 
 layout(binding = 22) uniform sampler2D thrown_image; // of ambient light, by what keeps it off
 layout(binding = 23) uniform sampler2D points_image; // places to light, where they lie anywhere
 
-layout(scalar, binding = 24) readonly buffer Tiles
-{
-    uint tiles[]; // see tile_list.glsl.h
-};
+#define TILE_LIST_BINDING 24
+#include "shaders/tile_list.glsl"
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -228,15 +225,11 @@ vec3 local_lights(uvec2 from_px, Tile tile, Receiver at)
 
 void main()
 {
-    uint group = gl_WorkGroupID.x | gl_WorkGroupID.y << 16;
+    uvec2 from_px = 8u * gl_WorkGroupID.xy;
     if (has_tiles) {
-        uint number = gl_WorkGroupID.y * tile_list_groups + gl_WorkGroupID.x;
-        if (number >= tiles[tile_list_count]) {
-            return;
-        }
-        group = tiles[tile_list_first + number];
+        uint listed = tile_of_group();
+        from_px = 8u * uvec2(listed & 0xffffu, listed >> 16);
     }
-    uvec2 from_px = 8u * uvec2(group & 0xffffu, group >> 16);
     ivec2 pixel = ivec2(from_px + gl_LocalInvocationID.xy);
     bool on_page = all(lessThan(uvec2(pixel), frame.size_px));
     uint word = on_page ? texelFetch(draw_image, pixel, 0).x : 0u;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <unordered_map>
 #include <utility>
 
+#include "core/hash.hpp"
 #include "techniques/pose/mesh_data.hpp"
 
 namespace estampe::pose {
@@ -11,12 +12,23 @@ namespace {
 
 /// An edge by the places of its ends, not by their numbers, so that it is the same edge on both sides of a
 /// seam.
-using EdgePlaces = std::pair<std::array<float, 3>, std::array<float, 3>>;
+struct EdgePlaces {
+    glm::vec3 from;
+    glm::vec3 to;
 
-std::array<float, 3> place(const glm::vec3& p)
-{
-    return {p.x, p.y, p.z};
-}
+    bool operator==(const EdgePlaces&) const = default;
+};
+
+struct EdgeHash {
+    size_t operator()(const EdgePlaces& edge) const
+    {
+        Hash hash;
+        for (const glm::vec3& place : {edge.from, edge.to}) {
+            hash.add(place + 0.0F); // -0 is 0
+        }
+        return hash.value();
+    }
+};
 
 /// Ratio of the larger to the smaller stretch of the map from a triangle to its texture; infinite when
 /// degenerate.
@@ -52,7 +64,8 @@ bool uvs_are_usable(const Primitive& primitive)
     constexpr double most_seam_length = 0.12;
     double area_all = 0.0;
     double area_bad = 0.0;
-    std::map<EdgePlaces, std::pair<glm::vec2, glm::vec2>> waiting;
+    std::unordered_map<EdgePlaces, std::pair<glm::vec2, glm::vec2>, EdgeHash> waiting;
+    waiting.reserve(primitive.indices.size() / 2);
     double inner_length = 0.0;
     double seam_length = 0.0;
     for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
@@ -70,9 +83,9 @@ bool uvs_are_usable(const Primitive& primitive)
             const uint32_t to = corner[(k + 1) % 3];
             const glm::vec3& a = primitive.positions[from];
             const glm::vec3& b = primitive.positions[to];
-            const auto other = waiting.find({place(b), place(a)});
+            const auto other = waiting.find({b, a});
             if (other == waiting.end()) {
-                waiting[{place(a), place(b)}] = {uvs[from], uvs[to]};
+                waiting[{a, b}] = {uvs[from], uvs[to]};
                 continue;
             }
             const double length = glm::distance(a, b);

@@ -88,6 +88,12 @@ struct View {
                                                     const RasterInputs& in, std::span<const Batch> batches,
                                                     View view, uint32_t count);
 
+/// The tiles of 8 x 8 pixels in which a visibility buffer of `size_px` sees anything, see
+/// shaders/tile_list.glsl.h: a processor pays for pixels that see nothing as for all others. Cost: a small
+/// clear and a dispatch of a thread a tile.
+[[nodiscard]] gpu::BufferId add_seen_tiles(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId visibility,
+                                           glm::uvec2 size_px);
+
 /// Draws a picture of 32-bit words into `target`: the bits of reversed depth as float; 0 where nothing is
 /// seen.
 [[nodiscard]] gpu::BufferId add_depth(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,

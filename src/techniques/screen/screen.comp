@@ -4,6 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_vote : require
 
 #include "shaders/barycentric.glsl"
 #include "shaders/camera.glsl"
@@ -11,7 +12,6 @@
 #include "shaders/hash.glsl"
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
-#include "shaders/visibility.glsl"
 #include "techniques/screen/screen_variant.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -21,10 +21,8 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(scalar, binding = 1) readonly buffer SolidVisibility
-{
-    uvec2 solid[];
-};
+#define VISIBILITY_BINDING 1
+#include "shaders/visibility_texels.glsl"
 
 #define MESH_TEXELS_BINDING 2
 #include "shaders/mesh_texels.glsl"
@@ -32,10 +30,8 @@ layout(scalar, binding = 1) readonly buffer SolidVisibility
 #define DRAW_TEXELS_BINDING 4
 #include "shaders/draw_texels.glsl"
 
-layout(scalar, binding = 5) readonly buffer RestVertices
-{
-    RestVertex rest_vertices[];
-};
+#define REST_TEXELS_BINDING 5
+#include "shaders/rest_texels.glsl"
 
 #define MATERIAL_TEXELS_BINDING 6
 #include "shaders/material_texels.glsl"
@@ -47,41 +43,29 @@ layout(binding = 10) uniform sampler2DArray texture_class_3;
 layout(binding = 11) uniform sampler2DArray texture_class_4;
 
 // Layer after layer, each behind the one before; a binding without a layer holds one of the others.
-layout(scalar, binding = 12) readonly buffer Layer0
-{
-    uvec2 layer_0[];
-};
-
-layout(scalar, binding = 13) readonly buffer Layer1
-{
-    uvec2 layer_1[];
-};
-
-layout(scalar, binding = 14) readonly buffer Layer2
-{
-    uvec2 layer_2[];
-};
-
-layout(scalar, binding = 15) readonly buffer Layer3
-{
-    uvec2 layer_3[];
-};
-
+layout(binding = 12) uniform usamplerBuffer layer_0;
+layout(binding = 13) uniform usamplerBuffer layer_1;
+layout(binding = 14) uniform usamplerBuffer layer_2;
+layout(binding = 15) uniform usamplerBuffer layer_3;
 layout(binding = 16, r32ui) writeonly uniform uimage2D out_draw; // 0 for none
 layout(binding = 17, rgba8) writeonly uniform image2D out_color; // square root of linear colour; cover
 
+#define TILE_LIST_BINDING 18
+#include "shaders/tile_list.glsl"
+
 layout(constant_id = 0) const uint variant = 31u;
+const bool has_tiles = (variant & screen_has_tiles) != 0u;
 #define TEXTURE_CLASSES (variant & texture_class_mask)
 const int LAYERS = int((variant >> screen_layers_shift) & 3u) + 1;
 
 #include "techniques/screen/screen_layer.glsl"
 
-uvec2 seen_in(int layer, uint index)
+uvec2 seen_in(int layer, int index)
 {
-    return layer == 0   ? layer_0[index]
-           : layer == 1 ? layer_1[index]
-           : layer == 2 ? layer_2[index]
-                        : layer_3[index];
+    return layer == 0   ? texelFetch(layer_0, index).xy
+           : layer == 1 ? texelFetch(layer_1, index).xy
+           : layer == 2 ? texelFetch(layer_2, index).xy
+                        : texelFetch(layer_3, index).xy;
 }
 
 // Whether the order of two layers at the same depth, which their numbers decided, is to be decided by what
@@ -124,22 +108,41 @@ uint name_of(Layer layers[LAYERS])
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, imageSize(out_draw)))) {
+    if (has_tiles) {
+        uint listed = tile_of_group();
+        pixel = ivec2(8u * uvec2(listed & 0xffffu, listed >> 16) + gl_LocalInvocationID.xy);
+    }
+    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }
-    uint index = uint(pixel.y) * frame.size_px.x + uint(pixel.x);
-    float solid_depth = seen_depth(solid[index]);
+    int index = pixel.y * int(frame.size_px.x) + pixel.x;
+    float solid_depth = seen_depth(visibility_at(pixel));
+    uvec2 seen[LAYERS];
+    int there = 0;
+    for (int i = 0; i < LAYERS; ++i) {
+        seen[i] = seen_in(i, index);
+        bool is_there = sees_triangle(seen[i]) && seen_depth(seen[i]) > solid_depth;
+        there += is_there && there == i ? 1 : 0;
+    }
     Layer layers[LAYERS];
     for (int i = 0; i < LAYERS; ++i) {
         layers[i] = Layer(0u, 0u, vec4(0.0));
     }
-    for (int i = 0; i < LAYERS; ++i) {
-        uvec2 seen = seen_in(i, index);
-        if (!sees_triangle(seen) || seen_depth(seen) <= solid_depth) {
-            break;
+    // One body for all layers, with its condition behind it, left by all lanes together: see rounds.glsl.
+    int round_index = 0;
+    do {
+        uvec2 word = seen[0];
+        for (int i = 1; i < LAYERS; ++i) {
+            word = i == round_index ? seen[i] : word;
         }
-        layers[i] = layer_at(seen, pixel);
-    }
+        Layer found = layer_at(word, pixel);
+        for (int i = 0; i < LAYERS; ++i) {
+            if (i == round_index && i < there) {
+                layers[i] = found;
+            }
+        }
+        ++round_index;
+    } while (subgroupAny(round_index < there));
     sort_ties(layers);
     vec3 color = vec3(0.0); // times cover
     float through = 1.0;

@@ -24,8 +24,12 @@ gpu::ImageDesc color_image(glm::uvec2 size_px)
 /// What a see-through surface is made out from.
 void bind_surfaces(gpu::Pass& pass, const ScreenInputs& in)
 {
-    pass.uniform(in.frame).read(in.solid_visibility).sample(in.triangles).sample(in.posed_vertices);
-    pass.sample(in.draws).read(in.rest_vertices).sample(in.materials);
+    pass.uniform(in.frame).sample(in.solid_visibility, gpu::Format::rg32ui);
+    pass.sample(in.triangles)
+        .sample(in.posed_vertices)
+        .sample(in.draws)
+        .sample(in.rest_vertices)
+        .sample(in.materials);
     for (const gpu::ImageId texture : in.textures) {
         pass.sample(texture, gpu::Sampling::linear_repeat);
     }
@@ -36,15 +40,26 @@ void bind_surfaces(gpu::Pass& pass, const ScreenInputs& in)
 Screen add_screen(gpu::Graph& graph, const ScreenInputs& in)
 {
     const size_t layers = std::min<size_t>(in.layers.size(), most_layers);
+    const auto blank = [&](gpu::ImageId image) {
+        return in.tiles ? gpu::add_fill(graph, "screen/blank", image, glm::vec4(0.0F)) : image;
+    };
+    const gpu::ImageId blank_draw = blank(graph.image("screen/draw", draw_image(in.size_px)));
+    const gpu::ImageId blank_color = blank(graph.image("screen/color", color_image(in.size_px)));
     auto pass = graph.compute("screen", shaders::screen_comp);
     bind_surfaces(pass, in);
     for (size_t i = 0; i < most_layers; ++i) {
-        pass.read(in.layers[std::min(i, layers - 1)]);
+        pass.sample(in.layers[std::min(i, layers - 1)], gpu::Format::rg32ui);
     }
-    const gpu::ImageId draw = pass.write(graph.image("screen/draw", draw_image(in.size_px)));
-    const gpu::ImageId color = pass.write(graph.image("screen/color", color_image(in.size_px)));
-    pass.variant(in.texture_classes | static_cast<uint32_t>(layers - 1) << shared::screen_layers_shift);
-    pass.dispatch_over(in.size_px.x, in.size_px.y);
+    const gpu::ImageId draw = in.tiles ? pass.modify(blank_draw) : pass.write(blank_draw);
+    const gpu::ImageId color = in.tiles ? pass.modify(blank_color) : pass.write(blank_color);
+    pass.read(in.tiles.value_or(in.solid_visibility));
+    pass.variant(in.texture_classes | static_cast<uint32_t>(layers - 1) << shared::screen_layers_shift |
+                 (in.tiles ? shared::screen_has_tiles : 0U));
+    if (in.tiles) {
+        pass.dispatch_indirect(*in.tiles);
+    } else {
+        pass.dispatch_over(in.size_px.x, in.size_px.y);
+    }
     return {draw, color};
 }
 
@@ -53,7 +68,7 @@ gpu::ImageId add_sheet(gpu::Graph& graph, const ScreenInputs& in, gpu::BufferId 
 {
     auto pass = graph.compute("screen/sheet", shaders::sheet_comp);
     bind_surfaces(pass, in);
-    pass.read(layer).sample(painted);
+    pass.sample(layer, gpu::Format::rg32ui).sample(painted);
     const gpu::ImageId laid = pass.modify(wash);
     pass.variant(in.texture_classes).dispatch_over(in.size_px.x, in.size_px.y);
     return laid;

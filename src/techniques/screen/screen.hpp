@@ -6,6 +6,7 @@
 // outlined. Or as glass: each lit and painted as what is solid is, in order of depth.
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "gpu/graph/graph.hpp"
@@ -39,6 +40,8 @@ struct ScreenInputs {
     gpu::BufferId materials;
     std::array<gpu::ImageId, 5> textures;
     uint32_t texture_classes = 0;
+    std::optional<gpu::BufferId> tiles; ///< in which the first layer sees anything, see
+                                        ///< shaders/tile_list.glsl.h
     glm::uvec2 size_px{0};
 };
 

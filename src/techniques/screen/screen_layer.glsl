@@ -2,8 +2,8 @@
 #ifndef ESTAMPE_SCREEN_LAYER
 #define ESTAMPE_SCREEN_LAYER
 
-// A see-through surface at a pixel. Wanted before: `frame`, a FrameGlobals; texels of meshes, draws and
-// materials; `rest_vertices`; textures of all classes, and TEXTURE_CLASSES.
+// A see-through surface at a pixel. Wanted before: `frame`, a FrameGlobals; texels of meshes, draws,
+// vertices at rest and materials; textures of all classes, and TEXTURE_CLASSES.
 
 #include "shaders/texture.glsl"
 
@@ -23,17 +23,15 @@ Layer layer_at(uvec2 seen, ivec2 pixel)
                                     frame.clip_from_anchor * vec4(posed_vertex_at(corners.z).position, 1.0),
                                     page_place(frame, vec2(pixel) + 0.5), frame.page_px);
     uvec3 rest = corners.xyz - draw.first_posed_vertex + draw.first_rest_vertex;
-    mat3x4 vertex_colors =
-        mat3x4(vertex_color(rest_vertices[rest.x].color), vertex_color(rest_vertices[rest.y].color),
-               vertex_color(rest_vertices[rest.z].color));
+    RestVertex a = rest_vertex_at(rest.x);
+    RestVertex b = rest_vertex_at(rest.y);
+    RestVertex c = rest_vertex_at(rest.z);
+    mat3x4 vertex_colors = mat3x4(vertex_color(a.color), vertex_color(b.color), vertex_color(c.color));
     vec4 color = base_color_of(draw.material) * (vertex_colors * at.weight);
     TextureSlot slot = base_texture_of(draw.material);
     if (TEXTURE_CLASSES != 0u && slot.location != no_texture) {
         bool second = ((slot.location >> 24) & 1u) != 0u;
-        mat3x2 uv =
-            second
-                ? mat3x2(rest_vertices[rest.x].uv_1, rest_vertices[rest.y].uv_1, rest_vertices[rest.z].uv_1)
-                : mat3x2(rest_vertices[rest.x].uv_0, rest_vertices[rest.y].uv_0, rest_vertices[rest.z].uv_0);
+        mat3x2 uv = second ? mat3x2(a.uv_1, b.uv_1, c.uv_1) : mat3x2(a.uv_0, b.uv_0, c.uv_0);
         vec4 texel = sample_texture(slot, UvFootprint(uv * at.weight, uv * at.dx, uv * at.dy));
         color *= vec4(linear_from_srgb(texel.rgb), texel.a);
     }

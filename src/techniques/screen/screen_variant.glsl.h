@@ -10,6 +10,7 @@ namespace estampe::shared {
 #endif
 
 SHARED_CONSTANT uint screen_layers_shift = 5U; // how many there are besides the first, two bits
+SHARED_CONSTANT uint screen_has_tiles = 1U << 7U;
 
 #ifdef __cplusplus
 } // namespace estampe::shared

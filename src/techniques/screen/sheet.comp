@@ -9,7 +9,6 @@
 #include "shaders/color.glsl"
 #include "shaders/material.glsl.h"
 #include "shaders/mesh.glsl.h"
-#include "shaders/visibility.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -18,10 +17,8 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(scalar, binding = 1) readonly buffer SolidVisibility
-{
-    uvec2 solid[];
-};
+#define VISIBILITY_BINDING 1
+#include "shaders/visibility_texels.glsl"
 
 #define MESH_TEXELS_BINDING 2
 #include "shaders/mesh_texels.glsl"
@@ -29,10 +26,8 @@ layout(scalar, binding = 1) readonly buffer SolidVisibility
 #define DRAW_TEXELS_BINDING 4
 #include "shaders/draw_texels.glsl"
 
-layout(scalar, binding = 5) readonly buffer RestVertices
-{
-    RestVertex rest_vertices[];
-};
+#define REST_TEXELS_BINDING 5
+#include "shaders/rest_texels.glsl"
 
 #define MATERIAL_TEXELS_BINDING 6
 #include "shaders/material_texels.glsl"
@@ -43,10 +38,7 @@ layout(binding = 9) uniform sampler2DArray texture_class_2;
 layout(binding = 10) uniform sampler2DArray texture_class_3;
 layout(binding = 11) uniform sampler2DArray texture_class_4;
 
-layout(scalar, binding = 12) readonly buffer Sheet
-{
-    uvec2 sheet[];
-};
+layout(binding = 12) uniform usamplerBuffer sheet; // visibility of the one surface
 
 layout(binding = 13) uniform sampler2D painted_image; // the sheet's own paint
 layout(binding = 14, rgba16f) uniform image2D wash;
@@ -62,9 +54,8 @@ void main()
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }
-    uint index = uint(pixel.y) * frame.size_px.x + uint(pixel.x);
-    uvec2 seen = sheet[index];
-    if (!sees_triangle(seen) || seen_depth(seen) <= seen_depth(solid[index])) {
+    uvec2 seen = texelFetch(sheet, pixel.y * int(frame.size_px.x) + pixel.x).xy;
+    if (!sees_triangle(seen) || seen_depth(seen) <= seen_depth(visibility_at(pixel))) {
         return;
     }
     Layer layer = layer_at(seen, pixel);

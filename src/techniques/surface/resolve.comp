@@ -4,6 +4,7 @@
 // only draw, depth and a blank normal are written; nobody may read the rest there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/barycentric.glsl"
@@ -95,6 +96,35 @@ UvFootprint uv_at(uvec3 rest, uint uv_set, Barycentric b)
     return UvFootprint(uv * b.weight, uv * b.dx, uv * b.dy);
 }
 
+// What the textures of a material hold at a place of its surface; nothing known where it has none.
+struct Texels {
+    vec4 base;
+    vec4 normal;
+    vec4 occlusion;
+};
+
+// One look-up for all of them, as it is dear to compile; where no pixel of a subgroup needs the next, a
+// processor leaves it out.
+Texels texels_at(uint material, uvec3 rest, Barycentric b)
+{
+    Texels texels = Texels(vec4(1.0), vec4(1.0), vec4(1.0));
+    if (!has_textures) {
+        return texels;
+    }
+    int slots = has_normal_maps && normal_texture_of(material).location != no_texture ? 2 : 1;
+    slots = has_occlusion && occlusion_texture_of(material).location != no_texture ? 3 : slots;
+    int i = 0;
+    do {
+        TextureSlot slot = texture_of(material, uint(i));
+        vec4 texel = sample_texture(slot, uv_at(rest, uv_set_of(slot), b));
+        texels.base = i == 0 ? texel : texels.base;
+        texels.normal = i == 1 ? texel : texels.normal;
+        texels.occlusion = i == 2 ? texel : texels.occlusion;
+        ++i;
+    } while (subgroupAny(i < slots));
+    return texels;
+}
+
 // Turns a tangent-space normal by the frame that position and texture coordinate span on the page: Schueler,
 // "Normal Mapping without Precomputed Tangents", 2006.
 vec3 perturb(vec3 normal, vec3 mapped, vec3 position_dx, vec3 position_dy, UvFootprint f)
@@ -152,28 +182,24 @@ void main()
         color *= colors * at.weight;
     }
     vec3 shading_normal = smooth_normal;
-    if (has_textures) {
-        TextureSlot slot = base_texture_of(draw.material);
-        if (slot.location != no_texture) {
-            vec4 texel = sample_texture(slot, uv_at(rest, (slot.location >> 24) & 1u, at));
-            color *= linear_from_srgb(texel.rgb);
-        }
+    Texels texels = texels_at(draw.material, rest, at);
+    if (has_textures && base_texture_of(draw.material).location != no_texture) {
+        color *= linear_from_srgb(texels.base.rgb);
     }
     if (has_normal_maps) {
         TextureSlot slot = normal_texture_of(draw.material);
         if (slot.location != no_texture) {
-            UvFootprint f = uv_at(rest, (slot.location >> 24) & 1u, at);
-            vec3 mapped = 2.0 * sample_texture(slot, f).xyz - 1.0;
+            vec3 mapped = 2.0 * texels.normal.xyz - 1.0;
             mapped.xy *= slot.strength;
-            shading_normal = perturb(smooth_normal, mapped, positions * at.dx, positions * at.dy, f);
+            shading_normal = perturb(smooth_normal, mapped, positions * at.dx, positions * at.dy,
+                                     uv_at(rest, uv_set_of(slot), at));
         }
     }
     float open = 1.0; // share of the light that occlusion lets by
     if (has_occlusion) {
         TextureSlot slot = occlusion_texture_of(draw.material);
         if (slot.location != no_texture) {
-            float texel = sample_texture(slot, uv_at(rest, (slot.location >> 24) & 1u, at)).r;
-            open = 1.0 + slot.strength * (texel - 1.0);
+            open = 1.0 + slot.strength * (texels.occlusion.r - 1.0);
         }
     }
 

@@ -4,6 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_vote : require
 
 #include "shaders/camera.glsl"
 #include "shaders/color.glsl"
@@ -54,16 +55,37 @@ float darkness_at(ivec2 pixel)
     return darkness(constants.tone, occluded(constants.tone, texelFetch(light_image, pixel, 0).a, open), 1.0);
 }
 
-// How fast the darkness rises there, a pixel: of each axis the gentler side, as beyond the other there may be
-// something else.
-float steepness(ivec2 pixel, float dark)
+struct Darkness {
+    float here;
+    float steepness; // how fast it rises, a pixel; known where the edge of the second wash is near
+};
+
+bool is_near_edge(float dark)
+{
+    return abs(dark - constants.shadow_from) < constants.softness + 0.026;
+}
+
+// Of each axis the gentler side counts, as beyond the other there may be something else. One loop for the
+// pixel and its neighbours, which most subgroups leave after the first.
+Darkness darkness_around(ivec2 pixel)
 {
     ivec2 last = ivec2(frame.size_px) - 1;
-    vec2 before = vec2(darkness_at(ivec2(max(pixel.x - 1, 0), pixel.y)),
-                       darkness_at(ivec2(pixel.x, max(pixel.y - 1, 0))));
-    vec2 after = vec2(darkness_at(ivec2(min(pixel.x + 1, last.x), pixel.y)),
-                      darkness_at(ivec2(pixel.x, min(pixel.y + 1, last.y))));
-    return length(min(abs(before - dark), abs(after - dark)));
+    float here = 0.0;
+    vec2 rise = vec2(1e9);
+    int i = 0;
+    do {
+        ivec2 aside = i == 0   ? ivec2(0)
+                      : i == 1 ? ivec2(-1, 0)
+                      : i == 2 ? ivec2(0, -1)
+                      : i == 3 ? ivec2(1, 0)
+                               : ivec2(0, 1);
+        float dark = darkness_at(clamp(pixel + aside, ivec2(0), last));
+        here = i == 0 ? dark : here;
+        float difference = abs(dark - here);
+        rise = min(rise, i == 0 ? rise : (i & 1) != 0 ? vec2(difference, rise.y) : vec2(rise.x, difference));
+        ++i;
+    } while (subgroupAny(i < 5 && is_near_edge(here)));
+    return Darkness(here, length(rise));
 }
 
 void main()
@@ -94,17 +116,17 @@ void main()
         color = min((color + 1e-4) * (lifted / (brightness + 1e-4)), vec3(1.0));
         color = mix(vec3(1.0), color, mix(constants.neutral, 1.0, smoothstep(0.0, 0.3, saturation)));
         vec4 light = texelFetch(light_image, pixel, 0);
-        float dark = darkness(constants.tone, occluded(constants.tone, light.a, stored.a), 1.0);
+        Darkness dark = darkness_around(pixel);
         // The edge of the second wash wanders a little, as a loaded brush does; never so far that it breaks
         // up into spots where light falls off slowly.
         float waver = 0.0;
-        if (abs(dark - constants.shadow_from) < constants.softness + 0.026) {
+        if (is_near_edge(dark.here)) {
             float grain_px = 0.9 * frame.pixels_per_mm;
-            float most = min(0.05, steepness(pixel, dark) * max(grain_px, 1.0));
+            float most = min(0.05, dark.steepness * max(grain_px, 1.0));
             waver = most * (value_noise(page_place(frame, vec2(pixel)) / grain_px, 5u) - 0.5);
         }
         float shadow = smoothstep(constants.shadow_from - constants.softness,
-                                  constants.shadow_from + constants.softness, dark + waver);
+                                  constants.shadow_from + constants.softness, dark.here + waver);
         vec3 hue = (light.rgb + 1e-3) / (light.a + 1e-3); // darkness has none
         color *= mix(vec3(1.0), constants.shadow_tint * shade_color_of(material), shadow) *
                  mix(vec3(1.0), hue, 0.5) * mix(vec3(1.0), light_tint(light.rgb), constants.light_tint);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_TILE_LIST
+#define ESTAMPE_TILE_LIST
+
+// A list of tiles to work on, see tile_list.glsl.h. Wanted before: TILE_LIST_BINDING.
+
+#include "shaders/tile_list.glsl.h"
+
+layout(scalar, binding = TILE_LIST_BINDING) readonly buffer TileList
+{
+    uint tile_list[];
+};
+
+// The tile of this group, columns in the lower half and rows in the upper. Groups past the end of the list do the
+// last one again, which changes nothing: to leave them out would cost a processor a mask for all others.
+uint tile_of_group()
+{
+    uint number = gl_WorkGroupID.y * tile_list_groups + gl_WorkGroupID.x;
+    return tile_list[tile_list_first + min(number, tile_list[tile_list_count] - 1u)];
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// One thread a tile of 8 x 8 pixels lists it if anything is seen there. A processor looks at as many tiles as
+// it has lanes, pixel by pixel, until all of them are known.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_vote : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/rounds.glsl"
+#include "shaders/shared.glsl"
+#include "shaders/tile_list.glsl.h"
+#include "shaders/visibility.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 0) uniform usamplerBuffer visibility_texels;
+
+layout(scalar, binding = 1) buffer TileList
+{
+    uint tile_list[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    uvec2 size_px;
+};
+
+void main()
+{
+    uvec2 tile = gl_GlobalInvocationID.xy;
+    uvec2 from_px = 8u * tile;
+    bool is_on_page = all(lessThan(from_px, size_px));
+    from_px = min(from_px, size_px - 1u);
+    bool is_seen = false;
+    int i = 0;
+    do {
+        uvec2 pixel = min(from_px + uvec2(i & 7, i >> 3), size_px - 1u);
+        is_seen =
+            is_seen || sees_triangle(texelFetch(visibility_texels, int(pixel.y * size_px.x + pixel.x)).xy);
+        ++i;
+    } while (subgroupAny(!is_seen && i < rounds(64, int(tile.x))));
+    if (is_on_page && is_seen) {
+        uint number = atomicAdd(tile_list[tile_list_count], 1u);
+        tile_list[tile_list_first + number] = tile.x | tile.y << 16;
+        atomicMax(tile_list[0], tile_list_groups);
+        atomicMax(tile_list[1], number / tile_list_groups + 1u);
+    }
+}
