@@ -15,6 +15,8 @@ layout(scalar, binding = 2) writeonly buffer Kept
     uint kept[];
 };
 
+layout(constant_id = 0) const uint variant = 0u;
+
 const float snapped_px = 1.0 / 64.0; // rasterisers move corners by less
 
 vec2 place_px(vec4 clip)
@@ -22,9 +24,19 @@ vec2 place_px(vec4 clip)
     return (0.5 * clip.xy / clip.w + 0.5) * vec2(constants.size_px);
 }
 
+// Twice the area of a triangle on the page, above zero where its corners run clockwise: the least that it can
+// be, and the most, wherever the corners are moved to.
+vec2 double_area(vec2 p, vec2 q, vec2 r)
+{
+    vec2 u = q - p;
+    vec2 v = r - p;
+    float moved = 4.0 * snapped_px * (abs(u.x) + abs(u.y) + abs(v.x) + abs(v.y) + snapped_px);
+    return u.x * v.y - u.y * v.x + vec2(-moved, moved);
+}
+
 // Not where all corners lie beyond one side of the page or before the near plane, nor where no middle of a
-// pixel is within the box about them.
-bool may_be_seen(vec4 a, vec4 b, vec4 c)
+// pixel is within the box about them, nor where they are turned away and that counts.
+bool may_be_seen(vec4 a, vec4 b, vec4 c, uint flags)
 {
     vec3 x = vec3(a.x, b.x, c.x);
     vec3 y = vec3(a.y, b.y, c.y);
@@ -42,7 +54,10 @@ bool may_be_seen(vec4 a, vec4 b, vec4 c)
     vec2 r = place_px(c);
     vec2 low = min(p, min(q, r)) - snapped_px;
     vec2 high = max(p, max(q, r)) + snapped_px;
-    return all(lessThanEqual(ceil(low - 0.5), floor(high - 0.5)));
+    vec2 area = double_area(p, q, r);
+    bool is_turned = (flags & triangle_mirrored) != 0u ? area.y < 0.0 : area.x > 0.0;
+    bool is_dropped = (variant & cull_drops_backs) != 0u && (flags & triangle_two_sided) == 0u && is_turned;
+    return !is_dropped && all(lessThanEqual(ceil(low - 0.5), floor(high - 0.5)));
 }
 
 vec4 clip_of(uint vertex)
@@ -61,7 +76,7 @@ void main()
     for (uint i = 0u; i < 32u; ++i) {
         uvec4 corners = triangle_at(constants.first_triangle + min(first + i, constants.triangle_count - 1u));
         bool is_kept = first + i < constants.triangle_count &&
-                       may_be_seen(clip_of(corners.x), clip_of(corners.y), clip_of(corners.z));
+                       may_be_seen(clip_of(corners.x), clip_of(corners.y), clip_of(corners.z), corners.w);
         bits |= is_kept ? 1u << i : 0u;
     }
     kept[word] = bits;

@@ -85,6 +85,7 @@ Culled add_cull(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in
     asking.sample(in.triangles).sample(in.posed_vertices);
     const gpu::BufferId kept =
         asking.write(graph.buffer(name + "/kept", {.size_bytes = uint64_t{words} * sizeof(uint32_t)}));
+    asking.variant(view.cull_back_faces ? shared::cull_drops_backs : 0U);
     asking.push(constants_of(batch, view)).dispatch_items(words);
 
     auto listing = graph.compute(name + "/list", shaders::cull_list_comp);
