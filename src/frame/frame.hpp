@@ -58,6 +58,9 @@ struct FrameResources {
     gpu::Buffer& lights;
     gpu::Buffer& exposure; ///< light's ExposureState, kept from frame to frame
     gpu::Buffer& shadow_map;
+    gpu::Buffer& still_shadow_map; ///< see SunMap
+    gpu::Buffer& sun_views;
+    gpu::Buffer& sun_pictures;
     gpu::Buffer& edge_look;  ///< EdgeLook, see shadow/edge.glsl.h
     gpu::Buffer& sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
     LocalShadowBuffers& local_shadows;

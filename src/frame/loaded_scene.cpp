@@ -17,21 +17,12 @@ namespace {
 /// A copy of the scene that is enough to pose it: geometry and images are on the device by now.
 Scene without_images(const Scene& scene)
 {
-    Scene copy{.name = scene.name,
-               .textures = {},
-               .materials = scene.materials,
-               .meshes = scene.meshes,
-               .nodes = scene.nodes,
-               .roots = scene.roots,
-               .skins = scene.skins,
-               .lights = scene.lights,
-               .cameras = scene.cameras,
-               .animations = scene.animations,
-               .terrain = scene.terrain,
-               .extensions_used = scene.extensions_used,
-               .extensions_ignored = scene.extensions_ignored,
-               .warnings = scene.warnings};
-    for (const Texture& texture : scene.textures) {
+    // All of its members; pictures may take most of its bytes.
+    const auto& [name, textures, materials, meshes, nodes, roots, skins, lights, cameras, animations, terrain,
+                 used, ignored, warnings] = scene;
+    Scene copy{name,   {},      materials,  meshes,  nodes, roots,   skins,
+               lights, cameras, animations, terrain, used,  ignored, warnings};
+    for (const Texture& texture : textures) {
         copy.textures.push_back(
             {.name = texture.name, .image = {}, .wrap_u = texture.wrap_u, .wrap_v = texture.wrap_v});
     }
@@ -126,6 +117,7 @@ pose::MeshData layout_of(const Scene& scene)
 void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout)
 {
     loaded.layout = std::move(layout);
+    ++loaded.layout_number;
     if (loaded.scene.terrain) {
         const terrain::TerrainTarget target{.first_vertex = *loaded.layout.foreign_vertex,
                                             .stroke_unit_m = loaded.layout.stroke_unit_m};

@@ -41,6 +41,7 @@ struct LoadedScene {
     LightingOfScene styled_lighting;        ///< as `scene` has it now
     std::optional<LightingWords> styled_by; ///< what made that of the file's, unless that has changed since
     pose::MeshData layout;
+    uint32_t layout_number = 0;             ///< of how many this is the last
     std::vector<StillCaster> still_casters; ///< of that
     pose::MeshBuffers meshes;
     surface::MaterialBuffers materials;

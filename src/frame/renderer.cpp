@@ -116,6 +116,9 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     if (loaded->pose) {
         const auto places = pose::moved_places(loaded->layout, *loaded->pose, now);
         moved.insert(moved.end(), places.begin(), places.end());
+        sun_map.move(places);
+    } else {
+        sun_map.move();
     }
     pose::swap_posed(loaded->meshes);
     if (pose::upload_pose(device, loaded->meshes, loaded->layout, now)) {
@@ -123,7 +126,15 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     }
     loaded->pose = std::move(now);
     loaded->pose_moved = true;
-    sun_map.forget();
+}
+
+frame::SunCasters Renderer::Impl::sun_casters(const frame::FramePlan& plan) const
+{
+    // A processor pays more for mixing whole levels than for drawing what stands still.
+    const frame::CasterKinds kinds = frame::caster_kinds(loaded->layout);
+    return {.layout = loaded->layout_number,
+            .groups = plan.sun.casters,
+            .are_parted = plan.raster.path == RasterPath::compute && kinds.moving && kinds.still};
 }
 
 void Renderer::Impl::posed()
@@ -181,7 +192,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                    .clip_from_anchor = frame::drawn_clip(globals),
                                    .pose_moved = loaded->pose_moved,
                                    .terrain_moved = loaded->terrain_moved,
-                                   .sun_map = sun_map.provide(device, plan.sun.map),
+                                   .sun_map = sun_map.provide(device, plan.sun.map, sun_casters(plan)),
                                    .line_step_px = frame::line_step_px(job.survey ? job.survey->shrink : 1)};
     if (plan.sun.ground.is_thrown) {
         ground_shadow.provide(device, plan.sun.ground);
@@ -196,6 +207,9 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .lights = lights,
                                     .exposure = exposure.buffer(),
                                     .shadow_map = sun_map.buffer(),
+                                    .still_shadow_map = sun_map.still(),
+                                    .sun_views = sun_map.views(),
+                                    .sun_pictures = sun_map.pictures(),
                                     .edge_look = edge_look,
                                     .sun_shadow = sun_shadow,
                                     .local_shadows = local_shadow_buffers,

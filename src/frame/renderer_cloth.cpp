@@ -73,7 +73,7 @@ void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
     }
     step_cloth(from_s, run->to_s, settings, style);
     loaded->cloth->done(settings, style);
-    sun_map.forget();
+    sun_map.move();
     moved.push_back({.min = glm::dvec3(-std::numeric_limits<double>::infinity()),
                      .max = glm::dvec3(std::numeric_limits<double>::infinity())});
 }

@@ -69,6 +69,7 @@ struct Renderer::Impl {
 
     /// Poses what does not stand as it does now; pose::keep_posed() is to be called when the graph has run.
     [[nodiscard]] gpu::BufferId add_moved(gpu::Graph& graph);
+    [[nodiscard]] frame::SunCasters sun_casters(const frame::FramePlan& plan) const;
     /// The device has posed the vertices.
     void posed();
     /// Poses the scene, unless that is how it stands; valid until another moment is asked for.

@@ -19,6 +19,14 @@ gpu::BufferId sun_map_of(const Making& making, const PosedScene& scene)
     std::vector<raster::Batch>& casters = making.resources.frame_lists.casters;
     list_casters(making.layout, plan.sun.casters, plan.sun.map.clipmap ? Casters::moving : Casters::all,
                  casters);
+    const SunMapWork& work = making.sample.sun_map;
+    const auto import = [&](const char* name, gpu::Buffer& buffer) {
+        return work.has_still ? std::optional(gpu::import_whole(making.graph, name, buffer)) : std::nullopt;
+    };
+    const SunMaps maps{.map = gpu::import_whole(making.graph, "shadow", making.resources.shadow_map),
+                       .still = import("shadow of what stands", making.resources.still_shadow_map),
+                       .views = import("sun views", making.resources.sun_views),
+                       .pictures = import("shadow of what moves", making.resources.sun_pictures)};
     return add_sun_map(making.graph,
                        {.raster = scene.meshes,
                         .casters = casters,
@@ -26,11 +34,12 @@ gpu::BufferId sun_map_of(const Making& making, const PosedScene& scene)
                         .groups = plan.sun.casters,
                         .anchor = making.layout.anchor,
                         .plan = plan.sun.map,
-                        .work = making.sample.sun_map,
+                        .work = work,
                         .path = plan.raster.path,
                         .tuning = plan.raster.tuning,
-                        .vertex_count = making.resources.meshes.vertex_count},
-                       gpu::import_whole(making.graph, "shadow", making.resources.shadow_map));
+                        .vertex_count = making.resources.meshes.vertex_count,
+                        .triangle_count = static_cast<uint32_t>(making.layout.triangles.size())},
+                       maps);
 }
 
 gpu::BufferId local_maps_of(const Making& making, const PosedScene& scene)

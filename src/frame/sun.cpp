@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
+#include "frame/mapped_buffer.hpp"
+#include "techniques/raster/views.hpp"
 #include "techniques/shadow/warp.hpp"
 
 namespace estampe::frame {
@@ -26,6 +29,15 @@ double nearest_m(const Bounds& casters, const glm::dvec3& eye)
     const double beside = glm::distance(glm::clamp(eye, casters.min, casters.max), eye);
     const double above = std::max(eye.y - casters.min.y, 0.0);
     return std::clamp(std::max(beside, above), 1e-3 * casters.radius(), 2.0 * casters.radius());
+}
+
+/// A box about the casters on a coarse lattice: what moves among them seldom changes it, and with it all of a
+/// map.
+Bounds roomy(const Bounds& casters)
+{
+    const double pitch_m = std::exp2(std::floor(std::log2(std::max(casters.radius(), 1e-6))) - 2.0);
+    return {.min = glm::floor(casters.min / pitch_m) * pitch_m,
+            .max = glm::ceil(casters.max / pitch_m) * pitch_m};
 }
 
 /// Size of a level: a power of two, of which the device can hold `levels`.
@@ -57,6 +69,35 @@ std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style
                                 .has_directions = strokes.has_directions()};
 }
 
+namespace {
+
+/// A view of each square, for raster::add_depth_views().
+std::vector<shared::RasterView> views_of(std::span<const shadow::Piece> squares, Groups groups)
+{
+    std::vector<shared::RasterView> views;
+    uint32_t first_texel = 0;
+    for (const shadow::Piece& square : squares) {
+        views.push_back({.clip_from_anchor = shadow::clip_from_sun(square),
+                         .eye_anchor = glm::vec3(0.0F),
+                         .reach_m = std::numeric_limits<float>::infinity(),
+                         .first_texel = first_texel,
+                         .size_px = square.size.x,
+                         .origin_px = glm::uvec2(0),
+                         .groups = groups});
+        first_texel += square.size.x * square.size.x;
+    }
+    raster::place_views(views);
+    return views;
+}
+
+uint64_t texels_of(std::span<const shared::RasterView> views)
+{
+    return views.empty() ? 4
+                         : views.back().first_texel + uint64_t{views.back().size_px} * views.back().size_px;
+}
+
+} // namespace
+
 SunMapPlan plan_sun_map(const SunScene& scene, const Camera& camera, glm::uvec2 size_px,
                         const PixelSize& pixel, const StyleTables& style)
 {
@@ -83,6 +124,7 @@ SunMapPlan plan_sun_map(const SunScene& scene, const Camera& camera, glm::uvec2 
         static_cast<double>(plan.view.texel_m) < coarse_texel_px * pixel_m) {
         return plan;
     }
+    plan.view = shadow::sun_view(roomy(scene.casters), scene.anchor, scene.towards_sun, plan.size);
     if (kind == shadow::SunMapKind::faded) {
         const auto reach_m = static_cast<double>(style.shadow.faded_reach_m);
         const uint32_t size = level_size(plan.size, 1, scene.most_bytes);
@@ -106,7 +148,13 @@ shared::SunShadow sun_globals(const SunMapPlan& plan, const PixelSize& pixel,
                         : shadow::sun_shadow(plan.view, plan.size, style);
 }
 
-SunMapWork SunMap::provide(gpu::Device& device, const SunMapPlan& plan)
+void SunMap::move()
+{
+    constexpr double everywhere = std::numeric_limits<double>::infinity();
+    moved_.assign(1, {.min = glm::dvec3(-everywhere), .max = glm::dvec3(everywhere)});
+}
+
+SunMapWork SunMap::provide(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters)
 {
     const uint64_t levels = plan.clipmap ? plan.clipmap->level_count : 1;
     const uint64_t size_bytes = std::max<uint64_t>(sizeof(float) * plan.size * plan.size * levels, 16);
@@ -114,13 +162,30 @@ SunMapWork SunMap::provide(gpu::Device& device, const SunMapPlan& plan)
         map_ = gpu::Buffer(device, "shadow map", size_bytes, gpu::MemoryUse::device);
         view_.reset();
     }
-    if (clipmap_ != plan.clipmap) {
+    if (clipmap_ != plan.clipmap || layout_ != casters.layout) {
         view_.reset();
     }
-    SunMapWork work{.redraws_whole = plan.size > 0 && view_ != plan.view.clip_from_anchor};
+    layout_ = casters.layout;
+    const bool stands = plan.size > 0 && view_ == plan.view.clip_from_anchor;
+    const bool had_still = stands && has_still_;
+    has_still_ = stands && plan.clipmap && casters.are_parted && (had_still || !moved_.empty());
+    SunMapWork work{.redraws_whole = plan.size > 0 && !has_still_ && (!stands || !moved_.empty())};
     if (plan.clipmap) {
-        work.pieces =
-            shadow::uncovered(*plan.clipmap, work.redraws_whole ? shadow::Windows() : windows_, plan.windows);
+        const bool starts = has_still_ ? !had_still : work.redraws_whole;
+        work.pieces = shadow::uncovered(*plan.clipmap, starts ? shadow::Windows() : windows_, plan.windows);
+    }
+    if (has_still_) {
+        if (still_.empty() || still_.size_bytes() != size_bytes) {
+            still_ = gpu::Buffer(device, "shadow map of what stands", size_bytes, gpu::MemoryUse::device);
+        }
+        work.has_still = true;
+        work.squares = shadow::squares_about(*plan.clipmap, plan.windows, moved_, work.pieces);
+        work.views = views_of(work.squares, casters.groups);
+        refill(device, "sun views", work.views, views_);
+        const uint64_t pictures_bytes = sizeof(float) * texels_of(work.views);
+        if (pictures_.empty() || pictures_.size_bytes() < pictures_bytes) {
+            pictures_ = gpu::Buffer(device, "shadows of what moves", pictures_bytes, gpu::MemoryUse::device);
+        }
     }
     return work;
 }
@@ -132,6 +197,7 @@ void SunMap::drawn(const SunMapPlan& plan)
         clipmap_ = plan.clipmap;
         windows_ = plan.windows;
     }
+    moved_.clear();
 }
 
 namespace {
@@ -140,42 +206,71 @@ std::vector<raster::Batch> casters_of(const SunMapInputs& in, const shadow::Piec
 {
     // A batch costs a GPU several dispatches, and a processor next to nothing.
     const size_t most = in.path == RasterPath::compute ? 6 : 24;
-    std::vector<raster::Batch> casters(in.casters.begin(), in.casters.end());
+    std::vector<raster::Batch> casters;
+    if (!in.work.has_still) {
+        casters.assign(in.casters.begin(), in.casters.end());
+    }
     add_casters_within(piece, *in.plan.clipmap, in.anchor, in.still, in.groups, most, casters);
     return casters;
 }
 
-} // namespace
-
-gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, gpu::BufferId map)
+gpu::BufferId add_pieces(gpu::Graph& graph, const SunMapInputs& in, const raster::RasterInputs& by_sun,
+                         raster::View view, gpu::BufferId map)
 {
-    const SunMapPlan& plan = in.plan;
-    raster::View view{.clip_from_anchor = plan.view.clip_from_anchor,
-                      .size_px = glm::uvec2(plan.size),
-                      .cull_back_faces = false,
-                      .path = in.path,
-                      .tuning = in.tuning};
-    if (!plan.clipmap) {
-        return in.work.redraws_whole ? raster::add_depth(graph, "shadow", in.raster, in.casters, view, map)
-                                     : map;
-    }
-    if (in.work.pieces.empty()) {
-        return map;
-    }
-    raster::RasterInputs by_sun = in.raster;
-    by_sun.posed_vertices =
-        shadow::add_sun_vertices(graph, in.raster.posed_vertices, in.vertex_count, *plan.clipmap);
     for (const shadow::Piece& piece : in.work.pieces) {
         view.clip_from_anchor = shadow::clip_from_sun(piece);
         view.size_px = piece.size;
         std::vector<raster::DepthPart> parts;
-        for (const shadow::PieceHome& home : shadow::homes(*plan.clipmap, piece)) {
+        for (const shadow::PieceHome& home : shadow::homes(*in.plan.clipmap, piece)) {
             parts.push_back({.from_px = home.from, .size_px = home.size, .first_texel = home.texel});
         }
         map = raster::add_depth_parts(graph, "shadow", by_sun, casters_of(in, piece), view, parts,
-                                      plan.clipmap->size, map);
+                                      in.plan.clipmap->size, map);
     }
     return map;
+}
+
+/// Draws what moves, over what stands still.
+gpu::BufferId add_moving(gpu::Graph& graph, const SunMapInputs& in, const raster::RasterInputs& by_sun,
+                         const SunMaps& maps, gpu::BufferId still)
+{
+    const std::vector<shared::RasterView>& views = in.work.views;
+    const gpu::BufferId bounds = raster::add_cluster_bounds(
+        graph, by_sun, in.triangle_count,
+        graph.buffer("sun cluster bounds", {.size_bytes = raster::cluster_bounds_bytes(in.triangle_count)}));
+    const gpu::BufferId pictures = raster::add_depth_views(
+        graph, "shadow/moving", by_sun, in.casters,
+        {.list = views, .records = *maps.views, .bounds = bounds, .path = in.path, .tuning = in.tuning},
+        *maps.pictures);
+    return shadow::add_mixed_levels(graph, *in.plan.clipmap, in.work.squares, pictures, still, maps.map);
+}
+
+} // namespace
+
+gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, const SunMaps& maps)
+{
+    const SunMapPlan& plan = in.plan;
+    const raster::View view{.clip_from_anchor = plan.view.clip_from_anchor,
+                            .size_px = glm::uvec2(plan.size),
+                            .cull_back_faces = false,
+                            .path = in.path,
+                            .tuning = in.tuning};
+    if (!plan.clipmap) {
+        return in.work.redraws_whole
+                   ? raster::add_depth(graph, "shadow", in.raster, in.casters, view, maps.map)
+                   : maps.map;
+    }
+    if (in.work.pieces.empty() && in.work.squares.empty()) {
+        return maps.map;
+    }
+    raster::RasterInputs by_sun = in.raster;
+    by_sun.posed_vertices =
+        shadow::add_sun_vertices(graph, in.raster.posed_vertices, in.vertex_count, *plan.clipmap);
+    if (!in.work.has_still) {
+        return add_pieces(graph, in, by_sun, view, maps.map);
+    }
+    const gpu::BufferId still = add_pieces(graph, in, by_sun, view, *maps.still);
+    return in.work.squares.empty() ? maps.map : add_moving(graph, in, by_sun, maps, still);
 }
 
 } // namespace estampe::frame

@@ -15,6 +15,7 @@
 #include "gpu/graph/graph.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/hatch/hatch.hpp"
+#include "techniques/raster/raster.glsl.h"
 #include "techniques/raster/raster.hpp"
 #include "techniques/shadow/clipmap.hpp"
 #include "techniques/shadow/edge_look.hpp"
@@ -49,6 +50,17 @@ struct SunMapPlan {
 struct SunMapWork {
     bool redraws_whole = false;
     std::vector<shadow::Piece> pieces; ///< of a clipmap, not drawn yet
+    /// What stands still has a map of its own, and the pieces are of that.
+    bool has_still = false;
+    std::vector<shadow::Piece> squares;    ///< then those of the map where something else may be seen now
+    std::vector<shared::RasterView> views; ///< of them
+};
+
+/// What throws shadows, as far as it decides how the map is kept.
+struct SunCasters {
+    uint32_t layout = 0; ///< another number where what stands still may be other triangles
+    Groups groups = all_groups;
+    bool are_parted = false; ///< what moves is to be drawn apart from what stands still
 };
 
 /// Plans the map: its view, its size, and the windows of a clipmap where the style or, by itself, a scene
@@ -66,15 +78,36 @@ public:
     /// What threw the shadow has changed.
     void forget() { view_.reset(); }
 
-    /// Makes room for the map that `plan` wants, and says what to draw into it.
-    [[nodiscard]] SunMapWork provide(gpu::Device& device, const SunMapPlan& plan);
+    /// What moves has moved, from and to these places (anchor space).
+    void move(std::span<const Bounds> places) { moved_.insert(moved_.end(), places.begin(), places.end()); }
+
+    /// The same, of who knows where.
+    void move();
+
+    /// Makes room for the map that `plan` wants, and says what to draw into it. From the second time on that
+    /// something has moved under the same sun, what stands still is kept.
+    [[nodiscard]] SunMapWork provide(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters);
     /// That has been drawn.
     void drawn(const SunMapPlan& plan);
 
     [[nodiscard]] gpu::Buffer& buffer() { return map_; }
 
+    /// What stands still alone, where that is kept.
+    [[nodiscard]] gpu::Buffer& still() { return still_; }
+
+    /// The views of the work, and room for what is drawn of them.
+    [[nodiscard]] gpu::Buffer& views() { return views_; }
+
+    [[nodiscard]] gpu::Buffer& pictures() { return pictures_; }
+
 private:
     gpu::Buffer map_;
+    gpu::Buffer still_;
+    gpu::Buffer views_;
+    gpu::Buffer pictures_;
+    bool has_still_ = false; ///< it is up to date wherever the map is
+    std::vector<Bounds> moved_;
+    uint32_t layout_ = 0;
     std::optional<glm::mat4> view_; ///< of what the map holds; none when it is out of date
     std::optional<shadow::Clipmap> clipmap_;
     shadow::Windows windows_;
@@ -90,13 +123,22 @@ struct SunMapInputs {
     const SunMapWork& work;
     RasterPath path = RasterPath::compute; ///< never automatic
     raster::Tuning tuning;
-    uint32_t vertex_count = 0; ///< of the posed vertices
+    uint32_t vertex_count = 0;   ///< of the posed vertices
+    uint32_t triangle_count = 0; ///< of all
 };
 
-/// Draws what is to be drawn of the map, and hands it back.
+struct SunMaps {
+    gpu::BufferId map;
+    std::optional<gpu::BufferId> still = std::nullopt; ///< where the work has any
+    std::optional<gpu::BufferId> views = std::nullopt;
+    std::optional<gpu::BufferId> pictures = std::nullopt;
+};
+
+/// Draws what is to be drawn of the maps, and hands the map back.
 ///
 /// Cost    nothing where nothing is to be drawn; else that of raster::add_depth(), of a clipmap for each
-/// piece, of what stands still only what is seen there
-[[nodiscard]] gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, gpu::BufferId map);
+/// piece, of what stands still only what is seen there. Where that is kept, what moves is drawn as
+/// raster::add_depth_views() does, and mixed in
+[[nodiscard]] gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, const SunMaps& maps);
 
 } // namespace estampe::frame

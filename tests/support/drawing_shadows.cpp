@@ -43,7 +43,7 @@ gpu::BufferId Drawing::add_sun_map(gpu::Graph& graph, const Stage& stage, const 
 {
     sun_map_ = {};
     frame::SunMap& memory = setup.sun_memory != nullptr ? *setup.sun_memory : sun_map_;
-    const frame::SunMapWork work = memory.provide(shared_device(), plan);
+    const frame::SunMapWork work = memory.provide(shared_device(), plan, {});
     const gpu::BufferId map = gpu::import_whole(graph, "shadow", memory.buffer());
     memory.drawn(plan);
     return frame::add_sun_map(graph,
@@ -54,7 +54,7 @@ gpu::BufferId Drawing::add_sun_map(gpu::Graph& graph, const Stage& stage, const 
                                .path = path,
                                .tuning = tuning,
                                .vertex_count = meshes_.vertex_count},
-                              map);
+                              {.map = map});
 }
 
 std::vector<uint32_t> Drawing::sun_piece(const shadow::Clipmap& clipmap, const shadow::Piece& piece)

@@ -2,9 +2,11 @@
 #include "techniques/shadow/clipmap.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
+#include "shaders/mix_levels_comp.hpp"
 #include "shaders/sun_vertices_comp.hpp"
 #include "techniques/shadow/clipmap.glsl.h"
 
@@ -26,6 +28,36 @@ Piece strip(uint32_t level, glm::ivec2 low, uint32_t size, int axis, int by)
     piece.size[axis] = breadth;
     piece.low[axis] += by > 0 ? static_cast<int>(size - breadth) : 0;
     return piece;
+}
+
+/// Texels of a level between which a place is seen, and two beside it, as floats that may lie anywhere.
+std::pair<glm::dvec2, glm::dvec2> span_of(const Clipmap& clipmap, uint32_t level, const Bounds& place)
+{
+    constexpr double beside_texels = 2.0;
+    const std::array axes{glm::dvec3(clipmap.view.right), glm::dvec3(clipmap.view.down)};
+    glm::dvec2 low(0.0);
+    glm::dvec2 high(0.0);
+    for (int axis = 0; axis < 2; ++axis) {
+        for (int k = 0; k < 3; ++k) {
+            const double along = axes.at(static_cast<size_t>(axis))[k] / texel_m(clipmap, level);
+            if (along != 0.0) { // which infinity times zero is not
+                low[axis] += std::min(along * place.min[k], along * place.max[k]);
+                high[axis] += std::max(along * place.min[k], along * place.max[k]);
+            }
+        }
+    }
+    return {low - beside_texels, high + beside_texels};
+}
+
+/// The square of a window that holds the texels from `low` to `high`, which are in it.
+Piece square_in(const Clipmap& clipmap, uint32_t level, const glm::ivec2& window, glm::ivec2 low,
+                const glm::ivec2& high)
+{
+    low.x &= ~3;
+    const glm::uvec2 extent(high - low);
+    const uint32_t side = std::clamp(std::bit_ceil(std::max(extent.x, extent.y)), 64U, clipmap.size);
+    const glm::ivec2 last = window + static_cast<int>(clipmap.size - side);
+    return {.level = level, .low = glm::min(low, last), .size = glm::uvec2(side)};
 }
 
 } // namespace
@@ -81,6 +113,34 @@ std::vector<Piece> uncovered(const Clipmap& clipmap, const Windows& before, cons
     return pieces;
 }
 
+std::vector<Piece> squares_about(const Clipmap& clipmap, const Windows& windows,
+                                 std::span<const Bounds> places, std::span<const Piece> pieces)
+{
+    std::vector<Piece> squares;
+    for (uint32_t level = 0; level < windows.size(); ++level) {
+        const glm::dvec2 first(windows[level]);
+        const glm::dvec2 end = first + static_cast<double>(clipmap.size);
+        if (std::ranges::any_of(pieces, [&](const Piece& piece) { return piece.level == level; })) {
+            squares.push_back({.level = level, .low = windows[level], .size = glm::uvec2(clipmap.size)});
+            continue;
+        }
+        glm::dvec2 low = end;
+        glm::dvec2 high = first;
+        for (const Bounds& place : places) {
+            const auto [from, to] = span_of(clipmap, level, place);
+            if (glm::all(glm::lessThan(from, end)) && glm::all(glm::greaterThan(to, first))) {
+                low = glm::min(low, glm::max(from, first));
+                high = glm::max(high, glm::min(to, end));
+            }
+        }
+        if (glm::all(glm::lessThan(low, high))) {
+            squares.push_back(square_in(clipmap, level, windows[level], glm::ivec2(glm::floor(low)),
+                                        glm::ivec2(glm::ceil(high))));
+        }
+    }
+    return squares;
+}
+
 std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece)
 {
     // A level is a torus: the power of two takes care of what lies below zero, too.
@@ -126,6 +186,29 @@ shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, flo
         shadow.window_low[level] = glm::vec2(windows[level]);
     }
     return shadow;
+}
+
+gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap, std::span<const Piece> squares,
+                               gpu::BufferId pictures, gpu::BufferId still, gpu::BufferId map)
+{
+    std::array<shared::MixedSquare, most_levels> constants{};
+    uint32_t first_texel = 0;
+    uint32_t largest = 0;
+    for (size_t i = 0; i < squares.size(); ++i) {
+        const uint32_t side = squares[i].size.x;
+        constants.at(i) = {.low = glm::uvec2(squares[i].low),
+                           .sizes = static_cast<uint32_t>(std::countr_zero(side)) |
+                                    static_cast<uint32_t>(std::countr_zero(clipmap.size)) << 8U |
+                                    squares[i].level << 16U,
+                           .first_texel = first_texel};
+        first_texel += side * side;
+        largest = std::max(largest, side);
+    }
+    auto pass = graph.compute("shadow/mix", shaders::mix_levels_comp);
+    pass.read(pictures).read(still);
+    map = pass.modify(map);
+    pass.push(constants).dispatch((largest * largest / 4 + 63) / 64, static_cast<uint32_t>(squares.size()));
+    return map;
 }
 
 gpu::BufferId add_sun_vertices(gpu::Graph& graph, gpu::BufferId posed_vertices, uint32_t vertex_count,

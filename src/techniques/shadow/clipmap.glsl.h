@@ -4,7 +4,17 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+// A square of a level, both of powers of two, and where a picture of it begins. Its first column is a
+// multiple of 4.
+struct MixedSquare {
+    uvec2 low; // as two's complement
+    uint sizes; // logarithms: of the square's side in bits 0-7, of the level's in 8-15; the level above
+    uint first_texel;
+};
 
 struct SunVerticesConstants {
     vec3 right; // times texels a metre

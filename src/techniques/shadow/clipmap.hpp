@@ -3,9 +3,12 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
+
+#include <estampe/scene.hpp>
 
 #include "gpu/graph/graph.hpp"
 #include "techniques/shadow/sun_view.hpp"
@@ -54,6 +57,12 @@ struct Piece {
 /// uncovered, widened to powers of two.
 [[nodiscard]] std::vector<Piece> uncovered(const Clipmap& clipmap, const Windows& before, const Windows& now);
 
+/// Squares, at most one a level, that hold what is seen of `places` (anchor space) in the windows: their
+/// sides are powers of two, 64 or more, their first columns multiples of 4. Levels of which there are
+/// `pieces` are whole.
+[[nodiscard]] std::vector<Piece> squares_about(const Clipmap& clipmap, const Windows& windows,
+                                               std::span<const Bounds> places, std::span<const Piece> pieces);
+
 /// A rectangle of a piece that lies in one run of rows of the map.
 struct PieceHome {
     glm::uvec2 from{0}; ///< texel of the piece
@@ -71,6 +80,13 @@ struct PieceHome {
 /// at any in parallel projection. `fades`: shadow pales towards the edge of the last level.
 [[nodiscard]] shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, float pixel_m,
                                            bool fades, const ShadowStyle& style);
+
+/// Puts into `map`, in each of `squares`, the nearer to the sun of what `still` holds there and of a picture
+/// of the square: the pictures stand one after another in `pictures`, row by row. Cost: one dispatch, three
+/// accesses a texel.
+[[nodiscard]] gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap,
+                                             std::span<const Piece> squares, gpu::BufferId pictures,
+                                             gpu::BufferId still, gpu::BufferId map);
 
 /// Posed vertices as the sun sees them: x and y in the finest texels, rounded to 1/32, z its clip z. So what
 /// is drawn of them does not depend on where a piece begins.
