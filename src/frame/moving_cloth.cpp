@@ -2,6 +2,7 @@
 #include "frame/moving_cloth.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -212,6 +213,20 @@ std::vector<cloth::SheetReach> MovingCloth::stays_in(std::span<const SheetPlace>
     both.insert(both.end(), stayed_in_.begin(), stayed_in_.end());
     stayed_in_ = std::move(boxes);
     return both;
+}
+
+std::vector<Bounds> MovingCloth::sweep(const pose::PoseData& pose)
+{
+    constexpr double everywhere = std::numeric_limits<double>::infinity();
+    std::vector<Bounds> now;
+    for (const SheetPlace& sheet : sheet_places(pose)) {
+        now.push_back(
+            sheet.stays_in.value_or(Bounds{.min = glm::dvec3(-everywhere), .max = glm::dvec3(everywhere)}));
+    }
+    std::vector<Bounds> swept = now;
+    swept.insert(swept.end(), swept_before_.begin(), swept_before_.end());
+    swept_before_ = std::move(now);
+    return swept;
 }
 
 std::optional<ClothRun> MovingCloth::plan(const RenderSettings& settings, const StyleTables& style,

@@ -69,6 +69,10 @@ public:
     void place_solids(gpu::Device& device, const Scene& scene, const ClothPose& pose,
                       const pose::MeshData& layout);
 
+    /// The boxes that sheets were in since the last call (anchor space), and one without end where any of
+    /// them may come anywhere.
+    [[nodiscard]] std::vector<Bounds> sweep(const pose::PoseData& pose);
+
     /// Where sheets are carried to since the last call: none, unless one hangs on what was put elsewhere
     /// within `time_s`, or the anchor moved.
     [[nodiscard]] std::vector<glm::mat4> carries(const pose::PoseData& pose, const glm::dvec3& anchor,
@@ -113,6 +117,7 @@ private:
     std::vector<Bounds> reaches_;              ///< one a sheet, in object space
     bool all_hang_ = false;                    ///< every particle of every sheet on one that is held
     std::vector<cloth::SheetReach> stayed_in_; ///< in the last pose
+    std::vector<Bounds> swept_before_;
     std::vector<glm::mat4> places_before_;
     glm::dvec3 anchor_before_{0.0};
     std::optional<double> time_s_;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <future>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -105,12 +106,13 @@ void Renderer::set_brightness(std::span<const LightBrightness> lights)
 void Renderer::Impl::update_pose(const ScenePose& scene_pose)
 {
     const bool is_kept = &scene_pose == &posed_scene.pose;
-    if (is_kept && posed_scene.is_on_device && loaded->pose) {
+    const bool is_wanted = std::exchange(poses_anyway, false);
+    if (is_kept && posed_scene.is_on_device && loaded->pose && !is_wanted) {
         return;
     }
     posed_scene.is_on_device = is_kept;
     pose::PoseData now = pose::pose_meshes(loaded->layout, loaded->scene, scene_pose);
-    if (loaded->pose && *loaded->pose == now) {
+    if (loaded->pose && *loaded->pose == now && !is_wanted) {
         return;
     }
     if (loaded->pose) {
@@ -330,13 +332,9 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     const bool is_there = before_s && !settings.motion_since && loaded->pose && !has_cloth_moved &&
                           before_s == flowing_ink.before_s(settings, tables.ink);
     if (before_s && !is_there) {
-        if (has_cloth_moved) {
-            loaded->pose.reset(); // both moments are posed, though nothing but cloth may differ
-        }
+        poses_anyway = has_cloth_moved; // both moments are posed, though nothing but cloth may differ
         pose_before(frame::pose_at(*loaded, *before_s, settings.animation));
-        if (has_cloth_moved) {
-            loaded->pose.reset();
-        }
+        poses_anyway = has_cloth_moved;
     }
     update_pose(scene_pose);
     loaded->pose_moved = loaded->pose_moved || has_cloth_moved;

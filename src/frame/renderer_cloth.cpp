@@ -73,9 +73,11 @@ void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
     }
     step_cloth(from_s, run->to_s, settings, style);
     loaded->cloth->done(settings, style);
-    sun_map.move();
-    moved.push_back({.min = glm::dvec3(-std::numeric_limits<double>::infinity()),
-                     .max = glm::dvec3(std::numeric_limits<double>::infinity())});
+    if (loaded->pose) { // without one everything is taken to have moved
+        const std::vector<Bounds> swept = loaded->cloth->sweep(*loaded->pose);
+        sun_map.move(swept);
+        moved.insert(moved.end(), swept.begin(), swept.end());
+    }
 }
 
 gpu::BufferId Renderer::Impl::pose_for_cloth(gpu::Graph& graph, double time_s, Index animation)

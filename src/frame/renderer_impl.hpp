@@ -169,6 +169,7 @@ struct Renderer::Impl {
     gpu::Buffer sun_shadow;
     frame::LocalShadows local_shadows;
     frame::LocalShadowBuffers local_shadow_buffers;
+    bool poses_anyway = false; ///< where nothing has moved, too
     std::vector<Bounds> moved; ///< since the local shadows were planned last
     gpu::Buffer stroke_kinds;
     gpu::Buffer form_coordinates;
