@@ -25,6 +25,7 @@ namespace {
 
 constexpr double steps_per_s = 24.0; ///< at least
 constexpr double longest_gap_s = 1.0;
+constexpr float held_s = 0.2F;   ///< that air has been in a source at least, going by its density
 constexpr uint32_t channels = 2; // density and temperature
 
 /// Proportions of the box and how fast smoke goes through it.
@@ -111,6 +112,8 @@ fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
     const glm::vec3 floor = 0.5F * box.cell_m * glm::vec3(box.cells) * glm::vec3(1.0F, 0.0F, 1.0F);
     fluid::Source source{.shape = fluid::disc(floor + glm::vec3(0.0F, 0.6F * radius_m, 0.0F), radius_m)};
     source.gain_per_s[shared::fluid_density] = style.amount_per_s;
+    // Or air that comes in by the floor would be a way above it before it is seen, the longer the quicker.
+    source.least_density = std::min(held_s * style.amount_per_s, 1.0F);
     source.gain_per_s[shared::fluid_temperature] = 6.0F / style.rise_s;
     return source;
 }

@@ -260,6 +260,33 @@ TEST(RisingSmoke, ThrowsItsShadowOnTheSceneAndLiesInTheScenes)
     EXPECT_GT(darkness(in_shade), darkness(unshaded));
 }
 
+TEST(RisingSmoke, BeginsWhereItRisesFrom)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(smoking_box());
+    // From the side: 72 pixels are a metre, the box ends 0.05 m below the middle.
+    Camera level{.eye = {0.0, 0.45, 6.0}, .target = {0.0, 0.45, 0.0}};
+    level.orthographic_half_height_m = 0.5;
+    const std::vector<std::string> flat{"smoke.medium=wash", "smoke.line_mm=0", "smoke.shadow=0",
+                                        "paper.margin_mm=0"};
+    Style bare;
+    bare.set(flat.back());
+    RenderSettings settings = still;
+    for (const double time_s : {0.0, 0.06, 0.12, 0.18}) {
+        settings.time_s = time_s;
+        const Image with = renderer.render(level, smoking(flat), settings);
+        const Image without = renderer.render(level, bare, settings);
+        size_t covered = 0;
+        for (uint32_t y = 32; y < 39; ++y) {
+            for (uint32_t x = 40; x < 56; ++x) {
+                const size_t byte = size_t{4} * (y * settings.width + x);
+                covered += std::equal(&with.rgba[byte], &with.rgba[byte] + 4, &without.rgba[byte]) ? 0 : 1;
+            }
+        }
+        EXPECT_GT(covered, 7U * 16U * 8U / 10U) << "a tenth of a metre above the box, at " << time_s << " s";
+    }
+}
+
 TEST(RisingSmoke, ItsFireIsALamp)
 {
     Renderer& renderer = test::shared_renderer();

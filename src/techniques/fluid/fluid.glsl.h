@@ -92,6 +92,7 @@ struct FluidShape {
     vec4 gain;      // of the first four channels, a second
     vec4 more_gain; // of the next four
     float push;     // how quickly what is within takes up its speed, 1 / s
+    float least_density;
 };
 
 // Where shapes are: obstacles first, then sources.

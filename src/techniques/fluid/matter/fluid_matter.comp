@@ -65,11 +65,13 @@ void main()
                          ? imageLoad(quantities, ivec3(cell.xy, i * int(grid.depth) + cell.z)).x
                          : 0.0;
     }
+    float least = 0.0; // density
     for (uint k = shapes.obstacle_count; k < shapes.count; ++k) {
-        float gained = shapes.step_s * cover_of(shape_list[k], place_m);
+        float cover = cover_of(shape_list[k], place_m);
         for (int i = 0; i < int(fluid_most_channels); ++i) {
-            amounts[i] += gained * gain_of_channel(shape_list[k], i);
+            amounts[i] += shapes.step_s * cover * gain_of_channel(shape_list[k], i);
         }
+        least = max(least, cover * shape_list[k].least_density);
     }
     float stays = 1.0 - matter.rim_share * closeness_to_rim(vec3(cell) + 0.5, matter.rim_cells);
     amounts[fluid_density] *= stays * matter.density_kept;
@@ -80,6 +82,7 @@ void main()
     if ((variant & fluid_bit_condensing) != 0u) {
         condense(amounts, place_m.y);
     }
+    amounts[fluid_density] = least > 0.0 ? max(amounts[fluid_density], least) : amounts[fluid_density];
     for (int i = 0; i < int(shapes.channels); ++i) {
         imageStore(quantities, ivec3(cell.xy, i * int(grid.depth) + cell.z), vec4(amounts[i]));
     }

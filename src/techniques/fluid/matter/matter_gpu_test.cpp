@@ -142,6 +142,28 @@ TEST(FluidMatter, SourcesBringWhatTheySay)
     EXPECT_NEAR(at(seen.quantities, meadow, 4, 32, 32), 1.5, 1e-4);
 }
 
+TEST(FluidMatter, SourcesAreAsDenseInAQuickStreamAsTheySay)
+{
+    constexpr Edge open = Edge::periodic;
+    const Grid stream{.cells = {64, 64, 1}, .cell_m = 0.1F, .edges = {open, open, open}};
+    const auto upwards =
+        over_nodes(stream, 2, [](uint32_t axis, glm::uvec3) { return axis == 1 ? 8.0 : 0.0; });
+    Fluid fluid(test::shared_device(), stream, 2, upwards);
+    Source source{.shape = disc({3.2F, 0.4F, 0.0F}, 0.7F)};
+    source.gain_per_s = {1.0F};
+    source.least_density = 0.6F;
+    fluid.set_shapes({}, std::vector{source});
+    FluidStyle style{.step_s = 0.02F};
+    style.matter.rim = {.breadth_m = 0.8F, .share_per_s = 20.0F};
+    style.matter.fading_per_s = 2.0F;
+    const std::vector<float> quantities = after(fluid, style, 10).quantities;
+    for (uint32_t y = 0; y < 10; ++y) {
+        EXPECT_GE(at(quantities, stream, 0, 32, y), 0.6 - 1e-6) << y;
+    }
+    EXPECT_EQ(at(quantities, stream, 1, 32, 4), 0.0) << "of no other quantity";
+    EXPECT_EQ(at(quantities, stream, 0, 10, 4), 0.0);
+}
+
 TEST(FluidMatter, HeatRisesAndWeightFalls)
 {
     const auto blob = over_nodes(meadow, 2, [](uint32_t channel, glm::uvec3 cell) {

@@ -34,6 +34,7 @@ struct Source {
     Shape shape;
     float push_per_s = 0.0F; ///< how quickly what is within takes up the shape's velocity
     std::array<float, shared::fluid_most_channels> gain_per_s{}; ///< of quantities, channel by channel
+    float least_density = 0.0F; ///< of what is within after a step, however quickly it goes through
 };
 
 /// Obstacles and sources of a fluid, on the device.
