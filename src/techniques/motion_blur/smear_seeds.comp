@@ -125,7 +125,9 @@ void main()
     stroke.way_px = ends && goes_along(edge_way, way)
                         ? -edge_way * (constants.length_share * (0.2 + 0.8 * uneven * uneven))
                         : vec2(0.0);
-    stroke.half_px = 0.5 * constants.width_px * (0.15 + 0.85 * weight * weight * weight);
+    // What is short is no tuft.
+    stroke.half_px = min(0.5 * constants.width_px * (0.15 + 0.85 * weight * weight * weight),
+                         length_of(stroke.way_px) / 14.0);
     stroke.depth = depth;
     stroke.random = random;
     stroke.least_px = 0.5 * length_of(edge_way);
