@@ -37,6 +37,7 @@ layout(push_constant, scalar) uniform Constants
 
 const float step_px = 2.0;
 const int most_steps = 2048;
+const float hair_half_px = 0.75;
 
 vec3 vertex_before(uint vertex)
 {
@@ -98,7 +99,7 @@ void main()
     ivec2 first = ivec2(floor(clamp(moving.xy, vec2(-1.0), vec2(constants.size_px))));
     // What is seen there has to be what the seed lies on, or to go as that does.
     vec2 off = way_at(clamp(first, ivec2(0), last)) - way;
-    bool is_its = length_of(off) < 0.2 * length_of(way) + 0.75;
+    bool is_its = length_of(off) < 0.05 * length_of(way) + 0.25;
     bool goes_on = is_on_page(first) && is_its && length_of(way) > max(constants.from_px, blur_still_px);
     bool was_going = goes_on;
     float along_px = 0.0;
@@ -128,6 +129,12 @@ void main()
     // What is short is no tuft.
     stroke.half_px = min(0.5 * constants.width_px * (0.15 + 0.85 * weight * weight * weight),
                          length_of(stroke.way_px) / 14.0);
+    // Where the edge runs along the way there is no body for a brush to be set down on.
+    vec2 begin = stroke.from_px - 3.0 * stroke.half_px * back;
+    vec2 aside = stroke.half_px * vec2(-back.y, back.x);
+    bool has_body = goes_along(way_at(clamp(ivec2(floor(begin + aside)), ivec2(0), last)), way) &&
+                    goes_along(way_at(clamp(ivec2(floor(begin - aside)), ivec2(0), last)), way);
+    stroke.half_px = has_body ? stroke.half_px : min(stroke.half_px, hair_half_px);
     stroke.depth = depth;
     stroke.random = random;
     stroke.least_px = 0.5 * length_of(edge_way);
