@@ -10,7 +10,7 @@ namespace estampe::shared {
 
 SHARED_CONSTANT uint smear_block_px = 64U;     // side of the parts of the page that list their strokes
 SHARED_CONSTANT uint most_smear_strokes = 63U; // that pass one part
-SHARED_CONSTANT float smear_bow = 0.03F;        // how far a stroke bends aside at most, by its length
+SHARED_CONSTANT float smear_bow = 0.03F;       // how far a stroke bends aside at most, by its length
 
 // A place on a triangle, one texel.
 struct SmearSeed {
