@@ -19,6 +19,7 @@
 #include "techniques/contour/chains/strung_lines.hpp"
 #include "techniques/ink/ink.hpp"
 #include "techniques/lightmap/lightmap.hpp"
+#include "techniques/motion_blur/smear.hpp"
 #include "techniques/motion_blur/stretch.hpp"
 #include "techniques/occlusion/disc_map.hpp"
 #include "techniques/pose/pose.hpp"
@@ -78,6 +79,7 @@ struct FrameResources {
     gpu::Buffer& map_frame;                 ///< then: FrameGlobals, of a page as large as the map
     gpu::Buffer& half_frame;                ///< FrameGlobals of every second pixel each way
     motion_blur::TogetherBuffers& together; ///< where meshes are drawn out
+    motion_blur::SmearSeeds& smear_seeds;   ///< where strokes begin
     std::span<const StillCaster> still_casters;
     GroundShadow& ground_shadow;
     MovingCloth* cloth;               ///< where the scene has any

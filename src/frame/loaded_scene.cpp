@@ -143,6 +143,7 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
     loaded.disc_map = {};
     loaded.surface_maps.clear();
     loaded.together = {};
+    loaded.smear_seeds = {};
     loaded.pose.reset();
     loaded.pose_moved = true;
 }
@@ -222,6 +223,20 @@ occlusion::DiscBuffers discs_of(gpu::Device& device, const LoadedScene& loaded)
         occlusion::list_discs(layout.stroke_coordinates, static_cast<float>(layout.stroke_unit_m), triangles);
     occlusion::color_discs(list, colors_of_vertices(loaded));
     return occlusion::upload_discs(device, list, static_cast<uint32_t>(layout.stroke_coordinates.size()));
+}
+
+motion_blur::SmearSeeds smear_seeds_of(gpu::Device& device, const pose::MeshData& layout)
+{
+    std::vector<uint32_t> solid;
+    for (const pose::Range& range : {layout.opaque, layout.masked}) {
+        for (uint32_t i = range.first; i < range.first + range.count; ++i) {
+            if (layout.triangles[i].x < layout.foreign_vertex.value_or(UINT32_MAX)) {
+                solid.push_back(i);
+            }
+        }
+    }
+    return motion_blur::upload_seeds(
+        device, motion_blur::spread_seeds(solid, layout.triangles, layout.stroke_coordinates));
 }
 
 void lay_out(gpu::Device& device, LoadedScene& loaded)

@@ -19,6 +19,7 @@
 #include "frame/sun_casters.hpp"
 #include "frame/surface_map.hpp"
 #include "techniques/light/light.hpp"
+#include "techniques/motion_blur/smear.hpp"
 #include "techniques/motion_blur/stretch.hpp"
 #include "techniques/occlusion/disc_map.hpp"
 #include "techniques/pose/pose.hpp"
@@ -56,6 +57,7 @@ struct LoadedScene {
     occlusion::DiscMapBuffers disc_map;          ///< then, where they are summed in a map
     std::map<uint32_t, SurfaceMap> surface_maps; ///< that styles ask for, by their side in texels
     motion_blur::TogetherBuffers together;       ///< then, too
+    motion_blur::SmearSeeds smear_seeds;         ///< and these
     HouseLight house_light;
     light::KeyLightMemory key_light;
     EmittingNodes emitting;
@@ -82,6 +84,10 @@ void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodeP
 /// The discs of all that is neither blank ground nor terrain, in the colours of their vertices and materials.
 /// Cost: n log n in vertices.
 [[nodiscard]] occlusion::DiscBuffers discs_of(gpu::Device& device, const LoadedScene& loaded);
+
+/// Where smear strokes may begin: on all that is solid, and neither blank ground nor terrain.
+/// Cost: linear in triangles.
+[[nodiscard]] motion_blur::SmearSeeds smear_seeds_of(gpu::Device& device, const pose::MeshData& layout);
 
 /// Makes the meshes of the loaded scene as its objects' links want them, and forgets what was made of those
 /// before.

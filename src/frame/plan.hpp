@@ -23,6 +23,7 @@
 #include "techniques/lens/lens.glsl.h"
 #include "techniques/light/daylight.hpp"
 #include "techniques/motion_blur/motion_blur.glsl.h"
+#include "techniques/motion_blur/smear.glsl.h"
 #include "techniques/particles/particles.hpp"
 #include "techniques/raster/raster.hpp"
 #include "techniques/sky/clouds/clouds.hpp"
@@ -101,6 +102,7 @@ struct FocusPlan {
 struct MotionBlurPlan {
     MotionPlan motion;
     shared::MotionBlurConstants constants;
+    shared::SmearConstants smear;
 };
 
 /// A picture, all of its samples alike.

@@ -229,6 +229,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .map_frame = map_frame_globals,
                                     .half_frame = half_frame_globals,
                                     .together = loaded->together,
+                                    .smear_seeds = loaded->smear_seeds,
                                     .still_casters = loaded->still_casters,
                                     .ground_shadow = ground_shadow,
                                     .cloth = loaded->cloth.get(),
@@ -534,7 +535,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
             "a drawing of strokes has neither wash nor sky, nor ink that runs or flows, nor smoke");
     }
     if (plan.motion_blur) {
-        impl.notes.emplace_back("a drawing of strokes has no motion blur and no speed lines");
+        impl.notes.emplace_back("a drawing of strokes has no motion blur, no speed lines and no smear");
         plan.motion_blur.reset();
     }
     if (plan.lens) {

@@ -92,10 +92,13 @@ Renderer::Impl::plan_motion_blur(const Camera& camera, const frame::PagePlan& pa
         return std::nullopt;
     }
     const Camera opened = settings.exposure_end ? settings.exposure_end->camera : camera;
+    const shared::MotionBlurConstants constants = motion_blur::constants_of(
+        style.motion_blur, static_cast<float>(1.0 / share), page_plan.pixels_per_mm, line_half_px);
     return frame::MotionBlurPlan{
         .motion = motion_between(carried_back(camera, opened, share), camera, settings),
-        .constants = motion_blur::constants_of(style.motion_blur, static_cast<float>(1.0 / share),
-                                               page_plan.pixels_per_mm, line_half_px)};
+        .constants = constants,
+        .smear = motion_blur::smear_constants_of(style.motion_blur, constants.scale, constants.most_px,
+                                                 page_plan.pixels_per_mm)};
 }
 
 frame::MotionPlan Renderer::Impl::motion_between(const Camera& before, const Camera& now,

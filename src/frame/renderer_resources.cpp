@@ -89,6 +89,9 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
             motion_blur::upload_together(device, motion_blur::list_together(loaded->layout.stroke_coordinates,
                                                                             loaded->layout.draw_of_vertex));
     }
+    if (plan.motion_blur && plan.looks.styles.front().motion_blur.smear && !loaded->smear_seeds.is_made) {
+        loaded->smear_seeds = frame::smear_seeds_of(device, loaded->layout);
+    }
     if (plan.subsurface) {
         frame::refill(device, "subsurface looks", plan.subsurface->looks, subsurface_looks);
     }

@@ -124,7 +124,7 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
         notes = std::move(notes_of_ink);
     }
     if (plan.motion_blur) {
-        notes.emplace_back("a page that is drawn in tiles has no motion blur and no speed lines");
+        notes.emplace_back("a page that is drawn in tiles has no motion blur, no speed lines and no smear");
         plan.motion_blur.reset();
     }
     uint32_t overlap = 0;

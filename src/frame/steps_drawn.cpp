@@ -259,6 +259,18 @@ motion_blur::MotionBlurLayers add_motion_blur(const Making& making, const PosedS
     }
     const bool is_stretched = making.style.motion_blur.mode == motion_blur::Mode::stretched;
     const gpu::ImageId own_motion = motion_of(making, scene, visibility, plan->motion);
+    const bool has_moved = plan->motion.pose_moved || making.resources.terrain != nullptr;
+    // Shifted within a pixel as the sample is, so that a way is that of the body alone.
+    const glm::mat4 shifted_before(glm::dmat4(making.sample.clip_from_anchor) *
+                                   glm::inverse(glm::dmat4(plan->motion.clip_from_anchor)) *
+                                   glm::dmat4(plan->motion.clip_from_anchor_before));
+    const motion_blur::SmearScene smear{.frame = scene.frame,
+                                        .triangles = scene.meshes.triangles,
+                                        .posed_vertices = scene.meshes.posed_vertices,
+                                        .posed_vertices_before =
+                                            has_moved ? scene.vertices_before : scene.meshes.posed_vertices,
+                                        .clip_from_anchor_before = shifted_before,
+                                        .seeds = &making.resources.smear_seeds};
     return motion_blur::add_motion_blur(
         making.graph,
         {.motion = is_stretched ? stretched_motion_of(making, scene, *plan) : own_motion,
@@ -269,8 +281,9 @@ motion_blur::MotionBlurLayers add_motion_blur(const Making& making, const PosedS
          .lines = layers.lines,
          .sky_ink = colors.sky_ink,
          .has_sky = colors.has_sky_ink,
-         .size_px = making.sample.size_px},
-        making.style.motion_blur, plan->constants);
+         .size_px = making.sample.size_px,
+         .smear = making.style.motion_blur.smear ? std::optional(smear) : std::nullopt},
+        making.style.motion_blur, plan->constants, plan->smear);
 }
 
 gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)

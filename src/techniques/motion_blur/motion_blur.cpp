@@ -107,7 +107,7 @@ double exposure_s(const MotionBlurStyle& style)
 
 bool is_wanted(const MotionBlurStyle& style)
 {
-    return style.shutter_deg > 0.0F && (style.mode != Mode::none || style.lines);
+    return style.shutter_deg > 0.0F && (style.mode != Mode::none || style.lines || style.smear);
 }
 
 shared::MotionBlurConstants constants_of(const MotionBlurStyle& style, float scale, float pixels_per_mm,
@@ -126,7 +126,7 @@ shared::MotionBlurConstants constants_of(const MotionBlurStyle& style, float sca
 }
 
 MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in, const MotionBlurStyle& style,
-                                 shared::MotionBlurConstants constants)
+                                 shared::MotionBlurConstants constants, const shared::SmearConstants& smear)
 {
     constants.size_px = in.size_px;
     const uint32_t variant = in.has_sky ? shared::blur_has_sky : 0U;
@@ -149,6 +149,12 @@ MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in, 
     }
     if (style.lines) {
         layers.lines = add_speed_lines(graph, in, packed, layers.lines, constants);
+    }
+    if (in.smear) {
+        layers.lines = add_smear(
+            graph, *in.smear,
+            {.page = packed.page, .owner_depth = packed.depth, .depth = in.depth, .size_px = in.size_px},
+            layers.lines, smear);
     }
     return layers;
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What moves while the shutter is open is blurred along its way, or drawn with speed lines.
+// What moves while the shutter is open is blurred along its way, or drawn with speed lines or smear strokes.
 
 #include <optional>
 
 #include "gpu/graph/graph.hpp"
 #include "techniques/motion_blur/motion_blur.glsl.h"
 #include "techniques/motion_blur/motion_blur_style.hpp"
+#include "techniques/motion_blur/smear.hpp"
 
 namespace estampe::motion_blur {
 
@@ -33,6 +34,7 @@ struct MotionBlurInputs {
     gpu::ImageId sky_ink; ///< r16f
     bool has_sky = false; ///< else there is no such ink
     glm::uvec2 size_px{0};
+    std::optional<SmearScene> smear; ///< where the style has it
 };
 
 struct MotionBlurLayers {
@@ -43,13 +45,15 @@ struct MotionBlurLayers {
 };
 
 /// Draws layers as they are seen while the shutter is open, all together, so that on paper they are the
-/// picture blurred; and speed lines over them.
+/// picture blurred; and speed lines and smear strokes over them.
 ///
 /// Writes  new layers; what stands still, and is not passed by anything, keeps its bits
 /// Cost    a pass over the page that packs it, two over its tiles, one of 64 texels a pixel at most where
-///         anything moves; speed lines three more, of 16 lines a pixel at most
+///         anything moves; speed lines three more, of 16 lines a pixel at most; smear strokes those of
+///         add_smear()
 [[nodiscard]] MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in,
                                                const MotionBlurStyle& style,
-                                               shared::MotionBlurConstants constants);
+                                               shared::MotionBlurConstants constants,
+                                               const shared::SmearConstants& smear);
 
 } // namespace estampe::motion_blur

@@ -23,7 +23,7 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
             .number("frames_per_s", &MotionBlurStyle::frames_per_s, {1.0F, 1000.0F}, "/s",
                     "Frames a second of a still; a film has its own")
             .number("largest_mm", &MotionBlurStyle::largest_mm, {0.1F, 60.0F}, "mm",
-                    "Longest way on the page that is blurred over")
+                    "Longest way on the page that is blurred or smeared over")
             .toggle("lines", &MotionBlurStyle::lines, "Draw speed lines behind what is fast")
             .number("lines_length", &MotionBlurStyle::lines_length, {0.1F, 20.0F}, "",
                     "Length of speed lines, as a share of the way that is gone while the shutter is open; 30 "
@@ -35,6 +35,18 @@ const style::Table<MotionBlurStyle>& motion_blur_table()
             .number("lines_from_mm", &MotionBlurStyle::lines_from_mm, {0.0F, 60.0F}, "mm",
                     "What goes less far than this while the shutter is open has no speed lines")
             .color("lines_ink", &MotionBlurStyle::lines_ink, "Ink of the speed lines")
+            .toggle("smear", &MotionBlurStyle::smear,
+                    "Draw strokes of a dry brush from the edge that what moves draws after it")
+            .number("smear_length", &MotionBlurStyle::smear_length, {0.1F, 20.0F}, "",
+                    "Length of the longest smear strokes, as a share of the way that is gone while the "
+                    "shutter is open, of which largest_mm is the most")
+            .number("smear_spacing_mm", &MotionBlurStyle::smear_spacing_mm, {0.2F, 50.0F}, "mm",
+                    "From one smear stroke to the next, about, across their way")
+            .number("smear_width_mm", &MotionBlurStyle::smear_width_mm, {0.05F, 10.0F}, "mm",
+                    "Width of the broadest smear strokes where they begin")
+            .number("smear_from_mm", &MotionBlurStyle::smear_from_mm, {0.0F, 60.0F}, "mm",
+                    "What goes less far than this while the shutter is open has no smear strokes")
+            .color("smear_ink", &MotionBlurStyle::smear_ink, "Ink of the smear strokes")
             .integer("seed", &MotionBlurStyle::seed, {0, 1000000}, "", "Another number, another hand");
     return table;
 }

@@ -18,6 +18,12 @@ struct MotionBlurStyle {
     float lines_width_mm = 0.3F;
     float lines_from_mm = 1.5F;
     glm::vec3 lines_ink = style::srgb(0x1c1a20);
+    bool smear = false;
+    float smear_length = 5.0F;
+    float smear_spacing_mm = 3.0F;
+    float smear_width_mm = 2.5F;
+    float smear_from_mm = 1.0F;
+    glm::vec3 smear_ink = style::srgb(0x1c1a20);
     int seed = 1;
 };
 
