@@ -11,8 +11,8 @@ layout(scalar, binding = TILE_LIST_BINDING) readonly buffer TileList
     uint tile_list[];
 };
 
-// The tile of this group, columns in the lower half and rows in the upper. Groups past the end of the list do the
-// last one again, which changes nothing: to leave them out would cost a processor a mask for all others.
+// The tile of this group, columns in the lower half and rows in the upper. Groups past the end of the list do
+// the last one again, which changes nothing: to leave them out would cost a processor a mask for all others.
 uint tile_of_group()
 {
     uint number = gl_WorkGroupID.y * tile_list_groups + gl_WorkGroupID.x;

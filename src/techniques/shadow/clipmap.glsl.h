@@ -11,7 +11,7 @@ namespace estampe::shared {
 // A square of a level, both of powers of two, and where a picture of it begins. Its first column is a
 // multiple of 4.
 struct MixedSquare {
-    uvec2 low; // as two's complement
+    uvec2 low;  // as two's complement
     uint sizes; // logarithms: of the square's side in bits 0-7, of the level's in 8-15; the level above
     uint first_texel;
 };
