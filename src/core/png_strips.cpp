@@ -13,13 +13,13 @@
 #include <estampe/error.hpp>
 
 #include "core/at_once.hpp"
+#include "core/png_head.hpp"
 
 namespace estampe {
 namespace {
 
-constexpr uint64_t strip_bytes = 1U << 20U; // of rows, or a single row
-constexpr size_t window_bytes = 32768;      // how far deflate looks back
-constexpr int level = 4;                    // as fast as 3 on drawings, which it makes smaller
+constexpr uint64_t strip_bytes = 1U << 20U;                       // of rows, or a single row
+constexpr size_t window_bytes = 32768;                            // how far deflate looks back
 constexpr std::array zlib_head{std::byte{0x78}, std::byte{0x5e}}; // a window of that size, a fast level
 
 /// Rows ready to deflate: each behind the number of its filter, each byte less the one a pixel before it.
@@ -58,7 +58,7 @@ struct Deflater {
 
     Deflater()
     {
-        if (deflateInit2(&stream, level, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_FILTERED) != Z_OK) {
+        if (deflateInit2(&stream, png_level, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_FILTERED) != Z_OK) {
             throw Error("out of memory");
         }
     }
@@ -90,7 +90,11 @@ Strip deflated(const PngPixels& pixels, uint64_t first, uint64_t end)
     stream.avail_in = static_cast<uInt>(strip.filtered_bytes);
     stream.next_out = reinterpret_cast<Bytef*>(strip.deflated.data());
     stream.avail_out = static_cast<uInt>(strip.deflated.size());
-    deflate(&stream, end == pixels.height ? Z_FINISH : Z_SYNC_FLUSH);
+    const bool is_last = end == pixels.height;
+    const int result = deflate(&stream, is_last ? Z_FINISH : Z_SYNC_FLUSH);
+    if (result != (is_last ? Z_STREAM_END : Z_OK) || stream.avail_in != 0) {
+        throw Error("cannot deflate the rows of a PNG");
+    }
     strip.deflated.resize(stream.total_out);
     return strip;
 }

@@ -2,7 +2,6 @@
 #include "frame/moving_cloth.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <tuple>
 
@@ -217,11 +216,9 @@ std::vector<cloth::SheetReach> MovingCloth::stays_in(std::span<const SheetPlace>
 
 std::vector<Bounds> MovingCloth::sweep(const pose::PoseData& pose)
 {
-    constexpr double everywhere = std::numeric_limits<double>::infinity();
     std::vector<Bounds> now;
     for (const SheetPlace& sheet : sheet_places(pose)) {
-        now.push_back(
-            sheet.stays_in.value_or(Bounds{.min = glm::dvec3(-everywhere), .max = glm::dvec3(everywhere)}));
+        now.push_back(sheet.stays_in.value_or(pose::everywhere()));
     }
     std::vector<Bounds> swept = now;
     swept.insert(swept.end(), swept_before_.begin(), swept_before_.end());

@@ -120,7 +120,7 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
         moved.insert(moved.end(), places.begin(), places.end());
         sun_map.move(places);
     } else {
-        sun_map.move();
+        sun_map.move(std::vector{pose::everywhere()});
     }
     pose::swap_posed(loaded->meshes);
     if (pose::upload_pose(device, loaded->meshes, loaded->layout, now)) {
@@ -132,7 +132,8 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
 
 frame::SunCasters Renderer::Impl::sun_casters(const frame::FramePlan& plan) const
 {
-    // A processor pays more for mixing whole levels than for drawing what stands still.
+    // The device's own rasteriser gives depths other bits in another picture: a film that is taken up again
+    // would not be the same to the byte.
     const frame::CasterKinds kinds = frame::caster_kinds(loaded->layout);
     return {.layout = loaded->layout_number,
             .groups = plan.sun.casters,

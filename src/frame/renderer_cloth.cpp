@@ -73,11 +73,10 @@ void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
     }
     step_cloth(from_s, run->to_s, settings, style);
     loaded->cloth->done(settings, style);
-    if (loaded->pose) { // without one everything is taken to have moved
-        const std::vector<Bounds> swept = loaded->cloth->sweep(*loaded->pose);
-        sun_map.move(swept);
-        moved.insert(moved.end(), swept.begin(), swept.end());
-    }
+    const std::vector<Bounds> swept =
+        loaded->pose ? loaded->cloth->sweep(*loaded->pose) : std::vector{pose::everywhere()};
+    sun_map.move(swept);
+    moved.insert(moved.end(), swept.begin(), swept.end());
 }
 
 gpu::BufferId Renderer::Impl::pose_for_cloth(gpu::Graph& graph, double time_s, Index animation)

@@ -148,12 +148,6 @@ shared::SunShadow sun_globals(const SunMapPlan& plan, const PixelSize& pixel,
                         : shadow::sun_shadow(plan.view, plan.size, style);
 }
 
-void SunMap::move()
-{
-    constexpr double everywhere = std::numeric_limits<double>::infinity();
-    moved_.assign(1, {.min = glm::dvec3(-everywhere), .max = glm::dvec3(everywhere)});
-}
-
 SunMapWork SunMap::provide(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters)
 {
     const uint64_t levels = plan.clipmap ? plan.clipmap->level_count : 1;

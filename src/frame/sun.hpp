@@ -81,9 +81,6 @@ public:
     /// What moves has moved, from and to these places (anchor space).
     void move(std::span<const Bounds> places) { moved_.insert(moved_.end(), places.begin(), places.end()); }
 
-    /// The same, of who knows where.
-    void move();
-
     /// Makes room for the map that `plan` wants, and says what to draw into it. From the second time on that
     /// something has moved under the same sun, what stands still is kept.
     [[nodiscard]] SunMapWork provide(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters);

@@ -2,6 +2,7 @@
 #include "gpu/fills.hpp"
 
 #include "gpu/graph/execute.hpp"
+#include "shaders/tile_list.glsl.h"
 
 namespace estampe::gpu {
 namespace {
@@ -53,6 +54,13 @@ BufferId add_zeros(Graph& graph, std::string_view name, uint64_t size_bytes)
 BufferId add_empty_list(Graph& graph, std::string_view name, uint64_t size_bytes)
 {
     return add_words(graph, name, size_bytes, 1);
+}
+
+BufferId add_empty_tile_list(Graph& graph, std::string_view name, glm::uvec2 size_px)
+{
+    const glm::uvec2 tiles = (size_px + 7U) / 8U;
+    const uint64_t words = shared::tile_list_first + uint64_t{tiles.x} * tiles.y;
+    return add_empty_list(graph, name, (sizeof(uint32_t) * words + 15) / 16 * 16);
 }
 
 } // namespace estampe::gpu

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include "gpu/graph/graph.hpp"
@@ -25,5 +26,8 @@ namespace estampe::gpu {
 
 /// The same behind the arguments of a dispatch of no workgroups: 0, 1, 1.
 [[nodiscard]] BufferId add_empty_list(Graph& graph, std::string_view name, uint64_t size_bytes);
+
+/// Such a list with room for all tiles of a page, see shaders/tile_list.glsl.h.
+[[nodiscard]] BufferId add_empty_tile_list(Graph& graph, std::string_view name, glm::uvec2 size_px);
 
 } // namespace estampe::gpu

@@ -11,12 +11,13 @@ layout(scalar, binding = TILE_LIST_BINDING) readonly buffer TileList
     uint tile_list[];
 };
 
-// The tile of this group, columns in the lower half and rows in the upper. Groups past the end of the list do
-// the last one again, which changes nothing: to leave them out would cost a processor a mask for all others.
-uint tile_of_group()
+// First pixel of the tile of this group. Groups past the end of the list do the last one again, which changes
+// nothing: to leave them out would cost a processor a mask for all others.
+uvec2 listed_from_px()
 {
     uint number = gl_WorkGroupID.y * tile_list_groups + gl_WorkGroupID.x;
-    return tile_list[tile_list_first + min(number, tile_list[tile_list_count] - 1u)];
+    uint tile = tile_list[tile_list_first + min(number, tile_list[tile_list_count] - 1u)];
+    return 8u * uvec2(tile & 0xffffu, tile >> 16);
 }
 
 #endif

@@ -3,7 +3,7 @@
 #define ESTAMPE_TILE_LIST_GLSL_H
 // A list of tiles of 8 x 8 pixels that one pass finds and others work on, a group each: the arguments of
 // their dispatches, how many there are, then the tiles, columns in the lower half of a word and rows in the
-// upper. gpu::add_empty_list() makes an empty one.
+// upper. gpu::add_empty_tile_list() makes an empty one.
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {

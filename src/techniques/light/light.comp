@@ -227,8 +227,7 @@ void main()
 {
     uvec2 from_px = 8u * gl_WorkGroupID.xy;
     if (has_tiles) {
-        uint listed = tile_of_group();
-        from_px = 8u * uvec2(listed & 0xffffu, listed >> 16);
+        from_px = listed_from_px();
     }
     ivec2 pixel = ivec2(from_px + gl_LocalInvocationID.xy);
     bool on_page = all(lessThan(uvec2(pixel), frame.size_px));

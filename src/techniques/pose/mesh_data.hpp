@@ -128,6 +128,9 @@ struct PoseData {
 
 [[nodiscard]] PoseData pose_meshes(const MeshData& meshes, const Scene& scene, const ScenePose& pose);
 
+/// A box without end, of what may be anywhere.
+[[nodiscard]] Bounds everywhere();
+
 /// Where in anchor space draws stand in either pose that do not stand alike in both: a box about both places,
 /// about all its joints can do for a skinned body, and without end for one whose morph targets moved. Cost:
 /// linear in draws and joints.

@@ -51,6 +51,12 @@ bool morphs_differ(const shared::DrawRecord& draw, const PoseData& before, const
 
 } // namespace
 
+Bounds everywhere()
+{
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    return {.min = glm::dvec3(-endless), .max = glm::dvec3(endless)};
+}
+
 std::vector<Bounds> moved_places(const MeshData& meshes, const PoseData& before, const PoseData& now)
 {
     std::set<uint32_t> first_joints;
@@ -59,7 +65,6 @@ std::vector<Bounds> moved_places(const MeshData& meshes, const PoseData& before,
             first_joints.insert(draw.first_joint);
         }
     }
-    constexpr double everywhere = std::numeric_limits<double>::infinity();
     std::vector<Bounds> moved;
     for (size_t i = 0; i < meshes.sources.size(); ++i) {
         const shared::DrawRecord& draw = now.draws[i];
@@ -74,7 +79,7 @@ std::vector<Bounds> moved_places(const MeshData& meshes, const PoseData& before,
             extend(place, meshes.sources[i].local_bounds, is);
         }
         if (morphs_differ(draw, before, now)) {
-            moved.push_back({.min = glm::dvec3(-everywhere), .max = glm::dvec3(everywhere)});
+            moved.push_back(everywhere());
         } else if (differs) {
             moved.push_back(place);
         }

@@ -43,7 +43,7 @@ bool passes_mask(uint triangle, ivec2 pixel)
     float alpha = base_color_of(draw.material).a * dot(b.weight, vertex_alpha.xyz);
     TextureSlot slot = base_texture_of(draw.material);
     if (slot.location != no_texture) {
-        bool second = ((slot.location >> 24) & 1u) != 0u;
+        bool second = uv_set_of(slot) != 0u;
         vec2 u0 = second ? rest_vertices[rest.x].uv_1 : rest_vertices[rest.x].uv_0;
         vec2 u1 = second ? rest_vertices[rest.y].uv_1 : rest_vertices[rest.y].uv_0;
         vec2 u2 = second ? rest_vertices[rest.z].uv_1 : rest_vertices[rest.z].uv_0;

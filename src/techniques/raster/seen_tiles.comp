@@ -8,17 +8,14 @@
 
 #include "shaders/rounds.glsl"
 #include "shaders/shared.glsl"
-#include "shaders/tile_list.glsl.h"
 #include "shaders/visibility.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform usamplerBuffer visibility_texels;
 
-layout(scalar, binding = 1) buffer TileList
-{
-    uint tile_list[];
-};
+#define TILE_LIST_BINDING 1
+#include "shaders/tile_list_fill.glsl"
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -40,9 +37,6 @@ void main()
         ++i;
     } while (subgroupAny(!is_seen && i < rounds(64, int(tile.x))));
     if (is_on_page && is_seen) {
-        uint number = atomicAdd(tile_list[tile_list_count], 1u);
-        tile_list[tile_list_first + number] = tile.x | tile.y << 16;
-        atomicMax(tile_list[0], tile_list_groups);
-        atomicMax(tile_list[1], number / tile_list_groups + 1u);
+        list_tile(tile);
     }
 }

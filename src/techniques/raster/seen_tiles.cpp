@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/fills.hpp"
 #include "shaders/seen_tiles_comp.hpp"
-#include "shaders/tile_list.glsl.h"
 #include "techniques/raster/raster.hpp"
 
 namespace estampe::raster {
@@ -10,9 +9,7 @@ gpu::BufferId add_seen_tiles(gpu::Graph& graph, const gpu::Name& name, gpu::Buff
                              glm::uvec2 size_px)
 {
     const glm::uvec2 tiles = (size_px + 7U) / 8U;
-    const uint64_t words = shared::tile_list_first + uint64_t{tiles.x} * tiles.y;
-    const gpu::BufferId none =
-        gpu::add_empty_list(graph, "seen tiles", (sizeof(uint32_t) * words + 15) / 16 * 16);
+    const gpu::BufferId none = gpu::add_empty_tile_list(graph, "seen tiles", size_px);
     auto pass = graph.compute(name + "/tiles", shaders::seen_tiles_comp);
     pass.sample(visibility, gpu::Format::rg32ui);
     const gpu::BufferId seen = pass.modify(none);

@@ -109,8 +109,7 @@ void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (has_tiles) {
-        uint listed = tile_of_group();
-        pixel = ivec2(8u * uvec2(listed & 0xffffu, listed >> 16) + gl_LocalInvocationID.xy);
+        pixel = ivec2(listed_from_px() + gl_LocalInvocationID.xy);
     }
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
@@ -128,7 +127,8 @@ void main()
     for (int i = 0; i < LAYERS; ++i) {
         layers[i] = Layer(0u, 0u, vec4(0.0));
     }
-    // One body for all layers, with its condition behind it, left by all lanes together: see rounds.glsl.
+    // One body for all layers, with its condition behind it, left by all lanes together, as processors like
+    // it.
     int round_index = 0;
     do {
         uvec2 word = seen[0];

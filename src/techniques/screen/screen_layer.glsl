@@ -30,7 +30,7 @@ Layer layer_at(uvec2 seen, ivec2 pixel)
     vec4 color = base_color_of(draw.material) * (vertex_colors * at.weight);
     TextureSlot slot = base_texture_of(draw.material);
     if (TEXTURE_CLASSES != 0u && slot.location != no_texture) {
-        bool second = ((slot.location >> 24) & 1u) != 0u;
+        bool second = uv_set_of(slot) != 0u;
         mat3x2 uv = second ? mat3x2(a.uv_1, b.uv_1, c.uv_1) : mat3x2(a.uv_0, b.uv_0, c.uv_0);
         vec4 texel = sample_texture(slot, UvFootprint(uv * at.weight, uv * at.dx, uv * at.dy));
         color *= vec4(linear_from_srgb(texel.rgb), texel.a);

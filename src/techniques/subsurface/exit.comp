@@ -9,7 +9,6 @@
 #include "shaders/camera.glsl"
 #include "shaders/draw_word.glsl"
 #include "shaders/octahedral.glsl"
-#include "shaders/tile_list.glsl.h"
 #include "shaders/visibility.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -37,10 +36,8 @@ layout(binding = 9, r32ui) writeonly uniform uimage2D out_draw;
 layout(binding = 10, r32f) writeonly uniform image2D out_depth;
 layout(binding = 11, rg32ui) writeonly uniform uimage2D out_normal; // away from the eye
 
-layout(scalar, binding = 12) buffer Tiles
-{
-    uint tiles[]; // see tile_list.glsl.h
-};
+#define TILE_LIST_BINDING 12
+#include "shaders/tile_list_fill.glsl"
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -90,10 +87,7 @@ void main()
     }
     barrier();
     if (gl_LocalInvocationIndex == 0u && shines_in_tile != 0u) {
-        uint number = atomicAdd(tiles[tile_list_count], 1u);
-        tiles[tile_list_first + number] = gl_WorkGroupID.x | gl_WorkGroupID.y << 16;
-        atomicMax(tiles[0], tile_list_groups);
-        atomicMax(tiles[1], number / tile_list_groups + 1u);
+        list_tile(gl_WorkGroupID.xy);
     }
     if (!is_on_page) {
         return;

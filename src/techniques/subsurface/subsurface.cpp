@@ -9,7 +9,6 @@
 #include "shaders/scatter_blur_comp.hpp"
 #include "shaders/scatter_page_comp.hpp"
 #include "shaders/scatter_source_comp.hpp"
-#include "shaders/tile_list.glsl.h"
 
 namespace estampe::subsurface {
 namespace {
@@ -159,10 +158,7 @@ FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferI
     const auto image = [&](const char* name, gpu::Format format) {
         return graph.image(name, {.width = half_px.x, .height = half_px.y, .format = format});
     };
-    const glm::uvec2 tiles_across = (half_px + 7U) / 8U;
-    const uint64_t words = shared::tile_list_first + uint64_t{tiles_across.x} * tiles_across.y;
-    const gpu::BufferId no_tiles =
-        gpu::add_empty_list(graph, "subsurface/far tiles", (sizeof(uint32_t) * words + 15) / 16 * 16);
+    const gpu::BufferId no_tiles = gpu::add_empty_tile_list(graph, "subsurface/far tiles", half_px);
     auto pass = graph.compute("subsurface/exit", shaders::exit_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(in.normal);
     pass.sample(behind, gpu::Format::rg32ui).sample(triangles).sample(posed_vertices);
