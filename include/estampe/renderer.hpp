@@ -139,7 +139,8 @@ public:
 
     [[nodiscard]] const DeviceInfo& device() const;
 
-    /// How this renderer draws triangles; never RasterPath::automatic.
+    /// How triangles of the last picture were drawn, and before there is one, how they are meant to be; never
+    /// RasterPath::automatic.
     [[nodiscard]] RasterPath raster_path() const;
 
     /// Uploads `scene`; it replaces the one before. With a `lightmap`, what stands still is lit by that too.

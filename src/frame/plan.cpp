@@ -7,6 +7,7 @@
 
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/occlusion/occlusion.hpp"
+#include "techniques/raster/choose_path.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -34,12 +35,18 @@ PagePlan plan_page(const PlanInputs& in)
 
 RasterPlan plan_raster(const PlanInputs& in)
 {
+    const pose::MeshData& layout = in.loaded.layout;
+    const raster::Paths paths =
+        raster::paths_of(in.device.info(), in.wanted_path, in.raster_path,
+                         {.triangles = layout.opaque.count,
+                          .pixels = uint64_t{in.settings.width} * in.settings.height,
+                          .has_masks = layout.masked.count + layout.blended.count > 0});
     if (!in.device.info().software) {
-        return {.path = in.raster_path};
+        return {.paths = paths};
     }
     // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
     return {
-        .path = in.raster_path, .tuning = {.small_area_px = 2048, .list_groups = 32}, .on_processor = true};
+        .paths = paths, .tuning = {.small_area_px = 2048, .list_groups = 32}, .on_processor = true};
 }
 
 SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)

@@ -45,7 +45,7 @@ struct PagePlan {
 
 /// How triangles become pixels.
 struct RasterPlan {
-    RasterPath path = RasterPath::compute; ///< never automatic
+    raster::Paths paths;
     raster::Tuning tuning;
     bool on_processor = false; ///< the device is no GPU
 };
@@ -165,7 +165,8 @@ struct PlanInputs {
     const RenderSettings& settings;
     const StyleTables& style;
     const gpu::Device& device;
-    RasterPath raster_path = RasterPath::compute; ///< never automatic
+    RasterPath raster_path = RasterPath::compute;   ///< never automatic
+    RasterPath wanted_path = RasterPath::automatic; ///< before it was chosen
     sky::CloudMemory& clouds;
 };
 

@@ -63,7 +63,7 @@ const DeviceInfo& Renderer::device() const
 
 RasterPath Renderer::raster_path() const
 {
-    return impl_->raster_path;
+    return impl_->page_path.value_or(impl_->raster_path);
 }
 
 void Renderer::set_scene(const Scene& scene, const Lightmap* lightmap)
@@ -137,7 +137,7 @@ frame::SunCasters Renderer::Impl::sun_casters(const frame::FramePlan& plan) cons
     const frame::CasterKinds kinds = frame::caster_kinds(loaded->layout);
     return {.layout = loaded->layout_number,
             .groups = plan.sun.casters,
-            .are_parted = plan.raster.path == RasterPath::compute && kinds.moving && kinds.still};
+            .are_parted = plan.raster.paths.maps == RasterPath::compute && kinds.moving && kinds.still};
 }
 
 void Renderer::Impl::posed()
@@ -368,8 +368,10 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
                                                .style = tables,
                                                .device = device,
                                                .raster_path = raster_path,
+                                               .wanted_path = options.raster,
                                                .clouds = cloud_memory},
                                               std::exchange(plan_lists, {}));
+    page_path = plan.raster.paths.page;
     plan.light.lightmap_scale = lightmap_scale;
     plan.risen = risen;
     plan.particles = frame::provide_particles(

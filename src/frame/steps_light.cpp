@@ -35,7 +35,7 @@ gpu::BufferId sun_map_of(const Making& making, const PosedScene& scene)
                         .anchor = making.layout.anchor,
                         .plan = plan.sun.map,
                         .work = work,
-                        .path = plan.raster.path,
+                        .path = plan.raster.paths.maps,
                         .tuning = plan.raster.tuning,
                         .vertex_count = making.resources.meshes.vertex_count,
                         .triangle_count = static_cast<uint32_t>(making.layout.triangles.size())},
@@ -50,7 +50,7 @@ gpu::BufferId local_maps_of(const Making& making, const PosedScene& scene)
                           {.raster = scene.meshes,
                            .layout = making.layout,
                            .views = making.sample.is_first ? plan.local_shadows.views : none,
-                           .path = plan.raster.path,
+                           .path = plan.raster.paths.maps,
                            .tuning = plan.raster.tuning},
                           making.resources.local_shadows);
 }
@@ -262,7 +262,7 @@ gpu::ImageId add_subsurface(const Making& making, const PosedScene& scene, gpu::
                                    {.clip_from_anchor = making.sample.clip_from_anchor,
                                     .size_px = making.sample.size_px,
                                     .cull_back_faces = false,
-                                    .path = making.plan.raster.path,
+                                    .path = making.plan.raster.paths.page,
                                     .tuning = making.plan.raster.tuning,
                                     .behind = visibility,
                                     .second_from = inputs.second_from()});

@@ -31,7 +31,7 @@ raster::View eye_view(const Making& making)
 {
     return {.clip_from_anchor = making.sample.clip_from_anchor,
             .size_px = making.sample.size_px,
-            .path = making.plan.raster.path,
+            .path = making.plan.raster.paths.page,
             .tuning = making.plan.raster.tuning};
 }
 

@@ -101,6 +101,16 @@ std::optional<RasterPath> settled_path(const DeviceInfo& device, RasterPath want
     return device.software || !device.compute_raster ? std::optional(RasterPath::hardware) : std::nullopt;
 }
 
+Paths paths_of(const DeviceInfo& device, RasterPath wanted, RasterPath chosen, const PageWork& work)
+{
+    Paths paths{.page = chosen, .maps = chosen};
+    const bool is_free = device.software && device.compute_raster && wanted == RasterPath::automatic;
+    if (is_free && !work.has_masks && 8 * work.triangles >= work.pixels) {
+        paths.page = RasterPath::compute;
+    }
+    return paths;
+}
+
 RasterPath choose_path(gpu::Device& device, gpu::Executor& executor, RasterPath wanted)
 {
     const auto settled = settled_path(device.info(), wanted);

@@ -6,6 +6,7 @@
 #include <estampe/renderer.hpp>
 
 #include "gpu/graph/execute.hpp"
+#include "techniques/raster/raster.hpp"
 
 namespace estampe::raster {
 
@@ -16,6 +17,20 @@ namespace estampe::raster {
 
 /// The path to draw by, never automatic: settled_path(), or else measure_paths().
 [[nodiscard]] RasterPath choose_path(gpu::Device& device, gpu::Executor& executor, RasterPath wanted);
+
+/// What is drawn on a page.
+struct PageWork {
+    uint64_t triangles = 0;
+    uint64_t pixels = 0;
+    bool has_masks = false; ///< some triangles have holes, or are seen through
+};
+
+/// The paths of a picture, where `wanted` was asked for and `chosen` is of choose_path(). They are the same,
+/// but on a processor that was left to choose: compute for a page that has a triangle for every eight pixels
+/// or fewer, as all cores draw small triangles and the driver's rasteriser sets them up on one. With masks it is
+/// hardware all the same: theirs are many shaders, which a first picture waits for.
+[[nodiscard]] Paths paths_of(const DeviceInfo& device, RasterPath wanted, RasterPath chosen,
+                             const PageWork& work);
 
 /// The path that draws a small scene of its own in less time. Compute, unless hardware is quicker by a fifth:
 /// near a tie the answer is the same each time.

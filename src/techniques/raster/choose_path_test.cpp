@@ -13,6 +13,7 @@ using enum RasterPath;
 const DeviceInfo gpu{.name = "a GPU"};
 const DeviceInfo processor{.name = "a processor", .software = true};
 const DeviceInfo plain_gpu{.name = "a plain GPU", .compute_raster = false};
+const DeviceInfo plain_processor{.name = "a plain processor", .software = true, .compute_raster = false};
 
 TEST(ChoosePath, WhatIsWantedIsTaken)
 {
@@ -28,6 +29,20 @@ TEST(ChoosePath, OnlyWhereBothArePossibleOnAGpuIsThereAnythingToMeasure)
     EXPECT_EQ(settled_path(gpu, automatic), std::nullopt);
     EXPECT_EQ(settled_path(processor, automatic), hardware);
     EXPECT_EQ(settled_path(plain_gpu, automatic), hardware);
+}
+
+TEST(ChoosePath, AProcessorDrawsSmallTrianglesInComputeWhereItIsFreeTo)
+{
+    const PageWork dense{.triangles = 1000, .pixels = 8000};
+    const Paths by_hardware{.page = hardware, .maps = hardware};
+    EXPECT_EQ(paths_of(processor, automatic, hardware, dense), (Paths{.page = compute, .maps = hardware}));
+    EXPECT_EQ(paths_of(processor, automatic, hardware, {.triangles = 1000, .pixels = 8001}), by_hardware);
+    EXPECT_EQ(
+        paths_of(processor, automatic, hardware, {.triangles = 1000, .pixels = 10, .has_masks = true}),
+        by_hardware);
+    EXPECT_EQ(paths_of(processor, hardware, hardware, dense), by_hardware);
+    EXPECT_EQ(paths_of(plain_processor, automatic, hardware, dense), by_hardware);
+    EXPECT_EQ(paths_of(gpu, automatic, hardware, dense), by_hardware);
 }
 
 TEST(ChoosePath, WhatIsImpossibleIsRefused)

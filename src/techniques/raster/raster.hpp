@@ -17,6 +17,14 @@
 
 namespace estampe::raster {
 
+/// How triangles are drawn; never automatic.
+struct Paths {
+    RasterPath page = RasterPath::compute; ///< of what is seen by the eye
+    RasterPath maps = RasterPath::compute; ///< of what lights see
+
+    friend bool operator==(const Paths&, const Paths&) = default;
+};
+
 /// The meshes to draw, and what alpha masks look up.
 struct RasterInputs {
     gpu::BufferId triangles;
