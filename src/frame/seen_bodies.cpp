@@ -42,8 +42,8 @@ std::vector<double> areas_of(const Primitive& primitive)
     for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
         const std::array corners{primitive.indices[i], primitive.indices[i + 1], primitive.indices[i + 2]};
         const glm::vec3& from = primitive.positions.at(corners[0]);
-        const double area_m2 = glm::length(glm::cross(primitive.positions.at(corners[1]) - from,
-                                                      primitive.positions.at(corners[2]) - from));
+        const double area_m2 = glm::length(
+            glm::cross(primitive.positions.at(corners[1]) - from, primitive.positions.at(corners[2]) - from));
         for (const uint32_t corner : corners) {
             areas_m2[corner] += area_m2 / 6.0;
         }
@@ -66,8 +66,9 @@ void append_parts(const Primitive& primitive, uint32_t draw, std::vector<SeenBod
                 const uint32_t joint = joints[i][k];
                 SeenBody::Part& part =
                     of_joint
-                        .try_emplace(joint, SeenBody::Part{
-                                                .draw = draw, .joint = joint, .min_m = place, .max_m = place})
+                        .try_emplace(
+                            joint,
+                            SeenBody::Part{.draw = draw, .joint = joint, .min_m = place, .max_m = place})
                         .first->second;
                 part.min_m = glm::min(part.min_m, place);
                 part.max_m = glm::max(part.max_m, place);

@@ -362,7 +362,8 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     std::optional<gpu::BufferId> awake; // of large sheets
     for (Kind& kind : kinds_) {
         constexpr uint32_t changing = shared::cloth_bit_colliders | shared::cloth_bit_grids |
-                                      shared::cloth_bit_seen | shared::cloth_bit_flow | shared::cloth_bit_gusts;
+                                      shared::cloth_bit_seen | shared::cloth_bit_flow |
+                                      shared::cloth_bit_gusts;
         kind.variant = (kind.variant & ~changing) | surrounded;
         if (kind.is_small) {
             add_small_sheets(graph, handles, kind);

@@ -50,8 +50,8 @@ SHARED_CONSTANT uint cloth_heights =
 SHARED_CONSTANT uint cloth_distances = 6U; // what distances on a grid say
 SHARED_CONSTANT uint cloth_seen = 7U;      // what lies between the front and the back of a body, along z
 SHARED_CONSTANT uint cloth_kind_bits = 3U;
-SHARED_CONSTANT uint cloth_grid_head = 6U; // numbers before those of a grid: nodes each way, half its size
-SHARED_CONSTANT uint cloth_seen_head = 1U; // texels before those of a body: nodes each way
+SHARED_CONSTANT uint cloth_grid_head = 6U;  // numbers before those of a grid: nodes each way, half its size
+SHARED_CONSTANT uint cloth_seen_head = 1U;  // texels before those of a body: nodes each way
 SHARED_CONSTANT uint cloth_seen_skirt = 5U; // nodes from its outline from which on it is far
 SHARED_CONSTANT float cloth_seen_nowhere_m = 1e3F; // is as far from the outline
 
@@ -119,7 +119,7 @@ struct ClothRun {
     vec3 origin_m;     // of places, in that of the wind
     float rest_m_s;    // what is slower is calm; negative: nothing is
     uint roused_steps; // in so many no sheet rests, whatever it does
-    uint bodies_move; // otherwise than their solids do
+    uint bodies_move;  // otherwise than their solids do
     uint flow_count;
     ClothFlow flows[cloth_most_flows];
 };

@@ -112,10 +112,10 @@ public:
     /// set_targets() as a pass: the drawn vertices as they are posed.
     void add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
-    /// Looks at the front and the back of all bodies, as they are posed at the end of the next run, from where
-    /// set_solids() put them: until then they go there from what was seen last. Later runs find them so. Cost:
-    /// two passes a body; a thread for each triangle goes over the nodes that it covers. Source: Zanuttini,
-    /// "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 7.5.
+    /// Looks at the front and the back of all bodies, as they are posed at the end of the next run, from
+    /// where set_solids() put them: until then they go there from what was seen last. Later runs find them
+    /// so. Cost: two passes a body; a thread for each triangle goes over the nodes that it covers. Source:
+    /// Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 7.5.
     void add_bodies(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
     /// Carries sheets as they stand, one matrix each: with what they hang on when that is put elsewhere. A
@@ -128,8 +128,8 @@ public:
     /// As many as one graph takes, at least one.
     [[nodiscard]] uint32_t most_steps(const Surroundings& surroundings) const;
 
-    /// The next targets and bodies hold for the beginning of their run too, and what the next run finds otherwise than
-    /// the one before wakes nobody.
+    /// The next targets and bodies hold for the beginning of their run too, and what the next run finds
+    /// otherwise than the one before wakes nobody.
     void forget_before()
     {
         has_targets_ = false;

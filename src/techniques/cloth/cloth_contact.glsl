@@ -44,7 +44,8 @@ vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to)
     float kept = along_m > 0.0 ? max(1.0 - sheet.friction * depth_m / along_m, 0.0) : 1.0;
     vec3 end = meets ? from + way + (kept - 1.0) * along : to;
     // Of heights, distances and bodies it is not known exactly how far the surface is.
-    return meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u ? pushed_out(kind, half_m, end) : end;
+    return meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u ? pushed_out(kind, half_m, end)
+                                                                         : end;
 }
 
 vec4 turn_between(uvec4 before, uvec4 after, float part)

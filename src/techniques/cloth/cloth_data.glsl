@@ -28,7 +28,8 @@ layout(binding = 7) uniform samplerBuffer target_after_texels;  // of a run, and
 
 layout(binding = 9) uniform samplerBuffer grid_texels; // of heights or distances, each behind its head
 layout(binding = 10) uniform usamplerBuffer seen_before_texels; // of bodies at the beginning of a run, and at
-layout(binding = 11) uniform usamplerBuffer seen_after_texels;  // its end: bits of floats, each behind its head
+layout(binding = 11) uniform usamplerBuffer
+    seen_after_texels; // its end: bits of floats, each behind its head
 
 layout(scalar, binding = 8) readonly buffer SheetOfGroup
 {

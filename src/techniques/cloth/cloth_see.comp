@@ -68,7 +68,8 @@ void main()
         for (int x = low.x; x <= high.x; ++x) {
             vec2 at = vec2(x, y);
             vec3 shares =
-                vec3(twice_area(b.xy, c.xy, at), twice_area(c.xy, a.xy, at), twice_area(a.xy, b.xy, at)) / area;
+                vec3(twice_area(b.xy, c.xy, at), twice_area(c.xy, a.xy, at), twice_area(a.xy, b.xy, at)) /
+                area;
             const float rounding = 1e-5; // no node falls between two triangles
             if (min(shares.x, min(shares.y, shares.z)) >= -rounding) {
                 float z_m = dot(shares, vec3(a.z, b.z, c.z));

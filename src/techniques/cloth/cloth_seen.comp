@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a node of a body: its middle along z, half its thickness, and how far within its outline the node
-// is. One beyond has no thickness, and the middle of the nearest of those within.
+// One thread a node of a body: its middle along z, half its thickness, and how far within its outline the
+// node is. One beyond has no thickness, and the middle of the nearest of those within.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

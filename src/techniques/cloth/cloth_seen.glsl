@@ -2,9 +2,9 @@
 #ifndef ESTAMPE_CLOTH_SEEN
 #define ESTAMPE_CLOTH_SEEN
 
-// A body between its front and its back, as those of cloth_solids.glsl. It is told by its middle along z, half
-// its thickness, and how far within its outline a place is in x and y. Zanuttini, "Recherches en rendu non
-// réaliste temps réel", Université Paris 8, 2008, section 7.5.
+// A body between its front and its back, as those of cloth_solids.glsl. It is told by its middle along z,
+// half its thickness, and how far within its outline a place is in x and y. Zanuttini, "Recherches en rendu
+// non réaliste temps réel", Université Paris 8, 2008, section 7.5.
 
 #include "techniques/cloth/cloth_data.glsl"
 
