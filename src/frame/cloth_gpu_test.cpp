@@ -86,6 +86,30 @@ TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
     EXPECT_EQ(film_frame(renderer, set_up, style, 3).rgba, whole[3].rgba);
 }
 
+TEST(ClothFrame, BodiesThatAreSeenAreTakenUpWithTheFilm)
+{
+    const ClothScene set_up = make_set_up("cape", 0.4F);
+    const Style style = style_of(set_up, "cloth.bodies=depth");
+    Renderer& renderer = test::shared_renderer();
+    const auto film = [&](uint32_t first, uint32_t end) {
+        std::vector<Image> frames;
+        for (uint32_t i = first; i < end; ++i) {
+            frames.push_back(film_frame(renderer, set_up, style, i));
+        }
+        return frames;
+    };
+    renderer.set_scene(set_up.scene);
+    const std::vector<Image> whole = film(0, 4);
+    static_cast<void>(film(0, 2));
+    const auto memory = renderer.film_memory();
+    renderer.set_scene(set_up.scene);
+    renderer.recall_film(memory);
+    const std::vector<Image> taken_up = film(2, 4);
+    EXPECT_EQ(taken_up[0].rgba, whole[2].rgba);
+    EXPECT_EQ(taken_up[1].rgba, whole[3].rgba);
+    EXPECT_GT(differing(whole[3], whole[2]), 20U);
+}
+
 /// A flag that is soon at rest where no wind blows.
 ClothScene limp_flag()
 {

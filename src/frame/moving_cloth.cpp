@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "shaders/mesh.glsl.h"
 
@@ -278,7 +279,7 @@ cloth::Surroundings MovingCloth::surroundings(const Scene& scene, const StyleTab
 }
 
 void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const ClothPose& pose,
-                               const pose::MeshData& layout)
+                               const pose::MeshData& layout, cloth::ClothBodies bodies)
 {
     const std::vector<SheetPlace> sheets = sheet_places(pose.draws);
     if (grids_.follow_ground(scene, sheets, layout.anchor, pose.time_s)) {
@@ -302,8 +303,18 @@ void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const Cl
             }
         }
     }
-    for (const BoneCapsule& bone : bones_) {
-        solids.push_back(placed_bone(bone, pose.nodes, layout.anchor));
+    const bool were_seen = std::exchange(are_seen_, bodies == cloth::ClothBodies::depth);
+    if (are_seen_) {
+        if (!were_seen) {
+            tell_bodies(device, scene, layout);
+        }
+        for (uint32_t i = 0; i < bodies_->size(); ++i) {
+            solids.push_back(placed_body(bodies_->at(i), layout, pose.draws, i));
+        }
+    } else {
+        for (const BoneCapsule& bone : bones_) {
+            solids.push_back(placed_bone(bone, pose.nodes, layout.anchor));
+        }
     }
     if (const auto ground = grids_.ground()) {
         solids.push_back(*ground);
@@ -314,6 +325,32 @@ void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const Cl
     }
     sheets_.set_reach(stays_in(sheets));
     sheets_.set_solids(device, solids);
+}
+
+void MovingCloth::tell_bodies(gpu::Device& device, const Scene& scene, const pose::MeshData& layout)
+{
+    if (!bodies_) {
+        bodies_ = seen_bodies(scene, layout);
+    }
+    std::vector<cloth::Body> meshes;
+    for (const SeenBody& body : *bodies_) {
+        meshes.push_back(body.mesh);
+    }
+    sheets_.set_bodies(device, meshes);
+}
+
+void MovingCloth::add_bodies(gpu::Graph& graph, cloth::Cloths::Handles& handles, const pose::PoseData& pose,
+                             gpu::BufferId posed_vertices)
+{
+    if (!are_seen_) {
+        joints_seen_.clear();
+        return;
+    }
+    if (joints_seen_.empty() || joints_seen_ != pose.joints || morphs_seen_ != pose.morph_weights) {
+        joints_seen_ = pose.joints;
+        morphs_seen_ = pose.morph_weights;
+        sheets_.add_bodies(graph, handles, posed_vertices);
+    }
 }
 
 std::vector<glm::mat4> MovingCloth::carries(const pose::PoseData& pose, const glm::dvec3& anchor,

@@ -10,6 +10,7 @@
 #include <estampe/renderer.hpp>
 
 #include "frame/bone_capsules.hpp"
+#include "frame/seen_bodies.hpp"
 #include "frame/solid_grids.hpp"
 #include "frame/style_tables.hpp"
 #include "techniques/cloth/cloth.hpp"
@@ -67,7 +68,18 @@ public:
 
     /// Tells sheets where solids are in this pose.
     void place_solids(gpu::Device& device, const Scene& scene, const ClothPose& pose,
-                      const pose::MeshData& layout);
+                      const pose::MeshData& layout, cloth::ClothBodies bodies);
+
+    /// What is told next holds for the beginning of the next run too.
+    void forget_before()
+    {
+        sheets_.forget_before();
+        joints_seen_.clear();
+    }
+
+    /// Looks at bodies, if that is what they are to cloth and they are posed otherwise than when it last did.
+    void add_bodies(gpu::Graph& graph, cloth::Cloths::Handles& handles, const pose::PoseData& pose,
+                    gpu::BufferId posed_vertices);
 
     /// The boxes that sheets were in since the last call (anchor space), and one without end where any of
     /// them may come anywhere.
@@ -88,6 +100,7 @@ public:
     {
         sheets_.recall(std::move(state));
         places_before_.clear();
+        joints_seen_.clear();
         time_s_ = time_s;
         is_still_ = false;
         is_taken_up_ = true;
@@ -107,12 +120,17 @@ private:
 
     /// What sheets stay in between the last pose and this; nothing where one of them may come anywhere.
     [[nodiscard]] std::vector<cloth::SheetReach> stays_in(std::span<const SheetPlace> now);
+    void tell_bodies(gpu::Device& device, const Scene& scene, const pose::MeshData& layout);
     [[nodiscard]] static Cut cut(const Scene& scene, const pose::MeshData& layout);
     MovingCloth(gpu::Device& device, Cut&& cut);
 
     cloth::Cloths sheets_;
     std::vector<uint32_t> draws_;
     std::vector<BoneCapsule> bones_;
+    std::optional<std::vector<SeenBody>> bodies_; ///< from when they are asked for
+    bool are_seen_ = false;                       ///< in place of capsules
+    std::vector<glm::mat4> joints_seen_;          ///< how bodies were posed when they were last looked at
+    std::vector<float> morphs_seen_;
     SolidGrids grids_;
     std::vector<Bounds> reaches_;              ///< one a sheet, in object space
     bool all_hang_ = false;                    ///< every particle of every sheet on one that is held

@@ -60,7 +60,7 @@ void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
         return;
     }
     if (run->starts_anew || run->is_taken_up) {
-        start_cloth(*run, settings);
+        start_cloth(*run, settings, style);
     }
     double from_s = run->from_s;
     if (run->snapshot_s) {
@@ -79,23 +79,27 @@ void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
     moved.insert(moved.end(), swept.begin(), swept.end());
 }
 
-gpu::BufferId Renderer::Impl::pose_for_cloth(gpu::Graph& graph, double time_s, Index animation)
+gpu::BufferId Renderer::Impl::pose_for_cloth(gpu::Graph& graph, double time_s, Index animation,
+                                             const frame::StyleTables& style)
 {
     const ScenePose pose = frame::pose_at(*loaded, std::max(time_s, 0.0), animation);
     update_pose(pose);
     loaded->cloth->place_solids(device, loaded->scene,
-                                {.nodes = pose, .draws = *loaded->pose, .time_s = time_s}, loaded->layout);
+                                {.nodes = pose, .draws = *loaded->pose, .time_s = time_s}, loaded->layout,
+                                style.cloth.bodies);
     return add_moved(graph);
 }
 
-void Renderer::Impl::start_cloth(const frame::ClothRun& run, const RenderSettings& settings)
+void Renderer::Impl::start_cloth(const frame::ClothRun& run, const RenderSettings& settings,
+                                 const frame::StyleTables& style)
 {
     cloth::Cloths& sheets = loaded->cloth->sheets();
     gpu::Graph graph;
-    const gpu::BufferId posed = pose_for_cloth(graph, run.from_s, settings.animation);
-    sheets.forget_before();
+    const gpu::BufferId posed = pose_for_cloth(graph, run.from_s, settings.animation, style);
+    loaded->cloth->forget_before();
     cloth::Cloths::Handles handles = sheets.import(graph);
     sheets.add_targets(graph, handles, posed);
+    loaded->cloth->add_bodies(graph, handles, *loaded->pose, posed);
     if (run.starts_anew) {
         const std::vector<glm::mat4> anew(sheets.sheet_count(), glm::mat4(0.0F));
         sheets.add_carry(graph, handles, anew);
@@ -127,13 +131,14 @@ void Renderer::Impl::step_cloth(double from_s, double to_s, const RenderSettings
         const uint32_t now = std::min({step_count - done, most, is_animated ? steps_between_poses : most});
         done += now;
         gpu::Graph graph;
-        const gpu::BufferId posed = pose_for_cloth(graph, from_s + done * step_s, settings.animation);
+        const gpu::BufferId posed = pose_for_cloth(graph, from_s + done * step_s, settings.animation, style);
         const auto carries = cloth.carries(*loaded->pose, loaded->layout.anchor, now * step_s);
         if (!carries.empty()) {
-            sheets.forget_before();
+            cloth.forget_before();
         }
         cloth::Cloths::Handles handles = sheets.import(graph);
         sheets.add_targets(graph, handles, posed);
+        cloth.add_bodies(graph, handles, *loaded->pose, posed);
         if (!carries.empty()) {
             sheets.add_carry(graph, handles, carries);
         }

@@ -87,11 +87,13 @@ struct Renderer::Impl {
     /// Brings cloth to where the picture wants it; afterwards the scene is posed as it was somewhere on the
     /// way.
     void update_cloth(const RenderSettings& settings, const frame::StyleTables& style);
-    void start_cloth(const frame::ClothRun& run, const RenderSettings& settings);
+    void start_cloth(const frame::ClothRun& run, const RenderSettings& settings,
+                     const frame::StyleTables& style);
     void step_cloth(double from_s, double to_s, const RenderSettings& settings,
                     const frame::StyleTables& style);
     /// Poses what moved, and tells cloth where solids are.
-    [[nodiscard]] gpu::BufferId pose_for_cloth(gpu::Graph& graph, double time_s, Index animation);
+    [[nodiscard]] gpu::BufferId pose_for_cloth(gpu::Graph& graph, double time_s, Index animation,
+                                               const frame::StyleTables& style);
     /// What the ink of a picture that has been prepared is planned from.
     [[nodiscard]] frame::FlowingInkInputs ink_inputs(const Camera& camera, const frame::StyleTables& tables,
                                                      const RenderSettings& settings);

@@ -55,10 +55,19 @@ bool are_other(const Surroundings& now, const Surroundings& before)
            before.rest_m_s != now.rest_m_s;
 }
 
+uint32_t kind_of(const shared::ClothCollider& solid)
+{
+    return solid.kind & ((1U << shared::cloth_kind_bits) - 1);
+}
+
 bool is_of_grid(const shared::ClothCollider& solid)
 {
-    constexpr uint32_t kinds = (1U << shared::cloth_kind_bits) - 1;
-    return (solid.kind & kinds) >= shared::cloth_heights;
+    return kind_of(solid) == shared::cloth_heights || kind_of(solid) == shared::cloth_distances;
+}
+
+bool is_seen(const shared::ClothCollider& solid)
+{
+    return kind_of(solid) == shared::cloth_seen;
 }
 
 } // namespace
@@ -100,6 +109,9 @@ void Cloths::find_met_solids()
         if (is_met) {
             met_before_.push_back(solids_before_[i]);
             met_.push_back(solids_[i]);
+            if (is_seen(solids_[i])) { // which may have been larger
+                met_.back().reach_m = std::max(solids_before_[i].reach_m, solids_[i].reach_m);
+            }
         }
     }
 }
@@ -109,7 +121,8 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
     const WindStyle& wind = surroundings.wind;
     find_met_solids();
     const size_t size_bytes = met_.size() * sizeof(shared::ClothCollider);
-    const bool moves = !met_.empty() && std::memcmp(met_before_.data(), met_.data(), size_bytes) != 0;
+    const bool moves = (bodies_move_ && std::ranges::any_of(met_, is_seen)) ||
+                       (!met_.empty() && std::memcmp(met_before_.data(), met_.data(), size_bytes) != 0);
     const bool rouses = rouses_all_ || (surroundings_ && are_other(surroundings, *surroundings_));
     const uint32_t roused_steps = blows(surroundings) ? count : (rouses ? 1U : 0U);
     float longest_small_s = 0.0F;
@@ -132,6 +145,7 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
                              .origin_m = glm::vec3(surroundings.origin_m),
                              .rest_m_s = surroundings.rest_m_s > 0.0F ? surroundings.rest_m_s : -1.0F,
                              .roused_steps = roused_steps,
+                             .bodies_move = bodies_move_ ? 1U : 0U,
                              .flow_count = static_cast<uint32_t>(flows_.size()),
                              .flows = {}};
         std::ranges::copy(flows_, std::begin(run.flows));
@@ -165,7 +179,9 @@ Cloths::Handles Cloths::import(gpu::Graph& graph)
             .predicted = {gpu::import_whole(graph, "cloth/predicted", predicted_[0]),
                           gpu::import_whole(graph, "cloth/predicted", predicted_[1])},
             .targets = {gpu::import_whole(graph, "cloth/targets", targets_[0]),
-                        gpu::import_whole(graph, "cloth/targets", targets_[1])}};
+                        gpu::import_whole(graph, "cloth/targets", targets_[1])},
+            .seen = {gpu::import_whole(graph, "cloth/seen", seen_[0]),
+                     gpu::import_whole(graph, "cloth/seen", seen_[1])}};
 }
 
 void Cloths::bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
@@ -180,7 +196,9 @@ void Cloths::bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& hand
         .sample(handles.targets[targets_move_ ? 0 : 1], gpu::Format::rgba32f)
         .sample(handles.targets[1], gpu::Format::rgba32f)
         .read(gpu::import_whole(graph, "cloth/groups", sheet_of_group))
-        .sample(gpu::import_whole(graph, "cloth/grids", grids_), gpu::Format::r32f);
+        .sample(gpu::import_whole(graph, "cloth/grids", grids_), gpu::Format::r32f)
+        .sample(handles.seen[bodies_move_ ? 0 : 1])
+        .sample(handles.seen[1]);
 }
 
 void Cloths::add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices)
@@ -192,7 +210,6 @@ void Cloths::add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId pose
         pass.push(particle_count_).dispatch_items(particle_count_);
     };
     std::swap(targets_[0], targets_[1]);
-    std::swap(handles.targets[0], handles.targets[1]);
     targets_move_ = has_targets_;
     has_targets_ = true;
     add(handles.targets[1]);
@@ -338,13 +355,15 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     const uint32_t surrounded =
         (met_.empty() ? 0U : shared::cloth_bit_colliders) |
         (std::ranges::any_of(met_, is_of_grid) ? shared::cloth_bit_grids : 0U) |
+        (std::ranges::any_of(met_, is_seen) ? shared::cloth_bit_seen : 0U) |
         (flows_.empty() ? 0U : shared::cloth_bit_flow) | (has_half_held_ ? shared::cloth_bit_half_held : 0U) |
         (wind.speed_m_s > 0.0F && (wind.gustiness > 0.0F || wind.turbulence > 0.0F) ? shared::cloth_bit_gusts
                                                                                     : 0U);
     std::optional<gpu::BufferId> awake; // of large sheets
     for (Kind& kind : kinds_) {
         constexpr uint32_t changing = shared::cloth_bit_colliders | shared::cloth_bit_grids |
-                                      shared::cloth_bit_flow | shared::cloth_bit_gusts;
+                                      shared::cloth_bit_seen | shared::cloth_bit_flow |
+                                      shared::cloth_bit_gusts;
         kind.variant = (kind.variant & ~changing) | surrounded;
         if (kind.is_small) {
             add_small_sheets(graph, handles, kind);
@@ -361,6 +380,7 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     graph.export_buffer(handles.places);
     graph.export_buffer(handles.speeds);
     targets_move_ = false;
+    bodies_move_ = false;
 }
 
 void Cloths::add_snapshot(gpu::Graph& graph, const Handles& handles)

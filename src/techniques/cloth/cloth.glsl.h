@@ -21,6 +21,8 @@ SHARED_CONSTANT uint cloth_bit_grids = 32U;    // among what it runs into are gr
 
 SHARED_CONSTANT uint cloth_bit_half_held = 512U; // some particles are held a little
 
+SHARED_CONSTANT uint cloth_bit_seen = 1024U; // and bodies that are seen from the front and the back
+
 SHARED_CONSTANT uint cloth_group = 64U;         // particles of a sheet are padded to whole workgroups
 SHARED_CONSTANT uint cloth_tile_side = 8U;      // of a grid they go by squares of so many each way
 SHARED_CONSTANT uint cloth_small_group = 256U;  // threads that share a small sheet
@@ -46,8 +48,12 @@ SHARED_CONSTANT uint cloth_capsule = 4U;  // along y
 SHARED_CONSTANT uint cloth_heights =
     5U; // all below heights on a grid in x and z, which go on level beyond it
 SHARED_CONSTANT uint cloth_distances = 6U; // what distances on a grid say
+SHARED_CONSTANT uint cloth_seen = 7U;      // what lies between the front and the back of a body, along z
 SHARED_CONSTANT uint cloth_kind_bits = 3U;
-SHARED_CONSTANT uint cloth_grid_head = 6U; // numbers before those of a grid: nodes each way, half its size
+SHARED_CONSTANT uint cloth_grid_head = 6U;  // numbers before those of a grid: nodes each way, half its size
+SHARED_CONSTANT uint cloth_seen_head = 1U;  // texels before those of a body: nodes each way
+SHARED_CONSTANT uint cloth_seen_skirt = 5U; // nodes from its outline from which on it is far
+SHARED_CONSTANT float cloth_seen_nowhere_m = 1e3F; // is as far from the outline
 
 // A sheet. Its particles begin at `first` and are `count`, padded to `stride`; the k-th link of particle i is
 // at first_link + k * stride + i, and so are faces and tethers.
@@ -113,6 +119,7 @@ struct ClothRun {
     vec3 origin_m;     // of places, in that of the wind
     float rest_m_s;    // what is slower is calm; negative: nothing is
     uint roused_steps; // in so many no sheet rests, whatever it does
+    uint bodies_move;  // otherwise than their solids do
     uint flow_count;
     ClothFlow flows[cloth_most_flows];
 };
@@ -139,6 +146,17 @@ struct ClothCollider {
     vec4 rotation; // quaternion, the scalar last
     vec3 half_m;   // radii of an ellipsoid, half a box or grid, radius, half height and radius of the others
     float reach_m; // what is farther from the centre is outside
+};
+
+// A body that is seen along its z, turned as its solid.
+struct ClothBody {
+    vec4 rotation;
+    vec3 centre_m;
+    uint first_triangle;
+    vec3 half_m;
+    uint triangle_count;
+    uvec2 nodes;
+    uint first; // of its head
 };
 
 // Where a particle is held: at a posed vertex, and how much.

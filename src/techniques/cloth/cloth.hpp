@@ -49,6 +49,12 @@ struct Flow {
     glm::mat4 cells_from_place{1.0F}; ///< from the low corner; all axes alike
 };
 
+/// A mesh that moves as it likes, for what is seen of it along one axis.
+struct Body {
+    std::vector<glm::uvec3> triangles; ///< posed vertices
+    glm::uvec2 nodes{2};               ///< of the grid that is seen through, along x and y of its solid
+};
+
 /// The same sheets and runs give the same places on the same device, bit for bit. A sheet that has been calm
 /// for shared::cloth_rest_s, by all of its particles, rests: steps leave it as it is until wind blows,
 /// something that holds it moves, a solid moves near it, it is carried, or the surroundings are others.
@@ -73,6 +79,10 @@ public:
     /// upload.
     void set_grids(gpu::Device& device, std::span<const SolidGrid> grids);
 
+    /// Bodies that solids of kind `seen` stand for, until the next call; before set_solids(). Cost: an upload
+    /// of their triangles.
+    void set_bodies(gpu::Device& device, std::span<const Body> bodies);
+
     /// Boxes in which later runs find the speeds that add_flow() last told, in place of the wind; where they
     /// overlap, those of the last. Throws std::logic_error for more than shared::cloth_most_flows.
     void set_flows(gpu::Device& device, std::span<const Flow> flows);
@@ -89,6 +99,7 @@ public:
         gpu::BufferId near;
         std::array<gpu::BufferId, 2> predicted;
         std::array<gpu::BufferId, 2> targets;
+        std::array<gpu::BufferId, 2> seen;
     };
 
     [[nodiscard]] Handles import(gpu::Graph& graph);
@@ -101,6 +112,12 @@ public:
     /// set_targets() as a pass: the drawn vertices as they are posed.
     void add_targets(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
+    /// Looks at the front and the back of all bodies, as they are posed at the end of the next run, from
+    /// where set_solids() put them: until then they go there from what was seen last. Later runs find them
+    /// so. Cost: two passes a body; a thread for each triangle goes over the nodes that it covers. Source:
+    /// Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 7.5.
+    void add_bodies(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
+
     /// Carries sheets as they stand, one matrix each: with what they hang on when that is put elsewhere. A
     /// matrix of zeros puts a sheet where its particles are wanted, at rest.
     void add_carry(gpu::Graph& graph, Handles& handles, std::span<const glm::mat4> carries);
@@ -111,11 +128,12 @@ public:
     /// As many as one graph takes, at least one.
     [[nodiscard]] uint32_t most_steps(const Surroundings& surroundings) const;
 
-    /// The next targets hold for the beginning of their run too, and what the next run finds otherwise than
-    /// the one before wakes nobody.
+    /// The next targets and bodies hold for the beginning of their run too, and what the next run finds
+    /// otherwise than the one before wakes nobody.
     void forget_before()
     {
         has_targets_ = false;
+        has_seen_ = false;
         rouses_all_ = false;
         surroundings_.reset();
     }
@@ -214,6 +232,11 @@ private:
     std::array<gpu::Buffer, 2> targets_; ///< of the run's beginning and its end
     bool has_targets_ = true;
     bool targets_move_ = false;
+    gpu::Buffer body_triangles_;
+    std::vector<shared::ClothBody> bodies_; ///< but for where they are
+    std::array<gpu::Buffer, 2> seen_;       ///< of all bodies, at the run's beginning and its end
+    bool has_seen_ = false;
+    bool bodies_move_ = false;
     gpu::Buffer places_;
     gpu::Buffer places_before_; ///< at the last snapshot
     gpu::Buffer speeds_;

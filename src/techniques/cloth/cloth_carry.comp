@@ -8,17 +8,17 @@ layout(local_size_x = 64) in;
 
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(scalar, binding = 10) buffer Places
+layout(scalar, binding = 12) buffer Places
 {
     vec4 places[];
 };
 
-layout(scalar, binding = 11) buffer Speeds
+layout(scalar, binding = 13) buffer Speeds
 {
     vec4 speeds[];
 };
 
-layout(scalar, binding = 12) readonly buffer Carries
+layout(scalar, binding = 14) readonly buffer Carries
 {
     mat4 carries[]; // one a sheet; all zeros where it starts anew
 };

@@ -43,8 +43,9 @@ vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to)
     float along_m = length(along);
     float kept = along_m > 0.0 ? max(1.0 - sheet.friction * depth_m / along_m, 0.0) : 1.0;
     vec3 end = meets ? from + way + (kept - 1.0) * along : to;
-    // Of heights and distances it is not known exactly how far the surface is.
-    return meets || (variant & cloth_bit_grids) != 0u ? pushed_out(kind, half_m, end) : end;
+    // Of heights, distances and bodies it is not known exactly how far the surface is.
+    return meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u ? pushed_out(kind, half_m, end)
+                                                                         : end;
 }
 
 vec4 turn_between(uvec4 before, uvec4 after, float part)
@@ -75,6 +76,11 @@ vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
     vec4 rotation = turn_between(turn_before, turn_after, end);
     vec3 own_from = turned_back(turn_between(turn_before, turn_after, begin), from_there);
     vec3 own_to = turned_back(rotation, to - centre_m);
+    if ((variant & cloth_bit_seen) != 0u && (place_after.w & ((1u << cloth_kind_bits) - 1u)) == cloth_seen) {
+        look_at_body(int(place_after.w >> cloth_kind_bits),
+                     uintBitsToFloat(texelFetch(collider_texels, before + 2).xyz), end);
+        own_from.z += surface_way_m(size.xyz, own_from, begin, end);
+    }
     return centre_m + turned(rotation, stopped(place_after.w, size.xyz, own_from, own_to));
 }
 

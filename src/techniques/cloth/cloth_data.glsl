@@ -2,7 +2,7 @@
 #ifndef ESTAMPE_CLOTH_DATA
 #define ESTAMPE_CLOTH_DATA
 
-// What all passes over cloth read. Those after it bind from 10 on.
+// What all passes over cloth read. Those after it bind from 12 on.
 
 #include "techniques/cloth/cloth.glsl.h"
 
@@ -27,6 +27,9 @@ layout(binding = 6) uniform samplerBuffer target_before_texels; // where held pa
 layout(binding = 7) uniform samplerBuffer target_after_texels;  // of a run, and at its end; how much, last
 
 layout(binding = 9) uniform samplerBuffer grid_texels; // of heights or distances, each behind its head
+layout(binding = 10) uniform usamplerBuffer seen_before_texels; // of bodies at the beginning of a run, and at
+layout(binding = 11) uniform usamplerBuffer
+    seen_after_texels; // its end: bits of floats, each behind its head
 
 layout(scalar, binding = 8) readonly buffer SheetOfGroup
 {

@@ -10,29 +10,29 @@ layout(local_size_x = 64) in;
 
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(scalar, binding = 10) readonly buffer Places
+layout(scalar, binding = 12) readonly buffer Places
 {
     vec4 places[]; // and inverse mass
 };
 
-layout(scalar, binding = 11) readonly buffer Speeds
+layout(scalar, binding = 13) readonly buffer Speeds
 {
     vec4 speeds[];
 };
 
-layout(scalar, binding = 12) readonly buffer Pushes
+layout(scalar, binding = 14) readonly buffer Pushes
 {
     vec4 pushes[];
 };
 
-layout(scalar, binding = 13) buffer Predicted
+layout(scalar, binding = 15) buffer Predicted
 {
     vec4 predicted[];
 };
 
-layout(binding = 14) uniform usamplerBuffer particle_texels; // by colours, each padded to whole workgroups
+layout(binding = 16) uniform usamplerBuffer particle_texels; // by colours, each padded to whole workgroups
 
-layout(scalar, binding = 15) readonly buffer Awake
+layout(scalar, binding = 17) readonly buffer Awake
 {
     uint awake_in[];
 };

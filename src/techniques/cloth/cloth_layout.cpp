@@ -257,6 +257,7 @@ Cloths::Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<con
         buffer = gpu::upload_buffer(device, "cloth targets", targets);
     }
     set_grids(device, {});
+    set_bodies(device, {});
     set_flows(device, {});
     set_solids(device, {});
     rouses_all_ = false;
@@ -275,9 +276,14 @@ void Cloths::set_solids(gpu::Device& device, std::span<const Solid> solids)
 {
     solids_before_ = std::move(solids_);
     solids_.clear();
+    const auto first_of = [&](const Solid& solid) {
+        if (solid.kind == SolidKind::seen) {
+            return bodies_.at(solid.grid).first;
+        }
+        return solid.grid < first_of_grid_.size() ? first_of_grid_[solid.grid] : 0;
+    };
     for (const Solid& solid : solids) {
-        solids_.push_back(
-            as_shared(solid, solid.grid < first_of_grid_.size() ? first_of_grid_[solid.grid] : 0));
+        solids_.push_back(as_shared(solid, first_of(solid)));
     }
     if (solids_before_.size() != solids_.size()) {
         solids_before_ = solids_;

@@ -11,25 +11,25 @@ layout(local_size_x = 64) in;
 #include "shaders/hash.glsl"
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(binding = 10) uniform samplerBuffer place_texels; // and inverse mass
-layout(binding = 11) uniform samplerBuffer rest_texels;
+layout(binding = 12) uniform samplerBuffer place_texels; // and inverse mass
+layout(binding = 13) uniform samplerBuffer rest_texels;
 
-layout(scalar, binding = 12) buffer Cells
+layout(scalar, binding = 14) buffer Cells
 {
     uint first_in_cell[]; // 1 more than a particle, 0 for none
 };
 
-layout(scalar, binding = 13) buffer Links
+layout(scalar, binding = 15) buffer Links
 {
     uint next_in_cell[];
 };
 
-layout(scalar, binding = 14) writeonly buffer Near
+layout(scalar, binding = 16) writeonly buffer Near
 {
     uvec4 near[]; // within the sheet
 };
 
-layout(scalar, binding = 15) readonly buffer Awake
+layout(scalar, binding = 17) readonly buffer Awake
 {
     uint awake_in[];
 };

@@ -8,36 +8,36 @@ layout(local_size_x = 64) in;
 
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(binding = 10) uniform samplerBuffer place_texels; // and inverse mass
+layout(binding = 12) uniform samplerBuffer place_texels; // and inverse mass
 
-layout(scalar, binding = 11) readonly buffer Speeds
+layout(scalar, binding = 13) readonly buffer Speeds
 {
     vec4 speeds[];
 };
 
-layout(scalar, binding = 12) buffer Pushes
+layout(scalar, binding = 14) buffer Pushes
 {
     vec4 pushes[]; // and inverse mass times links
 };
 
-layout(scalar, binding = 13) writeonly buffer Predicted
+layout(scalar, binding = 15) writeonly buffer Predicted
 {
     vec4 predicted[];
 };
 
-layout(scalar, binding = 14) readonly buffer Awake
+layout(scalar, binding = 16) readonly buffer Awake
 {
     uint awake_in[];
 };
 
-layout(scalar, binding = 15) writeonly buffer Began
+layout(scalar, binding = 17) writeonly buffer Began
 {
     vec4 began[]; // places, and how long each had been calm
 };
 
-layout(binding = 16) uniform samplerBuffer flow_texels;
+layout(binding = 18) uniform samplerBuffer flow_texels;
 
-layout(scalar, binding = 17) writeonly buffer Met
+layout(scalar, binding = 19) writeonly buffer Met
 {
     uint met[]; // of each group: the ball about it, and which solids come near that
 };

@@ -8,19 +8,19 @@ layout(local_size_x = 64) in;
 
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(binding = 10) uniform samplerBuffer place_texels;
+layout(binding = 12) uniform samplerBuffer place_texels;
 
-layout(scalar, binding = 11) buffer Speeds
+layout(scalar, binding = 13) buffer Speeds
 {
     vec4 speeds[]; // and how long it has been calm
 };
 
-layout(scalar, binding = 12) buffer Awake
+layout(scalar, binding = 14) buffer Awake
 {
     uint awake_in[]; // 1 more than the step, one a sheet: all that write it write the same
 };
 
-layout(binding = 13) uniform samplerBuffer flow_texels;
+layout(binding = 15) uniform samplerBuffer flow_texels;
 
 layout(push_constant, scalar) uniform Constants
 {

@@ -19,6 +19,8 @@ bool is_neared(vec3 place)
         bool moves = there[0] != there[1] ||
                      texelFetch(collider_texels, before + 1) != texelFetch(collider_texels, after + 1) ||
                      texelFetch(collider_texels, before + 2) != texelFetch(collider_texels, after + 2);
+        moves =
+            moves || (run.bodies_move != 0u && (there[1].w & ((1u << cloth_kind_bits) - 1u)) == cloth_seen);
         vec3 from = uintBitsToFloat(there[0].xyz);
         vec3 way = uintBitsToFloat(there[1].xyz) - from;
         float nearest = clamp(dot(place - from, way) / max(dot(way, way), 1e-20), 0.0, 1.0);

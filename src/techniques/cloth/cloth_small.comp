@@ -10,22 +10,22 @@ layout(local_size_x = 256) in;
 
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(scalar, binding = 10) buffer Places
+layout(scalar, binding = 12) buffer Places
 {
     vec4 places[]; // and inverse mass
 };
 
-layout(scalar, binding = 11) buffer Speeds
+layout(scalar, binding = 13) buffer Speeds
 {
     vec4 speeds[]; // and how long each particle has been calm
 };
 
-layout(scalar, binding = 12) readonly buffer Pushes
+layout(scalar, binding = 14) readonly buffer Pushes
 {
     vec4 pushes[]; // and inverse mass times links, which is all that is read here
 };
 
-layout(binding = 13) uniform samplerBuffer flow_texels;
+layout(binding = 15) uniform samplerBuffer flow_texels;
 
 layout(push_constant, scalar) uniform Constants
 {

@@ -3,19 +3,11 @@
 #define ESTAMPE_CLOTH_SOLIDS
 
 // Solids in their own space: the way out in xyz, of length 1, and in w how far it is to the surface, negative
-// within. Of an ellipsoid and of grids that is exact on the surface alone.
+// within. Of an ellipsoid, of grids and of bodies that is exact on the surface alone.
 
 #include "techniques/cloth/cloth_grids.glsl"
-
-vec3 turned(vec4 rotation, vec3 v)
-{
-    return v + 2.0 * cross(rotation.xyz, cross(rotation.xyz, v) + rotation.w * v);
-}
-
-vec3 turned_back(vec4 rotation, vec3 v)
-{
-    return turned(vec4(-rotation.x, -rotation.y, -rotation.z, rotation.w), v);
-}
+#include "techniques/cloth/cloth_seen.glsl"
+#include "techniques/cloth/cloth_turns.glsl"
 
 vec4 ellipsoid_at(vec3 radii_m, vec3 place)
 {
@@ -64,6 +56,9 @@ vec4 capsule_at(float radius_m, float half_length_m, vec3 place)
 vec4 solid_at(uint kind_and_grid, vec3 half_m, vec3 place)
 {
     uint kind = kind_and_grid & ((1u << cloth_kind_bits) - 1u);
+    if ((variant & cloth_bit_seen) != 0u && kind == cloth_seen) {
+        return seen_at(half_m, place);
+    }
     if ((variant & cloth_bit_grids) != 0u && kind >= cloth_heights) {
         int first = int(kind_and_grid >> cloth_kind_bits);
         return kind == cloth_heights ? heights_at(first, half_m, place) : distances_at(first, half_m, place);

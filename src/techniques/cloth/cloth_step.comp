@@ -8,24 +8,24 @@ layout(local_size_x = 64) in;
 
 #include "techniques/cloth/cloth_met.glsl"
 
-layout(scalar, binding = 10) buffer Places
+layout(scalar, binding = 12) buffer Places
 {
     vec4 places[]; // and inverse mass
 };
 
-layout(scalar, binding = 11) writeonly buffer Speeds
+layout(scalar, binding = 13) writeonly buffer Speeds
 {
     vec4 speeds[]; // and how long each particle has been calm
 };
 
-layout(scalar, binding = 12) readonly buffer Pushes
+layout(scalar, binding = 14) readonly buffer Pushes
 {
     vec4 pushes[];
 };
 
-layout(binding = 13) uniform samplerBuffer predicted_texels;
+layout(binding = 15) uniform samplerBuffer predicted_texels;
 
-layout(scalar, binding = 14) writeonly buffer Predicted
+layout(scalar, binding = 16) writeonly buffer Predicted
 {
     vec4 predicted[];
 };
@@ -50,19 +50,19 @@ vec4 predicted_beside(uint local, ivec2 way, bool is_there)
     return predicted_at(is_there ? uint(int(local) + way.y * int(sheet.columns) + way.x) : local);
 }
 
-layout(binding = 15) uniform usamplerBuffer near_texels;
+layout(binding = 17) uniform usamplerBuffer near_texels;
 
-layout(scalar, binding = 16) readonly buffer Awake
+layout(scalar, binding = 18) readonly buffer Awake
 {
     uint awake_in[];
 };
 
-layout(scalar, binding = 17) readonly buffer Began
+layout(scalar, binding = 19) readonly buffer Began
 {
     vec4 began[];
 };
 
-layout(scalar, binding = 18) readonly buffer Met
+layout(scalar, binding = 20) readonly buffer Met
 {
     uint met[]; // of each group: the ball about it, and which solids come near that
 };

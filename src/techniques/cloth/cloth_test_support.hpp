@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "gpu/imports.hpp"
@@ -30,6 +31,8 @@ public:
     [[nodiscard]] const Sheet& sheet() const { return sheet_; }
 
     Surroundings air{.air_kg_m3 = 0.0F}; ///< there is none unless a test wants some
+    std::function<void(gpu::Graph&, Cloths::Handles&)>
+        at_first; ///< passes before the steps of the first graph of a run, once
 
     State run(double seconds)
     {
@@ -39,6 +42,9 @@ public:
             const uint32_t now = std::min(left, cloths_.most_steps(air));
             gpu::Graph graph;
             Cloths::Handles handles = cloths_.import(graph);
+            if (at_first) {
+                std::exchange(at_first, nullptr)(graph, handles);
+            }
             cloths_.add_steps(graph, handles, air, now);
             left -= now;
             air.time_s += static_cast<double>(now) * air.step_s;

@@ -10,14 +10,14 @@ layout(local_size_x = 64) in;
 #include "shaders/octahedral.glsl"
 #include "techniques/cloth/cloth_data.glsl"
 
-layout(binding = 10) uniform samplerBuffer place_texels;
+layout(binding = 12) uniform samplerBuffer place_texels;
 
-layout(scalar, binding = 11) readonly buffer Vertices
+layout(scalar, binding = 13) readonly buffer Vertices
 {
     ClothVertex vertices[];
 };
 
-layout(scalar, binding = 12) writeonly buffer PosedVertices
+layout(scalar, binding = 14) writeonly buffer PosedVertices
 {
     PosedVertex posed_vertices[];
 };

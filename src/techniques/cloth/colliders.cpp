@@ -20,6 +20,11 @@ glm::quat turn_to(glm::vec3 y_axis)
     return glm::normalize(glm::quat(1.0F + cosine, axis.x, axis.y, axis.z));
 }
 
+bool keeps_sides(SolidKind kind)
+{
+    return kind == SolidKind::box || kind == SolidKind::distances || kind == SolidKind::seen;
+}
+
 /// The axes of an ellipsoid from what a ball became: eigenvectors of M M^T, by Jacobi's rotations.
 struct Axes {
     glm::dmat3 directions{1.0};
@@ -107,8 +112,7 @@ Solid placed(const Solid& solid, const glm::dmat4& place)
     } else {
         axes = columns_of(own);
         const double across = std::max(axes.lengths.x, axes.lengths.z);
-        const bool keeps_sides = solid.kind == SolidKind::box || solid.kind == SolidKind::distances;
-        half *= keeps_sides ? axes.lengths : glm::dvec3(across, axes.lengths.y, across);
+        half *= keeps_sides(solid.kind) ? axes.lengths : glm::dvec3(across, axes.lengths.y, across);
     }
     result.half_m = glm::vec3(glm::max(half, glm::dvec3(least_half_m)));
     result.rotation = glm::quat(glm::normalize(glm::quat_cast(axes.directions)));
@@ -142,12 +146,12 @@ shared::ClothCollider as_shared(const Solid& solid, uint32_t first_of_grid)
     constexpr float everywhere_m = 1e30F;
     float reach_m = everywhere_m;
     auto kind = static_cast<uint32_t>(solid.kind);
-    if (solid.kind == SolidKind::heights || solid.kind == SolidKind::distances) {
+    if (kind >= shared::cloth_heights) {
         kind |= first_of_grid << shared::cloth_kind_bits;
     }
     if (solid.kind == SolidKind::ellipsoid) {
         reach_m = std::max({solid.half_m.x, solid.half_m.y, solid.half_m.z});
-    } else if (solid.kind == SolidKind::box || solid.kind == SolidKind::distances) {
+    } else if (keeps_sides(solid.kind)) {
         reach_m = glm::length(solid.half_m);
     } else if (solid.kind == SolidKind::cylinder) {
         reach_m = glm::length(glm::vec2(solid.half_m));

@@ -11,7 +11,7 @@
 
 namespace estampe::cloth {
 
-enum class SolidKind : uint8_t { plane, ellipsoid, box, cylinder, capsule, heights, distances };
+enum class SolidKind : uint8_t { plane, ellipsoid, box, cylinder, capsule, heights, distances, seen };
 
 /// A solid at a moment: in its own space, turned, then moved.
 struct Solid {
@@ -20,8 +20,8 @@ struct Solid {
                             ///< the length of its axis, without a capsule's ends
     glm::vec3 centre_m{0.0F};
     glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};
-    uint32_t grid = 0; ///< of heights or distances, by its place among those that sheets were told of;
-                       ///< `half_m` is half the grid's size then
+    uint32_t grid = 0; ///< of heights or distances, by its place among those that sheets were told of, or the
+                       ///< body that is seen along z; `half_m` is half the size of either then
 };
 
 /// All below a plane.
@@ -41,7 +41,7 @@ struct Solid {
 /// same turn has two quaternions, and a capsule any about its axis.
 void turn_alike(shared::ClothCollider& before, const shared::ClothCollider& after);
 
-/// `first_of_grid` is where the numbers of its grid begin.
+/// `first_of_grid` is where the numbers of its grid or body begin.
 [[nodiscard]] shared::ClothCollider as_shared(const Solid& solid, uint32_t first_of_grid = 0);
 
 } // namespace estampe::cloth

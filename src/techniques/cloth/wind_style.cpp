@@ -39,7 +39,12 @@ const style::Table<ClothStyle>& cloth_table()
                     "How finely time is cut: more stretches less and costs as much more")
             .number("rest_mm_s", &ClothStyle::rest_mm_s, {0.0F, 100.0F}, "mm/s",
                     "A sheet that is slower for half a second, in still air, rests until something moves it; "
-                    "0: none rests");
+                    "0: none rests")
+            .choice(
+                "bodies", &ClothStyle::bodies,
+                {{"capsules", ClothBodies::capsules}, {"depth", ClothBodies::depth}},
+                "What skinned bodies are to it: (capsules) one about each bone; (depth) what lies between "
+                "their front and their back, as they are seen where they are thinnest");
     return table;
 }
 

@@ -21,11 +21,15 @@ struct WindStyle {
     bool operator==(const WindStyle&) const = default;
 };
 
+/// What skinned bodies are to cloth.
+enum class ClothBodies : uint8_t { capsules, depth };
+
 /// How cloth is worked out.
 struct ClothStyle {
     float settle_s = 3.0F;
     float effort = 1.0F;
     float rest_mm_s = 5.0F;
+    ClothBodies bodies = ClothBodies::capsules;
 
     bool operator==(const ClothStyle&) const = default;
 };
