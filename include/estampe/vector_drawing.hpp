@@ -16,6 +16,7 @@ enum class StrokeKind : uint8_t {
     hatch,        ///< carries tone
     shadow,       ///< along the edge of a shadow
     suggestive,   ///< where a surface would turn away if the eye moved
+    crest,        ///< along a crest of the ground
     valley,       ///< along a rounded fold inwards
     ridge,        ///< along a rounded fold outwards
     crease,       ///< along a sharp fold

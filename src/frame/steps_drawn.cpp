@@ -117,6 +117,16 @@ hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
             .draws = scene.meshes.draws};
 }
 
+std::optional<contour::CrestMesh> crests_of(const Making& making)
+{
+    if (making.resources.terrain == nullptr || !making.layout.foreign_vertex) {
+        return std::nullopt;
+    }
+    return contour::CrestMesh{.first_vertex = *making.layout.foreign_vertex,
+                              .vertex_count = making.resources.meshes.vertex_count,
+                              .along = making.plan.strokes.ground_wind};
+}
+
 contour::ContourInputs contour_inputs(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
                                       const surface::Surface& surface, const light::LitPixels& lit,
                                       const SeenThrough& screen)
@@ -132,6 +142,7 @@ contour::ContourInputs contour_inputs(const Making& making, const PosedScene& sc
             .posed_vertices = scene.meshes.posed_vertices,
             .draws = scene.meshes.draws,
             .materials = scene.meshes.materials,
+            .crests = crests_of(making),
             .own_outlines = plan.needs.own_outlines,
             .draw = surface.draw,
             .depth = surface.depth,

@@ -37,9 +37,9 @@ void read_back(gpu::Graph& graph, gpu::Device& device, gpu::BufferId from, gpu::
 StrokeKind kind_of_line(uint32_t kind)
 {
     constexpr std::array<StrokeKind, shared::line_kind_count> kinds{
-        StrokeKind::outline,      StrokeKind::border, StrokeKind::boundary, StrokeKind::crease,
-        StrokeKind::marked,       StrokeKind::ridge,  StrokeKind::valley,   StrokeKind::suggestive,
-        StrokeKind::intersection, StrokeKind::shadow};
+        StrokeKind::outline, StrokeKind::border,       StrokeKind::boundary, StrokeKind::crease,
+        StrokeKind::marked,  StrokeKind::ridge,        StrokeKind::valley,   StrokeKind::suggestive,
+        StrokeKind::crest,   StrokeKind::intersection, StrokeKind::shadow};
     return kinds.at(kind);
 }
 

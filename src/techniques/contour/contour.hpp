@@ -11,6 +11,13 @@ namespace estampe::contour {
 
 struct BrushImages;
 
+/// The mesh whose crests have lines: a ground that the wind has shaped.
+struct CrestMesh {
+    uint32_t first_vertex = 0;
+    uint32_t vertex_count = 0;   ///< of all meshes; it is the last
+    glm::vec2 along{1.0F, 0.0F}; ///< where the wind blows to, over x and z; unit
+};
+
 struct ContourInputs {
     gpu::BufferId frame; ///< FrameGlobals
     gpu::BufferId visibility;
@@ -18,7 +25,8 @@ struct ContourInputs {
     gpu::BufferId posed_vertices;
     gpu::BufferId draws;
     gpu::BufferId materials;
-    bool own_outlines = false; ///< some material brings an outline of its own
+    std::optional<CrestMesh> crests; ///< where lines of chains are wanted along them
+    bool own_outlines = false;       ///< some material brings an outline of its own
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;

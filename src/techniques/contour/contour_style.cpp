@@ -36,6 +36,10 @@ void add_width_keys(ContourTable& table)
                 "less draws more")
         .number("suggestive_deg", &ContourStyle::suggestive_deg, {1.0F, 89.0F}, "deg",
                 "Least angle between the view and a surface that has suggestive contours")
+        .number("crest_mm", &ContourStyle::crest_mm, {0.0F, 20.0F}, "mm",
+                "Width along the brinks of dunes, seen from above too, drawn by chains; 0 draws none")
+        .number("crest_deg", &ContourStyle::crest_deg, {0.5F, 89.0F}, "deg",
+                "How far the ground must turn across the wind's way at a brink, within one of its cells")
         .number("intersection_mm", &ContourStyle::intersection_mm, {0.0F, 20.0F}, "mm",
                 "Width where surfaces run into each other, drawn by chains; 0 draws none")
         .number("shadow_mm", &ContourStyle::shadow_mm, {0.0F, 20.0F}, "mm",

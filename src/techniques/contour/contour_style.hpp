@@ -40,6 +40,8 @@ struct ContourStyle {
     float suggestive_mm = 0.0F;
     float suggestive_growth = 15.0F;
     float suggestive_deg = 20.0F;
+    float crest_mm = 0.3F;
+    float crest_deg = 3.0F;
     float intersection_mm = 0.24F;
     float shadow_mm = 0.0F;
     float depth_step = 1.0F;
@@ -51,6 +53,7 @@ struct ContourStyle {
     std::string ridge_brush;
     std::string valley_brush;
     std::string suggestive_brush;
+    std::string crest_brush;
     std::string intersection_brush;
     std::string shadow_brush;
     BrushFit brush_fit = BrushFit::repeat;
@@ -62,6 +65,7 @@ struct ContourStyle {
     float ridge_m = 0.0F;
     float valley_m = 0.0F;
     float suggestive_m = 0.0F;
+    float crest_m = 0.0F;
     float intersection_m = 0.0F;
     float shadow_m = 0.0F;
     Joints joints = Joints::round;
@@ -110,6 +114,8 @@ inline constexpr std::array<LineKindKeys, shared::line_kind_count> line_kind_key
      &ContourStyle::valley_brush},
     {"suggestive", "where a surface would soon turn away", &ContourStyle::suggestive_mm,
      &ContourStyle::suggestive_m, &ContourStyle::suggestive_brush},
+    {"crest", "along crests of the ground", &ContourStyle::crest_mm, &ContourStyle::crest_m,
+     &ContourStyle::crest_brush},
     {"intersection", "where surfaces run into each other", &ContourStyle::intersection_mm,
      &ContourStyle::intersection_m, &ContourStyle::intersection_brush},
     {"shadow", "along edges of shadows", &ContourStyle::shadow_mm, &ContourStyle::shadow_m,

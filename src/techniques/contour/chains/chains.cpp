@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gpu/imports.hpp"
+#include "shaders/crests_comp.hpp"
 #include "shaders/emit_comp.hpp"
 #include "shaders/emit_suggestive_comp.hpp"
 #include "shaders/mark_edges_comp.hpp"
@@ -23,9 +24,8 @@ namespace estampe::contour {
 namespace {
 
 /// An outline of n triangles crosses about 0.7 n^0.8 of them (McGuire 2004); six times as many have room.
-uint32_t segment_capacity(const LineMesh& mesh, bool along_edges, uint32_t cells)
+uint32_t segment_capacity(const LineMesh& mesh, uint32_t suggestive, bool along_edges, uint32_t cells)
 {
-    const uint32_t suggestive = mesh.bending_count > 0 ? mesh.triangle_count : 0;
     const auto items = static_cast<double>((along_edges ? 0 : mesh.triangle_count) + mesh.loose_edge_count +
                                            suggestive + cells);
     const double usual = 4096.0 + 6.0 * 0.7 * std::pow(items, 0.8);
@@ -46,6 +46,32 @@ uint32_t mesh_words(const shared::ChainConstants& constants)
 {
     return (constants.triangle_count + 31) / 32 + (constants.loose_edge_count + 31) / 32 +
            (constants.suggestive_count + 31) / 32;
+}
+
+/// What says where suggestive contours and crests run, if there are to be any.
+std::optional<gpu::BufferId> add_bends(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh)
+{
+    std::optional<gpu::BufferId> bends;
+    if (mesh.bending_count > 0) {
+        bends = add_view_bends(graph, in.frame, in.posed_vertices,
+                               gpu::import_whole(graph, "bendings", mesh.bendings), mesh.bending_count,
+                               in.suggestive_cut);
+    }
+    if (!in.crests) {
+        return bends;
+    }
+    const shared::CrestConstants constants{.first_vertex = in.crests->first_vertex,
+                                           .vertex_count = in.crests->vertex_count,
+                                           .keeps_others = bends ? 1U : 0U,
+                                           .along = in.crests->along};
+    auto pass = graph.compute("contour/crests", shaders::crests_comp);
+    pass.sample(in.posed_vertices);
+    bends = bends ? pass.modify(*bends)
+                  : pass.write(graph.buffer("contour/view bends",
+                                            list_of(in.crests->vertex_count, sizeof(glm::vec2))));
+    pass.push(constants).dispatch_items(constants.vertex_count -
+                                        (constants.keeps_others != 0 ? constants.first_vertex : 0));
+    return bends;
 }
 
 Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_edges,
@@ -113,6 +139,8 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                        .neighbors = gpu::import_whole(graph, "line neighbors", mesh.neighbors),
                        .line_triangles = gpu::import_whole(graph, "line triangles", mesh.triangles),
                        .suggestive_cut = {style.suggestive_growth, style.suggestive_deg},
+                       .crests = has_lines(style, shared::line_crest) ? in.crests : std::nullopt,
+                       .crest_deg = style.crest_deg,
                        .meetings = has_lines(style, shared::line_intersection) && mesh.shell_count > 1,
                        .sun = {},
                        .step_px = in.line_step_px,
@@ -127,25 +155,23 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
 Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool along_edges)
 {
     const uint32_t words_of_page = ((in.meetings ? 1 : 0) + (in.sun ? 1 : 0)) * page_words(in.size_px);
-    const uint32_t segments_most = segment_capacity(mesh, along_edges, 32 * words_of_page);
+    const uint32_t suggestive_count = mesh.bending_count > 0 || in.crests ? mesh.triangle_count : 0;
+    const uint32_t segments_most = segment_capacity(mesh, suggestive_count, along_edges, 32 * words_of_page);
     const shared::ChainConstants constants{.triangle_count = mesh.triangle_count,
                                            .loose_edge_count = mesh.loose_edge_count,
-                                           .suggestive_count =
-                                               mesh.bending_count > 0 ? mesh.triangle_count : 0,
+                                           .suggestive_count = suggestive_count,
                                            .page_words = words_of_page,
                                            .feature_chain_count = mesh.feature_chain_count,
                                            .feature_point_count = mesh.feature_point_count,
                                            .segment_capacity = segments_most,
                                            .point_capacity = 2 * segments_most + mesh.feature_point_count,
                                            .sample_capacity = sample_capacity(in.size_px),
-                                           .step_px = in.step_px};
+                                           .step_px = in.step_px,
+                                           .first_crest_vertex =
+                                               in.crests ? in.crests->first_vertex : UINT32_MAX,
+                                           .least_turn = std::tan(glm::radians(in.crest_deg))};
     const auto loose_edges = gpu::import_whole(graph, "loose edges", mesh.loose_edges);
-    std::optional<gpu::BufferId> view_bends;
-    if (mesh.bending_count > 0) {
-        view_bends = add_view_bends(graph, in.frame, in.posed_vertices,
-                                    gpu::import_whole(graph, "bendings", mesh.bendings), mesh.bending_count,
-                                    in.suggestive_cut);
-    }
+    const std::optional<gpu::BufferId> view_bends = add_bends(graph, in, mesh);
     const Marks marks = add_marks(graph, in, loose_edges, view_bends, constants, along_edges);
 
     auto emit = graph.compute("contour/emit", shaders::emit_comp);

@@ -201,14 +201,16 @@ struct ScanConstants {
 struct ChainConstants {
     uint triangle_count;
     uint loose_edge_count;
-    uint suggestive_count; // triangles that may have suggestive contours: all or none
+    uint suggestive_count; // triangles that may have suggestive contours or crests: all or none
     uint page_words;       // of marks, 32 cells of the page each
     uint feature_chain_count;
     uint feature_point_count;
     uint segment_capacity;
     uint point_capacity;
     uint sample_capacity;
-    float step_px; // between samples, about
+    float step_px;           // between samples, about
+    uint first_crest_vertex; // from it on vertices are of the mesh that has crests
+    float least_turn;        // of its slope, across a crest
 };
 
 // Of the page as a lattice, see page_cells.glsl.
@@ -233,6 +235,13 @@ struct ViewBendConstants {
     uint vertex_count;
     float least_growth;
     float least_sine; // of the angle between normal and view
+};
+
+struct CrestConstants {
+    uint first_vertex; // of the mesh that has crests
+    uint vertex_count; // of all meshes; it is the last
+    uint keeps_others; // the other vertices have been written
+    vec2 along;        // where the wind blows to, over x and z
 };
 
 struct ShapeConstants {
@@ -265,7 +274,7 @@ struct LineLook {
     float width_of_kind[line_kind_count]; // whole ones, in pixels or metres
     uint metre_kinds;                     // a bit a kind
     vec3 ink;
-    uvec2 unused;
+    uint unused;
 };
 
 // Inks of LinePoint: 0 that of the style, a material + 1, or a look with this bit.

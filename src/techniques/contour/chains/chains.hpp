@@ -17,10 +17,11 @@ namespace estampe::contour {
 /// Outlines and features strung into whole lines.
 struct Chains {
     shared::ChainConstants constants;
-    gpu::BufferId facing;                    ///< a bit a triangle: faces the eye
-    gpu::BufferId marks;                     ///< a bit an item: the outline runs through it
-    std::optional<gpu::BufferId> view_bends; ///< two floats a vertex, as view_bends.comp writes them
-    gpu::BufferId sizes;                     ///< ListSize of each list
+    gpu::BufferId facing; ///< a bit a triangle: faces the eye
+    gpu::BufferId marks;  ///< a bit an item: the outline runs through it
+    std::optional<gpu::BufferId>
+        view_bends;      ///< two floats a vertex, as view_bends.comp and crests.comp have it
+    gpu::BufferId sizes; ///< ListSize of each list
     gpu::BufferId points_of_slot;
     gpu::BufferId flags_of_slot;
     gpu::BufferId points_before; ///< each slot
@@ -80,10 +81,12 @@ struct ChainInputs {
     gpu::BufferId visibility;
     gpu::BufferId neighbors; ///< of the line mesh, as its triangles
     gpu::BufferId line_triangles;
-    SuggestiveCut suggestive_cut; ///< of no use where the line mesh has no bendings
-    bool meetings = false;        ///< lines are wanted where shells run into each other
-    std::optional<SunPixels> sun; ///< edges of its shadow are wanted
-    float step_px = 3.0F;         ///< between samples, about
+    SuggestiveCut suggestive_cut;    ///< of no use where the line mesh has no bendings
+    std::optional<CrestMesh> crests; ///< lines are wanted along them
+    float crest_deg = 3.0F;          ///< see ContourStyle
+    bool meetings = false;           ///< lines are wanted where shells run into each other
+    std::optional<SunPixels> sun;    ///< edges of its shadow are wanted
+    float step_px = 3.0F;            ///< between samples, about
     glm::uvec2 size_px{0};
     bool on_processor = false; ///< the device is no GPU
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread makes one segment of a suggestive contour, and finds the one that goes on where it ends: that of
-// the triangle beyond. Within a triangle a line ends where its strength does. What is hollow as seen from the
-// eye lies on the right.
+// One thread makes one segment of a suggestive contour or of a crest, and finds the one that goes on where it
+// ends: that of the triangle beyond. Within a triangle a line ends where its strength does. What is hollow as
+// seen from the eye lies on the right.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,9 +16,6 @@ layout(local_size_x = 64) in;
 #include "shaders/mesh_texels.glsl"
 
 layout(binding = 2) uniform usamplerBuffer neighbor_texels;
-
-#define VIEW_BENDS_BINDING 3
-#include "techniques/contour/chains/suggestive.glsl"
 
 #define MARKS_BINDING 4
 #include "techniques/contour/chains/marked_items.glsl"
@@ -42,6 +39,9 @@ layout(push_constant, scalar) uniform Constants
 {
     ChainConstants constants;
 };
+
+#define VIEW_BENDS_BINDING 3
+#include "techniques/contour/chains/suggestive.glsl"
 
 struct End {
     vec3 position;
@@ -98,9 +98,9 @@ void main()
     vec3 normal_to = unit(mix(from.normal, to.normal, kept_to));
     uint next = segment_beyond(triangle, end, last.strength, 32u * first_word, segment_count);
     uint previous = segment_beyond(triangle, start, first.strength, 32u * first_word, segment_count);
-    segments[slot] =
-        Segment(mix(from.position, to.position, kept_from), pack_normal(normal_from),
-                mix(from.position, to.position, kept_to), pack_normal(normal_to),
-                line_suggestive << 28 | triangle << 2 | 3u, next, previous != no_segment ? 1u : 0u, 0.0);
+    uint kind = is_of_ground(corners.x) ? line_crest : line_suggestive;
+    segments[slot] = Segment(mix(from.position, to.position, kept_from), pack_normal(normal_from),
+                             mix(from.position, to.position, kept_to), pack_normal(normal_to),
+                             kind << 28 | triangle << 2 | 3u, next, previous != no_segment ? 1u : 0u, 0.0);
     ranks[slot] = next != no_segment ? Rank(next, 1u, slot, 0u) : Rank(slot, 0u, slot, 0u);
 }

@@ -17,9 +17,10 @@ SHARED_CONSTANT uint line_marked = 4U;
 SHARED_CONSTANT uint line_ridge = 5U;
 SHARED_CONSTANT uint line_valley = 6U;
 SHARED_CONSTANT uint line_suggestive = 7U;
-SHARED_CONSTANT uint line_intersection = 8U;
-SHARED_CONSTANT uint line_shadow = 9U;
-SHARED_CONSTANT uint line_kind_count = 10U;
+SHARED_CONSTANT uint line_crest = 8U;
+SHARED_CONSTANT uint line_intersection = 9U;
+SHARED_CONSTANT uint line_shadow = 10U;
+SHARED_CONSTANT uint line_kind_count = 11U;
 SHARED_CONSTANT uint line_first_of_page = line_intersection; // this and those after it are found on the page
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A subgroup looks at 32 triangles and writes one word: through which a suggestive contour runs.
+// A subgroup looks at 32 triangles and writes one word: through which a suggestive contour or a crest runs.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,9 +12,6 @@ layout(local_size_x = 64) in;
 
 layout(binding = 0) uniform usamplerBuffer triangle_texels;
 
-#define VIEW_BENDS_BINDING 1
-#include "techniques/contour/chains/suggestive.glsl"
-
 layout(scalar, binding = 2) buffer Marks
 {
     uint marks[];
@@ -24,6 +21,9 @@ layout(push_constant, scalar) uniform Constants
 {
     ChainConstants constants;
 };
+
+#define VIEW_BENDS_BINDING 1
+#include "techniques/contour/chains/suggestive.glsl"
 
 bool has_line(uint triangle)
 {

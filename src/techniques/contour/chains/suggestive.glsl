@@ -2,16 +2,22 @@
 #ifndef ESTAMPE_SUGGESTIVE
 #define ESTAMPE_SUGGESTIVE
 
-// Where the radial curvature of a surface changes its sign. What two shaders must agree on is computed
-// without contraction. Wanted before: VIEW_BENDS_BINDING, of two words a vertex as view_bends.comp writes
-// them.
+// Where the radial curvature of a surface changes its sign, or the ground begins to fall steeply along the
+// wind. What two shaders must agree on is computed without contraction. Wanted before: VIEW_BENDS_BINDING, of
+// two words a vertex as view_bends.comp and crests.comp write them, and `constants`, of ChainConstants.
 
 layout(binding = VIEW_BENDS_BINDING) uniform usamplerBuffer view_bend_texels;
 
-// Radial curvature; and what must be positive where it is a line.
+// Radial curvature; and what must be positive where it is a line. Of the ground, how much steeper than half a
+// slip face it falls along the wind; and how far along the wind it lies.
 vec2 view_bend_at(uint vertex)
 {
     return uintBitsToFloat(texelFetch(view_bend_texels, int(vertex)).xy);
+}
+
+bool is_of_ground(uint vertex)
+{
+    return vertex >= constants.first_crest_vertex;
 }
 
 struct BendCrossing {
@@ -30,6 +36,10 @@ BendCrossing bend_crossing(uint i, uint j)
     vec2 b = view_bend_at(high);
     precise float share = clamp(a.x / (a.x - b.x), 0.0, 1.0);
     precise float strength = a.y + share * (b.y - a.y);
+    if (is_of_ground(low)) {
+        precise float turn = b.x - a.x; // rises along the wind over a crest, and falls where a slip face ends
+        strength = (b.y < a.y ? -turn : turn) - constants.least_turn;
+    }
     return BendCrossing(low, high, share, strength);
 }
 
