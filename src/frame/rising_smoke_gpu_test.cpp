@@ -2,6 +2,8 @@
 // Smoke in whole pictures and films, through the public header.
 #include <estampe/renderer.hpp>
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "scene/shapes.hpp"
@@ -285,6 +287,83 @@ TEST(RisingSmoke, BeginsWhereItRisesFrom)
         }
         EXPECT_GT(covered, 7U * 16U * 8U / 10U) << "a tenth of a metre above the box, at " << time_s << " s";
     }
+}
+
+/// How many pixels of the rows from `first` on, up to `last`, differ.
+size_t changed_between(const Image& a, const Image& b, uint32_t first, uint32_t last)
+{
+    size_t count = 0;
+    for (size_t i = size_t{4} * a.width * first; i < size_t{4} * a.width * last; i += 4) {
+        count += std::equal(&a.rgba[i], &a.rgba[i] + 4, &b.rgba[i]) ? 0 : 1;
+    }
+    return count;
+}
+
+/// Of the side of a box 2 m high and wide: 72 pixels are 2.4 m, its floor is row 66.
+struct SideView {
+    Camera camera{.eye = {0.0, 1.0, 6.0}, .target = {0.0, 1.0, 0.0}};
+
+    SideView() { camera.orthographic_half_height_m = 1.2; }
+};
+
+TEST(RisingSmoke, KeysOfFireAndWaterDoNothingWhereThereIsNone)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(smoking_box());
+    const Image usual = renderer.render(camera, smoking(), still);
+    EXPECT_EQ(renderer.graph_dot().find("smoke/seen"), std::string::npos);
+    EXPECT_EQ(renderer.render(camera,
+                              smoking({"smoke.burn_s=3", "smoke.burn_heat=9", "smoke.soot=7", "smoke.flame=9",
+                                       "smoke.cloud_base=0", "smoke.humidity_outside=1",
+                                       "smoke.latent_heat=9", "smoke.flame_color=#000000"}),
+                              still),
+              usual);
+    EXPECT_NE(renderer.render(camera, smoking({"smoke.fuel_per_s=8"}), still), usual);
+    EXPECT_NE(renderer.graph_dot().find("smoke/seen"), std::string::npos);
+}
+
+TEST(RisingSmoke, WhatBurnsIsSeenAsFlamesAboveItsSource)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(plain_with_smoke(false));
+    const std::vector<std::string> fire{"smoke.amount_per_s=0", "smoke.fuel_per_s=20",
+                                        "smoke.flame_color=#ff0000", "paper.margin_mm=0"};
+    const auto red_rows = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = fire;
+        all.insert(all.end(), more.begin(), more.end());
+        const Image image = renderer.render(SideView().camera, smoking(all), still);
+        std::array<size_t, 2> count{}; // in the upper half of the box, in the lower
+        for (uint32_t i = 0; i < still.width * 66; ++i) {
+            const uint8_t* const texel = &image.rgba[size_t{4} * i];
+            const bool is_red = texel[0] > 150 && texel[1] < 70 && texel[2] < 70;
+            count.at(i / still.width < 36 ? 0 : 1) += is_red ? 1 : 0;
+        }
+        return count;
+    };
+    const auto rows = red_rows({"smoke.burn_s=0.1"});
+    EXPECT_GT(rows[1], 40U);
+    EXPECT_LT(rows[0], rows[1] / 4) << "above is smoke";
+    EXPECT_EQ(red_rows({"smoke.flame=0"})[1], 0U);
+    EXPECT_GT(red_rows({"smoke.burn_s=1"})[0], 20U) << "what burns longer is higher";
+}
+
+TEST(RisingSmoke, AMoistPlumeIsUnseenUpToItsCloud)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(plain_with_smoke(false));
+    const std::vector<std::string> flat{"smoke.medium=wash", "smoke.shadow=0", "smoke.age_s=2",
+                                        "smoke.amount_per_s=0", "paper.margin_mm=0"};
+    const auto render = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = flat;
+        all.insert(all.end(), more.begin(), more.end());
+        return renderer.render(SideView().camera, smoking(all), still);
+    };
+    const Image dry = render({});
+    const Image high = render({"smoke.humidity=2", "smoke.cloud_base=0.5"});
+    EXPECT_GT(changed_between(high, dry, 0, 36), 60U);
+    EXPECT_EQ(changed_between(high, dry, 38, 72), 0U) << "below the base, but for an edge";
+    const Image low = render({"smoke.humidity=2", "smoke.cloud_base=0.2"});
+    EXPECT_GT(changed_between(low, dry, 38, 72), 20U);
 }
 
 TEST(RisingSmoke, ItsFireIsALamp)
