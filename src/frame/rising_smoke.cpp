@@ -12,6 +12,7 @@
 #include "core/luminance.hpp"
 #include "frame/smoke_air.hpp"
 #include "frame/smoke_obstacles.hpp"
+#include "frame/solver_meter.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "style/raw.hpp"
@@ -68,8 +69,9 @@ std::optional<smoke::Box> box_about(const glm::dmat4& world_from_node, const glm
                       .grid_from_anchor = glm::mat4(glm::inverse(anchor_from_grid))};
 }
 
-void let_rise(fluid::Fluid& fluid, gpu::Executor& executor, const smoke::Box& box,
-              const smoke::SmokeStyle& style, double gap_s)
+/// Returns what the meter found; nothing where no step is taken.
+std::optional<SolverReport> let_rise(fluid::Fluid& fluid, SolverMeter meter, const smoke::Box& box,
+                                     const smoke::SmokeStyle& style, double gap_s)
 {
     const auto count = static_cast<uint32_t>(std::ceil(gap_s * steps_per_s - 1e-6));
     fluid.set_shapes({}, std::vector{source_of(box, style)});
@@ -77,10 +79,11 @@ void let_rise(fluid::Fluid& fluid, gpu::Executor& executor, const smoke::Box& bo
         const fluid::FluidStyle solver = solving(box, style, gap_s / count);
         const uint32_t now = std::min(left, fluid.most_steps(solver));
         gpu::Graph graph;
-        static_cast<void>(fluid.add_steps(graph, solver, now));
-        executor.run(graph);
+        const fluid::FluidFields fields = fluid.add_steps(graph, solver, now);
         left -= now;
+        meter.run(graph, fluid, solver, fields, now, left == 0);
     }
+    return meter.report();
 }
 
 /// Puffs and strokes go with the draught.
@@ -101,6 +104,7 @@ struct RisingSmoke::Column {
     double time_s = 0.0;
     KeptSmoke recalled;                  ///< until it is asked for
     std::unique_ptr<fluid::Fluid> fluid; ///< none until then
+    std::optional<SolverReport> solver_report = {};
 
     [[nodiscard]] bool is_of(const smoke::Box& box, uint32_t wanted_channels) const
     {
@@ -189,6 +193,18 @@ uint64_t kept_cell_count(const KeptSmoke& kept)
         throw Error("this is not the memory of a film's frame");
     }
     return uint64_t{kept.cells.x} * kept.cells.y * kept.cells.z;
+}
+
+std::vector<SolverReport> RisingSmoke::solver_reports() const
+{
+    std::vector<SolverReport> reports;
+    for (size_t i = 0; i < columns_.size(); ++i) {
+        if (const auto& report = columns_[i]->solver_report) {
+            reports.push_back(*report);
+            reports.back().fluid = columns_.size() > 1 ? fmt::format("smoke {}", i + 1) : "smoke";
+        }
+    }
+    return reports;
 }
 
 void RisingSmoke::forget()
@@ -298,7 +314,11 @@ std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& ex
     for (smoke::Box& box : boxes) {
         columns.push_back(started(device, executor, box, in));
         Column& column = *columns.back();
-        let_rise(*column.fluid, executor, box, style, time_s - column.time_s);
+        auto found = let_rise(*column.fluid, SolverMeter(device, executor, in.settings.measure_solvers), box,
+                              style, time_s - column.time_s);
+        if (found || !in.settings.measure_solvers) {
+            column.solver_report = std::move(found);
+        }
         column.time_s = time_s;
         carry_along(box, style, time_s);
     }

@@ -88,6 +88,9 @@ public:
     [[nodiscard]] std::optional<SmokePlan> provide(gpu::Device& device, gpu::Executor& executor,
                                                    const SmokeInputs& in, std::vector<std::string>& notes);
 
+    /// Of the boxes that were measured when they took their last steps, numbered where there are several.
+    [[nodiscard]] std::vector<SolverReport> solver_reports() const;
+
     /// The next picture is of something else.
     void forget();
 

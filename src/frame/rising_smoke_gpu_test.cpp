@@ -289,6 +289,55 @@ TEST(RisingSmoke, BeginsWhereItRisesFrom)
     }
 }
 
+TEST(RisingSmoke, TellsWhatItsSolverLeft)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(smoking_box());
+    const Image usual = renderer.render(camera, smoking(), still);
+    EXPECT_TRUE(renderer.solver_reports().empty());
+    EXPECT_EQ(renderer.timings().end(),
+              std::ranges::find(renderer.timings(), "fluid/measure", &PassTiming::name));
+    RenderSettings measured = still;
+    measured.measure_solvers = true;
+    const auto report_of = [&](const std::vector<std::string>& more) {
+        static_cast<void>(renderer.render(camera, smoking(more), measured));
+        const std::vector<SolverReport> reports = renderer.solver_reports();
+        return reports.size() == 1 ? reports.front() : SolverReport{};
+    };
+    EXPECT_EQ(renderer.render(camera, smoking(), measured), usual) << "the picture is the same";
+    const SolverReport direct = report_of({});
+    EXPECT_EQ(direct.fluid, "smoke");
+    EXPECT_EQ(direct.solver, "spectral");
+    EXPECT_EQ(direct.steps, 20U) << "0.8 seconds, 24 each";
+    EXPECT_GT(direct.divergence_left, 0.0);
+    EXPECT_LT(direct.divergence_left, 1e-2);
+    double of_all = 0.0;
+    for (const PassTiming& pass : renderer.timings()) {
+        of_all += pass.gpu_ms;
+    }
+    EXPECT_GT(direct.gpu_ms, 0.0);
+    EXPECT_LT(direct.gpu_ms, of_all);
+    const SolverReport cycles = report_of({"smoke.solver=multigrid"});
+    EXPECT_EQ(cycles.solver, "multigrid");
+    EXPECT_LT(cycles.divergence_left, 1e-2);
+    const SolverReport rounds = report_of({"smoke.solver=jacobi"});
+    EXPECT_EQ(rounds.solver, "jacobi");
+    EXPECT_GT(rounds.divergence_left, 10.0 * direct.divergence_left);
+    // A page in tiles is prepared twice, where ink flows too.
+    measured.tile_px = 64;
+    static_cast<void>(
+        renderer.render(camera, smoking({"ink.drawn=true", "ink.age_s=0.2", "ink.solved=1"}), measured));
+    const std::vector<SolverReport> both = renderer.solver_reports();
+    ASSERT_EQ(both.size(), 2U);
+    EXPECT_EQ(both[0].divergence_left, direct.divergence_left);
+    EXPECT_EQ(both[0].steps, direct.steps);
+    EXPECT_EQ(both[1].fluid, "ink");
+    EXPECT_GT(both[1].divergence_left, 0.0);
+    EXPECT_LT(both[1].divergence_left, 1e-2);
+    static_cast<void>(renderer.render(camera, {}, still));
+    EXPECT_TRUE(renderer.solver_reports().empty());
+}
+
 /// How many pixels of the rows from `first` on, up to `last`, differ.
 size_t changed_between(const Image& a, const Image& b, uint32_t first, uint32_t last)
 {
