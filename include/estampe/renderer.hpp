@@ -239,7 +239,7 @@ public:
     /// What the next frame of a film takes from those before it: where lines were, how bright it was, ink
     /// that flows, smoke and cloth. With it another run draws on as this one would, to the byte. Empty when
     /// the last frame was of no film, see RenderSettings::continuity. Cost: a copy from the device: 5 bytes a
-    /// pixel where lines are chains, 20 a cell of smoke.
+    /// pixel where lines are chains, 20 to 32 a cell of smoke.
     [[nodiscard]] std::vector<std::byte> film_memory() const;
 
     /// Makes the next frame, if it Continuity::follows, follow on those of the film_memory() of a renderer on

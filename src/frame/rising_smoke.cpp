@@ -22,7 +22,6 @@
 namespace estampe::frame {
 namespace {
 
-constexpr double steps_per_s = 24.0; ///< at least
 constexpr double longest_gap_s = 1.0;
 
 /// Sides in cells, powers of two nearest to the proportions.
@@ -73,7 +72,7 @@ std::optional<smoke::Box> box_about(const glm::dmat4& world_from_node, const glm
 std::optional<SolverReport> let_rise(fluid::Fluid& fluid, SolverMeter meter, const smoke::Box& box,
                                      const smoke::SmokeStyle& style, double gap_s)
 {
-    const auto count = static_cast<uint32_t>(std::ceil(gap_s * steps_per_s - 1e-6));
+    const auto count = static_cast<uint32_t>(std::ceil(gap_s * steps_per_s(box, style) - 1e-6));
     fluid.set_shapes({}, std::vector{source_of(box, style)});
     for (uint32_t left = count; left > 0;) {
         const fluid::FluidStyle solver = solving(box, style, gap_s / count);

@@ -75,8 +75,8 @@ public:
 
     /// Lets the smoke rise to the moment of a picture, and returns its boxes; none where the style or the
     /// scene has none. It goes on from the picture before where that is followed, at most a second later;
-    /// else, and where another number of quantities is to rise, it starts `age_s` ago, and takes 24 steps
-    /// for each of these seconds. Patterns that name nothing,
+    /// else, and where another number of quantities is to rise, it starts `age_s` ago, and takes
+    /// steps_per_s() for each of these seconds. Patterns that name nothing,
     /// or more than shared::smoke_most_boxes, go into `notes`.
     [[nodiscard]] std::vector<smoke::Box> rise(gpu::Device& device, gpu::Executor& executor,
                                                const SmokeInputs& in, std::vector<std::string>& notes);

@@ -44,6 +44,12 @@ fluid::Advection advection_of(const smoke::SmokeStyle& style)
     return fluid::Advection::automatic;
 }
 
+/// How far in the open ends are felt.
+float rim_m(const Draught& draught)
+{
+    return 0.15F * draught.width_m;
+}
+
 float water_held_at_floor(const smoke::SmokeStyle& style)
 {
     return style.humidity * std::exp(holds_less_above * style.cloud_base);
@@ -93,6 +99,13 @@ uint32_t smoke_channels(const smoke::SmokeStyle& style)
     return smoke::is_burning(style) ? shared::fluid_fuel + 1 : shared::fluid_temperature + 1;
 }
 
+double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style)
+{
+    const Draught draught = draught_of(box, style);
+    return static_cast<double>(
+        std::clamp(2.0F * glm::length(draught.wind_m_s) / rim_m(draught), 24.0F, 480.0F));
+}
+
 fluid::Grid grid_of(const smoke::Box& box)
 {
     // What leaves at one face would come back at the other, if the rim did not take it.
@@ -103,10 +116,9 @@ fluid::Grid grid_of(const smoke::Box& box)
 fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style, double step_s)
 {
     const Draught draught = draught_of(box, style);
-    const float crossing_per_s =
-        (draught.speed_m_s + glm::length(draught.wind_m_s)) / (0.15F * draught.width_m);
-    const fluid::Rim calming{.breadth_m = 0.15F * draught.width_m, .share_per_s = crossing_per_s};
-    const fluid::Rim clearing{.breadth_m = 0.15F * draught.width_m, .share_per_s = 8.0F * crossing_per_s};
+    const float crossing_per_s = (draught.speed_m_s + glm::length(draught.wind_m_s)) / rim_m(draught);
+    const fluid::Rim calming{.breadth_m = rim_m(draught), .share_per_s = crossing_per_s};
+    const fluid::Rim clearing{.breadth_m = rim_m(draught), .share_per_s = 8.0F * crossing_per_s};
     fluid::MatterStyle matter = changing(draught, style);
     matter.rim = clearing;
     return {.step_s = static_cast<float>(step_s),

@@ -29,6 +29,10 @@ inline constexpr float smoke_ignition = 0.2F;
 /// What that air carries: density and heat; fuel, where there is some; and water, where there is some.
 [[nodiscard]] uint32_t smoke_channels(const smoke::SmokeStyle& style);
 
+/// How many steps the air takes at least: 24, or so many that wind carries nothing in one of them farther
+/// than half the rim at the open ends, which would not notice it; but no more than 480.
+[[nodiscard]] double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style);
+
 /// Open on all sides.
 [[nodiscard]] fluid::Grid grid_of(const smoke::Box& box);
 

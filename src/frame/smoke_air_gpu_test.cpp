@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include "support/gpu_device.hpp"
@@ -18,7 +19,15 @@ namespace {
 constexpr uint32_t side = 16;
 constexpr double step_s = 1.0 / 24.0;
 
-const smoke::Box box{.cells = glm::uvec3(side), .cell_m = 2.0F / side};
+smoke::Box box_of(float width_m)
+{
+    const float cell_m = width_m / side;
+    return {.cells = glm::uvec3(side),
+            .cell_m = cell_m,
+            .grid_from_anchor = glm::scale(glm::mat4(1.0F), glm::vec3(1.0F / cell_m))};
+}
+
+const smoke::Box box = box_of(2.0F);
 
 /// No wind, nothing that leaves, nothing that cools: what is there stays there.
 fluid::FluidStyle closed(const smoke::SmokeStyle& style)
@@ -129,6 +138,35 @@ TEST(SmokeAir, OutsideAirMakesNoCloud)
     EXPECT_LT(sum_of(end, shared::fluid_cloud), 1e-6 * sum_of(end, shared::fluid_vapour));
     EXPECT_NEAR(at(end, shared::fluid_vapour, 0), 2.0, 1e-5);
     EXPECT_NEAR(at(end, shared::fluid_vapour, side - 1), 2.0 * std::exp(2.0 * (0.2 - 15.5 / 16.0)), 1e-5);
+}
+
+TEST(SmokeAir, WindBlowsItOutByTheLeeSideAndNoneComesBack)
+{
+    const smoke::Box small = box_of(0.6F);
+    const auto columns = [&](float wind_m_s, double steps_a_second) {
+        const smoke::SmokeStyle style{.wind_m_s = wind_m_s};
+        fluid::Fluid fluid(test::shared_device(), grid_of(small), 2, stirred_air(small, style));
+        fluid.set_shapes({}, std::vector{source_of(small, style)});
+        const std::vector<float> end = quantities_after(fluid, solving(small, style, 1.0 / steps_a_second),
+                                                        static_cast<uint32_t>(1.5 * steps_a_second));
+        std::array<double, side> amounts{}; // along x, which the wind goes along
+        for (uint32_t i = 0; i < side * side * side; ++i) {
+            amounts.at(i % side) += static_cast<double>(end[i]);
+        }
+        return amounts;
+    };
+    const auto share = [](const std::array<double, side>& amounts, uint32_t first, uint32_t last) {
+        return std::accumulate(amounts.begin() + first, amounts.begin() + last, 0.0) /
+               std::accumulate(amounts.begin(), amounts.end(), 0.0);
+    };
+    EXPECT_EQ(steps_per_s(small, {}), 24.0);
+    EXPECT_EQ(steps_per_s(box, {.wind_m_s = 2.0F}), 24.0) << "2 m wide";
+    for (const float wind_m_s : {1.0F, 2.0F, 4.0F}) {
+        const auto amounts = columns(wind_m_s, steps_per_s(small, {.wind_m_s = wind_m_s}));
+        EXPECT_LT(share(amounts, 0, 5), 0.04) << wind_m_s;
+        EXPECT_GT(share(amounts, 9, 14), 0.3) << wind_m_s;
+    }
+    EXPECT_GT(share(columns(4.0F, 24.0), 0, 5), 0.1) << "what longer steps do";
 }
 
 TEST(SmokeAir, NothingBurnsWithoutFuelAndWhatBurnsIsHeatAndSoot)
