@@ -85,6 +85,7 @@ void tell(const RenderCommand& command, const std::string& text)
 RenderSettings render_settings(const RenderCommand& command, const Scene& scene, Index animation)
 {
     RenderSettings settings = settings_of(command.draw, animation);
+    settings.measure_solvers = command.timings || command.json;
     if (!command.motion.empty()) {
         DrawOptions before = command.draw;
         before.time_s = command.since_s;
@@ -204,8 +205,9 @@ void run(const RenderCommand& command)
     clock.finish("write");
 
     if (command.timings || command.json) {
-        TimingReport report{renderer.device().name, renderer.raster_path(), draw.output,  settings,
-                            command.repeat,         passes.medians(),       clock.steps()};
+        TimingReport report{
+            renderer.device().name, renderer.raster_path(),    draw.output,  settings, command.repeat,
+            passes.medians(),       renderer.solver_reports(), clock.steps()};
         report.cpu_ms.emplace_back("total", clock.total_ms());
         if (!later_frames_ms.empty()) {
             report.cpu_ms.emplace_back("median later frame", median(later_frames_ms));

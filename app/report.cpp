@@ -120,10 +120,30 @@ std::string timings_json(const TimingReport& report, double gpu_ms)
         json["passes"].push_back({{"name", pass.name}, {"gpu_ms", pass.gpu_ms}});
     }
     json["gpu_ms"] = gpu_ms;
+    for (const SolverReport& solver : report.solvers) {
+        json["solvers"].push_back({{"fluid", solver.fluid},
+                                   {"solver", solver.solver},
+                                   {"steps", solver.steps},
+                                   {"divergence_left", solver.divergence_left},
+                                   {"gpu_ms", solver.gpu_ms}});
+    }
     for (const auto& [step, milliseconds] : report.cpu_ms) {
         json["cpu_ms"][with_underscores(step)] = milliseconds;
     }
     return to_text(json);
+}
+
+/// A table of pressure solvers, behind an empty line; nothing where there are none.
+std::string solvers_text(const std::vector<SolverReport>& solvers)
+{
+    std::string text = solvers.empty() ? ""
+                                       : fmt::format("\n{:<9} {:<10} {:>6}  {:>15}  {:>10}\n", "pressure",
+                                                     "solver", "steps", "divergence left", "GPU ms");
+    for (const SolverReport& solver : solvers) {
+        text += fmt::format("{:<9} {:<10} {:>6}  {:>15.2e}  {:>10.3f}\n", solver.fluid, solver.solver,
+                            solver.steps, solver.divergence_left, solver.gpu_ms);
+    }
+    return text;
 }
 
 std::string timings_text(const TimingReport& report, double gpu_ms)
@@ -141,7 +161,8 @@ std::string timings_text(const TimingReport& report, double gpu_ms)
     for (const PassTiming& pass : report.passes) {
         text += row(pass.name, pass.gpu_ms);
     }
-    text += row("all passes", gpu_ms) + fmt::format("\n{:<{}}  {:>10}\n", "step", width, "wall ms");
+    text += row("all passes", gpu_ms) + solvers_text(report.solvers) +
+            fmt::format("\n{:<{}}  {:>10}\n", "step", width, "wall ms");
     for (const auto& [step, milliseconds] : report.cpu_ms) {
         text += row(step, milliseconds);
     }

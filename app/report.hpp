@@ -24,6 +24,7 @@ struct TimingReport {
     RenderSettings settings;
     uint32_t frames = 1;
     std::vector<PassTiming> passes; ///< medians, over all frames after the first when there are any
+    std::vector<SolverReport> solvers;
     std::vector<std::pair<std::string, double>> cpu_ms; ///< wall time of the steps of the command, in order
 };
 

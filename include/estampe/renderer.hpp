@@ -86,6 +86,7 @@ struct RenderSettings {
     /// Longest side of the parts that a page is drawn in, which overlap; 0: in one go where the device can,
     /// or else in parts of its choosing. Of render() and render_bands() alone.
     uint32_t tile_px = 0;
+    bool measure_solvers = false; ///< also work out Renderer::solver_reports()
 };
 
 /// How bright one of the scene's lights is now.
@@ -115,6 +116,15 @@ enum class HiddenLines : uint8_t { left_out, kept };
 struct PassTiming {
     std::string name;
     double gpu_ms = 0.0;
+};
+
+/// What a pressure solver did in the steps that a fluid took for a picture.
+struct SolverReport {
+    std::string fluid;  ///< "smoke", "smoke 2" and so on, "ink"
+    std::string solver; ///< "spectral", "multigrid" or "jacobi"
+    uint32_t steps = 0;
+    double divergence_left = 0.0; ///< by the last projection, beside what that was given: root mean squares
+    double gpu_ms = 0.0;          ///< of the projections of all steps
 };
 
 struct VulkanHost;    // see estampe/vulkan.hpp
@@ -230,7 +240,7 @@ public:
     /// What the next frame of a film takes from those before it: where lines were, how bright it was, ink
     /// that flows, smoke and cloth. With it another run draws on as this one would, to the byte. Empty when
     /// the last frame was of no film, see RenderSettings::continuity. Cost: a copy from the device: 5 bytes a
-    /// pixel where lines are chains, 20 a cell of smoke.
+    /// pixel where lines are chains, 20 to 32 a cell of smoke.
     [[nodiscard]] std::vector<std::byte> film_memory() const;
 
     /// Makes the next frame, if it Continuity::follows, follow on those of the film_memory() of a renderer on
@@ -248,6 +258,11 @@ public:
 
     /// GPU time by pass of the last frame drawn, in the order of execution.
     [[nodiscard]] const std::vector<PassTiming>& timings() const;
+
+    /// What the pressure solvers of smoke and of ink's water did for the last picture, where its
+    /// RenderSettings::measure_solvers asks for that; empty where no fluid took a step. The picture is the
+    /// same with it and without.
+    [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
     /// What this renderer has in use of its device's memory, and keeps for the next frame.
     [[nodiscard]] uint64_t device_memory_bytes() const;

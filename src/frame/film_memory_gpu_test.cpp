@@ -109,6 +109,37 @@ TEST(FilmMemory, GoesOnWithoutLinesToo)
     EXPECT_TRUE(renderer.film_memory().empty()) << "a picture that stands for itself leaves nothing";
 }
 
+TEST(FilmMemory, KeepsFuelAndWaterOfSmoke)
+{
+    Renderer& renderer = test::shared_renderer();
+    Style style;
+    for (const char* assignment :
+         {"contour.drawn=false", "smoke.drawn=true", "smoke.cells=16", "smoke.age_s=0.5", "smoke.rise_s=1",
+          "smoke.fuel_per_s=8", "smoke.humidity=2", "smoke.cloud_base=0.2"}) {
+        style.set(assignment);
+    }
+    const Scene scene = still_life();
+    renderer.set_scene(scene);
+    static_cast<void>(frame(renderer, style, 0));
+    static_cast<void>(frame(renderer, style, 1));
+    const std::vector<std::byte> memory = renderer.film_memory();
+    const Image next = frame(renderer, style, 2);
+    const Image after_that = frame(renderer, style, 3);
+    constexpr size_t numbers_a_cell = 3 + 5;
+    EXPECT_GT(memory.size(), sizeof(float) * numbers_a_cell * (16 * 16 * 16 + 8 * 16 * 8));
+    renderer.set_scene(scene);
+    renderer.recall_film(memory);
+    EXPECT_EQ(renderer.film_memory(), memory);
+    EXPECT_TRUE(frame(renderer, style, 2) == next);
+    EXPECT_TRUE(frame(renderer, style, 3) == after_that);
+    renderer.set_scene(scene);
+    EXPECT_FALSE(frame(renderer, style, 2) == next) << "without its memory it is another";
+    // Smoke that is to carry something else begins anew.
+    renderer.recall_film(memory);
+    style.set("smoke.humidity=0");
+    EXPECT_NO_THROW(frame(renderer, style, 2));
+}
+
 TEST(FilmMemory, RefusesWhatIsNone)
 {
     Renderer& renderer = test::shared_renderer();

@@ -74,7 +74,8 @@ std::optional<InkPlan> FlowingInk::provide(gpu::Device& device, gpu::Executor& e
                            .pose_moved = in.loaded.pose_moved};
     InkPlan plan{.ink = ink::plan_of(style, page, time, view_of(in, moved), zones), .motion = {}};
     if (style.solved > 0.0F && plan.ink.grid.face_side == 0) {
-        ink::add_stream(plan.ink, water_.stirred(device, executor, style, page, time, zones));
+        ink::add_stream(plan.ink, water_.stirred(device, executor, style, page, time, zones,
+                                                 in.settings.measure_solvers));
     } else {
         water_.forget();
     }

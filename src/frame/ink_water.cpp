@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/solver_meter.hpp"
 #include "techniques/fluid/fluid.hpp"
 #include "techniques/fluid/read_fields.hpp"
 #include "techniques/ink/flow.hpp"
@@ -127,7 +128,9 @@ std::vector<float> velocity_of(gpu::Device& device, gpu::Executor& executor, flu
     return fluid::run_and_read(device, executor, graph, velocity);
 }
 
-void pass(fluid::Fluid& fluid, gpu::Executor& executor, const Spoons& spoons, double from_s, double to_s)
+/// Returns what the meter found; nothing where no step is taken.
+std::optional<SolverReport> pass(fluid::Fluid& fluid, SolverMeter meter, const Spoons& spoons, double from_s,
+                                 double to_s)
 {
     const auto count = static_cast<uint32_t>(std::ceil((to_s - from_s) * steps_per_s - 1e-6));
     const double step_s = count > 0 ? (to_s - from_s) / count : 0.0;
@@ -140,10 +143,15 @@ void pass(fluid::Fluid& fluid, gpu::Executor& executor, const Spoons& spoons, do
         const uint32_t now = std::min(count - done, fluid.most_steps(style));
         fluid.set_shapes({}, spoons.at(from_s + (done + 0.5 * now) * step_s));
         gpu::Graph graph;
-        static_cast<void>(fluid.add_steps(graph, style, now));
-        executor.run(graph);
+        const fluid::FluidFields fields = fluid.add_steps(graph, style, now);
         done += now;
+        meter.run(graph, fluid, style, fields, now, done == count);
     }
+    std::optional<SolverReport> report = meter.report();
+    if (report) {
+        report->fluid = "ink";
+    }
+    return report;
 }
 
 } // namespace
@@ -155,6 +163,7 @@ void InkWater::forget()
 {
     fluid_.reset();
     recalled_.reset();
+    solver_report_.reset();
 }
 
 std::optional<KeptWater> InkWater::kept(gpu::Device& device, gpu::Executor& executor)
@@ -173,7 +182,7 @@ void InkWater::recall(KeptWater kept)
 
 std::vector<float> InkWater::stirred(gpu::Device& device, gpu::Executor& executor, const ink::InkStyle& style,
                                      const ink::Page& page, const ink::Time& time,
-                                     const std::vector<shared::InkZone>& zones)
+                                     const std::vector<shared::InkZone>& zones, bool is_measured)
 {
     const fluid::Grid grid = grid_of(page.size_mm());
     if (recalled_ && recalled_->velocity.size() == 2 * grid.cell_count()) {
@@ -185,7 +194,11 @@ std::vector<float> InkWater::stirred(gpu::Device& device, gpu::Executor& executo
         fluid_ = std::make_unique<fluid::Fluid>(device, grid);
         time_s_ = time.from_s - spin_up_s;
     }
-    pass(*fluid_, executor, Spoons(style, page.size_mm(), zones), time_s_, time.to_s);
+    auto found = pass(*fluid_, SolverMeter(device, executor, is_measured),
+                      Spoons(style, page.size_mm(), zones), time_s_, time.to_s);
+    if (found || !is_measured) {
+        solver_report_ = std::move(found);
+    }
     time_s_ = time.to_s;
     const Corners corners(grid, velocity_of(device, executor, *fluid_));
     std::vector<float> stream;

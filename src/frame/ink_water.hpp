@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include <estampe/renderer.hpp>
+
 #include "gpu/graph/execute.hpp"
 #include "techniques/ink/ink.hpp"
 
@@ -31,11 +33,15 @@ public:
 
     /// Stirs for the time that passes for the ink, and tells the stream function after it as
     /// ink::add_stream() takes it. Water that is not that of `time.from_s` starts at rest, some seconds
-    /// before. Cost: a step of some 2,000 cells for each 24th of a second.
+    /// before. With `is_measured` solver_report() tells of it. Cost: a step of some 2,000 cells for each 24th
+    /// of a second.
     [[nodiscard]] std::vector<float> stirred(gpu::Device& device, gpu::Executor& executor,
                                              const ink::InkStyle& style, const ink::Page& page,
-                                             const ink::Time& time,
-                                             const std::vector<shared::InkZone>& zones);
+                                             const ink::Time& time, const std::vector<shared::InkZone>& zones,
+                                             bool is_measured = false);
+
+    /// Of the last time that stirred() measured steps; none where it did not since.
+    [[nodiscard]] const std::optional<SolverReport>& solver_report() const { return solver_report_; }
 
     void forget();
 
@@ -47,6 +53,7 @@ public:
 private:
     std::unique_ptr<fluid::Fluid> fluid_; ///< none until it is asked for
     std::optional<KeptWater> recalled_;
+    std::optional<SolverReport> solver_report_;
     double time_s_ = 0.0;
 };
 

@@ -576,6 +576,15 @@ const std::vector<PassTiming>& Renderer::timings() const
     return impl_->executor.timings();
 }
 
+std::vector<SolverReport> Renderer::solver_reports() const
+{
+    std::vector<SolverReport> reports = impl_->rising_smoke.solver_reports();
+    if (const std::optional<SolverReport>& of_ink = impl_->flowing_ink.water().solver_report()) {
+        reports.push_back(*of_ink);
+    }
+    return reports;
+}
+
 uint64_t Renderer::device_memory_bytes() const
 {
     return impl_->device.memory().used_bytes();

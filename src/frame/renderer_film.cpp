@@ -15,7 +15,7 @@ namespace estampe {
 namespace {
 
 /// The first of the bytes: changes when what follows does.
-constexpr uint64_t signature = 0x35304d4c49465345ULL;
+constexpr uint64_t signature = 0x36304d4c49465345ULL;
 
 /// Ink that flows, and the camera that saw it.
 struct InkHead {
@@ -85,7 +85,7 @@ struct SmokeHead {
     uint32_t number = 0;
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
-    uint32_t unused = 0; ///< so that no byte between is left open
+    uint32_t channels = 2; ///< as wide as that no byte between is left open
     double time_s = 0.0;
 };
 
@@ -226,8 +226,11 @@ std::vector<std::byte> Renderer::film_memory() const
     Writer writer(head);
     download.append_to(writer, impl.executor);
     for (const frame::KeptSmoke& box : smoke) {
-        const SmokeHead of_box{
-            .number = box.number, .cells = box.cells, .cell_m = box.cell_m, .time_s = box.time_s};
+        const SmokeHead of_box{.number = box.number,
+                               .cells = box.cells,
+                               .cell_m = box.cell_m,
+                               .channels = box.channels,
+                               .time_s = box.time_s};
         writer.append(std::as_bytes(std::span(&of_box, 1)));
         writer.append(std::as_bytes(std::span(box.velocity)));
         writer.append(std::as_bytes(std::span(box.quantities)));
@@ -291,11 +294,12 @@ void Renderer::recall_film(std::span<const std::byte> memory)
                                                                     .cells = of_box.cells,
                                                                     .cell_m = of_box.cell_m,
                                                                     .time_s = of_box.time_s,
+                                                                    .channels = of_box.channels,
                                                                     .velocity = {},
                                                                     .quantities = {}});
         const uint64_t cell_count = frame::kept_cell_count(box);
         box.velocity = reader.take_floats(3 * cell_count);
-        box.quantities = reader.take_floats(2 * cell_count);
+        box.quantities = reader.take_floats(box.channels * cell_count);
     }
     constexpr uint64_t most_numbers = 1U << 20U;
     if (head.water_numbers > most_numbers) {

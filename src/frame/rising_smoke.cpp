@@ -4,164 +4,25 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
-#include <random>
 #include <utility>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
 #include "core/luminance.hpp"
+#include "frame/smoke_air.hpp"
 #include "frame/smoke_obstacles.hpp"
+#include "frame/solver_meter.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "style/raw.hpp"
 #include "style/surfaces.hpp"
-#include "techniques/fluid/fluid.hpp"
 #include "techniques/fluid/read_fields.hpp"
 
 namespace estampe::frame {
 namespace {
 
-constexpr double steps_per_s = 24.0; ///< at least
 constexpr double longest_gap_s = 1.0;
-constexpr float held_s = 0.2F;   ///< that air has been in a source at least, going by its density
-constexpr uint32_t channels = 2; // density and temperature
-
-/// Proportions of the box and how fast smoke goes through it.
-struct Draught {
-    float speed_m_s = 1.0F;
-    float width_m = 1.0F;
-    float height_m = 1.0F;
-    glm::vec3 wind_m_s{0.0F}; ///< in the grid's axes
-};
-
-Draught draught_of(const smoke::Box& box, const smoke::SmokeStyle& style)
-{
-    const float height_m = box.cell_m * static_cast<float>(box.cells.y);
-    const float angle = glm::radians(style.wind_deg);
-    const glm::vec3 wind = style.wind_m_s * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
-    return {.speed_m_s = height_m / style.rise_s,
-            .width_m = box.width_m(),
-            .height_m = height_m,
-            .wind_m_s = box.cell_m * glm::mat3(box.grid_from_anchor) * wind};
-}
-
-fluid::Grid grid_of(const smoke::Box& box)
-{
-    // What leaves at one face would come back at the other, if the rim did not take it.
-    constexpr fluid::Edge open = fluid::Edge::periodic;
-    return {.cells = box.cells, .cell_m = box.cell_m, .edges = {open, open, open}};
-}
-
-fluid::Solver solver_of(const smoke::SmokeStyle& style)
-{
-    switch (style.solver) {
-    case smoke::Solver::spectral:
-        // Which knows of nothing in its way.
-        return style.obstacles ? fluid::Solver::automatic : fluid::Solver::spectral;
-    case smoke::Solver::multigrid:
-        return fluid::Solver::multigrid;
-    case smoke::Solver::jacobi:
-        return fluid::Solver::jacobi;
-    case smoke::Solver::automatic:
-        break;
-    }
-    return fluid::Solver::automatic;
-}
-
-fluid::Advection advection_of(const smoke::SmokeStyle& style)
-{
-    switch (style.advection) {
-    case smoke::Advection::linear:
-        return fluid::Advection::linear;
-    case smoke::Advection::cubic:
-        return fluid::Advection::cubic;
-    case smoke::Advection::maccormack:
-        return fluid::Advection::maccormack;
-    case smoke::Advection::automatic:
-        break;
-    }
-    return fluid::Advection::automatic;
-}
-
-fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style, double step_s)
-{
-    const Draught draught = draught_of(box, style);
-    const float crossing_per_s =
-        (draught.speed_m_s + glm::length(draught.wind_m_s)) / (0.15F * draught.width_m);
-    const fluid::Rim calming{.breadth_m = 0.15F * draught.width_m, .share_per_s = crossing_per_s};
-    const fluid::Rim clearing{.breadth_m = 0.15F * draught.width_m, .share_per_s = 8.0F * crossing_per_s};
-    return {.step_s = static_cast<float>(step_s),
-            .stepping = style.stepping == smoke::Stepping::reflect ? fluid::Stepping::reflect
-                                                                   : fluid::Stepping::project,
-            .velocity_advection = advection_of(style),
-            .quantity_advection = advection_of(style),
-            .projection = {.solver = solver_of(style)},
-            .forces = {.lift_m_s2 = 5.0F * draught.speed_m_s * draught.speed_m_s / draught.height_m,
-                       .confinement_per_s = 4.0F * style.curl / style.rise_s,
-                       .rim = calming,
-                       .outside_m_s = draught.wind_m_s},
-            .matter = {
-                .fading_per_s = 1.0F / style.life_s, .cooling_per_s = 1.2F / style.rise_s, .rim = clearing}};
-}
-
-fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
-{
-    const float radius_m = 0.5F * style.source * box.width_m();
-    const glm::vec3 floor = 0.5F * box.cell_m * glm::vec3(box.cells) * glm::vec3(1.0F, 0.0F, 1.0F);
-    fluid::Source source{.shape = fluid::disc(floor + glm::vec3(0.0F, 0.6F * radius_m, 0.0F), radius_m)};
-    source.gain_per_s[shared::fluid_density] = style.amount_per_s;
-    // Or air that comes in by the floor would be a way above it before it is seen, the longer the quicker.
-    source.least_density = std::min(held_s * style.amount_per_s, 1.0F);
-    source.gain_per_s[shared::fluid_temperature] = 6.0F / style.rise_s;
-    return source;
-}
-
-/// Air that stirs a little, or smoke would rise as straight as a column.
-std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& style)
-{
-    constexpr int wave_count = 10;
-    constexpr double most_waves = 3.0; // along a side
-    const Draught draught = draught_of(box, style);
-    std::mt19937 random(static_cast<uint32_t>(style.seed) + 7919U * box.number);
-    const auto number = [&] { return 2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0; };
-
-    struct Wave {
-        glm::dvec3 turns; ///< over the box: whole numbers
-        glm::dvec3 swing;
-        double phase = 0.0;
-    };
-
-    std::vector<Wave> waves;
-    for (int i = 0; i < wave_count; ++i) {
-        const glm::dvec3 turns = glm::round(most_waves * glm::dvec3(number(), number(), number()));
-        const glm::dvec3 any(number(), number(), number());
-        const double size = glm::length(turns);
-        const glm::dvec3 along = size > 0.0 ? turns / size : glm::dvec3(0.0);
-        waves.push_back({turns,
-                         0.25 * static_cast<double>(draught.speed_m_s) * (any - along * glm::dot(any, along)),
-                         number()});
-    }
-    std::vector<float> speeds;
-    speeds.reserve(size_t{3} * box.cells.x * box.cells.y * box.cells.z);
-    for (int axis = 0; axis < 3; ++axis) {
-        for (uint32_t z = 0; z < box.cells.z; ++z) {
-            for (uint32_t y = 0; y < box.cells.y; ++y) {
-                for (uint32_t x = 0; x < box.cells.x; ++x) {
-                    const glm::dvec3 place = (glm::dvec3(x, y, z) + 0.5) / glm::dvec3(box.cells);
-                    auto speed = static_cast<double>(draught.wind_m_s[axis]);
-                    for (const Wave& wave : waves) {
-                        speed += wave.swing[axis] * std::sin(2.0 * std::numbers::pi *
-                                                             (glm::dot(wave.turns, place) + wave.phase));
-                    }
-                    speeds.push_back(static_cast<float>(speed));
-                }
-            }
-        }
-    }
-    return speeds;
-}
 
 /// Sides in cells, powers of two nearest to the proportions.
 glm::uvec3 sides_of(const glm::dvec3& size_m, uint32_t longest)
@@ -207,19 +68,21 @@ std::optional<smoke::Box> box_about(const glm::dmat4& world_from_node, const glm
                       .grid_from_anchor = glm::mat4(glm::inverse(anchor_from_grid))};
 }
 
-void let_rise(fluid::Fluid& fluid, gpu::Executor& executor, const smoke::Box& box,
-              const smoke::SmokeStyle& style, double gap_s)
+/// Returns what the meter found; nothing where no step is taken.
+std::optional<SolverReport> let_rise(fluid::Fluid& fluid, SolverMeter meter, const smoke::Box& box,
+                                     const smoke::SmokeStyle& style, double gap_s)
 {
-    const auto count = static_cast<uint32_t>(std::ceil(gap_s * steps_per_s - 1e-6));
+    const auto count = static_cast<uint32_t>(std::ceil(gap_s * steps_per_s(box, style) - 1e-6));
     fluid.set_shapes({}, std::vector{source_of(box, style)});
     for (uint32_t left = count; left > 0;) {
         const fluid::FluidStyle solver = solving(box, style, gap_s / count);
         const uint32_t now = std::min(left, fluid.most_steps(solver));
         gpu::Graph graph;
-        static_cast<void>(fluid.add_steps(graph, solver, now));
-        executor.run(graph);
+        const fluid::FluidFields fields = fluid.add_steps(graph, solver, now);
         left -= now;
+        meter.run(graph, fluid, solver, fields, now, left == 0);
     }
+    return meter.report();
 }
 
 /// Puffs and strokes go with the draught.
@@ -240,10 +103,12 @@ struct RisingSmoke::Column {
     double time_s = 0.0;
     KeptSmoke recalled;                  ///< until it is asked for
     std::unique_ptr<fluid::Fluid> fluid; ///< none until then
+    std::optional<SolverReport> solver_report = {};
 
-    [[nodiscard]] bool is_of(const smoke::Box& box) const
+    [[nodiscard]] bool is_of(const smoke::Box& box, uint32_t wanted_channels) const
     {
-        return number == box.number && cells == box.cells && cell_m == box.cell_m;
+        return number == box.number && cells == box.cells && cell_m == box.cell_m &&
+               (fluid ? fluid->channels() : recalled.channels) == wanted_channels;
     }
 };
 
@@ -319,10 +184,26 @@ uint64_t kept_cell_count(const KeptSmoke& kept)
     const auto is_side = [](uint32_t cells) {
         return cells >= 8 && cells <= 256 && std::has_single_bit(cells);
     };
-    if (!is_side(kept.cells.x) || !is_side(kept.cells.y) || !is_side(kept.cells.z) || !(kept.cell_m > 0.0F)) {
+    const bool are_channels = kept.channels == shared::fluid_temperature + 1 ||
+                              kept.channels == shared::fluid_fuel + 1 ||
+                              kept.channels == shared::fluid_cloud + 1;
+    if (!are_channels || !is_side(kept.cells.x) || !is_side(kept.cells.y) || !is_side(kept.cells.z) ||
+        !(kept.cell_m > 0.0F)) {
         throw Error("this is not the memory of a film's frame");
     }
     return uint64_t{kept.cells.x} * kept.cells.y * kept.cells.z;
+}
+
+std::vector<SolverReport> RisingSmoke::solver_reports() const
+{
+    std::vector<SolverReport> reports;
+    for (size_t i = 0; i < columns_.size(); ++i) {
+        if (const auto& report = columns_[i]->solver_report) {
+            reports.push_back(*report);
+            reports.back().fluid = columns_.size() > 1 ? fmt::format("smoke {}", i + 1) : "smoke";
+        }
+    }
+    return reports;
 }
 
 void RisingSmoke::forget()
@@ -348,6 +229,7 @@ std::vector<KeptSmoke> RisingSmoke::kept(gpu::Device& device, gpu::Executor& exe
                         .cells = column->cells,
                         .cell_m = column->cell_m,
                         .time_s = column->time_s,
+                        .channels = column->fluid->channels(),
                         .velocity = numbers(false),
                         .quantities = numbers(true)});
     }
@@ -372,17 +254,20 @@ std::unique_ptr<RisingSmoke::Column> RisingSmoke::started(gpu::Device& device, g
                                                           const smoke::Box& box, const SmokeInputs& in)
 {
     const smoke::SmokeStyle& style = in.style.smoke;
-    const auto found =
-        std::ranges::find_if(columns_, [&](const auto& column) { return column && column->is_of(box); });
+    const uint32_t channels = smoke_channels(style);
+    const auto found = std::ranges::find_if(
+        columns_, [&](const auto& column) { return column && column->is_of(box, channels); });
     std::unique_ptr<Column> column =
-        found != columns_.end() ? std::move(*found)
-                                : std::make_unique<Column>(Column{
-                                      .number = box.number,
-                                      .cells = box.cells,
-                                      .cell_m = box.cell_m,
-                                      .time_s = in.settings.time_s - static_cast<double>(style.age_s),
-                                      .recalled = {.velocity = stirred_air(box, style), .quantities = {}},
-                                      .fluid = nullptr});
+        found != columns_.end()
+            ? std::move(*found)
+            : std::make_unique<Column>(Column{.number = box.number,
+                                              .cells = box.cells,
+                                              .cell_m = box.cell_m,
+                                              .time_s = in.settings.time_s - static_cast<double>(style.age_s),
+                                              .recalled = {.channels = channels,
+                                                           .velocity = stirred_air(box, style),
+                                                           .quantities = clean_air(box, style)},
+                                              .fluid = nullptr});
     if (!column->fluid) {
         const KeptSmoke start = std::exchange(column->recalled, {});
         column->fluid =
@@ -428,7 +313,11 @@ std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& ex
     for (smoke::Box& box : boxes) {
         columns.push_back(started(device, executor, box, in));
         Column& column = *columns.back();
-        let_rise(*column.fluid, executor, box, style, time_s - column.time_s);
+        auto found = let_rise(*column.fluid, SolverMeter(device, executor, in.settings.measure_solvers), box,
+                              style, time_s - column.time_s);
+        if (found || !in.settings.measure_solvers) {
+            column.solver_report = std::move(found);
+        }
         column.time_s = time_s;
         carry_along(box, style, time_s);
     }
@@ -458,7 +347,8 @@ std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor
 
 smoke::Fields RisingSmoke::fields(gpu::Graph& graph)
 {
-    smoke::Fields fields{.globals = gpu::import_whole(graph, "smoke", globals_), .densities = {}};
+    smoke::Fields fields{
+        .globals = gpu::import_whole(graph, "smoke", globals_), .densities = {}, .ignition = smoke_ignition};
     for (const auto& column : columns_) {
         fields.densities.push_back(column->fluid->add_steps(graph, {}, 0).quantities.value());
     }

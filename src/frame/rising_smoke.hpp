@@ -58,8 +58,9 @@ struct KeptSmoke {
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
     double time_s = 0.0;
+    uint32_t channels = 2;
     std::vector<float> velocity;   ///< three numbers a cell
-    std::vector<float> quantities; ///< two
+    std::vector<float> quantities; ///< one a channel
 };
 
 /// Throws Error for what no smoke has.
@@ -74,7 +75,8 @@ public:
 
     /// Lets the smoke rise to the moment of a picture, and returns its boxes; none where the style or the
     /// scene has none. It goes on from the picture before where that is followed, at most a second later;
-    /// else it starts `age_s` ago, and takes 24 steps for each of these seconds. Patterns that name nothing,
+    /// else, and where another number of quantities is to rise, it starts `age_s` ago, and takes
+    /// steps_per_s() for each of these seconds. Patterns that name nothing,
     /// or more than shared::smoke_most_boxes, go into `notes`.
     [[nodiscard]] std::vector<smoke::Box> rise(gpu::Device& device, gpu::Executor& executor,
                                                const SmokeInputs& in, std::vector<std::string>& notes);
@@ -85,6 +87,9 @@ public:
     /// Plans how the smoke is lit and drawn, which rises before unless it has; nothing where there is none.
     [[nodiscard]] std::optional<SmokePlan> provide(gpu::Device& device, gpu::Executor& executor,
                                                    const SmokeInputs& in, std::vector<std::string>& notes);
+
+    /// Of the boxes that were measured when they took their last steps, numbered where there are several.
+    [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
     /// The next picture is of something else.
     void forget();

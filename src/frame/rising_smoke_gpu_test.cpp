@@ -2,6 +2,8 @@
 // Smoke in whole pictures and films, through the public header.
 #include <estampe/renderer.hpp>
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "scene/shapes.hpp"
@@ -285,6 +287,132 @@ TEST(RisingSmoke, BeginsWhereItRisesFrom)
         }
         EXPECT_GT(covered, 7U * 16U * 8U / 10U) << "a tenth of a metre above the box, at " << time_s << " s";
     }
+}
+
+TEST(RisingSmoke, TellsWhatItsSolverLeft)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(smoking_box());
+    const Image usual = renderer.render(camera, smoking(), still);
+    EXPECT_TRUE(renderer.solver_reports().empty());
+    EXPECT_EQ(renderer.timings().end(),
+              std::ranges::find(renderer.timings(), "fluid/measure", &PassTiming::name));
+    RenderSettings measured = still;
+    measured.measure_solvers = true;
+    const auto report_of = [&](const std::vector<std::string>& more) {
+        static_cast<void>(renderer.render(camera, smoking(more), measured));
+        const std::vector<SolverReport> reports = renderer.solver_reports();
+        return reports.size() == 1 ? reports.front() : SolverReport{};
+    };
+    EXPECT_EQ(renderer.render(camera, smoking(), measured), usual) << "the picture is the same";
+    const SolverReport direct = report_of({});
+    EXPECT_EQ(direct.fluid, "smoke");
+    EXPECT_EQ(direct.solver, "spectral");
+    EXPECT_EQ(direct.steps, 20U) << "0.8 seconds, 24 each";
+    EXPECT_GT(direct.divergence_left, 0.0);
+    EXPECT_LT(direct.divergence_left, 1e-2);
+    double of_all = 0.0;
+    for (const PassTiming& pass : renderer.timings()) {
+        of_all += pass.gpu_ms;
+    }
+    EXPECT_GT(direct.gpu_ms, 0.0);
+    EXPECT_LT(direct.gpu_ms, of_all);
+    const SolverReport cycles = report_of({"smoke.solver=multigrid"});
+    EXPECT_EQ(cycles.solver, "multigrid");
+    EXPECT_LT(cycles.divergence_left, 1e-2);
+    const SolverReport rounds = report_of({"smoke.solver=jacobi"});
+    EXPECT_EQ(rounds.solver, "jacobi");
+    EXPECT_GT(rounds.divergence_left, 10.0 * direct.divergence_left);
+    // A page in tiles is prepared twice, where ink flows too.
+    measured.tile_px = 64;
+    static_cast<void>(
+        renderer.render(camera, smoking({"ink.drawn=true", "ink.age_s=0.2", "ink.solved=1"}), measured));
+    const std::vector<SolverReport> both = renderer.solver_reports();
+    ASSERT_EQ(both.size(), 2U);
+    EXPECT_EQ(both[0].divergence_left, direct.divergence_left);
+    EXPECT_EQ(both[0].steps, direct.steps);
+    EXPECT_EQ(both[1].fluid, "ink");
+    EXPECT_GT(both[1].divergence_left, 0.0);
+    EXPECT_LT(both[1].divergence_left, 1e-2);
+    static_cast<void>(renderer.render(camera, {}, still));
+    EXPECT_TRUE(renderer.solver_reports().empty());
+}
+
+/// How many pixels of the rows from `first` on, up to `last`, differ.
+size_t changed_between(const Image& a, const Image& b, uint32_t first, uint32_t last)
+{
+    size_t count = 0;
+    for (size_t i = size_t{4} * a.width * first; i < size_t{4} * a.width * last; i += 4) {
+        count += std::equal(&a.rgba[i], &a.rgba[i] + 4, &b.rgba[i]) ? 0 : 1;
+    }
+    return count;
+}
+
+/// Of the side of a box 2 m high and wide: 72 pixels are 2.4 m, its floor is row 66.
+struct SideView {
+    Camera camera{.eye = {0.0, 1.0, 6.0}, .target = {0.0, 1.0, 0.0}};
+
+    SideView() { camera.orthographic_half_height_m = 1.2; }
+};
+
+TEST(RisingSmoke, KeysOfFireAndWaterDoNothingWhereThereIsNone)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(smoking_box());
+    const Image usual = renderer.render(camera, smoking(), still);
+    EXPECT_EQ(renderer.graph_dot().find("smoke/seen"), std::string::npos);
+    EXPECT_EQ(renderer.render(camera,
+                              smoking({"smoke.burn_s=3", "smoke.burn_heat=9", "smoke.soot=7", "smoke.flame=9",
+                                       "smoke.cloud_base=0", "smoke.humidity_outside=1",
+                                       "smoke.latent_heat=9", "smoke.flame_color=#000000"}),
+                              still),
+              usual);
+    EXPECT_NE(renderer.render(camera, smoking({"smoke.fuel_per_s=8"}), still), usual);
+    EXPECT_NE(renderer.graph_dot().find("smoke/seen"), std::string::npos);
+}
+
+TEST(RisingSmoke, WhatBurnsIsSeenAsFlamesAboveItsSource)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(plain_with_smoke(false));
+    const std::vector<std::string> fire{"smoke.amount_per_s=0", "smoke.fuel_per_s=20",
+                                        "smoke.flame_color=#ff0000", "paper.margin_mm=0"};
+    const auto red_rows = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = fire;
+        all.insert(all.end(), more.begin(), more.end());
+        const Image image = renderer.render(SideView().camera, smoking(all), still);
+        std::array<size_t, 2> count{}; // in the upper half of the box, in the lower
+        for (uint32_t i = 0; i < still.width * 66; ++i) {
+            const uint8_t* const texel = &image.rgba[size_t{4} * i];
+            const bool is_red = texel[0] > 150 && texel[1] < 70 && texel[2] < 70;
+            count.at(i / still.width < 36 ? 0 : 1) += is_red ? 1 : 0;
+        }
+        return count;
+    };
+    const auto rows = red_rows({"smoke.burn_s=0.1"});
+    EXPECT_GT(rows[1], 40U);
+    EXPECT_LT(rows[0], rows[1] / 4) << "above is smoke";
+    EXPECT_EQ(red_rows({"smoke.flame=0"})[1], 0U);
+    EXPECT_GT(red_rows({"smoke.burn_s=1"})[0], 20U) << "what burns longer is higher";
+}
+
+TEST(RisingSmoke, AMoistPlumeIsUnseenUpToItsCloud)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(plain_with_smoke(false));
+    const std::vector<std::string> flat{"smoke.medium=wash", "smoke.shadow=0", "smoke.age_s=2",
+                                        "smoke.amount_per_s=0", "paper.margin_mm=0"};
+    const auto render = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = flat;
+        all.insert(all.end(), more.begin(), more.end());
+        return renderer.render(SideView().camera, smoking(all), still);
+    };
+    const Image dry = render({});
+    const Image high = render({"smoke.humidity=2", "smoke.cloud_base=0.5"});
+    EXPECT_GT(changed_between(high, dry, 0, 36), 60U);
+    EXPECT_EQ(changed_between(high, dry, 38, 72), 0U) << "below the base, but for an edge";
+    const Image low = render({"smoke.humidity=2", "smoke.cloud_base=0.2"});
+    EXPECT_GT(changed_between(low, dry, 38, 72), 20U);
 }
 
 TEST(RisingSmoke, ItsFireIsALamp)

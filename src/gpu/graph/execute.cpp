@@ -105,6 +105,7 @@ void Executor::run(const Graph& graph)
         throw Error("the frame has too many passes");
     }
     graph_ = &graph;
+    first_of_run_ = timing_count_;
     provide_slots();
     if (are_runs_watched()) {
         run_by_passes();

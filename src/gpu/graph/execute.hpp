@@ -67,6 +67,12 @@ public:
     /// GPU time by pass of the last run, or of those timed together, in order.
     [[nodiscard]] const std::vector<PassTiming>& timings() const { return timings_; }
 
+    /// Of the last run alone.
+    [[nodiscard]] std::span<const PassTiming> timings_of_run() const
+    {
+        return std::span(timings_).subspan(first_of_run_);
+    }
+
 private:
     friend class Recorder;
 
@@ -125,6 +131,7 @@ private:
     std::vector<Buffer> stand_in_buffers_; ///< one a resource, during use_shaders() only
     std::vector<PassTiming> timings_;
     size_t timing_count_ = 0; ///< of those timed together, until now
+    size_t first_of_run_ = 0; ///< of timings_
     bool adds_timings_ = false;
 
     // Room that recording takes again and again.

@@ -93,6 +93,7 @@ struct FluidShape {
     vec4 more_gain; // of the next four
     float push;     // how quickly what is within takes up its speed, 1 / s
     float least_density;
+    float least_vapour;
 };
 
 // Where shapes are: obstacles first, then sources.
@@ -124,8 +125,9 @@ struct FluidMatter {
     float saturation_heat;   // growth of its logarithm by a unit of temperature
     float saturation_height; // fall of its logarithm by a metre of height
     float latent_heat;
-    float rim_share; // of density and heat that leave next to the faces of an open box
-    float rim_cells; // how far in that is felt
+    float rim_share;      // of what leaves next to the faces of an open box
+    float rim_cells;      // how far in that is felt
+    float outside_vapour; // at most what the air there holds
 };
 
 // A level of the multigrid, or of what is laid out as one: cells of 2^level cells of the grid's. In buffers

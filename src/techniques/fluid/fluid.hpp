@@ -56,6 +56,12 @@ public:
     /// std::logic_error.
     [[nodiscard]] FluidFields add_steps(gpu::Graph& graph, const FluidStyle& style, uint32_t count);
 
+    /// What solves for the pressure of a step now.
+    [[nodiscard]] Solver solver_of(const FluidStyle& style) const
+    {
+        return solver_for(grid_, trusted(style.projection).solver, are_solid());
+    }
+
     /// As many steps as one graph takes, at least one.
     [[nodiscard]] uint32_t most_steps(const FluidStyle& style) const;
 

@@ -49,6 +49,35 @@ TEST(FluidBox, SmokeLeavesAtOpenEndsButNotThroughTheFloor)
     EXPECT_NEAR(number_at(left, 0, {8, 8, 13}), expected(2.5), 1e-5);
 }
 
+TEST(FluidBox, FuelAndCloudLeaveAtOpenEndsAndOutsideAirBringsItsVapour)
+{
+    const Grid grid = room(Edge::periodic);
+    const auto start = over_nodes(grid, 5, [](uint32_t channel, glm::uvec3) {
+        return std::array{1.0, 0.0, 0.8, 0.1, 0.6}[channel];
+    });
+    Fluid fluid(test::shared_device(), grid, 5, {}, start);
+    FluidStyle style{.step_s = 0.05F, .stepping = Stepping::project};
+    style.matter.rim = {.breadth_m = 0.4F, .share_per_s = 3.0F};
+    style.matter.saturation = 1.0F;
+    style.matter.saturation_fall_per_m = 1.0F;
+    style.matter.outside_vapour = 0.5F;
+    static_cast<void>(velocity_after(fluid, style, 4));
+    gpu::Graph graph;
+    const auto left = run_and_read_layers(graph, *fluid.add_steps(graph, style, 0).quantities);
+    const auto stays = [](double cells_inside) {
+        return std::pow(1.0 - (1.0 - std::exp(-3.0 * 0.05)) * (1.0 - cells_inside / 4.0), 4.0);
+    };
+    EXPECT_NEAR(number_at(left, 2, {8, 15, 8}), 0.8 * stays(0.5), 1e-5);
+    EXPECT_NEAR(number_at(left, 4, {1, 8, 8}), 0.6 * stays(1.5), 1e-5);
+    EXPECT_NEAR(number_at(left, 3, {1, 4, 8}), 0.5 - 0.4 * stays(1.5), 1e-5);
+    // Higher up the air outside holds no more than this.
+    const double held = std::exp(-1.55);
+    EXPECT_NEAR(number_at(left, 3, {8, 15, 8}), held + (0.1 - held) * stays(0.5), 1e-5);
+    for (const uint32_t channel : {2U, 3U, 4U}) {
+        EXPECT_EQ(number_at(left, channel, {8, 0, 8}), start[channel * grid.cell_count()]) << "the floor";
+    }
+}
+
 TEST(FluidBox, AirAtOpenEndsTakesUpTheWind)
 {
     const Grid grid = room(Edge::periodic);

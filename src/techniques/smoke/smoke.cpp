@@ -15,6 +15,7 @@
 #include "shaders/smoke_march_comp.hpp"
 #include "shaders/smoke_pack_comp.hpp"
 #include "shaders/smoke_puffs_comp.hpp"
+#include "shaders/smoke_seen_comp.hpp"
 #include "shaders/smoke_shape_comp.hpp"
 #include "shaders/smoke_thrown_comp.hpp"
 
@@ -135,6 +136,30 @@ gpu::BufferId add_puffs(gpu::Graph& graph, const shared::SmokeBox& box, gpu::Buf
     return puffs;
 }
 
+/// What is drawn of a box's quantities.
+struct Seen {
+    gpu::ImageId density;
+    std::optional<gpu::ImageId> fire = {};
+};
+
+Seen add_seen(gpu::Graph& graph, const shared::SmokeBox& box, const SmokeStyle& style, const Fields& in,
+              gpu::ImageId quantities)
+{
+    if (!is_burning(style) && !is_moist(style)) {
+        return {.density = quantities};
+    }
+    auto pass = graph.compute("smoke/seen", shaders::smoke_seen_comp);
+    pass.sample(quantities);
+    const gpu::ImageId density =
+        pass.write(graph.image("smoke/density", field_desc(box.cells, gpu::Format::r32f)));
+    const gpu::ImageId fire = pass.write(graph.image("smoke/fire", field_desc(box.cells, gpu::Format::r16f)));
+    pass.push(shared::SmokeSeen{.cells = box.cells, .ignition = in.ignition, .flame = style.flame})
+        .variant((is_burning(style) ? shared::smoke_has_fire : 0U) |
+                 (is_moist(style) ? shared::smoke_has_cloud : 0U));
+    pass.dispatch(groups_of(box.cells.x, 8), groups_of(box.cells.y, 8), box.cells.z);
+    return {.density = density, .fire = is_burning(style) ? std::optional(fire) : std::nullopt};
+}
+
 /// Several boxes write into one image, one after the other.
 template <class Handle>
 Handle write_turn(gpu::Pass& pass, Handle into, size_t box_count)
@@ -223,9 +248,11 @@ Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& sty
     for (gpu::ImageId* const field : {&shape, &light, &packed}) {
         blank_several(graph, *field, known.box_count);
     }
+    std::vector<Seen> seen;
     for (shared::SmokeTurn turn{.box = 0}; turn.box < boxes.size(); ++turn.box) {
         const shared::SmokeBox& box = boxes[turn.box];
-        const gpu::ImageId density = in.densities.at(turn.box);
+        seen.push_back(add_seen(graph, box, style, in, in.densities.at(turn.box)));
+        const gpu::ImageId density = seen.back().density;
         const gpu::BufferId puffs = style.puffs ? add_puffs(graph, box, in.globals, density, turn) : blank;
         auto pass = graph.compute("smoke/shape", shaders::smoke_shape_comp);
         pass.uniform(in.globals).sample(density).sample(puffs, gpu::Format::rgba32f);
@@ -245,10 +272,12 @@ Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& sty
     for (shared::SmokeTurn turn{.box = 0}; turn.box < boxes.size(); ++turn.box) {
         const glm::uvec3 bricks = bricks_of(boxes[turn.box].cells);
         auto pass = graph.compute("smoke/pack", shaders::smoke_pack_comp);
+        const std::optional<gpu::ImageId>& fire = seen[turn.box].fire;
         pass.uniform(in.globals).sample(shape).sample(light, gpu::Sampling::linear);
+        pass.sample(fire.value_or(shape));
         packed = write_turn(pass, packed, boxes.size());
         densest = write_turn(pass, densest, boxes.size());
-        pass.variant(several).push(turn);
+        pass.variant(several | (fire ? shared::smoke_has_fire : 0U)).push(turn);
         pass.dispatch(bricks.x, bricks.y, bricks.z);
     }
     auto keep = graph.custom("smoke/keep");
@@ -316,10 +345,11 @@ Layer add_ink(gpu::Graph& graph, const SmokeStyle& style, const InkInputs& in)
                                .stroke_axis = glm::normalize(glm::vec3(0.25F, 0.95F, 0.2F)),
                                .haze_start_m = in.haze ? in.haze->start_m : 0.0F,
                                .haze_halves_per_m = in.haze ? 1.0F / in.haze->reach_m : 0.0F,
-                               .haze_ink = in.haze ? in.haze->ink : 0.0F});
+                               .haze_ink = in.haze ? in.haze->ink : 0.0F,
+                               .flame_color = style.flame_color});
     pass.variant((style.medium != Medium::strokes ? shared::smoke_has_wash : 0U) |
                  (style.medium != Medium::wash ? shared::smoke_has_strokes : 0U) |
-                 (in.haze ? shared::smoke_has_haze : 0U));
+                 (in.haze ? shared::smoke_has_haze : 0U) | (is_burning(style) ? shared::smoke_has_fire : 0U));
     pass.dispatch_over(size_px.x, size_px.y);
     return {paint, ink};
 }

@@ -18,6 +18,8 @@ SHARED_CONSTANT uint smoke_has_several = 1U << 5U; // boxes
 SHARED_CONSTANT uint smoke_is_shaded = 1U << 6U;   // by what stands in the light's way
 SHARED_CONSTANT uint smoke_has_share = 1U << 7U;   // of the sun, that something else leaves
 SHARED_CONSTANT uint smoke_has_haze = 1U << 8U;
+SHARED_CONSTANT uint smoke_has_fire = 1U << 9U;
+SHARED_CONSTANT uint smoke_has_cloud = 1U << 10U;
 
 SHARED_CONSTANT uint smoke_brick = 8U;       // cells along each side of what is skipped where it is empty
 SHARED_CONSTANT uint smoke_light_cells = 2U; // cells along each side of one of the light's
@@ -81,6 +83,20 @@ struct SmokeTurn {
     uint box;
 };
 
+// What is seen of the quantities of a box: a layer for each channel and slice.
+struct SmokeSeen {
+    uvec3 cells;
+    float ignition; // temperature from which on fuel is in flames
+    float flame;    // of a unit of fuel
+};
+
+// Channels of the quantities, as the fluid has them.
+SHARED_CONSTANT uint smoke_temperature = 1U;
+SHARED_CONSTANT uint smoke_fuel = 2U;
+SHARED_CONSTANT uint smoke_cloud = 4U;
+// Of a flame, as a share of all that comes from outside: more than lamps bring.
+SHARED_CONSTANT float smoke_flame_light = 32.0F;
+
 // How it is inked.
 struct SmokeInk {
     vec3 color;
@@ -99,6 +115,7 @@ struct SmokeInk {
     float haze_start_m;
     float haze_halves_per_m;
     float haze_ink;
+    vec3 flame_color;
 };
 
 // Its shadow on the scene.

@@ -87,13 +87,16 @@ struct SceneShadows {
 /// What the drawing is made from.
 struct Fields {
     gpu::BufferId globals; ///< SmokeGlobals
-    /// Of each box, r32f, an array; density is in the first layers.
+    /// Of each box, r32f, an array; density is in the first layers, and behind it what else the fluid
+    /// carries, channel by channel.
     std::vector<gpu::ImageId> densities;
+    float ignition = 1.0F;                    ///< temperature from which on fuel burns
     std::optional<SceneShadows> shadows = {}; ///< none: nothing stands in any light's way
 };
 
 /// Shapes and lights the smoke, once a picture, and leaves it in `memory`, in which there is room. Cost:
-/// three dispatches over the cells of each box; a light is followed through an eighth as many.
+/// three dispatches over the cells of each box, and another of smoke that burns or is moist; a light is
+/// followed through an eighth as many.
 Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& style, const Fields& in);
 
 struct ViewInputs {

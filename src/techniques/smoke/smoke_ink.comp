@@ -18,6 +18,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_wash = (variant & smoke_has_wash) != 0u;
 const bool has_strokes = (variant & smoke_has_strokes) != 0u;
 const bool has_haze = (variant & smoke_has_haze) != 0u;
+const bool has_fire = (variant & smoke_has_fire) != 0u;
 
 layout(scalar, binding = 0) uniform Frame
 {
@@ -129,6 +130,12 @@ float strokes_at(ivec2 pixel, vec3 point, float surface_m, float dark, uint box)
     return line_ink(field, look, dark, smoke.boxes[box].seed + 5u);
 }
 
+// How much of what is seen is flame, by its light.
+float flame_share(float light)
+{
+    return smoothstep(0.04, 0.16, light / smoke_flame_light);
+}
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -160,6 +167,7 @@ void main()
         inked *= left;
         vec3 color = mix(mix(ink.color, ink.shade_color, shade), ink.deep_color, deep);
         color = has_wash ? color : ink.color;
+        color = has_fire ? mix(color, ink.flame_color, flame_share(here.y)) : color;
         if (has_haze) {
             float away = frame.is_orthographic != 0u ? here.z : distance(point, frame.eye_anchor);
             float halved = max(away - ink.haze_start_m, 0.0) * ink.haze_halves_per_m;

@@ -12,6 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_several = (variant & smoke_has_several) != 0u;
+const bool has_fire = (variant & smoke_has_fire) != 0u;
 
 layout(scalar, binding = 0) uniform Smoke
 {
@@ -20,9 +21,10 @@ layout(scalar, binding = 0) uniform Smoke
 
 layout(binding = 1) uniform sampler2DArray shape;
 layout(binding = 2) uniform sampler2DArray light;
-layout(binding = 3, rgba16f) writeonly uniform image2DArray out_packed;
+layout(binding = 3) uniform sampler2DArray fire; // of the variant that has some; the box's own
+layout(binding = 4, rgba16f) writeonly uniform image2DArray out_packed;
 
-layout(scalar, binding = 4) writeonly buffer Bricks
+layout(scalar, binding = 5) writeonly buffer Bricks
 {
     float out_densest[];
 };
@@ -45,9 +47,12 @@ float shape_at(ivec3 cell)
 float light_at(ivec3 cell)
 {
     uvec3 cells = smoke.boxes[turn.box].cells;
-    vec3 place = (vec3(min(cell, ivec3(cells) - 1)) + 0.5) / float(smoke_light_cells);
-    return sample_layers(light, place, vec3(light_counts(cells)), vec2(light_counts(smoke.field_cells).xy),
-                         float(smoke.boxes[turn.box].first_layer / smoke_light_cells));
+    ivec3 within = min(cell, ivec3(cells) - 1);
+    vec3 place = (vec3(within) + 0.5) / float(smoke_light_cells);
+    float share =
+        sample_layers(light, place, vec3(light_counts(cells)), vec2(light_counts(smoke.field_cells).xy),
+                      float(smoke.boxes[turn.box].first_layer / smoke_light_cells));
+    return has_fire ? share + smoke_flame_light * texelFetch(fire, within, 0).x : share;
 }
 
 void main()

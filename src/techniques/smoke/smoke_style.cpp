@@ -49,6 +49,22 @@ const style::Table<SmokeStyle>& smoke_table()
                     "Whether the air loses swirls to its steps, or keeps them at twice the price")
             .number("life_s", &SmokeStyle::life_s, {0.1F, 1000.0F}, "s",
                     "After this long a third of it is left")
+            .number("fuel_per_s", &SmokeStyle::fuel_per_s, {0.0F, 100.0F}, "1/s",
+                    "How quickly fuel comes there with it, which burns where it is warm; 0: none")
+            .number(
+                "burn_s", &SmokeStyle::burn_s, {0.02F, 100.0F}, "s",
+                "After this long in a fire a third of the fuel is left: the longer, the higher flames are")
+            .number("burn_heat", &SmokeStyle::burn_heat, {0.0F, 10.0F}, "",
+                    "Heat of a unit of fuel that burns, by which it rises")
+            .number("soot", &SmokeStyle::soot, {0.0F, 10.0F}, "", "Smoke of a unit of fuel that burns")
+            .number("humidity", &SmokeStyle::humidity, {0.0F, 10.0F}, "",
+                    "Water in the air that rises, as dense as smoke where all of it is cloud; 0: none")
+            .number("cloud_base", &SmokeStyle::cloud_base, {0.0F, 1.0F}, "",
+                    "Height from which on that becomes cloud, beside the box's; where it is warm, higher")
+            .number("humidity_outside", &SmokeStyle::humidity_outside, {0.0F, 1.0F}, "",
+                    "Water in the air outside, beside that in what rises; no more than makes no cloud there")
+            .number("latent_heat", &SmokeStyle::latent_heat, {0.0F, 10.0F}, "",
+                    "Heat of a unit of water that becomes cloud, by which that billows")
             .number("thickness", &SmokeStyle::thickness, {0.1F, 100.0F}, "",
                     "Optical depth of a tenth of the box's width of dense smoke")
             .toggle("puffs", &SmokeStyle::puffs, "Whether it is drawn as puffs; else as it is")
@@ -86,6 +102,9 @@ const style::Table<SmokeStyle>& smoke_table()
                 "glow", &SmokeStyle::glow, {0.0F, 100.0F}, "",
                 "Light of the fire that it rises from, half the box's width away, beside a bright surface's")
             .color("glow_color", &SmokeStyle::glow_color, "Colour of that light")
+            .number("flame", &SmokeStyle::flame, {0.0F, 10.0F}, "",
+                    "How much of it there is to a unit of fuel that burns; 0: none is seen")
+            .color("flame_color", &SmokeStyle::flame_color, "Paint of flames")
             .integer("seed", &SmokeStyle::seed, {0, 1000000}, "", "Another number, other puffs");
     return table;
 }

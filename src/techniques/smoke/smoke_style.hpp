@@ -39,6 +39,14 @@ struct SmokeStyle {
     Advection advection = Advection::automatic;
     Stepping stepping = Stepping::project;
     float life_s = 4.0F;
+    float fuel_per_s = 0.0F;
+    float burn_s = 0.4F;
+    float burn_heat = 1.0F;
+    float soot = 0.5F;
+    float humidity = 0.0F;
+    float cloud_base = 0.4F;
+    float humidity_outside = 0.7F;
+    float latent_heat = 1.0F;
     float thickness = 6.0F;
     bool puffs = true;
     float puff = 0.16F;
@@ -61,8 +69,21 @@ struct SmokeStyle {
     float shadow = 1.0F;
     float glow = 0.0F;
     glm::vec3 glow_color = style::srgb(0xffb060);
+    float flame = 1.0F;
+    glm::vec3 flame_color = style::srgb(0xffe2a0);
     int seed = 1;
 };
+
+/// Whether there is fuel in it, or water.
+[[nodiscard]] inline bool is_burning(const SmokeStyle& style)
+{
+    return style.fuel_per_s > 0.0F;
+}
+
+[[nodiscard]] inline bool is_moist(const SmokeStyle& style)
+{
+    return style.humidity > 0.0F;
+}
 
 [[nodiscard]] const style::Table<SmokeStyle>& smoke_table();
 

@@ -41,11 +41,25 @@ void burn(inout float amounts[fluid_most_channels])
     amounts[fluid_density] += matter.smoke_of_fuel * burnt;
 }
 
+float vapour_held(float temperature, float height_m)
+{
+    return matter.saturation *
+           exp(matter.saturation_heat * temperature - matter.saturation_height * height_m);
+}
+
+// Fuel and cloud leave by open ends, where air of another humidity comes in.
+void exchange(inout float amounts[fluid_most_channels], float stays, float height_m)
+{
+    amounts[fluid_fuel] *= stays;
+    amounts[fluid_cloud] *= stays;
+    float outside = min(matter.outside_vapour, vapour_held(0.0, height_m));
+    amounts[fluid_vapour] = mix(outside, amounts[fluid_vapour], stays);
+}
+
 // Vapour that is too much for the air becomes cloud, and cloud becomes vapour where there is too little.
 void condense(inout float amounts[fluid_most_channels], float height_m)
 {
-    float most = matter.saturation * exp(matter.saturation_heat * amounts[fluid_temperature] -
-                                         matter.saturation_height * height_m);
+    float most = vapour_held(amounts[fluid_temperature], height_m);
     float moved = max(matter.condensed * (amounts[fluid_vapour] - most), -amounts[fluid_cloud]);
     amounts[fluid_vapour] -= moved;
     amounts[fluid_cloud] += moved;
@@ -66,16 +80,23 @@ void main()
                          : 0.0;
     }
     float least = 0.0; // density
+    float least_vapour = 0.0;
     for (uint k = shapes.obstacle_count; k < shapes.count; ++k) {
         float cover = cover_of(shape_list[k], place_m);
         for (int i = 0; i < int(fluid_most_channels); ++i) {
             amounts[i] += shapes.step_s * cover * gain_of_channel(shape_list[k], i);
         }
         least = max(least, cover * shape_list[k].least_density);
+        least_vapour = max(least_vapour, cover * shape_list[k].least_vapour);
     }
     float stays = 1.0 - matter.rim_share * closeness_to_rim(vec3(cell) + 0.5, matter.rim_cells);
     amounts[fluid_density] *= stays * matter.density_kept;
     amounts[fluid_temperature] *= stays * matter.heat_kept;
+    if (shapes.channels > uint(fluid_fuel)) {
+        exchange(amounts, stays, place_m.y);
+        amounts[fluid_vapour] =
+            least_vapour > 0.0 ? max(amounts[fluid_vapour], least_vapour) : amounts[fluid_vapour];
+    }
     if ((variant & fluid_bit_burning) != 0u) {
         burn(amounts);
     }

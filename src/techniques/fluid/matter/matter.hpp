@@ -26,7 +26,8 @@ struct MatterStyle {
         0.0F;                 ///< of the logarithm of it, by height: the surroundings are colder above
     float latent_heat = 0.0F; ///< temperature by a unit of vapour that condenses
 
-    Rim rim; ///< where density and heat leave
+    Rim rim; ///< where density, heat, fuel and cloud leave, and vapour becomes that of the air outside
+    float outside_vapour = 0.0F; ///< where air as warm as the surroundings holds as much; else what it holds
 
     bool operator==(const MatterStyle&) const = default;
 };

@@ -26,6 +26,7 @@ shared::FluidShape as_shared(const Source& source)
     shared::FluidShape shape = as_shared(source.shape);
     shape.push = source.push_per_s;
     shape.least_density = source.least_density;
+    shape.least_vapour = source.least_vapour;
     for (int i = 0; i < 4; ++i) {
         shape.gain[i] = source.gain_per_s[static_cast<size_t>(i)];
         shape.more_gain[i] = source.gain_per_s[static_cast<size_t>(i) + 4];

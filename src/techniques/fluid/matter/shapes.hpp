@@ -35,6 +35,7 @@ struct Source {
     float push_per_s = 0.0F; ///< how quickly what is within takes up the shape's velocity
     std::array<float, shared::fluid_most_channels> gain_per_s{}; ///< of quantities, channel by channel
     float least_density = 0.0F; ///< of what is within after a step, however quickly it goes through
+    float least_vapour = 0.0F;  ///< likewise, before any of it condenses
 };
 
 /// Obstacles and sources of a fluid, on the device.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/fluid/pressure/projection.hpp"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "shaders/fluid_divergence_comp.hpp"
@@ -57,6 +59,30 @@ ProjectionStyle chosen_style(const Grid& grid, const ProjectionStyle& style, boo
 
 } // namespace
 
+const char* name_of(Solver solver)
+{
+    switch (solver) {
+    case Solver::jacobi:
+        return "jacobi";
+    case Solver::multigrid:
+        return "multigrid";
+    case Solver::spectral:
+        return "spectral";
+    case Solver::automatic:
+        break;
+    }
+    return "automatic";
+}
+
+bool is_of_projection(std::string_view pass)
+{
+    constexpr std::array<std::string_view, 13> names{
+        "fluid/divergence", "fluid/gradient",  "fluid/reflect",       "fluid/jacobi",   "fluid/up",
+        "fluid/down",       "fluid/small",     "fluid/sweep",         "fluid/restrict", "fluid/coarsest",
+        "fluid/divide",     "fluid/transform", "fluid/transform back"};
+    return std::ranges::find(names, pass) != names.end();
+}
+
 Solver solver_for(const Grid& grid, Solver solver, bool has_solids)
 {
     const bool is_possible = is_spectral_possible(grid) && !has_solids;
@@ -85,9 +111,10 @@ gpu::BufferId add_weights(gpu::Graph& graph, const Grid& grid, const Solids& sol
     return weights;
 }
 
-gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity, const Solids& solids)
+gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity, const Solids& solids,
+                             const char* name)
 {
-    auto pass = graph.compute("fluid/divergence", shaders::fluid_divergence_comp);
+    auto pass = graph.compute(name, shaders::fluid_divergence_comp);
     pass.sample(velocity).sample(solids.cells, gpu::Format::r32ui);
     const gpu::BufferId divergence =
         pass.write(graph.buffer("fluid/divergence", {.size_bytes = sizeof(float) * grid.cell_count()}));

@@ -5,6 +5,7 @@
 // taken away.
 
 #include <cstdint>
+#include <string_view>
 
 #include "techniques/fluid/grid.hpp"
 
@@ -16,6 +17,9 @@ enum class Solver : uint8_t {
     multigrid, ///< V(2,2) cycles
     spectral   ///< direct, by fast transforms: sizes that are powers of two, no obstacles
 };
+
+/// "jacobi", "multigrid", "spectral" or "automatic".
+[[nodiscard]] const char* name_of(Solver solver);
 
 struct ProjectionStyle {
     Solver solver = Solver::automatic;
@@ -57,6 +61,9 @@ struct ProjectionInput {
     gpu::ImageId target; ///< is overwritten with the projected velocity
 };
 
+/// Whether passes of projections have that name, and nobody else's, but for add_weights().
+[[nodiscard]] bool is_of_projection(std::string_view pass);
+
 [[nodiscard]] Projected add_projection(gpu::Graph& graph, const Grid& grid, const ProjectionStyle& style,
                                        const ProjectionInput& input, bool reflects);
 
@@ -69,6 +76,6 @@ struct ProjectionInput {
 
 /// Of each cell, what flows out of it, in metres a second: divergence times the side of a cell.
 [[nodiscard]] gpu::BufferId add_divergence(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity,
-                                           const Solids& solids);
+                                           const Solids& solids, const char* name = "fluid/divergence");
 
 } // namespace estampe::fluid

@@ -260,6 +260,28 @@ TEST(FluidProjection, SpectralSaysWhereItCannot)
                  std::logic_error);
 }
 
+TEST(FluidProjection, ItsPassesAreKnownByTheirNames)
+{
+    gpu::Executor executor(test::shared_device());
+    const auto timed = [&](const Grid& grid, const ProjectionStyle& style) {
+        static_cast<void>(measured_residual(test::shared_device(), executor, grid, style));
+        size_t known = 0;
+        for (const PassTiming& pass : executor.timings_of_run()) {
+            const bool is_beside = pass.name == "fluid/weights" || pass.name == "fluid/zeros" ||
+                                   pass.name.starts_with("fluid/pressure");
+            EXPECT_NE(is_of_projection(pass.name), is_beside) << pass.name;
+            known += is_beside ? 0 : 1;
+        }
+        return known;
+    };
+    for (const Solver solver : {Solver::jacobi, Solver::multigrid, Solver::spectral}) {
+        EXPECT_GT(timed(grid_of(128, 128, wall, wall), {.solver = solver}), 0U) << name_of(solver);
+        EXPECT_GT(timed({.cells = {16, 16, 16}, .edges = {wall, wall, wall}}, {.solver = solver}), 0U)
+            << name_of(solver);
+    }
+    EXPECT_FALSE(is_of_projection("fluid/advect"));
+}
+
 TEST(FluidProjection, VolumesAreSolvedDirectly)
 {
     gpu::Executor executor(test::shared_device());
