@@ -219,7 +219,7 @@ expect_printed 'GPU ms'
 expect_printed 'median later frame'
 expect_success render scene.glb -o b.png "${small[@]}" --raster compute --json
 expect_printed '"raster": "compute"'
-expect_success render scene.glb -o b.png "${small[@]}" --json
+expect_success render scene.glb -o b.png "${small[@]}" --raster hardware --json
 expect_printed '"raster": "hardware"'
 expect_printed '"gpu_ms": '
 expect_success render scene.glb -o a.svg "${small[@]}"

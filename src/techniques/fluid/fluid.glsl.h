@@ -21,6 +21,7 @@ SHARED_CONSTANT uint fluid_bit_confined = 0x400U; // vortices are fed
 SHARED_CONSTANT uint fluid_bit_buoyant = 0x800U;  // quantities weigh
 SHARED_CONSTANT uint fluid_bit_burning = 0x1000U;
 SHARED_CONSTANT uint fluid_bit_condensing = 0x2000U;
+SHARED_CONSTANT uint fluid_bit_few = 0x800000U;      // no more quantities than density and temperature
 SHARED_CONSTANT uint fluid_bit_ways = 0x400000U;     // of advection: ways back are there already
 SHARED_CONSTANT uint fluid_bit_standing = 0x200000U; // of solids: some stand still for good
 // Of transforms, which go along x unless said.

@@ -56,7 +56,7 @@ gpu::ImageDesc velocity_desc(const Grid& grid)
 gpu::ImageDesc vectors_desc(const Grid& grid, uint32_t sets)
 {
     gpu::ImageDesc desc = field_desc(grid, sets);
-    desc.format = gpu::Format::rgba32f;
+    desc.format = gpu::Format::rgba16f;
     return desc;
 }
 

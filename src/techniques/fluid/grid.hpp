@@ -60,7 +60,7 @@ void check_grid(const Grid& grid);
 [[nodiscard]] gpu::ImageDesc velocity_desc(const Grid& grid);
 
 /// So many sets of vectors in the middle of cells, which are read as they stand: a texel each, slice by
-/// slice.
+/// slice, in halves: ways of some cells to a thousandth, and forces.
 [[nodiscard]] gpu::ImageDesc vectors_desc(const Grid& grid, uint32_t sets);
 
 /// A thread a cell.

@@ -27,6 +27,8 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/fluid/fluid_fields.glsl"
 #include "techniques/fluid/matter/fluid_shapes.glsl"
 
+const int most_channels = (variant & fluid_bit_few) != 0u ? 2 : int(fluid_most_channels);
+
 float gain_of_channel(FluidShape shape, int channel)
 {
     return channel < 4 ? shape.gain[channel] : shape.more_gain[channel - 4];
@@ -74,7 +76,7 @@ void main()
     }
     vec3 place_m = (vec3(cell) + 0.5) * shapes.cell_m;
     float amounts[fluid_most_channels];
-    for (int i = 0; i < int(fluid_most_channels); ++i) {
+    for (int i = 0; i < most_channels; ++i) {
         amounts[i] = i < int(shapes.channels)
                          ? imageLoad(quantities, ivec3(cell.xy, i * int(grid.depth) + cell.z)).x
                          : 0.0;
@@ -83,7 +85,7 @@ void main()
     float least_vapour = 0.0;
     for (uint k = shapes.obstacle_count; k < shapes.count; ++k) {
         float cover = cover_of(shape_list[k], place_m);
-        for (int i = 0; i < int(fluid_most_channels); ++i) {
+        for (int i = 0; i < most_channels; ++i) {
             amounts[i] += shapes.step_s * cover * gain_of_channel(shape_list[k], i);
         }
         least = max(least, cover * shape_list[k].least_density);
@@ -92,7 +94,7 @@ void main()
     float stays = 1.0 - matter.rim_share * closeness_to_rim(vec3(cell) + 0.5, matter.rim_cells);
     amounts[fluid_density] *= stays * matter.density_kept;
     amounts[fluid_temperature] *= stays * matter.heat_kept;
-    if (shapes.channels > uint(fluid_fuel)) {
+    if ((variant & fluid_bit_few) == 0u && shapes.channels > uint(fluid_fuel)) {
         exchange(amounts, stays, place_m.y);
         amounts[fluid_vapour] =
             least_vapour > 0.0 ? max(amounts[fluid_vapour], least_vapour) : amounts[fluid_vapour];
@@ -104,7 +106,9 @@ void main()
         condense(amounts, place_m.y);
     }
     amounts[fluid_density] = least > 0.0 ? max(amounts[fluid_density], least) : amounts[fluid_density];
-    for (int i = 0; i < int(shapes.channels); ++i) {
-        imageStore(quantities, ivec3(cell.xy, i * int(grid.depth) + cell.z), vec4(amounts[i]));
+    for (int i = 0; i < most_channels; ++i) {
+        if (i < int(shapes.channels)) {
+            imageStore(quantities, ivec3(cell.xy, i * int(grid.depth) + cell.z), vec4(amounts[i]));
+        }
     }
 }

@@ -12,7 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const uint variant = 0u;
 
 layout(binding = 0) uniform sampler2DArray velocity;
-layout(binding = 1, rgba32f) writeonly uniform image2DArray out_curl;
+layout(binding = 1, rgba16f) writeonly uniform image2DArray out_curl;
 
 layout(push_constant, scalar) uniform Constants
 {
