@@ -2,6 +2,7 @@
 // One thread a cell of ink: how much the drawing gives there, 0 to 1, in spots.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
@@ -126,7 +127,7 @@ void main()
         if (has_zones) {
             given = given_in_zones(given, page_px * mm_per_px());
         }
-        spot = is_on_things ? spot_seen_at(pixel_at(front_place(page_px, line_reach_px())))
+        spot = is_on_things ? spot_seen_at(pixel_at(front_place(page_px, line_reach_px(), given > 0.0)))
                             : spot_on_page(lattice_place_mm(cell));
     }
     imageStore(out_source, cell, vec4(given * spot.x, spot.y, 0.0, 0.0));

@@ -3,6 +3,7 @@
 // into the paper, and adds what the drawing gives.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/rounds.glsl"
@@ -154,7 +155,7 @@ Before before_at(vec2 page_px)
     float share = 0.0;
     for (int ring = 0; is_on_surface && ring < rings && share == 0.0; ++ring) {
         float away_px = max(line_reach_px(), halo_mm * globals.px_per_mm * float(ring) / float(rings - 1));
-        vec2 front_px = front_place(page_px, away_px);
+        vec2 front_px = front_place(page_px, away_px, true);
         if (front_px != page_px) {
             Before of_front = own_before(front_px);
             share = 1.0 - float(ring) / float(rings);
