@@ -27,6 +27,7 @@ namespace estampe::cloth {
 namespace {
 
 constexpr uint32_t sweeps_of_descent = 4;      // over all colours in a small step
+constexpr float tear_share = 4.0F;             // small steps in place of tethers, of sheets that may tear
 constexpr float longest_step_s = 1.0F / 30.0F; // a longer one is taken for that
 
 /// What keeps the defaults' stretch at a hundredth or two: as many as a third of the particles of a side in a
@@ -76,7 +77,9 @@ bool is_seen(const shared::ClothCollider& solid)
 uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings) const
 {
     const bool descends = (kind.variant & shared::cloth_bit_descent) != 0;
-    const float per_s = small_steps_per_s(kind.most_particles) / (descends ? sweeps_of_descent : 1.0F);
+    const bool tears = (kind.variant & shared::cloth_bit_tear) != 0;
+    const float per_s = small_steps_per_s(kind.most_particles) * (tears ? tear_share : 1.0F) /
+                        (descends ? sweeps_of_descent : 1.0F);
     const float wanted = per_s * surroundings.effort * surroundings.step_s;
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted - 0.01F), 1.0F, 1000.0F));
 }

