@@ -33,6 +33,8 @@ struct Cloth {
     float self_m = 0.0F; ///< how far from each other its vertices are held, where they are more than twice
                          ///< that apart at rest; it passes through itself at less than their spacing, and
                          ///< at 0 nobody looks
+    float tear = 0.0F;   ///< how many times as long as at rest its threads are when they tear, more than 1;
+                         ///< they never do at 0. Such a sheet has four times as many small steps
     uint32_t back_material =
         std::numeric_limits<uint32_t>::max(); ///< the scene's material of its other side; else the same
     ClothSolver solver = ClothSolver::automatic;

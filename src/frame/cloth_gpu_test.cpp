@@ -2,6 +2,8 @@
 // Cloth in a frame: what a picture shows of it, and when it is the same.
 #include <gtest/gtest.h>
 
+#include <estampe/error.hpp>
+
 #include "set_ups.hpp"
 #include "support/gpu_device.hpp"
 
@@ -84,6 +86,38 @@ TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
     renderer.recall_film(memory);
     EXPECT_EQ(film_frame(renderer, set_up, style, 2).rgba, whole[2].rgba);
     EXPECT_EQ(film_frame(renderer, set_up, style, 3).rgba, whole[3].rgba);
+}
+
+TEST(ClothFrame, TearsAreDrawnAndTakenUpWithTheFilm)
+{
+    ClothScene set_up = make_set_up("flag", 0.5F);
+    Cloth& cloth = *std::ranges::find_if(set_up.scene.nodes, [](const Node& node) {
+                        return node.cloth.has_value();
+                    })->cloth;
+    const ClothScene whole = set_up;
+    cloth.tear = 1.08F;
+    const Style style = style_of(set_up);
+    Renderer& renderer = test::shared_renderer();
+    const auto film = [&](const ClothScene& scene, uint32_t count) {
+        renderer.set_scene(scene.scene);
+        std::vector<Image> frames;
+        for (uint32_t i = 0; i < count; ++i) {
+            frames.push_back(film_frame(renderer, scene, style, i));
+        }
+        return frames;
+    };
+    const std::vector<Image> torn = film(set_up, 4);
+    EXPECT_EQ(film_frame(renderer, set_up, style, 0).rgba, torn[0].rgba); // it begins whole
+    EXPECT_GT(differing(torn[3], film(whole, 4)[3]), 50U);
+    static_cast<void>(film(set_up, 2));
+    const auto memory = renderer.film_memory();
+    renderer.set_scene(set_up.scene);
+    renderer.recall_film(memory);
+    EXPECT_EQ(renderer.film_memory(), memory);
+    EXPECT_EQ(film_frame(renderer, set_up, style, 2).rgba, torn[2].rgba);
+    EXPECT_EQ(film_frame(renderer, set_up, style, 3).rgba, torn[3].rgba);
+    renderer.set_scene(whole.scene);
+    EXPECT_THROW(renderer.recall_film(memory), Error);
 }
 
 TEST(ClothFrame, BodiesThatAreSeenAreTakenUpWithTheFilm)

@@ -121,8 +121,9 @@ MovingCloth::Cut MovingCloth::cut(const Scene& scene, const pose::MeshData& layo
                        other.instance == source.instance;
             });
             if (front != cut.draws.end()) {
-                cut.drawn[static_cast<size_t>(front - cut.draws.begin())].first_back_vertex =
-                    layout.draws[i].first_posed_vertex;
+                const auto sheet = static_cast<size_t>(front - cut.draws.begin());
+                cut.drawn[sheet].first_back_vertex = layout.draws[i].first_posed_vertex;
+                sheet_of_draw[i] = sheet;
                 continue;
             }
         }
@@ -133,20 +134,31 @@ MovingCloth::Cut MovingCloth::cut(const Scene& scene, const pose::MeshData& layo
         cut.drawn.push_back(welded(layout, layout.draws[i], primitive.held, sheet));
         is_mirrored.push_back(glm::determinant(glm::dmat3(rest.world_from_node[source.node])) < 0.0);
     }
-    for (const glm::uvec4& triangle : layout.triangles) {
+    for (uint32_t i = 0; i < layout.triangles.size(); ++i) {
+        const glm::uvec4& triangle = layout.triangles[i];
         const auto found = sheet_of_draw.find(triangle.w & shared::triangle_draw_mask);
         if (found == sheet_of_draw.end()) {
             continue;
         }
-        const cloth::DrawnSheet& drawn = cut.drawn[found->second];
-        const glm::uvec3 own = glm::uvec3(triangle) - drawn.first_vertex;
+        cloth::DrawnSheet& drawn = cut.drawn[found->second];
+        const bool is_back = drawn.first_back_vertex && triangle.x >= *drawn.first_back_vertex &&
+                             triangle.x - *drawn.first_back_vertex < drawn.particle_of_vertex.size();
+        const glm::uvec3 own =
+            glm::uvec3(triangle) - (is_back ? *drawn.first_back_vertex : drawn.first_vertex);
         glm::uvec3 particles(drawn.particle_of_vertex[own.x], drawn.particle_of_vertex[own.y],
                              drawn.particle_of_vertex[own.z]);
         if (is_mirrored[found->second]) {
             std::swap(particles.y, particles.z);
         }
-        if (particles.x != particles.y && particles.y != particles.z && particles.z != particles.x) {
-            cut.sheets[found->second].triangles.push_back(particles);
+        if (particles.x == particles.y || particles.y == particles.z || particles.z == particles.x) {
+            continue;
+        }
+        cloth::Sheet& sheet = cut.sheets[found->second];
+        if (sheet.cloth.tear > 0.0F) {
+            drawn.faces.push_back({.triangle = i, .vertices = triangle, .particles = particles});
+        }
+        if (!is_back) {
+            sheet.triangles.push_back(particles);
         }
     }
     return cut;
@@ -167,6 +179,18 @@ MovingCloth::MovingCloth(gpu::Device& device, const Scene& scene, const pose::Me
     for (const uint32_t draw : draws_) {
         reaches_.push_back(layout.sources[draw].local_bounds);
     }
+}
+
+bool MovingCloth::tear_triangles(pose::MeshData& layout, std::span<const glm::uvec2> torn) const
+{
+    bool is_any = false;
+    for (const cloth::BrittleFace& face : sheets_.brittle_faces()) {
+        const glm::uvec3 wanted = cloth::is_torn(face, torn) ? glm::uvec3(face.vertices.x) : face.vertices;
+        glm::uvec4& triangle = layout.triangles[face.triangle];
+        is_any = is_any || glm::uvec3(triangle) != wanted;
+        triangle = glm::uvec4(wanted, triangle.w);
+    }
+    return is_any;
 }
 
 std::vector<glm::mat4> MovingCloth::places_of_draws(const pose::PoseData& pose) const

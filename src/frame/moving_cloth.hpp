@@ -96,7 +96,7 @@ public:
     [[nodiscard]] std::optional<double> time_s() const { return time_s_; }
 
     /// The next picture goes on from sheets as they were then.
-    void recall(double time_s, std::array<gpu::Buffer, 2> state)
+    void recall(double time_s, std::vector<gpu::Buffer> state)
     {
         sheets_.recall(std::move(state));
         places_before_.clear();
@@ -105,6 +105,10 @@ public:
         is_still_ = false;
         is_taken_up_ = true;
     }
+
+    /// Lets triangles of `layout` fall together that are torn, and puts back those that are not; returns
+    /// whether any is otherwise than before. `torn` is what sheets().torn() holds.
+    [[nodiscard]] bool tear_triangles(pose::MeshData& layout, std::span<const glm::uvec2> torn) const;
 
     bool has_moved = false; ///< the device has yet to pose the sheets' vertices
 

@@ -7,6 +7,8 @@
 
 #include "frame/renderer_impl.hpp"
 #include "gpu/imports.hpp"
+#include "gpu/read_back.hpp"
+#include "gpu/upload.hpp"
 
 namespace estampe {
 namespace {
@@ -72,11 +74,28 @@ void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
         executor.run(graph);
     }
     step_cloth(from_s, run->to_s, settings, style);
+    tear_cloth();
     loaded->cloth->done(settings, style);
     const std::vector<Bounds> swept =
         loaded->pose ? loaded->cloth->sweep(*loaded->pose) : std::vector{pose::everywhere()};
     sun_map.move(swept);
     moved.insert(moved.end(), swept.begin(), swept.end());
+}
+
+void Renderer::Impl::tear_cloth()
+{
+    cloth::Cloths& sheets = loaded->cloth->sheets();
+    if (!sheets.may_tear()) {
+        return;
+    }
+    gpu::Buffer copy(device, "cloth torn", sheets.torn().size_bytes(), gpu::MemoryUse::readback);
+    gpu::Graph graph;
+    gpu::add_read_back(graph, "cloth/read torn", sheets.import(graph).torn, copy);
+    executor.run(graph);
+    if (loaded->cloth->tear_triangles(loaded->layout, gpu::items_of<glm::uvec2>(copy))) {
+        loaded->meshes.triangles = gpu::upload_buffer(device, "triangles", loaded->layout.triangles);
+        loaded->line_meshes.forget();
+    }
 }
 
 gpu::BufferId Renderer::Impl::pose_for_cloth(gpu::Graph& graph, double time_s, Index animation,

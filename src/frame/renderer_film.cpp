@@ -280,10 +280,10 @@ void Renderer::recall_film(std::span<const std::byte> memory)
                next_buffer("ink sums", bytes[2])};
     }
     frame::MovingCloth* const cloth = impl.loaded->cloth.get();
-    std::array<gpu::Buffer, 2> sheets;
+    std::vector<gpu::Buffer> sheets;
     if (head.has_cloth != 0 && cloth != nullptr) {
-        for (size_t i = 0; i < sheets.size(); ++i) {
-            sheets.at(i) = next_buffer("cloth state", cloth->sheets().state().at(i)->size_bytes());
+        for (const gpu::Buffer* const buffer : cloth->sheets().state()) {
+            sheets.push_back(next_buffer("cloth state", buffer->size_bytes()));
         }
     }
     std::vector<frame::KeptSmoke> smoke;

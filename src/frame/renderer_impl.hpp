@@ -91,6 +91,10 @@ struct Renderer::Impl {
                      const frame::StyleTables& style);
     void step_cloth(double from_s, double to_s, const RenderSettings& settings,
                     const frame::StyleTables& style);
+    /// Leaves out what is torn of sheets, and draws again what is whole. Cost: where any may tear, their torn
+    /// links are read back, and where others are torn than before, triangles are uploaded and lines found
+    /// anew.
+    void tear_cloth();
     /// Poses what moved, and tells cloth where solids are.
     [[nodiscard]] gpu::BufferId pose_for_cloth(gpu::Graph& graph, double time_s, Index animation,
                                                const frame::StyleTables& style);

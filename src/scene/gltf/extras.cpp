@@ -197,9 +197,9 @@ void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const st
         cloth = reader.boolean("cloth") ? std::optional(cloth.value_or(Cloth{})) : std::nullopt;
         return;
     }
-    static constexpr std::string_view keys[] = {"back",   "bending",  "damping",  "density", "drag",
-                                                "fold",   "friction", "held",     "lift",    "self",
-                                                "solver", "stretch",  "thickness"};
+    static constexpr std::string_view keys[] = {"back",   "bending",  "damping", "density",  "drag",
+                                                "fold",   "friction", "held",    "lift",     "self",
+                                                "solver", "stretch",  "tear",    "thickness"};
     static constexpr std::string_view solvers[] = {"automatic", "small_steps", "verlet", "block_descent"};
     const Reader own(reader, "cloth");
     own.expect_only(keys);
@@ -216,6 +216,7 @@ void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const st
     take("lift", read.lift);
     take("self", read.self_m);
     take("stretch", read.stretch_n_m);
+    take("tear", read.tear);
     take("thickness", read.thickness_m);
     if (own.has("back")) {
         read.back_material = own.index("back", data.model().materials.size(), "material");

@@ -73,7 +73,7 @@ TEST(GltfExtras, SayWhatIsClothAndWhatItRunsInto)
     file.document["nodes"] = json::parse(R"([
         {"mesh": 0, "name": "Cloth_flag"},
         {"mesh": 0, "name": "clothes", "extras": {"estampe": {"collider": "capsule"}}},
-        {"mesh": 0, "extras": {"estampe": {"cloth": {"density": 0.5, "self": 0.02, "solver": "block_descent"}}}},
+        {"mesh": 0, "extras": {"estampe": {"cloth": {"density": 0.5, "self": 0.02, "solver": "block_descent", "tear": 1.2}}}},
         {"mesh": 0, "name": "cloth", "extras": {"estampe": {"cloth": false}}}
     ])");
     file.document["scenes"] = json::parse(R"([{"nodes": [0, 1, 2, 3]}])");
@@ -81,8 +81,9 @@ TEST(GltfExtras, SayWhatIsClothAndWhatItRunsInto)
     EXPECT_EQ(scene.nodes[0].cloth, Cloth{});
     EXPECT_FALSE(scene.nodes[1].cloth);
     EXPECT_EQ(scene.nodes[1].collider, ClothCollider::capsule);
-    EXPECT_EQ(scene.nodes[2].cloth,
-              (Cloth{.density_kg_m2 = 0.5F, .self_m = 0.02F, .solver = ClothSolver::block_descent}));
+    EXPECT_EQ(
+        scene.nodes[2].cloth,
+        (Cloth{.density_kg_m2 = 0.5F, .self_m = 0.02F, .tear = 1.2F, .solver = ClothSolver::block_descent}));
     EXPECT_FALSE(scene.nodes[3].cloth);
     file.document["materials"] = json::parse(R"([{"name": "CLOTH.001"}])");
     file.document["meshes"][0]["primitives"][0]["material"] = 0;

@@ -20,12 +20,14 @@
 #include "shaders/cloth_small_comp.hpp"
 #include "shaders/cloth_step_comp.hpp"
 #include "shaders/cloth_target_comp.hpp"
+#include "shaders/cloth_tear_comp.hpp"
 #include "shaders/cloth_vertices_comp.hpp"
 
 namespace estampe::cloth {
 namespace {
 
 constexpr uint32_t sweeps_of_descent = 4;      // over all colours in a small step
+constexpr float tear_share = 4.0F;             // small steps in place of tethers, of sheets that may tear
 constexpr float longest_step_s = 1.0F / 30.0F; // a longer one is taken for that
 
 /// What keeps the defaults' stretch at a hundredth or two: as many as a third of the particles of a side in a
@@ -75,7 +77,9 @@ bool is_seen(const shared::ClothCollider& solid)
 uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings) const
 {
     const bool descends = (kind.variant & shared::cloth_bit_descent) != 0;
-    const float per_s = small_steps_per_s(kind.most_particles) / (descends ? sweeps_of_descent : 1.0F);
+    const bool tears = (kind.variant & shared::cloth_bit_tear) != 0;
+    const float per_s = small_steps_per_s(kind.most_particles) * (tears ? tear_share : 1.0F) /
+                        (descends ? sweeps_of_descent : 1.0F);
     const float wanted = per_s * surroundings.effort * surroundings.step_s;
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted - 0.01F), 1.0F, 1000.0F));
 }
@@ -88,7 +92,8 @@ uint32_t Cloths::most_steps(const Surroundings& surroundings) const
     for (const Kind& kind : kinds_) {
         const auto descents = static_cast<uint32_t>(sweeps_of_descent * kind.colours.size());
         const uint32_t searches = (kind.variant & shared::cloth_bit_self) != 0 ? 3 : 0;
-        passes += kind.is_small ? 0 : 2 + searches + small_steps(kind, surroundings) * (1 + descents);
+        const uint32_t tears = (kind.variant & shared::cloth_bit_tear) != 0 ? 2 : 0;
+        passes += kind.is_small ? 0 : 2 + searches + tears + small_steps(kind, surroundings) * (1 + descents);
     }
     return passes == 0 ? most_at_once : std::clamp(most_passes / passes, 1U, most_at_once);
 }
@@ -176,6 +181,7 @@ Cloths::Handles Cloths::import(gpu::Graph& graph)
             .speeds = gpu::import_whole(graph, "cloth/speeds", speeds_),
             .pushes = gpu::import_whole(graph, "cloth/pushes", pushes_),
             .near = gpu::import_whole(graph, "cloth/near", near_),
+            .torn = gpu::import_whole(graph, "cloth/torn", torn_),
             .predicted = {gpu::import_whole(graph, "cloth/predicted", predicted_[0]),
                           gpu::import_whole(graph, "cloth/predicted", predicted_[1])},
             .targets = {gpu::import_whole(graph, "cloth/targets", targets_[0]),
@@ -234,6 +240,7 @@ void Cloths::add_carry(gpu::Graph& graph, Handles& handles, std::span<const glm:
     handles.places = pass.modify(handles.places);
     handles.speeds = pass.modify(handles.speeds);
     pass.read(gpu::import_whole(graph, "cloth/carries", carries_));
+    handles.torn = pass.modify(handles.torn);
     pass.push(shared::ClothMoment{.first_group = 0}).dispatch(all_groups_);
 }
 
@@ -295,11 +302,26 @@ void Cloths::add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const 
             pass.read(handles.places).read(handles.speeds).read(handles.pushes);
             handles.predicted.at(predicted) = pass.modify(handles.predicted.at(predicted));
             pass.sample(gpu::import_whole(graph, "cloth/by colour", by_colour_), gpu::Format::r32ui)
-                .read(awake);
+                .read(awake)
+                .sample(handles.torn, gpu::Format::rg32ui);
             shared::ClothMoment own = moment;
             own.first_group = colour.x;
             pass.variant(kind.variant).push(own).dispatch(colour.y);
         }
+    }
+}
+
+void Cloths::add_tears(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake)
+{
+    for (const uint32_t last : {0U, uint32_t{shared::cloth_bit_last}}) {
+        auto pass = graph.compute("cloth/tear", shaders::cloth_tear_comp);
+        bind_common(graph, pass, handles, kind.run, sheet_of_group_);
+        pass.sample(handles.places, gpu::Format::rgba32f);
+        handles.torn = pass.modify(handles.torn);
+        pass.read(awake);
+        pass.variant(kind.variant | last)
+            .push(shared::ClothMoment{.step = step, .first_group = kind.first_group});
+        pass.dispatch(kind.group_count);
     }
 }
 
@@ -327,6 +349,7 @@ void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, u
         push.write(graph.buffer("cloth/began", {.size_bytes = sizeof(glm::vec4) * particle_count_}));
     push.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
     const gpu::BufferId met = push.write(graph.buffer("cloth/met", {.size_bytes = met_bytes(kind)}));
+    push.sample(handles.torn, gpu::Format::rg32ui);
     push.variant(kind.variant).push(shared::ClothMoment{.step = step, .first_group = kind.first_group});
     push.dispatch(kind.group_count);
     for (uint32_t i = 0; i < small_steps; ++i) {
@@ -338,10 +361,14 @@ void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, u
         pass.read(handles.pushes).sample(handles.predicted[i % 2], gpu::Format::rgba32f);
         handles.predicted[1 - i % 2] = pass.modify(handles.predicted[1 - i % 2]);
         pass.sample(handles.near).read(awake).read(began).read(met);
+        pass.sample(handles.torn, gpu::Format::rg32ui);
         const bool is_last = i + 1 == small_steps;
         pass.variant(kind.variant | (is_last ? shared::cloth_bit_last : 0U))
             .push(shared::ClothMoment{.step = step, .small_step = i, .first_group = kind.first_group});
         pass.dispatch(kind.group_count);
+    }
+    if ((kind.variant & shared::cloth_bit_tear) != 0) {
+        add_tears(graph, handles, kind, step, awake);
     }
 }
 
@@ -379,6 +406,9 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     }
     graph.export_buffer(handles.places);
     graph.export_buffer(handles.speeds);
+    if (may_tear_) {
+        graph.export_buffer(handles.torn);
+    }
     targets_move_ = false;
     bodies_move_ = false;
 }
@@ -408,6 +438,7 @@ gpu::BufferId Cloths::add_vertices_at(gpu::Graph& graph, const Handles& handles,
         bind_common(graph, pass, handles, kinds_.front().run, sheet_of_vertex_group_);
         pass.sample(places, gpu::Format::rgba32f).read(gpu::import_whole(graph, "cloth/vertices", vertices_));
         posed_vertices = pass.modify(posed_vertices);
+        pass.sample(handles.torn, gpu::Format::rg32ui);
         pass.variant(kind.variant).push(shared::ClothMoment{.first_group = kind.first_group});
         pass.dispatch(kind.group_count);
     }

@@ -23,6 +23,8 @@ SHARED_CONSTANT uint cloth_bit_half_held = 512U; // some particles are held a li
 
 SHARED_CONSTANT uint cloth_bit_seen = 1024U; // and bodies that are seen from the front and the back
 
+SHARED_CONSTANT uint cloth_bit_tear = 2048U; // links that become too long are gone
+
 SHARED_CONSTANT uint cloth_group = 64U;         // particles of a sheet are padded to whole workgroups
 SHARED_CONSTANT uint cloth_tile_side = 8U;      // of a grid they go by squares of so many each way
 SHARED_CONSTANT uint cloth_small_group = 256U;  // threads that share a small sheet
@@ -32,6 +34,8 @@ SHARED_CONSTANT uint cloth_most_tethers = 4U;
 SHARED_CONSTANT uint cloth_met_head = 4U;   // numbers of the ball about a group, before what it may meet
 SHARED_CONSTANT uint cloth_met_words = 32U; // of 32 solids each, at most: of those after it is not asked
 SHARED_CONSTANT uint cloth_most_flows = 8U;
+SHARED_CONSTANT uint cloth_torn_bits = 64U;  // of each particle of a sheet that may tear, see cloth_torn.glsl
+SHARED_CONSTANT uint cloth_torn_cells = 32U; // where of a grid those of cells begin
 SHARED_CONSTANT float cloth_breath_m_s = 0.05F; // what blows less moves nothing of note
 SHARED_CONSTANT float cloth_rest_s = 0.5F;      // a sheet that has been calm for so long rests
 
@@ -82,6 +86,7 @@ struct ClothSheet {
     float thickness_m;
     float winding; // of a grid: which way its faces look, 1 or -1
     float self_m;  // how far it keeps from itself, 0 where it does not
+    float tear;    // how many times as long as at rest links tear at, 0 where they never do
 };
 
 // To a particle nearby. Its rest length is negative where others lie between the two.
@@ -176,7 +181,7 @@ struct ClothVertex {
 SHARED_CONSTANT uint cloth_on_back = 0x80000000U;
 
 #ifdef __cplusplus
-static_assert(sizeof(ClothSheet) == 96);
+static_assert(sizeof(ClothSheet) == 100);
 static_assert(sizeof(ClothLink) == 16);
 static_assert(sizeof(ClothCollider) == 48);
 } // namespace estampe::shared

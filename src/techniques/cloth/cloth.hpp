@@ -29,13 +29,31 @@ struct Surroundings {
     float rest_m_s = 5e-3F;   ///< see ClothStyle::rest_mm_s
 };
 
+/// A triangle of a sheet as whoever draws it numbers it.
+struct DrawnFace {
+    uint32_t triangle = 0;
+    glm::uvec3 vertices{0};
+    glm::uvec3 particles{0};
+};
+
 /// The drawn vertices of a sheet.
 struct DrawnSheet {
     uint32_t first_vertex = 0;
     std::vector<uint32_t> particle_of_vertex;  ///< from `first_vertex` on
     std::optional<uint32_t> first_back_vertex; ///< of the other side, if it has vertices of its own: as many,
                                                ///< in the same order
+    std::vector<DrawnFace> faces;              ///< of a sheet that may tear
 };
+
+/// Of a drawn face: the bits of its sides in Cloths::torn().
+struct BrittleFace {
+    uint32_t triangle = 0;
+    glm::uvec3 vertices{0};
+    std::array<glm::uvec2, 3> sides{}; ///< particle and bit
+};
+
+/// Whether a side of it is torn. `torn` is what Cloths::torn() holds.
+[[nodiscard]] bool is_torn(const BrittleFace& face, std::span<const glm::uvec2> torn);
 
 /// A box that a sheet stays in.
 struct SheetReach {
@@ -97,6 +115,7 @@ public:
         gpu::BufferId speeds;
         gpu::BufferId pushes;
         gpu::BufferId near;
+        gpu::BufferId torn;
         std::array<gpu::BufferId, 2> predicted;
         std::array<gpu::BufferId, 2> targets;
         std::array<gpu::BufferId, 2> seen;
@@ -119,7 +138,7 @@ public:
     void add_bodies(gpu::Graph& graph, Handles& handles, gpu::BufferId posed_vertices);
 
     /// Carries sheets as they stand, one matrix each: with what they hang on when that is put elsewhere. A
-    /// matrix of zeros puts a sheet where its particles are wanted, at rest.
+    /// matrix of zeros puts a sheet where its particles are wanted, at rest and whole.
     void add_carry(gpu::Graph& graph, Handles& handles, std::span<const glm::mat4> carries);
 
     /// A run of so many steps; one a graph. Throws std::logic_error for none, or more than most_steps().
@@ -154,16 +173,20 @@ public:
 
     [[nodiscard]] size_t sheet_count() const { return records_.size(); }
 
-    /// Places and inverse masses, and speeds: all that the next run goes on from.
-    [[nodiscard]] std::array<gpu::Buffer*, 2> state() { return {&places_, &speeds_}; }
+    [[nodiscard]] bool may_tear() const { return may_tear_; }
+
+    /// Which links of sheets that may tear are torn: two words a particle, see cloth_torn.glsl.
+    [[nodiscard]] gpu::Buffer& torn() { return torn_; }
+
+    /// Those of `drawn`, sheet by sheet.
+    [[nodiscard]] std::span<const BrittleFace> brittle_faces() const { return brittle_faces_; }
+
+    /// Places and inverse masses, speeds, and, where any may tear, torn(): all that the next run goes on
+    /// from.
+    [[nodiscard]] std::vector<gpu::Buffer*> state();
 
     /// Goes on from what state() of the same sheets was; buffers of the same sizes.
-    void recall(std::array<gpu::Buffer, 2> state)
-    {
-        places_ = std::move(state[0]);
-        speeds_ = std::move(state[1]);
-        forget_before();
-    }
+    void recall(std::vector<gpu::Buffer> state);
 
 private:
     /// Sheets that one dispatch serves.
@@ -177,7 +200,8 @@ private:
         gpu::Buffer run;
     };
 
-    void lay_out(gpu::Device& device, std::span<const Sheet> sheets);
+    void lay_out(gpu::Device& device, std::span<const Sheet> sheets, std::span<const DrawnSheet> drawn);
+    void find_brittle_faces(const Structure& structure, const DrawnSheet& drawn);
     void lay_out_vertices(gpu::Device& device, std::span<const DrawnSheet> drawn);
     void group_sheets(gpu::Device& device);
 
@@ -196,6 +220,7 @@ private:
     void add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind);
     void add_rest(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId& awake);
     void add_near(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake);
+    void add_tears(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake);
     void add_descent(gpu::Graph& graph, Handles& handles, Kind& kind, const shared::ClothMoment& moment,
                      uint32_t predicted, gpu::BufferId awake);
     [[nodiscard]] uint64_t met_bytes(const Kind& kind) const;
@@ -240,6 +265,9 @@ private:
     gpu::Buffer places_;
     gpu::Buffer places_before_; ///< at the last snapshot
     gpu::Buffer speeds_;
+    gpu::Buffer torn_;
+    bool may_tear_ = false;
+    std::vector<BrittleFace> brittle_faces_;
     gpu::Buffer pushes_;
     std::array<gpu::Buffer, 2> predicted_;
     std::vector<Kind> kinds_;

@@ -4,9 +4,10 @@
 
 // The wind, and what it does to a sheet.
 //
-// Wanted before: vec3 place_at(uint local), and what cloth_flow.glsl wants.
+// Wanted before: vec3 place_at(uint local), and what cloth_flow.glsl and cloth_torn.glsl want.
 
 #include "techniques/cloth/cloth_flow.glsl"
+#include "techniques/cloth/cloth_torn.glsl"
 #include "techniques/cloth/cloth_wind.glsl"
 
 vec3 wind_at(vec3 place, float time_s)
@@ -21,15 +22,19 @@ vec3 grid_place(ivec2 at, ivec2 size)
     return place_at(uint(there.y * size.x + there.x));
 }
 
-// By the faces about a particle, of each the share that is its own.
+// By the faces about a particle, of each the share that is its own. Air goes through what is torn.
 vec3 air_force(uint local, vec3 place, vec3 relative)
 {
     vec3 force = vec3(0.0);
     if ((variant & cloth_bit_grid) != 0u) {
         ivec2 size = ivec2(sheet.columns, sheet.rows);
         ivec2 at = ivec2(local % sheet.columns, local / sheet.columns);
+        uvec2 torn = may_tear ? torn_of(local) : uvec2(0u);
         for (int i = 0; i < 4; ++i) {
             ivec2 way = ivec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1);
+            if (may_tear && has_bit(torn, cell_bit(way))) {
+                continue;
+            }
             // Beyond the edge all of it falls together and has no area.
             vec3 x = grid_place(at + ivec2(way.x, 0), size);
             vec3 y = grid_place(at + ivec2(0, way.y), size);
@@ -41,7 +46,7 @@ vec3 air_force(uint local, vec3 place, vec3 relative)
     for (uint k = 0u; k < sheet.face_width; ++k) {
         uvec2 others = texelFetch(face_texels, int(sheet.first_face + k * sheet.stride + local)).xy;
         vec3 area = cross(place_at(others.x) - place, place_at(others.y) - place) / 6.0;
-        force += force_on(area, relative);
+        force += is_torn_face(local, others) ? vec3(0.0) : force_on(area, relative);
     }
     return force;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a particle: puts it where it is wanted, at rest, or carries it along with its sheet.
+// One thread a particle: puts it where it is wanted, at rest and whole, or carries it along with its sheet.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -23,6 +23,11 @@ layout(scalar, binding = 14) readonly buffer Carries
     mat4 carries[]; // one a sheet; all zeros where it starts anew
 };
 
+layout(scalar, binding = 15) writeonly buffer Torn
+{
+    uvec2 torn_links[]; // see cloth_torn.glsl
+};
+
 layout(push_constant, scalar) uniform Constants
 {
     ClothMoment moment;
@@ -43,6 +48,9 @@ void main()
     if (carry[3][3] == 0.0) {
         places[particle] = vec4(target_of(local, 1.0).xyz, place.w);
         speeds[particle] = vec4(0.0);
+        if (sheet.tear > 0.0) {
+            torn_links[particle] = uvec2(0u);
+        }
     } else {
         places[particle] = vec4((carry * vec4(place.xyz, 1.0)).xyz, place.w);
         speeds[particle] = vec4(mat3(carry) * speeds[particle].xyz, 0.0);

@@ -47,6 +47,13 @@ vec4 predicted_at(uint local)
     return predicted[sheet.first + local];
 }
 
+layout(binding = 18) uniform usamplerBuffer torn_texels;
+
+uvec2 torn_of(uint local)
+{
+    return texelFetch(torn_texels, int(sheet.first + local)).xy;
+}
+
 #include "techniques/cloth/cloth_tethers.glsl"
 
 vec3 force = vec3(0.0);
@@ -73,6 +80,7 @@ void add_links_of_grid(uint local, vec3 own, float most_n_m)
     ivec2 at = ivec2(local % sheet.columns, local / sheet.columns);
     float columns[5] = there_about(at.x, size.x);
     float rows[5] = there_about(at.y, size.y);
+    uvec2 torn = may_tear ? torn_of(local) : uvec2(0u);
     vec3 bend = vec3(0.0);
     [[unroll]] for (int y = -2; y <= 2; ++y)
     {
@@ -82,9 +90,13 @@ void add_links_of_grid(uint local, vec3 own, float most_n_m)
             if (abs(x) * abs(y) != 2 && (x != 0 || y != 0) && columns[2 + x] * rows[2 + y] > 0.0) {
                 vec3 towards = predicted_at(uint(there.y * size.x + there.x)).xyz - own;
                 vec2 rest = vec2(abs(x) * sheet.spacing_x_m, abs(y) * sheet.spacing_y_m);
-                add_link(towards, length(rest), max(abs(x), abs(y)) > 1, sheet.softness * dot(rest, rest),
-                         most_n_m);
-                bend += grid_bend_share(x, y, columns, rows) * towards;
+                if (whole_link(torn, x, y) > 0.0) {
+                    add_link(towards, length(rest), max(abs(x), abs(y)) > 1, sheet.softness * dot(rest, rest),
+                             most_n_m);
+                }
+                bend += (may_tear ? torn_bend_share(x, y, columns, rows, torn)
+                                  : grid_bend_share(x, y, columns, rows)) *
+                        towards;
             }
         }
     }
@@ -94,14 +106,16 @@ void add_links_of_grid(uint local, vec3 own, float most_n_m)
 
 void add_links_of_lists(uint local, vec3 own, float most_n_m)
 {
+    uvec2 torn = may_tear ? torn_of(local) : uvec2(0u);
     for (uint k = 0u; k < sheet.link_width; ++k) {
-        uvec4 words = texelFetch(link_texels, int(sheet.first_link + k * sheet.stride + local));
+        uvec4 words = link_at(local, k);
         vec3 link = uintBitsToFloat(words.yzw); // rest length, compliance, bending
-        if (link.x != 0.0) {
+        if (link.x != 0.0 && !(may_tear && has_bit(torn, k))) {
             vec3 towards = predicted_at(words.x).xyz - own;
             add_link(towards, abs(link.x), link.x < 0.0, link.y, most_n_m);
-            force += sheet.bending_n_m * link.z * towards;
-            hessian += mat3(sheet.bending_n_m * link.z);
+            float bending = torn_bending(link.z, torn, words.x);
+            force += sheet.bending_n_m * bending * towards;
+            hessian += mat3(sheet.bending_n_m * bending);
         }
     }
 }

@@ -33,7 +33,46 @@ uint32_t append(std::vector<Item>& all, const Lists<Item>& lists, uint32_t count
 
 } // namespace
 
-void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
+bool is_torn(const BrittleFace& face, std::span<const glm::uvec2> torn)
+{
+    return std::ranges::any_of(face.sides, [&](const glm::uvec2& side) {
+        return (torn[side.x][static_cast<int>(side.y / 32)] >> (side.y % 32) & 1U) != 0;
+    });
+}
+
+void Cloths::find_brittle_faces(const Structure& structure, const DrawnSheet& drawn)
+{
+    for (const DrawnFace& face : drawn.faces) {
+        BrittleFace& brittle =
+            brittle_faces_.emplace_back(BrittleFace{.triangle = face.triangle, .vertices = face.vertices});
+        for (int k = 0; k < 3; ++k) {
+            const uint32_t from = face.particles[k];
+            brittle.sides.at(static_cast<size_t>(k)) = {
+                particle_count_ + from, link_bit(structure, from, face.particles[(k + 1) % 3])};
+        }
+    }
+}
+
+std::vector<gpu::Buffer*> Cloths::state()
+{
+    std::vector<gpu::Buffer*> buffers{&places_, &speeds_};
+    if (may_tear_) {
+        buffers.push_back(&torn_);
+    }
+    return buffers;
+}
+
+void Cloths::recall(std::vector<gpu::Buffer> state)
+{
+    places_ = std::move(state.at(0));
+    speeds_ = std::move(state.at(1));
+    if (may_tear_) {
+        torn_ = std::move(state.at(2));
+    }
+    forget_before();
+}
+
+void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets, std::span<const DrawnSheet> drawn)
 {
     std::vector<shared::ClothLink> links;
     std::vector<glm::uvec2> faces;
@@ -42,7 +81,8 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
     std::vector<glm::vec4> pushes;
     std::vector<glm::vec4> rest;
     std::vector<uint32_t> by_colour;
-    for (const Sheet& sheet : sheets) {
+    for (size_t number = 0; number < sheets.size(); ++number) {
+        const Sheet& sheet = sheets[number];
         const Structure structure = build_structure(sheet);
         const auto count = static_cast<uint32_t>(sheet.rest_m.size());
         const uint32_t stride = whole_groups(count) * shared::cloth_group;
@@ -70,7 +110,12 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
                             .friction = cloth.friction,
                             .thickness_m = cloth.thickness_m,
                             .winding = grid.winding,
-                            .self_m = cloth.self_m});
+                            .self_m = cloth.self_m,
+                            .tear = cloth.tear});
+        may_tear_ = may_tear_ || cloth.tear > 0.0F;
+        if (number < drawn.size()) {
+            find_brittle_faces(structure, drawn[number]);
+        }
         auto& colours = colours_.emplace_back();
         for (const std::vector<uint32_t>& colour : structure.colours) {
             colours.emplace_back(by_colour.size(), colour.size());
@@ -108,6 +153,8 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets)
     places_before_ = gpu::upload_buffer(device, "cloth places before", places);
     pushes_ = gpu::upload_buffer(device, "cloth pushes", pushes);
     speeds_ = gpu::upload_buffer(device, "cloth speeds", std::vector<glm::vec4>(particle_count_));
+    torn_ =
+        gpu::upload_buffer(device, "cloth torn", std::vector<glm::uvec2>(may_tear_ ? particle_count_ : 2));
     for (gpu::Buffer& predicted : predicted_) {
         predicted = gpu::Buffer(device, "cloth predicted", places_.size_bytes(), gpu::MemoryUse::device);
     }
@@ -123,7 +170,8 @@ uint32_t Cloths::variant_of(size_t sheet) const
     return (records_[sheet].columns > 0 ? shared::cloth_bit_grid : 0U) |
            (solver == ClothSolver::verlet ? shared::cloth_bit_relax : 0U) |
            (solver == ClothSolver::block_descent ? shared::cloth_bit_descent : 0U) |
-           (records_[sheet].self_m > 0.0F ? shared::cloth_bit_self : 0U);
+           (records_[sheet].self_m > 0.0F ? shared::cloth_bit_self : 0U) |
+           (records_[sheet].tear > 0.0F ? shared::cloth_bit_tear : 0U);
 }
 
 bool Cloths::is_small(size_t sheet) const
@@ -211,11 +259,13 @@ void Cloths::lay_out_vertices(gpu::Device& device, std::span<const DrawnSheet> d
     }
     std::vector<shared::ClothVertex> vertices;
     std::vector<uint32_t> groups;
-    for (const uint32_t variant : {0U, uint32_t{shared::cloth_bit_grid}}) {
+    constexpr uint32_t grid = shared::cloth_bit_grid;
+    constexpr uint32_t tear = shared::cloth_bit_tear;
+    for (const uint32_t variant : {0U, grid, tear, grid | tear}) {
         Kind kind{.variant = variant, .first_group = static_cast<uint32_t>(groups.size())};
         for (size_t sheet = 0; sheet < drawn.size(); ++sheet) {
             const auto& particles = drawn[sheet].particle_of_vertex;
-            if ((records_[sheet].columns > 0) != (variant != 0)) {
+            if ((variant_of(sheet) & (grid | tear)) != variant) {
                 continue;
             }
             for (uint32_t i = 0; i < particles.size(); ++i) {
@@ -243,7 +293,7 @@ void Cloths::lay_out_vertices(gpu::Device& device, std::span<const DrawnSheet> d
 
 Cloths::Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<const DrawnSheet> drawn)
 {
-    lay_out(device, sheets);
+    lay_out(device, sheets, drawn);
     group_sheets(device);
     lay_out_vertices(device, drawn);
     std::vector<glm::vec4> targets;

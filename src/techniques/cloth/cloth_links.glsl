@@ -10,7 +10,7 @@
 //
 // Wanted before: vec4 predicted_at(uint local), a place and the inverse mass times the shares of the links
 // there, and vec4 predicted_beside(uint local, ivec2 way, bool is_there), the same of another of its grid if
-// that is there.
+// that is there; and what cloth_tethers.glsl wants.
 
 #extension GL_EXT_control_flow_attributes : require
 
@@ -44,6 +44,7 @@ vec3 pull_of_grid(uint local, vec4 own, float inverse_mass, float time_s)
     float rows[5] = there_about(at.y, size.y);
     float softness = sheet.softness / (time_s * time_s);
     float bending = time_s * time_s * sheet.bending_n_m;
+    uvec2 torn = may_tear ? torn_of(local) : uvec2(0u);
     vec3 pull = vec3(0.0);
     [[unroll]] for (int y = -2; y <= 2; ++y)
     {
@@ -53,11 +54,15 @@ vec3 pull_of_grid(uint local, vec4 own, float inverse_mass, float time_s)
             if ((is_relaxing || abs(x) * abs(y) != 2) && (x != 0 || y != 0)) {
                 float there = columns[2 + x] * rows[2 + y];
                 vec4 other = predicted_beside(local, ivec2(x, y), there > 0.0);
+                there *= whole_link(torn, x, y);
                 vec3 to_other = other.xyz - own.xyz;
                 vec2 rest = vec2(abs(x) * sheet.spacing_x_m, abs(y) * sheet.spacing_y_m);
                 float share = there * link_pull(to_other, own.w + other.w, length(rest),
                                                 max(abs(x), abs(y)) > 1, softness * dot(rest, rest));
-                share += is_relaxing ? 0.0 : bending * grid_bend_share(x, y, columns, rows);
+                if (!is_relaxing) {
+                    share += bending * (may_tear ? torn_bend_share(x, y, columns, rows, torn)
+                                                 : grid_bend_share(x, y, columns, rows));
+                }
                 pull += share * to_other;
             }
         }
@@ -69,15 +74,16 @@ vec3 pull_of_lists(uint local, vec4 own, float inverse_mass, float time_s)
 {
     vec3 stretch = vec3(0.0);
     vec3 bend = vec3(0.0);
+    uvec2 torn = may_tear ? torn_of(local) : uvec2(0u);
     for (uint k = 0u; k < sheet.link_width; ++k) {
-        uvec4 words = texelFetch(link_texels, int(sheet.first_link + k * sheet.stride + local));
+        uvec4 words = link_at(local, k);
         vec3 link = uintBitsToFloat(words.yzw); // rest length, compliance, bending
-        if (link.x != 0.0) {
+        if (link.x != 0.0 && !(may_tear && has_bit(torn, k))) {
             vec4 other = predicted_at(words.x);
             vec3 to_other = other.xyz - own.xyz;
             stretch += to_other * link_pull(to_other, own.w + other.w, abs(link.x), link.x < 0.0,
                                             link.y / (time_s * time_s));
-            bend += link.z * to_other;
+            bend += torn_bending(link.z, torn, words.x) * to_other;
         }
     }
     bend = is_relaxing ? vec3(0.0) : bend;

@@ -47,6 +47,13 @@ layout(push_constant, scalar) uniform Constants
     ClothMoment moment;
 };
 
+layout(binding = 20) uniform usamplerBuffer torn_texels;
+
+uvec2 torn_of(uint local)
+{
+    return texelFetch(torn_texels, int(sheet.first + local)).xy;
+}
+
 vec3 place_at(uint local)
 {
     return texelFetch(place_texels, int(sheet.first + local)).xyz;

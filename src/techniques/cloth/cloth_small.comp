@@ -76,6 +76,11 @@ uvec4 near_of(uint local)
     return uvec4(cloth_no_vertex); // sheets that keep from themselves take the other way
 }
 
+uvec2 torn_of(uint local)
+{
+    return uvec2(0u); // and so do those that may tear
+}
+
 vec4 met_ball()
 {
     return balls[slot];

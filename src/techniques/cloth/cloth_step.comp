@@ -67,6 +67,13 @@ layout(scalar, binding = 20) readonly buffer Met
     uint met[]; // of each group: the ball about it, and which solids come near that
 };
 
+layout(binding = 21) uniform usamplerBuffer torn_texels;
+
+uvec2 torn_of(uint local)
+{
+    return texelFetch(torn_texels, int(sheet.first + local)).xy;
+}
+
 uvec4 near_of(uint local)
 {
     return texelFetch(near_texels, int(sheet.first + local));

@@ -4,11 +4,11 @@
 
 // What all solvers share: bending on a grid, and tethers.
 //
-// Wanted before: vec4 predicted_at(uint local), a place and whatever else.
+// Wanted before: vec4 predicted_at(uint local), a place and whatever else, and what cloth_torn.glsl wants.
 
 #extension GL_EXT_control_flow_attributes : require
 
-#include "techniques/cloth/cloth_data.glsl"
+#include "techniques/cloth/cloth_torn.glsl"
 
 const bool is_relaxing = (variant & cloth_bit_relax) != 0u;
 
@@ -44,6 +44,37 @@ float grid_bend_share(int x, int y, float columns[5], float rows[5])
     }
     return 2.0 * by_side * (along[1] * along[3] + along[2 + 2 * way]) +
            twist * along[2 + way] * (across[1] + across[3]);
+}
+
+// The same of a sheet that may tear: what is torn is left out as what lies beyond the edge.
+float torn_bend_share(int x, int y, float columns[5], float rows[5], uvec2 torn)
+{
+    vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
+    float twist = 2.0 / (spacing.x * spacing.y);
+    if (x != 0 && y != 0) {
+        bool is_cell = abs(x) == 1 && abs(y) == 1;
+        return is_cell ? -twist * columns[2 + x] * rows[2 + y] * whole_cell(torn, x, y) : 0.0;
+    }
+    int way = x + y;
+    float along[5] = y == 0 ? columns : rows;
+    float across[5] = y == 0 ? rows : columns;
+    float by_side = y == 0 ? spacing.y / (spacing.x * spacing.x * spacing.x)
+                           : spacing.x / (spacing.y * spacing.y * spacing.y);
+    if (abs(way) == 2) {
+        return -by_side * along[2 + way] * whole_link(torn, x, y);
+    }
+    float here = along[1] * along[3] * whole_link(torn, x, y) * whole_link(torn, -x, -y);
+    float there = along[2 + 2 * way] * whole_link(torn, 2 * x, 2 * y);
+    float cells = across[1] * (y == 0 ? whole_cell(torn, x, -1) : whole_cell(torn, -1, y)) +
+                  across[3] * (y == 0 ? whole_cell(torn, x, 1) : whole_cell(torn, 1, y));
+    return 2.0 * by_side * (here + there) + twist * along[2 + way] * cells;
+}
+
+// Bending in lists is a sum over hinges: about a tear what would push apart is left out, as the rest of its
+// hinge may be gone.
+float torn_bending(float bending, uvec2 torn, uint other)
+{
+    return may_tear && (torn != uvec2(0u) || torn_of(other) != uvec2(0u)) ? max(bending, 0.0) : bending;
 }
 
 // By how much of that force a particle's own place takes part in it.

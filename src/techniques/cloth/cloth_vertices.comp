@@ -27,6 +27,15 @@ layout(push_constant, scalar) uniform Constants
     ClothMoment moment;
 };
 
+layout(binding = 15) uniform usamplerBuffer torn_texels;
+
+uvec2 torn_of(uint local)
+{
+    return texelFetch(torn_texels, int(sheet.first + local)).xy;
+}
+
+#include "techniques/cloth/cloth_torn.glsl"
+
 vec3 place_at(uint local)
 {
     return texelFetch(place_texels, int(sheet.first + local)).xyz;
@@ -38,6 +47,13 @@ vec3 grid_area(uint local, vec3 place)
     ivec2 at = ivec2(local % sheet.columns, local / sheet.columns);
     ivec2 low = max(at - 1, ivec2(0));
     ivec2 high = min(at + 1, size - 1);
+    if (may_tear) {
+        uvec2 torn = torn_of(local);
+        low = ivec2(has_bit(torn, link_bit(ivec2(-1, 0))) ? at.x : low.x,
+                    has_bit(torn, link_bit(ivec2(0, -1))) ? at.y : low.y);
+        high = ivec2(has_bit(torn, link_bit(ivec2(1, 0))) ? at.x : high.x,
+                     has_bit(torn, link_bit(ivec2(0, 1))) ? at.y : high.y);
+    }
     vec3 along = place_at(uint(at.y * size.x + high.x)) - place_at(uint(at.y * size.x + low.x));
     vec3 across = place_at(uint(high.y * size.x + at.x)) - place_at(uint(low.y * size.x + at.x));
     return sheet.winding * cross(along, across);
@@ -48,7 +64,8 @@ vec3 faces_area(uint local, vec3 place)
     vec3 area = vec3(0.0);
     for (uint k = 0u; k < sheet.face_width; ++k) {
         uvec2 others = texelFetch(face_texels, int(sheet.first_face + k * sheet.stride + local)).xy;
-        area += cross(place_at(others.x) - place, place_at(others.y) - place);
+        vec3 of_face = cross(place_at(others.x) - place, place_at(others.y) - place);
+        area += is_torn_face(local, others) ? vec3(0.0) : of_face;
     }
     return area;
 }

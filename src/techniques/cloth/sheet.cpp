@@ -33,6 +33,9 @@ Sheet grid_sheet(glm::uvec2 particles, glm::vec3 corner_m, glm::vec3 along_m, gl
 
 bool hangs(const Sheet& sheet)
 {
+    if (sheet.cloth.tear > 0.0F) {
+        return false;
+    }
     std::vector<uint32_t> parent(sheet.rest_m.size());
     std::iota(parent.begin(), parent.end(), 0U);
     const auto root = [&](uint32_t particle) {

@@ -36,8 +36,8 @@ struct Sheet {
 [[nodiscard]] Sheet grid_sheet(glm::uvec2 particles, glm::vec3 corner_m, glm::vec3 along_m,
                                glm::vec3 across_m, const Cloth& cloth = {});
 
-/// Whether every particle hangs on one that is held, by triangles or threads: then none comes farther from it
-/// than they were apart along the sheet.
+/// Whether every particle hangs on one that is held, by triangles or threads that never tear: then none comes
+/// farther from it than they were apart along the sheet.
 [[nodiscard]] bool hangs(const Sheet& sheet);
 
 /// A regular grid of right angles.

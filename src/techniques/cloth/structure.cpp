@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -40,6 +41,10 @@ void check(const Sheet& sheet)
     const auto fits = [&](const auto& list) { return list.empty() || list.size() == count; };
     if (count == 0 || !fits(sheet.held) || !fits(sheet.masses_kg)) {
         throw Error("a sheet of cloth has a mass and a hold for each of its particles");
+    }
+    if (sheet.cloth.tear != 0.0F && !(sheet.cloth.tear > 1.0F)) {
+        throw Error("a sheet of cloth tears before it is stretched", "",
+                    "tear is a length as a share of that at rest: 0, or more than 1");
     }
     for (const glm::uvec3& triangle : sheet.triangles) {
         if (std::max({triangle.x, triangle.y, triangle.z}) >= count) {
@@ -333,7 +338,34 @@ std::vector<std::vector<uint32_t>> colours_of_lists(const Lists<shared::ClothLin
     return colours;
 }
 
+void check_torn_bits(const Structure& structure)
+{
+    if (structure.links.width > shared::cloth_torn_bits) {
+        throw Error(fmt::format("{} links of a sheet of cloth that may tear meet at one particle",
+                                structure.links.width),
+                    "", fmt::format("cut it into finer triangles: {} are kept", shared::cloth_torn_bits));
+    }
+}
+
 } // namespace
+
+uint32_t link_bit(const Structure& structure, uint32_t from, uint32_t to)
+{
+    if (structure.grid) {
+        const auto columns = static_cast<int>(structure.grid->columns);
+        const auto i = static_cast<int>(from);
+        const auto j = static_cast<int>(to);
+        return static_cast<uint32_t>(5 * (j / columns - i / columns + 2) + j % columns - i % columns + 2);
+    }
+    const size_t count = structure.masses_kg.size();
+    for (uint32_t k = 0; k < structure.links.width; ++k) {
+        const shared::ClothLink& link = structure.links.items[k * count + from];
+        if (link.rest_m > 0.0F && link.other == to) {
+            return k;
+        }
+    }
+    throw std::logic_error("two particles of a sheet of cloth are not next to each other");
+}
 
 Structure build_structure(const Sheet& sheet)
 {
@@ -355,6 +387,10 @@ Structure build_structure(const Sheet& sheet)
         }
         fill_lists(structure, sheet, pairs, areas);
         structure.colours = colours_of_lists(structure.links, sheet.rest_m.size());
+    }
+    if (sheet.cloth.tear > 0.0F) {
+        check_torn_bits(structure);
+        return structure;
     }
     structure.tethers = build_tethers(sheet, structure.grid, neighbours);
     for (Tether& tether : structure.tethers.items) {

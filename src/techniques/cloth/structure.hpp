@@ -38,11 +38,16 @@ struct Structure {
     float bending_rate_s2 = 0.0F;               ///< squared frequency of the quickest bending at rigidity 1
 };
 
-/// Particles next to each other, and those two apart, are linked: to as many as 24 on a grid. Throws Error
-/// for triangles or threads that name no particle, a particle that more than 64 edges meet at, numbers that
-/// are not finite, and a sheet without mass. Cost: n log n in particles for each group of those that are
-/// held.
+/// Particles next to each other, and those two apart, are linked: to as many as 24 on a grid. A sheet that
+/// may tear has no tethers, which would hold it together. Throws Error for triangles or threads that name no
+/// particle, a particle that more than 64 edges meet at, numbers that are not finite, a sheet without mass,
+/// and one that tears at less than its length, or with more than 64 links at a particle. Cost: n log n in
+/// particles for each group of those that are held.
 [[nodiscard]] Structure build_structure(const Sheet& sheet);
+
+/// The bit that says of a particle of a sheet that may tear whether its link to one next to it is torn.
+/// Throws std::logic_error where there is none.
+[[nodiscard]] uint32_t link_bit(const Structure& structure, uint32_t from, uint32_t to);
 
 /// Up to four a particle, each to another group of held particles that hang together; of none more than zero
 /// long. Part of build_structure().

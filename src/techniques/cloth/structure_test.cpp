@@ -90,6 +90,25 @@ TEST(ClothStructure, TethersReachAlongTheSheet)
     check(sheet);
 }
 
+TEST(ClothStructure, WhatMayTearHangsByItsLinksAlone)
+{
+    Sheet sheet = square(5);
+    sheet.held.assign(25, 0.0F);
+    sheet.held[0] = 1.0F;
+    EXPECT_TRUE(hangs(sheet));
+    EXPECT_EQ(build_structure(sheet).tethers.width, 1U);
+    sheet.cloth.tear = 1.2F;
+    EXPECT_FALSE(hangs(sheet));
+    const Structure grid = build_structure(sheet);
+    EXPECT_EQ(grid.tethers.width, 0U);
+    EXPECT_EQ(link_bit(grid, 6, 7), 13U);
+    EXPECT_EQ(link_bit(grid, 6, 2), 8U);
+    sheet.rest_m[12] += glm::vec3(0.01F, 0.0F, 0.0F); // no grid any more
+    const Structure lists = build_structure(sheet);
+    EXPECT_EQ(lists.links.items[link_bit(lists, 6, 7) * 25 + 6].other, 7U);
+    EXPECT_THROW(static_cast<void>(link_bit(lists, 0, 24)), std::logic_error);
+}
+
 TEST(ClothStructure, TethersGoRoundHoles)
 {
     // An L: from the end of one arm to that of the other it is longer than straight across.
@@ -199,6 +218,23 @@ TEST(ClothStructure, BadSheetsAreErrors)
     }
     EXPECT_THROW(static_cast<void>(build_structure(fan)), Error);
     EXPECT_THROW(static_cast<void>(build_structure(Sheet{})), Error);
+    sheet = square(4);
+    for (const float tear : {1.0F, 0.5F, -1.0F, std::numeric_limits<float>::quiet_NaN()}) {
+        sheet.cloth.tear = tear;
+        EXPECT_THROW(static_cast<void>(build_structure(sheet)), Error) << tear;
+    }
+    Sheet disc{.rest_m = {glm::vec3(0.0F)}}; // whose middle has 40 edges and more links on beyond them
+    for (uint32_t i = 0; i < 40; ++i) {
+        const glm::vec3 way{std::cos(0.157F * static_cast<float>(i)),
+                            std::sin(0.157F * static_cast<float>(i)), 0.0F};
+        disc.rest_m.insert(disc.rest_m.end(), {way, 2.0F * way});
+        const uint32_t a = 2 * i + 1;
+        const uint32_t b = 2 * ((i + 1) % 40) + 1;
+        disc.triangles.insert(disc.triangles.end(), {{0, a, b}, {a, a + 1, b}, {b, a + 1, b + 1}});
+    }
+    static_cast<void>(build_structure(disc));
+    disc.cloth.tear = 1.2F;
+    EXPECT_THROW(static_cast<void>(build_structure(disc)), Error);
 }
 
 TEST(ClothSolids, BallsBecomeEllipsoidsUnderAnyMatrix)
