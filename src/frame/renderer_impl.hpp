@@ -162,8 +162,8 @@ struct Renderer::Impl {
     gpu::Device device;
     gpu::Executor executor;
     std::unique_ptr<gpu::CompileAhead> ahead; ///< until the first frame is drawn
-    RasterPath raster_path;              ///< chosen as the device was opened
-    std::optional<RasterPath> page_path; ///< of the last page
+    RasterPath raster_path;                   ///< chosen as the device was opened
+    std::optional<RasterPath> page_path;      ///< of the last page
     std::optional<frame::LoadedScene> loaded;
     PosedScene posed_scene;
     gpu::Buffer frame_globals;

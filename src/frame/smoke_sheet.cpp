@@ -13,7 +13,7 @@ namespace {
 constexpr uint32_t side = 64;
 constexpr uint32_t frames_a_side = 6;
 constexpr float lasts_s = 4.0F;
-constexpr uint32_t steps = 240;
+constexpr uint32_t step_count = 240;
 
 /// Density and temperature of the puff that it begins with: a few lobes low in the middle.
 std::vector<float> first_puff()
@@ -35,7 +35,7 @@ std::vector<float> first_puff()
 fluid::FluidStyle smoke_style()
 {
     fluid::FluidStyle style;
-    style.step_s = lasts_s / steps;
+    style.step_s = lasts_s / step_count;
     style.forces.lift_m_s2 = 0.12F;
     style.forces.confinement_per_s = 0.5F;
     style.matter.cooling_per_s = 0.5F;
@@ -74,7 +74,7 @@ particles::SheetImage smoke_sheet(gpu::Device& device, gpu::Executor& executor)
     uint32_t done = 0;
     for (uint32_t frame = 1; frame < frame_count; ++frame) {
         std::vector<float> quantities;
-        for (const uint32_t until = steps * frame / (frame_count - 1); done < until;) {
+        for (const uint32_t until = step_count * frame / (frame_count - 1); done < until;) {
             const uint32_t now = std::min(until - done, air.most_steps(style));
             gpu::Graph graph;
             const fluid::FluidFields fields = air.add_steps(graph, style, now);

@@ -27,8 +27,8 @@ struct PageWork {
 
 /// The paths of a picture, where `wanted` was asked for and `chosen` is of choose_path(). They are the same,
 /// but on a processor that was left to choose: compute for a page that has a triangle for every eight pixels
-/// or fewer, as all cores draw small triangles and the driver's rasteriser sets them up on one. With masks it is
-/// hardware all the same: theirs are many shaders, which a first picture waits for.
+/// or fewer, as all cores draw small triangles and the driver's rasteriser sets them up on one. With masks it
+/// is hardware all the same: theirs are many shaders, which a first picture waits for.
 [[nodiscard]] Paths paths_of(const DeviceInfo& device, RasterPath wanted, RasterPath chosen,
                              const PageWork& work);
 

@@ -37,9 +37,8 @@ TEST(ChoosePath, AProcessorDrawsSmallTrianglesInComputeWhereItIsFreeTo)
     const Paths by_hardware{.page = hardware, .maps = hardware};
     EXPECT_EQ(paths_of(processor, automatic, hardware, dense), (Paths{.page = compute, .maps = hardware}));
     EXPECT_EQ(paths_of(processor, automatic, hardware, {.triangles = 1000, .pixels = 8001}), by_hardware);
-    EXPECT_EQ(
-        paths_of(processor, automatic, hardware, {.triangles = 1000, .pixels = 10, .has_masks = true}),
-        by_hardware);
+    EXPECT_EQ(paths_of(processor, automatic, hardware, {.triangles = 1000, .pixels = 10, .has_masks = true}),
+              by_hardware);
     EXPECT_EQ(paths_of(processor, hardware, hardware, dense), by_hardware);
     EXPECT_EQ(paths_of(plain_processor, automatic, hardware, dense), by_hardware);
     EXPECT_EQ(paths_of(gpu, automatic, hardware, dense), by_hardware);
