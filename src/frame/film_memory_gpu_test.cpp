@@ -80,15 +80,24 @@ TEST(FilmMemory, AnotherRunGoesOnToTheByte)
     EXPECT_FALSE(frame(renderer, style, 4) == film[4]) << "without its memory it is another";
 }
 
+/// Coarse smoke without lines, and what else is asked for.
+Style smoking(const std::vector<std::string>& more)
+{
+    Style style;
+    for (const char* assignment :
+         {"contour.drawn=false", "smoke.drawn=true", "smoke.cells=16", "smoke.age_s=0.5", "smoke.rise_s=1"}) {
+        style.set(assignment);
+    }
+    for (const std::string& assignment : more) {
+        style.set(assignment);
+    }
+    return style;
+}
+
 TEST(FilmMemory, GoesOnWithoutLinesToo)
 {
     Renderer& renderer = test::shared_renderer();
-    Style style;
-    for (const char* assignment :
-         {"contour.drawn=false", "smoke.drawn=true", "smoke.cells=16", "smoke.age_s=0.5", "smoke.rise_s=1",
-          "light.metering=page", "light.adapt_stops_per_s=0.5"}) {
-        style.set(assignment);
-    }
+    const Style style = smoking({"light.metering=page", "light.adapt_stops_per_s=0.5"});
     const Scene scene = still_life();
     renderer.set_scene(scene);
     static_cast<void>(frame(renderer, style, 0));
@@ -112,12 +121,7 @@ TEST(FilmMemory, GoesOnWithoutLinesToo)
 TEST(FilmMemory, KeepsFuelAndWaterOfSmoke)
 {
     Renderer& renderer = test::shared_renderer();
-    Style style;
-    for (const char* assignment :
-         {"contour.drawn=false", "smoke.drawn=true", "smoke.cells=16", "smoke.age_s=0.5", "smoke.rise_s=1",
-          "smoke.fuel_per_s=8", "smoke.humidity=2", "smoke.cloud_base=0.2"}) {
-        style.set(assignment);
-    }
+    Style style = smoking({"smoke.fuel_per_s=8", "smoke.humidity=2", "smoke.cloud_base=0.2"});
     const Scene scene = still_life();
     renderer.set_scene(scene);
     static_cast<void>(frame(renderer, style, 0));

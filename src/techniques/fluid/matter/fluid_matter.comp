@@ -27,7 +27,7 @@ layout(push_constant, scalar) uniform Constants
 #include "techniques/fluid/fluid_fields.glsl"
 #include "techniques/fluid/matter/fluid_shapes.glsl"
 
-const int most_channels = (variant & fluid_bit_few) != 0u ? 2 : int(fluid_most_channels);
+const int most_channels = (variant & fluid_bit_few) != 0u ? fluid_fuel : int(fluid_most_channels);
 
 float gain_of_channel(FluidShape shape, int channel)
 {
@@ -94,7 +94,7 @@ void main()
     float stays = 1.0 - matter.rim_share * closeness_to_rim(vec3(cell) + 0.5, matter.rim_cells);
     amounts[fluid_density] *= stays * matter.density_kept;
     amounts[fluid_temperature] *= stays * matter.heat_kept;
-    if ((variant & fluid_bit_few) == 0u && shapes.channels > uint(fluid_fuel)) {
+    if ((variant & fluid_bit_few) == 0u) {
         exchange(amounts, stays, place_m.y);
         amounts[fluid_vapour] =
             least_vapour > 0.0 ? max(amounts[fluid_vapour], least_vapour) : amounts[fluid_vapour];

@@ -44,7 +44,8 @@ gpu::ImageId add_matter(gpu::Graph& graph, const Grid& grid, const MatterStyle& 
                                          .rim_share = 1.0F - kept(style.rim.share_per_s),
                                          .rim_cells = style.rim.breadth_m / grid.cell_m,
                                          .outside_vapour = style.outside_vapour}})
-        .variant(grid_bits(grid) | (constants.channels <= 2 ? shared::fluid_bit_few : 0U) |
+        .variant(grid_bits(grid) |
+                 (constants.channels <= uint32_t{shared::fluid_fuel} ? shared::fluid_bit_few : 0U) |
                  (is_burning ? shared::fluid_bit_burning : 0U) |
                  (is_condensing ? shared::fluid_bit_condensing : 0U));
     dispatch_over_cells(pass, grid);
