@@ -13,13 +13,12 @@ ivec2 pixel_at(vec2 page_px)
 }
 
 // The place of the nearest of what is seen so far off, eight ways, or the place itself where nothing is
-// nearer. Where no thread of a subgroup wants to know, it is left open.
-vec2 front_place(vec2 page_px, float away_px, bool is_wanted)
+// nearer.
+vec2 front_place(vec2 page_px, float away_px)
 {
     vec2 front_px = page_px;
     float nearest = is_nearer * texelFetch(depth_image, pixel_at(page_px), 0).x + 1e-9;
-    int i = 0;
-    do {
+    for (int i = 0; i < 8; ++i) {
         vec2 towards = vec2(i < 3   ? -1
                             : i < 5 ? 0
                                     : 1,
@@ -29,8 +28,7 @@ vec2 front_place(vec2 page_px, float away_px, bool is_wanted)
         float depth = texelFetch(depth_image, pixel_at(page_px + away_px * towards), 0).x;
         front_px = depth > nearest ? page_px + away_px * towards : front_px;
         nearest = max(nearest, depth);
-        ++i;
-    } while (i < 8 && subgroupAny(is_wanted));
+    }
     return front_px;
 }
 

@@ -26,7 +26,7 @@ public:
 
     void add_steps(const Inputs& in)
     {
-        const gpu::ImageId source = add_source(in);
+        const gpu::BufferId source = add_source(in);
         for (size_t i = 0; i < plan_.steps.size(); ++i) {
             shared::InkStep step = plan_.steps[i];
             step.sum_before = memory_.sum_now_;
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    gpu::ImageId add_source(const Inputs& in)
+    gpu::BufferId add_source(const Inputs& in)
     {
         auto pass = graph_.compute("ink/source", shaders::ink_source_comp);
         pass.uniform(in.frame).uniform(globals_);
@@ -61,11 +61,11 @@ private:
             .sample(in.footprint)
             .sample(in.depth);
         const glm::uvec2 size = plan_.grid.size;
-        const gpu::ImageId source = pass.write(
-            graph_.image("ink/source", {.width = size.x, .height = size.y, .format = gpu::Format::rgba8}));
+        const gpu::BufferId source = pass.write(
+            graph_.buffer("ink/source", {.size_bytes = sizeof(uint32_t) * uint64_t{size.x} * size.y}));
         pass.push(plan_.spots)
             .variant(plan_.variant | (plan_.mask.empty() ? 0U : shared::ink_has_mask))
-            .dispatch_over(size.x, size.y);
+            .dispatch_over(size.x, (size.y + shared::ink_strip - 1) / shared::ink_strip);
         return source;
     }
 
@@ -85,7 +85,7 @@ private:
         return stream;
     }
 
-    void add_step(const Inputs& in, gpu::ImageId source, const shared::InkStep& step, uint32_t more)
+    void add_step(const Inputs& in, gpu::BufferId source, const shared::InkStep& step, uint32_t more)
     {
         const uint32_t before = memory_.newest_;
         const uint32_t now = 1 - before;
@@ -96,7 +96,7 @@ private:
         pass.uniform(globals_)
             .sample(cells_.at(before), gpu::Format::r32ui)
             .sample(cells_.at(before), gpu::Format::rgba32ui)
-            .sample(source);
+            .sample(source, gpu::Format::r32ui);
         pass.sample(stream, gpu::Format::r32f).sample(in.depth);
         // Read in the first step alone, and written there: later ones take the place of what they do not
         // read.

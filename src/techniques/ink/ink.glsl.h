@@ -13,13 +13,9 @@ SHARED_CONSTANT uint most_ink_zones = 8U;
 SHARED_CONSTANT uint ink_map_side = 64U;     // nodes of a flow map's stream function, each way
 SHARED_CONSTANT uint ink_node_cells = 4U;    // from one node of the stream function to the next
 SHARED_CONSTANT uint ink_gutter = 3U;        // cells that a face of the cube has beyond each edge
+SHARED_CONSTANT uint ink_strip = 8U;         // cells of a column that one thread gives to
 SHARED_CONSTANT uint ink_block = 8U;         // pixels that one thread measures
 SHARED_CONSTANT float ink_measured = 255.0F; // what a covered cell counts
-
-// What gives ink.
-SHARED_CONSTANT uint ink_source_strokes = 0U;
-SHARED_CONSTANT uint ink_source_light = 1U;
-SHARED_CONSTANT uint ink_source_things = 2U;
 
 // Variant bits of the shaders.
 SHARED_CONSTANT uint ink_is_around = 1U << 0U;       // the grid is a cube around the eye
@@ -31,6 +27,8 @@ SHARED_CONSTANT uint ink_has_motion = 1U << 5U;      // some of the scene moved 
 SHARED_CONSTANT uint ink_keeps_depth = 1U << 6U;     // for the picture after this one
 SHARED_CONSTANT uint ink_has_mask = 1U << 7U;        // not all objects give ink
 SHARED_CONSTANT uint ink_spots_on_things = 1U << 8U; // they stay on what is drawn
+SHARED_CONSTANT uint ink_from_strokes = 1U << 9U;    // dark strokes give ink
+SHARED_CONSTANT uint ink_from_light = 1U << 10U;     // what is bright does; else whatever is there
 
 // One term of the stream function: amplitude * sin(2 pi (dot(wave, place) + phase)).
 struct InkWave {
@@ -71,7 +69,6 @@ struct InkGlobals {
     // What is given, and where: within the page's margin.
     vec2 window_min_px;
     vec2 window_max_px;
-    uint source;
     float threshold;
     float spot_mm;
     float spacing_mm;

@@ -31,7 +31,11 @@ layout(binding = 7) uniform usamplerBuffer state_texels; // for grid.glsl
 layout(binding = 8) uniform sampler2D coordinate_image;  // of the variant whose spots lie on things
 layout(binding = 9) uniform usampler2D footprint_image;  // of the same
 layout(binding = 10) uniform sampler2D depth_image;      // of the same
-layout(binding = 11, rgba8) writeonly uniform image2D out_source;
+
+layout(scalar, binding = 11) writeonly buffer Source
+{
+    uint source[]; // one a cell
+};
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -42,8 +46,9 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool is_around = (variant & ink_is_around) != 0u;
 const bool has_zones = (variant & ink_has_zones) != 0u;
 const bool has_mask = (variant & ink_has_mask) != 0u;
-
 const bool is_on_things = (variant & ink_spots_on_things) != 0u;
+const bool from_strokes = (variant & ink_from_strokes) != 0u;
+const bool from_light = (variant & ink_from_light) != 0u;
 
 #include "techniques/ink/front.glsl"
 #include "techniques/ink/grid.glsl"
@@ -61,13 +66,13 @@ vec2 page_place_of_cell(ivec2 cell)
 // What is dark, bright or there at a place.
 float drawn_at(vec2 page_px)
 {
-    uint word = texelFetch(draw_image, ivec2(page_px), 0).x;
+    uint word = texelFetch(draw_image, pixel_at(page_px), 0).x;
     vec2 at = page_px / vec2(globals.page_px);
     bool is_seen = sees_draw(word);
     float strength = 0.0;
-    if (globals.source == ink_source_strokes) {
+    if (from_strokes) {
         strength = 1.0 - (1.0 - texture(hatch_image, at).x) * (1.0 - texture(line_image, at).a);
-    } else if (globals.source == ink_source_light) {
+    } else if (from_light) {
         strength = is_seen ? texture(light_image, at).a : 0.0;
     } else {
         strength = is_seen ? 1.0 : 0.0;
@@ -112,23 +117,61 @@ vec2 lattice_place_mm(ivec2 cell)
     return (grid - globals.margin_cells) * globals.mm_per_cell;
 }
 
+// Before spots: how much there is to give at a cell's place on the page.
+float given_at(vec2 page_px)
+{
+    float given = drawn_at(page_px);
+    if (has_zones) {
+        given = given_in_zones(given, page_px * mm_per_px());
+    }
+    bool is_within = all(greaterThanEqual(page_px, globals.window_min_px)) &&
+                     all(lessThan(page_px, globals.window_max_px));
+    return is_within ? given : 0.0;
+}
+
+uint packed_source(float given, float rank)
+{
+    return packUnorm4x8(vec4(given, rank, 0.0, 0.0));
+}
+
+int place_of_cell(ivec2 cell)
+{
+    return cell.y * int(globals.grid_size.x) + cell.x;
+}
+
+vec2 spot_at(ivec2 cell, vec2 page_px)
+{
+    return is_on_things ? spot_seen_at(pixel_at(front_place(page_px, line_reach_px())))
+                        : spot_on_page(lattice_place_mm(cell));
+}
+
+// Most cells give nothing, and have no spot worked out: each thread goes from one of its column that gives to
+// the next.
 void main()
 {
-    ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(uvec2(cell), globals.grid_size))) {
+    ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, ink_strip);
+    if (any(greaterThanEqual(uvec2(first), globals.grid_size))) {
         return;
     }
-    vec2 page_px = page_place_of_cell(cell);
-    float given = 0.0;
-    vec2 spot = no_spot();
-    if (all(greaterThanEqual(page_px, globals.window_min_px)) &&
-        all(lessThan(page_px, globals.window_max_px))) {
-        given = drawn_at(page_px);
-        if (has_zones) {
-            given = given_in_zones(given, page_px * mm_per_px());
+    int count = min(int(ink_strip), int(globals.grid_size.y) - first.y);
+    float given[ink_strip];
+    uint giving = 0u;
+    for (int i = 0; i < int(ink_strip); ++i) {
+        ivec2 cell = first + ivec2(0, i);
+        given[i] = given_at(page_place_of_cell(cell));
+        bool gives = given[i] > 0.0 && i < count;
+        giving |= gives ? 1u << i : 0u;
+        if (!gives && i < count) {
+            source[place_of_cell(cell)] = packed_source(0.0, 1.0);
         }
-        spot = is_on_things ? spot_seen_at(pixel_at(front_place(page_px, line_reach_px(), given > 0.0)))
-                            : spot_on_page(lattice_place_mm(cell));
     }
-    imageStore(out_source, cell, vec4(given * spot.x, spot.y, 0.0, 0.0));
+    do {
+        int i = max(findLSB(giving), 0);
+        ivec2 cell = first + ivec2(0, i);
+        vec2 spot = spot_at(cell, page_place_of_cell(cell));
+        if (giving != 0u) {
+            source[place_of_cell(cell)] = packed_source(given[i] * spot.x, spot.y);
+        }
+        giving &= giving - 1u;
+    } while (subgroupAny(giving != 0u));
 }

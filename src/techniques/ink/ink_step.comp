@@ -3,7 +3,6 @@
 // into the paper, and adds what the drawing gives.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/rounds.glsl"
@@ -19,7 +18,8 @@ layout(scalar, binding = 0) uniform Ink
 
 layout(binding = 1) uniform usamplerBuffer state_texels;
 layout(binding = 2) uniform usamplerBuffer fours_of_state; // the same, four cells a texel
-layout(binding = 3) uniform sampler2D source_image;
+layout(binding = 3) uniform usamplerBuffer
+    source_texels; // what is given, and the rank of the spot that gives it
 layout(binding = 4) uniform samplerBuffer stream_texels;       // on the page
 layout(binding = 5) uniform sampler2D depth_image;             // of the variant on surfaces
 layout(binding = 6) uniform samplerBuffer depth_before_texels; // of the same
@@ -155,7 +155,7 @@ Before before_at(vec2 page_px)
     float share = 0.0;
     for (int ring = 0; is_on_surface && ring < rings && share == 0.0; ++ring) {
         float away_px = max(line_reach_px(), halo_mm * globals.px_per_mm * float(ring) / float(rings - 1));
-        vec2 front_px = front_place(page_px, away_px, true);
+        vec2 front_px = front_place(page_px, away_px);
         if (front_px != page_px) {
             Before of_front = own_before(front_px);
             share = 1.0 - float(ring) / float(rings);
@@ -189,7 +189,9 @@ float given_along(vec2 grid, vec2 path)
     float given = 0.0;
     for (int i = 0; i < stops; ++i) {
         ivec2 cell = ivec2(floor(grid - path * (float(i) / float(stops))));
-        vec2 source = texelFetch(source_image, clamp(cell, ivec2(0), ivec2(globals.grid_size) - 1), 0).xy;
+        cell = clamp(cell, ivec2(0), ivec2(globals.grid_size) - 1);
+        int place = cell.y * int(globals.grid_size.x) + cell.x;
+        vec2 source = unpackUnorm4x8(texelFetch(source_texels, place).x).xy;
         given += source.x * smoothstep(0.0, 0.1, 1.1 * room - source.y);
     }
     return step.given * given / float(stops);

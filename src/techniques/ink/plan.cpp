@@ -25,9 +25,9 @@ float left_after(double seconds, float life_s)
 
 uint32_t source_of(Source source)
 {
-    return source == Source::light    ? shared::ink_source_light
-           : source == Source::things ? shared::ink_source_things
-                                      : shared::ink_source_strokes;
+    return source == Source::light    ? shared::ink_from_light
+           : source == Source::things ? 0U
+                                      : shared::ink_from_strokes;
 }
 
 /// Waves, wind and zones.
@@ -76,7 +76,6 @@ shared::InkGlobals globals_of(const InkStyle& style, const Page& page, const Gri
                                .page_mm = page.size_mm(),
                                .window_min_px = page.window_min_mm * page.pixels_per_mm,
                                .window_max_px = page.window_max_mm * page.pixels_per_mm,
-                               .source = source_of(style.source),
                                .threshold = style.threshold,
                                .spot_mm = std::min(style.spot_mm, 0.5F * style.spacing_mm),
                                .spacing_mm = style.spacing_mm,
@@ -177,7 +176,7 @@ Plan plan_of(const InkStyle& style, const Page& page, const Time& time, const Vi
     const double lives = time.to_s / static_cast<double>(style.spot_s);
     plan.spots = {.share = static_cast<float>(lives - std::floor(lives)),
                   .round = static_cast<uint32_t>(static_cast<int64_t>(std::floor(lives)))};
-    plan.variant = (is_around ? shared::ink_is_around : 0U) |
+    plan.variant = source_of(style.source) | (is_around ? shared::ink_is_around : 0U) |
                    (!is_around && !style.flow_map.empty() ? shared::ink_has_map : 0U) |
                    (!flat_zones.empty() ? shared::ink_has_zones : 0U) |
                    (style.follow == Follow::surface ? shared::ink_spots_on_things : 0U);
