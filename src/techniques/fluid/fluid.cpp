@@ -106,10 +106,16 @@ private:
         const uint32_t last = fluid_.newest_quantities_;
         fluid_.newest_quantities_ = 1 - last;
         gpu::ImageId& newest = handles_.quantities[1 - last];
-        newest = add_advection(graph_, grid_, style_.quantity_advection,
-                               {carrier, handles_.quantities[last], newest, fluid_.channels_, ways},
-                               style_.step_s);
-        newest = add_matter(graph_, grid_, style_.matter, handles_.shapes, shapes_for(style_.step_s), newest);
+        const Carried carried{carrier, handles_.quantities[last], newest, fluid_.channels_, ways};
+        const shared::FluidShapes shapes = shapes_for(style_.step_s);
+        if (advection_for(grid_, style_.quantity_advection) == Advection::maccormack) {
+            newest = add_corrected_matter(graph_, grid_, style_.matter, handles_.shapes, shapes,
+                                          add_there(graph_, grid_, carried, style_.step_s), newest);
+            return;
+        }
+        const gpu::ImageId moved =
+            add_advection(graph_, grid_, style_.quantity_advection, carried, style_.step_s);
+        newest = add_matter(graph_, grid_, style_.matter, handles_.shapes, shapes, moved);
     }
 
     [[nodiscard]] float part_s() const

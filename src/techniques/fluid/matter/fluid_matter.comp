@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: quantities come from sources, fade, cool, burn, condense and evaporate.
+// One thread a cell: what becomes of quantities in a step, see fluid_matter.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -26,47 +26,7 @@ layout(push_constant, scalar) uniform Constants
 
 #include "techniques/fluid/fluid_fields.glsl"
 #include "techniques/fluid/matter/fluid_shapes.glsl"
-
-const int most_channels = (variant & fluid_bit_few) != 0u ? fluid_fuel : int(fluid_most_channels);
-
-float gain_of_channel(FluidShape shape, int channel)
-{
-    return channel < 4 ? shape.gain[channel] : shape.more_gain[channel - 4];
-}
-
-// Fuel that is hot enough turns into heat and smoke.
-void burn(inout float amounts[fluid_most_channels])
-{
-    float burnt = amounts[fluid_temperature] >= matter.ignition ? matter.burnt * amounts[fluid_fuel] : 0.0;
-    amounts[fluid_fuel] -= burnt;
-    amounts[fluid_temperature] += matter.heat_of_fuel * burnt;
-    amounts[fluid_density] += matter.smoke_of_fuel * burnt;
-}
-
-float vapour_held(float temperature, float height_m)
-{
-    return matter.saturation *
-           exp(matter.saturation_heat * temperature - matter.saturation_height * height_m);
-}
-
-// Fuel and cloud leave by open ends, where air of another humidity comes in.
-void exchange(inout float amounts[fluid_most_channels], float stays, float height_m)
-{
-    amounts[fluid_fuel] *= stays;
-    amounts[fluid_cloud] *= stays;
-    float outside = min(matter.outside_vapour, vapour_held(0.0, height_m));
-    amounts[fluid_vapour] = mix(outside, amounts[fluid_vapour], stays);
-}
-
-// Vapour that is too much for the air becomes cloud, and cloud becomes vapour where there is too little.
-void condense(inout float amounts[fluid_most_channels], float height_m)
-{
-    float most = vapour_held(amounts[fluid_temperature], height_m);
-    float moved = max(matter.condensed * (amounts[fluid_vapour] - most), -amounts[fluid_cloud]);
-    amounts[fluid_vapour] -= moved;
-    amounts[fluid_cloud] += moved;
-    amounts[fluid_temperature] += matter.latent_heat * moved;
-}
+#include "techniques/fluid/matter/fluid_matter.glsl"
 
 void main()
 {
@@ -74,38 +34,13 @@ void main()
     if (!is_in_grid(cell)) {
         return;
     }
-    vec3 place_m = (vec3(cell) + 0.5) * shapes.cell_m;
     float amounts[fluid_most_channels];
     for (int i = 0; i < most_channels; ++i) {
         amounts[i] = i < int(shapes.channels)
                          ? imageLoad(quantities, ivec3(cell.xy, i * int(grid.depth) + cell.z)).x
                          : 0.0;
     }
-    float least = 0.0; // density
-    float least_vapour = 0.0;
-    for (uint k = shapes.obstacle_count; k < shapes.count; ++k) {
-        float cover = cover_of(shape_list[k], place_m);
-        for (int i = 0; i < most_channels; ++i) {
-            amounts[i] += shapes.step_s * cover * gain_of_channel(shape_list[k], i);
-        }
-        least = max(least, cover * shape_list[k].least_density);
-        least_vapour = max(least_vapour, cover * shape_list[k].least_vapour);
-    }
-    float stays = 1.0 - matter.rim_share * closeness_to_rim(vec3(cell) + 0.5, matter.rim_cells);
-    amounts[fluid_density] *= stays * matter.density_kept;
-    amounts[fluid_temperature] *= stays * matter.heat_kept;
-    if ((variant & fluid_bit_few) == 0u) {
-        exchange(amounts, stays, place_m.y);
-        amounts[fluid_vapour] =
-            least_vapour > 0.0 ? max(amounts[fluid_vapour], least_vapour) : amounts[fluid_vapour];
-    }
-    if ((variant & fluid_bit_burning) != 0u) {
-        burn(amounts);
-    }
-    if ((variant & fluid_bit_condensing) != 0u) {
-        condense(amounts, place_m.y);
-    }
-    amounts[fluid_density] = least > 0.0 ? max(amounts[fluid_density], least) : amounts[fluid_density];
+    settle(amounts, cell);
     for (int i = 0; i < most_channels; ++i) {
         if (i < int(shapes.channels)) {
             imageStore(quantities, ivec3(cell.xy, i * int(grid.depth) + cell.z), vec4(amounts[i]));

@@ -4,6 +4,7 @@
 // What becomes of the quantities that a fluid carries, besides being carried.
 
 #include "techniques/fluid/matter/shapes.hpp"
+#include "techniques/fluid/motion/advection.hpp"
 
 namespace estampe::fluid {
 
@@ -36,5 +37,10 @@ struct MatterStyle {
 [[nodiscard]] gpu::ImageId add_matter(gpu::Graph& graph, const Grid& grid, const MatterStyle& style,
                                       gpu::BufferId shapes, const shared::FluidShapes& constants,
                                       gpu::ImageId quantities);
+
+/// The same of what MacCormack's scheme has carried, corrected first, into `target`: one pass for both.
+[[nodiscard]] gpu::ImageId add_corrected_matter(gpu::Graph& graph, const Grid& grid, const MatterStyle& style,
+                                                gpu::BufferId shapes, const shared::FluidShapes& constants,
+                                                const ThereAndBack& carried, gpu::ImageId target);
 
 } // namespace estampe::fluid

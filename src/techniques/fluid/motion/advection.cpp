@@ -9,6 +9,37 @@
 
 namespace estampe::fluid {
 
+namespace {
+
+WithGrid<shared::FluidAdvect> constants_of(const Grid& grid, const Carried& carried, float time_s)
+{
+    return {grid_constants(grid),
+            {.cells_per_speed = time_s / grid.cell_m,
+             .channels = carried.channels > 0 ? carried.channels : grid.dimensions()}};
+}
+
+uint32_t bits_of(const Grid& grid, const Carried& carried)
+{
+    return grid_bits(grid) | (carried.channels > 0 ? shared::fluid_bit_scalars : 0U);
+}
+
+/// Semi-Lagrangian, into `target`.
+gpu::ImageId add_advect(gpu::Graph& graph, const Grid& grid, const Carried& carried, gpu::ImageId target,
+                        uint32_t bits, float time_s)
+{
+    auto pass = graph.compute("fluid/advect", shaders::fluid_advect_comp);
+    pass.sample(carried.velocity, gpu::Sampling::linear_repeat)
+        .sample(carried.field, gpu::Sampling::linear_repeat)
+        .sample(carried.ways.value_or(carried.velocity));
+    const gpu::ImageId advected = pass.write(target);
+    pass.push(constants_of(grid, carried, time_s))
+        .variant(bits_of(grid, carried) | bits | (carried.ways ? shared::fluid_bit_ways : 0U));
+    dispatch_over_cells(pass, grid);
+    return advected;
+}
+
+} // namespace
+
 Advection advection_for(const Grid& grid, Advection advection)
 {
     return advection != Advection::automatic ? advection
@@ -32,40 +63,33 @@ gpu::ImageId add_ways(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity
     return ways;
 }
 
+ThereAndBack add_there(gpu::Graph& graph, const Grid& grid, const Carried& carried, float time_s)
+{
+    Carried there = carried;
+    if (!there.ways) {
+        there.ways = add_ways(graph, grid, carried.velocity, time_s);
+    }
+    const gpu::ImageId target = graph.image("fluid/advected", graph.describe(carried.field));
+    return {.ways = *there.ways,
+            .field = carried.field,
+            .advected = add_advect(graph, grid, there, target, 0, time_s)};
+}
+
 gpu::ImageId add_advection(gpu::Graph& graph, const Grid& grid, Advection advection, const Carried& carried,
                            float time_s)
 {
-    const bool are_scalars = carried.channels > 0;
-    const WithGrid<shared::FluidAdvect> constants{
-        grid_constants(grid),
-        {.cells_per_speed = time_s / grid.cell_m,
-         .channels = are_scalars ? carried.channels : grid.dimensions()}};
-    const uint32_t bits = grid_bits(grid) | (are_scalars ? shared::fluid_bit_scalars : 0U);
     const Advection chosen = advection_for(grid, advection);
-    const bool is_corrected = chosen == Advection::maccormack;
-    std::optional<gpu::ImageId> ways = carried.ways;
-    if (is_corrected && !ways) {
-        ways = add_ways(graph, grid, carried.velocity, time_s);
+    if (chosen != Advection::maccormack) {
+        const uint32_t bits = chosen == Advection::cubic ? shared::fluid_bit_cubic : 0U;
+        return add_advect(graph, grid, carried, carried.target, bits, time_s);
     }
-
-    auto advect = graph.compute("fluid/advect", shaders::fluid_advect_comp);
-    advect.sample(carried.velocity, gpu::Sampling::linear_repeat)
-        .sample(carried.field, gpu::Sampling::linear_repeat)
-        .sample(ways.value_or(carried.velocity));
-    const gpu::ImageId advected = advect.write(
-        is_corrected ? graph.image("fluid/advected", graph.describe(carried.field)) : carried.target);
-    advect.push(constants).variant(bits | (chosen == Advection::cubic ? shared::fluid_bit_cubic : 0U) |
-                                   (ways ? shared::fluid_bit_ways : 0U));
-    dispatch_over_cells(advect, grid);
-    if (!is_corrected || !ways) {
-        return advected;
-    }
+    const ThereAndBack found = add_there(graph, grid, carried, time_s);
     auto correct = graph.compute("fluid/correct", shaders::fluid_correct_comp);
-    correct.sample(*ways)
-        .sample(carried.field, gpu::Sampling::linear_repeat)
-        .sample(advected, gpu::Sampling::linear_repeat);
+    correct.sample(found.ways)
+        .sample(found.field, gpu::Sampling::linear_repeat)
+        .sample(found.advected, gpu::Sampling::linear_repeat);
     const gpu::ImageId corrected = correct.write(carried.target);
-    correct.push(constants).variant(bits);
+    correct.push(constants_of(grid, carried, time_s)).variant(bits_of(grid, carried));
     dispatch_over_cells(correct, grid);
     return corrected;
 }

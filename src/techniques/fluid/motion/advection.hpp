@@ -25,6 +25,13 @@ struct Carried {
     std::optional<gpu::ImageId> ways = {}; ///< from add_ways(), where another field goes them too
 };
 
+/// What MacCormack's scheme has found before it corrects.
+struct ThereAndBack {
+    gpu::ImageId ways;
+    gpu::ImageId field;
+    gpu::ImageId advected; ///< `field`, carried once
+};
+
 /// What `automatic` stands for.
 [[nodiscard]] Advection advection_for(const Grid& grid, Advection advection);
 
@@ -33,6 +40,10 @@ struct Carried {
 
 /// The ways of what is in the middle of cells, back and forth, in `time_s`: what MacCormack's scheme goes by.
 [[nodiscard]] gpu::ImageId add_ways(gpu::Graph& graph, const Grid& grid, gpu::ImageId velocity, float time_s);
+
+/// The first part of MacCormack's scheme; of `carried` the target is not written.
+[[nodiscard]] ThereAndBack add_there(gpu::Graph& graph, const Grid& grid, const Carried& carried,
+                                     float time_s);
 
 /// `carried.field` after `time_s`, in `carried.target`. Velocities in metres a second.
 [[nodiscard]] gpu::ImageId add_advection(gpu::Graph& graph, const Grid& grid, Advection advection,

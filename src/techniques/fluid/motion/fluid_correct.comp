@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a cell: MacCormack's correction of what semi-Lagrangian advection blurred. Carried back, its
-// result should be what was there; half of the difference is added, within the range of the nodes that it
-// came from.
+// One thread a cell: MacCormack's correction, see fluid_correct.glsl. For quantities that change on the way
+// see fluid_correct_matter.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -24,6 +23,7 @@ layout(push_constant, scalar) uniform Constants
 };
 
 #include "techniques/fluid/fluid_fields.glsl"
+#include "techniques/fluid/motion/fluid_correct.glsl"
 #include "techniques/fluid/motion/fluid_ways.glsl"
 
 void main()
@@ -46,11 +46,7 @@ void main()
             forth = way_of_node(component, cell, depth, own_forth);
         }
         int first_layer = i * depth;
-        ivec3 texel = ivec3(cell.xy, first_layer + cell.z);
-        float returned = sample_linear(advected, component, cell, first_layer, forth);
-        float value = texelFetch(advected, texel, 0).x + 0.5 * (texelFetch(field, texel, 0).x - returned);
-        vec2 range = range_of_nodes(field, component, cell, first_layer, back);
-        value = is_on_wall(component, cell) ? 0.0 : clamp(value, range.x, range.y);
-        imageStore(out_field, texel, vec4(value));
+        float value = corrected(component, cell, first_layer, back, forth);
+        imageStore(out_field, ivec3(cell.xy, first_layer + cell.z), vec4(value));
     }
 }
