@@ -335,7 +335,9 @@ uint64_t Cloths::met_bytes(const Kind& kind) const
 void Cloths::add_large_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step,
                               uint32_t small_steps, gpu::BufferId& awake)
 {
-    add_rest(graph, handles, kind, step, awake);
+    if ((kind.variant & shared::cloth_bit_roused) == 0) {
+        add_rest(graph, handles, kind, step, awake);
+    }
     if ((kind.variant & shared::cloth_bit_self) != 0) {
         add_near(graph, handles, kind, step, awake);
     }
@@ -390,7 +392,7 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     for (Kind& kind : kinds_) {
         constexpr uint32_t changing = shared::cloth_bit_colliders | shared::cloth_bit_grids |
                                       shared::cloth_bit_seen | shared::cloth_bit_flow |
-                                      shared::cloth_bit_gusts;
+                                      shared::cloth_bit_gusts | shared::cloth_bit_roused;
         kind.variant = (kind.variant & ~changing) | surrounded;
         if (kind.is_small) {
             add_small_sheets(graph, handles, kind);
@@ -399,6 +401,7 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
                 awake = gpu::add_zeros(graph, "cloth/awake",
                                        std::max<uint64_t>(sizeof(uint32_t) * records_.size(), 16));
             }
+            kind.variant |= blows(surroundings) ? shared::cloth_bit_roused : 0U;
             for (uint32_t step = 0; step < count; ++step) {
                 add_large_sheets(graph, handles, kind, step, small_steps(kind, surroundings), *awake);
             }

@@ -25,6 +25,8 @@ SHARED_CONSTANT uint cloth_bit_seen = 1024U; // and bodies that are seen from th
 
 SHARED_CONSTANT uint cloth_bit_tear = 2048U; // links that become too long are gone
 
+SHARED_CONSTANT uint cloth_bit_roused = 4096U; // wind blows: no sheet rests in this run
+
 SHARED_CONSTANT uint cloth_group = 64U;         // particles of a sheet are padded to whole workgroups
 SHARED_CONSTANT uint cloth_tile_side = 8U;      // of a grid they go by squares of so many each way
 SHARED_CONSTANT uint cloth_small_group = 256U;  // threads that share a small sheet

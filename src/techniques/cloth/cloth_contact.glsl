@@ -11,41 +11,49 @@
 #include "techniques/cloth/cloth_met.glsl"
 #include "techniques/cloth/cloth_solids.glsl"
 
-vec3 pushed_out(uint kind, vec3 half_m, vec3 place)
+// Where a way ends that meets a surface at `hit`: it goes on along that, less friction.
+vec3 led_along(vec4 solid, vec3 hit, vec3 from, vec3 to)
 {
-    for (int i = 0; i < 3; ++i) {
-        vec4 solid = solid_at(kind, half_m, place);
-        place += max(sheet.thickness_m - solid.w, 0.0) * solid.xyz;
-    }
-    return place;
-}
-
-// The way from `from` to `to` ends, or goes on along the surface, where it meets what is solid. All in the
-// collider's own space, so that it may move meanwhile.
-vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to)
-{
-    float way_m = distance(from, to);
-    vec3 hit = from;
-    vec4 solid = solid_at(kind, half_m, from);
-    float gone_m = 0.0;
-    bool meets = true;
-    for (int i = 0; i < 12 && solid.w > sheet.thickness_m + 1e-6 && meets; ++i) {
-        gone_m += solid.w - sheet.thickness_m;
-        meets = gone_m < way_m;
-        if (meets) {
-            hit = mix(from, to, gone_m / way_m);
-            solid = solid_at(kind, half_m, hit);
-        }
-    }
     float depth_m = max(sheet.thickness_m - solid.w - dot(to - hit, solid.xyz), 0.0);
     vec3 way = to + depth_m * solid.xyz - from;
     vec3 along = way - dot(way, solid.xyz) * solid.xyz;
     float along_m = length(along);
     float kept = along_m > 0.0 ? max(1.0 - sheet.friction * depth_m / along_m, 0.0) : 1.0;
-    vec3 end = meets ? from + way + (kept - 1.0) * along : to;
+    return from + way + (kept - 1.0) * along;
+}
+
+// The way from `from` to `to` ends, or goes on along the surface, where it meets what is solid. All in the
+// collider's own space, so that it may move meanwhile. What each round asks the solid is one question: how
+// far the way is free, and from where it ends how far it is out.
+vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to)
+{
+    const uint most_looks = 12u;
+    const uint most_pushes = 3u;
     // Of heights, distances and bodies it is not known exactly how far the surface is.
-    return meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u ? pushed_out(kind, half_m, end)
-                                                                         : end;
+    const bool is_vague = (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u;
+    float way_m = distance(from, to);
+    float gone_m = 0.0;
+    vec3 at = from;
+    uint looks = 0u;
+    uint pushes = 0u; // that are left
+    bool is_on_way = true;
+    do {
+        vec4 solid = solid_at(kind, half_m, at);
+        float free_m = solid.w - sheet.thickness_m;
+        if (is_on_way) {
+            bool is_free = free_m > 1e-6 && looks < most_looks;
+            gone_m += is_free ? free_m : 0.0;
+            bool misses = is_free && !(gone_m < way_m);
+            is_on_way = is_free && !misses;
+            pushes = is_on_way || (misses && !is_vague) ? 0u : most_pushes;
+            at = is_on_way ? mix(from, to, gone_m / way_m) : misses ? to : led_along(solid, at, from, to);
+            ++looks;
+        } else if (pushes > 0u) {
+            at += max(-free_m, 0.0) * solid.xyz;
+            pushes = free_m < 0.0 ? pushes - 1u : 0u;
+        }
+    } while (is_on_way || pushes > 0u);
+    return at;
 }
 
 vec4 turn_between(uvec4 before, uvec4 after, float part)

@@ -54,6 +54,7 @@ uvec2 torn_of(uint local)
     return texelFetch(torn_texels, int(sheet.first + local)).xy;
 }
 
+#include "techniques/cloth/cloth_awake.glsl"
 #include "techniques/cloth/cloth_tethers.glsl"
 
 vec3 force = vec3(0.0);
@@ -127,7 +128,7 @@ void main()
     sheet = sheets[sheet_index];
     uint listed = sheet_of_group[2u * group + 1u] + gl_LocalInvocationID.x;
     uint local = texelFetch(particle_texels, int(listed)).x;
-    if (local == cloth_no_vertex || awake_in[sheet_index] != moment.step + 1u) {
+    if (local == cloth_no_vertex || !is_awake(sheet_index, moment.step)) {
         return;
     }
     uint particle = sheet.first + local;

@@ -39,6 +39,8 @@ layout(push_constant, scalar) uniform Constants
     ClothNearConstants constants;
 };
 
+#include "techniques/cloth/cloth_awake.glsl"
+
 uint cell_of(ivec3 place)
 {
     return hash(uint(place.x) + 977u * sheet.first, uint(place.y), uint(place.z)) & constants.cell_mask;
@@ -80,7 +82,7 @@ void main()
     uint sheet_index = sheet_of_group[2u * group];
     sheet = sheets[sheet_index];
     uint local = own_particle(sheet_of_group[2u * group + 1u]);
-    if (local == cloth_no_vertex || awake_in[sheet_index] != constants.step + 1u) {
+    if (local == cloth_no_vertex || !is_awake(sheet_index, constants.step)) {
         return;
     }
     uint particle = sheet.first + local;

@@ -60,6 +60,7 @@ vec3 place_at(uint local)
 }
 
 #include "techniques/cloth/cloth_air.glsl"
+#include "techniques/cloth/cloth_awake.glsl"
 #include "techniques/cloth/cloth_met.glsl"
 
 shared uint farthest; // bits of a float
@@ -111,7 +112,7 @@ void main()
 {
     uint group = moment.first_group + gl_WorkGroupID.x;
     uint sheet_index = sheet_of_group[2u * group];
-    if (awake_in[sheet_index] != moment.step + 1u) {
+    if (!is_awake(sheet_index, moment.step)) {
         return;
     }
     sheet = sheets[sheet_index];
@@ -122,7 +123,8 @@ void main()
         uint particle = sheet.first + local;
         vec4 place = texelFetch(place_texels, int(particle));
         vec3 speed = speeds[particle].xyz;
-        began[particle] = vec4(place.xyz, speeds[particle].w);
+        bool is_roused = (variant & cloth_bit_roused) != 0u;
+        began[particle] = vec4(place.xyz, is_roused ? 0.0 : speeds[particle].w);
         float time_s = run.time_s + float(moment.step) * run.step_s;
         vec3 push = place.w == 0.0 ? vec3(0.0) : push_on(local, place.xyz, speed, place.w, time_s);
         float split = pushes[particle].w;

@@ -90,13 +90,14 @@ uint met_solids(uint word)
     return met[gl_WorkGroupID.x * met_stride() + cloth_met_head + word];
 }
 
+#include "techniques/cloth/cloth_awake.glsl"
 #include "techniques/cloth/cloth_move.glsl"
 
 void main()
 {
     uint group = moment.first_group + gl_WorkGroupID.x;
     uint sheet_index = sheet_of_group[2u * group];
-    if (awake_in[sheet_index] != moment.step + 1u) {
+    if (!is_awake(sheet_index, moment.step)) {
         return;
     }
     sheet = sheets[sheet_index];

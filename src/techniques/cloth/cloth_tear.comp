@@ -31,6 +31,7 @@ uvec2 torn_of(uint local)
     return torn_links[sheet.first + local];
 }
 
+#include "techniques/cloth/cloth_awake.glsl"
 #include "techniques/cloth/cloth_torn.glsl"
 
 uvec2 bit_of(uint bit)
@@ -181,7 +182,7 @@ void main()
     uint sheet_index = sheet_of_group[2u * group];
     sheet = sheets[sheet_index];
     uint local = own_particle(sheet_of_group[2u * group + 1u]);
-    if (local == cloth_no_vertex || awake_in[sheet_index] != moment.step + 1u) {
+    if (local == cloth_no_vertex || !is_awake(sheet_index, moment.step)) {
         return;
     }
     bool is_last = (variant & cloth_bit_last) != 0u;

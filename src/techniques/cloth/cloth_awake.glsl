@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CLOTH_AWAKE
+#define ESTAMPE_CLOTH_AWAKE
+
+// Whether a sheet moves in a step. Wind that blows keeps all of them awake: then nothing is asked.
+//
+// Wanted before: uint awake_in[], 1 more than the last step in which each sheet was awake.
+
+#include "techniques/cloth/cloth_data.glsl"
+
+bool is_awake(uint sheet_index, uint step)
+{
+    return (variant & cloth_bit_roused) != 0u || awake_in[sheet_index] == step + 1u;
+}
+
+#endif
