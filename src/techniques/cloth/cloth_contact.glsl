@@ -11,55 +11,46 @@
 #include "techniques/cloth/cloth_met.glsl"
 #include "techniques/cloth/cloth_solids.glsl"
 
-// Where a way ends that meets a surface at `hit`: it goes on along that, less friction.
-vec3 led_along(vec4 solid, vec3 hit, vec3 from, vec3 to)
+vec3 pushed_out(uint kind, vec3 half_m, vec3 place)
 {
+    for (int i = 0; i < 3; ++i) {
+        vec4 solid = solid_at(kind, half_m, place);
+        place += max(sheet.thickness_m - solid.w, 0.0) * solid.xyz;
+    }
+    return place;
+}
+
+// The way from `from` to `to` ends, or goes on along the surface, where it meets what is solid. All in the
+// collider's own space, so that it may move meanwhile.
+vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to)
+{
+    float way_m = distance(from, to);
+    vec3 hit = from;
+    vec4 solid = solid_at(kind, half_m, from);
+    float gone_m = 0.0;
+    bool meets = true;
+    for (int i = 0; i < 12 && solid.w > sheet.thickness_m + 1e-6 && meets; ++i) {
+        gone_m += solid.w - sheet.thickness_m;
+        meets = gone_m < way_m;
+        if (meets) {
+            hit = mix(from, to, gone_m / way_m);
+            solid = solid_at(kind, half_m, hit);
+        }
+    }
     float depth_m = max(sheet.thickness_m - solid.w - dot(to - hit, solid.xyz), 0.0);
     vec3 way = to + depth_m * solid.xyz - from;
     vec3 along = way - dot(way, solid.xyz) * solid.xyz;
     float along_m = length(along);
     float kept = along_m > 0.0 ? max(1.0 - sheet.friction * depth_m / along_m, 0.0) : 1.0;
-    return from + way + (kept - 1.0) * along;
-}
-
-// The way from `from` to `to` ends, or goes on along the surface, where it meets what is solid. All in the
-// collider's own space, so that it may move meanwhile. What each round asks the solid is one question: how
-// far the way is free, and from where it ends how far it is out.
-vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to)
-{
-    const uint most_looks = 12u;
-    const uint most_pushes = 3u;
+    vec3 end = meets ? from + way + (kept - 1.0) * along : to;
     // Of heights, distances and bodies it is not known exactly how far the surface is.
-    const bool is_vague = (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u;
-    float way_m = distance(from, to);
-    float gone_m = 0.0;
-    vec3 at = from;
-    uint looks = 0u;
-    uint pushes = 0u; // that are left
-    bool is_on_way = true;
-    do {
-        vec4 solid = solid_at(kind, half_m, at);
-        float free_m = solid.w - sheet.thickness_m;
-        if (is_on_way) {
-            bool is_free = free_m > 1e-6 && looks < most_looks;
-            gone_m += is_free ? free_m : 0.0;
-            bool misses = is_free && !(gone_m < way_m);
-            is_on_way = is_free && !misses;
-            pushes = is_on_way || (misses && !is_vague) ? 0u : most_pushes;
-            at = is_on_way ? mix(from, to, gone_m / way_m) : misses ? to : led_along(solid, at, from, to);
-            ++looks;
-        } else if (pushes > 0u) {
-            at += max(-free_m, 0.0) * solid.xyz;
-            pushes = free_m < 0.0 ? pushes - 1u : 0u;
-        }
-    } while (is_on_way || pushes > 0u);
-    return at;
+    return meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u ? pushed_out(kind, half_m, end)
+                                                                         : end;
 }
 
-vec4 turn_between(uvec4 before, uvec4 after, float part)
+vec4 turn_between(vec4 before, vec4 after, float part)
 {
-    vec4 from = uintBitsToFloat(before);
-    return normalize(from + part * (uintBitsToFloat(after) - from));
+    return normalize(before + part * (after - before));
 }
 
 // Where a particle comes to that moves from `from` to `to` between two parts of a run, beside one solid.
@@ -79,10 +70,14 @@ vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
     if (length(from_there + nearest * way) > size.w + sheet.thickness_m) {
         return to;
     }
-    uvec4 turn_before = texelFetch(collider_texels, before + 1);
-    uvec4 turn_after = texelFetch(collider_texels, after + 1);
-    vec4 rotation = turn_between(turn_before, turn_after, end);
-    vec3 own_from = turned_back(turn_between(turn_before, turn_after, begin), from_there);
+    vec4 rotation_before = uintBitsToFloat(texelFetch(collider_texels, before + 1));
+    vec4 rotation = rotation_before;
+    if (run.collider_stride != 0u) {
+        vec4 rotation_after = uintBitsToFloat(texelFetch(collider_texels, after + 1));
+        rotation = turn_between(rotation_before, rotation_after, end);
+        rotation_before = turn_between(rotation_before, rotation_after, begin);
+    }
+    vec3 own_from = turned_back(rotation_before, from_there);
     vec3 own_to = turned_back(rotation, to - centre_m);
     if ((variant & cloth_bit_seen) != 0u && (place_after.w & ((1u << cloth_kind_bits) - 1u)) == cloth_seen) {
         look_at_body(int(place_after.w >> cloth_kind_bits),

@@ -5,6 +5,7 @@
 // Which solids may be met in a step: once for all of its small ones, so that what is far costs little.
 
 #include "techniques/cloth/cloth_data.glsl"
+#include "techniques/cloth/cloth_solids.glsl"
 
 // Words of a group's record.
 uint met_stride()
@@ -19,7 +20,17 @@ float hardly_beyond_m(vec3 speed, vec3 push)
     return spare_m + 1.5 * run.step_s * (length(speed) + run.step_s * length(push));
 }
 
-// Whether a solid comes near a ball at any moment of a step.
+// How far it is at least from a place to one of the simple solids, in its own space.
+float least_away_m(uint kind, vec3 half_m, vec3 place)
+{
+    if (kind == cloth_ellipsoid) {
+        return (length(place / half_m) - 1.0) * min(half_m.x, min(half_m.y, half_m.z));
+    }
+    return solid_at(kind, half_m, place).w;
+}
+
+// Whether a solid comes near a ball at any moment of a step. Of one that moves, of grids and of bodies it is
+// asked how far they reach from their centre, of others how far away they are.
 bool comes_near(uint i, vec4 ball, uint step)
 {
     int before = 3 * int(i);
@@ -32,7 +43,16 @@ bool comes_near(uint i, vec4 ball, uint step)
     float nearest = clamp(dot(ball.xyz - from, way) / max(dot(way, way), 1e-20), 0.0, 1.0);
     float away_m = distance(ball.xyz, from + nearest * way);
     const float rounding = 1e-5;
-    return away_m * (1.0 - rounding) <= reach_m + sheet.thickness_m + ball.w + 1e-3;
+    float near_m = sheet.thickness_m + ball.w + 1e-3;
+    bool is_in_reach = away_m * (1.0 - rounding) <= reach_m + near_m;
+    uint kind = texelFetch(collider_texels, after).w;
+    if (!is_in_reach || run.collider_stride != 0u || kind >= cloth_heights) {
+        return is_in_reach;
+    }
+    vec4 rotation = uintBitsToFloat(texelFetch(collider_texels, after + 1));
+    vec3 half_m = uintBitsToFloat(texelFetch(collider_texels, after + 2).xyz);
+    vec3 place = turned_back(rotation, ball.xyz - from);
+    return least_away_m(kind, half_m, place) <= near_m + rounding * length(place);
 }
 
 // Of the solids of a word, 32 each, those that do.

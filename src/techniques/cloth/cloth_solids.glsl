@@ -9,38 +9,48 @@
 #include "techniques/cloth/cloth_seen.glsl"
 #include "techniques/cloth/cloth_turns.glsl"
 
-// Ellipsoids, boxes, cylinders and capsules by one formula: processors go through all that kinds have of
-// their own. A cylinder is a box in the plane of its axis, without an end the third way, and a capsule what
-// is so near a box of no width.
-vec4 rounded_at(uint kind, vec3 half_m, vec3 place)
+vec4 ellipsoid_at(vec3 radii_m, vec3 place)
 {
-    bool is_ellipsoid = kind == cloth_ellipsoid;
-    bool is_cylinder = kind == cloth_cylinder;
-    bool is_capsule = kind == cloth_capsule;
-    float off_axis_m = length(place.xz);
-    vec3 own = is_cylinder ? vec3(off_axis_m, place.y, 0.0) : place;
-    vec3 core_m = vec3(is_capsule ? 0.0 : half_m.x, half_m.y,
-                       is_cylinder  ? 1e9
-                       : is_capsule ? 0.0
-                                    : half_m.z);
-    float radius_m = is_capsule ? half_m.x : 0.0;
-    vec3 side = vec3(own.x < 0.0 ? -1.0 : 1.0, own.y < 0.0 ? -1.0 : 1.0, own.z < 0.0 ? -1.0 : 1.0);
-    vec3 beyond = abs(own) - core_m;
-    vec3 off = is_ellipsoid ? own / half_m : side * max(beyond, vec3(0.0));
-    vec3 slope = is_ellipsoid ? off / half_m : off;
-    float share = length(off);
+    vec3 unit_place = place / radii_m;
+    vec3 slope = unit_place / radii_m;
+    float share = length(unit_place);
     float steepness = length(slope);
-    float deepest_m = max(beyond.x, max(beyond.y, beyond.z));
-    vec3 inward = beyond.x > max(beyond.y, beyond.z) ? vec3(side.x, 0.0, 0.0)
-                  : beyond.y > beyond.z              ? vec3(0.0, side.y, 0.0)
-                                                     : vec3(0.0, 0.0, side.z);
-    float out_m = is_ellipsoid ? share * (share - 1.0) / steepness : share - radius_m;
-    vec4 solid = share > (is_ellipsoid ? 1e-4 : 0.0) ? vec4(slope / steepness, out_m)
-                 : is_ellipsoid                      ? vec4(0.0, 1.0, 0.0, -half_m.y)
-                                                     : vec4(inward, deepest_m - radius_m);
-    vec2 outward = off_axis_m > 1e-9 ? place.xz / off_axis_m : vec2(1.0, 0.0);
-    solid.xz = is_cylinder ? solid.x * outward : solid.xz;
-    return solid;
+    if (share < 1e-4) {
+        return vec4(0.0, 1.0, 0.0, -radii_m.y);
+    }
+    return vec4(slope / steepness, share * (share - 1.0) / steepness);
+}
+
+// All that a rounded-off rectangle of half sides `half_m` leaves outside, in two or three dimensions at once.
+vec4 box_at(vec3 half_m, vec3 place)
+{
+    vec3 beyond = abs(place) - half_m;
+    vec3 side = vec3(place.x < 0.0 ? -1.0 : 1.0, place.y < 0.0 ? -1.0 : 1.0, place.z < 0.0 ? -1.0 : 1.0);
+    vec3 outside = max(beyond, vec3(0.0));
+    float distance_m = length(outside);
+    if (distance_m > 0.0) {
+        return vec4(side * outside / distance_m, distance_m);
+    }
+    vec3 way = beyond.x > beyond.y && beyond.x > beyond.z ? vec3(side.x, 0.0, 0.0)
+               : beyond.y > beyond.z                      ? vec3(0.0, side.y, 0.0)
+                                                          : vec3(0.0, 0.0, side.z);
+    return vec4(way, max(beyond.x, max(beyond.y, beyond.z)));
+}
+
+vec4 cylinder_at(float radius_m, float half_height_m, vec3 place)
+{
+    float off_axis_m = sqrt(place.x * place.x + place.z * place.z);
+    vec3 outward = off_axis_m > 1e-9 ? vec3(place.x, 0.0, place.z) / off_axis_m : vec3(1.0, 0.0, 0.0);
+    // As a box in the plane of the axis, of no thickness the third way.
+    vec4 flat_box = box_at(vec3(radius_m, half_height_m, 1e9), vec3(off_axis_m, place.y, 0.0));
+    return vec4(flat_box.x * outward + vec3(0.0, flat_box.y, 0.0), flat_box.w);
+}
+
+vec4 capsule_at(float radius_m, float half_length_m, vec3 place)
+{
+    vec3 off = place - vec3(0.0, clamp(place.y, -half_length_m, half_length_m), 0.0);
+    float distance_m = length(off);
+    return vec4(distance_m > 1e-9 ? off / distance_m : vec3(1.0, 0.0, 0.0), distance_m - radius_m);
 }
 
 vec4 solid_at(uint kind_and_grid, vec3 half_m, vec3 place)
@@ -53,7 +63,19 @@ vec4 solid_at(uint kind_and_grid, vec3 half_m, vec3 place)
         int first = int(kind_and_grid >> cloth_kind_bits);
         return kind == cloth_heights ? heights_at(first, half_m, place) : distances_at(first, half_m, place);
     }
-    return kind == cloth_plane ? vec4(0.0, 1.0, 0.0, place.y) : rounded_at(kind, half_m, place);
+    if (kind == cloth_ellipsoid) {
+        return ellipsoid_at(half_m, place);
+    }
+    if (kind == cloth_box) {
+        return box_at(half_m, place);
+    }
+    if (kind == cloth_cylinder) {
+        return cylinder_at(half_m.x, half_m.y, place);
+    }
+    if (kind == cloth_capsule) {
+        return capsule_at(half_m.x, half_m.y, place);
+    }
+    return vec4(0.0, 1.0, 0.0, place.y);
 }
 
 #endif
