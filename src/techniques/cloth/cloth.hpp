@@ -196,6 +196,7 @@ private:
         uint32_t first_group = 0;
         uint32_t group_count = 0;
         uint32_t most_particles = 0;     ///< of a sheet
+        std::optional<uint32_t> lone;    ///< the sheet, if it is large and there is one
         std::vector<glm::uvec2> colours; ///< for block descent: first group of each and how many
         gpu::Buffer run;
     };
@@ -214,6 +215,7 @@ private:
     [[nodiscard]] gpu::BufferId add_vertices_at(gpu::Graph& graph, const Handles& handles,
                                                 gpu::BufferId places, gpu::BufferId posed_vertices);
     void find_met_solids();
+    void lower_rigidities(const Surroundings& surroundings);
     void fill_runs(const Surroundings& surroundings, uint32_t count);
     void bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
                      gpu::Buffer& sheet_of_group);
