@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "gpu/fills.hpp"
+#include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/read_back.hpp"
 #include "shaders/cloth_carry_comp.hpp"
@@ -70,6 +71,21 @@ bool is_of_grid(const shared::ClothCollider& solid)
 bool is_seen(const shared::ClothCollider& solid)
 {
     return kind_of(solid) == shared::cloth_seen;
+}
+
+/// What the processor writes may lie in its own memory, far from small steps that ask it over and over.
+gpu::BufferId add_solids(gpu::Graph& graph, gpu::BufferId written, uint64_t size_bytes)
+{
+    auto pass = graph.custom("cloth/solids");
+    pass.touch(written, gpu::Access::transfer_read);
+    const gpu::BufferId solids = pass.touch_write(graph.buffer("cloth/solids", {.size_bytes = size_bytes}),
+                                                  gpu::Access::transfer_write);
+    pass.execute([=](gpu::Recorder& recorder) {
+        const VkBufferCopy region{.size = size_bytes};
+        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(written).handle(),
+                        recorder.buffer(solids).handle(), 1, &region);
+    });
+    return solids;
 }
 
 } // namespace
@@ -192,6 +208,7 @@ Cloths::Handles Cloths::import(gpu::Graph& graph)
             .pushes = gpu::import_whole(graph, "cloth/pushes", pushes_),
             .near = gpu::import_whole(graph, "cloth/near", near_),
             .torn = gpu::import_whole(graph, "cloth/torn", torn_),
+            .solids = gpu::import_whole(graph, "cloth/colliders", colliders_),
             .predicted = {gpu::import_whole(graph, "cloth/predicted", predicted_[0]),
                           gpu::import_whole(graph, "cloth/predicted", predicted_[1])},
             .targets = {gpu::import_whole(graph, "cloth/targets", targets_[0]),
@@ -208,7 +225,7 @@ void Cloths::bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& hand
         .sample(gpu::import_whole(graph, "cloth/links", links_))
         .sample(gpu::import_whole(graph, "cloth/faces", faces_), gpu::Format::rg32ui)
         .sample(gpu::import_whole(graph, "cloth/tethers", tethers_), gpu::Format::rg32ui)
-        .sample(gpu::import_whole(graph, "cloth/colliders", colliders_))
+        .sample(handles.solids)
         .sample(handles.targets[targets_move_ ? 0 : 1], gpu::Format::rgba32f)
         .sample(handles.targets[1], gpu::Format::rgba32f)
         .read(gpu::import_whole(graph, "cloth/groups", sheet_of_group))
@@ -390,6 +407,9 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
         throw std::logic_error("a run of cloth has some steps, as many as one graph takes");
     }
     fill_runs(surroundings, count);
+    if (!met_.empty()) {
+        handles.solids = add_solids(graph, handles.solids, 2 * met_.size() * sizeof(shared::ClothCollider));
+    }
     const WindStyle& wind = surroundings.wind;
     const uint32_t surrounded =
         (met_.empty() ? 0U : shared::cloth_bit_colliders) |

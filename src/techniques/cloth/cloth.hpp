@@ -116,6 +116,7 @@ public:
         gpu::BufferId pushes;
         gpu::BufferId near;
         gpu::BufferId torn;
+        gpu::BufferId solids;
         std::array<gpu::BufferId, 2> predicted;
         std::array<gpu::BufferId, 2> targets;
         std::array<gpu::BufferId, 2> seen;
