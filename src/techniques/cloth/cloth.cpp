@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "gpu/fills.hpp"
+#include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/read_back.hpp"
 #include "shaders/cloth_carry_comp.hpp"
@@ -72,6 +73,21 @@ bool is_seen(const shared::ClothCollider& solid)
     return kind_of(solid) == shared::cloth_seen;
 }
 
+/// What the processor writes may lie in its own memory, far from small steps that ask it over and over.
+gpu::BufferId add_solids(gpu::Graph& graph, gpu::BufferId written, uint64_t size_bytes)
+{
+    auto pass = graph.custom("cloth/solids");
+    pass.touch(written, gpu::Access::transfer_read);
+    const gpu::BufferId solids = pass.touch_write(graph.buffer("cloth/solids", {.size_bytes = size_bytes}),
+                                                  gpu::Access::transfer_write);
+    pass.execute([=](gpu::Recorder& recorder) {
+        const VkBufferCopy region{.size = size_bytes};
+        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(written).handle(),
+                        recorder.buffer(solids).handle(), 1, &region);
+    });
+    return solids;
+}
+
 } // namespace
 
 uint32_t Cloths::small_steps(const Kind& kind, const Surroundings& surroundings) const
@@ -121,6 +137,22 @@ void Cloths::find_met_solids()
     }
 }
 
+void Cloths::lower_rigidities(const Surroundings& surroundings)
+{
+    float longest_small_s = 0.0F;
+    for (const Kind& kind : kinds_) {
+        const bool is_cut = (kind.variant & (shared::cloth_bit_relax | shared::cloth_bit_descent)) == 0;
+        const float small_s = std::min(surroundings.step_s, longest_step_s) /
+                              static_cast<float>(small_steps(kind, surroundings));
+        longest_small_s = std::max(longest_small_s, is_cut ? small_s : 0.0F);
+    }
+    for (size_t i = 0; i < records_.size(); ++i) {
+        const float most = 1.0F / std::max(bending_rates_s2_[i] * longest_small_s * longest_small_s, 1e-12F);
+        const bool bears_all = solver_of(i) == ClothSolver::block_descent;
+        records_[i].bending_n_m = bears_all ? rigidities_n_m_[i] : std::min(rigidities_n_m_[i], most);
+    }
+}
+
 void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
 {
     const WindStyle& wind = surroundings.wind;
@@ -130,7 +162,7 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
                        (!met_.empty() && std::memcmp(met_before_.data(), met_.data(), size_bytes) != 0);
     const bool rouses = rouses_all_ || (surroundings_ && are_other(surroundings, *surroundings_));
     const uint32_t roused_steps = blows(surroundings) ? count : (rouses ? 1U : 0U);
-    float longest_small_s = 0.0F;
+    lower_rigidities(surroundings);
     for (Kind& kind : kinds_) {
         shared::ClothRun run{.gravity_m_s2 = surroundings.gravity_m_s2,
                              .step_s = std::min(surroundings.step_s, longest_step_s),
@@ -152,17 +184,11 @@ void Cloths::fill_runs(const Surroundings& surroundings, uint32_t count)
                              .roused_steps = roused_steps,
                              .bodies_move = bodies_move_ ? 1U : 0U,
                              .flow_count = static_cast<uint32_t>(flows_.size()),
-                             .flows = {}};
+                             .flows = {},
+                             .lone_sheet = {}};
         std::ranges::copy(flows_, std::begin(run.flows));
+        run.lone_sheet = kind.lone ? records_[*kind.lone] : shared::ClothSheet{};
         std::memcpy(kind.run.mapped().data(), &run, sizeof run);
-        const bool is_cut = (kind.variant & (shared::cloth_bit_relax | shared::cloth_bit_descent)) == 0;
-        longest_small_s =
-            std::max(longest_small_s, is_cut ? run.step_s / static_cast<float>(run.small_steps) : 0.0F);
-    }
-    for (size_t i = 0; i < records_.size(); ++i) {
-        const float most = 1.0F / std::max(bending_rates_s2_[i] * longest_small_s * longest_small_s, 1e-12F);
-        const bool bears_all = solver_of(i) == ClothSolver::block_descent;
-        records_[i].bending_n_m = bears_all ? rigidities_n_m_[i] : std::min(rigidities_n_m_[i], most);
     }
     std::memcpy(sheets_.mapped().data(), records_.data(), records_.size() * sizeof(shared::ClothSheet));
     std::byte* const solids = colliders_.mapped().data();
@@ -182,6 +208,7 @@ Cloths::Handles Cloths::import(gpu::Graph& graph)
             .pushes = gpu::import_whole(graph, "cloth/pushes", pushes_),
             .near = gpu::import_whole(graph, "cloth/near", near_),
             .torn = gpu::import_whole(graph, "cloth/torn", torn_),
+            .solids = gpu::import_whole(graph, "cloth/colliders", colliders_),
             .predicted = {gpu::import_whole(graph, "cloth/predicted", predicted_[0]),
                           gpu::import_whole(graph, "cloth/predicted", predicted_[1])},
             .targets = {gpu::import_whole(graph, "cloth/targets", targets_[0]),
@@ -198,7 +225,7 @@ void Cloths::bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& hand
         .sample(gpu::import_whole(graph, "cloth/links", links_))
         .sample(gpu::import_whole(graph, "cloth/faces", faces_), gpu::Format::rg32ui)
         .sample(gpu::import_whole(graph, "cloth/tethers", tethers_), gpu::Format::rg32ui)
-        .sample(gpu::import_whole(graph, "cloth/colliders", colliders_))
+        .sample(handles.solids)
         .sample(handles.targets[targets_move_ ? 0 : 1], gpu::Format::rgba32f)
         .sample(handles.targets[1], gpu::Format::rgba32f)
         .read(gpu::import_whole(graph, "cloth/groups", sheet_of_group))
@@ -380,6 +407,9 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
         throw std::logic_error("a run of cloth has some steps, as many as one graph takes");
     }
     fill_runs(surroundings, count);
+    if (!met_.empty()) {
+        handles.solids = add_solids(graph, handles.solids, 2 * met_.size() * sizeof(shared::ClothCollider));
+    }
     const WindStyle& wind = surroundings.wind;
     const uint32_t surrounded =
         (met_.empty() ? 0U : shared::cloth_bit_colliders) |
@@ -401,7 +431,8 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
                 awake = gpu::add_zeros(graph, "cloth/awake",
                                        std::max<uint64_t>(sizeof(uint32_t) * records_.size(), 16));
             }
-            kind.variant |= blows(surroundings) ? shared::cloth_bit_roused : 0U;
+            kind.variant |= (blows(surroundings) ? shared::cloth_bit_roused : 0U) |
+                            (kind.lone ? shared::cloth_bit_lone : 0U);
             for (uint32_t step = 0; step < count; ++step) {
                 add_large_sheets(graph, handles, kind, step, small_steps(kind, surroundings), *awake);
             }

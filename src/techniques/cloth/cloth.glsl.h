@@ -26,6 +26,7 @@ SHARED_CONSTANT uint cloth_bit_seen = 1024U; // and bodies that are seen from th
 SHARED_CONSTANT uint cloth_bit_tear = 2048U; // links that become too long are gone
 
 SHARED_CONSTANT uint cloth_bit_roused = 4096U; // wind blows: no sheet rests in this run
+SHARED_CONSTANT uint cloth_bit_lone = 8192U;   // there is one sheet, which the run tells of
 
 SHARED_CONSTANT uint cloth_group = 64U;         // particles of a sheet are padded to whole workgroups
 SHARED_CONSTANT uint cloth_tile_side = 8U;      // of a grid they go by squares of so many each way
@@ -129,6 +130,7 @@ struct ClothRun {
     uint bodies_move;  // otherwise than their solids do
     uint flow_count;
     ClothFlow flows[cloth_most_flows];
+    ClothSheet lone_sheet;
 };
 
 // Where a pass is within a run.

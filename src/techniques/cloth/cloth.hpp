@@ -116,6 +116,7 @@ public:
         gpu::BufferId pushes;
         gpu::BufferId near;
         gpu::BufferId torn;
+        gpu::BufferId solids;
         std::array<gpu::BufferId, 2> predicted;
         std::array<gpu::BufferId, 2> targets;
         std::array<gpu::BufferId, 2> seen;
@@ -196,6 +197,7 @@ private:
         uint32_t first_group = 0;
         uint32_t group_count = 0;
         uint32_t most_particles = 0;     ///< of a sheet
+        std::optional<uint32_t> lone;    ///< the sheet, if it is large and there is one
         std::vector<glm::uvec2> colours; ///< for block descent: first group of each and how many
         gpu::Buffer run;
     };
@@ -214,6 +216,7 @@ private:
     [[nodiscard]] gpu::BufferId add_vertices_at(gpu::Graph& graph, const Handles& handles,
                                                 gpu::BufferId places, gpu::BufferId posed_vertices);
     void find_met_solids();
+    void lower_rigidities(const Surroundings& surroundings);
     void fill_runs(const Surroundings& surroundings, uint32_t count);
     void bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
                      gpu::Buffer& sheet_of_group);

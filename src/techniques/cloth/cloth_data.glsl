@@ -38,6 +38,15 @@ layout(scalar, binding = 8) readonly buffer SheetOfGroup
 
 ClothSheet sheet; // of this thread
 
+// Of a lone one all numbers are the same for all threads, which need not keep them.
+ClothSheet sheet_at(uint sheet_index)
+{
+    if ((variant & cloth_bit_lone) != 0u) {
+        return run.lone_sheet;
+    }
+    return sheets[sheet_index];
+}
+
 // The particle of a thread of 64, whose workgroup begins with `first`: of grids they take squares, so that
 // those of a group are near each other. None beyond the sheet.
 uint own_particle(uint first)

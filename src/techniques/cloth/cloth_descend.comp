@@ -125,7 +125,7 @@ void main()
 {
     uint group = moment.first_group + gl_WorkGroupID.x;
     uint sheet_index = sheet_of_group[2u * group];
-    sheet = sheets[sheet_index];
+    sheet = sheet_at(sheet_index);
     uint listed = sheet_of_group[2u * group + 1u] + gl_LocalInvocationID.x;
     uint local = texelFetch(particle_texels, int(listed)).x;
     if (local == cloth_no_vertex || !is_awake(sheet_index, moment.step)) {

@@ -241,6 +241,9 @@ void Cloths::group_sheets(gpu::Device& device)
                 append_large(sheet);
             }
         }
+        if (!kind.is_small && members.size() == 1) {
+            kind.lone = members.front();
+        }
         kind.group_count = static_cast<uint32_t>(groups.size()) / (kind.is_small ? 1 : 2) - kind.first_group;
         if ((kind.variant & shared::cloth_bit_descent) != 0) {
             append_colours(kind, groups);

@@ -80,7 +80,7 @@ void main()
 {
     uint group = constants.first_group + gl_WorkGroupID.x;
     uint sheet_index = sheet_of_group[2u * group];
-    sheet = sheets[sheet_index];
+    sheet = sheet_at(sheet_index);
     uint local = own_particle(sheet_of_group[2u * group + 1u]);
     if (local == cloth_no_vertex || !is_awake(sheet_index, constants.step)) {
         return;

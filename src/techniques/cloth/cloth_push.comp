@@ -115,7 +115,7 @@ void main()
     if (!is_awake(sheet_index, moment.step)) {
         return;
     }
-    sheet = sheets[sheet_index];
+    sheet = sheet_at(sheet_index);
     uint first = sheet_of_group[2u * group + 1u];
     uint local = own_particle(first);
     float beyond_m = 0.0;

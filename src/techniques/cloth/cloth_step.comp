@@ -100,7 +100,7 @@ void main()
     if (!is_awake(sheet_index, moment.step)) {
         return;
     }
-    sheet = sheets[sheet_index];
+    sheet = sheet_at(sheet_index);
     uint local = own_particle(sheet_of_group[2u * group + 1u]);
     if (local == cloth_no_vertex) {
         return;
