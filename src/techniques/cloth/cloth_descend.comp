@@ -108,6 +108,7 @@ void add_links_of_grid(uint local, vec3 own, float most_n_m)
 void add_links_of_lists(uint local, vec3 own, float most_n_m)
 {
     uvec2 torn = may_tear ? torn_of(local) : uvec2(0u);
+    float bending_own = 0.0;
     for (uint k = 0u; k < sheet.link_width; ++k) {
         uvec4 words = link_at(local, k);
         vec3 link = uintBitsToFloat(words.yzw); // rest length, compliance, bending
@@ -116,9 +117,10 @@ void add_links_of_lists(uint local, vec3 own, float most_n_m)
             add_link(towards, abs(link.x), link.x < 0.0, link.y, most_n_m);
             float bending = torn_bending(link.z, torn, words.x);
             force += sheet.bending_n_m * bending * towards;
-            hessian += mat3(sheet.bending_n_m * bending);
+            bending_own += bending;
         }
     }
+    hessian += mat3(sheet.bending_n_m * max(bending_own, 0.0)); // a tear may leave less than nothing
 }
 
 void main()

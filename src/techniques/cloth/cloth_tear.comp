@@ -152,8 +152,9 @@ bool is_across_in_lists(uint local, uint other)
         is_across = is_across || has_bit(torn_of(local), k) || is_torn_between(link.x, other);
         uvec2 torn = torn_of(link.x);
         for (uint i = 0u; i < (torn == uvec2(0u) ? 0u : sheet.link_width); ++i) {
-            uint next = link_at(link.x, i).x;
-            bool is_beside = has_bit(torn, i) && is_direct(next, local) && is_direct(next, other);
+            uvec4 next = link_at(link.x, i); // far ones may be found torn in this very pass
+            bool is_beside = has_bit(torn, i) && uintBitsToFloat(next.y) > 0.0 && is_direct(next.x, local) &&
+                             is_direct(next.x, other);
             is_across = is_across || is_beside;
         }
     }

@@ -70,11 +70,11 @@ float torn_bend_share(int x, int y, float columns[5], float rows[5], uvec2 torn)
     return 2.0 * by_side * (here + there) + twist * along[2 + way] * cells;
 }
 
-// Bending in lists is a sum over hinges: about a tear what would push apart is left out, as the rest of its
-// hinge may be gone.
+// Bending in lists is a sum over hinges: about a tear it is left out, as the rest of a hinge may be gone, and
+// what is left of one has energy of its own.
 float torn_bending(float bending, uvec2 torn, uint other)
 {
-    return may_tear && (torn != uvec2(0u) || torn_of(other) != uvec2(0u)) ? max(bending, 0.0) : bending;
+    return may_tear && (torn != uvec2(0u) || torn_of(other) != uvec2(0u)) ? 0.0 : bending;
 }
 
 // By how much of that force a particle's own place takes part in it.
