@@ -13,16 +13,20 @@
 
 vec3 pushed_out(uint kind, vec3 half_m, vec3 place)
 {
+    float depth_m = 1.0;
     for (int i = 0; i < 3; ++i) {
-        vec4 solid = solid_at(kind, half_m, place);
-        place += max(sheet.thickness_m - solid.w, 0.0) * solid.xyz;
+        if (depth_m > 0.0) {
+            vec4 solid = solid_at(kind, half_m, place);
+            depth_m = max(sheet.thickness_m - solid.w, 0.0);
+            place += depth_m * solid.xyz;
+        }
     }
     return place;
 }
 
 // The way from `from` to `to` ends, or goes on along the surface, where it meets what is solid. All in the
-// collider's own space, so that it may move meanwhile.
-vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to)
+// collider's own space, so that it may move meanwhile. `is_stopped` tells whether it is not as it was.
+vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to, out bool is_stopped)
 {
     float way_m = distance(from, to);
     vec3 hit = from;
@@ -44,8 +48,8 @@ vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to)
     float kept = along_m > 0.0 ? max(1.0 - sheet.friction * depth_m / along_m, 0.0) : 1.0;
     vec3 end = meets ? from + way + (kept - 1.0) * along : to;
     // Of heights, distances and bodies it is not known exactly how far the surface is.
-    return meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u ? pushed_out(kind, half_m, end)
-                                                                         : end;
+    is_stopped = meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u;
+    return is_stopped ? pushed_out(kind, half_m, end) : end;
 }
 
 vec4 turn_between(vec4 before, vec4 after, float part)
@@ -84,7 +88,9 @@ vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
                      uintBitsToFloat(texelFetch(collider_texels, before + 2).xyz), end);
         own_from.z += surface_way_m(size.xyz, own_from, begin, end);
     }
-    return centre_m + turned(rotation, stopped(place_after.w, size.xyz, own_from, own_to));
+    bool is_stopped;
+    vec3 own_end = stopped(place_after.w, size.xyz, own_from, own_to, is_stopped);
+    return is_stopped ? centre_m + turned(rotation, own_end) : to;
 }
 
 // Beside all, one after the other. As long as it keeps within the ball those that do not come near that are
@@ -98,7 +104,7 @@ vec3 beside_colliders(vec3 from, vec3 to, float begin, float end)
         uint left = run.collider_count - first;
         uint all = left < 32u ? (1u << left) - 1u : ~0u;
         strays = strays || !(distance(to, ball.xyz) <= ball.w);
-        uint met = strays || first >= 32u * cloth_met_words ? all : met_solids(first / 32u);
+        uint met = strays || first >= 32u * cloth_met_words ? all : all & met_solids(first / 32u);
         do {
             if (met != 0u) {
                 uint i = uint(findLSB(met));
