@@ -262,7 +262,7 @@ gpu::ImageId add_subsurface(const Making& making, const PosedScene& scene, gpu::
                                    {.clip_from_anchor = making.sample.clip_from_anchor,
                                     .size_px = making.sample.size_px,
                                     .cull_back_faces = false,
-                                    .path = making.plan.raster.paths.page,
+                                    .path = making.plan.raster.paths.maps,
                                     .tuning = making.plan.raster.tuning,
                                     .behind = visibility,
                                     .second_from = inputs.second_from()});

@@ -7,21 +7,27 @@
 const ivec2 ways_about[8] = ivec2[8](ivec2(1, 0), ivec2(0, 1), ivec2(-1, 0), ivec2(0, -1), ivec2(1, 1),
                                      ivec2(-1, 1), ivec2(-1, -1), ivec2(1, -1));
 
+struct LineOwner {
+    ivec2 pixel;
+    float depth;
+};
+
 // Half of a line lies beyond the edge of what it belongs to: that is the nearest of what is seen within the
-// pen's reach, `depth_image` says where.
-ivec2 owner_of(ivec2 pixel, float line_cover, float reach_px, ivec2 last)
+// pen's reach, `depth_image` says where. The pixel itself is looked at first, which is all where no line is.
+LineOwner owner_of(ivec2 pixel, float line_cover, float reach_px, ivec2 last)
 {
-    ivec2 owner = pixel;
-    float nearest = texelFetch(depth_image, pixel, 0).x;
+    LineOwner owner = LineOwner(pixel, -1.0);
     int reach = line_cover > 0.0 ? int(reach_px) : 0;
     int steps = min(reach, 2);
-    for (int i = 0; i < 8 * steps; ++i) {
-        ivec2 at =
-            clamp(pixel + ways_about[i & 7] * ((reach * (1 + i / 8) + steps - 1) / steps), ivec2(0), last);
+    int i = -1;
+    do {
+        int far = i < 0 ? 0 : (reach * (1 + i / 8) + steps - 1) / max(steps, 1);
+        ivec2 at = clamp(pixel + ways_about[i & 7] * far, ivec2(0), last);
         float depth = texelFetch(depth_image, at, 0).x;
-        owner = depth > nearest ? at : owner;
-        nearest = max(nearest, depth);
-    }
+        owner.pixel = depth > owner.depth ? at : owner.pixel;
+        owner.depth = max(owner.depth, depth);
+        ++i;
+    } while (i < 8 * steps);
     return owner;
 }
 

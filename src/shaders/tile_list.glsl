@@ -11,6 +11,12 @@ layout(scalar, binding = TILE_LIST_BINDING) readonly buffer TileList
     uint tile_list[];
 };
 
+// Whether this group has a tile of its own.
+bool has_listed_tile()
+{
+    return gl_WorkGroupID.y * tile_list_groups + gl_WorkGroupID.x < tile_list[tile_list_count];
+}
+
 // First pixel of the tile of this group. Groups past the end of the list do the last one again, which changes
 // nothing: to leave them out would cost a processor a mask for all others.
 uvec2 listed_from_px()

@@ -8,7 +8,6 @@
 #include "shaders/camera.glsl"
 #define MESH_TEXELS_BINDING 2
 #include "shaders/mesh_texels.glsl"
-#include "shaders/visibility.glsl"
 #include "techniques/motion/motion.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -18,10 +17,8 @@ layout(scalar, binding = 0) uniform Frame
     FrameGlobals frame;
 };
 
-layout(scalar, binding = 1) readonly buffer Visibility
-{
-    uvec2 visibility[];
-};
+#define VISIBILITY_BINDING 1
+#include "shaders/visibility_texels.glsl"
 
 layout(binding = 4) uniform usamplerBuffer vertex_texels_before;
 layout(binding = 5, rgba32f) writeonly uniform image2D out_motion;
@@ -71,7 +68,7 @@ void main()
         return;
     }
     vec2 position_px = vec2(pixel) + 0.5;
-    uvec2 seen = visibility[uint(pixel.y) * frame.size_px.x + uint(pixel.x)];
+    uvec2 seen = visibility_at(pixel);
     Point point = far_point(position_px);
     if (sees_triangle(seen)) {
         point = seen_point(seen, position_px);

@@ -8,7 +8,10 @@ namespace estampe::motion {
 gpu::ImageId add_motion(gpu::Graph& graph, const MotionInputs& in)
 {
     auto pass = graph.compute("motion", shaders::motion_comp);
-    pass.uniform(in.frame).read(in.visibility).sample(in.triangles).sample(in.posed_vertices);
+    pass.uniform(in.frame)
+        .sample(in.visibility, gpu::Format::rg32ui)
+        .sample(in.triangles)
+        .sample(in.posed_vertices);
     pass.sample(in.posed_vertices_before);
     const gpu::ImageId motion = pass.write(graph.image(
         "motion", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba32f}));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread finds what passes a pixel while the shutter is open, and what is seen there when nothing does.
+// One thread a pixel of the listed tiles finds what passes it while the shutter is open, and what is seen
+// there when nothing does. Layers of other pixels are read from where they are packed, so that these are
+// drawn in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -8,16 +10,15 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform sampler2D wash_image;
-layout(binding = 1) uniform sampler2D hatch_image;
-layout(binding = 2) uniform sampler2D line_image;
-layout(binding = 3) uniform sampler2D sky_ink_image;
-layout(binding = 4) uniform usampler2D page_image;
-layout(binding = 5) uniform sampler2D owner_depth_image;
-layout(binding = 6) uniform sampler2D reach_image;
-layout(binding = 7, rgba16f) writeonly uniform image2D out_wash;
-layout(binding = 8, r16f) writeonly uniform image2D out_hatch;
-layout(binding = 9, rgba8) writeonly uniform image2D out_lines;
+layout(binding = 0) uniform usampler2D page_image;
+layout(binding = 1) uniform sampler2D owner_depth_image;
+layout(binding = 2) uniform sampler2D reach_image;
+layout(binding = 3, rgba16f) uniform image2D wash_image;
+layout(binding = 4, r16f) writeonly uniform image2D out_hatch;
+layout(binding = 5, rgba8) writeonly uniform image2D out_lines;
+
+#define TILE_LIST_BINDING 6
+#include "shaders/tile_list.glsl"
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -25,10 +26,8 @@ layout(push_constant, scalar) uniform Constants
 };
 
 layout(constant_id = 0) const uint variant = 0u;
-const bool has_sky = (variant & blur_has_sky) != 0u;
 const bool shows_velocity = (variant & blur_shows_velocity) != 0u;
 
-#include "shaders/layers.glsl"
 #include "shaders/veil.glsl"
 
 const int most_taps = 24; // along each of two ways
@@ -99,16 +98,16 @@ void pass_along(ivec2 pixel, vec2 way, vec2 own_way, float own_depth, inout Pass
 
 void main()
 {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = ivec2(listed_from_px() + gl_LocalInvocationID.xy);
     if (any(greaterThanEqual(uvec2(pixel), constants.size_px))) {
         return;
     }
-    Layers layers = layers_at(pixel);
+    vec4 wash = imageLoad(wash_image, pixel);
     uvec4 own = texelFetch(page_image, pixel, 0);
     vec2 own_way = unpackHalf2x16(own.w);
     if (shows_velocity) {
         vec2 part = vec2(own_way.x, -own_way.y) / max(constants.most_px, 1e-6);
-        imageStore(out_wash, pixel, vec4(0.5 + 0.5 * part, 0.5, layers.wash.a));
+        imageStore(wash_image, pixel, vec4(0.5 + 0.5 * part, 0.5, wash.a));
         imageStore(out_hatch, pixel, vec4(0.0));
         imageStore(out_lines, pixel, vec4(0.0));
         return;
@@ -133,11 +132,14 @@ void main()
     Veil before = scaled(passing.before, before_time / max(passing.before_time, 1e-6));
     Veil veil = sum_of(before, scaled(there, 1.0 - before_time));
     bool is_blurred = before_time > 0.0 || there_time > 1e-4;
-    vec4 wash = layers.wash;
+    if (!is_blurred) {
+        return;
+    }
+    vec3 paint;
     float hatch;
     vec4 lines;
-    unveil(veil, layers.wash.rgb, wash.rgb, hatch, lines);
-    imageStore(out_wash, pixel, is_blurred ? wash : layers.wash);
-    imageStore(out_hatch, pixel, vec4(is_blurred ? hatch : layers.hatch));
-    imageStore(out_lines, pixel, is_blurred ? lines : layers.lines);
+    unveil(veil, wash.rgb, paint, hatch, lines);
+    imageStore(wash_image, pixel, vec4(paint, wash.a));
+    imageStore(out_hatch, pixel, vec4(hatch));
+    imageStore(out_lines, pixel, lines);
 }

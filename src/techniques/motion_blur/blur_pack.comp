@@ -17,6 +17,7 @@ layout(binding = 5) uniform sampler2D sky_ink_image;
 layout(binding = 6) uniform sampler2D own_motion_image; // where shapes are drawn out: as they are
 layout(binding = 7, rgba32ui) writeonly uniform uimage2D out_texel;
 layout(binding = 8, r32f) writeonly uniform image2D out_depth; // of what a line belongs to
+layout(binding = 9, r16f) writeonly uniform image2D out_hatch; // with the sky's
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -26,6 +27,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_sky = (variant & blur_has_sky) != 0u;
 const bool is_stretched = (variant & blur_is_stretched) != 0u;
+const bool lays_sky = (variant & blur_lays_sky) != 0u;
 
 #include "shaders/layers.glsl"
 #include "shaders/line_owner.glsl"
@@ -46,13 +48,16 @@ void main()
         return;
     }
     Layers layers = layers_at(pixel);
-    ivec2 owner = owner_of(pixel, layers.lines.a, constants.line_reach_px, ivec2(constants.size_px) - 1);
-    vec2 way = half_way(texelFetch(motion_image, owner, 0));
+    LineOwner owner = owner_of(pixel, layers.lines.a, constants.line_reach_px, ivec2(constants.size_px) - 1);
+    vec2 way = half_way(texelFetch(motion_image, owner.pixel, 0));
     if (is_stretched && way == vec2(0.0)) {
         // What has gone from its place to be drawn out elsewhere is not left there sharp.
-        way = half_way(texelFetch(own_motion_image, owner, 0));
+        way = half_way(texelFetch(own_motion_image, owner.pixel, 0));
     }
     imageStore(out_texel, pixel,
                pack_veil(veil_of(layers.wash.rgb, layers.hatch, layers.lines), packHalf2x16(way)));
-    imageStore(out_depth, pixel, texelFetch(depth_image, owner, 0));
+    imageStore(out_depth, pixel, vec4(owner.depth));
+    if (lays_sky) {
+        imageStore(out_hatch, pixel, vec4(layers.hatch));
+    }
 }

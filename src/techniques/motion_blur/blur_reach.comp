@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread finds the longest way that reaches a tile, its own or another's.
+// One thread finds the longest way that reaches a tile, its own or another's, and lists what has to be drawn.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -12,10 +12,16 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D tile_image;
 layout(binding = 1, rg16f) writeonly uniform image2D out_reach;
 
+#define TILE_LIST_BINDING 2
+#include "shaders/tile_list_fill.glsl"
+
 layout(push_constant, scalar) uniform Constants
 {
     MotionBlurConstants constants;
 };
+
+layout(constant_id = 0) const uint variant = 0u;
+const bool shows_velocity = (variant & blur_shows_velocity) != 0u;
 
 void main()
 {
@@ -36,4 +42,14 @@ void main()
         longest = gets_here && dot(way, way) > dot(longest, longest) ? way : longest;
     } while (++i < tiles);
     imageStore(out_reach, tile, vec4(longest, 0.0, 0.0));
+    if (longest == vec2(0.0) && !shows_velocity) {
+        return;
+    }
+    uvec2 parts = uvec2(blur_tile_px / 8u);
+    for (uint i = 0u; i < parts.x * parts.y; ++i) {
+        uvec2 part = parts * uvec2(tile) + uvec2(i % parts.x, i / parts.x);
+        if (all(lessThan(8u * part, constants.size_px))) {
+            list_tile(part);
+        }
+    }
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gpu/fills.hpp"
 #include "shaders/blur_gather_comp.hpp"
 #include "shaders/blur_own_comp.hpp"
 #include "shaders/blur_pack_comp.hpp"
@@ -26,6 +27,7 @@ constexpr float longest_line_mm = 30.0F;
 struct Packed {
     gpu::ImageId page;
     gpu::ImageId depth;
+    gpu::ImageId hatch; ///< with the sky's strokes, if they are laid; else nothing
 };
 
 Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
@@ -35,20 +37,29 @@ Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
     pass.sample(in.depth).sample(in.motion).sample(in.wash).sample(in.hatch).sample(in.lines).sample(
         in.sky_ink);
     pass.sample(in.own_motion);
+    const glm::uvec2 hatch_px = (variant & shared::blur_lays_sky) != 0U ? in.size_px : glm::uvec2(1);
     const Packed packed{
         .page = pass.write(
             graph.image("motion blur/page",
                         {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba32ui})),
         .depth = pass.write(
             graph.image("motion blur/depth",
-                        {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32f}))};
+                        {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r32f})),
+        .hatch = pass.write(graph.image(
+            "motion blur/hatch", {.width = hatch_px.x, .height = hatch_px.y, .format = gpu::Format::r16f}))};
     pass.variant(variant | (in.own_motion == in.motion ? 0U : shared::blur_is_stretched));
     pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
     return packed;
 }
 
-gpu::ImageId add_reach(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page,
-                       const shared::MotionBlurConstants& constants)
+/// The longest ways that reach tiles, and the tiles to draw.
+struct Reach {
+    gpu::ImageId ways;
+    gpu::BufferId tiles; ///< see shaders/tile_list.glsl.h
+};
+
+Reach add_reach(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page, uint32_t variant,
+                const shared::MotionBlurConstants& constants)
 {
     const glm::uvec2 tiles = (in.size_px + shared::blur_tile_px - 1U) / shared::blur_tile_px;
     const gpu::ImageDesc desc{.width = tiles.x, .height = tiles.y, .format = gpu::Format::rg16f};
@@ -56,11 +67,27 @@ gpu::ImageId add_reach(gpu::Graph& graph, const MotionBlurInputs& in, gpu::Image
     find.sample(page);
     const gpu::ImageId found = find.write(graph.image("motion blur/tiles", desc));
     find.push(constants).dispatch_over(tiles.x, tiles.y);
+    const gpu::BufferId no_tiles = gpu::add_empty_tile_list(graph, "motion blur/passed", in.size_px);
     auto spread = graph.compute("motion blur/reach", shaders::blur_reach_comp);
     spread.sample(found);
-    const gpu::ImageId reach = spread.write(graph.image("motion blur/reach", desc));
-    spread.push(constants).dispatch_over(tiles.x, tiles.y);
-    return reach;
+    const gpu::ImageId ways = spread.write(graph.image("motion blur/reach", desc));
+    const gpu::BufferId passed = spread.modify(no_tiles);
+    spread.variant(variant).push(constants).dispatch_over(tiles.x, tiles.y);
+    return {.ways = ways, .tiles = passed};
+}
+
+/// Blurs `layers` in place where anything moves.
+void blur_in_place(gpu::Graph& graph, const MotionBlurInputs& in, const Packed& packed, uint32_t variant,
+                   const shared::MotionBlurConstants& constants, MotionBlurLayers& layers)
+{
+    const Reach reach = add_reach(graph, in, packed.page, variant, constants);
+    auto pass = graph.compute("motion blur", shaders::blur_gather_comp);
+    pass.sample(packed.page).sample(packed.depth).sample(reach.ways);
+    layers.wash = pass.modify(layers.wash);
+    layers.hatch = pass.modify(layers.hatch);
+    layers.lines = pass.modify(layers.lines);
+    pass.read(reach.tiles);
+    pass.variant(variant).push(constants).dispatch_indirect(reach.tiles);
 }
 
 MotionBlurLayers write_layers(gpu::Graph& graph, gpu::Pass& pass, glm::uvec2 size_px)
@@ -130,22 +157,21 @@ MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in, 
 {
     constants.size_px = in.size_px;
     const uint32_t variant = in.has_sky ? shared::blur_has_sky : 0U;
-    const Packed packed = add_pack(graph, in, variant, constants);
-    MotionBlurLayers layers{.wash = in.wash, .hatch = in.hatch, .lines = in.lines, .holds_sky = false};
-    if (style.mode == Mode::own || style.mode == Mode::stretched) {
+    const bool blurs_within = style.mode == Mode::own || style.mode == Mode::stretched;
+    const bool lays_sky = in.has_sky && style.mode != Mode::none && !blurs_within;
+    const Packed packed = add_pack(graph, in, variant | (lays_sky ? shared::blur_lays_sky : 0U), constants);
+    MotionBlurLayers layers{.wash = in.wash,
+                            .hatch = lays_sky ? packed.hatch : in.hatch,
+                            .lines = in.lines,
+                            .holds_sky = lays_sky};
+    if (blurs_within) {
         auto pass = graph.compute("motion blur", shaders::blur_own_comp);
         pass.sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink).sample(packed.page);
         layers = write_layers(graph, pass, in.size_px);
         pass.variant(variant).push(constants).dispatch_over(in.size_px.x, in.size_px.y);
     } else if (style.mode != Mode::none) {
-        const gpu::ImageId reach = add_reach(graph, in, packed.page, constants);
-        auto pass = graph.compute("motion blur", shaders::blur_gather_comp);
-        pass.sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
-        pass.sample(packed.page).sample(packed.depth).sample(reach);
-        layers = write_layers(graph, pass, in.size_px);
-        pass.variant(variant | (style.mode == Mode::velocity ? shared::blur_shows_velocity : 0U))
-            .push(constants)
-            .dispatch_over(in.size_px.x, in.size_px.y);
+        blur_in_place(graph, in, packed, style.mode == Mode::velocity ? shared::blur_shows_velocity : 0U,
+                      constants, layers);
     }
     if (style.lines) {
         layers.lines = add_speed_lines(graph, in, packed, layers.lines, constants);

@@ -12,6 +12,7 @@ namespace estampe::shared {
 SHARED_CONSTANT uint blur_has_sky = 1U << 0U; // strokes of the sky stand where nothing is seen
 SHARED_CONSTANT uint blur_shows_velocity = 1U << 1U;
 SHARED_CONSTANT uint blur_is_stretched = 1U << 2U; // shapes are drawn out along their way
+SHARED_CONSTANT uint blur_lays_sky = 1U << 3U;     // strokes of the sky go with the others
 
 SHARED_CONSTANT uint blur_tile_px = 16U;
 SHARED_CONSTANT float blur_still_px = 0.25F; // who goes less far to either side of now stands still

@@ -47,10 +47,10 @@ struct MotionBlurLayers {
 /// Draws layers as they are seen while the shutter is open, all together, so that on paper they are the
 /// picture blurred; and speed lines and smear strokes over them.
 ///
-/// Writes  new layers; what stands still, and is not passed by anything, keeps its bits
-/// Cost    a pass over the page that packs it, two over its tiles, one of 64 texels a pixel at most where
-///         anything moves; speed lines three more, of 16 lines a pixel at most; smear strokes those of
-///         add_smear()
+/// Writes  the layers in place, or new ones; what stands still, and is not passed by anything, keeps its bits
+/// Cost    a pass over the page that packs it, two over its tiles, one of 64 texels a pixel at most over the
+///         tiles that anything moves through; speed lines three more, of 16 lines a pixel at most; smear
+///         strokes those of add_smear()
 [[nodiscard]] MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in,
                                                const MotionBlurStyle& style,
                                                shared::MotionBlurConstants constants,

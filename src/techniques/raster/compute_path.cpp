@@ -85,7 +85,7 @@ gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterIn
             pass.variant(mask_variant(in, batch, view));
         }
         if (view.behind) {
-            pass.read(*view.behind);
+            pass.sample(*view.behind, gpu::Format::rg32ui);
         }
         pass.push(constants);
         return pass;

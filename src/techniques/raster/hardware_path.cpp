@@ -122,7 +122,7 @@ void add_culled_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInpu
     pass.sample(in.triangles).sample(in.posed_vertices);
     if (view.behind) {
         bind_masks(pass, in);
-        pass.read(*view.behind);
+        pass.sample(*view.behind, gpu::Format::rg32ui);
     }
     pass.sample(culled.listed, gpu::Format::r32ui);
     if (!depth_only) {
@@ -146,7 +146,7 @@ void add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
         bind_masks(pass, in);
     }
     if (view.behind) {
-        pass.read(*view.behind);
+        pass.sample(*view.behind, gpu::Format::rg32ui);
     }
     if (!depth_only) {
         to.words = pass.color(to.words);

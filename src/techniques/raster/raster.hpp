@@ -20,7 +20,7 @@ namespace estampe::raster {
 /// How triangles are drawn; never automatic.
 struct Paths {
     RasterPath page = RasterPath::compute; ///< of what is seen by the eye
-    RasterPath maps = RasterPath::compute; ///< of what lights see
+    RasterPath maps = RasterPath::compute; ///< of what lights see, and of far sides, at every second pixel
 
     friend bool operator==(const Paths&, const Paths&) = default;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the page lays what light has come through, and from elsewhere under the surface, over
-// what stays.
+// One thread a pixel of the listed tiles lays what light has come through, and from elsewhere under the
+// surface, over what stays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -29,6 +29,9 @@ const bool spreads = (variant & subsurface_spreads) != 0u;
 
 layout(binding = 7, rgba16f) uniform image2D light;
 
+#define TILE_LIST_BINDING 8
+#include "shaders/tile_list.glsl"
+
 layout(push_constant, scalar) uniform Constants
 {
     ScatterConstants constants;
@@ -41,7 +44,9 @@ const float least_near = 1e-4;    // what is so thin that the half page saw noth
 
 void main()
 {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    // A tile that is done twice would be lit twice.
+    ivec2 pixel =
+        has_listed_tile() ? ivec2(listed_from_px() + gl_LocalInvocationID.xy) : ivec2(frame.size_px);
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread a pixel of the half page takes the light that spreads from there, with what comes through from
-// the far side. Blurs that no pixel needs are never run.
+// the far side. Blurs that no pixel needs are never run, and tiles of the page that get nothing of it are not
+// listed.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -42,8 +43,16 @@ layout(push_constant, scalar) uniform Constants
 
 layout(scalar, binding = 13) buffer Needs
 {
-    uvec4 needs[]; // how many groups to dispatch: over the page, then for one blur after another
+    uvec4 needs[]; // how many groups to dispatch, for one blur after another
 };
+
+layout(scalar, binding = 14) buffer Reached
+{
+    uint reached[]; // by four tiles of the page, which a group has: whether they are listed
+};
+
+#define TILE_LIST_BINDING 15
+#include "shaders/tile_list_fill.glsl"
 
 #include "techniques/subsurface/scatter.glsl"
 #include "techniques/subsurface/thickness.glsl"
@@ -51,14 +60,34 @@ layout(scalar, binding = 13) buffer Needs
 const float most_light = 65504.0; // that half floats hold
 
 shared uint widest_of_group; // spread on the page, as bits
-shared uint shines_in_group;
+shared uint reached_about;   // a bit for each of the groups about this one, and itself
 
-// Whether any pixel of the group needs the page, or one of the blurs.
-bool needs_pass(uint pass)
+const uint groups_about = 9u;
+
+// Which groups pixels of the page lie in that look at this one of the half page: also the next one's.
+uint groups_that_look(uvec2 local)
 {
-    float widest = uintBitsToFloat(widest_of_group);
-    float kept = pass == 0u ? kept_below_px() : level_from_px(int(pass) - 1);
-    return !holds_all(kept, widest) || (pass == 0u && shines_in_group != 0u);
+    uint columns = 2u | (local.x == 0u ? 1u : 0u) | (local.x == 7u ? 4u : 0u);
+    uint about = columns << 3;
+    about |= local.y == 0u ? columns : 0u;
+    return about | (local.y == 7u ? columns << 6 : 0u);
+}
+
+// Lists the tiles of one of the groups about, unless another group has done so.
+void list_tiles_of(uint about)
+{
+    ivec2 groups = (ivec2(frame.size_px) + 15) / 16;
+    ivec2 group = ivec2(gl_WorkGroupID.xy) + ivec2(about % 3u, about / 3u) - 1;
+    if (any(lessThan(group, ivec2(0))) || any(greaterThanEqual(group, groups)) ||
+        atomicOr(reached[group.y * groups.x + group.x], 1u) != 0u) {
+        return;
+    }
+    for (int i = 0; i < 4; ++i) {
+        ivec2 tile = 2 * group + ivec2(i & 1, i >> 1);
+        if (all(lessThan(8 * tile, ivec2(frame.size_px)))) {
+            list_tile(uvec2(tile));
+        }
+    }
 }
 
 void main()
@@ -66,7 +95,7 @@ void main()
     ivec2 half_pixel = min(ivec2(gl_GlobalInvocationID.xy), ivec2(constants.half_px) - 1);
     if (gl_LocalInvocationIndex == 0u) {
         widest_of_group = 0u;
-        shines_in_group = 0u;
+        reached_about = 0u;
     }
     barrier();
     ivec2 pixel = whole_pixel(half_pixel);
@@ -87,7 +116,7 @@ void main()
         through = min(left * far_light, vec3(most_light));
         takes = look_in.a > 0.0 ? takes_light_through : takes_nothing;
         if (through != vec3(0.0)) {
-            atomicOr(shines_in_group, 1u);
+            atomicOr(reached_about, groups_that_look(gl_LocalInvocationID.xy));
         }
     }
     vec3 kept = vec3(0.0);
@@ -114,6 +143,9 @@ void main()
         kept = share * light;
         takes += scatters ? takes_light_about : takes_nothing;
         atomicMax(widest_of_group, floatBitsToUint(widest));
+        if (scatters) {
+            atomicOr(reached_about, groups_that_look(gl_LocalInvocationID.xy));
+        }
     }
     imageStore(out_sum, half_pixel, vec4(kept, takes > takes_nothing ? ahead : nowhere_m));
     if (shines) {
@@ -121,11 +153,14 @@ void main()
     }
     barrier();
     // One thread for each says that it has to run.
-    uint pass = gl_LocalInvocationIndex;
-    if (pass <= uint(constants.level) && needs_pass(pass)) {
-        uvec2 threads = pass == 0u ? frame.size_px : constants.half_px;
-        atomicMax(needs[pass].x, (threads.x + 7u) / 8u);
-        atomicMax(needs[pass].y, (threads.y + 7u) / 8u);
-        atomicMax(needs[pass].z, 1u);
+    uint item = gl_LocalInvocationIndex;
+    if (item < uint(constants.level) &&
+        !holds_all(level_from_px(int(item)), uintBitsToFloat(widest_of_group))) {
+        atomicMax(needs[item].x, (constants.half_px.x + 7u) / 8u);
+        atomicMax(needs[item].y, (constants.half_px.y + 7u) / 8u);
+        atomicMax(needs[item].z, 1u);
+    }
+    if (item < groups_about && (reached_about >> item & 1u) != 0u) {
+        list_tiles_of(item);
     }
 }

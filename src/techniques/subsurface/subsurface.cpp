@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "gpu/fills.hpp"
 #include "shaders/exit_comp.hpp"
@@ -89,7 +90,7 @@ gpu::ImageId add_blurs(gpu::Graph& graph, const SubsurfaceInputs& in, shared::Sc
                                                                          .height = constants.half_px.y,
                                                                          .format = gpu::Format::rgba32f}));
             source.sum = pass.modify(source.sum);
-            pass.push(constants).dispatch_indirect(source.needs, sizeof(glm::uvec4) * (level + 1));
+            pass.push(constants).dispatch_indirect(source.needs, sizeof(glm::uvec4) * level);
         }
     }
     return source.sum;
@@ -176,7 +177,12 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
 {
     const uint32_t levels = spreads ? levels_within(in.reach_mm, in.pixels_per_mm) : 0U;
     const shared::ScatterConstants constants = constants_of(in, levels);
-    const gpu::BufferId none = gpu::add_zeros(graph, "subsurface/needs", sizeof(glm::uvec4) * (levels + 1));
+    const gpu::BufferId none =
+        gpu::add_zeros(graph, "subsurface/needs", sizeof(glm::uvec4) * std::max(levels, 1U));
+    const glm::uvec2 groups = (in.size_px + 15U) / 16U;
+    const gpu::BufferId unreached =
+        gpu::add_zeros(graph, "subsurface/reached", sizeof(glm::uvec4) * ((groups.x * groups.y + 3U) / 4U));
+    const gpu::BufferId no_tiles = gpu::add_empty_tile_list(graph, "subsurface/page tiles", in.size_px);
     const uint32_t variant =
         (through ? shared::subsurface_shines : 0U) | (spreads ? shared::subsurface_spreads : 0U);
     auto source = graph.compute("subsurface/source", shaders::scatter_source_comp);
@@ -193,13 +199,15 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
     const gpu::ImageId kept = written("subsurface/sum", gpu::Format::rgba32f, true);
     const gpu::ImageId shone = written("subsurface/through", gpu::Format::rgba16f, through.has_value());
     const gpu::BufferId needs = source.modify(none);
+    std::ignore = source.modify(unreached);
+    const gpu::BufferId tiles = source.modify(no_tiles);
     source.push(constants).dispatch_over(constants.half_px.x, constants.half_px.y);
     const gpu::ImageId sum = add_blurs(graph, in, constants, {lit, spread, kept, needs});
     auto pass = graph.compute("subsurface/page", shaders::scatter_page_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(sum).sample(shone);
     pass.variant(variant | bind_looks(pass, in));
     const gpu::ImageId result = pass.modify(light);
-    pass.push(constants).dispatch_indirect(needs);
+    pass.read(tiles).push(constants).dispatch_indirect(tiles);
     return result;
 }
 

@@ -77,7 +77,8 @@ struct Through {
 /// spread, adds the one to the other. Returns the new version of `light`. What comes through follows Beer and
 /// Lambert's law.
 ///
-/// Cost    one dispatch over every second pixel each way, then one over all. Where it spreads two for each
+/// Cost    one dispatch over every second pixel each way, then one over the tiles that get any of it. Where
+/// it spreads two for each
 ///         doubling of how far it does on the page, as far as its reach, over every second pixel, of four
 ///         texels a pixel that takes light in
 /// Source  Christensen and Burley, "Approximate Reflectance Profiles for Efficient Subsurface Scattering",
