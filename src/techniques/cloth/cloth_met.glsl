@@ -17,7 +17,7 @@ uint met_stride()
 float hardly_beyond_m(vec3 speed, vec3 push)
 {
     const float spare_m = 2e-3;
-    return spare_m + 1.5 * run.step_s * (length(speed) + run.step_s * length(push));
+    return spare_m + 1.1 * run.step_s * (length(speed) + run.step_s * length(push));
 }
 
 // How far it is at least from a place to one of the simple solids, in its own space.
