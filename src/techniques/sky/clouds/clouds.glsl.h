@@ -22,7 +22,7 @@ SHARED_CONSTANT uint most_puff_layers = 2U;
 
 // A ball of cloud: two texels of four floats.
 struct CloudPuff {
-    vec3 centre; // in the layer's space, on the tile
+    vec3 centre; // in the layer's space, on the tile or beside it
     float radius;
     vec3 lean;   // unit, in metres: where the mass about it faces
     float trait; // 0 to 1, its own

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +14,7 @@
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
 #include "support/layers.hpp"
+#include "techniques/sky/clouds/cover.hpp"
 #include "techniques/sky/sky_test_support.hpp"
 
 namespace estampe::sky {
@@ -22,18 +25,10 @@ struct Painted {
     std::vector<float> ink;
 };
 
-/// White clouds over a black sky, in the light of the view's sun.
-Painted paint(const View& view, CloudStyle style, double time_s = 0.0)
+/// What is planned over a black sky.
+Painted paint(const View& view, const std::optional<CloudPlan>& plan)
 {
     const SkyStyle sky{.horizon = glm::vec3(0.0F), .zenith = glm::vec3(0.0F), .darkness = 0.0F};
-    style.color = glm::vec3(1.0F);
-    CloudMemory memory;
-    const auto plan = plan_clouds(style,
-                                  {.eye_m = view.camera.eye,
-                                   .time_s = time_s,
-                                   .towards_sun = view.towards_sun,
-                                   .pixels_per_mm = view.pixels_per_mm},
-                                  memory);
     gpu::Device& device = test::shared_device();
     gpu::Buffer frame = gpu::upload_buffer(device, "frame", std::vector{view.globals()});
     const CloudPlan none{.shapes = std::make_shared<CloudShapes>()};
@@ -67,6 +62,19 @@ Painted paint(const View& view, CloudStyle style, double time_s = 0.0)
         painted.white.push_back(color.x);
     }
     return painted;
+}
+
+/// White clouds over a black sky, in the light of the view's sun.
+Painted paint(const View& view, CloudStyle style, double time_s = 0.0)
+{
+    style.color = glm::vec3(1.0F);
+    CloudMemory memory;
+    return paint(view, plan_clouds(style,
+                                   {.eye_m = view.camera.eye,
+                                    .time_s = time_s,
+                                    .towards_sun = view.towards_sun,
+                                    .pixels_per_mm = view.pixels_per_mm},
+                                   memory));
 }
 
 double mean(const std::vector<float>& values)
@@ -192,6 +200,94 @@ TEST(Clouds, LookTheSameInEveryBearing)
         const Painted other = towards(bearing_deg);
         EXPECT_LT(differing(north.white, other.white), 0.005) << bearing_deg;
         EXPECT_LT(differing(north.ink, other.ink), 0.01) << bearing_deg;
+    }
+}
+
+/// Whether a pixel's ray meets any of a layer's puffs, wherever the tile repeats: surely, well within an
+/// outline, or perhaps, near one, which wavers by 8.5 %.
+struct Met {
+    bool surely = false;
+    bool perhaps = false;
+};
+
+Met meet_any(const CloudPlan& plan, std::span<const shared::CloudPuff> puffs, const glm::dvec3& d,
+             double pixel_rad)
+{
+    const shared::PuffLayer& layer = plan.globals.puffs[0];
+    const glm::dvec2 along(plan.globals.along_wind);
+    const glm::dvec3 in_wind(d.x * along.x + d.z * along.y, d.y, d.z * along.x - d.x * along.y);
+    const glm::dvec3 step = in_wind * glm::dvec3(layer.per_m);
+    const double enter_m = static_cast<double>(layer.base_m) / d.y;
+    const glm::dvec3 entered = glm::dvec3(layer.eye) + step * enter_m;
+    const auto tile = static_cast<double>(layer.cells);
+    Met met;
+    for (const shared::CloudPuff& puff : puffs) {
+        glm::dvec3 from_centre = entered - glm::dvec3(puff.centre);
+        from_centre.x -= tile * std::round(from_centre.x / tile);
+        from_centre.z -= tile * std::round(from_centre.z / tile);
+        const double further_m = std::max(-glm::dot(from_centre, step) / glm::dot(step, step), 0.0);
+        const double away = glm::length(from_centre + step * further_m);
+        const auto radius = static_cast<double>(puff.radius);
+        // More than half of what a pixel spans, on the base even, where that is most.
+        const double margin = 0.6 * (enter_m + further_m) * pixel_rad * glm::length(step) / d.y;
+        met.surely |= away < 0.9 * radius - margin;
+        met.perhaps |= away < 1.1 * radius + margin;
+    }
+    return met;
+}
+
+TEST(Clouds, CoverWhereARayMeetsAnyPuffOfAll)
+{
+    // Apart from each other, so that none hides what another lacks; many are cut by the tile's edges.
+    constexpr uint32_t cells = 64;
+    constexpr float cell_m = 150.0F;
+    std::vector<shared::CloudPuff> puffs;
+    for (uint32_t i = 0; i < cells * cells / 4; ++i) {
+        const glm::vec2 stray(hashed(i, 1, 1), hashed(i, 2, 1));
+        const glm::vec2 place =
+            2.0F * glm::vec2(i % (cells / 2), i / (cells / 2)) + 0.8F * (stray - 0.5F) + float{cells};
+        puffs.push_back({.centre = {std::fmod(place.x, float{cells}), 0.6F * hashed(i, 3, 1),
+                                    std::fmod(place.y, float{cells})},
+                         .radius = 0.4F + 0.4F * hashed(i, 4, 1),
+                         .lean = {0.0F, 1.0F, 0.0F},
+                         .trait = hashed(i, 5, 1)});
+    }
+    const PuffLists lists = list_puffs(puffs, cells);
+    const auto shapes =
+        std::make_shared<CloudShapes>(CloudShapes{.starts = lists.starts, .puffs = lists.puffs});
+    CloudStyle style{.coverage = 0.5F, .size_m = 6.0F * cell_m, .wind_deg = 0.0F, .color = glm::vec3(1.0F)};
+    style.tones = 1;
+    style.outline_mm = 0.0F;
+    style.reach_m = 2e5F;
+    // About the tile's corner, along both of its edges and askew.
+    for (const double bearing_deg : {0.0, 90.0, 180.0, 270.0, 32.0}) {
+        View view{.camera = looking(40.0, bearing_deg, 0.7), .size_px = {96, 60}};
+        const glm::dvec3 away_m(0.2 * bearing_deg - 30.0, 0.0, 20.0 - 0.2 * bearing_deg);
+        view.camera.eye += away_m;
+        view.camera.target += away_m;
+        CloudMemory memory;
+        auto plan = plan_clouds(style, {.eye_m = view.camera.eye}, memory);
+        ASSERT_TRUE(plan && plan->globals.puffs[0].cells == cells);
+        plan->shapes = shapes;
+        plan->globals.puffs[0].thick_m = 1.6F * cell_m;
+        const Painted painted = paint(view, plan);
+        size_t within = 0;
+        size_t outside = 0;
+        for (size_t i = 0; i < painted.white.size(); ++i) {
+            const glm::dvec2 position = centre_of(i, view.size_px);
+            const glm::dvec3 d = view.direction(position);
+            const double pixel_rad = glm::distance(d, view.direction(position + glm::dvec2(1.0, 0.0)));
+            const Met met = meet_any(*plan, puffs, d, pixel_rad);
+            if (met.surely) {
+                EXPECT_GT(painted.white[i], 0.99F) << bearing_deg << ": " << i;
+                ++within;
+            } else if (!met.perhaps) {
+                EXPECT_LT(painted.white[i], 0.01F) << bearing_deg << ": " << i;
+                ++outside;
+            }
+        }
+        EXPECT_GT(within, 500U) << bearing_deg;
+        EXPECT_GT(outside, 500U) << bearing_deg;
     }
 }
 

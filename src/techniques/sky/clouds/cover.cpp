@@ -178,19 +178,25 @@ PuffLists list_puffs(std::span<const shared::CloudPuff> puffs, uint32_t cells)
             for (int x = first.x; x <= last.x; ++x) {
                 const glm::vec2 nearest = glm::clamp(centre, glm::vec2(x, y), glm::vec2(x + 1, y + 1));
                 if (glm::distance(nearest, centre) <= reach) {
-                    visit(static_cast<size_t>(y & mask) * cells + static_cast<size_t>(x & mask));
+                    const glm::ivec2 on_tile(x & mask, y & mask);
+                    visit(static_cast<size_t>(on_tile.y) * cells + static_cast<size_t>(on_tile.x),
+                          glm::vec2(on_tile - glm::ivec2(x, y)));
                 }
             }
         }
     };
     for (const shared::CloudPuff& puff : puffs) {
-        for_cells(puff, [&](size_t cell) { ++lists.starts[cell + 1]; });
+        for_cells(puff, [&](size_t cell, glm::vec2) { ++lists.starts[cell + 1]; });
     }
     std::partial_sum(lists.starts.begin(), lists.starts.end(), lists.starts.begin());
     lists.puffs.resize(lists.starts.back());
     std::vector<uint32_t> next = lists.starts;
     for (const shared::CloudPuff& puff : puffs) {
-        for_cells(puff, [&](size_t cell) { lists.puffs[next[cell]++] = puff; });
+        for_cells(puff, [&](size_t cell, glm::vec2 around) {
+            shared::CloudPuff& listed = lists.puffs[next[cell]++];
+            listed = puff;
+            listed.centre += glm::vec3(around.x, 0.0F, around.y);
+        });
     }
     return lists;
 }

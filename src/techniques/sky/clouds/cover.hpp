@@ -58,7 +58,8 @@ struct PuffShape {
                                                       float limit, uint32_t seed);
 
 /// Puffs by the cell of a tile, as the walk along a ray finds them: each stands in the list of every cell
-/// that its outline may touch.
+/// that its outline may touch. Where it reaches over the tile's edge, its centre there is off the tile,
+/// beside the cell.
 struct PuffLists {
     std::vector<uint32_t> starts; ///< one a cell, row by row, and the end
     std::vector<shared::CloudPuff> puffs;
