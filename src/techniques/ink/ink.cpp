@@ -63,9 +63,11 @@ private:
         const glm::uvec2 size = plan_.grid.size;
         const gpu::BufferId source = pass.write(
             graph_.buffer("ink/source", {.size_bytes = sizeof(uint32_t) * uint64_t{size.x} * size.y}));
+        const uint32_t strip =
+            (plan_.variant & shared::ink_in_strips) != 0 ? uint32_t{shared::ink_strip} : 1U;
         pass.push(plan_.spots)
             .variant(plan_.variant | (plan_.mask.empty() ? 0U : shared::ink_has_mask))
-            .dispatch_over(size.x, (size.y + shared::ink_strip - 1) / shared::ink_strip);
+            .dispatch_over(size.x, (size.y + strip - 1) / strip);
         return source;
     }
 

@@ -13,7 +13,7 @@ SHARED_CONSTANT uint most_ink_zones = 8U;
 SHARED_CONSTANT uint ink_map_side = 64U;     // nodes of a flow map's stream function, each way
 SHARED_CONSTANT uint ink_node_cells = 4U;    // from one node of the stream function to the next
 SHARED_CONSTANT uint ink_gutter = 3U;        // cells that a face of the cube has beyond each edge
-SHARED_CONSTANT uint ink_strip = 8U;         // cells of a column that one thread gives to
+SHARED_CONSTANT uint ink_strip = 8U;         // cells of a column that one thread gives to, on processors
 SHARED_CONSTANT uint ink_block = 8U;         // pixels that one thread measures
 SHARED_CONSTANT float ink_measured = 255.0F; // what a covered cell counts
 
@@ -29,6 +29,7 @@ SHARED_CONSTANT uint ink_has_mask = 1U << 7U;        // not all objects give ink
 SHARED_CONSTANT uint ink_spots_on_things = 1U << 8U; // they stay on what is drawn
 SHARED_CONSTANT uint ink_from_strokes = 1U << 9U;    // dark strokes give ink
 SHARED_CONSTANT uint ink_from_light = 1U << 10U;     // what is bright does; else whatever is there
+SHARED_CONSTANT uint ink_in_strips = 1U << 11U;      // a processor looks for what gives
 
 // One term of the stream function: amplitude * sin(2 pi (dot(wave, place) + phase)).
 struct InkWave {

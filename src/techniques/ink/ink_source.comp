@@ -49,6 +49,7 @@ const bool has_mask = (variant & ink_has_mask) != 0u;
 const bool is_on_things = (variant & ink_spots_on_things) != 0u;
 const bool from_strokes = (variant & ink_from_strokes) != 0u;
 const bool from_light = (variant & ink_from_light) != 0u;
+const int strip = (variant & ink_in_strips) != 0u ? int(ink_strip) : 1;
 
 #include "techniques/ink/front.glsl"
 #include "techniques/ink/grid.glsl"
@@ -145,18 +146,18 @@ vec2 spot_at(ivec2 cell, vec2 page_px)
                         : spot_on_page(lattice_place_mm(cell));
 }
 
-// Most cells give nothing, and have no spot worked out: each thread goes from one of its column that gives to
-// the next.
+// Most cells give nothing, and have no spot worked out: on a processor each thread goes from one of its
+// column that gives to the next.
 void main()
 {
-    ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, ink_strip);
+    ivec2 first = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, strip);
     if (any(greaterThanEqual(uvec2(first), globals.grid_size))) {
         return;
     }
-    int count = min(int(ink_strip), int(globals.grid_size.y) - first.y);
+    int count = min(strip, int(globals.grid_size.y) - first.y);
     float given[ink_strip];
     uint giving = 0u;
-    for (int i = 0; i < int(ink_strip); ++i) {
+    for (int i = 0; i < strip; ++i) {
         ivec2 cell = first + ivec2(0, i);
         given[i] = given_at(page_place_of_cell(cell));
         bool gives = given[i] > 0.0 && i < count;
