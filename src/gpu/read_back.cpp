@@ -28,6 +28,21 @@ void change_layout(VkCommandBuffer commands, const VkImageMemoryBarrier2& change
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
+/// Returns the version of `to` whose start has been overwritten.
+BufferId add_copy_between(Graph& graph, std::string_view name, BufferId from, BufferId to,
+                          uint64_t size_bytes)
+{
+    auto pass = graph.custom(name);
+    pass.touch(from, Access::transfer_read);
+    const BufferId copied = pass.touch_write(to, Access::transfer_write);
+    pass.execute([=](Recorder& recorder) {
+        const VkBufferCopy region{.size = size_bytes};
+        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(from).handle(), recorder.buffer(copied).handle(),
+                        1, &region);
+    });
+    return copied;
+}
+
 } // namespace
 
 void add_hand_over(Graph& graph, BufferId pixels, const VulkanPicture& picture, glm::uvec2 size_px)
@@ -84,15 +99,12 @@ void add_read_back(Graph& graph, std::string_view name, ImageId from, Buffer& to
 
 void add_copy_out(Graph& graph, std::string_view name, BufferId from, Buffer& to)
 {
-    const uint64_t size_bytes = to.size_bytes();
-    auto pass = graph.custom(name);
-    pass.touch(from, Access::transfer_read);
-    const BufferId copied = pass.touch_write(import_whole(graph, name, to), Access::transfer_write);
-    pass.execute([=](Recorder& recorder) {
-        const VkBufferCopy region{.size = size_bytes};
-        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(from).handle(), recorder.buffer(copied).handle(),
-                        1, &region);
-    });
+    static_cast<void>(add_copy_between(graph, name, from, import_whole(graph, name, to), to.size_bytes()));
+}
+
+BufferId add_copy_of_start(Graph& graph, std::string_view name, BufferId from, uint64_t size_bytes)
+{
+    return add_copy_between(graph, name, from, graph.buffer(name, {.size_bytes = size_bytes}), size_bytes);
 }
 
 } // namespace estampe::gpu

@@ -25,6 +25,10 @@ void add_read_back(Graph& graph, std::string_view name, ImageId from, Buffer& to
 /// outlives the run of `graph`.
 void add_copy_out(Graph& graph, std::string_view name, BufferId from, Buffer& to);
 
+/// A new buffer of the device's own memory with the first `size_bytes` of `from`.
+[[nodiscard]] BufferId add_copy_of_start(Graph& graph, std::string_view name, BufferId from,
+                                         uint64_t size_bytes);
+
 /// What lies in a buffer of mapped memory, from an offset on.
 template <class T>
 [[nodiscard]] std::span<const T> items_of(const Buffer& buffer, uint64_t offset_bytes = 0)

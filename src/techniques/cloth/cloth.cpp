@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "gpu/fills.hpp"
-#include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/read_back.hpp"
 #include "shaders/cloth_carry_comp.hpp"
@@ -24,24 +23,6 @@
 #include "techniques/cloth/runs.hpp"
 
 namespace estampe::cloth {
-namespace {
-
-/// What the processor writes may lie in its own memory, far from small steps that ask it over and over.
-gpu::BufferId add_solids(gpu::Graph& graph, gpu::BufferId written, uint64_t size_bytes)
-{
-    auto pass = graph.custom("cloth/solids");
-    pass.touch(written, gpu::Access::transfer_read);
-    const gpu::BufferId solids = pass.touch_write(graph.buffer("cloth/solids", {.size_bytes = size_bytes}),
-                                                  gpu::Access::transfer_write);
-    pass.execute([=](gpu::Recorder& recorder) {
-        const VkBufferCopy region{.size = size_bytes};
-        vkCmdCopyBuffer(recorder.commands(), recorder.buffer(written).handle(),
-                        recorder.buffer(solids).handle(), 1, &region);
-    });
-    return solids;
-}
-
-} // namespace
 
 Cloths::Handles Cloths::import(gpu::Graph& graph)
 {
@@ -250,7 +231,10 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     }
     fill_runs(surroundings, count);
     if (!met_.empty()) {
-        handles.solids = add_solids(graph, handles.solids, 2 * met_.size() * sizeof(shared::ClothCollider));
+        // What the processor writes may lie in its own memory, far from small steps that ask it over and
+        // over.
+        handles.solids = gpu::add_copy_of_start(graph, "cloth/solids", handles.solids,
+                                                2 * met_.size() * sizeof(shared::ClothCollider));
     }
     const WindStyle& wind = surroundings.wind;
     const uint32_t surrounded =

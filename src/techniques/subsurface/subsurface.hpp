@@ -78,9 +78,8 @@ struct Through {
 /// Lambert's law.
 ///
 /// Cost    one dispatch over every second pixel each way, then one over the tiles that get any of it. Where
-/// it spreads two for each
-///         doubling of how far it does on the page, as far as its reach, over every second pixel, of four
-///         texels a pixel that takes light in
+///         it spreads two for each doubling of how far it does on the page, as far as its reach, over every
+///         second pixel, of four texels a pixel that takes light in
 /// Source  Christensen and Burley, "Approximate Reflectance Profiles for Efficient Subsurface Scattering",
 ///         2015; Gaussians after d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007; on
 ///         the page after Jimenez, Sundstedt and Gutierrez, "Screen-Space Perceptual Rendering of Human

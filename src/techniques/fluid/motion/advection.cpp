@@ -3,6 +3,8 @@
 // Journal of Scientific Computing 35, 2008.
 #include "techniques/fluid/motion/advection.hpp"
 
+#include <stdexcept>
+
 #include "shaders/fluid_advect_comp.hpp"
 #include "shaders/fluid_correct_comp.hpp"
 #include "shaders/fluid_ways_comp.hpp"
@@ -83,13 +85,16 @@ gpu::ImageId add_advection(gpu::Graph& graph, const Grid& grid, Advection advect
         const uint32_t bits = chosen == Advection::cubic ? shared::fluid_bit_cubic : 0U;
         return add_advect(graph, grid, carried, carried.target, bits, time_s);
     }
+    if (carried.channels > 0) {
+        throw std::logic_error("what MacCormack's scheme carries of quantities is corrected as it changes");
+    }
     const ThereAndBack found = add_there(graph, grid, carried, time_s);
     auto correct = graph.compute("fluid/correct", shaders::fluid_correct_comp);
     correct.sample(found.ways)
         .sample(found.field, gpu::Sampling::linear_repeat)
         .sample(found.advected, gpu::Sampling::linear_repeat);
     const gpu::ImageId corrected = correct.write(carried.target);
-    correct.push(constants_of(grid, carried, time_s)).variant(bits_of(grid, carried));
+    correct.push(grid_constants(grid)).variant(grid_bits(grid));
     dispatch_over_cells(correct, grid);
     return corrected;
 }

@@ -45,7 +45,8 @@ struct ThereAndBack {
 [[nodiscard]] ThereAndBack add_there(gpu::Graph& graph, const Grid& grid, const Carried& carried,
                                      float time_s);
 
-/// `carried.field` after `time_s`, in `carried.target`. Velocities in metres a second.
+/// `carried.field` after `time_s`, in `carried.target`. Velocities in metres a second. Throws
+/// std::logic_error for quantities by MacCormack's scheme: add_corrected_matter() does that.
 [[nodiscard]] gpu::ImageId add_advection(gpu::Graph& graph, const Grid& grid, Advection advection,
                                          const Carried& carried, float time_s);
 
