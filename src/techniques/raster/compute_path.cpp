@@ -64,8 +64,7 @@ gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterIn
                                             .large_capacity = large_capacity,
                                             .tile_capacity = tile_capacity,
                                             .cull_back_faces = view.cull_back_faces ? 1U : 0U,
-                                            .small_area_px =
-                                                view.tuning.small_area_px * (view.second_from ? 4U : 1U),
+                                            .small_area_px = view.tuning.small_area_px,
                                             .second = second_bits(view)};
     gpu::BufferId counters = zeros(graph, name + "/counters", sizeof(shared::RasterCounters));
     gpu::BufferId large =

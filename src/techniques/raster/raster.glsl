@@ -372,4 +372,40 @@ void fill_column(PageTriangle t, ivec2 top, int last, int apart, uint triangle)
     }
 }
 
+// Whether some pixel centre of the tile may lie on the inner side of all three edges.
+bool touches(PageTriangle t, ivec2 low, ivec2 high)
+{
+    for (int i = 0; i < 3; ++i) {
+        ivec2 from = t.p[i];
+        ivec2 d = t.p[(i + 1) % 3] - from;
+        ivec2 farthest = ivec2(d.y < 0 ? high.x : low.x, d.x > 0 ? high.y : low.y) * 256 + 128;
+        int64_t value =
+            int64_t(d.x) * int64_t(farthest.y - from.y) - int64_t(d.y) * int64_t(farthest.x - from.x);
+        if (value < 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Puts a tile on the list if the triangle, which covers `low` to `high`, touches it. When the list is full
+// the thread draws the tile itself: slow, but whole.
+void list_tile(PageTriangle t, ivec2 low, ivec2 high, ivec2 tile, uint part, uint view_index, uint triangle)
+{
+    ivec2 tile_low = max(low, tile * tile_px);
+    ivec2 tile_high = min(high, tile * tile_px + tile_px - 1);
+    if (!touches(t, tile_low, tile_high)) {
+        return;
+    }
+    uint slot = atomicAdd(counters.tile_count, 1u);
+    if (slot < constants.tile_capacity) {
+        tiles[slot] = TriangleTile(triangle, pack_tile(part, view_index, tile));
+        return;
+    }
+    ivec2 top = first_drawn(tile_low);
+    for (; top.x <= tile_high.x; top.x += drawn_step()) {
+        fill_column(t, top, tile_high.y, drawn_step(), triangle);
+    }
+}
+
 #endif

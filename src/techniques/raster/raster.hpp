@@ -51,8 +51,8 @@ struct Batch {
 
 /// How the work is shared out; the picture does not depend on it.
 struct Tuning {
-    uint32_t small_area_px = 192; ///< largest bounding box of a triangle that one thread draws alone
-    uint32_t list_groups = 512;   ///< workgroups that take turns at a list whose length only the device knows
+    uint32_t small_area_px = 128; ///< largest bounding box of a triangle that one thread draws alone
+    uint32_t list_groups = 4096;  ///< workgroups that take turns at a list whose length only the device knows
     /// Triangles of a batch from which on the hardware draws a list of those that may cover a pixel.
     uint32_t culled_from = 8192;
 };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One thread draws one small triangle, or puts a large one on the list.
+// One thread draws one small triangle, lists the tiles of one that touches few, or puts a large one on the
+// list.
 
 const int small_side_px = 63; // edge functions of such triangles fit 32 bits
+const int most_tiles_a_thread = 4;
 
 void draw_part(ClippedTriangle clipped, uint part, uint view_index, uint triangle, uint flags)
 {
@@ -19,6 +21,14 @@ void draw_part(ClippedTriangle clipped, uint part, uint view_index, uint triangl
     if (all(lessThan(extent, ivec2(small_side_px * 256))) &&
         uint(covered.x * covered.y) <= constants.small_area_px) {
         fill_small(t, low, high, triangle);
+        return;
+    }
+    ivec2 first = low / tile_px;
+    ivec2 across = high / tile_px - first + 1;
+    if (across.x * across.y <= most_tiles_a_thread) {
+        for (int k = 0; k < across.x * across.y; ++k) {
+            list_tile(t, low, high, first + ivec2(k % across.x, k / across.x), part, view_index, triangle);
+        }
         return;
     }
     uint slot = atomicAdd(counters.large_count, 1u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One workgroup draws one triangle in one tile of the picture after another; each thread takes one column,
-// or where but every second is drawn every second pixel of it.
+// One workgroup draws one triangle in one tile of the picture after another; each thread takes a column,
+// or a share of it where the triangle is narrow.
 
 #include "techniques/raster/raster.glsl"
 
@@ -22,13 +22,14 @@ void main()
         pixel_bounds(t, low, high);
         low = max(low, corner);
         high = min(high, corner + tile_px - 1);
+        // The narrower the part, the more threads share a column.
         int drawn = drawn_step();
-        int columns = tile_px / drawn;
+        ivec2 first = first_drawn(low);
+        int width_bits = findMSB(max((high.x - first.x) / drawn, 0)) + 1;
         int thread = int(gl_LocalInvocationID.x);
-        ivec2 top = ivec2(first_drawn(corner).x, first_drawn(low).y) +
-                    drawn * ivec2(thread % columns, thread / columns);
-        if (top.x >= low.x && top.x <= high.x) {
-            fill_column(t, top, high.y, drawn * drawn, tile.triangle);
+        ivec2 top = first + drawn * ivec2(thread & ((1 << width_bits) - 1), thread >> width_bits);
+        if (top.x <= high.x) {
+            fill_column(t, top, high.y, drawn * (tile_px >> width_bits), tile.triangle);
         }
     }
 }
