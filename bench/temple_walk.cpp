@@ -6,6 +6,7 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct Options {
     glm::uvec2 size_px{320, 180};
     double minutes = 10.0;
     double frames_per_s = 1.0;
+    bool passes = false;
 };
 
 /// What the program itself has of the machine's memory.
@@ -118,9 +120,24 @@ public:
             fmt::print("  {:.1f} ms at {:.0f} s, {:.1f} {:.1f} {:.1f}\n", slow[i].wall_ms, slow[i].at_s,
                        slow[i].eye_m.x, slow[i].eye_m.y, slow[i].eye_m.z);
         }
+        if (options_.passes) {
+            print_passes();
+        }
     }
 
 private:
+    void print_passes() const
+    {
+        std::vector<std::pair<double, std::string>> passes;
+        for (const auto& [name, ms] : passes_ms_) {
+            passes.emplace_back(ms / static_cast<double>(frames_.size() - first), name);
+        }
+        std::ranges::sort(passes, std::ranges::greater{});
+        for (const auto& [ms, name] : passes) {
+            fmt::print("  {:<32} {:.4f} ms\n", name, ms);
+        }
+    }
+
     static constexpr int first = 4; ///< frames in which shaders are still compiled
 
     /// A walker looks where it goes.
@@ -158,6 +175,7 @@ private:
         frame.cpu_ms = 1e3 * static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
         for (const PassTiming& pass : renderer_.timings()) {
             frame.gpu_ms += pass.gpu_ms;
+            passes_ms_[pass.name] += number >= first ? pass.gpu_ms : 0.0;
         }
         frame.resident_mb = resident_mb();
         frame.device_mb = 1e-6 * static_cast<double>(renderer_.device_memory_bytes());
@@ -176,6 +194,7 @@ private:
     glm::dvec3 look_{0.0, 0.0, -1.0};
     double time_s_ = 0.0;
     std::vector<Frame> frames_;
+    std::map<std::string, double> passes_ms_; ///< of all frames that count
 };
 
 } // namespace
@@ -194,6 +213,7 @@ int main(int argc, char** argv)
     program.add_option("--fps", options.frames_per_s, "Frames a second of it that are drawn")
         ->capture_default_str();
     program.add_option("--pictures", options.pictures, "A folder that frames are written to");
+    program.add_flag("--passes", options.passes, "Also what each pass costs on average");
     CLI11_PARSE(program, argc, argv);
     try {
         Walk walk(options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One thread asks of one short stroke whether it runs beside a longer one, as the far side of a cusp does: it
-// is not drawn then. Nor is a stroke that was found on the page, of any length, if it runs beside one of the
-// mesh: where a box stands on the ground its edge is there already. No stroke has a past yet.
+// Four threads ask of one short stroke whether it runs beside a longer one, as the far side of a cusp does:
+// it is not drawn then. Nor is a stroke that was found on the page, of any length, if it runs beside one of
+// the mesh: where a box stands on the ground its edge is there already. No stroke has a past yet.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -9,7 +9,8 @@
 #include "shaders/unit.glsl"
 #include "techniques/contour/chains/chains.glsl.h"
 
-layout(local_size_x = 64) in;
+const uint threads = 4u;       // a stroke
+layout(local_size_x = 256) in; // of 64 strokes
 
 layout(scalar, binding = 0) readonly buffer Sizes
 {
@@ -60,7 +61,7 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
     vec2 here = sample_at(index).page_px;
     bool is_there = false;
     Cells around = cells_around(here, size_px);
-    for (ivec2 cell = around.low; cell.y <= around.high.y; cell = next_cell(cell, around)) {
+    for (ivec2 cell = around.low; !is_there && cell.y <= around.high.y; cell = next_cell(cell, around)) {
         uvec2 found = grid[cell_index(cell, size_px)];
         for (int k = 0; k < 2; ++k) {
             uint other = found.y == 0u ? index : k == 0 ? found.x : found.y - 1u;
@@ -76,22 +77,36 @@ bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
     return is_there;
 }
 
+shared uint beside[64]; // by stroke: how many of its samples lie beside another
+
 void main()
 {
-    uint own = gl_GlobalInvocationID.x;
-    if (own >= sizes[list_strokes].count) {
+    uint lane = gl_LocalInvocationID.x / threads;
+    uint own = 64u * gl_WorkGroupID.x + lane;
+    bool is_stroke = own < sizes[list_strokes].count;
+    uint first = is_stroke ? strokes[own].first : 0u;
+    uint steps = is_stroke ? strokes[own].last - first : 0u;
+    bool of_page = is_stroke && is_of_page(sample_at(first).source);
+    uint looks = min(steps, most_steps);
+    uint turn = gl_LocalInvocationID.x % threads;
+    if (turn == 0u) {
+        beside[lane] = 0u;
+    }
+    barrier();
+    uint found = 0u;
+    for (uint i = turn; is_stroke && i <= looks; i += threads) {
+        uint at = first + (of_page ? steps * i / max(looks, 1u) : i);
+        found += is_beside_longer(at, own, steps, of_page) ? 1u : 0u;
+    }
+    if (found > 0u) {
+        atomicAdd(beside[lane], found);
+    }
+    barrier();
+    if (!is_stroke || turn != 0u) {
         return;
     }
-    uint first = strokes[own].first;
-    uint steps = strokes[own].last - first;
-    bool of_page = is_of_page(sample_at(first).source);
-    uint looks = min(steps, most_steps);
-    uint beside = 0u;
-    for (uint i = 0u; i <= looks; ++i) {
-        uint at = first + (of_page ? steps * i / max(looks, 1u) : i);
-        beside += is_beside_longer(at, own, steps, of_page) ? 1u : 0u;
-    }
-    bool is_dropped = (steps <= most_steps || of_page) && float(beside) > most_share * float(looks + 1u);
+    bool is_dropped =
+        (steps <= most_steps || of_page) && float(beside[lane]) > most_share * float(looks + 1u);
     is_dropped = is_dropped || (of_page && steps < least_page_steps);
     strokes[own].ends = is_dropped ? stroke_is_dropped : 0u;
     strokes[own].recalled = no_sample;
