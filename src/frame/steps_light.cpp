@@ -295,7 +295,8 @@ subsurface::SubsurfaceInputs subsurface_inputs(const Making& making, const Posed
             .reach_mm = making.style.subsurface.reach_mm,
             .pixels_per_mm = making.plan.page.pixels_per_mm,
             .size_px = making.sample.size_px,
-            .from_px = glm::uvec2(making.sample.from_px)};
+            .from_px = glm::uvec2(making.sample.from_px),
+            .on_processor = making.plan.raster.on_processor};
 }
 
 ShadowMaps add_shadow_maps(const Making& making, const PosedScene& scene)

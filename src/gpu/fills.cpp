@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/fills.hpp"
 
+#include <glm/vec3.hpp>
+
 #include "gpu/graph/execute.hpp"
 #include "shaders/tile_list.glsl.h"
 
 namespace estampe::gpu {
 namespace {
 
-/// `word` stands in the second and the third place, zeros in all others.
-BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, uint32_t word)
+/// Zeros behind three words.
+BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, const glm::uvec3& words)
 {
     auto pass = graph.custom(name);
     const BufferId filled =
         pass.touch_write(graph.buffer(name, {.size_bytes = size_bytes}), Access::transfer_write);
     pass.execute([=](Recorder& recorder) {
-        const auto fill = [&](uint64_t from, uint64_t to, uint32_t value) {
-            vkCmdFillBuffer(recorder.commands(), recorder.buffer(filled).handle(), from, to - from, value);
-        };
-        fill(0, 4, 0);
-        fill(4, 12, word);
-        fill(12, size_bytes, 0);
+        const VkBuffer buffer = recorder.buffer(filled).handle();
+        vkCmdUpdateBuffer(recorder.commands(), buffer, 0, sizeof(words), &words);
+        vkCmdFillBuffer(recorder.commands(), buffer, sizeof(words), size_bytes - sizeof(words), 0);
     });
     return filled;
 }
@@ -48,19 +47,20 @@ ImageId add_fill(Graph& graph, std::string_view name, ImageId image, const glm::
 
 BufferId add_zeros(Graph& graph, std::string_view name, uint64_t size_bytes)
 {
-    return add_words(graph, name, size_bytes, 0);
+    return add_words(graph, name, size_bytes, glm::uvec3(0));
 }
 
 BufferId add_empty_list(Graph& graph, std::string_view name, uint64_t size_bytes)
 {
-    return add_words(graph, name, size_bytes, 1);
+    return add_words(graph, name, size_bytes, {0, 1, 1});
 }
 
 BufferId add_empty_tile_list(Graph& graph, std::string_view name, glm::uvec2 size_px)
 {
     const glm::uvec2 tiles = (size_px + 7U) / 8U;
     const uint64_t words = shared::tile_list_first + uint64_t{tiles.x} * tiles.y;
-    return add_empty_list(graph, name, (sizeof(uint32_t) * words + 15) / 16 * 16);
+    return add_words(graph, name, (sizeof(uint32_t) * words + 15) / 16 * 16,
+                     {shared::tile_list_groups, 0, 1});
 }
 
 } // namespace estampe::gpu

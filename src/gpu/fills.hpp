@@ -27,7 +27,7 @@ namespace estampe::gpu {
 /// The same behind the arguments of a dispatch of no workgroups: 0, 1, 1.
 [[nodiscard]] BufferId add_empty_list(Graph& graph, std::string_view name, uint64_t size_bytes);
 
-/// Such a list with room for all tiles of a page, see shaders/tile_list.glsl.h.
+/// A list with room for all tiles of a page, and none in it, see shaders/tile_list.glsl.h.
 [[nodiscard]] BufferId add_empty_tile_list(Graph& graph, std::string_view name, glm::uvec2 size_px);
 
 } // namespace estampe::gpu

@@ -11,12 +11,36 @@ layout(scalar, binding = TILE_LIST_BINDING) buffer TileList
     uint tile_list[];
 };
 
+// Room for so many tiles, one at least: the number of the first. All who list wait in turn for these words,
+// so that whoever has several tiles asks once.
+uint list_room(uint tiles)
+{
+    uint first = atomicAdd(tile_list[tile_list_count], tiles);
+    uint row = (first + tiles - 1u) / tile_list_groups;
+    if (first == 0u || row != (first - 1u) / tile_list_groups) {
+        atomicMax(tile_list[1], row + 1u);
+    }
+    return first;
+}
+
+void put_tile(uint number, uvec2 tile)
+{
+    tile_list[tile_list_first + number] = tile.x | tile.y << 16;
+}
+
+// Those of a square of tiles, `side` to a side, that lie on a page of so many pixels; the first does.
+void list_square(uvec2 first, uint side, uvec2 page_px)
+{
+    uvec2 count = min((page_px + 7u) / 8u - first, uvec2(side));
+    uint number = list_room(count.x * count.y);
+    for (uint i = 0u; i < count.x * count.y; ++i) {
+        put_tile(number + i, first + uvec2(i % count.x, i / count.x));
+    }
+}
+
 void list_tile(uvec2 tile)
 {
-    uint number = atomicAdd(tile_list[tile_list_count], 1u);
-    tile_list[tile_list_first + number] = tile.x | tile.y << 16;
-    atomicMax(tile_list[0], tile_list_groups);
-    atomicMax(tile_list[1], number / tile_list_groups + 1u);
+    put_tile(list_room(1u), tile);
 }
 
 #endif

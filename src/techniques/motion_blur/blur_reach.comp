@@ -45,11 +45,6 @@ void main()
     if (longest == vec2(0.0) && !shows_velocity) {
         return;
     }
-    uvec2 parts = uvec2(blur_tile_px / 8u);
-    for (uint i = 0u; i < parts.x * parts.y; ++i) {
-        uvec2 part = parts * uvec2(tile) + uvec2(i % parts.x, i / parts.x);
-        if (all(lessThan(8u * part, constants.size_px))) {
-            list_tile(part);
-        }
-    }
+    uint side = blur_tile_px / 8u;
+    list_square(side * uvec2(tile), side, constants.size_px);
 }

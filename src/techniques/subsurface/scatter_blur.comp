@@ -27,6 +27,7 @@ layout(push_constant, scalar) uniform Constants
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool is_upright = (variant & subsurface_is_upright) != 0u;
+const bool looks_less = (variant & subsurface_looks_less) != 0u;
 
 #include "techniques/subsurface/scatter.glsl"
 
@@ -42,7 +43,7 @@ void main()
     // Mesa takes a vector that a specialization constant chooses for the one it has by default.
     int upright = is_upright ? 1 : 0;
     ivec2 along = apart * ivec2(1 - upright, upright);
-    int taps = by < 0.0 ? 4 : 1;
+    int taps = by < 0.0 || !looks_less ? 4 : 1;
     vec3 change = vec3(0.0);
     int i = 0;
     do {

@@ -26,6 +26,7 @@ layout(constant_id = 0) const uint variant = 0u;
 #include "techniques/subsurface/looks.glsl"
 const bool shines = (variant & subsurface_shines) != 0u;
 const bool spreads = (variant & subsurface_spreads) != 0u;
+const bool looks_less = (variant & subsurface_looks_less) != 0u;
 
 layout(binding = 7, rgba16f) uniform image2D light;
 
@@ -72,7 +73,7 @@ void main()
     vec4 sum = vec4(0.0);
     vec4 through = vec4(0.0);
     int i = 0;
-    int corners = scatters || is_shone_through ? 4 : 1;
+    int corners = scatters || is_shone_through || !looks_less ? 4 : 1;
     do {
         ivec2 corner = ivec2(i & 1, i >> 1);
         ivec2 looked = first + corner;

@@ -25,6 +25,7 @@ layout(constant_id = 0) const uint variant = 0u;
 #include "techniques/subsurface/looks.glsl"
 const bool shines = (variant & subsurface_shines) != 0u;
 const bool spreads = (variant & subsurface_spreads) != 0u;
+const bool looks_less = (variant & subsurface_looks_less) != 0u;
 
 // Of the far side, on the half page.
 layout(binding = 6) uniform usampler2D far_draw_image; // 0 where no light comes through
@@ -41,7 +42,7 @@ layout(push_constant, scalar) uniform Constants
     ScatterConstants constants;
 };
 
-layout(scalar, binding = 13) buffer Needs
+layout(scalar, binding = 13) coherent buffer Needs
 {
     uvec4 needs[]; // how many groups to dispatch, for one blur after another
 };
@@ -82,12 +83,7 @@ void list_tiles_of(uint about)
         atomicOr(reached[group.y * groups.x + group.x], 1u) != 0u) {
         return;
     }
-    for (int i = 0; i < 4; ++i) {
-        ivec2 tile = 2 * group + ivec2(i & 1, i >> 1);
-        if (all(lessThan(8 * tile, ivec2(frame.size_px)))) {
-            list_tile(uvec2(tile));
-        }
-    }
+    list_square(2u * uvec2(group), 2u, frame.size_px);
 }
 
 void main()
@@ -128,7 +124,7 @@ void main()
         // next.
         vec4 sum = vec4(0.0);
         int i = 0;
-        int corners = scatters ? 4 : 1;
+        int corners = scatters || !looks_less ? 4 : 1;
         do {
             ivec2 looked = min(pixel + ivec2(i & 1, i >> 1), ivec2(frame.size_px) - 1);
             float share = texelFetch(draw_image, looked, 0).x == word ? 1.0 : 0.0;
@@ -152,10 +148,10 @@ void main()
         imageStore(out_through, half_pixel, vec4(through, takes));
     }
     barrier();
-    // One thread for each says that it has to run.
+    // One thread for each says that it has to run, unless another group has: all would wait in turn.
     uint item = gl_LocalInvocationIndex;
     if (item < uint(constants.level) &&
-        !holds_all(level_from_px(int(item)), uintBitsToFloat(widest_of_group))) {
+        !holds_all(level_from_px(int(item)), uintBitsToFloat(widest_of_group)) && needs[item].z == 0u) {
         atomicMax(needs[item].x, (constants.half_px.x + 7u) / 8u);
         atomicMax(needs[item].y, (constants.half_px.y + 7u) / 8u);
         atomicMax(needs[item].z, 1u);

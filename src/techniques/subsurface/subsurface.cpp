@@ -55,6 +55,12 @@ uint32_t bind_looks(gpu::Pass& pass, const SubsurfaceInputs& in)
     return in.look_of_draw ? shared::subsurface_has_looks : 0U;
 }
 
+/// How far a pass looks about, as a bit of its variant.
+uint32_t looking(const SubsurfaceInputs& in)
+{
+    return in.on_processor ? shared::subsurface_looks_less : 0U;
+}
+
 /// Of so many blurs.
 shared::ScatterConstants constants_of(const SubsurfaceInputs& in, uint32_t levels)
 {
@@ -85,7 +91,7 @@ gpu::ImageId add_blurs(gpu::Graph& graph, const SubsurfaceInputs& in, shared::Sc
             auto pass = graph.compute(is_upright ? "subsurface/columns" : "subsurface/rows",
                                       shaders::scatter_blur_comp);
             pass.uniform(in.frame).sample(source.spread).sample(source.light);
-            pass.variant(is_upright ? shared::subsurface_is_upright : 0U);
+            pass.variant((is_upright ? shared::subsurface_is_upright : 0U) | looking(in));
             source.light = pass.write(graph.image("subsurface/blurred", {.width = constants.half_px.x,
                                                                          .height = constants.half_px.y,
                                                                          .format = gpu::Format::rgba32f}));
@@ -183,8 +189,8 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
     const gpu::BufferId unreached =
         gpu::add_zeros(graph, "subsurface/reached", sizeof(glm::uvec4) * ((groups.x * groups.y + 3U) / 4U));
     const gpu::BufferId no_tiles = gpu::add_empty_tile_list(graph, "subsurface/page tiles", in.size_px);
-    const uint32_t variant =
-        (through ? shared::subsurface_shines : 0U) | (spreads ? shared::subsurface_spreads : 0U);
+    const uint32_t variant = (through ? shared::subsurface_shines : 0U) |
+                             (spreads ? shared::subsurface_spreads : 0U) | looking(in);
     auto source = graph.compute("subsurface/source", shaders::scatter_source_comp);
     source.uniform(in.frame).sample(in.draw).sample(in.depth).sample(light);
     source.variant(variant | bind_looks(source, in));

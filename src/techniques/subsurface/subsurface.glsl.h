@@ -47,6 +47,9 @@ SHARED_CONSTANT uint subsurface_has_looks = 1U; // surfaces differ
 SHARED_CONSTANT uint subsurface_is_upright = 2U;
 SHARED_CONSTANT uint subsurface_shines = 4U;  // light comes through from the far side
 SHARED_CONSTANT uint subsurface_spreads = 8U; // light comes out beside where it went in
+// Neighbours are looked at only where they count: on a GPU all are, by loads that do not wait for one
+// another.
+SHARED_CONSTANT uint subsurface_looks_less = 16U;
 
 #ifdef __cplusplus
 static_assert(sizeof(SubsurfaceLook) == 48);

@@ -42,7 +42,8 @@ struct SubsurfaceInputs {
     float reach_mm = 20.0F;
     float pixels_per_mm = 1.0F;
     glm::uvec2 size_px{0};
-    glm::uvec2 from_px{0}; ///< where on the page what is drawn begins
+    glm::uvec2 from_px{0};     ///< where on the page what is drawn begins
+    bool on_processor = false; ///< looks about only where it has to; a GPU rather loads all at once
 
     /// Every second pixel each way, of those at even places of the page: which is the first, and how many.
     [[nodiscard]] glm::uvec2 second_from() const { return from_px & 1U; }
