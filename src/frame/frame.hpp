@@ -23,6 +23,7 @@
 #include "techniques/motion_blur/stretch.hpp"
 #include "techniques/occlusion/disc_map.hpp"
 #include "techniques/pose/pose.hpp"
+#include "techniques/raster/clusters.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
 #include "techniques/terrain/trails/trodden.hpp"
@@ -52,6 +53,7 @@ struct FrameResources {
     gpu::Device& device;
     FrameLists& frame_lists;
     pose::MeshBuffers& meshes;
+    raster::ClusterBoxes& cluster_boxes;
     const pose::PoseData& pose; ///< of this moment
     surface::MaterialBuffers& materials;
     gpu::Buffer& frame_globals;

@@ -130,6 +130,7 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
         }
     }
     loaded.meshes = pose::upload_meshes(device, loaded.layout);
+    loaded.cluster_boxes.forget();
     loaded.cloth = MovingCloth::is_in(loaded.scene)
                        ? std::make_unique<MovingCloth>(device, loaded.scene, loaded.layout)
                        : nullptr;

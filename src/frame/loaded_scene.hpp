@@ -23,6 +23,7 @@
 #include "techniques/motion_blur/stretch.hpp"
 #include "techniques/occlusion/disc_map.hpp"
 #include "techniques/pose/pose.hpp"
+#include "techniques/raster/clusters.hpp"
 #include "techniques/surface/materials.hpp"
 #include "techniques/terrain/terrain_buffers.hpp"
 #include "techniques/terrain/trails/trodden.hpp"
@@ -45,6 +46,7 @@ struct LoadedScene {
     uint32_t layout_number = 0;             ///< of how many this is the last
     std::vector<StillCaster> still_casters; ///< of that
     pose::MeshBuffers meshes;
+    raster::ClusterBoxes cluster_boxes; ///< of these
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
     std::vector<std::string> notes;     ///< what became of textures

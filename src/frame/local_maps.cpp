@@ -50,15 +50,11 @@ gpu::BufferId add_local_maps(gpu::Graph& graph, const LocalMapInputs& in, LocalS
     if (in.views.empty()) {
         return maps;
     }
-    const auto triangle_count = static_cast<uint32_t>(in.layout.triangles.size());
-    const auto bounds = raster::add_cluster_bounds(
-        graph, in.raster, triangle_count,
-        graph.buffer("cluster bounds", {.size_bytes = raster::cluster_bounds_bytes(triangle_count)}));
     const auto depth_views = [&](const std::vector<shared::RasterView>& list, const char* name,
                                  gpu::Buffer& records) {
         return raster::DepthViews{.list = list,
                                   .records = gpu::import_whole(graph, name, records),
-                                  .bounds = bounds,
+                                  .bounds = *in.cluster_bounds,
                                   .path = in.path,
                                   .tuning = in.tuning};
     };

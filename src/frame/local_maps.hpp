@@ -42,7 +42,8 @@ struct LocalMapInputs {
     const raster::RasterInputs& raster;
     const pose::MeshData& layout;
     const LocalMapViews& views;
-    RasterPath path = RasterPath::compute; ///< never automatic
+    std::optional<gpu::BufferId> cluster_bounds; ///< needed where there are views
+    RasterPath path = RasterPath::compute;       ///< never automatic
     raster::Tuning tuning;
 };
 

@@ -165,8 +165,16 @@ TEST(LocalShadows, MapsInLayersAreThoseDrawnWholeBitForBit)
         buffers.views.moving = gpu::upload_buffer(test::shared_device(), "moving", views.moving);
         gpu::Graph graph;
         const raster::RasterInputs inputs = drawing.raster_inputs(graph);
+        raster::ClusterBoxes boxes;
         const gpu::BufferId maps = add_local_maps(
-            graph, {.raster = inputs, .layout = drawing.layout, .views = views, .path = path}, buffers);
+            graph,
+            {.raster = inputs,
+             .layout = drawing.layout,
+             .views = views,
+             .cluster_bounds = boxes.add(graph, test::shared_device(), inputs,
+                                         static_cast<uint32_t>(drawing.layout.triangles.size())),
+             .path = path},
+            buffers);
         return read_texels(graph, maps, texel_count);
     };
     for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {

@@ -45,7 +45,12 @@ RasterPlan plan_raster(const PlanInputs& in)
         return {.paths = paths};
     }
     // A processor draws a fairly large triangle faster on one thread than it hands tiles to many.
-    return {.paths = paths, .tuning = {.small_area_px = 2048, .list_groups = 32}, .on_processor = true};
+    return {.paths = paths,
+            .tuning = {.small_area_px = 2048,
+                       .list_groups = 32,
+                       .threads_list_tiles = false,
+                       .clusters_from = 8192},
+            .on_processor = true};
 }
 
 SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)

@@ -174,6 +174,9 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
     // What was found of another pose is lost, whether this picture looks at it or not.
     loaded->discs.is_found = loaded->discs.is_found && !loaded->pose_moved;
     loaded->disc_map.is_found = loaded->disc_map.is_found && !loaded->pose_moved;
+    if (loaded->pose_moved || loaded->terrain_moved) {
+        loaded->cluster_boxes.forget();
+    }
     const paper::Accumulation& accumulation = job.accumulation;
     const shared::FrameGlobals globals = frame::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
@@ -203,6 +206,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
     frame::FrameResources resources{.device = device,
                                     .frame_lists = frame_lists,
                                     .meshes = loaded->meshes,
+                                    .cluster_boxes = loaded->cluster_boxes,
                                     .pose = *loaded->pose,
                                     .materials = loaded->materials,
                                     .frame_globals = frame_globals,

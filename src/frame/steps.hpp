@@ -37,6 +37,7 @@ struct PosedScene {
     gpu::BufferId vertices_before;               ///< posed as they were in the frame before
     std::optional<gpu::BufferId> terrain_texels; ///< what a terrain's graph looks up
     raster::RasterInputs meshes;
+    std::optional<gpu::BufferId> cluster_bounds; ///< of their triangles, where anything looks at them
 };
 
 /// What is looked through, and whether there is any.

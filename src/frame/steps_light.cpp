@@ -50,6 +50,7 @@ gpu::BufferId local_maps_of(const Making& making, const PosedScene& scene)
                           {.raster = scene.meshes,
                            .layout = making.layout,
                            .views = making.sample.is_first ? plan.local_shadows.views : none,
+                           .cluster_bounds = scene.cluster_bounds,
                            .path = plan.raster.paths.maps,
                            .tuning = plan.raster.tuning},
                           making.resources.local_shadows);

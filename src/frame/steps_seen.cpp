@@ -14,6 +14,14 @@ raster::Batch batch(const pose::Range& range, bool masked = false)
         .first_triangle = range.first, .triangle_count = range.count, .masked = masked, .plain = range.plain};
 }
 
+bool wants_cluster_bounds(const Making& making)
+{
+    const RasterPlan& plan = making.plan.raster;
+    return (making.sample.is_first && !making.plan.local_shadows.views.empty()) ||
+           (plan.paths.page == RasterPath::compute &&
+            making.layout.opaque.count >= plan.tuning.clusters_from);
+}
+
 } // namespace
 
 Few<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground)
@@ -63,7 +71,7 @@ PosedScene add_posed_scene(const Making& making)
     if (making.sample.terrain_moved) {
         posed = making.resources.terrain->add_vertices(graph, posed, *terrain_texels);
     }
-    return {
+    PosedScene scene{
         .frame = gpu::import_whole(graph, "frame", making.resources.frame_globals),
         .stroke_coordinates = posed.stroke_coordinates,
         .vertices_before = posed.before,
@@ -75,13 +83,20 @@ PosedScene add_posed_scene(const Making& making)
                    .materials = gpu::import_whole(graph, "materials", making.resources.materials.materials),
                    .textures = surface::import_textures(graph, making.resources.materials),
                    .texture_classes = making.plan.needs.texture_classes}};
+    if (wants_cluster_bounds(making)) {
+        scene.cluster_bounds =
+            making.resources.cluster_boxes.add(graph, making.resources.device, scene.meshes,
+                                               static_cast<uint32_t>(making.layout.triangles.size()));
+    }
+    return scene;
 }
 
 gpu::BufferId add_visibility(const Making& making, const PosedScene& scene, const char* name)
 {
+    raster::View view = eye_view(making);
+    view.cluster_bounds = scene.cluster_bounds;
     return raster::add_visibility(making.graph, name, scene.meshes,
-                                  solid_batches(making.layout, making.plan.page.has_ground),
-                                  eye_view(making));
+                                  solid_batches(making.layout, making.plan.page.has_ground), view);
 }
 
 surface::Surface add_surface(const Making& making, const PosedScene& scene, gpu::BufferId visibility)

@@ -58,7 +58,12 @@ BufferId add_empty_list(Graph& graph, std::string_view name, uint64_t size_bytes
 BufferId add_empty_tile_list(Graph& graph, std::string_view name, glm::uvec2 size_px)
 {
     const glm::uvec2 tiles = (size_px + 7U) / 8U;
-    const uint64_t words = shared::tile_list_first + uint64_t{tiles.x} * tiles.y;
+    return add_empty_group_list(graph, name, uint64_t{tiles.x} * tiles.y);
+}
+
+BufferId add_empty_group_list(Graph& graph, std::string_view name, uint64_t most)
+{
+    const uint64_t words = shared::tile_list_first + most;
     return add_words(graph, name, (sizeof(uint32_t) * words + 15) / 16 * 16,
                      {shared::tile_list_groups, 0, 1});
 }

@@ -30,4 +30,7 @@ namespace estampe::gpu {
 /// A list with room for all tiles of a page, and none in it, see shaders/tile_list.glsl.h.
 [[nodiscard]] BufferId add_empty_tile_list(Graph& graph, std::string_view name, glm::uvec2 size_px);
 
+/// The same with room for so many words, each of which a workgroup works on.
+[[nodiscard]] BufferId add_empty_group_list(Graph& graph, std::string_view name, uint64_t most);
+
 } // namespace estampe::gpu

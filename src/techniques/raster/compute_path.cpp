@@ -12,12 +12,14 @@
 #include "shaders/small_depth_comp.hpp"
 #include "shaders/small_depth_masked_comp.hpp"
 #include "shaders/small_ids_comp.hpp"
+#include "shaders/small_ids_listed_comp.hpp"
 #include "shaders/small_masked_comp.hpp"
 #include "shaders/tile_behind_comp.hpp"
 #include "shaders/tile_depth_comp.hpp"
 #include "shaders/tile_depth_masked_comp.hpp"
 #include "shaders/tile_ids_comp.hpp"
 #include "shaders/tile_masked_comp.hpp"
+#include "techniques/raster/clusters.hpp"
 #include "techniques/raster/raster.glsl.h"
 
 namespace estampe::raster {
@@ -52,7 +54,6 @@ gpu::BufferId zeros(gpu::Graph& graph, const gpu::Name& name, uint64_t size_byte
 gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in, const Batch& batch,
                         const View& view, gpu::BufferId target, bool depth_only)
 {
-    const Stages shaders = stages(depth_only, batch.masked, view.behind.has_value());
     const uint32_t large_capacity = 2 * batch.triangle_count; // clipping makes two of one at most
     const glm::uvec2 page_tiles = (view.size_px + shared::raster_tile_px - 1U) / shared::raster_tile_px;
     const auto tile_capacity = static_cast<uint32_t>(
@@ -66,6 +67,9 @@ gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterIn
                                             .cull_back_faces = view.cull_back_faces ? 1U : 0U,
                                             .small_area_px = view.tuning.small_area_px,
                                             .second = second_bits(view)};
+    const auto clusters = depth_only ? std::nullopt : add_seen_clusters(graph, name, batch, view, constants);
+    const Stages shaders = stages(depth_only, batch.masked, view.behind.has_value());
+    const gpu::Shader& small = clusters ? shaders::small_ids_listed_comp : shaders.small;
     gpu::BufferId counters = zeros(graph, name + "/counters", sizeof(shared::RasterCounters));
     gpu::BufferId large =
         graph.buffer(name + "/large", {.size_bytes = large_capacity * sizeof(shared::LargeTriangle)});
@@ -74,22 +78,27 @@ gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterIn
     const auto begin_stage = [&](const char* stage, const gpu::Shader& shader) {
         auto pass = graph.compute(name + "/" + stage, shader);
         pass.sample(in.triangles).sample(in.posed_vertices);
-        const bool first = &shader == &shaders.small;
+        const bool first = &shader == &small;
         counters = pass.modify(counters);
         large = first ? pass.write(large) : pass.modify(large);
         tiles = first ? pass.write(tiles) : pass.modify(tiles);
         target = pass.modify(target);
         if (batch.masked || view.behind) {
             bind_masks(pass, in);
-            pass.variant(mask_variant(in, batch, view));
         }
+        pass.variant(mask_variant(in, batch, view) |
+                     (first && view.tuning.threads_list_tiles ? shared::draw_lists_tiles : 0U));
         if (view.behind) {
             pass.sample(*view.behind, gpu::Format::rg32ui);
         }
         pass.push(constants);
         return pass;
     };
-    begin_stage("small", shaders.small).dispatch_items(batch.triangle_count);
+    if (clusters) {
+        begin_stage("small", small).read(*clusters).dispatch_indirect(*clusters);
+    } else {
+        begin_stage("small", small).dispatch_items(batch.triangle_count);
+    }
     begin_stage("bin", shaders.bin).dispatch(std::min(view.tuning.list_groups, large_capacity));
     begin_stage("tile", shaders.tile)
         .dispatch(std::max(view.tuning.list_groups, tile_capacity / most_tiles_a_group + 1));

@@ -13,6 +13,7 @@ SHARED_CONSTANT uint raster_tile_px = 64U;
 // Bits of the variants, above those of the texture classes.
 SHARED_CONSTANT uint draw_tests_sides = 1U << 5U;
 SHARED_CONSTANT uint draw_has_no_masks = 1U << 6U; // of shaders that could test them
+SHARED_CONSTANT uint draw_lists_tiles = 1U << 7U;  // a thread does, of a triangle that touches few
 SHARED_CONSTANT uint cull_drops_backs = 1U;        // of the list that is drawn from
 // Of peels that draw but every second pixel each way; the two bits above it say at which they begin.
 SHARED_CONSTANT uint draws_second = 1U;

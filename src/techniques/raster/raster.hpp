@@ -53,8 +53,13 @@ struct Batch {
 struct Tuning {
     uint32_t small_area_px = 128; ///< largest bounding box of a triangle that one thread draws alone
     uint32_t list_groups = 4096;  ///< workgroups that take turns at a list whose length only the device knows
+    bool threads_list_tiles =
+        true; ///< each of the triangle it has, rather than a workgroup of one after another
     /// Triangles of a batch from which on the hardware draws a list of those that may cover a pixel.
     uint32_t culled_from = 8192;
+    /// Triangles of a batch from which on compute draws a list of the clusters that the page may show, where
+    /// their boxes are known. What that saves a GPU of less is what the list costs.
+    uint32_t clusters_from = 2'000'000;
 };
 
 struct View {
@@ -69,6 +74,8 @@ struct View {
     /// With that, only every second pixel each way is drawn, from this one on, 0 or 1: the picture is half as
     /// large as the one that is peeled.
     std::optional<glm::uvec2> second_from = std::nullopt;
+
+    std::optional<gpu::BufferId> cluster_bounds = std::nullopt; ///< of all triangles, see clusters.hpp
 
     /// Of the picture that is drawn.
     [[nodiscard]] glm::uvec2 drawn_px() const

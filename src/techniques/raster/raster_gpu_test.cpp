@@ -16,13 +16,18 @@ namespace {
 /// What must hold of both paths.
 class RasterPaths : public testing::TestWithParam<RasterPath> {
 protected:
-    /// Compute under four tunings, exact to the bit; hardware with the slack that it has on lavapipe.
+    /// Compute under six tunings, exact to the bit; hardware with the slack that it has on lavapipe.
     [[nodiscard]] static std::vector<Way> ways()
     {
         if (GetParam() == RasterPath::hardware) {
             return {{RasterPath::hardware, 1}, {RasterPath::hardware, 1, {.culled_from = 1}}};
         }
-        return {{}, {.tuning = {0, 3}}, {.tuning = {64, 1}}, {.tuning = {2048, 32}}};
+        return {{},
+                {.tuning = {0, 3}},
+                {.tuning = {64, 1}},
+                {.tuning = {2048, 32}},
+                {.tuning = {.small_area_px = 64, .threads_list_tiles = false}},
+                {.tuning = {.clusters_from = 1}}};
     }
 };
 

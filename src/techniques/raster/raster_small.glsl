@@ -5,11 +5,35 @@
 #include "techniques/raster/raster.glsl"
 #include "techniques/raster/raster_small_part.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = cluster_triangles) in;
+
+#ifdef RASTER_LISTED
+#include "shaders/tile_list.glsl.h"
+
+layout(scalar, binding = 6) readonly buffer Clusters
+{
+    uint clusters[]; // a list as tile_list.glsl.h has it: a workgroup takes one
+};
+
+// Within the batch; beyond its end where there is none for this thread.
+uint triangle_of_thread()
+{
+    uint number = gl_WorkGroupID.y * tile_list_groups + gl_WorkGroupID.x;
+    uint count = clusters[tile_list_count];
+    uint cluster = clusters[tile_list_first + min(number, count - 1u)];
+    uint triangle = cluster * cluster_triangles + gl_LocalInvocationIndex;
+    return number < count ? triangle - constants.first_triangle : ~0u;
+}
+#else
+uint triangle_of_thread()
+{
+    return item_index();
+}
+#endif
 
 void main()
 {
-    uint index = item_index();
+    uint index = triangle_of_thread();
     if (index >= constants.triangle_count) {
         return;
     }

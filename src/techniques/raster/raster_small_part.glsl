@@ -2,6 +2,10 @@
 // One thread draws one small triangle, lists the tiles of one that touches few, or puts a large one on the
 // list.
 
+#ifndef RASTER_MASKED
+layout(constant_id = 0) const uint variant = 0u;
+#endif
+
 const int small_side_px = 63; // edge functions of such triangles fit 32 bits
 const int most_tiles_a_thread = 4;
 
@@ -25,7 +29,7 @@ void draw_part(ClippedTriangle clipped, uint part, uint view_index, uint triangl
     }
     ivec2 first = low / tile_px;
     ivec2 across = high / tile_px - first + 1;
-    if (across.x * across.y <= most_tiles_a_thread) {
+    if ((variant & draw_lists_tiles) != 0u && across.x * across.y <= most_tiles_a_thread) {
         for (int k = 0; k < across.x * across.y; ++k) {
             list_tile(t, low, high, first + ivec2(k % across.x, k / across.x), part, view_index, triangle);
         }

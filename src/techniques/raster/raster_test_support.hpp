@@ -17,6 +17,7 @@
 #include "shaders/mesh.glsl.h"
 #include "support/gpu_device.hpp"
 #include "support/page_raster.hpp"
+#include "techniques/raster/clusters.hpp"
 #include "techniques/raster/raster.hpp"
 
 namespace estampe::raster {
@@ -37,8 +38,19 @@ struct Way {
     Tuning tuning = {};
 };
 
-inline std::vector<uint64_t> draw(const std::vector<ClipTriangle>& soup, glm::uvec2 size_px, const Way& way,
-                                  Batch batch)
+/// Corners, and triangles of them, on the device.
+struct SoupBuffers {
+    gpu::Buffer vertices;
+    gpu::Buffer triangles;
+
+    [[nodiscard]] RasterInputs inputs(gpu::Graph& graph)
+    {
+        return unmasked_inputs(graph, gpu::import_whole(graph, "triangles", triangles),
+                               gpu::import_whole(graph, "vertices", vertices));
+    }
+};
+
+inline SoupBuffers upload_soup(const std::vector<ClipTriangle>& soup)
 {
     std::vector<shared::PosedVertex> vertices;
     std::vector<glm::uvec4> triangles;
@@ -51,16 +63,25 @@ inline std::vector<uint64_t> draw(const std::vector<ClipTriangle>& soup, glm::uv
                                (triangle.two_sided ? shared::triangle_two_sided : 0U) |
                                    (triangle.mirrored ? shared::triangle_mirrored : 0U));
     }
-    gpu::Buffer vertex_buffer = gpu::upload_buffer(test::shared_device(), "vertices", vertices);
-    gpu::Buffer triangle_buffer = gpu::upload_buffer(test::shared_device(), "triangles", triangles);
+    return {.vertices = gpu::upload_buffer(test::shared_device(), "vertices", vertices),
+            .triangles = gpu::upload_buffer(test::shared_device(), "triangles", triangles)};
+}
+
+/// With the boxes of its clusters where so few triangles are to be listed by these.
+inline std::vector<uint64_t> draw(const std::vector<ClipTriangle>& soup, glm::uvec2 size_px, const Way& way,
+                                  Batch batch)
+{
+    SoupBuffers buffers = upload_soup(soup);
+    ClusterBoxes boxes;
     gpu::Graph graph;
-    const RasterInputs in = unmasked_inputs(graph, gpu::import_whole(graph, "triangles", triangle_buffer),
-                                            gpu::import_whole(graph, "vertices", vertex_buffer));
-    auto page = test::run_and_read_as<uint64_t>(graph, add_visibility(graph, "visibility", in, {&batch, 1},
-                                                                      {.clip_from_anchor = plain_perspective,
-                                                                       .size_px = size_px,
-                                                                       .path = way.path,
-                                                                       .tuning = way.tuning}));
+    const RasterInputs in = buffers.inputs(graph);
+    View view{
+        .clip_from_anchor = plain_perspective, .size_px = size_px, .path = way.path, .tuning = way.tuning};
+    if (way.tuning.clusters_from <= soup.size()) {
+        view.cluster_bounds = boxes.add(graph, test::shared_device(), in, static_cast<uint32_t>(soup.size()));
+    }
+    auto page =
+        test::run_and_read_as<uint64_t>(graph, add_visibility(graph, "visibility", in, {&batch, 1}, view));
     page.resize(size_t{size_px.x} * size_px.y);
     return page;
 }

@@ -12,8 +12,21 @@ bool reaches_side(vec3 centre, vec3 half_size, vec4 plane)
     return dot(plane.xyz, centre) + plane.w + dot(abs(plane.xyz), half_size) >= 0.0;
 }
 
-// False only when the view does not want the batch, or the box is beyond reach, or wholly beside or before
-// the view.
+// False only when the box is wholly beside or before what a camera sees.
+bool may_show(ClusterBounds bounds, mat4 clip_from_anchor)
+{
+    vec3 centre = 0.5 * (bounds.low + bounds.high);
+    // A little more than half, for what rounding takes.
+    vec3 half_size = 0.50001 * (bounds.high - bounds.low) + 1e-6 * abs(centre);
+    mat4 rows = transpose(clip_from_anchor);
+    return reaches_side(centre, half_size, rows[3] + rows[0]) &&
+           reaches_side(centre, half_size, rows[3] - rows[0]) &&
+           reaches_side(centre, half_size, rows[3] + rows[1]) &&
+           reaches_side(centre, half_size, rows[3] - rows[1]) &&
+           reaches_side(centre, half_size, rows[3] - rows[2]);
+}
+
+// The same of a view, which may not want the batch, or what is beyond its reach.
 bool may_show(ClusterBounds bounds, uint groups, RasterView view)
 {
     if ((view.groups & groups) == 0u) {
@@ -23,15 +36,7 @@ bool may_show(ClusterBounds bounds, uint groups, RasterView view)
     if (dot(gap, gap) > view.reach_m * view.reach_m) {
         return false;
     }
-    vec3 centre = 0.5 * (bounds.low + bounds.high);
-    // A little more than half, for what rounding takes.
-    vec3 half_size = 0.50001 * (bounds.high - bounds.low) + 1e-6 * abs(centre);
-    mat4 rows = transpose(view.clip_from_anchor);
-    return reaches_side(centre, half_size, rows[3] + rows[0]) &&
-           reaches_side(centre, half_size, rows[3] - rows[0]) &&
-           reaches_side(centre, half_size, rows[3] + rows[1]) &&
-           reaches_side(centre, half_size, rows[3] - rows[1]) &&
-           reaches_side(centre, half_size, rows[3] - rows[2]);
+    return may_show(bounds, view.clip_from_anchor);
 }
 
 #endif

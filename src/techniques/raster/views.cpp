@@ -10,7 +10,6 @@
 #include "shaders/bin_views_comp.hpp"
 #include "shaders/bin_views_masked_comp.hpp"
 #include "shaders/clear_views_comp.hpp"
-#include "shaders/cluster_bounds_comp.hpp"
 #include "shaders/corner_views_vert.hpp"
 #include "shaders/cull_views_comp.hpp"
 #include "shaders/draw_views_masked_frag.hpp"
@@ -28,12 +27,6 @@ constexpr uint64_t most_large = 1ULL << 19U;
 constexpr uint32_t most_pixels_a_thread = 32768;
 // Pairs of cluster and view that one draw lists at most.
 constexpr uint64_t most_pairs = 1ULL << 22U;
-
-uint32_t cluster_count(const Batch& batch)
-{
-    const uint32_t last = batch.first_triangle + batch.triangle_count - 1;
-    return last / shared::cluster_triangles - batch.first_triangle / shared::cluster_triangles + 1;
-}
 
 uint32_t largest_side(const DepthViews& views)
 {
@@ -87,8 +80,9 @@ gpu::BufferId compute_batch(gpu::Graph& graph, const gpu::Name& name, const Rast
         pass.read(views.records).read(views.bounds);
         if (batch.masked) {
             bind_masks(pass, in);
-            pass.variant(in.texture_classes);
         }
+        pass.variant((batch.masked ? in.texture_classes : 0U) |
+                     (first && views.tuning.threads_list_tiles ? shared::draw_lists_tiles : 0U));
         pass.push(constants);
         return pass;
     };
@@ -179,22 +173,6 @@ gpu::BufferId draw_views_by_hardware(gpu::Graph& graph, const gpu::Name& name, c
 }
 
 } // namespace
-
-uint64_t cluster_bounds_bytes(uint64_t triangle_count)
-{
-    const uint64_t count = (triangle_count + shared::cluster_triangles - 1) / shared::cluster_triangles;
-    return std::max<uint64_t>(count * sizeof(shared::ClusterBounds), 16);
-}
-
-gpu::BufferId add_cluster_bounds(gpu::Graph& graph, const RasterInputs& in, uint32_t triangle_count,
-                                 gpu::BufferId bounds)
-{
-    auto pass = graph.compute("cluster bounds", shaders::cluster_bounds_comp);
-    pass.sample(in.triangles).sample(in.posed_vertices);
-    bounds = pass.write(bounds);
-    pass.push(triangle_count).dispatch_items(triangle_count);
-    return bounds;
-}
 
 void place_views(std::vector<shared::RasterView>& views)
 {

@@ -6,20 +6,11 @@
 
 #include <vector>
 
+#include "techniques/raster/clusters.hpp"
 #include "techniques/raster/raster.glsl.h"
 #include "techniques/raster/raster.hpp"
 
 namespace estampe::raster {
-
-/// Boxes about runs of 64 triangles, one for each run of a list of `triangle_count`.
-[[nodiscard]] uint64_t cluster_bounds_bytes(uint64_t triangle_count);
-
-/// Finds the boxes anew, for triangles whose vertices have moved.
-///
-/// Writes  `bounds`: ClusterBounds, of cluster_bounds_bytes()
-/// Cost    one dispatch, a thread a triangle
-[[nodiscard]] gpu::BufferId add_cluster_bounds(gpu::Graph& graph, const RasterInputs& in,
-                                               uint32_t triangle_count, gpu::BufferId bounds);
 
 /// The views to draw, on both sides of the bus. Sizes are multiples of 2 and at most 16384 texels, first
 /// texels multiples of 4; maps do not overlap. At most 32768 views.
