@@ -2,6 +2,7 @@
 #include "smoke.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include "lamps.hpp"
