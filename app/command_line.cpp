@@ -309,6 +309,7 @@ DrawOptions read_draw_options(const Typed& typed)
     check_device(typed.device);
     draw.device.device = typed.device;
     draw.device.raster = parse_raster_path(typed.raster);
+    draw.is_draft = typed.draft;
     if (typed.draft) { // what is set says more
         draw.assignments.assign(draft_assignments.begin(), draft_assignments.end());
     }

@@ -81,6 +81,7 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add_text(draw.weather);
     hash.add(draw.hour.value_or(-1.0F));
     hash.add(draw.samples);
+    hash.add(draw.is_draft);
     hash.add(draw.time_s);
     hash.add_text(draw.animation);
     hash.add(static_cast<uint64_t>(scene.nodes.size()));
@@ -208,9 +209,9 @@ private:
 
     /// Half an exposure before a frame; or after the first, as before the beginning an animation is at its
     /// end.
-    [[nodiscard]] std::optional<Moment> exposure_end(uint32_t number) const
+    [[nodiscard]] std::optional<Moment> exposure_end(uint32_t number,
+                                                     const motion_blur::MotionBlurStyle& style) const
     {
-        const motion_blur::MotionBlurStyle& style = draw_.style.tables().motion_blur;
         if (!motion_blur::is_wanted(style)) {
             return std::nullopt;
         }
@@ -225,9 +226,10 @@ private:
         RenderSettings settings = settings_of(draw_, animation_);
         settings.time_s = time_s(number);
         settings.continuity = number == film_.first ? Continuity::starts : Continuity::follows;
-        settings.exposure_end = exposure_end(number);
         const Camera camera = camera_.at(settings.time_s, turn_at(number));
-        Image image = renderer_.render(camera, living_.show(renderer_, settings.time_s, camera), settings);
+        const Style style = living_.show(renderer_, settings.time_s, camera);
+        settings.exposure_end = exposure_end(number, style.tables().motion_blur);
+        Image image = renderer_.render(camera, style, settings);
         if (!has_noted_) {
             print_notes(renderer_.notes());
             has_noted_ = true;

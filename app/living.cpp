@@ -49,6 +49,9 @@ Living::Living(const DrawOptions& draw, const Scene& scene, Occasion occasion) :
                                             .hours_a_minute = hours_a_minute(occasion)};
         world_ = std::make_unique<temple::World>(draw.seed, weather);
         world_->meet(scene);
+        if (occasion == Occasion::film && !draw.is_draft) {
+            world_->film();
+        }
     }
 }
 

@@ -36,7 +36,7 @@ inline constexpr std::array draft_assignments{"hatch.layers=1",          "contou
                                               "smoke.age_s=2",           "shadow.sun_map=warped",
                                               "light.shadow_size=1024",  "shadow.local_size=256",
                                               "shadow.sun_radius_deg=0", "shadow.lamp_radius_m=0",
-                                              "cloth.effort=0.5"};
+                                              "cloth.effort=0.5",        "occlusion.drawn=false"};
 
 /// The style that `--style` names, or the default one, with the assignments of `--set`. Throws UsageError for
 /// a mistake in these, Error for a style that cannot be read.

@@ -46,6 +46,7 @@ struct DrawOptions {
     uint32_t tile_px = 0; ///< see RenderSettings
     Style style;
     std::vector<std::string> assignments; ///< of single parameters, which `style` has already
+    bool is_draft = false;                ///< it is for looking: what a world adds to its films is left out
     RendererOptions device;
 };
 

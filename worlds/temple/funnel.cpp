@@ -17,9 +17,9 @@ using estampe::Primitive;
 
 constexpr int ring_count = 12; ///< one over the other, the first at the foot
 constexpr uint32_t columns = 40;
-constexpr uint32_t rows = 44;
+constexpr uint32_t skin_rows = 44;
 constexpr double whole_turn = 2.0 * std::numbers::pi;
-constexpr double hidden_m = 200.0; ///< below the ground, where it is none
+constexpr double hidden_deep_m = 200.0; ///< below the ground, where it is none
 
 double joint_share(int joint)
 {
@@ -49,8 +49,8 @@ Primitive trunk(Index material)
     part.material = material;
     constexpr double rises_m = 8.0; // of a strand in one turn; strokes meet where the skin closes
     constexpr double tiny = 1e-3;
-    for (uint32_t row = 0; row <= rows; ++row) {
-        const double share = static_cast<double>(row) / rows;
+    for (uint32_t row = 0; row <= skin_rows; ++row) {
+        const double share = static_cast<double>(row) / skin_rows;
         for (uint32_t column = 0; column <= columns; ++column) {
             const double angle = whole_turn * column / columns;
             part.positions.emplace_back(skin_at(share, angle));
@@ -66,7 +66,7 @@ Primitive trunk(Index material)
         }
     }
     constexpr uint32_t stride = columns + 1;
-    for (uint32_t row = 0; row < rows; ++row) {
+    for (uint32_t row = 0; row < skin_rows; ++row) {
         for (uint32_t column = 0; column < columns; ++column) {
             const uint32_t low = row * stride + column;
             const uint32_t high = low + stride;
@@ -138,7 +138,7 @@ std::vector<estampe::NodePlace> funnel_places(Index first, const Tornado& tornad
     const bool is_there = strength > 0.03;
     // It comes down from above as a thread, and goes as one.
     const double grown = glm::smoothstep(0.0, 1.0, strength);
-    const double lifted_m = is_there ? 0.5 * funnel_m * (1.0 - grown) : -hidden_m;
+    const double lifted_m = is_there ? 0.5 * funnel_m * (1.0 - grown) : -hidden_deep_m;
     places.push_back({first,
                       {.translation = {tornado.foot_m.x, ground_m - 0.6 + lifted_m, tornado.foot_m.y},
                        .rotation = {1.0, 0.0, 0.0, 0.0},

@@ -158,6 +158,24 @@ std::string hollow_nodes(const std::string& number, const Hollow& hollow)
            ") + smoothstep(" + at(0.3F) + ", " + at(1.2F) + ", " + away + ") - 1)\"\n";
 }
 
+/// Down the avenue, through the gate and past what lies in the court to the stairs.
+estampe::TerrainTrack pilgrim()
+{
+    return {.name = "pilgrim",
+            .path_m = {{-4.0, 108.0},
+                       {1.2, 95.0},
+                       {-1.6, 81.0},
+                       {-0.6, 66.0},
+                       {0.9, 52.0},
+                       {0.2, 40.0},
+                       {-0.5, 30.0},
+                       {0.3, 22.0},
+                       {-1.4, 12.0},
+                       {-0.6, 0.0},
+                       {0.8, -9.0},
+                       {0.5, -16.0}}};
+}
+
 } // namespace
 
 float sand_level_m(const Plan& plan, uint64_t seed, const glm::vec2& place_m)
@@ -194,7 +212,7 @@ Desert::Desert(const Plan& plan, uint64_t seed) : seed_(seed)
     }
 }
 
-estampe::Terrain Desert::with(std::span<const Hollow> hollows) const
+estampe::Terrain Desert::with(std::span<const Hollow> hollows, bool is_trodden) const
 {
     Dice dice(seed_, 31);
     const std::string seed_of_dunes = ", seed = " + std::to_string(dice.below(1000)) + ")";
@@ -233,7 +251,11 @@ estampe::Terrain Desert::with(std::span<const Hollow> hollows) const
         "\n"
         "[ripples]\n" // the pen draws the sand's own streaks
         "height_m = 0\n";
-    estampe::Terrain desert(estampe::parse_terrain(text, "temple"));
+    estampe::TerrainDescription description = estampe::parse_terrain(text, "temple");
+    if (is_trodden) {
+        description.tracks.push_back(pilgrim());
+    }
+    estampe::Terrain desert(description);
     desert.paint_mask("temple", levels_m_);
     return desert;
 }

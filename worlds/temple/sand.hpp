@@ -33,8 +33,9 @@ public:
     Desert(const Plan& plan, uint64_t seed);
 
     /// The desert with these hollows; of more than `most_hollows` the first ones. They are numbers of the
-    /// same graph, so that a renderer draws on with the shader it has. Cost: a copy of a megabyte.
-    [[nodiscard]] estampe::Terrain with(std::span<const Hollow> hollows) const;
+    /// same graph, so that a renderer draws on with the shader it has. Where it is trodden, somebody has come
+    /// down the avenue and gone in when time begins, and left prints. Cost: a copy of a megabyte.
+    [[nodiscard]] estampe::Terrain with(std::span<const Hollow> hollows, bool is_trodden = false) const;
 
 private:
     uint64_t seed_;

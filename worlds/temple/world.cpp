@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include <glm/gtc/constants.hpp>
@@ -11,6 +10,7 @@
 #include <estampe/error.hpp>
 
 #include "air.hpp"
+#include "dress.hpp"
 #include "sight.hpp"
 #include "temple.hpp"
 
@@ -46,111 +46,10 @@ float shelter_at(const Plan& plan, const glm::vec2& place)
     return glm::smoothstep(0.0F, within_m, inside_m);
 }
 
-class Setter {
-public:
-    explicit Setter(estampe::Style& style) : style_(style) {}
-
-    void operator()(const std::string& key, double value) { style_.set(key + "=" + std::to_string(value)); }
-
-    void operator()(const std::string& key, const std::string& value) { style_.set(key + "=" + value); }
-
-    void color(const std::string& key, const glm::vec3& srgb)
-    {
-        const glm::ivec3 bytes(glm::round(255.0F * glm::clamp(srgb, 0.0F, 1.0F)));
-        char text[8];
-        std::snprintf(text, sizeof text, "#%02x%02x%02x", bytes.x, bytes.y, bytes.z);
-        style_.set(key + "=" + text);
-    }
-
-private:
-    estampe::Style& style_;
-};
-
 /// Towards `to` by a share, in equal parts of its size.
 double mixed_size(double from, double to, double share)
 {
     return std::exp((1.0 - share) * std::log(std::max(from, 0.01)) + share * std::log(std::max(to, 0.01)));
-}
-
-void dress_demons(Setter& set)
-{
-    // What is of ink is black in every style.
-    set("material.demon*.wash.strength", 1.0);
-    set("material.demon*.wash.neutral", 1.0);
-    set("material.demon*.wash.least", 0.0);
-    set("material.demon*.wash.detail", 0.0);
-    const std::string wisp = "object.wisp*.particles.";
-    set(wisp + "look", "blots");
-    set(wisp + "ink", "#0a090d");
-    set(wisp + "per_s", 15.0);
-    set(wisp + "life_s", 1.7);
-    set(wisp + "speed_mps", 0.3);
-    set(wisp + "spread_deg", 50.0);
-    set(wisp + "lift_mps2", 0.3);
-    set(wisp + "swirl_mps", 0.5);
-    set(wisp + "swirl_m", 0.8);
-    set(wisp + "size_m", 0.34);
-    set(wisp + "grown_m", 0.04);
-    set(wisp + "opacity", 1.0);
-    set(wisp + "soft_m", 0.05);
-}
-
-void dress_air(Setter& set)
-{
-    const std::string sand = "object.sand*.particles.";
-    set(sand + "look", "wash");
-    set(sand + "per_s", 5.0);
-    set(sand + "life_s", 2.6);
-    set(sand + "speed_mps", 4.0);
-    set(sand + "spread_deg", 25.0);
-    set(sand + "lift_mps2", 0.15);
-    set(sand + "swirl_mps", 1.4);
-    set(sand + "swirl_m", 5.0);
-    set(sand + "size_m", 0.8);
-    set(sand + "grown_m", 5.5);
-    set(sand + "opacity", 0.3);
-    set(sand + "soft_m", 1.5);
-    set("object.whirl*.particles.look", "drawn");
-    set("object.whirl*.particles.opacity", 0.75);
-    set("object.murk*.particles.look", "strokes");
-    set("object.murk*.particles.ink", "#17141a");
-    for (const std::string& whirl :
-         {std::string("object.whirl*.particles."), std::string("object.murk*.particles.")}) {
-        set(whirl + "per_s", 13.0);
-        set(whirl + "life_s", 1.5);
-        set(whirl + "speed_mps", 11.0);
-        set(whirl + "spread_deg", 14.0);
-        set(whirl + "lift_mps2", 1.2);
-        set(whirl + "swirl_mps", 1.5);
-        set(whirl + "swirl_m", 6.0);
-        set(whirl + "size_m", 1.4);
-        set(whirl + "grown_m", 6.0);
-        set(whirl + "soft_m", 1.0);
-    }
-}
-
-/// Ink runs from demons, and over the page when they dissolve; of a style that has ink already there is that.
-void dress_ink(Setter& set, const estampe::Style& base)
-{
-    if (base.number("ink.drawn") != 0.0) {
-        return;
-    }
-    set("ink.drawn", "true");
-    set("ink.source", "things");
-    set("ink.objects", R"("body of demon*")");
-    set("ink.zones", R"("stain*=give:0.6 turn:12, eddy*=turn:110")");
-    set("ink.color", "#0b0a0e");
-    set("ink.thin_color", "#2b2830");
-    set("ink.spot_mm", 0.9);
-    set("ink.spacing_mm", 4.2);
-    set("ink.amount_per_s", 22.0);
-    set("ink.spot_s", 1.5);
-    set("ink.life_s", 1.7);
-    set("ink.soak", 0.12);
-    set("ink.stain_s", 7.0);
-    set("ink.swirl_mm", 34.0);
-    set("ink.swirl_mm_s", 12.0);
-    set("ink.sharpness", 0.8);
 }
 
 } // namespace
@@ -158,7 +57,7 @@ void dress_ink(Setter& set, const estampe::Style& base)
 World::World(uint64_t seed, const WeatherChoice& weather)
     : seed_(seed), plan_(make_plan(seed)), site_(make_site(seed)), desert_(plan_, seed),
       still_(desert_.with({})), demons_(plan_, site_, still_, seed), timeline_(seed, weather),
-      weather_(timeline_.at(0.0))
+      weather_(timeline_.at(0.0)), plumes_(find_plumes(plan_, seed))
 {
 }
 
@@ -167,6 +66,7 @@ estampe::Scene World::scene() const
     estampe::Scene scene = build_temple(seed_);
     demons_.add_to(scene);
     add_air(scene);
+    add_smoke(scene, plumes_);
     return scene;
 }
 
@@ -197,6 +97,8 @@ void World::go_to(double time_s, const estampe::Camera& walker)
                             },
                         .is_roofed = [&](const glm::vec2& place) { return is_in_prison(plan_, place); }});
         shown.places.insert(shown.places.end(), air.begin(), air.end());
+        const auto smoke = smoke_places(first_of_smoke_, plumes_, walker.eye, in_sight);
+        shown.places.insert(shown.places.end(), smoke.begin(), smoke.end());
         // What stands still until then is not made to move before.
         has_begun_to_end_ = has_begun_to_end_ || (end_s_ && *time_s_ >= *end_s_);
         if (has_begun_to_end_ && ending_) {
@@ -230,6 +132,7 @@ void World::meet(const estampe::Scene& scene)
     };
     first_of_demons_ = first("demon 0");
     first_of_air_ = first("sand 0");
+    first_of_smoke_ = first("smoke 0");
     ending_.emplace(scene, seed_);
 }
 
@@ -252,7 +155,7 @@ void World::press(estampe::Renderer& renderer)
         return glm::distance(a.place_m, b.place_m) < least_m && std::abs(a.depth_m - b.depth_m) < least_m;
     };
     if (!pressed_ || !std::ranges::equal(hollows, *pressed_, is_near)) {
-        renderer.set_terrain(desert_.with(hollows));
+        renderer.set_terrain(desert_.with(hollows, is_filmed_));
         pressed_ = std::move(hollows);
     }
 }
@@ -265,6 +168,10 @@ estampe::Style World::style(const estampe::Style& base, const estampe::Camera& c
     dress_demons(set);
     dress_air(set);
     dress_ink(set, base);
+    dress_smoke(set, base);
+    if (is_filmed_) {
+        dress_film(set, base);
+    }
 
     const auto wind_m_s = static_cast<double>(weather_.wind_m_s);
     const auto gusts = static_cast<double>(weather_.gusts);

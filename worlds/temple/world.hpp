@@ -17,6 +17,7 @@
 #include "plan.hpp"
 #include "sand.hpp"
 #include "site.hpp"
+#include "smoke.hpp"
 #include "weather.hpp"
 
 namespace temple {
@@ -49,6 +50,10 @@ public:
 
     /// Somebody comes to the middle of the last hall at that moment, from which on its Ending takes its way.
     void end_at(double time_s) { end_s_ = time_s; }
+
+    /// A film is taken of it: smoke rises from the great halls' fires, one who came before has left prints in
+    /// the sand, and style() has a lens, and a shutter that is open.
+    void film() { is_filmed_ = true; }
 
     /// Moves it on the renderer that has the scene. Cost: linear in the nodes that move; where the ending
     /// begins, once that of laying out anew what stood still.
@@ -93,14 +98,17 @@ private:
     Demons demons_;
     WeatherTimeline timeline_;
     Weather weather_;
+    std::vector<Plume> plumes_;
     std::optional<double> time_s_;
     estampe::Index first_of_demons_ = 0;
     estampe::Index first_of_air_ = 0;
+    estampe::Index first_of_smoke_ = 0;
     std::vector<Shown> shown_;                   ///< not yet on a renderer
     std::optional<std::vector<Hollow>> pressed_; ///< nothing: the renderer's sand is as it may be
     std::optional<Ending> ending_;
     std::optional<double> end_s_;
     bool has_begun_to_end_ = false;
+    bool is_filmed_ = false;
 };
 
 } // namespace temple

@@ -109,6 +109,58 @@ TEST(TempleWorld, IsTheSameInOneLeapAndPictureByPicture)
     EXPECT_EQ(walking.demons().all()[0].place_m(), leaping.demons().all()[0].place_m());
 }
 
+TEST(TempleWorld, AFilmHasALensAnOpenShutterAndSmokeAndAPictureHasNot)
+{
+    World world(1);
+    const estampe::Camera camera = seen_from(world, "last hall");
+    world.go_to(0.0, camera);
+    estampe::Style base = estampe::Style::load("temple-day");
+    const estampe::Style picture = world.style(base, camera);
+    EXPECT_EQ(picture.text("lens.mode"), "none");
+    EXPECT_EQ(picture.text("motion_blur.mode"), "none");
+    EXPECT_EQ(picture.number("smoke.drawn"), 0.0);
+    world.film();
+    const estampe::Style film = world.style(base, camera);
+    EXPECT_EQ(film.text("lens.mode"), "gather");
+    EXPECT_EQ(film.text("motion_blur.mode"), "tiles");
+    EXPECT_EQ(film.number("smoke.drawn"), 1.0);
+    EXPECT_EQ(film.number("smoke.cells"), 64.0);
+    // A style that has them keeps its own.
+    base.set("lens.mode=separable");
+    base.set("motion_blur.mode=own");
+    base.set("smoke.drawn=true");
+    base.set("smoke.puff=0.3");
+    const estampe::Style own = world.style(base, camera);
+    EXPECT_EQ(own.text("lens.mode"), "separable");
+    EXPECT_EQ(own.text("motion_blur.mode"), "own");
+    EXPECT_EQ(own.number("smoke.puffs"), 1.0);
+    EXPECT_NEAR(own.number("smoke.puff"), 0.3, 1e-6);
+}
+
+TEST(TempleWorld, WhoCameBeforeWentAroundWhatStandsThere)
+{
+    for (uint64_t seed = 1; seed <= 10; ++seed) {
+        const Plan plan = make_plan(seed);
+        const Site site = make_site(seed);
+        const Desert desert(plan, seed);
+        EXPECT_TRUE(desert.with({}).description().tracks.empty());
+        const std::vector<estampe::TerrainTrack> tracks = desert.with({}, true).description().tracks;
+        ASSERT_EQ(tracks.size(), 1U);
+        const std::vector<glm::dvec2>& path_m = tracks.front().path_m;
+        for (size_t i = 0; i + 1 < path_m.size(); ++i) {
+            for (double share = 0.0; share <= 1.0; share += 0.02) {
+                const glm::dvec2 at_m = glm::mix(path_m[i], path_m[i + 1], share);
+                for (const glm::vec3& drum : site.drums) {
+                    EXPECT_GT(glm::distance(at_m, glm::dvec2(drum)), 1.8) << seed;
+                }
+                for (const StandingColumn& column : site.columns) {
+                    EXPECT_GT(glm::distance(at_m, glm::dvec2(column.place_m)), 1.2) << seed;
+                }
+            }
+        }
+    }
+}
+
 TEST(TempleWorld, OnlyASceneOfItsOwnIsMet)
 {
     World world(1);
