@@ -312,6 +312,25 @@ gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
         making.style.focus, lines);
 }
 
+namespace {
+
+/// What hides clouds; nothing where they are seen through it, or kept by themselves.
+std::optional<sky::SeenBefore> seen_before_clouds(const Making& making, const surface::Surface& surface,
+                                                  const SeenThrough& screen, bool has_layers)
+{
+    const bool is_clear = making.plan.subsurface && !making.plan.subsurface->clear.empty();
+    if (screen.is_there || is_clear || has_layers) {
+        return std::nullopt;
+    }
+    sky::SeenBefore before{.depth = surface.depth};
+    if (making.plan.page.has_haze) {
+        before.fades_from_m = making.style.haze.start_m;
+    }
+    return before;
+}
+
+} // namespace
+
 Colors add_colors(const Making& making, const PosedScene& scene, const surface::Surface& surface,
                   gpu::ImageId light, const SeenThrough& screen)
 {
@@ -331,16 +350,18 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
             return gpu::import_whole(making.graph, name, buffer);
         };
         const bool has_layers = making.resources.deep != nullptr && making.resources.deep->has_layers();
-        const sky::CloudedSky clouded = sky::add_clouds(making.graph,
-                                                        {.frame = scene.frame,
-                                                         .globals = import("clouds", buffers.globals),
-                                                         .starts = import("cloud cells", buffers.starts),
-                                                         .puffs = import("puffs", buffers.puffs),
-                                                         .streaks = import("streaks", buffers.streaks),
-                                                         .variant = plan.clouds->variant,
-                                                         .keeps_cover = has_layers,
-                                                         .size_px = making.sample.size_px},
-                                                        sky);
+        const sky::CloudedSky clouded =
+            sky::add_clouds(making.graph,
+                            {.frame = scene.frame,
+                             .globals = import("clouds", buffers.globals),
+                             .starts = import("cloud cells", buffers.starts),
+                             .puffs = import("puffs", buffers.puffs),
+                             .streaks = import("streaks", buffers.streaks),
+                             .variant = plan.clouds->variant,
+                             .keeps_cover = has_layers,
+                             .size_px = making.sample.size_px,
+                             .before = seen_before_clouds(making, surface, screen, has_layers)},
+                            sky);
         sky = clouded.sky;
         cover = has_layers ? std::optional(clouded.cover) : std::nullopt;
     }
