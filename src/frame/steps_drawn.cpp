@@ -312,27 +312,22 @@ gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
         making.style.focus, lines);
 }
 
-namespace {
-
-/// What hides clouds; nothing where they are seen through it, or kept by themselves.
-std::optional<sky::SeenBefore> seen_before_clouds(const Making& making, const surface::Surface& surface,
-                                                  const SeenThrough& screen, bool has_layers)
+std::optional<gpu::BufferId> add_far_tiles(const Making& making, const PosedScene& scene,
+                                           const surface::Surface& surface)
 {
-    const bool is_clear = making.plan.subsurface && !making.plan.subsurface->clear.empty();
-    if (screen.is_there || is_clear || has_layers) {
+    constexpr float nowhere_m = 1e30F;
+    const PagePlan& page = making.plan.page;
+    if (!page.has_haze && !making.plan.clouds) {
         return std::nullopt;
     }
-    sky::SeenBefore before{.depth = surface.depth};
-    if (making.plan.page.has_haze) {
-        before.fades_from_m = making.style.haze.start_m;
-    }
-    return before;
+    return surface::add_far_tiles(
+        making.graph, {.frame = scene.frame, .depth = surface.depth, .size_px = making.sample.size_px},
+        page.has_haze ? making.style.haze.start_m : nowhere_m);
 }
 
-} // namespace
-
 Colors add_colors(const Making& making, const PosedScene& scene, const surface::Surface& surface,
-                  gpu::ImageId light, const SeenThrough& screen)
+                  gpu::ImageId light, const SeenThrough& screen,
+                  const std::optional<gpu::BufferId>& far_tiles)
 {
     const FramePlan& plan = making.plan;
     sky::Sky sky = sky::add_sky(making.graph,
@@ -350,18 +345,19 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
             return gpu::import_whole(making.graph, name, buffer);
         };
         const bool has_layers = making.resources.deep != nullptr && making.resources.deep->has_layers();
-        const sky::CloudedSky clouded =
-            sky::add_clouds(making.graph,
-                            {.frame = scene.frame,
-                             .globals = import("clouds", buffers.globals),
-                             .starts = import("cloud cells", buffers.starts),
-                             .puffs = import("puffs", buffers.puffs),
-                             .streaks = import("streaks", buffers.streaks),
-                             .variant = plan.clouds->variant,
-                             .keeps_cover = has_layers,
-                             .size_px = making.sample.size_px,
-                             .before = seen_before_clouds(making, surface, screen, has_layers)},
-                            sky);
+        const bool is_clear = plan.subsurface && !plan.subsurface->clear.empty();
+        const bool shows_elsewhere = screen.is_there || is_clear || has_layers;
+        const sky::CloudedSky clouded = sky::add_clouds(making.graph,
+                                                        {.frame = scene.frame,
+                                                         .globals = import("clouds", buffers.globals),
+                                                         .starts = import("cloud cells", buffers.starts),
+                                                         .puffs = import("puffs", buffers.puffs),
+                                                         .streaks = import("streaks", buffers.streaks),
+                                                         .variant = plan.clouds->variant,
+                                                         .keeps_cover = has_layers,
+                                                         .size_px = making.sample.size_px,
+                                                         .tiles = shows_elsewhere ? std::nullopt : far_tiles},
+                                                        sky);
         sky = clouded.sky;
         cover = has_layers ? std::optional(clouded.cover) : std::nullopt;
     }
@@ -415,13 +411,15 @@ std::optional<StrokeHaze> stroke_haze(const Making& making, const PosedScene& sc
 }
 
 haze::HazeLayers add_haze(const Making& making, const PosedScene& scene, const surface::Surface& surface,
-                          gpu::ImageId sky_wash, const haze::HazeLayers& layers)
+                          gpu::ImageId sky_wash, const std::optional<gpu::BufferId>& far_tiles,
+                          const haze::HazeLayers& layers)
 {
     if (!making.plan.page.has_haze) {
         return layers;
     }
-    return haze::add_haze(making.graph, haze_inputs(making, scene, surface), making.style.haze, sky_wash,
-                          layers);
+    haze::HazeInputs inputs = haze_inputs(making, scene, surface);
+    inputs.tiles = far_tiles;
+    return haze::add_haze(making.graph, inputs, making.style.haze, sky_wash, layers);
 }
 
 std::optional<gpu::ImageId> add_flowing_ink(const Making& making, const PosedScene& scene,

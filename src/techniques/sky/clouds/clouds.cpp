@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/fills.hpp"
 #include "shaders/cloud_shadow_comp.hpp"
-#include "shaders/cloud_tiles_comp.hpp"
 #include "shaders/clouds_comp.hpp"
 #include "techniques/sky/clouds/cover.hpp"
 
@@ -225,26 +223,8 @@ std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& v
     return plan;
 }
 
-namespace {
-
-/// The tiles of 8 x 8 pixels where sky shows.
-gpu::BufferId add_tiles(gpu::Graph& graph, const CloudInputs& in, const SeenBefore& before)
-{
-    const glm::uvec2 tiles = (in.size_px + 7U) / 8U;
-    const gpu::BufferId none = gpu::add_empty_tile_list(graph, "clouds' tiles", in.size_px);
-    auto pass = graph.compute("clouds/tiles", shaders::cloud_tiles_comp);
-    pass.uniform(in.frame).sample(before.depth);
-    const gpu::BufferId listed = pass.modify(none);
-    pass.push(shared::CloudTiles{.fades_from_m = before.fades_from_m}).dispatch_over(tiles.x, tiles.y);
-    return listed;
-}
-
-} // namespace
-
 CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky)
 {
-    const std::optional<gpu::BufferId> tiles =
-        in.before ? std::optional(add_tiles(graph, in, *in.before)) : std::nullopt;
     auto pass = graph.compute("clouds", shaders::clouds_comp);
     pass.uniform(in.frame).uniform(in.globals);
     pass.sample(in.starts, gpu::Format::r32ui).sample(in.puffs, gpu::Format::rgba32f);
@@ -254,11 +234,11 @@ CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky)
     const glm::uvec2 cover_px = in.keeps_cover ? in.size_px : glm::uvec2(1);
     const gpu::ImageId cover = pass.write(graph.image(
         "clouds/cover", {.width = cover_px.x, .height = cover_px.y, .format = gpu::Format::r16f}));
-    pass.read(tiles.value_or(in.globals));
+    pass.read(in.tiles.value_or(in.globals));
     pass.variant(in.variant | (in.keeps_cover ? shared::clouds_keep_cover : 0U) |
-                 (tiles ? shared::clouds_have_tiles : 0U));
-    if (tiles) {
-        pass.dispatch_indirect(*tiles);
+                 (in.tiles ? shared::clouds_have_tiles : 0U));
+    if (in.tiles) {
+        pass.dispatch_indirect(*in.tiles);
     } else {
         pass.dispatch_over(in.size_px.x, in.size_px.y);
     }

@@ -68,10 +68,6 @@ struct CloudGlobals {
     float reach_m; // what is farther dissolves
 };
 
-struct CloudTiles {
-    float fades_from_m; // what is seen from here on lets the sky through
-};
-
 struct CloudShadow {
     float strength;
 };

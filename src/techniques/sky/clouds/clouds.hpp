@@ -66,12 +66,6 @@ struct CloudPlan {
 [[nodiscard]] std::optional<CloudPlan> plan_clouds(const CloudStyle& style, const CloudView& view,
                                                    CloudMemory& memory);
 
-/// What is seen before the sky.
-struct SeenBefore {
-    gpu::ImageId depth;         ///< r32f: reversed, 0 where nothing is
-    float fades_from_m = 1e30F; ///< from the eye: what is farther lets the sky through
-};
-
 struct CloudInputs {
     gpu::BufferId frame;   ///< FrameGlobals
     gpu::BufferId globals; ///< CloudGlobals
@@ -81,7 +75,8 @@ struct CloudInputs {
     uint32_t variant = 0;
     bool keeps_cover = false; ///< for a mask of them
     glm::uvec2 size_px{0};
-    std::optional<SeenBefore> before; ///< then only what sky shows beside it is painted; without a mask
+    /// Then these alone are painted, as of surface::add_far_tiles(), without a mask.
+    std::optional<gpu::BufferId> tiles;
 };
 
 /// A sky, and what of it clouds cover: r16f, one texel where that is not kept.
@@ -93,7 +88,7 @@ struct CloudedSky {
 /// Paints clouds into a sky: its wash is theirs where they are, its strokes end at them. Not in parallel
 /// projection, which sees one direction alone.
 ///
-/// Cost    one dispatch over the page, or over a list of the tiles of 8 x 8 pixels where sky shows
+/// Cost    one dispatch, over the page or a list of tiles
 /// Source  the walk through cells: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
 ///         Eurographics 1987
 [[nodiscard]] CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One thread a tile of 8 x 8 pixels lists it if the sky shows there: where nothing is seen, or what haze
-// fades. A processor looks at as many tiles as it has lanes, pixel by pixel, until all of them are known.
+// One thread a tile of 8 x 8 pixels lists it if nothing is seen somewhere in it, or something far off. A
+// processor looks at as many tiles as it has lanes, pixel by pixel, until all of them are known.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -8,7 +8,6 @@
 
 #include "shaders/camera.glsl"
 #include "shaders/rounds.glsl"
-#include "techniques/sky/clouds/clouds.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -24,7 +23,7 @@ layout(binding = 1) uniform sampler2D depth_image;
 
 layout(push_constant, scalar) uniform Constants
 {
-    CloudTiles constants;
+    float from_m; // from the eye
 };
 
 // The cosine of the angle between the view and a corner of the tile.
@@ -47,15 +46,16 @@ void main()
     uvec2 from_px = 8u * tile;
     bool is_on_page = all(lessThan(from_px, frame.size_px));
     ivec2 last_px = ivec2(frame.size_px) - 1;
-    float limit = depth_at_most(vec2(from_px), constants.fades_from_m);
-    bool is_open = false;
+    // In parallel projection depth is no measure of how far off the eye is.
+    float limit = frame.is_orthographic != 0u ? 1e30 : depth_at_most(vec2(from_px), from_m);
+    bool is_far = false;
     int i = 0;
     do {
         ivec2 pixel = min(ivec2(from_px) + ivec2(i & 7, i >> 3), last_px);
-        is_open = is_open || texelFetch(depth_image, pixel, 0).x <= limit;
+        is_far = is_far || texelFetch(depth_image, pixel, 0).x <= limit;
         ++i;
-    } while (subgroupAny(!is_open && i < rounds(64, int(tile.x))));
-    if (is_on_page && is_open) {
+    } while (subgroupAny(!is_far && i < rounds(64, int(tile.x))));
+    if (is_on_page && is_far) {
         list_tile(tile);
     }
 }
