@@ -66,11 +66,7 @@ layout(scalar, binding = 13) readonly buffer Lists
 layout(binding = 14, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
 layout(binding = 15, r32ui) writeonly uniform uimage2D out_strongest; // see LitPixels
 
-layout(scalar, binding = 16) readonly buffer LocalShadows
-{
-    LocalShadow local_shadows[];
-};
-
+layout(binding = 16) uniform usamplerBuffer local_shadow_texels;
 layout(binding = 17) uniform samplerBuffer local_maps;
 layout(binding = 18) uniform sampler2D lightmap_image;        // irradiance / pi, and whether it is known
 layout(binding = 19, r32f) writeonly uniform image2D out_sun; // see LitPixels
@@ -143,6 +139,16 @@ LightRecord light_at(uint light)
                        uintBitsToFloat(d.yzw), e.x, e.y, uintBitsToFloat(e.z), e.w);
 }
 
+LocalShadow local_shadow_at(uint shadow)
+{
+    uvec4 a = texelFetch(local_shadow_texels, int(4u * shadow));
+    uvec4 b = texelFetch(local_shadow_texels, int(4u * shadow + 1u));
+    uvec4 c = texelFetch(local_shadow_texels, int(4u * shadow + 2u));
+    uvec4 d = texelFetch(local_shadow_texels, int(4u * shadow + 3u));
+    return LocalShadow(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz), b.w,
+                       uintBitsToFloat(c.xyz), c.w, uintBitsToFloat(d.x), d.y, uintBitsToFloat(d.z), d.w);
+}
+
 shared uint reaching[lights_per_round / 32u];
 
 #include "techniques/light/light_tile.glsl"
@@ -179,8 +185,8 @@ vec3 shadowed_light(LightRecord light, Receiver at)
     vec3 arriving = local_light(light, at.point, at.normal);
     bool lit = !has_links || (light.groups & at.groups) != 0u;
     if (has_local_shadows && lit && at.takes_shadow && light.shadow != 0u) {
-        arriving *= local_share(local_shadows[light.shadow - 1u], light.position, at.point, at.smooth_normal,
-                                at.edge);
+        arriving *= local_share(local_shadow_at(light.shadow - 1u), light.position, at.point,
+                                at.smooth_normal, at.edge);
     }
     return lit ? arriving : vec3(0.0);
 }
