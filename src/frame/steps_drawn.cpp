@@ -330,13 +330,18 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                   const std::optional<gpu::BufferId>& far_tiles)
 {
     const FramePlan& plan = making.plan;
+    const bool has_layers = making.resources.deep != nullptr && making.resources.deep->has_layers();
+    const bool is_clear = plan.subsurface && !plan.subsurface->clear.empty();
+    const bool shows_elsewhere = screen.is_there || is_clear || has_layers;
+    const std::optional<gpu::BufferId> tiles = shows_elsewhere ? std::nullopt : far_tiles;
     sky::Sky sky = sky::add_sky(making.graph,
                                 {.frame = scene.frame,
                                  .towards_sun = plan.sun.towards,
                                  .daylight_rad = plan.sun.daylight_rad,
                                  .pixels_per_mm = plan.page.pixels_per_mm,
                                  .drawn = plan.page.has_sky,
-                                 .size_px = making.sample.size_px},
+                                 .size_px = making.sample.size_px,
+                                 .tiles = tiles},
                                 making.style.sky);
     std::optional<gpu::ImageId> cover;
     if (plan.clouds) {
@@ -344,9 +349,6 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
         const auto import = [&](const char* name, gpu::Buffer& buffer) {
             return gpu::import_whole(making.graph, name, buffer);
         };
-        const bool has_layers = making.resources.deep != nullptr && making.resources.deep->has_layers();
-        const bool is_clear = plan.subsurface && !plan.subsurface->clear.empty();
-        const bool shows_elsewhere = screen.is_there || is_clear || has_layers;
         const sky::CloudedSky clouded = sky::add_clouds(making.graph,
                                                         {.frame = scene.frame,
                                                          .globals = import("clouds", buffers.globals),
@@ -356,7 +358,7 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                                          .variant = plan.clouds->variant,
                                                          .keeps_cover = has_layers,
                                                          .size_px = making.sample.size_px,
-                                                         .tiles = shows_elsewhere ? std::nullopt : far_tiles},
+                                                         .tiles = tiles},
                                                         sky);
         sky = clouded.sky;
         cover = has_layers ? std::optional(clouded.cover) : std::nullopt;
