@@ -52,9 +52,10 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                               style.bleed);
 
     // What colour lies under it, and all of it on paper.
-    Colors colors = add_colors(making, scene, surface, lit.light, screen);
+    const std::optional<gpu::BufferId> far_tiles = add_far_tiles(making, scene, surface);
+    Colors colors = add_colors(making, scene, surface, lit.light, screen, far_tiles);
     colors = add_seen_through(making, scene, visibility, surface, maps, screen, colors);
-    haze::HazeLayers faded = add_haze(making, scene, surface, colors.sky_wash,
+    haze::HazeLayers faded = add_haze(making, scene, surface, colors.sky_wash, far_tiles,
                                       {.wash = colors.wash, .hatch = ink, .lines = lines});
     faded.lines = add_drift(making, scene, surface, faded.lines);
     faded = add_particles(making, scene, surface, colors.sky_wash, faded);

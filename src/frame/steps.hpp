@@ -180,10 +180,14 @@ add_motion_blur(const Making& making, const PosedScene& scene, gpu::BufferId vis
 /// Focus lines over those of the scene.
 [[nodiscard]] gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines);
 
+/// The tiles where sky shows, or haze lets it through; nothing where nobody asks.
+[[nodiscard]] std::optional<gpu::BufferId> add_far_tiles(const Making& making, const PosedScene& scene,
+                                                         const surface::Surface& surface);
+
 /// Colour, flat, and the sky behind it.
 [[nodiscard]] Colors add_colors(const Making& making, const PosedScene& scene,
                                 const surface::Surface& surface, gpu::ImageId light,
-                                const SeenThrough& screen);
+                                const SeenThrough& screen, const std::optional<gpu::BufferId>& far_tiles);
 
 /// Paints a surface of this light in its looks' colours, with `background` where there is none.
 [[nodiscard]] gpu::ImageId add_paint(const Making& making, const PosedScene& scene,
@@ -208,6 +212,7 @@ add_motion_blur(const Making& making, const PosedScene& scene, gpu::BufferId vis
 /// Colour and ink with what distance leaves of them.
 [[nodiscard]] haze::HazeLayers add_haze(const Making& making, const PosedScene& scene,
                                         const surface::Surface& surface, gpu::ImageId sky_wash,
+                                        const std::optional<gpu::BufferId>& far_tiles,
                                         const haze::HazeLayers& layers);
 
 /// Ink that flows out of these layers, where there is any.

@@ -312,17 +312,36 @@ gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
         making.style.focus, lines);
 }
 
+std::optional<gpu::BufferId> add_far_tiles(const Making& making, const PosedScene& scene,
+                                           const surface::Surface& surface)
+{
+    constexpr float nowhere_m = 1e30F;
+    const PagePlan& page = making.plan.page;
+    if (!page.has_haze && !making.plan.clouds) {
+        return std::nullopt;
+    }
+    return surface::add_far_tiles(
+        making.graph, {.frame = scene.frame, .depth = surface.depth, .size_px = making.sample.size_px},
+        page.has_haze ? making.style.haze.start_m : nowhere_m);
+}
+
 Colors add_colors(const Making& making, const PosedScene& scene, const surface::Surface& surface,
-                  gpu::ImageId light, const SeenThrough& screen)
+                  gpu::ImageId light, const SeenThrough& screen,
+                  const std::optional<gpu::BufferId>& far_tiles)
 {
     const FramePlan& plan = making.plan;
+    const bool has_layers = making.resources.deep != nullptr && making.resources.deep->has_layers();
+    const bool is_clear = plan.subsurface && !plan.subsurface->clear.empty();
+    const bool shows_elsewhere = screen.is_there || is_clear || has_layers;
+    const std::optional<gpu::BufferId> tiles = shows_elsewhere ? std::nullopt : far_tiles;
     sky::Sky sky = sky::add_sky(making.graph,
                                 {.frame = scene.frame,
                                  .towards_sun = plan.sun.towards,
                                  .daylight_rad = plan.sun.daylight_rad,
                                  .pixels_per_mm = plan.page.pixels_per_mm,
                                  .drawn = plan.page.has_sky,
-                                 .size_px = making.sample.size_px},
+                                 .size_px = making.sample.size_px,
+                                 .tiles = tiles},
                                 making.style.sky);
     std::optional<gpu::ImageId> cover;
     if (plan.clouds) {
@@ -330,7 +349,6 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
         const auto import = [&](const char* name, gpu::Buffer& buffer) {
             return gpu::import_whole(making.graph, name, buffer);
         };
-        const bool has_layers = making.resources.deep != nullptr && making.resources.deep->has_layers();
         const sky::CloudedSky clouded = sky::add_clouds(making.graph,
                                                         {.frame = scene.frame,
                                                          .globals = import("clouds", buffers.globals),
@@ -339,7 +357,8 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                                          .streaks = import("streaks", buffers.streaks),
                                                          .variant = plan.clouds->variant,
                                                          .keeps_cover = has_layers,
-                                                         .size_px = making.sample.size_px},
+                                                         .size_px = making.sample.size_px,
+                                                         .tiles = tiles},
                                                         sky);
         sky = clouded.sky;
         cover = has_layers ? std::optional(clouded.cover) : std::nullopt;
@@ -394,13 +413,15 @@ std::optional<StrokeHaze> stroke_haze(const Making& making, const PosedScene& sc
 }
 
 haze::HazeLayers add_haze(const Making& making, const PosedScene& scene, const surface::Surface& surface,
-                          gpu::ImageId sky_wash, const haze::HazeLayers& layers)
+                          gpu::ImageId sky_wash, const std::optional<gpu::BufferId>& far_tiles,
+                          const haze::HazeLayers& layers)
 {
     if (!making.plan.page.has_haze) {
         return layers;
     }
-    return haze::add_haze(making.graph, haze_inputs(making, scene, surface), making.style.haze, sky_wash,
-                          layers);
+    haze::HazeInputs inputs = haze_inputs(making, scene, surface);
+    inputs.tiles = far_tiles;
+    return haze::add_haze(making.graph, inputs, making.style.haze, sky_wash, layers);
 }
 
 std::optional<gpu::ImageId> add_flowing_ink(const Making& making, const PosedScene& scene,

@@ -20,6 +20,9 @@ layout(push_constant, scalar) uniform Constants
     HazeConstants constants;
 };
 
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_tiles = (variant & haze_has_tiles) != 0u;
+
 #define HAZE_DEPTH_BINDING 1
 #include "techniques/haze/haze.glsl"
 
@@ -28,10 +31,16 @@ layout(binding = 3, rgba16f) uniform image2D wash_image;
 layout(binding = 4, r16f) uniform image2D hatch_image;
 layout(binding = 5, rgba8) uniform image2D line_image;
 
+#define TILE_LIST_BINDING 6
+#include "shaders/tile_list.glsl" // of the variant that has one
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
+    if (has_tiles) {
+        pixel = ivec2(listed_from_px() + gl_LocalInvocationID.xy);
+    }
+    if (any(greaterThanEqual(uvec2(pixel), frame.size_px)) || (has_tiles && !has_listed_tile())) {
         return;
     }
     float depth = haze_depth(pixel);

@@ -29,7 +29,13 @@ HazeLayers add_haze(gpu::Graph& graph, const HazeInputs& in, const HazeStyle& st
     const HazeLayers faded{.wash = pass.modify(layers.wash),
                            .hatch = pass.modify(layers.hatch),
                            .lines = pass.modify(layers.lines)};
-    pass.push(constants_of(in, style)).dispatch_over(in.size_px.x, in.size_px.y);
+    pass.read(in.tiles.value_or(in.frame)).variant(in.tiles ? shared::haze_has_tiles : 0U);
+    pass.push(constants_of(in, style));
+    if (in.tiles) {
+        pass.dispatch_indirect(*in.tiles);
+    } else {
+        pass.dispatch_over(in.size_px.x, in.size_px.y);
+    }
     return faded;
 }
 

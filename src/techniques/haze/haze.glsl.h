@@ -4,7 +4,11 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint haze_has_tiles = 1U << 0U; // variant bit of haze.comp: only those of a list are faded
 
 struct HazeConstants {
     float start_m;      // nearer all is clear

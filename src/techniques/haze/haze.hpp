@@ -3,6 +3,8 @@
 
 // Air between the eye and what is far: colour fades into the sky's, strokes and lines into nothing.
 
+#include <optional>
+
 #include "gpu/graph/graph.hpp"
 #include "shaders/shared.hpp"
 #include "style/parameter.hpp"
@@ -25,6 +27,8 @@ struct HazeInputs {
     gpu::ImageId depth;        ///< r32f: reversed, 0 where nothing is
     float line_half_px = 1.0F; ///< of the widest line: what of it lies beyond the edge it follows
     glm::uvec2 size_px{0};
+    /// Then these alone are faded, as of surface::add_far_tiles() from where haze starts.
+    std::optional<gpu::BufferId> tiles;
 };
 
 /// What fades.
@@ -37,7 +41,7 @@ struct HazeLayers {
 /// Fades what is far, into `sky`, an rgba16f as large as the page or of one texel.
 ///
 /// Writes  new versions of the three layers; where nothing is seen, they keep their bytes
-/// Cost    one full-screen dispatch; on pixels of lines 64 depths besides at most
+/// Cost    one dispatch, over the page or a list of tiles; on pixels of lines 64 depths besides at most
 [[nodiscard]] HazeLayers add_haze(gpu::Graph& graph, const HazeInputs& in, const HazeStyle& style,
                                   gpu::ImageId sky, const HazeLayers& layers);
 

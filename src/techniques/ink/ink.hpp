@@ -52,8 +52,9 @@ struct Time {
     bool is_fresh = true; ///< there is none yet
 };
 
-/// Steps of at most a 24th of a second. Without `before_s`, or where the time since then is negative or more
-/// than a second, ink starts afresh, `age_s` ago; then longer ones keep them to a hundred or so.
+/// Steps of at most the length that the style asks for. Without `before_s`, or where the time since then is
+/// negative or more than a second, ink starts afresh, `age_s` ago; then longer ones keep them to a hundred or
+/// so.
 [[nodiscard]] Time time_of(const InkStyle& style, double time_s, std::optional<double> before_s);
 
 /// How the camera stands to how it stood in the picture before.

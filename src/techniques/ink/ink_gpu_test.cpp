@@ -214,6 +214,9 @@ TEST(InkTime, StartsAfreshAfterAGapOrBackInTime)
     EXPECT_EQ(steps(1.0 / 24.0, 0.0), std::pair(1U, false));
     EXPECT_EQ(steps(1.0 / 30.0, 0.0), std::pair(1U, false));
     EXPECT_EQ(steps(0.1, 0.0), std::pair(3U, false));
+    style.steps_per_s = 12.0F;
+    EXPECT_EQ(steps(5.0, {}), std::pair(24U, true));
+    EXPECT_EQ(steps(0.1, 0.0), std::pair(2U, false));
     style.age_s = 60.0F;
     EXPECT_LE(steps(0.0, {}).first, 100U) << "longer ones then";
 }

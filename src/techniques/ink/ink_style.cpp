@@ -70,6 +70,8 @@ const style::Table<InkStyle>& ink_table()
             .toggle("spills", &InkStyle::spills, "Whether it may flow over the margin of the page")
             .number("age_s", &InkStyle::age_s, {0.0F, 60.0F}, "s",
                     "How long it has flowed in a picture that stands for itself, and in the first of a film")
+            .number("steps_per_s", &InkStyle::steps_per_s, {1.0F, 240.0F}, "1/s",
+                    "How often it moves on in a second, at least: less is quicker, and swirls are rougher")
             .number("cell_mm", &InkStyle::cell_mm, {0.05F, 10.0F}, "mm",
                     "Side of a cell of its grid, at least a pixel")
             .number("oversize", &InkStyle::oversize, {1.0F, 3.0F}, "",

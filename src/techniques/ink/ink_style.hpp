@@ -51,6 +51,7 @@ struct InkStyle {
     float budget = 0.15F;
     bool spills = true;
     float age_s = 4.0F;
+    float steps_per_s = 24.0F;
     float cell_mm = 0.2F;
     float oversize = 1.25F;
     int seed = 1;

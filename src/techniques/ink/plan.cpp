@@ -9,7 +9,6 @@
 namespace estampe::ink {
 namespace {
 
-constexpr double longest_step_s = 1.0 / 24.0;
 constexpr double longest_gap_s = 1.0;
 constexpr double most_fresh_steps = 96.0;
 constexpr uint32_t most_face_cells = 1024;
@@ -155,7 +154,7 @@ Time time_of(const InkStyle& style, double time_s, std::optional<double> before_
     const double gap_s = before_s ? time_s - *before_s : -1.0;
     const bool goes_on = gap_s >= 0.0 && gap_s <= longest_gap_s;
     const double length_s = goes_on ? gap_s : static_cast<double>(style.age_s);
-    const double steps = std::ceil(length_s / longest_step_s - 1e-6);
+    const double steps = std::ceil(length_s * static_cast<double>(style.steps_per_s) - 1e-6);
     return {.from_s = time_s - length_s,
             .to_s = time_s,
             .steps = static_cast<uint32_t>(std::clamp(steps, goes_on ? 0.0 : 1.0, most_fresh_steps)),

@@ -66,11 +66,7 @@ layout(scalar, binding = 13) readonly buffer Lists
 layout(binding = 14, rgba16f) writeonly uniform image2D out_light; // irradiance / pi; its luminance in alpha
 layout(binding = 15, r32ui) writeonly uniform uimage2D out_strongest; // see LitPixels
 
-layout(scalar, binding = 16) readonly buffer LocalShadows
-{
-    LocalShadow local_shadows[];
-};
-
+layout(binding = 16) uniform usamplerBuffer local_shadow_texels;
 layout(binding = 17) uniform samplerBuffer local_maps;
 layout(binding = 18) uniform sampler2D lightmap_image;        // irradiance / pi, and whether it is known
 layout(binding = 19, r32f) writeonly uniform image2D out_sun; // see LitPixels
@@ -143,6 +139,16 @@ LightRecord light_at(uint light)
                        uintBitsToFloat(d.yzw), e.x, e.y, uintBitsToFloat(e.z), e.w);
 }
 
+LocalShadow local_shadow_at(uint shadow)
+{
+    uvec4 a = texelFetch(local_shadow_texels, int(4u * shadow));
+    uvec4 b = texelFetch(local_shadow_texels, int(4u * shadow + 1u));
+    uvec4 c = texelFetch(local_shadow_texels, int(4u * shadow + 2u));
+    uvec4 d = texelFetch(local_shadow_texels, int(4u * shadow + 3u));
+    return LocalShadow(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz), b.w,
+                       uintBitsToFloat(c.xyz), c.w, uintBitsToFloat(d.x), d.y, uintBitsToFloat(d.z), d.w);
+}
+
 shared uint reaching[lights_per_round / 32u];
 
 #include "techniques/light/light_tile.glsl"
@@ -179,13 +185,22 @@ vec3 shadowed_light(LightRecord light, Receiver at)
     vec3 arriving = local_light(light, at.point, at.normal);
     bool lit = !has_links || (light.groups & at.groups) != 0u;
     if (has_local_shadows && lit && at.takes_shadow && light.shadow != 0u) {
-        arriving *= local_share(local_shadows[light.shadow - 1u], light.position, at.point, at.smooth_normal,
-                                at.edge);
+        arriving *= local_share(local_shadow_at(light.shadow - 1u), light.position, at.point,
+                                at.smooth_normal, at.edge);
     }
     return lit ? arriving : vec3(0.0);
 }
 
-// The sum of the local lights that reach a place.
+// Steps over words without a light; `bits` are those of the word that is left in hand.
+void step_over_none(inout uint word, inout uint bits)
+{
+    while (bits == 0u && word + 1u < lights_per_round / 32u) {
+        bits = reaching[++word];
+    }
+}
+
+// The sum of the local lights that reach a place. A processor goes once through a loop that has no rounds and
+// once more at the end of others, so conditions stand where dear loops end.
 vec3 local_lights(uvec2 from_px, Tile tile, Receiver at)
 {
     uvec2 part = from_px / list_tiles.tile_px;
@@ -194,32 +209,41 @@ vec3 local_lights(uvec2 from_px, Tile tile, Receiver at)
     uint thread = gl_LocalInvocationIndex;
     vec3 sum = vec3(0.0);
     vec2 visits = vec2(0.0);
-    for (uint done = 0u; done < count; done += lights_per_round) {
+    uint done = 0u;
+    do {
         if (thread < lights_per_round / 32u) {
             reaching[thread] = 0u;
         }
         barrier();
-        for (uint i = thread; i < min(lights_per_round, count - done); i += 64u) {
-            if (looks_at_all ||
-                (tile_slices != 0u && reaches(light_at(listed_light(first + 1u, done + i)), tile))) {
+        uint looked_at = min(lights_per_round, count - done);
+        uint i = thread;
+        do {
+            if (i < looked_at &&
+                (looks_at_all ||
+                 (tile_slices != 0u && reaches(light_at(listed_light(first + 1u, done + i)), tile)))) {
                 atomicOr(reaching[i >> 5], 1u << (i & 31u));
             }
-        }
+            i += 64u;
+        } while (i < looked_at);
         barrier();
-        for (uint word = 0u; word < lights_per_round / 32u; ++word) {
-            uint bits = reaching[word];
-            while (bits != 0u) {
+        uint word = 0u;
+        uint bits = reaching[0];
+        step_over_none(word, bits);
+        do {
+            if (bits != 0u) {
                 uint bit = uint(findLSB(bits));
-                bits &= bits - 1u;
                 LightRecord light = light_at(listed_light(first + 1u, done + word * 32u + bit));
                 vec3 arriving = shadowed_light(light, at);
                 weigh(arriving, light.position - at.point);
                 sum += arriving;
                 visits += vec2(1.0, distance(at.point, light.position) < light.range_m ? 1.0 : 0.0);
             }
-        }
+            bits &= bits - 1u;
+            step_over_none(word, bits);
+        } while (bits != 0u);
         barrier();
-    }
+        done += lights_per_round;
+    } while (done < count);
     return counts_visits ? vec3(visits, 0.0) : sum;
 }
 

@@ -99,7 +99,7 @@ LitPixels add_light(gpu::Graph& graph, const LightInputs& in)
     const glm::uvec2 kept_px = in.keeps_strongest ? in.size_px : glm::uvec2(1);
     const gpu::ImageId strongest = pass.write(graph.image(
         "light/strongest", {.width = kept_px.x, .height = kept_px.y, .format = gpu::Format::r32ui}));
-    pass.read(in.local_shadows).sample(in.local_maps, gpu::Format::r32f);
+    pass.sample(in.local_shadows).sample(in.local_maps, gpu::Format::r32f);
     pass.sample(in.lightmap.value_or(in.depth));
     const glm::uvec2 sun_px = in.keeps_sun ? in.size_px : glm::uvec2(1);
     const gpu::ImageId sun = pass.write(

@@ -2,6 +2,7 @@
 // One thread lays the sprites over one pixel of the layers, the farthest first.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_vote : require
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/camera.glsl"
@@ -25,6 +26,9 @@ layout(binding = 7, rgba16f) uniform image2D wash_image;
 layout(binding = 8, r16f) uniform image2D hatch_image;
 layout(binding = 9, rgba8) uniform image2D line_image;
 
+#define TILE_LIST_BINDING 10
+#include "shaders/tile_list.glsl"
+
 layout(push_constant, scalar) uniform Constants
 {
     ParticleConstants constants;
@@ -33,7 +37,7 @@ layout(push_constant, scalar) uniform Constants
 // From the eye along the view, of what is seen; far beyond all where nothing is.
 float seen_at_m(ivec2 pixel)
 {
-    float depth = texelFetch(depth_image, pixel, 0).x;
+    float depth = texelFetch(depth_image, min(pixel, ivec2(frame.size_px) - 1), 0).x;
     vec3 point = anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9));
     return depth > 0.0 ? (frame.clip_from_anchor * vec4(point, 1.0)).w : 1e12;
 }
@@ -74,54 +78,109 @@ float density_at(vec2 uv, float trait, float shown)
 // What all sprites over a place add up to.
 struct Mass {
     float density;
-    float soft;   // the same, one over the other
+    vec2 beside;  // density one pixel to the right, and one below
+    float soft;   // density, one over the other
     float shade;  // 0 to 1: on the lower side of the nearest
     float fold;   // ink where one lies before others
     float away_m; // along the view, of what is seen of them on average
 };
 
-Mass mass_at(vec2 place, float surface_m)
+struct SpriteOver {
+    Sprite sprite;
+    vec2 away; // of the place from its middle, in radii
+};
+
+SpriteOver sprite_over(vec2 place, int i)
 {
-    const float edge = 0.6; // of a sprite, in radii: where it hides those behind
+    int sprite = 3 * int(texelFetch(listed_texels, i).x);
+    vec4 a = texelFetch(sprite_texels, sprite);
+    vec4 b = texelFetch(sprite_texels, sprite + 1);
+    vec4 c = texelFetch(sprite_texels, sprite + 2);
+    return SpriteOver(Sprite(a.xy, a.z, a.w, b.xy, b.z, b.w, c.x, c.y, c.zw), (place - a.xy) / a.z);
+}
+
+// Along the sprite and across.
+vec2 turned(Sprite sprite, vec2 away)
+{
+    return vec2(dot(away, sprite.turn) / sprite.stretch, dot(away, vec2(-sprite.turn.y, sprite.turn.x)));
+}
+
+// Whether anything of the sprite is seen there or a pixel beside.
+bool is_near(SpriteOver over)
+{
+    vec2 uv = abs(turned(over.sprite, over.away));
+    return max(uv.x, uv.y) < 1.0 + (constants.outline_px + 2.0) / over.sprite.radius_px;
+}
+
+// The next of the list that is near to any place of the subgroup; `last` where there is none. A loop of
+// little, so that processors do all the rest for as few sprites as they can.
+int find_sprite(vec2 place, int i, int last)
+{
+    bool is_far;
+    do {
+        bool is_listed = i < last;
+        is_far = is_listed && !is_near(sprite_over(place, is_listed ? i : 0));
+        is_far = !subgroupAny(is_listed && !is_far) && subgroupAny(is_listed);
+        i += is_far ? 1 : 0;
+    } while (is_far);
+    return i;
+}
+
+void add_sprite(inout Mass mass, SpriteOver over, float opacity, float surface_m, bool is_crisp)
+{
+    const float edge = 0.6; // in radii: where it hides those behind
+    Sprite sprite = over.sprite;
+    vec2 away = over.away;
+    vec2 uv = turned(sprite, away);
+    float before = clamp((surface_m - sprite.away_m) / constants.soft_m, 0.0, 1.0);
+    float density = density_at(uv, sprite.trait, sprite.frame) * opacity * before;
+    mass.away_m = mass.density > 0.0 ? mix(mass.away_m, sprite.away_m, min(density, 1.0)) : sprite.away_m;
+    mass.density += density;
+    mass.soft = mass.soft + min(density, 1.0) * (1.0 - mass.soft);
+    if (is_crisp) {
+        vec2 right = turned(sprite, away + vec2(1.0 / sprite.radius_px, 0.0));
+        vec2 below = turned(sprite, away + vec2(0.0, 1.0 / sprite.radius_px));
+        mass.beside += vec2(density_at(right, sprite.trait, sprite.frame),
+                            density_at(below, sprite.trait, sprite.frame)) *
+                       (opacity * before);
+    }
+    // What a sheet shows has its own shape within.
+    float solid = constants.frames.x > 0u ? 0.0 : opacity * before;
+    float beyond_px = (length(away) - edge) * sprite.radius_px;
+    float hides = clamp(0.5 - beyond_px, 0.0, 1.0) * smoothstep(0.1, 0.3, solid);
+    float lower = clamp((length(away + vec2(0.24, 0.4)) - 0.68) * sprite.radius_px + 0.5, 0.0, 1.0);
+    // An arc on the upper side, widest in its middle.
+    float up = dot(normalize(away + 1e-6), normalize(vec2(sprite.trait - 0.5, -1.0)));
+    float width_px =
+        constants.outline_px * smoothstep(0.35, 1.0, up) * smoothstep(0.3, 0.8, fract(7.3 * sprite.trait));
+    float arc = clamp(width_px + 0.5 - abs(beyond_px), 0.0, min(width_px, 1.0));
+    mass.shade = mix(mass.shade, lower, hides);
+    mass.fold = max(mass.fold * (1.0 - hides), arc * smoothstep(0.2, 0.5, solid));
+}
+
+// The lists of two tiles may meet in a subgroup, where what is drawn is a tile of the page: those that are
+// through add nothing more.
+Mass mass_at(vec2 place, float surface_m, bool is_crisp)
+{
     uvec2 tile = min(uvec2(place), frame.page_px - 1u) / particle_tile_px;
     int index = int(tile.y * constants.tiles_across + tile.x);
+    int i = int(texelFetch(start_texels, index).x);
     int last = int(texelFetch(start_texels, index + 1).x);
-    Mass mass = Mass(0.0, 0.0, 0.0, 0.0, 0.0);
-    for (int i = int(texelFetch(start_texels, index).x); i < last; ++i) {
-        int sprite = 3 * int(texelFetch(listed_texels, i).x);
-        vec4 a = texelFetch(sprite_texels, sprite);
-        vec4 b = texelFetch(sprite_texels, sprite + 1);
-        vec4 c = texelFetch(sprite_texels, sprite + 2);
-        vec2 away = (place - a.xy) / a.z;
-        vec2 uv = vec2(dot(away, b.xy) / b.z, dot(away, vec2(-b.y, b.x)));
-        float before = clamp((surface_m - a.w) / constants.soft_m, 0.0, 1.0);
-        float density = density_at(uv, c.x, c.y) * b.w * before;
-        mass.away_m = mass.density > 0.0 ? mix(mass.away_m, a.w, min(density, 1.0)) : a.w;
-        mass.density += density;
-        mass.soft = mass.soft + min(density, 1.0) * (1.0 - mass.soft);
-        // What a sheet shows has its own shape within.
-        float solid = constants.frames.x > 0u ? 0.0 : b.w * before;
-        float beyond_px = (length(away) - edge) * a.z;
-        float hides = clamp(0.5 - beyond_px, 0.0, 1.0) * smoothstep(0.1, 0.3, solid);
-        float lower = clamp((length(away + vec2(0.24, 0.4)) - 0.68) * a.z + 0.5, 0.0, 1.0);
-        // An arc on the upper side, widest in its middle.
-        float up = dot(normalize(away + 1e-6), normalize(vec2(c.x - 0.5, -1.0)));
-        float width_px =
-            constants.outline_px * smoothstep(0.35, 1.0, up) * smoothstep(0.3, 0.8, fract(7.3 * c.x));
-        float arc = clamp(width_px + 0.5 - abs(beyond_px), 0.0, min(width_px, 1.0));
-        mass.shade = mix(mass.shade, lower, hides);
-        mass.fold = max(mass.fold * (1.0 - hides), arc * smoothstep(0.2, 0.5, solid));
-    }
+    Mass mass = Mass(0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0);
+    i = find_sprite(place, i, last);
+    do {
+        bool is_listed = i < last;
+        SpriteOver over = sprite_over(place, is_listed ? i : 0);
+        add_sprite(mass, over, is_listed ? over.sprite.opacity : 0.0, surface_m, is_crisp);
+        i = find_sprite(place, i + 1, last);
+    } while (subgroupAny(i < last));
     return mass;
 }
 
 // Where density passes a limit, as a distance in pixels, above 0 within.
-float within_px(vec2 place, float density, float surface_m)
+float within_px(Mass mass)
 {
-    vec2 slope = vec2(mass_at(place + vec2(1.0, 0.0), surface_m).density,
-                      mass_at(place + vec2(0.0, 1.0), surface_m).density) -
-                 density;
-    return (density - 0.35) / max(length(slope), 1e-4);
+    return (mass.density - 0.35) / max(length(mass.beside - mass.density), 1e-4);
 }
 
 // How often haze has halved what is seen of them.
@@ -135,18 +194,13 @@ float halvings(ivec2 pixel, float away_m)
 
 void main()
 {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
-        return;
-    }
-    vec2 place = page_place(frame, vec2(pixel) + 0.5);
-    float surface_m = seen_at_m(pixel);
-    Mass mass = mass_at(place, surface_m);
-    if (mass.density <= 0.0) {
-        return;
-    }
+    ivec2 pixel = ivec2(listed_from_px() + gl_LocalInvocationID.xy);
     bool is_crisp = constants.look != particles_wash;
-    float inside_px = is_crisp ? within_px(place, mass.density, surface_m) : 0.0;
+    Mass mass = mass_at(page_place(frame, vec2(pixel) + 0.5), seen_at_m(pixel), is_crisp);
+    if (mass.density <= 0.0 || !has_listed_tile() || any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
+        return;
+    }
+    float inside_px = within_px(mass);
     float cover = is_crisp ? clamp(inside_px + 0.5, 0.0, 1.0) : mass.soft;
     bool is_ink = constants.look == particles_blots || constants.look == particles_strokes;
     float outline = constants.look == particles_drawn

@@ -11,6 +11,8 @@
 #include <estampe/error.hpp>
 #include <estampe/image.hpp>
 
+#include "gpu/fills.hpp"
+#include "shaders/particle_tiles_comp.hpp"
 #include "shaders/particles_comp.hpp"
 
 namespace estampe::particles {
@@ -39,7 +41,7 @@ void list_sprites(ParticlePlan& plan, glm::uvec2 tiles)
 {
     constexpr float beyond_px = 2.0F; // soft edges, shifts of samples
     const auto for_tiles = [&](const shared::Sprite& sprite, const auto& visit) {
-        const float reach = sprite.radius_px * sprite.length + beyond_px;
+        const float reach = sprite.radius_px * sprite.stretch + beyond_px;
         const glm::vec2 side(shared::particle_tile_px);
         const glm::ivec2 last_tile = glm::ivec2(tiles) - 1;
         const glm::ivec2 first(glm::max(glm::floor((sprite.centre_px - reach) / side), glm::vec2(0.0F)));
@@ -121,7 +123,7 @@ ParticlePlan plan_particles(const ParticleStyle& style, std::span<const Particle
                                 .radius_px = style.look == Look::strokes ? 0.25F * radius : radius,
                                 .away_m = static_cast<float>(away_m),
                                 .turn = turn,
-                                .length = length,
+                                .stretch = length,
                                 .opacity = style.opacity * density_at(particle.age),
                                 .trait = particle.trait,
                                 .frame = particle.age * std::max(frames - 1.0F, 0.0F)});
@@ -162,9 +164,26 @@ void Sheet::provide(gpu::Device& device, const ParticleStyle& style,
     asked_frames_ = asked_frames;
 }
 
+namespace {
+
+/// The tiles of 8 x 8 pixels where the page has sprites.
+gpu::BufferId add_tiles(gpu::Graph& graph, const ParticleInputs& in, uint32_t tiles_across)
+{
+    const glm::uvec2 tiles = (in.size_px + 7U) / 8U;
+    const gpu::BufferId none = gpu::add_empty_tile_list(graph, "sprites' pixels", in.size_px);
+    auto pass = graph.compute("particles/tiles", shaders::particle_tiles_comp);
+    pass.uniform(in.frame).sample(in.starts, gpu::Format::r32ui);
+    const gpu::BufferId listed = pass.modify(none);
+    pass.push(shared::ParticleTiles{.tiles_across = tiles_across}).dispatch_over(tiles.x, tiles.y);
+    return listed;
+}
+
+} // namespace
+
 ParticleLayers add_particles(gpu::Graph& graph, const ParticleInputs& in,
                              const shared::ParticleConstants& constants, const ParticleLayers& layers)
 {
+    const gpu::BufferId tiles = add_tiles(graph, in, constants.tiles_across);
     auto pass = graph.compute("particles", shaders::particles_comp);
     pass.uniform(in.frame).sample(in.sprites, gpu::Format::rgba32f);
     pass.sample(in.starts, gpu::Format::r32ui).sample(in.listed, gpu::Format::r32ui);
@@ -172,7 +191,7 @@ ParticleLayers add_particles(gpu::Graph& graph, const ParticleInputs& in,
     const gpu::ImageId wash = pass.modify(layers.wash);
     const gpu::ImageId hatch = pass.modify(layers.hatch);
     const gpu::ImageId lines = pass.modify(layers.lines);
-    pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    pass.read(tiles).push(constants).dispatch_indirect(tiles);
     return {.wash = wash, .hatch = hatch, .lines = lines};
 }
 

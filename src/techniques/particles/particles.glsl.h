@@ -19,13 +19,17 @@ SHARED_CONSTANT uint particles_strokes = 3U;
 struct Sprite {
     vec2 centre_px; // on the page
     float radius_px;
-    float away_m; // from the eye, along the view
-    vec2 turn;    // cosine and sine
-    float length; // in radii, along the turn: 1 for round ones
+    float away_m;  // from the eye, along the view
+    vec2 turn;     // cosine and sine
+    float stretch; // in radii, along the turn: 1 for round ones
     float opacity;
     float trait; // 0 to 1, its own
     float frame; // of the sheet, with a fraction
     vec2 unused;
+};
+
+struct ParticleTiles {
+    uint tiles_across; // of those that have lists
 };
 
 struct ParticleConstants {

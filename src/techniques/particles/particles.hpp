@@ -117,7 +117,7 @@ struct ParticleLayers {
 
 /// Draws sprites over the layers: colour into the wash, and strokes and lines away under it; ink into lines.
 ///
-/// Cost    one full-screen dispatch, linear in the sprites over each other
+/// Cost    linear in the sprites over each other, where the page has any; a list of the tiles that do
 [[nodiscard]] ParticleLayers add_particles(gpu::Graph& graph, const ParticleInputs& in,
                                            const shared::ParticleConstants& constants,
                                            const ParticleLayers& layers);

@@ -18,10 +18,11 @@ struct LocalShadow {
     float near_m;
     uint is_cube;
     float radius_m; // of the ball that glows; 0: a point
+    uint unused;    // four texels of four words
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(LocalShadow) == 60);
+static_assert(sizeof(LocalShadow) == 64);
 } // namespace estampe::shared
 #endif
 

@@ -18,6 +18,12 @@ layout(scalar, binding = 0) uniform Frame
 layout(binding = 1, rgba16f) writeonly uniform image2D out_wash;
 layout(binding = 2, r16f) writeonly uniform image2D out_ink;
 
+#define TILE_LIST_BINDING 3
+#include "shaders/tile_list.glsl" // of the variant that has one
+
+layout(constant_id = 0) const uint variant = 0u;
+const bool has_tiles = (variant & sky_has_tiles) != 0u;
+
 layout(push_constant, scalar) uniform Constants
 {
     SkyConstants constants;
@@ -68,6 +74,9 @@ float disc_cover(vec3 d, float pixel_rad)
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (has_tiles) {
+        pixel = ivec2(listed_from_px() + gl_LocalInvocationID.xy);
+    }
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }

@@ -75,14 +75,21 @@ Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
     const glm::uvec2 size_px = in.drawn ? in.size_px : glm::uvec2(1);
     const gpu::ImageDesc wash_image{.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba16f};
     const gpu::ImageDesc ink_image{.width = size_px.x, .height = size_px.y, .format = gpu::Format::r16f};
+    const auto blank = [&] {
+        return Sky{gpu::add_filled_image(graph, "sky/no wash", wash_image, glm::vec4(1.0F)),
+                   gpu::add_filled_image(graph, "sky/no ink", ink_image, glm::vec4(0.0F))};
+    };
     if (!in.drawn) {
-        return {gpu::add_filled_image(graph, "sky/no wash", wash_image, glm::vec4(1.0F)),
-                gpu::add_filled_image(graph, "sky/no ink", ink_image, glm::vec4(0.0F))};
+        return blank();
     }
+    const std::optional<Sky> before = in.tiles ? std::optional(blank()) : std::nullopt;
     auto pass = graph.compute("sky", shaders::sky_comp);
     pass.uniform(in.frame);
-    const gpu::ImageId wash = pass.write(graph.image("sky/wash", wash_image));
-    const gpu::ImageId ink = pass.write(graph.image("sky/ink", ink_image));
+    const gpu::ImageId wash =
+        before ? pass.modify(before->wash) : pass.write(graph.image("sky/wash", wash_image));
+    const gpu::ImageId ink =
+        before ? pass.modify(before->ink) : pass.write(graph.image("sky/ink", ink_image));
+    pass.read(in.tiles.value_or(in.frame)).variant(in.tiles ? shared::sky_has_tiles : 0U);
     const SkyLook look = look_under(style, in.towards_sun, in.daylight_rad);
     const Disc disc = disc_of(style, in.towards_sun, in.daylight_rad);
     pass.push(shared::SkyConstants{.horizon_color = look.horizon,
@@ -98,8 +105,12 @@ Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
                                    .disc_rad = 0.5F * glm::radians(style.disc_deg),
                                    .towards_disc = disc.towards,
                                    .disc_lit = disc.lit,
-                                   .steps = static_cast<float>(style.steps)})
-        .dispatch_over(size_px.x, size_px.y);
+                                   .steps = static_cast<float>(style.steps)});
+    if (in.tiles) {
+        pass.dispatch_indirect(*in.tiles);
+    } else {
+        pass.dispatch_over(size_px.x, size_px.y);
+    }
     return {wash, ink};
 }
 

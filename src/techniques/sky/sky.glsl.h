@@ -4,7 +4,11 @@
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
+#else
+#include "shaders/shared.glsl"
 #endif
+
+SHARED_CONSTANT uint sky_has_tiles = 1U << 0U; // variant bit of sky.comp: only those of a list are painted
 
 struct SkyConstants {
     vec3 horizon_color;

@@ -47,6 +47,8 @@ struct SkyInputs {
     float pixels_per_mm = 1.0F;
     bool drawn = false;
     glm::uvec2 size_px{0};
+    /// Then these alone are painted, as of surface::add_far_tiles(); others are blank.
+    std::optional<gpu::BufferId> tiles;
 };
 
 struct Sky {
@@ -74,8 +76,8 @@ struct SkyLook {
 /// from 4 to 12, noon from 40, smooth between.
 [[nodiscard]] SkyLook look_at(const SkyStyle& style, double sun_elevation_rad);
 
-/// Paints the background of the whole page; one blank texel for all of it where no sky is drawn. Cost: one
-/// full-screen dispatch; next to nothing without a sky.
+/// Paints the background of the page; one blank texel for all of it where no sky is drawn. Cost: one
+/// dispatch, over the page or a list of tiles; next to nothing without a sky.
 [[nodiscard]] Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style);
 
 } // namespace estampe::sky

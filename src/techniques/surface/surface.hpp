@@ -56,4 +56,17 @@ struct Surface {
 /// 2015
 [[nodiscard]] Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in);
 
+struct FarInputs {
+    gpu::BufferId frame; ///< FrameGlobals
+    gpu::ImageId depth;  ///< Surface::depth
+    glm::uvec2 size_px{0};
+};
+
+/// Lists the tiles of 8 x 8 pixels that sky may show in: where nothing is seen somewhere, or something
+/// `from_m` or farther from the eye. None other has such a pixel. In parallel projection all are listed.
+///
+/// Writes  a list of tiles, see shaders/tile_list.glsl.h
+/// Cost    a thread a tile, which stops at the first such pixel
+[[nodiscard]] gpu::BufferId add_far_tiles(gpu::Graph& graph, const FarInputs& in, float from_m);
+
 } // namespace estampe::surface

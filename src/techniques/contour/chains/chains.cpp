@@ -74,6 +74,14 @@ std::optional<gpu::BufferId> add_bends(gpu::Graph& graph, const ChainInputs& in,
     return bends;
 }
 
+/// Groups of 64 threads for `count` items, a word of 32 a subgroup: a processor has eight subgroups a group,
+/// and takes as long for one that finds no word left as for others.
+uint32_t mark_groups(uint32_t count, bool on_processor)
+{
+    const uint32_t items = on_processor ? 256 : 64;
+    return (count + items - 1) / items;
+}
+
 Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_edges,
                 const std::optional<gpu::BufferId>& view_bends, const shared::ChainConstants& constants,
                 bool along_edges)
@@ -86,7 +94,7 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
         triangles.write(graph.buffer("contour/facing", list_of(triangle_words, sizeof(uint32_t))));
     gpu::BufferId marks = triangles.write(graph.buffer("contour/marks", list_of(words, sizeof(uint32_t))));
     triangles.variant(along_edges ? shared::mark_along_edges : 0U).push(constants);
-    triangles.dispatch((constants.triangle_count + 63) / 64);
+    triangles.dispatch(mark_groups(constants.triangle_count, in.on_processor));
     gpu::BufferId parts = facing;
     if (constants.loose_edge_count > 0) {
         auto edges = graph.compute("contour/mark edges", shaders::mark_edges_comp);
@@ -99,13 +107,13 @@ Marks add_marks(gpu::Graph& graph, const ChainInputs& in, gpu::BufferId loose_ed
             graph.buffer("contour/edge parts", list_of(constants.loose_edge_count, sizeof(uint32_t))));
         edges.variant(along_edges ? shared::mark_along_edges : 0U)
             .push(constants)
-            .dispatch((constants.loose_edge_count + 63) / 64);
+            .dispatch(mark_groups(constants.loose_edge_count, in.on_processor));
     }
     if (view_bends) {
         auto suggestive = graph.compute("contour/mark suggestive", shaders::mark_suggestive_comp);
         suggestive.sample(in.line_triangles).sample(*view_bends, gpu::Format::rg32ui);
         marks = suggestive.modify(marks);
-        suggestive.push(constants).dispatch((constants.suggestive_count + 63) / 64);
+        suggestive.push(constants).dispatch(mark_groups(constants.suggestive_count, in.on_processor));
     }
     const Few<PageLines, 2> page_lines = add_page_lines(graph, in, mesh_words(constants));
     for (const PageLines& lines : page_lines) {

@@ -161,7 +161,8 @@ Segment through_triangle(uint triangle, uint segment_count)
     Crossing to = from;
     uint next = no_segment;
     uint previous = no_segment;
-    for (int i = 0; i < rounds(2, int(triangle)); ++i) {
+    int i = 0;
+    do {
         bool is_start = i == 0;
         bool takes_after = is_start == starts_after;
         Crossing crossing = crossing_of(takes_after ? after : before, apart);
@@ -171,7 +172,8 @@ Segment through_triangle(uint triangle, uint segment_count)
         previous = is_start ? beyond : previous;
         to = crossing;
         next = beyond;
-    }
+        ++i;
+    } while (i < rounds(2, int(triangle)));
     return Segment(from.position, from.normal, to.position, to.normal, triangle << 2 | 3u, next,
                    previous != no_segment ? 1u : 0u, bulge_of(a, b, c));
 }
@@ -222,7 +224,8 @@ Segment along_edge(uint edge, uint segment_count)
     Crossing place[2];
     uint beyond[2];
     float bulge_m = 0.0;
-    for (int end = 0; end < rounds(2, int(edge)); ++end) {
+    int end = 0;
+    do {
         bool is_low = (end == 0) == first_is_front;
         uint bound = part >> (is_low ? part_low_shift : part_high_shift) & 3u;
         bool is_corner = bound == bound_is_corner;
@@ -240,7 +243,8 @@ Segment along_edge(uint edge, uint segment_count)
         beyond[end] = is_corner ? outline_around(front >> 2, front & 3u, end == 1, segment_count) : within;
         Corner third = corner_at(corners[3u - ends.x - ends.y]);
         bulge_m = along_edges ? 0.0 : max(bulge_m, bulge_of(start, finish, third));
-    }
+        ++end;
+    } while (end < rounds(2, int(edge)));
     bool hides = is_hollow(front, first_is_front ? sides.y : sides.x);
     return Segment(place[0].position, place[0].normal, place[1].position, place[1].normal, front, beyond[1],
                    beyond[0] != no_segment ? 1u : 0u, hides ? -1e-30 : bulge_m);

@@ -55,7 +55,8 @@ void main()
     uint first_word = (constants.triangle_count + 31u) / 32u;
     uint word_count = (constants.loose_edge_count + 31u) / 32u;
     uint step = gl_NumWorkGroups.x * gl_NumSubgroups;
-    for (uint word = gl_WorkGroupID.x * gl_NumSubgroups + gl_SubgroupID; word < word_count; word += step) {
+    uint word = gl_WorkGroupID.x * gl_NumSubgroups + gl_SubgroupID;
+    do {
         uint outline = 0u;
         for (uint first = 0u; first < 32u; first += gl_SubgroupSize) {
             uint edge = 32u * word + first + gl_SubgroupInvocationID;
@@ -67,8 +68,9 @@ void main()
                 parts[edge] = part;
             }
         }
-        if (subgroupElect()) {
+        if (subgroupElect() && word < word_count) {
             marks[first_word + word] = outline;
         }
-    }
+        word += step;
+    } while (word < word_count);
 }

@@ -39,7 +39,8 @@ void main()
     uint word_count = (constants.suggestive_count + 31u) / 32u;
     uint first_word = word_count + (constants.loose_edge_count + 31u) / 32u;
     uint step = gl_NumWorkGroups.x * gl_NumSubgroups;
-    for (uint word = gl_WorkGroupID.x * gl_NumSubgroups + gl_SubgroupID; word < word_count; word += step) {
+    uint word = gl_WorkGroupID.x * gl_NumSubgroups + gl_SubgroupID;
+    do {
         uint lines = 0u;
         for (uint first = 0u; first < 32u; first += gl_SubgroupSize) {
             uint triangle = 32u * word + first + gl_SubgroupInvocationID;
@@ -47,8 +48,9 @@ void main()
             bool is_there = triangle < constants.suggestive_count && first + gl_SubgroupInvocationID < 32u;
             lines |= subgroupBallot(is_line && is_there).x << first;
         }
-        if (subgroupElect()) {
+        if (subgroupElect() && word < word_count) {
             marks[first_word + word] = lines;
         }
-    }
+        word += step;
+    } while (word < word_count);
 }

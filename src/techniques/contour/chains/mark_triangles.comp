@@ -60,7 +60,8 @@ void main()
 {
     uint word_count = (constants.triangle_count + 31u) / 32u;
     uint step = gl_NumWorkGroups.x * gl_NumSubgroups;
-    for (uint word = gl_WorkGroupID.x * gl_NumSubgroups + gl_SubgroupID; word < word_count; word += step) {
+    uint word = gl_WorkGroupID.x * gl_NumSubgroups + gl_SubgroupID;
+    do {
         uint front = 0u;
         uint outline = 0u;
         for (uint first = 0u; first < 32u; first += gl_SubgroupSize) {
@@ -70,9 +71,10 @@ void main()
             front |= subgroupBallot(seen.x && is_there).x << first;
             outline |= subgroupBallot(seen.y && is_there).x << first;
         }
-        if (subgroupElect()) {
+        if (subgroupElect() && word < word_count) {
             facing[word] = front;
             marks[word] = outline;
         }
-    }
+        word += step;
+    } while (word < word_count);
 }

@@ -30,7 +30,8 @@ void main()
         return;
     }
     Rank rank = rank_at(slot);
-    for (uint jump = 0u; jump < min(3u, count); ++jump) {
+    uint jump = 0u;
+    do {
         Rank there = rank_at(rank.at);
         if (there.highest > rank.highest) {
             rank.highest = there.highest;
@@ -38,6 +39,7 @@ void main()
         }
         rank.at = there.at;
         rank.steps += there.steps;
-    }
+        ++jump;
+    } while (jump < min(3u, count));
     ranks[slot] = rank;
 }

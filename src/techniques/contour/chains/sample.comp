@@ -109,14 +109,16 @@ bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
     bool is_covered = false;
     bool is_free = false;
     int hiding = 0;
-    for (ivec2 pixel = around.low; pixel.y <= around.high.y; pixel = next_cell(pixel, around)) {
+    ivec2 pixel = around.low;
+    do {
         uvec2 word = visibility[uint(pixel.y) * frame.size_px.x + uint(pixel.x)];
         bool may_hide = sees_triangle(word) && seen_triangle(word) != own;
         Cover cover = cover_of(may_hide ? seen_triangle(word) : own, outside, tolerance_px * pixel_m);
         is_covered = is_covered || (may_hide && cover.is_over && cover.hides);
         is_free = is_free || (may_hide && cover.is_over && !cover.hides);
         hiding += may_hide && cover.hides ? 1 : -3; // most hide
-    }
+        pixel = next_cell(pixel, around);
+    } while (pixel.y <= around.high.y);
     return !is_covered && (is_free || hiding < 0);
 }
 

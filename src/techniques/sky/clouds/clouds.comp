@@ -27,10 +27,14 @@ layout(binding = 5, rgba16f) uniform image2D wash_image;
 layout(binding = 6, r16f) uniform image2D ink_image;
 layout(binding = 7, r16f) writeonly uniform image2D out_cover; // of the variant that keeps it
 
+#define TILE_LIST_BINDING 8
+#include "shaders/tile_list.glsl" // of the variant that has one
+
 layout(constant_id = 0) const uint variant = 0u;
 const bool have_hatching = (variant & clouds_have_hatching) != 0u;
 const bool have_streaks = (variant & clouds_have_streaks) != 0u;
 const bool keep_cover = (variant & clouds_keep_cover) != 0u;
+const bool have_tiles = (variant & clouds_have_tiles) != 0u;
 
 #include "techniques/sky/clouds/puffs.glsl"
 #include "techniques/sky/clouds/streaks.glsl"
@@ -52,7 +56,10 @@ vec3 tone_of(float shade)
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
+    if (have_tiles) {
+        pixel = ivec2(listed_from_px() + gl_LocalInvocationID.xy);
+    }
+    if (any(greaterThanEqual(uvec2(pixel), frame.size_px)) || (have_tiles && !has_listed_tile())) {
         return;
     }
     if (keep_cover) {

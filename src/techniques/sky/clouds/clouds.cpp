@@ -234,8 +234,14 @@ CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky)
     const glm::uvec2 cover_px = in.keeps_cover ? in.size_px : glm::uvec2(1);
     const gpu::ImageId cover = pass.write(graph.image(
         "clouds/cover", {.width = cover_px.x, .height = cover_px.y, .format = gpu::Format::r16f}));
-    pass.variant(in.variant | (in.keeps_cover ? shared::clouds_keep_cover : 0U));
-    pass.dispatch_over(in.size_px.x, in.size_px.y);
+    pass.read(in.tiles.value_or(in.globals));
+    pass.variant(in.variant | (in.keeps_cover ? shared::clouds_keep_cover : 0U) |
+                 (in.tiles ? shared::clouds_have_tiles : 0U));
+    if (in.tiles) {
+        pass.dispatch_indirect(*in.tiles);
+    } else {
+        pass.dispatch_over(in.size_px.x, in.size_px.y);
+    }
     return {{wash, ink}, cover};
 }
 

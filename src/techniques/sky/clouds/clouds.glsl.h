@@ -14,6 +14,7 @@ SHARED_CONSTANT uint clouds_have_streaks = 1U << 1U;
 
 SHARED_CONSTANT uint clouds_have_share = 1U << 2U; // of the sun, that something else leaves
 SHARED_CONSTANT uint clouds_keep_cover = 1U << 3U; // for a mask
+SHARED_CONSTANT uint clouds_have_tiles = 1U << 4U; // only those of a list are painted
 
 SHARED_CONSTANT uint most_puff_layers = 2U;
 

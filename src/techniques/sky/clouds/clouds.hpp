@@ -75,6 +75,8 @@ struct CloudInputs {
     uint32_t variant = 0;
     bool keeps_cover = false; ///< for a mask of them
     glm::uvec2 size_px{0};
+    /// Then these alone are painted, as of surface::add_far_tiles(), without a mask.
+    std::optional<gpu::BufferId> tiles;
 };
 
 /// A sky, and what of it clouds cover: r16f, one texel where that is not kept.
@@ -86,7 +88,7 @@ struct CloudedSky {
 /// Paints clouds into a sky: its wash is theirs where they are, its strokes end at them. Not in parallel
 /// projection, which sees one direction alone.
 ///
-/// Cost    one full-screen dispatch
+/// Cost    one dispatch, over the page or a list of tiles
 /// Source  the walk through cells: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
 ///         Eurographics 1987
 [[nodiscard]] CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky);
