@@ -180,7 +180,8 @@ add_motion_blur(const Making& making, const PosedScene& scene, gpu::BufferId vis
 /// Focus lines over those of the scene.
 [[nodiscard]] gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines);
 
-/// The tiles where sky shows, or haze lets it through; nothing where nobody asks.
+/// The tiles where sky shows, or haze lets it through; nothing where nobody asks, and on a GPU, which leaves
+/// out the rest for less than the list takes.
 [[nodiscard]] std::optional<gpu::BufferId> add_far_tiles(const Making& making, const PosedScene& scene,
                                                          const surface::Surface& surface);
 

@@ -317,7 +317,7 @@ std::optional<gpu::BufferId> add_far_tiles(const Making& making, const PosedScen
 {
     constexpr float nowhere_m = 1e30F;
     const PagePlan& page = making.plan.page;
-    if (!page.has_haze && !making.plan.clouds) {
+    if (!making.plan.raster.on_processor || (!page.has_haze && !making.plan.clouds)) {
         return std::nullopt;
     }
     return surface::add_far_tiles(
