@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread clears four texels of one view.
+// One thread clears four times four texels of one view.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -21,7 +21,10 @@ layout(std430, binding = 1) writeonly buffer Target
 void main()
 {
     RasterView view = views[gl_WorkGroupID.y];
-    if (4u * gl_GlobalInvocationID.x < view.size_px * view.size_px) {
-        target[view.first_texel / 4u + gl_GlobalInvocationID.x] = uvec4(0u);
+    for (uint i = 0u; i < 4u; ++i) {
+        uint quad = 256u * gl_WorkGroupID.x + 64u * i + gl_LocalInvocationID.x;
+        if (4u * quad < view.size_px * view.size_px) {
+            target[view.first_texel / 4u + quad] = uvec4(0u);
+        }
     }
 }

@@ -15,7 +15,7 @@ gpu::BufferId add_clear(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId 
 
     auto pass = graph.compute(name + "/clear", shaders::fill_comp);
     const gpu::BufferId cleared = pass.write(buffer);
-    pass.push(constants).dispatch_items(constants.quad_count);
+    pass.push(constants).dispatch_items((constants.quad_count + 255) / 256 * 64);
     return cleared;
 }
 

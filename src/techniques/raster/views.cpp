@@ -40,7 +40,7 @@ gpu::BufferId clear_views(gpu::Graph& graph, const gpu::Name& name, const DepthV
     auto pass = graph.compute(name + "/clear", shaders::clear_views_comp);
     pass.read(views.records);
     target = pass.modify(target);
-    pass.dispatch((side * side / 4 + 63) / 64, static_cast<uint32_t>(views.list.size()));
+    pass.dispatch((side * side / 4 + 255) / 256, static_cast<uint32_t>(views.list.size()));
     return target;
 }
 

@@ -207,7 +207,7 @@ gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap, std::s
     auto pass = graph.compute("shadow/mix", shaders::mix_levels_comp);
     pass.read(pictures).read(still);
     map = pass.modify(map);
-    pass.push(constants).dispatch((largest * largest / 4 + 63) / 64, static_cast<uint32_t>(squares.size()));
+    pass.push(constants).dispatch((largest * largest / 4 + 255) / 256, static_cast<uint32_t>(squares.size()));
     return map;
 }
 
