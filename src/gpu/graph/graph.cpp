@@ -223,6 +223,11 @@ void Pass::dispatch_over(uint32_t width, uint32_t height, uint32_t layers)
     dispatch(groups_over(width), groups_over(height), layers);
 }
 
+void Pass::dispatch_over_page(uint32_t width, uint32_t height)
+{
+    dispatch(groups_over(width), (groups_over(height) + 3) / 4);
+}
+
 Pass& Pass::variant(uint32_t bits)
 {
     graph_.passes_[index_].variant = bits;

@@ -11,7 +11,7 @@
 #include "shaders/rounds.glsl"
 #include "techniques/paper/paper.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(scalar, binding = 0) uniform Frame
 {

@@ -8,7 +8,7 @@
 #include "shaders/color.glsl"
 #include "techniques/paper/paper.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(binding = 0) uniform sampler2D picture_image;
 

@@ -67,7 +67,7 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
                                      .window_max_mm = window.max_mm,
                                      .stage = static_cast<uint32_t>(stage.value_or(Stage::smoke)),
                                      .settles = in.ink_settles})
-        .dispatch_over(in.size_px.x, in.size_px.y);
+        .dispatch_over_page(in.size_px.x, in.size_px.y);
     return {picture, staged};
 }
 
@@ -103,7 +103,7 @@ Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums
                  (form == PixelForm::linear_floats ? shared::develop_keeps_floats : 0U));
     pass.push(shared::DevelopConstants{
                   .width = size_px.x, .height = size_px.y, .sample_index = accumulation.sample_index})
-        .dispatch_over(size_px.x, size_px.y);
+        .dispatch_over_page(size_px.x, size_px.y);
     return {added, written};
 }
 

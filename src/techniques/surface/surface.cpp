@@ -36,7 +36,7 @@ Surface add_resolve(gpu::Graph& graph, const ResolveInputs& in)
                  (has_strokes(shared::strokes_form) ? shared::resolve_has_form_strokes : 0U) |
                  (has_strokes(shared::strokes_page) ? shared::resolve_has_page_strokes : 0U) |
                  (needs.occlusion ? shared::resolve_has_occlusion : 0U));
-    pass.push(in.strokes_per_m).dispatch_over(in.size_px.x, in.size_px.y);
+    pass.push(in.strokes_per_m).dispatch_over_page(in.size_px.x, in.size_px.y);
     return {draw, depth, normal, color, coordinate, footprint};
 }
 

@@ -39,7 +39,7 @@ gpu::ImageId add_look(gpu::Graph& graph, const WashInputs& in, const LookWash& l
                                     .air_color = style.air_color,
                                     .air_distance_m = style.air_distance_m,
                                     .look = number})
-        .dispatch_over(in.size_px.x, in.size_px.y);
+        .dispatch_over_page(in.size_px.x, in.size_px.y);
     return wash;
 }
 

@@ -6,7 +6,7 @@
 
 #include "techniques/contour/chains/chains.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(binding = 0, rgba8) writeonly uniform image2D out_ink; // square root of linear colour; coverage
 

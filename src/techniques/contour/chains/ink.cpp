@@ -117,7 +117,7 @@ gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& cons
     if (!on_processor) {
         auto pass = graph.compute("contour/blank layer", shaders::blank_layer_comp);
         const gpu::ImageId blank = pass.write(graph.image("contour/ink", layer));
-        pass.push(constants).dispatch_over(constants.width, constants.height);
+        pass.push(constants).dispatch_over_page(constants.width, constants.height);
         return blank;
     }
     return gpu::add_filled_image(graph, "contour/blank layer", layer,
