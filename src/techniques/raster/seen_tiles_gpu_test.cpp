@@ -61,8 +61,8 @@ void expect_tiles(glm::uvec2 size_px, double share)
     const uint32_t count = list[shared::tile_list_count];
     ASSERT_EQ(count, wanted.size());
     // Groups enough for all of them, in rows, and no row too many.
-    EXPECT_EQ(list[0], count == 0 ? 0U : shared::tile_list_groups);
-    EXPECT_EQ(list[1], std::max(1U, (count + shared::tile_list_groups - 1) / shared::tile_list_groups));
+    EXPECT_EQ(list[0], shared::tile_list_groups);
+    EXPECT_EQ(list[1], (count + shared::tile_list_groups - 1) / shared::tile_list_groups);
     EXPECT_EQ(list[2], 1U);
     const auto first = list.begin() + shared::tile_list_first;
     std::sort(first, first + count);
