@@ -16,7 +16,7 @@ using estampe::Index;
 using estampe::Primitive;
 
 constexpr int ring_count = 12; ///< one over the other, the first at the foot
-constexpr uint32_t columns = 40;
+constexpr uint32_t skin_columns = 40;
 constexpr uint32_t skin_rows = 44;
 constexpr double whole_turn = 2.0 * std::numbers::pi;
 constexpr double hidden_deep_m = 200.0; ///< below the ground, where it is none
@@ -51,8 +51,8 @@ Primitive trunk(Index material)
     constexpr double tiny = 1e-3;
     for (uint32_t row = 0; row <= skin_rows; ++row) {
         const double share = static_cast<double>(row) / skin_rows;
-        for (uint32_t column = 0; column <= columns; ++column) {
-            const double angle = whole_turn * column / columns;
+        for (uint32_t column = 0; column <= skin_columns; ++column) {
+            const double angle = whole_turn * column / skin_columns;
             part.positions.emplace_back(skin_at(share, angle));
             const glm::vec3 around = skin_at(share, angle + tiny) - skin_at(share, angle - tiny);
             const glm::vec3 up = skin_at(share + tiny, angle) - skin_at(share - tiny, angle);
@@ -65,9 +65,9 @@ Primitive trunk(Index material)
             part.weights_0.emplace_back(1.0F - part_above, part_above, 0.0F, 0.0F);
         }
     }
-    constexpr uint32_t stride = columns + 1;
+    constexpr uint32_t stride = skin_columns + 1;
     for (uint32_t row = 0; row < skin_rows; ++row) {
-        for (uint32_t column = 0; column < columns; ++column) {
+        for (uint32_t column = 0; column < skin_columns; ++column) {
             const uint32_t low = row * stride + column;
             const uint32_t high = low + stride;
             part.indices.insert(part.indices.end(), {low, high, low + 1, low + 1, high, high + 1});
