@@ -209,6 +209,15 @@ std::vector<glm::vec3> colors_of_vertices(const LoadedScene& loaded)
 
 } // namespace
 
+void forget_other_poses(LoadedScene& loaded)
+{
+    loaded.discs.is_found = loaded.discs.is_found && !loaded.pose_moved;
+    loaded.disc_map.is_found = loaded.disc_map.is_found && !loaded.pose_moved;
+    if (loaded.pose_moved || loaded.terrain_moved) {
+        loaded.cluster_boxes.forget();
+    }
+}
+
 occlusion::DiscBuffers discs_of(gpu::Device& device, const LoadedScene& loaded)
 {
     const pose::MeshData& layout = loaded.layout;

@@ -83,6 +83,9 @@ struct LoadedScene {
 /// Throws Error for a node or a place that is none.
 void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodePlace> places, double time_s);
 
+/// What was found of another pose, or other ground, is lost, whether the next picture looks at it or not.
+void forget_other_poses(LoadedScene& loaded);
+
 /// The discs of all that is neither blank ground nor terrain, in the colours of their vertices and materials.
 /// Cost: n log n in vertices.
 [[nodiscard]] occlusion::DiscBuffers discs_of(gpu::Device& device, const LoadedScene& loaded);

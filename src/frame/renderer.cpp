@@ -171,12 +171,7 @@ shared::FrameGlobals map_globals(const shared::FrameGlobals& globals, uint32_t s
 void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& style,
                                 const frame::FramePlan& plan, const FrameJob& job)
 {
-    // What was found of another pose is lost, whether this picture looks at it or not.
-    loaded->discs.is_found = loaded->discs.is_found && !loaded->pose_moved;
-    loaded->disc_map.is_found = loaded->disc_map.is_found && !loaded->pose_moved;
-    if (loaded->pose_moved || loaded->terrain_moved) {
-        loaded->cluster_boxes.forget();
-    }
+    frame::forget_other_poses(*loaded);
     const paper::Accumulation& accumulation = job.accumulation;
     const shared::FrameGlobals globals = frame::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
