@@ -6,6 +6,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -110,7 +111,7 @@ public:
           flight_(film.flies ? std::make_shared<const temple::Flight>(scene, draw_.seed) : nullptr),
           camera_(draw_, scene, animation, time_s(film.first), time_s(film.last), film.turntable, flight_),
           frames_(draw_.output, fingerprint(draw_, film, scene, renderer)),
-          living_(draw_, scene, Occasion::film)
+          living_(draw_, scene, Occasion::film), times_passes_(command.timings)
     {
         if (film.flies) { // who has flown to the last hall has reached it
             living_.world()->end_at(draw_.time_s + flight_->arrives_s());
@@ -158,7 +159,7 @@ public:
             progress.show(share(next), fmt::format("frame {} of {}", next, film_.last));
             const Clock::time_point start = Clock::now();
             FilmQueue::Frame frame{.number = next, .image = draw_frame(next)};
-            add_cost(seconds_since(start));
+            add_cost(next, seconds_since(start));
             if (was_told_to_stop() || next == film_.last || seconds_since(kept) > keep_s) {
                 frame.memory = renderer_.film_memory();
                 kept = Clock::now();
@@ -184,16 +185,24 @@ public:
     [[nodiscard]] const FilmCost& cost() const { return cost_; }
 
 private:
-    void add_cost(double drawing_s)
+    void add_cost(uint32_t number, double drawing_s)
     {
-        double gpu_ms = 0.0;
-        for (const PassTiming& pass : renderer_.timings()) {
-            gpu_ms += pass.gpu_ms;
-            cost_.gpu_ms_of_passes[pass.name] += pass.gpu_ms;
-        }
         cost_.drawing_s += drawing_s;
-        cost_.gpu_ms_sum += gpu_ms;
-        cost_.gpu_ms_most = std::max(cost_.gpu_ms_most, gpu_ms);
+        if (times_passes(number)) {
+            ++cost_.timed_frames;
+            for (const PassTiming& pass : renderer_.timings()) {
+                cost_.gpu_ms_of_passes[pass.name] += pass.gpu_ms;
+            }
+        } else {
+            cost_.gpu_ms.push_back(renderer_.gpu_ms());
+        }
+    }
+
+    /// Some frames say what each pass costs, the others what a frame does.
+    [[nodiscard]] bool times_passes(uint32_t number) const
+    {
+        constexpr uint32_t every = 4;
+        return times_passes_ && (number - film_.first) % every == 0;
     }
 
     [[nodiscard]] double time_s(uint32_t number) const
@@ -226,6 +235,7 @@ private:
         RenderSettings settings = settings_of(draw_, animation_);
         settings.time_s = time_s(number);
         settings.continuity = number == film_.first ? Continuity::starts : Continuity::follows;
+        settings.time_passes = times_passes(number);
         const Camera camera = camera_.at(settings.time_s, turn_at(number));
         const Style style = living_.show(renderer_, settings.time_s, camera);
         settings.exposure_end = exposure_end(number, style.tables().motion_blur);
@@ -246,6 +256,7 @@ private:
     FilmFrames frames_;
     Living living_;
     std::optional<FilmWriter> writer_;
+    bool times_passes_;
     FilmCost cost_;
     bool has_noted_ = false;
 };
@@ -253,15 +264,24 @@ private:
 void print_cost(const FilmCost& cost, uint32_t frames, double whole_s)
 {
     std::vector<std::pair<double, std::string>> passes;
+    double sum_ms = 0.0;
     for (const auto& [name, gpu_ms] : cost.gpu_ms_of_passes) {
-        passes.emplace_back(gpu_ms / frames, name);
+        passes.emplace_back(gpu_ms / std::max(cost.timed_frames, 1U), name);
+        sum_ms += passes.back().first;
     }
     std::ranges::sort(passes, std::greater());
     fmt::print("{:<30} GPU ms a frame\n", "pass, all of one name");
     for (const auto& [gpu_ms, name] : passes) {
         fmt::print("{:<30} {:>14.3f}\n", name, gpu_ms);
     }
-    fmt::print("{:<30} {:>14.3f}, most {:.3f}\n\n", "all passes", cost.gpu_ms_sum / frames, cost.gpu_ms_most);
+    fmt::print("{:<30} {:>14.3f}\n", "all passes", sum_ms);
+    if (!cost.gpu_ms.empty()) {
+        const double mean_ms = std::accumulate(cost.gpu_ms.begin(), cost.gpu_ms.end(), 0.0) /
+                               static_cast<double>(cost.gpu_ms.size());
+        fmt::print("{:<30} {:>14.3f}, most {:.3f}\n", "frame, passes side by side", mean_ms,
+                   std::ranges::max(cost.gpu_ms));
+    }
+    fmt::print("\n");
     fmt::print("frames {:>8}\ndrawn  {:>8.2f} s\nwhole  {:>8.2f} s\n", frames, cost.drawing_s, whole_s);
 }
 

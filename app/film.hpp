@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "options.hpp"
 
@@ -14,10 +15,10 @@ void draw_film(const RenderCommand& command);
 
 /// What drawing alone took.
 struct FilmCost {
-    double drawing_s = 0.0;   ///< of all frames, by the clock on the wall
-    double gpu_ms_sum = 0.0;  ///< of all frames' passes; of a frame with several samples, those of one
-    double gpu_ms_most = 0.0; ///< of a frame
-    std::map<std::string, double> gpu_ms_of_passes; ///< of all frames
+    double drawing_s = 0.0;     ///< of all frames, by the clock on the wall
+    std::vector<double> gpu_ms; ///< of those whose passes were not timed; of several samples, of one
+    uint32_t timed_frames = 0;  ///< the others
+    std::map<std::string, double> gpu_ms_of_passes; ///< of these
 };
 
 /// The same with a renderer that has the scene. Signals have to be watched, as tell_of_signals() does.

@@ -85,7 +85,6 @@ void tell(const RenderCommand& command, const std::string& text)
 RenderSettings render_settings(const RenderCommand& command, const Scene& scene, Index animation)
 {
     RenderSettings settings = settings_of(command.draw, animation);
-    settings.measure_solvers = command.timings || command.json;
     if (!command.motion.empty()) {
         DrawOptions before = command.draw;
         before.time_s = command.since_s;
@@ -181,22 +180,40 @@ void run(const RenderCommand& command)
         return;
     }
 
-    const RenderSettings settings = render_settings(command, scene, animation);
+    RenderSettings settings = render_settings(command, scene, animation);
+    const bool reports = command.timings || command.json;
     PassHistory passes;
-    DrawnPicture picture = draw_picture(renderer, camera, command, style, settings);
+    std::vector<SolverReport> solvers;
+    const auto draw_next = [&](bool by_passes) {
+        settings.time_passes = by_passes;
+        settings.measure_solvers = by_passes;
+        DrawnPicture drawn = draw_picture(renderer, camera, command, style, settings);
+        if (by_passes) {
+            passes.add(renderer.timings());
+            solvers = renderer.solver_reports();
+        }
+        return drawn;
+    };
+    DrawnPicture picture = draw_next(reports);
     clock.finish("first frame");
     print_notes(renderer.notes());
-    passes.add(renderer.timings());
+    std::vector<double> frames_gpu_ms{renderer.gpu_ms()};
     std::vector<double> later_frames_ms;
     for (uint32_t frame = 1; frame < command.repeat; ++frame) {
+        // Every second one says what passes cost, the others what a frame does.
+        const bool by_passes = reports && frame % 2 == 0;
         if (frame == 1) {
+            frames_gpu_ms.clear();
+        } else if (frame == 2) {
             passes.forget();
         }
         StepClock frame_clock;
-        picture = draw_picture(renderer, camera, command, style, settings);
+        picture = draw_next(by_passes);
         frame_clock.finish("frame");
-        later_frames_ms.push_back(frame_clock.last_ms());
-        passes.add(renderer.timings());
+        if (!by_passes) {
+            later_frames_ms.push_back(frame_clock.last_ms());
+            frames_gpu_ms.push_back(renderer.gpu_ms());
+        }
     }
     if (!later_frames_ms.empty()) {
         clock.finish("later frames");
@@ -204,10 +221,10 @@ void run(const RenderCommand& command)
     write_pictures(picture, renderer, command);
     clock.finish("write");
 
-    if (command.timings || command.json) {
-        TimingReport report{
-            renderer.device().name, renderer.raster_path(),    draw.output,  settings, command.repeat,
-            passes.medians(),       renderer.solver_reports(), clock.steps()};
+    if (reports) {
+        TimingReport report{renderer.device().name, renderer.raster_path(), draw.output,           settings,
+                            command.repeat,         passes.medians(),       median(frames_gpu_ms), solvers,
+                            clock.steps()};
         report.cpu_ms.emplace_back("total", clock.total_ms());
         if (!later_frames_ms.empty()) {
             report.cpu_ms.emplace_back("median later frame", median(later_frames_ms));

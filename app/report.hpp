@@ -23,7 +23,8 @@ struct TimingReport {
     std::string output;
     RenderSettings settings;
     uint32_t frames = 1;
-    std::vector<PassTiming> passes; ///< medians, over all frames after the first when there are any
+    std::vector<PassTiming> passes; ///< medians of every second frame after the first, where there are any
+    double gpu_ms = 0.0;            ///< median of the others, in which passes run side by side
     std::vector<SolverReport> solvers;
     std::vector<std::pair<std::string, double>> cpu_ms; ///< wall time of the steps of the command, in order
 };

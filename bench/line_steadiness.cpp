@@ -154,7 +154,7 @@ void measure(const Options& options)
     std::vector<uint8_t> lines_before;
     std::vector<uint8_t> near_before;
     for (uint32_t frame = 0; frame < options.frames; ++frame) {
-        RenderSettings settings{.width = options.width, .height = options.height};
+        RenderSettings settings{.width = options.width, .height = options.height, .time_passes = true};
         settings.continuity = options.stills ? Continuity::still
                               : frame == 0   ? Continuity::starts
                                              : Continuity::follows;

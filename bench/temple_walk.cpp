@@ -169,12 +169,13 @@ private:
                              {.width = options_.size_px.x,
                               .height = options_.size_px.y,
                               .time_s = time_s_,
-                              .continuity = number == 0 ? Continuity::starts : Continuity::follows});
+                              .continuity = number == 0 ? Continuity::starts : Continuity::follows,
+                              .time_passes = options_.passes});
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
         Frame frame{.at_s = time_s_, .wall_ms = took.count(), .eye_m = eye};
         frame.cpu_ms = 1e3 * static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC;
+        frame.gpu_ms = renderer_.gpu_ms();
         for (const PassTiming& pass : renderer_.timings()) {
-            frame.gpu_ms += pass.gpu_ms;
             passes_ms_[pass.name] += number >= first ? pass.gpu_ms : 0.0;
         }
         frame.resident_mb = resident_mb();
@@ -213,7 +214,8 @@ int main(int argc, char** argv)
     program.add_option("--fps", options.frames_per_s, "Frames a second of it that are drawn")
         ->capture_default_str();
     program.add_option("--pictures", options.pictures, "A folder that frames are written to");
-    program.add_flag("--passes", options.passes, "Also what each pass costs on average");
+    program.add_flag("--passes", options.passes,
+                     "Also what each pass costs on average, with which a frame takes longer");
     CLI11_PARSE(program, argc, argv);
     try {
         Walk walk(options);

@@ -19,11 +19,11 @@ struct TechniqueCost {
 /// One amount of work.
 struct BenchPoint {
     double amount = 0.0;
-    Spread gpu_ms;      ///< all passes of a frame
+    Spread gpu_ms;      ///< a frame, its passes side by side
     Spread wall_ms;     ///< the frame as who asks for it sees it, with the way back to the host
     double ratio = 1.0; ///< cost by that of the first amount, frame by frame in turn
     uint64_t memory_bytes = 0;
-    std::vector<TechniqueCost> techniques; ///< medians, dearest first
+    std::vector<TechniqueCost> techniques; ///< medians, one pass after another, dearest first
 };
 
 struct BenchSeries {

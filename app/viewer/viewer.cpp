@@ -32,7 +32,7 @@ bool same(const Sight& a, const Sight& b)
 {
     return same(a.camera, b.camera) && a.style == b.style && a.time_s == b.time_s &&
            a.animation == b.animation && a.size_px == b.size_px && a.scene == b.scene &&
-           a.terrain == b.terrain && a.has_other == b.has_other;
+           a.terrain == b.terrain && a.has_other == b.has_other && a.times_passes == b.times_passes;
 }
 
 } // namespace
@@ -155,7 +155,8 @@ Sight Viewer::sight() const
             .size_px = studio_.view_px,
             .scene = scene_number_,
             .terrain = terrain_sent_,
-            .has_other = studio_.comparison.other.has_value()};
+            .has_other = studio_.comparison.other.has_value(),
+            .times_passes = studio_.shows_panel && studio_.tab == PanelTab::timings};
 }
 
 void Viewer::request(size_t slot, const Sight& sight, bool is_moving)
@@ -172,7 +173,8 @@ void Viewer::request(size_t slot, const Sight& sight, bool is_moving)
                                         .height = scaled(sight.size_px.y),
                                         .samples = is_moving ? 1 : studio_.samples,
                                         .time_s = sight.time_s,
-                                        .animation = sight.animation},
+                                        .animation = sight.animation,
+                                        .time_passes = sight.times_passes},
                            .scale = scale,
                            .view = view_};
     // What moves in one style is drawn as a film is, so that its lines do not jump; ink that flows flows on.

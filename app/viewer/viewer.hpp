@@ -27,8 +27,9 @@ struct Sight {
     Index animation = 0;
     glm::uvec2 size_px{0};
     uint64_t scene = 0;
-    uint64_t terrain = 0;   ///< TerrainEdit::revision()
-    bool has_other = false; ///< compared with another style
+    uint64_t terrain = 0;      ///< TerrainEdit::revision()
+    bool has_other = false;    ///< compared with another style
+    bool times_passes = false; ///< the panel tells what they cost
 };
 
 /// The window on a studio: hands it what keys and pointer say, and shows what is drawn of it.

@@ -87,6 +87,9 @@ struct RenderSettings {
     /// or else in parts of its choosing. Of render() and render_bands() alone.
     uint32_t tile_px = 0;
     bool measure_solvers = false; ///< also work out Renderer::solver_reports()
+    /// Also time each pass, see Renderer::timings(). A GPU then runs one after another what it would run side
+    /// by side, which takes a tenth longer or so. The picture is the same.
+    bool time_passes = false;
 };
 
 /// How bright one of the scene's lights is now.
@@ -112,10 +115,10 @@ struct BandSink {
 /// Whether lines behind something come along.
 enum class HiddenLines : uint8_t { left_out, kept };
 
-/// GPU time of one pass of the last frame.
+/// One pass of the last frame.
 struct PassTiming {
     std::string name;
-    double gpu_ms = 0.0;
+    double gpu_ms = 0.0; ///< GPU time, if RenderSettings::time_passes asked for it
 };
 
 /// What a pressure solver did in the steps that a fluid took for a picture.
@@ -256,7 +259,12 @@ public:
     /// does not have. Empty for most scenes.
     [[nodiscard]] const std::vector<std::string>& notes() const;
 
-    /// GPU time by pass of the last frame drawn, in the order of execution.
+    /// GPU time of the last frame drawn: of all that was run for it, without its waiting for the host; of a
+    /// picture with several samples that of the last.
+    [[nodiscard]] double gpu_ms() const;
+
+    /// The passes of the last frame drawn in the order of execution, and what each took if
+    /// RenderSettings::time_passes asked for that, or RenderSettings::measure_solvers.
     [[nodiscard]] const std::vector<PassTiming>& timings() const;
 
     /// What the pressure solvers of smoke and of ink's water did for the last picture, where its

@@ -320,6 +320,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     motion = {};
     is_of_film = settings.continuity != Continuity::still;
     executor.add_timings();
+    executor.time_passes(settings.time_passes || settings.measure_solvers);
     follow_eye(camera);
     const pose::MeshData& layout = loaded->layout;
     const ScenePose& scene_pose = pose_at(settings);
@@ -558,40 +559,6 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
                               .edges = impl.loaded->line_meshes.edges(),
                               .size_px = plan.page.size_px},
                              plan, hidden == HiddenLines::kept);
-}
-
-const Motion& Renderer::motion() const
-{
-    return impl_->motion;
-}
-
-const std::vector<std::string>& Renderer::notes() const
-{
-    return impl_->notes;
-}
-
-const std::vector<PassTiming>& Renderer::timings() const
-{
-    return impl_->executor.timings();
-}
-
-std::vector<SolverReport> Renderer::solver_reports() const
-{
-    std::vector<SolverReport> reports = impl_->rising_smoke.solver_reports();
-    if (const std::optional<SolverReport>& of_ink = impl_->flowing_ink.water().solver_report()) {
-        reports.push_back(*of_ink);
-    }
-    return reports;
-}
-
-uint64_t Renderer::device_memory_bytes() const
-{
-    return impl_->device.memory().used_bytes();
-}
-
-std::string Renderer::graph_dot() const
-{
-    return gpu::to_dot(impl_->drawn, gpu::compile(impl_->drawn));
 }
 
 } // namespace estampe

@@ -8,41 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "gpu/graph/schedule.hpp"
+
 namespace estampe::gpu {
 
 namespace {
 
 constexpr uint32_t none = UINT32_MAX;
-
-/// All that one pass does to one resource.
-struct PassUse {
-    uint32_t resource = 0;
-    AccessSet accesses;
-    bool writes = false;
-    Layout layout = Layout::undefined; ///< images only
-};
-
-/// Adds them to `merged`.
-void merge_uses(const Graph& graph, const PassRecord& pass, std::vector<PassUse>& merged)
-{
-    const size_t first = merged.size();
-    for (const Use& use : pass.uses) {
-        const ResourceRecord& resource = graph.resources()[use.resource];
-        const bool writes = is_write(use.access);
-        const Layout layout = resource.is_image ? layout_for(use.access) : Layout::undefined;
-        const auto same = std::find_if(merged.begin() + static_cast<std::ptrdiff_t>(first), merged.end(),
-                                       [&](const PassUse& known) { return known.resource == use.resource; });
-        if (same == merged.end()) {
-            merged.push_back({use.resource, use.access, writes, layout});
-            continue;
-        }
-        if (same->writes || writes || same->layout != layout)
-            throw std::logic_error(
-                fmt::format("pass '{}' binds '{}' twice with clashing accesses ({} among them)", pass.name,
-                            resource.name, name_of(use.access)));
-        same->accesses |= use.access;
-    }
-}
 
 /// What checking knows about a resource while it walks the passes in order.
 struct History {
@@ -93,81 +65,11 @@ void check(const Graph& graph, std::vector<History>& histories)
     }
 }
 
-/// The kept passes in order, and what each does.
-struct Schedule {
-    std::vector<uint32_t> passes;
-    std::vector<PassUse> uses;       ///< of all of them, one after another
-    std::vector<uint32_t> first_use; ///< by kept pass, and the end of the last
-
-    [[nodiscard]] std::span<const PassUse> uses_of(size_t step) const
-    {
-        return {uses.data() + first_use[step], first_use[step + 1] - first_use[step]};
-    }
-};
-
-/// Versions of resources that some kept pass reads.
-struct Wanted {
-    std::vector<uint32_t> first; ///< by resource
-    std::vector<uint8_t> is_wanted;
-
-    void forget(const Graph& graph)
-    {
-        first.clear();
-        uint32_t versions = 0;
-        for (const ResourceRecord& resource : graph.resources()) {
-            first.push_back(versions);
-            versions += resource.newest_version + 1;
-        }
-        is_wanted.assign(versions, 0);
-    }
-
-    [[nodiscard]] uint8_t& at(uint32_t resource, uint32_t version)
-    {
-        return is_wanted[first[resource] + version];
-    }
-};
-
-/// Fills in the passes whose work is wanted.
-void find_kept(const Graph& graph, Wanted& wanted, Schedule& schedule)
-{
-    wanted.forget(graph);
-    schedule.passes.clear();
-    for (auto index = static_cast<uint32_t>(graph.passes().size()); index-- > 0;) {
-        const PassRecord& pass = graph.passes()[index];
-        const bool keep = pass.has_side_effect || std::ranges::any_of(pass.uses, [&](const Use& use) {
-                              const ResourceRecord& resource = graph.resources()[use.resource];
-                              if (!is_write(use.access))
-                                  return use.access == Access::host_read;
-                              return resource.exported || resource.is_imported() ||
-                                     wanted.at(use.resource, use.version + 1) != 0;
-                          });
-        if (!keep)
-            continue;
-        schedule.passes.push_back(index);
-        for (const Use& use : pass.uses) {
-            if (is_read(use.access))
-                wanted.at(use.resource, use.version) = 1;
-        }
-    }
-    std::ranges::reverse(schedule.passes);
-}
-
-void schedule_uses(const Graph& graph, Schedule& schedule)
-{
-    schedule.uses.clear();
-    schedule.first_use.clear();
-    for (const uint32_t pass : schedule.passes) {
-        schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
-        merge_uses(graph, graph.passes()[pass], schedule.uses);
-    }
-    schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
-}
-
 /// How resources share slots.
 struct Sharing {
-    std::vector<size_t> last_use;   ///< by resource
+    std::vector<size_t> last_use;   ///< by resource: the level
     std::vector<uint8_t> unshared;  ///< by resource
-    std::vector<size_t> busy_until; ///< by slot; SIZE_MAX when never to be shared
+    std::vector<size_t> busy_until; ///< by slot, the level; SIZE_MAX when never to be shared
 };
 
 void find_last_uses(const Graph& graph, const Schedule& schedule, Sharing& sharing)
@@ -178,7 +80,7 @@ void find_last_uses(const Graph& graph, const Schedule& schedule, Sharing& shari
         sharing.unshared.push_back(resource.exported ? 1 : 0);
     for (size_t step = 0; step < schedule.passes.size(); ++step) {
         for (const PassUse& use : schedule.uses_of(step)) {
-            sharing.last_use[use.resource] = step;
+            sharing.last_use[use.resource] = schedule.levels[step];
             if (use.accesses.contains(Access::host_read))
                 sharing.unshared[use.resource] = 1;
         }
@@ -192,10 +94,10 @@ void assign_slots(const Graph& graph, const Schedule& schedule, Sharing& sharing
     busy_until.clear();
     compiled.slots.clear();
     compiled.slot_of_resource.assign(graph.resources().size(), none);
-    const auto take_slot = [&](const ResourceRecord& resource, bool shareable, size_t step) {
+    const auto take_slot = [&](const ResourceRecord& resource, bool shareable, size_t level) {
         for (uint32_t i = 0; shareable && i < compiled.slots.size(); ++i) {
             const Slot& slot = compiled.slots[i];
-            if (busy_until[i] < step && slot.is_image == resource.is_image && slot.image == resource.image &&
+            if (busy_until[i] < level && slot.is_image == resource.is_image && slot.image == resource.image &&
                 slot.buffer == resource.buffer)
                 return i;
         }
@@ -211,7 +113,7 @@ void assign_slots(const Graph& graph, const Schedule& schedule, Sharing& sharing
             const bool is_unshared = sharing.unshared[use.resource] != 0;
             uint32_t& slot = compiled.slot_of_resource[use.resource];
             if (slot == none) {
-                slot = take_slot(resource, !is_unshared, step);
+                slot = take_slot(resource, !is_unshared, schedule.levels[step]);
                 busy_until[slot] = is_unshared ? SIZE_MAX : sharing.last_use[use.resource];
             }
             compiled.slots[slot].accesses |= use.accesses;
@@ -262,6 +164,8 @@ Barrier advance(MemoryState& state, const PassUse& use)
 struct Memory {
     std::vector<MemoryState> slots;
     std::vector<MemoryState> imported;
+    std::vector<PassUse> uses_of_level;
+    std::vector<uint32_t> use_in_level;      ///< by resource: which of these is its own
     std::vector<std::vector<Barrier>> spare; ///< room that passes of the graph before had
 };
 
@@ -275,15 +179,27 @@ void take_back(CompiledGraph& compiled, Memory& memory)
     std::ranges::reverse(memory.spare); // each pass gets its own again
 }
 
-CompiledPass& new_pass(CompiledGraph& compiled, Memory& memory, uint32_t pass)
+void add_pass(CompiledGraph& compiled, Memory& memory, uint32_t pass)
 {
     compiled.passes.push_back({pass, {}});
-    CompiledPass& made = compiled.passes.back();
     if (!memory.spare.empty()) {
-        made.barriers = std::move(memory.spare.back());
+        compiled.passes.back().barriers = std::move(memory.spare.back());
         memory.spare.pop_back();
     }
-    return made;
+}
+
+/// All that the passes of a level do to a resource is one use: they agree on its layout.
+void add_uses(std::span<const PassUse> uses, Memory& memory)
+{
+    for (const PassUse& use : uses) {
+        uint32_t& known = memory.use_in_level[use.resource];
+        if (known == none) {
+            known = static_cast<uint32_t>(memory.uses_of_level.size());
+            memory.uses_of_level.push_back(use);
+        } else {
+            memory.uses_of_level[known].accesses |= use.accesses;
+        }
+    }
 }
 
 void add_barriers(const Graph& graph, const Schedule& schedule, Memory& memory, CompiledGraph& compiled)
@@ -291,15 +207,22 @@ void add_barriers(const Graph& graph, const Schedule& schedule, Memory& memory, 
     take_back(compiled, memory);
     memory.slots.assign(compiled.slots.size(), {});
     memory.imported.assign(graph.resources().size(), {});
+    memory.use_in_level.assign(graph.resources().size(), none);
     compiled.final_layout.clear();
     for (uint32_t i = 0; i < memory.imported.size(); ++i) {
         memory.imported[i].holder = i;
         memory.imported[i].layout = graph.resources()[i].initial_layout;
         compiled.final_layout.push_back(memory.imported[i].layout);
     }
-    for (size_t step = 0; step < schedule.passes.size(); ++step) {
-        CompiledPass& pass = new_pass(compiled, memory, schedule.passes[step]);
-        for (const PassUse& use : schedule.uses_of(step)) {
+    for (size_t step = 0; step < schedule.passes.size();) {
+        const size_t first = step;
+        for (; step < schedule.passes.size() && schedule.levels[step] == schedule.levels[first]; ++step) {
+            add_pass(compiled, memory, schedule.passes[step]);
+            add_uses(schedule.uses_of(step), memory);
+        }
+        CompiledPass& pass = compiled.passes[first];
+        for (const PassUse& use : memory.uses_of_level) {
+            memory.use_in_level[use.resource] = none;
             const uint32_t slot = compiled.slot_of_resource[use.resource];
             MemoryState& state = slot == none ? memory.imported[use.resource] : memory.slots[slot];
             if (state.holder != use.resource)
@@ -309,6 +232,7 @@ void add_barriers(const Graph& graph, const Schedule& schedule, Memory& memory, 
                 pass.barriers.push_back(barrier);
             compiled.final_layout[use.resource] = use.layout;
         }
+        memory.uses_of_level.clear();
     }
     memory.spare.clear();
 }
@@ -384,7 +308,7 @@ std::string_view name_of(Access access)
 struct Compiler::Room {
     std::vector<History> histories;
     std::vector<PassUse> uses_of_one;
-    Wanted wanted;
+    Scheduler scheduler;
     Schedule schedule;
     Sharing sharing;
     Memory memory;
@@ -401,8 +325,7 @@ void Compiler::compile(const Graph& graph, CompiledGraph& compiled)
         room_->uses_of_one.clear();
         merge_uses(graph, pass, room_->uses_of_one); // clashes count in passes that are culled too
     }
-    find_kept(graph, room_->wanted, room_->schedule);
-    schedule_uses(graph, room_->schedule);
+    room_->scheduler.run(graph, room_->schedule);
     assign_slots(graph, room_->schedule, room_->sharing, compiled);
     add_barriers(graph, room_->schedule, room_->memory, compiled);
 }

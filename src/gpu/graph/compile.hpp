@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Turns a declared graph into an order, a list of barriers before each pass, and an assignment of transient
+// Turns a declared graph into an order, lists of barriers between passes, and an assignment of transient
 // resources to physical slots. Pure data in, pure data out: no device.
 
 #include <cstdint>
@@ -96,11 +96,11 @@ struct Slot {
 
 struct CompiledPass {
     uint32_t pass = 0;             ///< index into Graph::passes()
-    std::vector<Barrier> barriers; ///< to be issued together, before the pass
+    std::vector<Barrier> barriers; ///< to be issued together, before it and those that run beside it
 };
 
 struct CompiledGraph {
-    std::vector<CompiledPass> passes;       ///< in execution order; culled passes are absent
+    std::vector<CompiledPass> passes;       ///< in execution order, level by level; culled passes are absent
     std::vector<uint32_t> slot_of_resource; ///< UINT32_MAX for imported and unused resources
     std::vector<Slot> slots;
     std::vector<Layout> final_layout; ///< per resource: the layout images are left in
@@ -117,14 +117,17 @@ struct CompiledGraph {
 /// the host is to read after the frame; and when an exported resource is never written. A depth attachment
 /// needs no earlier write: its first pass clears it.
 ///
-/// Order: declaration order, which is a topological order by construction. Culling: a pass stays when it has
-/// a side effect, is a host read, writes an exported or imported resource, or writes what a kept pass reads.
-/// Slots: transients of equal description whose lifetimes do not overlap share one (buffers: same size);
-/// sharing adds the barrier that orders them. What is exported or read by the host has a slot of its own.
+/// Order: in levels. Passes of one level hang on none of each other and share the barriers before the level's
+/// first, so that a device may run them side by side; each pass is in the last level that those allow which
+/// need it, and within a level they are as declared. Side effects keep their order. Culling: a pass stays
+/// when it has a side effect, is a host read, writes an exported or imported resource, or writes what a kept
+/// pass reads. Slots: transients of equal description whose levels do not overlap share one (buffers: same
+/// size); sharing adds the barrier that orders them. What is exported or read by the host has a slot of its
+/// own.
 ///
 /// Barriers: a write waits for every access since the last write, a read for the last write unless its kind
 /// of access has already waited; a layout change counts as a write. Cost: linear in uses, but for slots,
-/// quadratic at worst.
+/// quadratic at worst, and a sort of the passes.
 [[nodiscard]] CompiledGraph compile(const Graph& graph);
 
 /// Compiles graph after graph in the same room: those that are no larger than the ones before ask nothing of

@@ -139,7 +139,7 @@ public:
         const uint32_t resource_count = 4 + below(10);
         for (uint32_t i = 0; i < resource_count; ++i)
             add_resource(graph, i);
-        const uint32_t pass_count = 6 + below(20);
+        const uint32_t pass_count = 10 + below(20);
         for (uint32_t i = 0; i < pass_count; ++i)
             add_pass(graph, i);
         for (const ImageId image : images_) {

@@ -106,6 +106,7 @@ void Executor::run(const Graph& graph)
     }
     graph_ = &graph;
     first_of_run_ = timing_count_;
+    gpu_ms_ = timing_count_ == 0 ? 0.0 : gpu_ms_;
     provide_slots();
     if (are_runs_watched()) {
         run_by_passes();
@@ -199,7 +200,9 @@ void Executor::record(VkCommandBuffer commands)
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query++);
     for (const CompiledPass& compiled : compiled_.passes) {
         record_pass(commands, compiled);
-        vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query++);
+        if (times_passes_ || &compiled == &compiled_.passes.back()) {
+            vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, query++);
+        }
     }
 }
 
@@ -346,19 +349,25 @@ VkDescriptorSet Executor::bind(const PassRecord& pass, const Pipeline& pipeline)
     return set;
 }
 
+double Executor::between_ms(size_t from, size_t to) const
+{
+    return static_cast<double>(ticks_[to] - ticks_[from]) * device_.timestamp_period_ns() * 1e-6;
+}
+
 void Executor::read_timings()
 {
-    const uint32_t count = static_cast<uint32_t>(compiled_.passes.size()) + 1;
+    const size_t passes = compiled_.passes.size();
+    const auto count = static_cast<uint32_t>(times_passes_ ? passes + 1 : std::min<size_t>(passes, 1) + 1);
     ticks_.resize(count);
     vk_check(vkGetQueryPoolResults(device_.handle(), queries_, 0, count, count * sizeof(uint64_t),
                                    ticks_.data(), sizeof(uint64_t),
                                    VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
              "vkGetQueryPoolResults");
-    for (uint32_t i = 0; i + 1 < count; ++i) {
-        const double elapsed_ns =
-            static_cast<double>(ticks_[i + 1] - ticks_[i]) * device_.timestamp_period_ns();
-        note_timing(graph_->passes()[compiled_.passes[i].pass].name, elapsed_ns * 1e-6);
+    for (size_t i = 0; i < passes; ++i) {
+        note_timing(graph_->passes()[compiled_.passes[i].pass].name,
+                    times_passes_ ? between_ms(i, i + 1) : 0.0);
     }
+    gpu_ms_ += between_ms(0, count - 1);
     end_timings();
 }
 

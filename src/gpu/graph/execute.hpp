@@ -51,6 +51,10 @@ public:
     /// says no: drivers that compile at first use compile them now. Touches nothing of the graph's resources.
     void use_shaders(const Graph& graph, const std::function<bool()>& go_on);
 
+    /// Whether each pass is timed, or only what is run as a whole: passes that hang on none of each other
+    /// then run side by side. At first each is.
+    void time_passes(bool each) { times_passes_ = each; }
+
     /// What is run until the next replace_timings() is timed together.
     void add_timings()
     {
@@ -64,7 +68,11 @@ public:
         timing_count_ = 0;
     }
 
-    /// GPU time by pass of the last run, or of those timed together, in order.
+    /// GPU time of the last run, or of those timed together, from the begin of the first pass of each to the
+    /// end of its last.
+    [[nodiscard]] double gpu_ms() const { return gpu_ms_; }
+
+    /// The passes of these, in order, with the GPU time of each if passes were timed, or else 0.
     [[nodiscard]] const std::vector<PassTiming>& timings() const { return timings_; }
 
     /// Of the last run alone.
@@ -108,6 +116,8 @@ private:
     void provide_stand_ins();
     void use_shader(const PassRecord& pass);
     void reset_frame();
+    /// Milliseconds between two of the timestamps that were read.
+    [[nodiscard]] double between_ms(size_t from, size_t to) const;
     void read_timings();
     void note_timing(const std::string& pass, double gpu_ms);
     void end_timings();
@@ -133,6 +143,8 @@ private:
     size_t timing_count_ = 0; ///< of those timed together, until now
     size_t first_of_run_ = 0; ///< of timings_
     bool adds_timings_ = false;
+    bool times_passes_ = true;
+    double gpu_ms_ = 0.0;
 
     // Room that recording takes again and again.
     std::vector<VkImageMemoryBarrier2> image_barriers_;

@@ -88,6 +88,42 @@ TEST(Execute, TimesEachPass)
     EXPECT_EQ(executor.timings().size(), 1U);
 }
 
+TEST(Execute, TimesTheWholeWhenPassesAreNotTimed)
+{
+    Executor executor(test::shared_device());
+    Graph graph;
+    constexpr uint64_t size_bytes = 4 << 20;
+    Buffer target(test::shared_device(), "target", size_bytes, MemoryUse::device);
+    BufferId filled = graph.import_buffer("target", target, {.size_bytes = size_bytes});
+    for (uint32_t i = 0; i < 3; ++i) {
+        auto fill = graph.custom("fill");
+        filled = fill.touch_write(filled, Access::transfer_write);
+        fill.execute(fill_with(filled, i));
+    }
+    executor.run(graph);
+    double sum_ms = 0.0;
+    for (const PassTiming& pass : executor.timings()) {
+        sum_ms += pass.gpu_ms;
+    }
+    EXPECT_DOUBLE_EQ(executor.gpu_ms(), sum_ms);
+    executor.time_passes(false);
+    executor.run(graph);
+    EXPECT_GT(executor.gpu_ms(), 0.0);
+    ASSERT_EQ(executor.timings().size(), 3U);
+    for (const PassTiming& pass : executor.timings()) {
+        EXPECT_EQ(pass.gpu_ms, 0.0);
+    }
+    executor.add_timings();
+    executor.run(graph);
+    EXPECT_GT(executor.gpu_ms(), 0.0);
+    const double first_ms = executor.gpu_ms();
+    executor.run(graph);
+    EXPECT_GT(executor.gpu_ms(), first_ms);
+    executor.replace_timings();
+    executor.run(Graph());
+    EXPECT_EQ(executor.gpu_ms(), 0.0);
+}
+
 /// Graphs that take turns find their transient memory as they left it.
 TEST(Execute, KeepsTransientMemoryWhileOtherGraphsRun)
 {

@@ -105,6 +105,7 @@ void Executor::run_by_passes()
         const PassRecord& pass = graph_->passes()[compiled.pass];
         const double ms = std::max(time_ms(&compiled) - empty_ms, 0.0);
         note_timing(pass.name, ms);
+        gpu_ms_ += ms;
         works.push_back({.name = pass.name,
                          .ms = ms,
                          .bytes = bytes_of(*graph_, pass),

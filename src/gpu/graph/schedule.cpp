@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/graph/schedule.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace estampe::gpu {
+namespace {
+
+void schedule_uses(const Graph& graph, Schedule& schedule)
+{
+    schedule.uses.clear();
+    schedule.first_use.clear();
+    for (const uint32_t pass : schedule.passes) {
+        schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
+        merge_uses(graph, graph.passes()[pass], schedule.uses);
+    }
+    schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
+}
+
+} // namespace
+
+void merge_uses(const Graph& graph, const PassRecord& pass, std::vector<PassUse>& merged)
+{
+    const size_t first = merged.size();
+    for (const Use& use : pass.uses) {
+        const ResourceRecord& resource = graph.resources()[use.resource];
+        const bool writes = is_write(use.access);
+        const Layout layout = resource.is_image ? layout_for(use.access) : Layout::undefined;
+        const auto same = std::find_if(merged.begin() + static_cast<std::ptrdiff_t>(first), merged.end(),
+                                       [&](const PassUse& known) { return known.resource == use.resource; });
+        if (same == merged.end()) {
+            merged.push_back({use.resource, use.access, writes, layout});
+            continue;
+        }
+        if (same->writes || writes || same->layout != layout)
+            throw std::logic_error(
+                fmt::format("pass '{}' binds '{}' twice with clashing accesses ({} among them)", pass.name,
+                            resource.name, name_of(use.access)));
+        same->accesses |= use.access;
+    }
+}
+
+void Scheduler::Wanted::forget(const Graph& graph)
+{
+    first.clear();
+    uint32_t versions = 0;
+    for (const ResourceRecord& resource : graph.resources()) {
+        first.push_back(versions);
+        versions += resource.newest_version + 1;
+    }
+    is_wanted.assign(versions, 0);
+}
+
+void Scheduler::find_kept(const Graph& graph, Schedule& schedule)
+{
+    wanted_.forget(graph);
+    schedule.passes.clear();
+    for (auto index = static_cast<uint32_t>(graph.passes().size()); index-- > 0;) {
+        const PassRecord& pass = graph.passes()[index];
+        const bool keep = pass.has_side_effect || std::ranges::any_of(pass.uses, [&](const Use& use) {
+                              const ResourceRecord& resource = graph.resources()[use.resource];
+                              if (!is_write(use.access))
+                                  return use.access == Access::host_read;
+                              return resource.exported || resource.is_imported() ||
+                                     wanted_.at(use.resource, use.version + 1) != 0;
+                          });
+        if (!keep)
+            continue;
+        schedule.passes.push_back(index);
+        for (const Use& use : pass.uses) {
+            if (is_read(use.access))
+                wanted_.at(use.resource, use.version) = 1;
+        }
+    }
+    std::ranges::reverse(schedule.passes);
+}
+
+void Scheduler::find_levels(const Graph& graph, Schedule& schedule)
+{
+    waves_.assign(graph.resources().size(), {});
+    schedule.levels.assign(schedule.passes.size(), 0);
+    uint32_t past_effects = 0;
+    uint32_t levels = 0;
+    for (size_t step = schedule.passes.size(); step-- > 0;) {
+        const bool has_effect = graph.passes()[schedule.passes[step]].has_side_effect;
+        uint32_t& level = schedule.levels[step];
+        level = has_effect ? past_effects : 0;
+        for (const PassUse& use : schedule.uses_of(step)) {
+            Wave& wave = waves_[use.resource];
+            const bool clashes = wave.is_begun && (use.writes || wave.writes || use.layout != wave.layout);
+            wave.from_level = clashes ? wave.past_level : wave.from_level;
+            wave.is_begun = true;
+            wave.writes = use.writes;
+            wave.layout = use.layout;
+            level = std::max(level, wave.from_level);
+        }
+        for (const PassUse& use : schedule.uses_of(step))
+            waves_[use.resource].past_level = std::max(waves_[use.resource].past_level, level + 1);
+        past_effects = has_effect ? level + 1 : past_effects;
+        levels = std::max(levels, level + 1);
+    }
+    for (uint32_t& level : schedule.levels)
+        level = levels - 1 - level;
+}
+
+void Scheduler::sort_by_levels(Schedule& schedule)
+{
+    // Within a level as declared.
+    order_.resize(schedule.passes.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::ranges::sort(order_, {}, [&](uint32_t step) { return std::pair(schedule.levels[step], step); });
+    for (uint32_t& step : order_)
+        step = schedule.passes[step];
+    schedule.passes.swap(order_);
+    std::ranges::sort(schedule.levels);
+}
+
+void Scheduler::run(const Graph& graph, Schedule& schedule)
+{
+    find_kept(graph, schedule);
+    schedule_uses(graph, schedule);
+    find_levels(graph, schedule);
+    sort_by_levels(schedule);
+    schedule_uses(graph, schedule);
+}
+
+} // namespace estampe::gpu

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Which passes of a graph run, and when: those that do not hang on each other side by side.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gpu/graph/compile.hpp"
+
+namespace estampe::gpu {
+
+/// All that one pass does to one resource.
+struct PassUse {
+    uint32_t resource = 0;
+    AccessSet accesses;
+    bool writes = false;
+    Layout layout = Layout::undefined; ///< images only
+};
+
+/// Adds what `pass` does to `merged`. Throws std::logic_error when it binds one resource twice with clashing
+/// accesses.
+void merge_uses(const Graph& graph, const PassRecord& pass, std::vector<PassUse>& merged);
+
+/// The kept passes in the order they run in, and what each does.
+struct Schedule {
+    std::vector<uint32_t> passes;
+    std::vector<uint32_t> levels;    ///< by kept pass, rising: passes of one level do not wait for each other
+    std::vector<PassUse> uses;       ///< of all of them, one after another
+    std::vector<uint32_t> first_use; ///< by kept pass, and the end of the last
+
+    [[nodiscard]] std::span<const PassUse> uses_of(size_t step) const
+    {
+        return {uses.data() + first_use[step], first_use[step + 1] - first_use[step]};
+    }
+};
+
+/// Makes schedule after schedule in the same room.
+class Scheduler {
+public:
+    /// Keeps the passes of `graph` whose work is wanted, and gives each the last level that those allow which
+    /// need it: as few levels as the longest chain has passes, with memory held no longer than it has to be.
+    /// Passes with side effects keep their order. Cost: linear in uses, and a sort of the passes.
+    void run(const Graph& graph, Schedule& schedule);
+
+private:
+    /// Versions of resources that some kept pass reads.
+    struct Wanted {
+        std::vector<uint32_t> first; ///< by resource
+        std::vector<uint8_t> is_wanted;
+
+        void forget(const Graph& graph);
+
+        [[nodiscard]] uint8_t& at(uint32_t resource, uint32_t version)
+        {
+            return is_wanted[first[resource] + version];
+        }
+    };
+
+    /// The uses of a resource that may be made at the same time, from the end of the frame backwards.
+    struct Wave {
+        bool is_begun = false;
+        bool writes = false;
+        Layout layout = Layout::undefined;
+        uint32_t from_level = 0; ///< counted from the end of the frame
+        uint32_t past_level = 0; ///< before all of them
+    };
+
+    void find_kept(const Graph& graph, Schedule& schedule);
+    void find_levels(const Graph& graph, Schedule& schedule);
+    void sort_by_levels(Schedule& schedule);
+
+    Wanted wanted_;
+    std::vector<Wave> waves_; ///< by resource
+    std::vector<uint32_t> order_;
+};
+
+} // namespace estampe::gpu
