@@ -11,7 +11,7 @@
 #include "shaders/octahedral.glsl"
 #include "shaders/visibility.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(scalar, binding = 0) uniform Frame
 {
@@ -49,7 +49,17 @@ layout(push_constant, scalar) uniform Constants
 
 const float least_through = 1.0 / 4096.0; // a white light sixteen times as bright changes no pixel by it
 
-shared uint shines_in_tile;
+shared uint shining_tiles; // a bit for each of the four that a group has, one below the other
+
+// Lists those of a column of tiles whose bits are set, one at least; the first is bit 0.
+void list_rows(uvec2 first, uint rows)
+{
+    uint number = list_room(uint(bitCount(rows)));
+    for (; rows != 0u; rows &= rows - 1u) {
+        put_tile(number, first + uvec2(0u, uint(findLSB(rows))));
+        ++number;
+    }
+}
 
 void main()
 {
@@ -58,7 +68,7 @@ void main()
     half_pixel = min(half_pixel, ivec2(constants.half_px) - 1);
     ivec2 pixel = whole_pixel(half_pixel);
     if (gl_LocalInvocationIndex == 0u) {
-        shines_in_tile = 0u;
+        shining_tiles = 0u;
     }
     barrier();
     uint word = texelFetch(draw_image, pixel, 0).x;
@@ -83,11 +93,11 @@ void main()
     vec3 left = through.a * exp(-through.rgb * inside_m);
     bool shines = is_on_page && max(max(left.r, left.g), left.b) > least_through;
     if (shines) {
-        atomicOr(shines_in_tile, 1u);
+        atomicOr(shining_tiles, 1u << (gl_LocalInvocationID.y / 8u));
     }
     barrier();
-    if (gl_LocalInvocationIndex == 0u && shines_in_tile != 0u) {
-        list_tile(gl_WorkGroupID.xy);
+    if (gl_LocalInvocationIndex == 0u && shining_tiles != 0u) {
+        list_rows(gl_WorkGroupID.xy * uvec2(1u, 4u), shining_tiles);
     }
     if (!is_on_page) {
         return;

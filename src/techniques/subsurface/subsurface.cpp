@@ -174,7 +174,7 @@ FarSide add_far_side(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::BufferI
     const gpu::ImageId depth = pass.write(image("subsurface/far depth", gpu::Format::r32f));
     const gpu::ImageId normal = pass.write(image("subsurface/far normal", gpu::Format::rg32ui));
     const gpu::BufferId tiles = pass.modify(no_tiles);
-    pass.push(constants).dispatch_over(half_px.x, half_px.y);
+    pass.push(constants).dispatch_over_page(half_px.x, half_px.y);
     return {draw, depth, normal, tiles};
 }
 
