@@ -7,6 +7,7 @@
 
 #include "shaders/camera.glsl"
 #include "techniques/subsurface/profile.glsl"
+#include "techniques/subsurface/subsurface.glsl.h"
 
 // By how much the way to every second pixel and back blurs.
 const float half_page_variance_px2 = 0.85;
@@ -17,6 +18,14 @@ const float nowhere_m = 1e30; // how far off a pixel is that takes no light in
 const float takes_nothing = 0.0;
 const float takes_light_through = 1.0; // it comes from the far side
 const float takes_light_about = 2.0;   // it spreads
+
+// What gets any light is listed by squares of the page, by the first of the tiles that each one has.
+const uint tiles_a_side = scatter_square_px / 8u;
+
+uvec2 squares_of(uvec2 size_px)
+{
+    return (size_px + scatter_square_px - 1u) / scatter_square_px;
+}
 
 // Of what is drawn, the pixel that one of the half page stands for.
 ivec2 whole_pixel(ivec2 half_pixel)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One thread a pixel of the listed tiles lays what light has come through, and from elsewhere under the
+// One thread a pixel of the listed squares lays what light has come through, and from elsewhere under the
 // surface, over what stays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -7,8 +7,9 @@
 
 #include "shaders/color.glsl"
 #include "shaders/frame.glsl.h"
+#include "techniques/subsurface/subsurface.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = scatter_square_px, local_size_y = scatter_square_px) in;
 
 layout(scalar, binding = 0) uniform Frame
 {
@@ -45,7 +46,7 @@ const float least_near = 1e-4;    // what is so thin that the half page saw noth
 
 void main()
 {
-    // A tile that is done twice would be lit twice.
+    // A square that is done twice would be lit twice.
     ivec2 pixel =
         has_listed_tile() ? ivec2(listed_from_px() + gl_LocalInvocationID.xy) : ivec2(frame.size_px);
     if (any(greaterThanEqual(uvec2(pixel), frame.size_px))) {

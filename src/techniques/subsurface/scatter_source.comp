@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // One thread a pixel of the half page takes the light that spreads from there, with what comes through from
-// the far side. Blurs that no pixel needs are never run, and tiles of the page that get nothing of it are not
-// listed.
+// the far side. Blurs that no pixel needs are never run, and squares of the page that get nothing of it are
+// not listed.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/frame.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(scalar, binding = 0) uniform Frame
 {
@@ -49,7 +49,7 @@ layout(scalar, binding = 13) coherent buffer Needs
 
 layout(scalar, binding = 14) buffer Reached
 {
-    uint reached[]; // by four tiles of the page, which a group has: whether they are listed
+    uint reached[]; // by squares of the page, see square_px: whether they are listed
 };
 
 #define TILE_LIST_BINDING 15
@@ -61,37 +61,48 @@ layout(scalar, binding = 14) buffer Reached
 const float most_light = 65504.0; // that half floats hold
 
 shared uint widest_of_group; // spread on the page, as bits
-shared uint reached_about;   // a bit for each of the groups about this one, and itself
+shared uint reached_about;   // a bit for each of the squares about this group, and its own
+shared uint newly_reached;   // how many of them
+shared uint first_listed;    // the number of the first
 
-const uint groups_about = 9u;
+// A group has four squares, one below the other, and one more on each side.
+const uint squares_across = 3u;
+const uint squares_about = 18u;
 
-// Which groups pixels of the page lie in that look at this one of the half page: also the next one's.
-uint groups_that_look(uvec2 local)
+// In which squares the pixels of the page lie that look at this one of the half page: also the next one's.
+uint squares_that_look(uvec2 local)
 {
-    uint columns = 2u | (local.x == 0u ? 1u : 0u) | (local.x == 7u ? 4u : 0u);
-    uint about = columns << 3;
-    about |= local.y == 0u ? columns : 0u;
-    return about | (local.y == 7u ? columns << 6 : 0u);
+    uvec2 within = local % 8u;
+    uint columns = 2u | (within.x == 0u ? 1u : 0u) | (within.x == 7u ? 4u : 0u);
+    uint row = squares_across * (local.y / 8u); // of the one above
+    uint about = columns << (row + squares_across);
+    about |= within.y == 0u ? columns << row : 0u;
+    return about | (within.y == 7u ? columns << (row + 2u * squares_across) : 0u);
 }
 
-// Lists the tiles of one of the groups about, unless another group has done so.
-void list_tiles_of(uint about)
+// One of the squares about.
+ivec2 square_about(uint about)
 {
-    ivec2 groups = (ivec2(frame.size_px) + 15) / 16;
-    ivec2 group = ivec2(gl_WorkGroupID.xy) + ivec2(about % 3u, about / 3u) - 1;
-    if (any(lessThan(group, ivec2(0))) || any(greaterThanEqual(group, groups)) ||
-        atomicOr(reached[group.y * groups.x + group.x], 1u) != 0u) {
-        return;
-    }
-    list_square(2u * uvec2(group), 2u, frame.size_px);
+    ivec2 own = ivec2(gl_WorkGroupID.xy) * ivec2(1, 4);
+    return own + ivec2(about % squares_across, about / squares_across) - 1;
+}
+
+// Whether it is this group that has to list a square: none has yet.
+bool reaches_first(ivec2 square)
+{
+    ivec2 squares = ivec2(squares_of(frame.size_px));
+    return all(greaterThanEqual(square, ivec2(0))) && all(lessThan(square, squares)) &&
+           atomicOr(reached[square.y * squares.x + square.x], 1u) == 0u;
 }
 
 void main()
 {
+    bool is_there = is_on_half_page(ivec2(gl_GlobalInvocationID.xy));
     ivec2 half_pixel = min(ivec2(gl_GlobalInvocationID.xy), ivec2(constants.half_px) - 1);
     if (gl_LocalInvocationIndex == 0u) {
         widest_of_group = 0u;
         reached_about = 0u;
+        newly_reached = 0u;
     }
     barrier();
     ivec2 pixel = whole_pixel(half_pixel);
@@ -111,8 +122,8 @@ void main()
         vec3 far_light = is_lit ? texelFetch(far_light_image, half_pixel, 0).rgb : vec3(0.0);
         through = min(left * far_light, vec3(most_light));
         takes = look_in.a > 0.0 ? takes_light_through : takes_nothing;
-        if (through != vec3(0.0)) {
-            atomicOr(reached_about, groups_that_look(gl_LocalInvocationID.xy));
+        if (is_there && through != vec3(0.0)) {
+            atomicOr(reached_about, squares_that_look(gl_LocalInvocationID.xy));
         }
     }
     vec3 kept = vec3(0.0);
@@ -139,8 +150,8 @@ void main()
         kept = share * light;
         takes += scatters ? takes_light_about : takes_nothing;
         atomicMax(widest_of_group, floatBitsToUint(widest));
-        if (scatters) {
-            atomicOr(reached_about, groups_that_look(gl_LocalInvocationID.xy));
+        if (is_there && scatters) {
+            atomicOr(reached_about, squares_that_look(gl_LocalInvocationID.xy));
         }
     }
     imageStore(out_sum, half_pixel, vec4(kept, takes > takes_nothing ? ahead : nowhere_m));
@@ -156,7 +167,15 @@ void main()
         atomicMax(needs[item].y, (constants.half_px.y + 7u) / 8u);
         atomicMax(needs[item].z, 1u);
     }
-    if (item < groups_about && (reached_about >> item & 1u) != 0u) {
-        list_tiles_of(item);
+    ivec2 square = square_about(item);
+    bool lists = item < squares_about && (reached_about >> item & 1u) != 0u && reaches_first(square);
+    uint number = lists ? atomicAdd(newly_reached, 1u) : 0u;
+    barrier();
+    if (item == 0u && newly_reached > 0u) {
+        first_listed = list_room(newly_reached);
+    }
+    barrier();
+    if (lists) {
+        put_tile(first_listed + number, tiles_a_side * uvec2(square));
     }
 }

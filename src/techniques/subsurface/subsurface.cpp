@@ -185,10 +185,11 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
     const shared::ScatterConstants constants = constants_of(in, levels);
     const gpu::BufferId none =
         gpu::add_zeros(graph, "subsurface/needs", sizeof(glm::uvec4) * std::max(levels, 1U));
-    const glm::uvec2 groups = (in.size_px + 15U) / 16U;
+    const glm::uvec2 across = (in.size_px + shared::scatter_square_px - 1U) / shared::scatter_square_px;
+    const uint64_t squares = uint64_t{across.x} * across.y;
     const gpu::BufferId unreached =
-        gpu::add_zeros(graph, "subsurface/reached", sizeof(glm::uvec4) * ((groups.x * groups.y + 3U) / 4U));
-    const gpu::BufferId no_tiles = gpu::add_empty_tile_list(graph, "subsurface/page tiles", in.size_px);
+        gpu::add_zeros(graph, "subsurface/reached", sizeof(glm::uvec4) * ((squares + 3U) / 4U));
+    const gpu::BufferId none_listed = gpu::add_empty_group_list(graph, "subsurface/squares", squares);
     const uint32_t variant = (through ? shared::subsurface_shines : 0U) |
                              (spreads ? shared::subsurface_spreads : 0U) | looking(in);
     auto source = graph.compute("subsurface/source", shaders::scatter_source_comp);
@@ -206,14 +207,14 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
     const gpu::ImageId shone = written("subsurface/through", gpu::Format::rgba16f, through.has_value());
     const gpu::BufferId needs = source.modify(none);
     std::ignore = source.modify(unreached);
-    const gpu::BufferId tiles = source.modify(no_tiles);
-    source.push(constants).dispatch_over(constants.half_px.x, constants.half_px.y);
+    const gpu::BufferId listed = source.modify(none_listed);
+    source.push(constants).dispatch_over_page(constants.half_px.x, constants.half_px.y);
     const gpu::ImageId sum = add_blurs(graph, in, constants, {lit, spread, kept, needs});
     auto pass = graph.compute("subsurface/page", shaders::scatter_page_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(sum).sample(shone);
     pass.variant(variant | bind_looks(pass, in));
     const gpu::ImageId result = pass.modify(light);
-    pass.read(tiles).push(constants).dispatch_indirect(tiles);
+    pass.read(listed).push(constants).dispatch_indirect(listed);
     return result;
 }
 

@@ -9,6 +9,7 @@ namespace estampe::shared {
 #endif
 
 SHARED_CONSTANT uint most_scatter_levels = 7U;
+SHARED_CONSTANT uint scatter_square_px = 16U; // of the page, which is listed by such squares, a group each
 SHARED_CONSTANT uint most_texture_levels = 8U;
 SHARED_CONSTANT uint behind_levels = 6U; // of what lies behind: whole, in halves, and so on
 
