@@ -39,6 +39,17 @@ bool is_on_half_page(ivec2 half_pixel)
     return all(greaterThanEqual(half_pixel, ivec2(0))) && all(lessThan(uvec2(half_pixel), constants.half_px));
 }
 
+// A blur works on tiles of pixels that lie as far apart as its taps do, so that what a tile looks at lies in
+// it, but for two at each side: how many groups that takes. Tiles of pixels beside each other come one after
+// another.
+const uint blur_tile_side = 16u;
+
+uvec2 blur_groups(uint level)
+{
+    uint tile_px = blur_tile_side << level;
+    return (constants.half_px + tile_px - 1u) / tile_px << level;
+}
+
 // How far along the view a point lies.
 float ahead_m(vec3 point)
 {

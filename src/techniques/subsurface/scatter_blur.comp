@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One thread a pixel of the half page lets light spread along rows, or along columns, by five taps of a
-// B-spline. What lies too far off along the view gives nothing, and gets nothing: its share stays.
+// B-spline. What lies too far off along the view gives nothing, and gets nothing: its share stays. For
+// processors, whose threads share memory slowly: scatter_blur_tile.comp does both ways at once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -27,7 +28,6 @@ layout(push_constant, scalar) uniform Constants
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool is_upright = (variant & subsurface_is_upright) != 0u;
-const bool looks_less = (variant & subsurface_looks_less) != 0u;
 
 #include "techniques/subsurface/scatter.glsl"
 
@@ -43,7 +43,7 @@ void main()
     // Mesa takes a vector that a specialization constant chooses for the one it has by default.
     int upright = is_upright ? 1 : 0;
     ivec2 along = apart * ivec2(1 - upright, upright);
-    int taps = by < 0.0 || !looks_less ? 4 : 1;
+    int taps = by < 0.0 ? 4 : 1;
     vec3 change = vec3(0.0);
     int i = 0;
     do {

@@ -46,7 +46,7 @@ SubsurfaceStyle spreading(double scatter_px, const glm::vec3& color = glm::vec3(
 
 /// Of a part of the page, or of all.
 std::vector<glm::vec4> spread(const Painted& page, const SubsurfaceStyle& style, glm::uvec2 from_px = {0, 0},
-                              glm::uvec2 part_px = size_px)
+                              glm::uvec2 part_px = size_px, bool on_processor = false)
 {
     const auto shifted = [&](const auto& painter) {
         return [&painter, from_px](glm::uvec2 pixel) { return painter(pixel + from_px); };
@@ -72,7 +72,8 @@ std::vector<glm::vec4> spread(const Painted& page, const SubsurfaceStyle& style,
                                              .reach_mm = style.reach_mm,
                                              .pixels_per_mm = 4.0F,
                                              .size_px = part_px,
-                                             .from_px = from_px},
+                                             .from_px = from_px,
+                                             .on_processor = on_processor},
                                             given);
     return test::run_and_read_colors(graph, result);
 }
@@ -186,6 +187,29 @@ TEST(Scatter, DoesNotCrossAGap)
         for (uint32_t x = 0; x < size_px.x; ++x) {
             const float wanted = x < 60 ? 1.0F : x < 120 ? 0.0F : 5.0F;
             EXPECT_NEAR(result[size_t{y} * size_px.x + x].x, wanted, 2e-3F) << x;
+        }
+    }
+}
+
+TEST(Scatter, IsOnAProcessorWhatItIsOnAGpu)
+{
+    // Depths differ, and some of the page takes no light in: each tap has a weight of its own. The widest of
+    // them spreads over all levels.
+    Painted page{.light = [](glm::uvec2 pixel) {
+        return glm::vec4(static_cast<float>(pixel.x * 7 % 11), static_cast<float>(pixel.y % 3),
+                         static_cast<float>((pixel.x + pixel.y) % 5), 0.0F);
+    }};
+    page.depth = [](glm::uvec2 pixel) {
+        return static_cast<float>(near_m / (away_m + 0.01 * (pixel.x % 9) + 0.03 * (pixel.y % 5)));
+    };
+    page.draw = [](glm::uvec2 pixel) { return pixel.x % 23 < 20 ? 1U : 0U; };
+    for (const glm::uvec2 part_px : {size_px, glm::uvec2(113, 71)}) {
+        for (const double scatter_px : {2.0, 36.0}) {
+            const SubsurfaceStyle style = spreading(scatter_px);
+            const auto by_threads = spread(page, style, {0, 0}, part_px, true);
+            const auto by_tiles = spread(page, style, {0, 0}, part_px, false);
+            EXPECT_EQ(by_tiles, by_threads) << part_px.x << ", " << scatter_px;
+            EXPECT_NE(by_tiles[size_t{40} * part_px.x + 40], page.light({40, 40})) << "it spreads";
         }
     }
 }

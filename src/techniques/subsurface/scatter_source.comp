@@ -163,8 +163,9 @@ void main()
     uint item = gl_LocalInvocationIndex;
     if (item < uint(constants.level) &&
         !holds_all(level_from_px(int(item)), uintBitsToFloat(widest_of_group)) && needs[item].z == 0u) {
-        atomicMax(needs[item].x, (constants.half_px.x + 7u) / 8u);
-        atomicMax(needs[item].y, (constants.half_px.y + 7u) / 8u);
+        uvec2 groups = looks_less ? (constants.half_px + 7u) / 8u : blur_groups(item);
+        atomicMax(needs[item].x, groups.x);
+        atomicMax(needs[item].y, groups.y);
         atomicMax(needs[item].z, 1u);
     }
     ivec2 square = square_about(item);

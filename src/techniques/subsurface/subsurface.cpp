@@ -8,6 +8,7 @@
 #include "gpu/fills.hpp"
 #include "shaders/exit_comp.hpp"
 #include "shaders/scatter_blur_comp.hpp"
+#include "shaders/scatter_blur_tile_comp.hpp"
 #include "shaders/scatter_page_comp.hpp"
 #include "shaders/scatter_source_comp.hpp"
 
@@ -79,24 +80,38 @@ struct Source {
     gpu::BufferId needs;
 };
 
+/// Adds one blur, or one way of it, and returns the blurred light. `constants` say which blur.
+gpu::ImageId add_blur(gpu::Pass pass, gpu::Graph& graph, const SubsurfaceInputs& in,
+                      const shared::ScatterConstants& constants, Source& source)
+{
+    pass.uniform(in.frame).sample(source.spread).sample(source.light);
+    const gpu::ImageId blurred = pass.write(graph.image(
+        "subsurface/blurred",
+        {.width = constants.half_px.x, .height = constants.half_px.y, .format = gpu::Format::rgba32f}));
+    source.sum = pass.modify(source.sum);
+    pass.push(constants).dispatch_indirect(source.needs,
+                                           sizeof(glm::uvec4) * static_cast<uint32_t>(constants.level));
+    return blurred;
+}
+
 /// The sum of the blurs of a source. `constants` say how many there are at most.
 gpu::ImageId add_blurs(gpu::Graph& graph, const SubsurfaceInputs& in, shared::ScatterConstants constants,
                        Source source)
 {
-    const auto levels = static_cast<uint32_t>(constants.level);
-    for (uint32_t level = 0; level < levels; ++level) {
-        constants.level = static_cast<int>(level);
+    const int levels = constants.level;
+    for (int level = 0; level < levels; ++level) {
+        constants.level = level;
         constants.is_last = level + 1 == levels ? 1U : 0U;
+        if (!in.on_processor) {
+            auto pass = graph.compute("subsurface/blur", shaders::scatter_blur_tile_comp);
+            source.light = add_blur(pass, graph, in, constants, source);
+            continue;
+        }
         for (const bool is_upright : {false, true}) {
             auto pass = graph.compute(is_upright ? "subsurface/columns" : "subsurface/rows",
                                       shaders::scatter_blur_comp);
-            pass.uniform(in.frame).sample(source.spread).sample(source.light);
-            pass.variant((is_upright ? shared::subsurface_is_upright : 0U) | looking(in));
-            source.light = pass.write(graph.image("subsurface/blurred", {.width = constants.half_px.x,
-                                                                         .height = constants.half_px.y,
-                                                                         .format = gpu::Format::rgba32f}));
-            source.sum = pass.modify(source.sum);
-            pass.push(constants).dispatch_indirect(source.needs, sizeof(glm::uvec4) * level);
+            pass.variant(is_upright ? shared::subsurface_is_upright : 0U);
+            source.light = add_blur(pass, graph, in, constants, source);
         }
     }
     return source.sum;

@@ -78,9 +78,9 @@ struct Through {
 /// spread, adds the one to the other. Returns the new version of `light`. What comes through follows Beer and
 /// Lambert's law.
 ///
-/// Cost    one dispatch over every second pixel each way, then one over the tiles that get any of it. Where
-///         it spreads two for each doubling of how far it does on the page, as far as its reach, over every
-///         second pixel, of four texels a pixel that takes light in
+/// Cost    one dispatch over every second pixel each way, then one over the squares that get any of it. Where
+///         it spreads one, two on a processor, for each doubling of how far it does on the page, as far as
+///         its reach, over every second pixel
 /// Source  Christensen and Burley, "Approximate Reflectance Profiles for Efficient Subsurface Scattering",
 ///         2015; Gaussians after d'Eon, Luebke and Enderton, "Efficient Rendering of Human Skin", 2007; on
 ///         the page after Jimenez, Sundstedt and Gutierrez, "Screen-Space Perceptual Rendering of Human
