@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/fills.hpp"
 
-#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "gpu/graph/execute.hpp"
 #include "shaders/tile_list.glsl.h"
@@ -9,8 +9,9 @@
 namespace estampe::gpu {
 namespace {
 
-/// Zeros behind three words.
-BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, const glm::uvec3& words)
+/// Four words, and zeros from a place on.
+BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, const glm::uvec4& words,
+                   uint64_t zeros_from)
 {
     auto pass = graph.custom(name);
     const BufferId filled =
@@ -18,7 +19,9 @@ BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, con
     pass.execute([=](Recorder& recorder) {
         const VkBuffer buffer = recorder.buffer(filled).handle();
         vkCmdUpdateBuffer(recorder.commands(), buffer, 0, sizeof(words), &words);
-        vkCmdFillBuffer(recorder.commands(), buffer, sizeof(words), size_bytes - sizeof(words), 0);
+        if (zeros_from < size_bytes) {
+            vkCmdFillBuffer(recorder.commands(), buffer, zeros_from, size_bytes - zeros_from, 0);
+        }
     });
     return filled;
 }
@@ -47,12 +50,12 @@ ImageId add_fill(Graph& graph, std::string_view name, ImageId image, const glm::
 
 BufferId add_zeros(Graph& graph, std::string_view name, uint64_t size_bytes)
 {
-    return add_words(graph, name, size_bytes, glm::uvec3(0));
+    return add_words(graph, name, size_bytes, glm::uvec4(0), sizeof(glm::uvec4));
 }
 
 BufferId add_empty_list(Graph& graph, std::string_view name, uint64_t size_bytes)
 {
-    return add_words(graph, name, size_bytes, {0, 1, 1});
+    return add_words(graph, name, size_bytes, {0, 1, 1, 0}, sizeof(glm::uvec4));
 }
 
 BufferId add_empty_tile_list(Graph& graph, std::string_view name, glm::uvec2 size_px)
@@ -61,11 +64,12 @@ BufferId add_empty_tile_list(Graph& graph, std::string_view name, glm::uvec2 siz
     return add_empty_group_list(graph, name, uint64_t{tiles.x} * tiles.y);
 }
 
-BufferId add_empty_group_list(Graph& graph, std::string_view name, uint64_t most)
+BufferId add_empty_group_list(Graph& graph, std::string_view name, uint64_t most, uint64_t zeros)
 {
-    const uint64_t words = shared::tile_list_first + most;
-    return add_words(graph, name, (sizeof(uint32_t) * words + 15) / 16 * 16,
-                     {shared::tile_list_groups, 0, 1});
+    const uint64_t listed = shared::tile_list_first + most;
+    const uint64_t size_bytes = (sizeof(uint32_t) * (listed + zeros) + 15) / 16 * 16;
+    return add_words(graph, name, size_bytes, {shared::tile_list_groups, 0, 1, 0},
+                     zeros > 0 ? sizeof(uint32_t) * listed : size_bytes);
 }
 
 } // namespace estampe::gpu

@@ -27,10 +27,12 @@ namespace estampe::gpu {
 /// The same behind the arguments of a dispatch of no workgroups: 0, 1, 1.
 [[nodiscard]] BufferId add_empty_list(Graph& graph, std::string_view name, uint64_t size_bytes);
 
-/// A list with room for all tiles of a page, and none in it, see shaders/tile_list.glsl.h.
+/// A list with room for all tiles of a page, and none in it, see shaders/tile_list.glsl.h. What is not listed
+/// is left as it was.
 [[nodiscard]] BufferId add_empty_tile_list(Graph& graph, std::string_view name, glm::uvec2 size_px);
 
-/// The same with room for so many words, each of which a workgroup works on.
-[[nodiscard]] BufferId add_empty_group_list(Graph& graph, std::string_view name, uint64_t most);
+/// The same with room for so many words, each of which a workgroup works on, and so many zeros behind it.
+[[nodiscard]] BufferId add_empty_group_list(Graph& graph, std::string_view name, uint64_t most,
+                                            uint64_t zeros = 0);
 
 } // namespace estampe::gpu

@@ -42,17 +42,7 @@ layout(push_constant, scalar) uniform Constants
     ScatterConstants constants;
 };
 
-layout(scalar, binding = 13) coherent buffer Needs
-{
-    uvec4 needs[]; // how many groups to dispatch, for one blur after another
-};
-
-layout(scalar, binding = 14) buffer Reached
-{
-    uint reached[]; // by squares of the page, see square_px: whether they are listed
-};
-
-#define TILE_LIST_BINDING 15
+#define TILE_LIST_BINDING 13
 #include "shaders/tile_list_fill.glsl"
 
 #include "techniques/subsurface/scatter.glsl"
@@ -87,12 +77,25 @@ ivec2 square_about(uint about)
     return own + ivec2(about % squares_across, about / squares_across) - 1;
 }
 
+// What stands behind the list: how many groups to dispatch for one blur after another, four words each, then
+// whether squares are listed.
+uint needs_word(uint level)
+{
+    uvec2 squares = squares_of(frame.size_px);
+    return tile_list_first + squares.x * squares.y + 4u * level;
+}
+
+uint reached_word(uvec2 square)
+{
+    return needs_word(most_scatter_levels) + square.y * squares_of(frame.size_px).x + square.x;
+}
+
 // Whether it is this group that has to list a square: none has yet.
 bool reaches_first(ivec2 square)
 {
     ivec2 squares = ivec2(squares_of(frame.size_px));
     return all(greaterThanEqual(square, ivec2(0))) && all(lessThan(square, squares)) &&
-           atomicOr(reached[square.y * squares.x + square.x], 1u) == 0u;
+           atomicOr(tile_list[reached_word(uvec2(square))], 1u) == 0u;
 }
 
 void main()
@@ -161,12 +164,14 @@ void main()
     barrier();
     // One thread for each says that it has to run, unless another group has: all would wait in turn.
     uint item = gl_LocalInvocationIndex;
+    uint need = needs_word(item);
     if (item < uint(constants.level) &&
-        !holds_all(level_from_px(int(item)), uintBitsToFloat(widest_of_group)) && needs[item].z == 0u) {
+        !holds_all(level_from_px(int(item)), uintBitsToFloat(widest_of_group)) &&
+        tile_list[need + 2u] == 0u) {
         uvec2 groups = looks_less ? (constants.half_px + 7u) / 8u : blur_groups(item);
-        atomicMax(needs[item].x, groups.x);
-        atomicMax(needs[item].y, groups.y);
-        atomicMax(needs[item].z, 1u);
+        atomicMax(tile_list[need], groups.x);
+        atomicMax(tile_list[need + 1u], groups.y);
+        atomicMax(tile_list[need + 2u], 1u);
     }
     ivec2 square = square_about(item);
     bool lists = item < squares_about && (reached_about >> item & 1u) != 0u && reaches_first(square);

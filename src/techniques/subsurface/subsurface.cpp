@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "gpu/fills.hpp"
 #include "shaders/exit_comp.hpp"
@@ -11,6 +10,7 @@
 #include "shaders/scatter_blur_tile_comp.hpp"
 #include "shaders/scatter_page_comp.hpp"
 #include "shaders/scatter_source_comp.hpp"
+#include "shaders/tile_list.glsl.h"
 
 namespace estampe::subsurface {
 namespace {
@@ -78,6 +78,7 @@ struct Source {
     gpu::ImageId spread;
     gpu::ImageId sum;
     gpu::BufferId needs;
+    uint64_t needs_bytes; ///< where they begin
 };
 
 /// Adds one blur, or one way of it, and returns the blurred light. `constants` say which blur.
@@ -89,8 +90,8 @@ gpu::ImageId add_blur(gpu::Pass pass, gpu::Graph& graph, const SubsurfaceInputs&
         "subsurface/blurred",
         {.width = constants.half_px.x, .height = constants.half_px.y, .format = gpu::Format::rgba32f}));
     source.sum = pass.modify(source.sum);
-    pass.push(constants).dispatch_indirect(source.needs,
-                                           sizeof(glm::uvec4) * static_cast<uint32_t>(constants.level));
+    const auto level = static_cast<uint32_t>(constants.level);
+    pass.push(constants).dispatch_indirect(source.needs, source.needs_bytes + sizeof(glm::uvec4) * level);
     return blurred;
 }
 
@@ -198,13 +199,11 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
 {
     const uint32_t levels = spreads ? levels_within(in.reach_mm, in.pixels_per_mm) : 0U;
     const shared::ScatterConstants constants = constants_of(in, levels);
-    const gpu::BufferId none =
-        gpu::add_zeros(graph, "subsurface/needs", sizeof(glm::uvec4) * std::max(levels, 1U));
     const glm::uvec2 across = (in.size_px + shared::scatter_square_px - 1U) / shared::scatter_square_px;
     const uint64_t squares = uint64_t{across.x} * across.y;
-    const gpu::BufferId unreached =
-        gpu::add_zeros(graph, "subsurface/reached", sizeof(glm::uvec4) * ((squares + 3U) / 4U));
-    const gpu::BufferId none_listed = gpu::add_empty_group_list(graph, "subsurface/squares", squares);
+    // Behind the list stand what blurs need, and which squares are listed.
+    const gpu::BufferId none_listed = gpu::add_empty_group_list(graph, "subsurface/squares", squares,
+                                                                4U * shared::most_scatter_levels + squares);
     const uint32_t variant = (through ? shared::subsurface_shines : 0U) |
                              (spreads ? shared::subsurface_spreads : 0U) | looking(in);
     auto source = graph.compute("subsurface/source", shaders::scatter_source_comp);
@@ -220,11 +219,11 @@ gpu::ImageId add_scatter(gpu::Graph& graph, const SubsurfaceInputs& in, gpu::Ima
     const gpu::ImageId spread = written("subsurface/spread", gpu::Format::rgba16f, spreads);
     const gpu::ImageId kept = written("subsurface/sum", gpu::Format::rgba32f, true);
     const gpu::ImageId shone = written("subsurface/through", gpu::Format::rgba16f, through.has_value());
-    const gpu::BufferId needs = source.modify(none);
-    std::ignore = source.modify(unreached);
     const gpu::BufferId listed = source.modify(none_listed);
     source.push(constants).dispatch_over_page(constants.half_px.x, constants.half_px.y);
-    const gpu::ImageId sum = add_blurs(graph, in, constants, {lit, spread, kept, needs});
+    const gpu::ImageId sum =
+        add_blurs(graph, in, constants,
+                  {lit, spread, kept, listed, sizeof(uint32_t) * (shared::tile_list_first + squares)});
     auto pass = graph.compute("subsurface/page", shaders::scatter_page_comp);
     pass.uniform(in.frame).sample(in.draw).sample(in.depth).sample(sum).sample(shone);
     pass.variant(variant | bind_looks(pass, in));
