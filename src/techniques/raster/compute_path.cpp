@@ -2,12 +2,14 @@
 #include "techniques/raster/passes.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "shaders/bin_behind_comp.hpp"
 #include "shaders/bin_depth_comp.hpp"
 #include "shaders/bin_depth_masked_comp.hpp"
 #include "shaders/bin_ids_comp.hpp"
 #include "shaders/bin_masked_comp.hpp"
+#include "shaders/clear_counted_comp.hpp"
 #include "shaders/small_behind_comp.hpp"
 #include "shaders/small_depth_comp.hpp"
 #include "shaders/small_depth_masked_comp.hpp"
@@ -45,14 +47,25 @@ Stages stages(bool depth_only, bool masked, bool behind)
                   : Stages{shaders::small_ids_comp, shaders::bin_ids_comp, shaders::tile_ids_comp};
 }
 
-/// A transient buffer of zeros, of whole groups of 16 bytes.
-gpu::BufferId zeros(gpu::Graph& graph, const gpu::Name& name, uint64_t size_bytes)
+/// New counters of a batch, which have to be cleared.
+gpu::BufferId new_counters(gpu::Graph& graph, const gpu::Name& name)
 {
-    return add_clear(graph, name, graph.buffer(name, {.size_bytes = (size_bytes + 15) / 16 * 16}));
+    return graph.buffer(name + "/counters", {.size_bytes = (sizeof(shared::RasterCounters) + 15) / 16 * 16});
+}
+
+/// Clears `target` and `counters`, and makes new versions of them.
+void add_clear_of_both(gpu::Graph& graph, const gpu::Name& name, gpu::BufferId& target,
+                       gpu::BufferId& counters)
+{
+    const auto quad_count = static_cast<uint32_t>(graph.describe(target).size_bytes / 16);
+    auto pass = graph.compute(name + "/clear", shaders::clear_counted_comp);
+    target = pass.write(target);
+    counters = pass.write(counters);
+    pass.push(quad_count).dispatch_items((quad_count + 255) / 256 * 64);
 }
 
 gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in, const Batch& batch,
-                        const View& view, gpu::BufferId target, bool depth_only)
+                        const View& view, gpu::BufferId target, gpu::BufferId counters, bool depth_only)
 {
     const uint32_t large_capacity = 2 * batch.triangle_count; // clipping makes two of one at most
     const glm::uvec2 page_tiles = (view.size_px + shared::raster_tile_px - 1U) / shared::raster_tile_px;
@@ -70,7 +83,6 @@ gpu::BufferId add_batch(gpu::Graph& graph, const gpu::Name& name, const RasterIn
     const auto clusters = depth_only ? std::nullopt : add_seen_clusters(graph, name, batch, view, constants);
     const Stages shaders = stages(depth_only, batch.masked, view.behind.has_value());
     const gpu::Shader& small = clusters ? shaders::small_ids_listed_comp : shaders.small;
-    gpu::BufferId counters = zeros(graph, name + "/counters", sizeof(shared::RasterCounters));
     gpu::BufferId large =
         graph.buffer(name + "/large", {.size_bytes = large_capacity * sizeof(shared::LargeTriangle)});
     gpu::BufferId tiles =
@@ -111,12 +123,18 @@ gpu::BufferId draw_by_compute(gpu::Graph& graph, const gpu::Name& name, const Ra
                               std::span<const Batch> batches, const View& view, gpu::BufferId target,
                               bool depth_only)
 {
-    target = add_clear(graph, name, target);
+    gpu::BufferId counters = new_counters(graph, name);
+    add_clear_of_both(graph, name, target, counters);
+    bool is_first = true;
     for (const Batch& batch : batches) {
-        if (batch.triangle_count > 0) {
-            target =
-                add_batch(graph, name + (batch.masked ? "/masked" : ""), in, batch, view, target, depth_only);
+        if (batch.triangle_count == 0) {
+            continue;
         }
+        const gpu::Name of_batch = name + (batch.masked ? "/masked" : "");
+        if (!std::exchange(is_first, false)) {
+            counters = add_clear(graph, of_batch + "/counters", new_counters(graph, of_batch));
+        }
+        target = add_batch(graph, of_batch, in, batch, view, target, counters, depth_only);
     }
     return target;
 }

@@ -86,8 +86,8 @@ struct View {
 
 /// A picture of 64-bit words, row by row: reversed depth above, triangle below; 0 where nothing is seen.
 ///
-/// Cost    in compute a clear of the picture, and a small clear and three dispatches a batch; in hardware a
-///         draw a batch and a copy; time goes with triangles and covered pixels
+/// Cost    in compute a clear of the picture, and three dispatches a batch, a small clear between two; in
+///         hardware a draw a batch and a copy; time goes with triangles and covered pixels
 /// Source  Kenzel et al., "A High-Performance Software Graphics Pipeline Architecture for
 /// the GPU", 2018, for the
 ///         division by size; exact edge functions after Pineda, "A Parallel Algorithm for Polygon
