@@ -135,9 +135,11 @@ frame::SunCasters Renderer::Impl::sun_casters(const frame::FramePlan& plan) cons
     // The device's own rasteriser gives depths other bits in another picture: a film that is taken up again
     // would not be the same to the byte.
     const frame::CasterKinds kinds = frame::caster_kinds(loaded->layout);
+    const bool by_compute = plan.raster.paths.maps == RasterPath::compute;
     return {.layout = loaded->layout_number,
             .groups = plan.sun.casters,
-            .are_parted = plan.raster.paths.maps == RasterPath::compute && kinds.moving && kinds.still};
+            .by_compute = by_compute,
+            .are_parted = by_compute && kinds.moving && kinds.still};
 }
 
 void Renderer::Impl::posed()

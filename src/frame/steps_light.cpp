@@ -20,13 +20,14 @@ gpu::BufferId sun_map_of(const Making& making, const PosedScene& scene)
     list_casters(making.layout, plan.sun.casters, plan.sun.map.clipmap ? Casters::moving : Casters::all,
                  casters);
     const SunMapWork& work = making.sample.sun_map;
-    const auto import = [&](const char* name, gpu::Buffer& buffer) {
-        return work.has_still ? std::optional(gpu::import_whole(making.graph, name, buffer)) : std::nullopt;
+    const auto import = [&](bool is_there, const char* name, gpu::Buffer& buffer) {
+        return is_there ? std::optional(gpu::import_whole(making.graph, name, buffer)) : std::nullopt;
     };
-    const SunMaps maps{.map = gpu::import_whole(making.graph, "shadow", making.resources.shadow_map),
-                       .still = import("shadow of what stands", making.resources.still_shadow_map),
-                       .views = import("sun views", making.resources.sun_views),
-                       .pictures = import("shadow of what moves", making.resources.sun_pictures)};
+    const SunMaps maps{
+        .map = gpu::import_whole(making.graph, "shadow", making.resources.shadow_map),
+        .still = import(work.has_still, "shadow of what stands", making.resources.still_shadow_map),
+        .views = import(!work.views.empty(), "sun views", making.resources.sun_views),
+        .pictures = import(work.has_still, "shadow of what moves", making.resources.sun_pictures)};
     return add_sun_map(making.graph,
                        {.raster = scene.meshes,
                         .casters = casters,

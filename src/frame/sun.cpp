@@ -71,8 +71,10 @@ std::optional<shadow::HatchedLines> hatched_lines(const hatch::HatchStyle& style
 
 namespace {
 
-/// A view of each square, for raster::add_depth_views().
-std::vector<shared::RasterView> views_of(std::span<const shadow::Piece> squares, Groups groups)
+/// A view of each square, for raster::add_depth_views(). One of a whole level has its texels where the level
+/// has them.
+std::vector<shared::RasterView> views_of(std::span<const shadow::Piece> squares,
+                                         const shadow::Clipmap& clipmap, Groups groups)
 {
     std::vector<shared::RasterView> views;
     uint32_t first_texel = 0;
@@ -83,7 +85,9 @@ std::vector<shared::RasterView> views_of(std::span<const shadow::Piece> squares,
                          .first_texel = first_texel,
                          .size_px = square.size.x,
                          .origin_px = glm::uvec2(0),
-                         .groups = groups});
+                         .groups = groups,
+                         .turn_px = glm::uvec2(square.low) & (square.size - 1U) &
+                                    (square.size.x == clipmap.size ? ~0U : 0U)});
         first_texel += square.size.x * square.size.x;
     }
     raster::place_views(views);
@@ -161,12 +165,18 @@ SunMapWork SunMap::provide(gpu::Device& device, const SunMapPlan& plan, const Su
     }
     layout_ = casters.layout;
     const bool stands = plan.size > 0 && view_ == plan.view.clip_from_anchor;
-    const bool had_still = stands && has_still_;
-    has_still_ = stands && plan.clipmap && casters.are_parted && (had_still || !moved_.empty());
+    // Under a sun that goes on with every picture it would be kept in vain.
+    const bool had_still = has_still_ && (stands || stood_);
+    stood_ = stands;
+    has_still_ = plan.clipmap && casters.are_parted && (had_still || (stands && !moved_.empty()));
     SunMapWork work{.redraws_whole = plan.size > 0 && !has_still_ && (!stands || !moved_.empty())};
     if (plan.clipmap) {
-        const bool starts = has_still_ ? !had_still : work.redraws_whole;
+        const bool starts = has_still_ ? !had_still || !stands : work.redraws_whole;
         work.pieces = shadow::uncovered(*plan.clipmap, starts ? shadow::Windows() : windows_, plan.windows);
+        work.draws_levels = starts && casters.by_compute;
+    }
+    if (work.draws_levels) {
+        work.views = views_of(work.pieces, *plan.clipmap, casters.groups);
     }
     if (has_still_) {
         if (still_.empty() || still_.size_bytes() != size_bytes) {
@@ -174,12 +184,14 @@ SunMapWork SunMap::provide(gpu::Device& device, const SunMapPlan& plan, const Su
         }
         work.has_still = true;
         work.squares = shadow::squares_about(*plan.clipmap, plan.windows, moved_, work.pieces);
-        work.views = views_of(work.squares, casters.groups);
-        refill(device, "sun views", work.views, views_);
+        work.views = views_of(work.squares, *plan.clipmap, casters.groups);
         const uint64_t pictures_bytes = sizeof(float) * texels_of(work.views);
         if (pictures_.empty() || pictures_.size_bytes() < pictures_bytes) {
             pictures_ = gpu::Buffer(device, "shadows of what moves", pictures_bytes, gpu::MemoryUse::device);
         }
+    }
+    if (!work.views.empty()) {
+        refill(device, "sun views", work.views, views_);
     }
     return work;
 }
@@ -226,17 +238,40 @@ gpu::BufferId add_pieces(gpu::Graph& graph, const SunMapInputs& in, const raster
 
 /// Draws what moves, over what stands still.
 gpu::BufferId add_moving(gpu::Graph& graph, const SunMapInputs& in, const raster::RasterInputs& by_sun,
-                         const SunMaps& maps, gpu::BufferId still)
+                         const raster::DepthViews& views, const SunMaps& maps, gpu::BufferId still)
 {
-    const std::vector<shared::RasterView>& views = in.work.views;
+    const gpu::BufferId pictures =
+        raster::add_depth_views(graph, "shadow/moving", by_sun, in.casters, views, *maps.pictures);
+    return shadow::add_mixed_levels(graph, *in.plan.clipmap, in.work.squares, pictures, still, maps.map);
+}
+
+/// What of a clipmap is to be drawn. All of its levels together are views of one drawing: none of them is
+/// begun, divided into batches and copied by itself.
+gpu::BufferId add_levels(gpu::Graph& graph, const SunMapInputs& in, const raster::View& view,
+                         const SunMaps& maps)
+{
+    raster::RasterInputs by_sun = in.raster;
+    by_sun.posed_vertices =
+        shadow::add_sun_vertices(graph, in.raster.posed_vertices, in.vertex_count, *in.plan.clipmap);
+    const gpu::BufferId drawn_into = in.work.has_still ? *maps.still : maps.map;
+    if (in.work.views.empty()) {
+        return add_pieces(graph, in, by_sun, view, drawn_into);
+    }
     const gpu::BufferId bounds = raster::add_cluster_bounds(
         graph, by_sun, in.triangle_count,
         graph.buffer("sun cluster bounds", {.size_bytes = raster::cluster_bounds_bytes(in.triangle_count)}));
-    const gpu::BufferId pictures = raster::add_depth_views(
-        graph, "shadow/moving", by_sun, in.casters,
-        {.list = views, .records = *maps.views, .bounds = bounds, .path = in.path, .tuning = in.tuning},
-        *maps.pictures);
-    return shadow::add_mixed_levels(graph, *in.plan.clipmap, in.work.squares, pictures, still, maps.map);
+    const raster::DepthViews views{.list = in.work.views,
+                                   .records = *maps.views,
+                                   .bounds = bounds,
+                                   .path = in.path,
+                                   .tuning = in.tuning};
+    // The last is the coarsest, whose window holds all others.
+    const gpu::BufferId drawn =
+        in.work.draws_levels
+            ? raster::add_depth_views(graph, "shadow", by_sun, casters_of(in, in.work.pieces.back()), views,
+                                      drawn_into)
+            : add_pieces(graph, in, by_sun, view, drawn_into);
+    return in.work.has_still ? add_moving(graph, in, by_sun, views, maps, drawn) : drawn;
 }
 
 } // namespace
@@ -257,14 +292,8 @@ gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, const SunMa
     if (in.work.pieces.empty() && in.work.squares.empty()) {
         return maps.map;
     }
-    raster::RasterInputs by_sun = in.raster;
-    by_sun.posed_vertices =
-        shadow::add_sun_vertices(graph, in.raster.posed_vertices, in.vertex_count, *plan.clipmap);
-    if (!in.work.has_still) {
-        return add_pieces(graph, in, by_sun, view, maps.map);
-    }
-    const gpu::BufferId still = add_pieces(graph, in, by_sun, view, *maps.still);
-    return in.work.squares.empty() ? maps.map : add_moving(graph, in, by_sun, maps, still);
+    const gpu::BufferId drawn = add_levels(graph, in, view, maps);
+    return in.work.has_still && in.work.squares.empty() ? maps.map : drawn;
 }
 
 } // namespace estampe::frame

@@ -50,16 +50,18 @@ struct SunMapPlan {
 struct SunMapWork {
     bool redraws_whole = false;
     std::vector<shadow::Piece> pieces; ///< of a clipmap, not drawn yet
+    bool draws_levels = false;         ///< these are its levels, all of them, drawn together
     /// What stands still has a map of its own, and the pieces are of that.
     bool has_still = false;
     std::vector<shadow::Piece> squares;    ///< then those of the map where something else may be seen now
-    std::vector<shared::RasterView> views; ///< of them
+    std::vector<shared::RasterView> views; ///< of them, or of the levels, which are the same where both are
 };
 
 /// What throws shadows, as far as it decides how the map is kept.
 struct SunCasters {
     uint32_t layout = 0; ///< another number where what stands still may be other triangles
     Groups groups = all_groups;
+    bool by_compute = false;
     bool are_parted = false; ///< what moves is to be drawn apart from what stands still
 };
 
@@ -82,7 +84,8 @@ public:
     void move(std::span<const Bounds> places) { moved_.insert(moved_.end(), places.begin(), places.end()); }
 
     /// Makes room for the map that `plan` wants, and says what to draw into it. From the second time on that
-    /// something has moved under the same sun, what stands still is kept.
+    /// something has moved under the same sun, what stands still is kept, and drawn anew by itself when the
+    /// sun goes on after it has stood.
     [[nodiscard]] SunMapWork provide(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters);
     /// That has been drawn.
     void drawn(const SunMapPlan& plan);
@@ -103,6 +106,7 @@ private:
     gpu::Buffer views_;
     gpu::Buffer pictures_;
     bool has_still_ = false; ///< it is up to date wherever the map is
+    bool stood_ = false;     ///< the sun, when the map was last provided
     std::vector<Bounds> moved_;
     uint32_t layout_ = 0;
     std::optional<glm::mat4> view_; ///< of what the map holds; none when it is out of date
@@ -127,15 +131,15 @@ struct SunMapInputs {
 struct SunMaps {
     gpu::BufferId map;
     std::optional<gpu::BufferId> still = std::nullopt; ///< where the work has any
-    std::optional<gpu::BufferId> views = std::nullopt;
+    std::optional<gpu::BufferId> views = std::nullopt; ///< where it has any
     std::optional<gpu::BufferId> pictures = std::nullopt;
 };
 
 /// Draws what is to be drawn of the maps, and hands the map back.
 ///
 /// Cost    nothing where nothing is to be drawn; else that of raster::add_depth(), of a clipmap for each
-/// piece, of what stands still only what is seen there. Where that is kept, what moves is drawn as
-/// raster::add_depth_views() does, and mixed in
+/// piece, of what stands still only what is seen there; of all its levels, in compute, that of
+/// raster::add_depth_views(). Where what stands still is kept, so is what moves drawn, and mixed in
 [[nodiscard]] gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, const SunMaps& maps);
 
 } // namespace estampe::frame

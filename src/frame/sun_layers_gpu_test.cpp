@@ -33,18 +33,21 @@ Scene pillars()
     return scene;
 }
 
-Style clipmapped()
-{
-    Style style;
-    style.set("shadow.sun_map=clipmap");
-    return style;
-}
-
 struct Moment {
     double eye_x = 0.0;
     glm::dvec3 rider{-3.0, 1.5, 3.0};
     glm::dvec3 bird{30.0, 9.0, -20.0};
+    double hour = 16.0; ///< of the sun
 };
+
+Style clipmapped(double hour)
+{
+    Style style;
+    style.set("shadow.sun_map=clipmap");
+    style.set("sun.by=place");
+    style.set("sun.hour=" + std::to_string(hour));
+    return style;
+}
 
 Image draw(Renderer& renderer, const Moment& moment)
 {
@@ -52,7 +55,7 @@ Image draw(Renderer& renderer, const Moment& moment)
                                         {bird, {.translation = moment.bird}}};
     renderer.place(places, 0.0);
     return renderer.render({.eye = {moment.eye_x, 3.0, 16.0}, .target = {moment.eye_x, 1.0, 0.0}},
-                           clipmapped(), settings);
+                           clipmapped(moment.hour), settings);
 }
 
 bool has_pass(const Renderer& renderer, const std::string& name)
@@ -115,6 +118,53 @@ TEST(SunLayers, WhatStandsStillIsNotDrawnAgain)
     EXPECT_FALSE(draws_still({0.0, {-2.0, 1.5, 3.0}}));
     EXPECT_FALSE(draws_still({0.0, {-1.5, 1.5, 3.0}}));
     EXPECT_FALSE(has_pass((draw(renderer, {0.0, {-1.5, 1.5, 3.0}}), renderer), "shadow/"));
+}
+
+/// The rider goes on all the while; the sun stands, goes on, and stands again.
+std::vector<Moment> evening()
+{
+    std::vector<Moment> moments;
+    for (const double hour : {16.0, 16.0, 16.0, 16.004, 16.004, 16.004, 16.3, 16.3, 16.31, 16.32, 16.32}) {
+        const double x = -3.0 + 0.3 * static_cast<double>(moments.size());
+        moments.push_back({.rider = {x, 1.5, 3.0}, .hour = hour});
+    }
+    return moments;
+}
+
+TEST(SunLayers, FollowASunThatGoesOnInSteps)
+{
+    Renderer kept(by_compute());
+    Renderer fresh(by_compute());
+    const Scene scene = pillars();
+    kept.set_scene(scene);
+    std::vector<size_t> still_drawn; // moments
+    size_t at = 0;
+    for (const Moment& moment : evening()) {
+        fresh.set_scene(scene);
+        const Image wanted = draw(fresh, moment);
+        EXPECT_EQ(test::compare_images(draw(kept, moment), wanted).failing_fraction, 0.0) << at;
+        if (has_pass(kept, "shadow/small")) {
+            still_drawn.push_back(at);
+        }
+        ++at;
+    }
+    // Of all together; into a map of its own; and once for each step that comes after the sun has stood. Of two
+    // steps one after the other the second one begins again.
+    EXPECT_EQ(still_drawn, (std::vector<size_t>{0, 1, 3, 6, 8, 9, 10}));
+}
+
+TEST(SunLayers, AllLevelsAreDrawnTogether)
+{
+    Renderer renderer(by_compute());
+    renderer.set_scene(pillars());
+    (void)draw(renderer, {});
+    const auto timings = renderer.timings();
+    const auto count = [&](const std::string& name) {
+        return std::ranges::count(timings, name, &PassTiming::name);
+    };
+    EXPECT_EQ(count("shadow/clear"), 1);
+    EXPECT_LE(count("shadow/small"), 7); // batches, of what moves and what stands
+    EXPECT_EQ(count("shadow/part"), 0);
 }
 
 } // namespace

@@ -280,9 +280,12 @@ void write_pixel(ivec2 pixel, float depth, uint triangle)
         return;
     }
 #endif
-    uint index = drawn_index(pixel);
 #ifdef RASTER_VIEWS
-    index += view.first_texel;
+    uvec2 turned = uvec2(pixel) + view.turn_px;
+    turned -= mix(uvec2(0u), PICTURE_PX, greaterThanEqual(turned, PICTURE_PX));
+    uint index = view.first_texel + turned.y * view.size_px + turned.x;
+#else
+    uint index = drawn_index(pixel);
 #endif
 #ifdef RASTER_DEPTH_ONLY
     atomicMax(target[index], depth_bits);

@@ -40,6 +40,7 @@ struct RasterView {
     uint size_px;
     uvec2 origin_px; // in the image that the hardware path draws into
     uint groups;     // shows the batches that share a bit
+    uvec2 turn_px;   // compute: where its first texel stands; what would go over an end goes on at the other
 };
 
 // Box about 64 consecutive triangles of the list, as they stand in anchor space.
@@ -110,7 +111,7 @@ struct DrawConstants {
 static_assert(sizeof(DepthPartConstants) == 28);
 static_assert(sizeof(DrawConstants) == 88);
 static_assert(sizeof(RasterConstants) == 100);
-static_assert(sizeof(RasterView) == 100);
+static_assert(sizeof(RasterView) == 108);
 static_assert(sizeof(ClusterBounds) == 24);
 static_assert(sizeof(ViewsConstants) == 40);
 } // namespace estampe::shared

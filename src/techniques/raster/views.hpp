@@ -13,7 +13,7 @@
 namespace estampe::raster {
 
 /// The views to draw, on both sides of the bus. Sizes are multiples of 2 and at most 16384 texels, first
-/// texels multiples of 4; maps do not overlap. At most 32768 views.
+/// texels multiples of 4; maps do not overlap. At most 32768 views. Only compute turns views.
 struct DepthViews {
     const std::vector<shared::RasterView>& list; ///< placed by place_views()
     gpu::BufferId records;                       ///< the same on the device

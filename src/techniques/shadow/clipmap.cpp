@@ -196,7 +196,7 @@ gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap, std::s
     uint32_t largest = 0;
     for (size_t i = 0; i < squares.size(); ++i) {
         const uint32_t side = squares[i].size.x;
-        constants.at(i) = {.low = glm::uvec2(squares[i].low),
+        constants.at(i) = {.low = side == clipmap.size ? glm::uvec2(0) : glm::uvec2(squares[i].low),
                            .sizes = static_cast<uint32_t>(std::countr_zero(side)) |
                                     static_cast<uint32_t>(std::countr_zero(clipmap.size)) << 8U |
                                     squares[i].level << 16U,

@@ -82,8 +82,8 @@ struct PieceHome {
                                            bool fades, const ShadowStyle& style);
 
 /// Puts into `map`, in each of `squares`, the nearer to the sun of what `still` holds there and of a picture
-/// of the square: the pictures stand one after another in `pictures`, row by row. Cost: one dispatch, three
-/// accesses a texel.
+/// of the square: the pictures stand one after another in `pictures`, row by row, of a whole level as the
+/// level has its texels. Cost: one dispatch, three accesses a texel.
 [[nodiscard]] gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap,
                                              std::span<const Piece> squares, gpu::BufferId pictures,
                                              gpu::BufferId still, gpu::BufferId map);
