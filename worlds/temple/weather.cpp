@@ -163,7 +163,10 @@ Weather WeatherTimeline::at(double time_s) const
     weather.clouds = static_cast<float>(std::round(cloud_steps * clouds) / cloud_steps);
     if (choice_.hour || choice_.hours_a_minute != 0.0F) {
         const auto from = static_cast<double>(choice_.hour.value_or(usual_hour));
-        const double passed = static_cast<double>(choice_.hours_a_minute) * end_s / 60.0;
+        // On fours of a film, so that its shadows, which go as far as a pixel in that time, are not drawn
+        // anew for every picture. A moment on the border belongs to the later step.
+        const double held_s = std::floor(sun_steps_a_s * end_s + 1e-6) / sun_steps_a_s;
+        const double passed = static_cast<double>(choice_.hours_a_minute) * held_s / 60.0;
         weather.hour = static_cast<float>(std::fmod(from + passed, 24.0));
     }
     return weather;

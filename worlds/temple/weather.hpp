@@ -56,7 +56,8 @@ public:
     static constexpr double rises_s = 9.0; ///< a storm
     static constexpr double holds_s = 9.0;
     static constexpr double passes_s = 11.0;
-    static constexpr double between_s = 75.0; ///< from the middle of one to that of the next, about
+    static constexpr double between_s = 75.0;    ///< from the middle of one to that of the next, about
+    static constexpr double sun_steps_a_s = 6.0; ///< in which the hour goes on
 
     WeatherTimeline(uint64_t seed, WeatherChoice choice) : seed_(seed), choice_(choice) {}
 

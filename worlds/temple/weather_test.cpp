@@ -98,6 +98,19 @@ TEST(Weather, IsWhatItIsToldToBe)
     EXPECT_GT(*WeatherTimeline(1, {.hour = 8.5F, .hours_a_minute = 1.2F}).at(100.0).hour, 9.0F);
 }
 
+TEST(Weather, TheSunStandsForFourPicturesOfAFilmAndFallsBackByNoMore)
+{
+    constexpr double hours_a_s = 1.2 / 60.0;
+    constexpr double picture_s = 1.0 / 24.0;
+    const WeatherTimeline timeline(1, {.hour = 9.0F, .hours_a_minute = 1.2F});
+    EXPECT_EQ(timeline.at(0.0).hour, 9.0F);
+    for (int i = 0; i < 1440; ++i) {
+        const float hour = *timeline.at(i * picture_s).hour;
+        EXPECT_EQ(hour == *timeline.at((i + 1) * picture_s).hour, i % 4 != 3) << i;
+        EXPECT_NEAR(hour, 9.0 + hours_a_s * (i - i % 4) * picture_s, 1e-6) << i;
+    }
+}
+
 TEST(Weather, IsTheSameForTheSameSeed)
 {
     for (const double time_s : {3.0, 71.3, 500.0}) {
