@@ -17,7 +17,8 @@ GroundShadowPlan plan_ground_shadow(const GroundShadowScene& scene, const shadow
             .size = size,
             .levels = shadow::ground_levels_about({eye.x, eye.z}, {scene.anchor.x, scene.anchor.z},
                                                   scene.towards_sun, size, texel_m),
-            .method = scene.is_processor ? shadow::HeightMethod::sweep : shadow::HeightMethod::pyramid};
+            .method = scene.is_processor ? shadow::HeightMethod::sweep : shadow::HeightMethod::pyramid,
+            .relief_m = scene.relief_m};
 }
 
 void GroundShadow::provide(gpu::Device& device, const GroundShadowPlan& plan)
@@ -31,8 +32,13 @@ void GroundShadow::provide(gpu::Device& device, const GroundShadowPlan& plan)
 
 bool GroundShadow::is_held(const GroundShadowPlan& plan, uint32_t level, uint64_t form) const
 {
-    return held_ && held_->form == form && held_->plan.towards_sun == plan.towards_sun &&
-           held_->plan.levels[level].origin_m == plan.levels[level].origin_m;
+    return stands(plan, level) && !is_in_part_ && held_->form == form &&
+           held_->plan.towards_sun == plan.towards_sun;
+}
+
+bool GroundShadow::stands(const GroundShadowPlan& plan, uint32_t level) const
+{
+    return held_ && held_->plan.levels[level].origin_m == plan.levels[level].origin_m;
 }
 
 gpu::ImageId GroundShadow::add_share(gpu::Graph& graph, terrain::TerrainBuffers& terrain,
@@ -42,21 +48,33 @@ gpu::ImageId GroundShadow::add_share(gpu::Graph& graph, terrain::TerrainBuffers&
     gpu::BufferId kept = gpu::import_whole(graph, "ground shadow", kept_);
     shadow::LevelNumbers stale;
     terrain::HeightFields fields;
+    bool changes = held_ && (held_->form != terrain.form() || held_->plan.towards_sun != plan.towards_sun);
     for (uint32_t number = 0; number < shared::ground_levels; ++number) {
         if (!is_held(plan, number, terrain.form())) {
+            changes = changes && stands(plan, number);
             stale.push_back(number);
             fields.push_back(
                 {.origin_m = plan.levels[number].origin_m, .texel_m = plan.levels[number].texel_m});
         }
     }
     if (!stale.empty()) {
-        const gpu::ImageId height = terrain.add_heights(graph, fields, glm::uvec2(plan.size), in.texels);
+        is_in_part_ = changes && in.clip_from_anchor && plan.method == shadow::HeightMethod::pyramid;
+        shared::FieldSector wanted{};
+        if (is_in_part_) {
+            wanted = shadow::seen_sector({.clip_from_anchor = *in.clip_from_anchor,
+                                          .towards_sun = plan.towards_sun,
+                                          .relief_m = plan.relief_m},
+                                         plan.levels, stale);
+        }
+        const gpu::ImageId height = terrain.add_heights(graph, fields, glm::uvec2(plan.size), in.texels,
+                                                        shadow::sunward_of(wanted, plan.towards_sun));
         kept = shadow::add_ground_fields(graph,
                                          {.height = height,
                                           .numbers = stale,
                                           .levels = plan.levels,
                                           .size = plan.size,
-                                          .method = plan.method},
+                                          .method = plan.method,
+                                          .wanted = wanted},
                                          plan.towards_sun, kept);
     }
     return shadow::add_ground_share(graph, {.frame = in.frame,

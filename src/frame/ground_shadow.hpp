@@ -22,6 +22,7 @@ struct GroundShadowPlan {
     uint32_t size = 0; ///< texels a side of each field
     shadow::GroundLevels levels{};
     shadow::HeightMethod method = shadow::HeightMethod::sweep;
+    double relief_m = 0.0; ///< between the lowest ground and the highest of what stands on it
 };
 
 struct GroundShadowScene {
@@ -31,6 +32,7 @@ struct GroundShadowScene {
     bool is_thrown = false;
     uint32_t page_height_px = 0;
     bool is_processor = false; ///< that draws it
+    double relief_m = 0.0;     ///< of the scene
 };
 
 /// Plans the fields about the camera. Their horizons are found by sweeps on a processor, which does least
@@ -45,10 +47,12 @@ struct GroundShadowInputs {
     gpu::BufferId frame;  ///< FrameGlobals
     gpu::ImageId depth;
     glm::uvec2 size_px{0};
+    std::optional<glm::mat4> clip_from_anchor = std::nullopt; ///< where all of a picture is drawn at once
 };
 
 /// Fields of heights and horizons between pictures. A field is made anew when it has gone along with the eye,
-/// or when the sun or the ground have changed.
+/// or when the sun or the ground have changed. By pyramid, fields that stand on ground which goes on
+/// changing, or under such a sun, are made where the picture looks them up and no farther.
 class GroundShadow {
 public:
     void forget() { held_.reset(); }
@@ -67,10 +71,14 @@ private:
         uint64_t form = 0; ///< of the terrain
     };
 
+    /// Whether a field is where it was.
+    [[nodiscard]] bool stands(const GroundShadowPlan& plan, uint32_t level) const;
+
     [[nodiscard]] bool is_held(const GroundShadowPlan& plan, uint32_t level, uint64_t form) const;
 
     gpu::Buffer kept_;
     std::optional<Held> held_;
+    bool is_in_part_ = false; ///< what is held is up to date only where the last picture looked it up
 };
 
 } // namespace estampe::frame

@@ -71,15 +71,18 @@ SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
                 in.daylight ? std::optional(static_cast<float>(in.daylight->elevation_rad)) : std::nullopt,
             .casters = lighting.sun_casters,
             .map = plan_sun_map(scene, in.camera, page.size_px, page.pixel, in.style),
-            .ground = in.loaded.terrain == nullptr
-                          ? GroundShadowPlan{}
-                          : plan_ground_shadow({.camera = in.camera,
-                                                .anchor = layout.anchor,
-                                                .towards_sun = lighting.towards_sun,
-                                                .is_thrown = scene.throws_shadow,
-                                                .page_height_px = page.size_px.y,
-                                                .is_processor = in.device.info().software},
-                                               in.style.shadow)};
+            .ground =
+                in.loaded.terrain == nullptr
+                    ? GroundShadowPlan{}
+                    : plan_ground_shadow({.camera = in.camera,
+                                          .anchor = layout.anchor,
+                                          .towards_sun = lighting.towards_sun,
+                                          .is_thrown = scene.throws_shadow,
+                                          .page_height_px = page.size_px.y,
+                                          .is_processor = in.device.info().software,
+                                          .relief_m = std::max(layout.bounds.max.y, scene.casters.max.y) -
+                                                      layout.bounds.min.y},
+                                         in.style.shadow)};
 }
 
 LightPlan plan_light(const PlanInputs& in, const StrokePlan& strokes)

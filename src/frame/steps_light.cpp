@@ -63,12 +63,17 @@ std::optional<gpu::ImageId> add_ground_shadow(const Making& making, const PosedS
     if (making.resources.terrain == nullptr || !making.plan.sun.ground.is_thrown) {
         return std::nullopt;
     }
-    return making.resources.ground_shadow.add_share(making.graph, *making.resources.terrain,
-                                                    {.plan = making.plan.sun.ground,
-                                                     .texels = *scene.terrain_texels,
-                                                     .frame = scene.frame,
-                                                     .depth = surface.depth,
-                                                     .size_px = making.sample.size_px});
+    // Of a picture of several samples or tiles what one has found serves the others.
+    const SamplePlan& sample = making.sample;
+    const bool is_picture = sample.accumulation.sample_count == 1 && sample.size_px == making.plan.page_px;
+    return making.resources.ground_shadow.add_share(
+        making.graph, *making.resources.terrain,
+        {.plan = making.plan.sun.ground,
+         .texels = *scene.terrain_texels,
+         .frame = scene.frame,
+         .depth = surface.depth,
+         .size_px = sample.size_px,
+         .clip_from_anchor = is_picture ? std::optional(sample.clip_from_anchor) : std::nullopt});
 }
 
 /// How much of the sun is left where that is not known by its map: by terrain, clouds and smoke.

@@ -267,10 +267,10 @@ TerrainBuffers::Posed TerrainBuffers::add_vertices(gpu::Graph& graph, const Pose
 }
 
 gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const HeightFields& fields, glm::uvec2 size,
-                                         gpu::BufferId texels)
+                                         gpu::BufferId texels, const shared::FieldSector& wanted)
 {
     const auto count = static_cast<uint32_t>(fields.size());
-    shared::TerrainFieldConstants constants{.size = size};
+    shared::TerrainFieldConstants constants{.size = size, .wanted = wanted};
     std::ranges::copy(fields, constants.fields);
     auto pass = graph.compute("terrain/heights", shader(Task::heights));
     pass.uniform(gpu::import_whole(graph, "terrain", globals_))

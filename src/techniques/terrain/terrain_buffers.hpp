@@ -95,11 +95,11 @@ public:
     [[nodiscard]] Posed add_vertices(gpu::Graph& graph, const Posed& meshes, gpu::BufferId texels);
 
     /// Heights above the anchor on lattices, r32f, of `size` texels each, one under another; what a lattice
-    /// cannot show is left out of it.
+    /// cannot show is left out of it. Where no texels are `wanted` the ground is as good as bottomless.
     ///
     /// Cost    one dispatch, one thread a texel
     [[nodiscard]] gpu::ImageId add_heights(gpu::Graph& graph, const HeightFields& fields, glm::uvec2 size,
-                                           gpu::BufferId texels);
+                                           gpu::BufferId texels, const shared::FieldSector& wanted = {});
 
     /// Why the graph is interpreted where it should have been compiled; empty when it is not.
     [[nodiscard]] const std::string& problem() const;

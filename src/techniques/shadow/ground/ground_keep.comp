@@ -24,10 +24,10 @@ layout(push_constant, scalar) uniform Constants
 void main()
 {
     uvec2 texel = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(texel, uvec2(constants.size)))) {
+    uint field = gl_GlobalInvocationID.z;
+    if (any(greaterThanEqual(texel, uvec2(constants.size))) || !is_within(constants.wanted, field, texel)) {
         return;
     }
-    uint field = gl_GlobalInvocationID.z;
     ivec2 place = ivec2(texel.x, field * constants.size + texel.y);
     float height = texelFetch(height_image, place, 0).r;
     float horizon = texelFetch(horizon_image, place, 0).r;

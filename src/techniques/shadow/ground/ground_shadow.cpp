@@ -3,12 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <glm/gtc/matrix_access.hpp>
 
 #include "shaders/ground_keep_comp.hpp"
 #include "shaders/ground_share_comp.hpp"
 #include "techniques/shadow/heightfield/height_shadow.hpp"
 
 namespace estampe::shadow {
+namespace {
+
+constexpr double texels_beside = 3.0; // of what is looked up, for what is between texels and for rounding
+
+} // namespace
 
 GroundLevels ground_levels_about(const glm::dvec2& eye_m, const glm::dvec2& anchor_m,
                                  const glm::dvec3& towards_sun, uint32_t size, double texel_m)
@@ -28,6 +36,74 @@ GroundLevels ground_levels_about(const glm::dvec2& eye_m, const glm::dvec2& anch
     return levels;
 }
 
+shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& levels,
+                                const LevelNumbers& numbers)
+{
+    const glm::dmat4 clip(sight.clip_from_anchor);
+    if (glm::dvec3(glm::row(clip, 3)) == glm::dvec3(0.0)) {
+        return {};
+    }
+    const glm::dmat4 anchor_from_clip = glm::inverse(clip);
+    const glm::dvec4 apex = anchor_from_clip * glm::dvec4(0, 0, 1, 0);
+    const glm::dvec3 eye = glm::dvec3(apex) / apex.w;
+    const auto way_to = [&](double x, double y) {
+        const glm::dvec4 far = anchor_from_clip * glm::dvec4(x, y, 0, 1);
+        const glm::dvec3 way = glm::dvec3(far) - far.w * eye;
+        return glm::dvec2(way.x, way.z) / glm::length(way);
+    };
+    constexpr double beside = 1.01; // of the page
+    const glm::dvec2 middle = way_to(0, 0);
+    const double level = glm::length(middle);
+    if (level < 0.1) {
+        return {};
+    }
+    // How far aside the corners are for each step ahead.
+    const glm::dvec2 ahead = middle / level;
+    const glm::dvec2 aside(-ahead.y, ahead.x);
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
+        const glm::dvec2 way = way_to(beside * corner.x, beside * corner.y);
+        if (glm::dot(way, ahead) < 0.1) {
+            return {};
+        }
+        const double share = glm::dot(way, aside) / glm::dot(way, ahead);
+        least = std::min(least, share);
+        most = std::max(most, share);
+    }
+    // What stands above the ground is looked up as far away from the sun as its shadow reaches.
+    const glm::dvec2 shadow_m = -sight.relief_m / std::max(sight.towards_sun.y, 0.01) *
+                                glm::dvec2(sight.towards_sun.x, sight.towards_sun.z);
+    shared::FieldSector sector{};
+    const glm::dvec2 sides[2]{aside - least * ahead, most * ahead - aside};
+    for (int line = 0; line < 2; ++line) {
+        const glm::dvec2 side = glm::normalize(sides[line]);
+        sector.sides[line] = glm::vec2(side);
+        for (size_t i = 0; i < numbers.size(); ++i) {
+            const shared::GroundLevel& field = levels[numbers[i]];
+            const double from_eye_m = glm::dot(side, glm::dvec2(field.origin_m) - glm::dvec2(eye.x, eye.z));
+            const double further_m = std::max(-glm::dot(side, shadow_m), 0.0);
+            sector.offsets[i][line] = static_cast<float>(
+                (from_eye_m + further_m) / static_cast<double>(field.texel_m) + texels_beside);
+        }
+    }
+    return sector;
+}
+
+shared::FieldSector sunward_of(const shared::FieldSector& sector, const glm::dvec3& towards_sun)
+{
+    shared::FieldSector sunward = sector;
+    for (int line = 0; line < 2; ++line) {
+        // Out of the sector where the sun is on the other side of the line.
+        const bool leaves = glm::dot(sector.sides[line], glm::vec2(towards_sun.x, towards_sun.z)) < 0.0F;
+        sunward.sides[line] = leaves ? glm::vec2(0.0F) : sector.sides[line];
+        for (glm::vec2& offset : sunward.offsets) {
+            offset[line] = leaves ? 0.0F : offset[line] + static_cast<float>(texels_beside);
+        }
+    }
+    return sunward;
+}
+
 gpu::BufferId add_ground_fields(gpu::Graph& graph, const GroundFields& fields, const glm::dvec3& towards_sun,
                                 gpu::BufferId kept)
 {
@@ -35,13 +111,14 @@ gpu::BufferId add_ground_fields(gpu::Graph& graph, const GroundFields& fields, c
     for (const uint32_t number : fields.numbers) {
         texel_m.push_back(fields.levels[number].texel_m);
     }
-    const gpu::ImageId horizon =
-        add_height_horizon(graph, {.height = fields.height, .texel_m = texel_m, .towards_sun = towards_sun},
-                           {.method = fields.method});
+    const gpu::ImageId horizon = add_height_horizon(
+        graph,
+        {.height = fields.height, .texel_m = texel_m, .towards_sun = towards_sun, .wanted = fields.wanted},
+        {.method = fields.method});
     auto pass = graph.compute("ground/keep", shaders::ground_keep_comp);
     pass.sample(fields.height).sample(horizon);
     const gpu::BufferId result = pass.modify(kept);
-    shared::GroundKeepConstants constants{.size = fields.size};
+    shared::GroundKeepConstants constants{.size = fields.size, .wanted = fields.wanted};
     std::ranges::copy(fields.numbers, constants.level);
     pass.push(constants).dispatch_over(fields.size, fields.size,
                                        static_cast<uint32_t>(fields.numbers.size()));

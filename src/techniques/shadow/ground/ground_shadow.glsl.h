@@ -3,10 +3,10 @@
 #define ESTAMPE_GROUND_SHADOW_GLSL_H
 // Fields of heights and horizons about the eye, each four times as coarse as the one before.
 #ifdef __cplusplus
-#include "shaders/shared.hpp"
+#include "shaders/field_sector.glsl.h"
 namespace estampe::shared {
 #else
-#include "shaders/shared.glsl"
+#include "shaders/field_sector.glsl.h"
 #endif
 
 SHARED_CONSTANT uint ground_levels = 5U;
@@ -21,6 +21,7 @@ struct GroundLevel {
 struct GroundKeepConstants {
     uint size;
     uint level[5]; // of each field
+    FieldSector wanted;
 };
 
 struct GroundShareConstants {

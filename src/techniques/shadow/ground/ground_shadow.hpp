@@ -24,12 +24,29 @@ using GroundLevels = std::array<shared::GroundLevel, shared::ground_levels>;
 /// Numbers of levels.
 using LevelNumbers = Few<uint32_t, shared::ground_levels>;
 
+/// What is seen of the ground, and of what stands on it.
+struct GroundSight {
+    glm::mat4 clip_from_anchor{1.0F}; ///< in perspective; in parallel projection all of the ground is wanted
+    glm::dvec3 towards_sun{0.0, 1.0, 0.0};
+    double relief_m = 0.0; ///< between the lowest ground and the highest of what is seen
+};
+
+/// The texels that are looked up for it, in the fields of these numbers: two lines through about where the
+/// eye is. All where it looks up or down.
+[[nodiscard]] shared::FieldSector seen_sector(const GroundSight& sight, const GroundLevels& levels,
+                                              const LevelNumbers& numbers);
+
+/// The texels whose heights it takes to find the horizons of those.
+[[nodiscard]] shared::FieldSector sunward_of(const shared::FieldSector& sector,
+                                             const glm::dvec3& towards_sun);
+
 struct GroundFields {
     gpu::ImageId height; ///< r32f, metres above the anchor: a square for each of `numbers`, one under another
     LevelNumbers numbers;
     const GroundLevels& levels; ///< all of them
     uint32_t size = 0;
     HeightMethod method = HeightMethod::sweep; ///< not the march
+    shared::FieldSector wanted{};              ///< of a pyramid; other texels are kept as they were
 };
 
 /// Brings some fields of `kept`, a word a texel, level by level, up to date. Cost: that of

@@ -76,7 +76,8 @@ float horizon_slope(ivec2 texel)
 void main()
 {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThan(texel, ivec2(pyramid.cells)))) {
+    if (any(greaterThan(texel, ivec2(pyramid.cells))) ||
+        !is_within(pyramid.wanted, gl_GlobalInvocationID.z, uvec2(texel))) {
         return;
     }
     float above_rad =

@@ -125,7 +125,8 @@ gpu::ImageId add_pyramid(gpu::Graph& graph, const HeightShadowInputs& in, const 
                                      .rows = rows,
                                      .sunwards = glm::vec2(fields.sunwards),
                                      .slopes = slopes_that_matter(fields, in.sun_radius_rad, written),
-                                     .sun = fields.sun};
+                                     .sun = fields.sun,
+                                     .wanted = in.wanted};
     std::ranges::copy(in.texel_m, pyramid.texel_m);
     auto base = graph.compute("height shadow/pyramid", shaders::height_pyramid_comp);
     base.sample(in.height);

@@ -2,10 +2,10 @@
 #ifndef ESTAMPE_HEIGHT_SHADOW_GLSL_H
 #define ESTAMPE_HEIGHT_SHADOW_GLSL_H
 #ifdef __cplusplus
-#include "shaders/shared.hpp"
+#include "shaders/field_sector.glsl.h"
 namespace estampe::shared {
 #else
-#include "shaders/shared.glsl"
+#include "shaders/field_sector.glsl.h"
 #endif
 
 SHARED_CONSTANT uint height_no_step = 0xffffffffU;
@@ -49,6 +49,7 @@ struct PyramidConstants {
     vec2 sunwards;    // unit, in texels
     vec2 slopes;      // least and greatest that make a difference
     SunConstants sun;
+    FieldSector wanted; // of what is written in the end
 };
 
 struct MarchConstants {
@@ -62,7 +63,7 @@ struct MarchConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(ResolveConstants) == 64);
-static_assert(sizeof(PyramidConstants) == 64);
+static_assert(sizeof(PyramidConstants) == 120);
 } // namespace estampe::shared
 #endif
 

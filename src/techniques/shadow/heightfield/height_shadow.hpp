@@ -35,6 +35,7 @@ struct HeightShadowInputs {
     FieldTexels texel_m;             ///< of each field
     glm::dvec3 towards_sun;          ///< unit; x along the field's rows, y up, z down its columns
     double sun_radius_rad = 0.00465; ///< half the angle that the disc takes; above 0
+    shared::FieldSector wanted{};    ///< pyramid: other texels of what is written are not set
 };
 
 /// How much of the sun's disc each texel sees: 1 all of it, 0 none. Between texels the ground is linear;

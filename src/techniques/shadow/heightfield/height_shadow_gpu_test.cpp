@@ -58,14 +58,15 @@ struct Field {
 };
 
 std::vector<float> shadow_of(const Field& field, const Sky& sky, const HeightShadowStyle& style = {},
-                             bool horizon = false)
+                             bool horizon = false, const shared::FieldSector& wanted = {})
 {
     test::Layer height = field.layer();
     gpu::Graph graph;
     const HeightShadowInputs in{.height = height.in(graph),
                                 .texel_m = {static_cast<float>(field.texel_m)},
                                 .towards_sun = sky.towards_sun(),
-                                .sun_radius_rad = sky.radius_rad};
+                                .sun_radius_rad = sky.radius_rad,
+                                .wanted = wanted};
     return test::run_and_read_coverage(graph, horizon ? add_height_horizon(graph, in, style)
                                                       : add_height_shadow(graph, in, style));
 }
@@ -383,6 +384,42 @@ TEST(HeightShadow, FieldsTogetherAreAsEachAlone)
             }
             EXPECT_EQ(together, alone) << azimuth;
         }
+    }
+}
+
+TEST(HeightShadow, HorizonsOfASectorAreThoseOfTheWholeFieldAndTakeNoHeightsBeside)
+{
+    for (const double azimuth : {0.4, 1.9, 3.3, 5.6}) {
+        const Sky sky{.azimuth_rad = azimuth, .elevation_rad = 0.25};
+        // To the right of one line and the left of another through a place in the field.
+        shared::FieldSector wanted{.sides = {{0.6F, 0.8F}, {0.8F, -0.6F}}, .offsets = {{-50.0F, -3.0F}}};
+        const auto is_within = [&](const shared::FieldSector& sector, glm::uvec2 texel) {
+            return glm::dot(sector.sides[0], glm::vec2(texel)) + sector.offsets[0].x >= 0.0F &&
+                   glm::dot(sector.sides[1], glm::vec2(texel)) + sector.offsets[0].y >= 0.0F;
+        };
+        shared::FieldSector sunward = wanted;
+        for (int line = 0; line < 2; ++line) {
+            const bool leaves = glm::dot(glm::dvec2(wanted.sides[line]), sky.sunwards()) < 0.0;
+            sunward.sides[line] = leaves ? glm::vec2(0.0F) : wanted.sides[line];
+            sunward.offsets[0][line] = leaves ? 0.0F : wanted.offsets[0][line] + 3.0F;
+        }
+        const Field field{.size = {90, 75}, .texel_m = 0.25, .ground = hills};
+        Field sunk = field;
+        sunk.ground = [&](glm::dvec2 place) {
+            const glm::dvec2 texel = glm::round(place / field.texel_m + 0.5 * glm::dvec2(field.size - 1U));
+            return is_within(sunward, glm::uvec2(texel)) ? hills(place) : -1e30;
+        };
+        const std::vector<float> whole = shadow_of(field, sky, by_pyramid, true);
+        const std::vector<float> part = shadow_of(sunk, sky, by_pyramid, true, wanted);
+        size_t compared = 0;
+        for (uint32_t i = 0; i < whole.size(); ++i) {
+            if (is_within(wanted, {i % field.size.x, i / field.size.x})) {
+                EXPECT_EQ(part[i], whole[i]) << i;
+                ++compared;
+            }
+        }
+        EXPECT_GT(compared, 1000U);
+        EXPECT_LT(compared, whole.size() / 2);
     }
 }
 

@@ -35,8 +35,12 @@ void main()
     if (any(greaterThanEqual(texel, constants.size))) {
         return;
     }
+    ivec2 place = ivec2(texel.x, gl_GlobalInvocationID.z * constants.size.y + texel.y);
+    if (!is_within(constants.wanted, gl_GlobalInvocationID.z, texel)) {
+        imageStore(out_height, place, vec4(-1e30));
+        return;
+    }
     TerrainField field = constants.fields[gl_GlobalInvocationID.z];
     float height = height_at(field.origin_m + field.texel_m * vec2(texel), field.texel_m).x;
-    ivec2 place = ivec2(texel.x, gl_GlobalInvocationID.z * constants.size.y + texel.y);
     imageStore(out_height, place, vec4(height - terrain.anchor_y_m));
 }

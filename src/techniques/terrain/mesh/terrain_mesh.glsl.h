@@ -3,10 +3,10 @@
 #define ESTAMPE_TERRAIN_MESH_GLSL_H
 // The vertices of a terrain: where each stands in the grid of its level, and where the levels stand.
 #ifdef __cplusplus
-#include "shaders/shared.hpp"
+#include "shaders/field_sector.glsl.h"
 namespace estampe::shared {
 #else
-#include "shaders/shared.glsl"
+#include "shaders/field_sector.glsl.h"
 #endif
 
 // A vertex in one word: column in bits 0-12, row in 13-25, part in 26-27, level in 28-31. Columns and rows of
@@ -57,6 +57,7 @@ SHARED_CONSTANT uint terrain_fields_most = 5U;
 struct TerrainFieldConstants {
     TerrainField fields[5];
     uvec2 size; // of a field, texels
+    FieldSector wanted;
 };
 
 // Where the heights of sand go among the texels.
