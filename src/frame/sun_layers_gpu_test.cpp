@@ -148,8 +148,8 @@ TEST(SunLayers, FollowASunThatGoesOnInSteps)
         }
         ++at;
     }
-    // Of all together; into a map of its own; and once for each step that comes after the sun has stood. Of two
-    // steps one after the other the second one begins again.
+    // Of all together; into a map of its own; and once for each step that comes after the sun has stood. Of
+    // two steps one after the other the second one begins again.
     EXPECT_EQ(still_drawn, (std::vector<size_t>{0, 1, 3, 6, 8, 9, 10}));
 }
 
