@@ -416,7 +416,7 @@ frame::FlowingInkInputs Renderer::Impl::ink_inputs(const Camera& camera, const f
             .camera = camera,
             .settings = settings,
             .style = tables,
-            .nearby_m = nearby_m(loaded->layout, camera.eye)};
+            .nearby_m = tables.ink.drawn ? nearby_m(loaded->layout, camera.eye) : 0.0F};
 }
 
 std::optional<frame::SmokePlan> Renderer::Impl::plan_smoke(const frame::FramePlan& plan,

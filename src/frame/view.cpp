@@ -113,18 +113,19 @@ shared::FrameGlobals every_second(shared::FrameGlobals globals)
 float nearby(std::span<const glm::vec3> places, const glm::vec3& eye)
 {
     constexpr size_t most = 4096;
-    std::array<float, most> away; // NOLINT(cppcoreguidelines-pro-type-member-init): as far as it is filled
+    std::array<float, most> away2; // NOLINT(cppcoreguidelines-pro-type-member-init): as far as it is filled
     size_t count = 0;
     for (size_t i = 0; i < places.size(); i += 1 + places.size() / most) {
-        away[count++] = glm::distance(places[i], eye);
+        const glm::vec3 from_eye = eye - places[i];
+        away2[count++] = glm::dot(from_eye, from_eye);
     }
     if (count == 0) {
         return 0.0F;
     }
-    const auto end = away.begin() + static_cast<std::ptrdiff_t>(count);
-    const auto fifth = away.begin() + static_cast<std::ptrdiff_t>(count / 5);
-    std::nth_element(away.begin(), fifth, end);
-    return *fifth;
+    const auto end = away2.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto fifth = away2.begin() + static_cast<std::ptrdiff_t>(count / 5);
+    std::nth_element(away2.begin(), fifth, end);
+    return std::sqrt(*fifth);
 }
 
 float pixels_per_mm(uint32_t height_px, double page_height_mm)

@@ -307,7 +307,6 @@ std::string_view name_of(Access access)
 
 struct Compiler::Room {
     std::vector<History> histories;
-    std::vector<PassUse> uses_of_one;
     Scheduler scheduler;
     Schedule schedule;
     Sharing sharing;
@@ -321,10 +320,6 @@ Compiler::~Compiler() = default;
 void Compiler::compile(const Graph& graph, CompiledGraph& compiled)
 {
     check(graph, room_->histories);
-    for (const PassRecord& pass : graph.passes()) {
-        room_->uses_of_one.clear();
-        merge_uses(graph, pass, room_->uses_of_one); // clashes count in passes that are culled too
-    }
     room_->scheduler.run(graph, room_->schedule);
     assign_slots(graph, room_->schedule, room_->sharing, compiled);
     add_barriers(graph, room_->schedule, room_->memory, compiled);

@@ -11,19 +11,7 @@
 namespace estampe::gpu {
 namespace {
 
-void schedule_uses(const Graph& graph, Schedule& schedule)
-{
-    schedule.uses.clear();
-    schedule.first_use.clear();
-    for (const uint32_t pass : schedule.passes) {
-        schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
-        merge_uses(graph, graph.passes()[pass], schedule.uses);
-    }
-    schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
-}
-
-} // namespace
-
+/// Adds what `pass` does to `merged`.
 void merge_uses(const Graph& graph, const PassRecord& pass, std::vector<PassUse>& merged)
 {
     const size_t first = merged.size();
@@ -44,6 +32,20 @@ void merge_uses(const Graph& graph, const PassRecord& pass, std::vector<PassUse>
         same->accesses |= use.access;
     }
 }
+
+/// Of all passes: clashes count in those that are culled too.
+void find_uses(const Graph& graph, Schedule& schedule)
+{
+    schedule.uses.clear();
+    schedule.first_use.clear();
+    for (const PassRecord& pass : graph.passes()) {
+        schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
+        merge_uses(graph, pass, schedule.uses);
+    }
+    schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
+}
+
+} // namespace
 
 void Scheduler::Wanted::forget(const Graph& graph)
 {
@@ -122,11 +124,10 @@ void Scheduler::sort_by_levels(Schedule& schedule)
 
 void Scheduler::run(const Graph& graph, Schedule& schedule)
 {
+    find_uses(graph, schedule);
     find_kept(graph, schedule);
-    schedule_uses(graph, schedule);
     find_levels(graph, schedule);
     sort_by_levels(schedule);
-    schedule_uses(graph, schedule);
 }
 
 } // namespace estampe::gpu

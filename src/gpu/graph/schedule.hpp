@@ -19,20 +19,17 @@ struct PassUse {
     Layout layout = Layout::undefined; ///< images only
 };
 
-/// Adds what `pass` does to `merged`. Throws std::logic_error when it binds one resource twice with clashing
-/// accesses.
-void merge_uses(const Graph& graph, const PassRecord& pass, std::vector<PassUse>& merged);
-
 /// The kept passes in the order they run in, and what each does.
 struct Schedule {
     std::vector<uint32_t> passes;
     std::vector<uint32_t> levels;    ///< by kept pass, rising: passes of one level do not wait for each other
-    std::vector<PassUse> uses;       ///< of all of them, one after another
-    std::vector<uint32_t> first_use; ///< by kept pass, and the end of the last
+    std::vector<PassUse> uses;       ///< of all passes of the graph, one after another
+    std::vector<uint32_t> first_use; ///< by pass of the graph, and the end of the last
 
     [[nodiscard]] std::span<const PassUse> uses_of(size_t step) const
     {
-        return {uses.data() + first_use[step], first_use[step + 1] - first_use[step]};
+        const uint32_t pass = passes[step];
+        return {uses.data() + first_use[pass], first_use[pass + 1] - first_use[pass]};
     }
 };
 
@@ -41,7 +38,8 @@ class Scheduler {
 public:
     /// Keeps the passes of `graph` whose work is wanted, and gives each the last level that those allow which
     /// need it: as few levels as the longest chain has passes, with memory held no longer than it has to be.
-    /// Passes with side effects keep their order. Cost: linear in uses, and a sort of the passes.
+    /// Passes with side effects keep their order. Throws std::logic_error when a pass, kept or not, binds one
+    /// resource twice with clashing accesses. Cost: linear in uses, and a sort of the passes.
     void run(const Graph& graph, Schedule& schedule);
 
 private:
