@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 #include <limits>
+#include <thread>
+
+#include "core/at_once.hpp"
 
 namespace estampe::cloth {
 namespace {
@@ -206,13 +210,27 @@ SolidGrid grid_of_heights(glm::uvec2 nodes, glm::vec3 centre_m, glm::vec2 half_m
     SolidGrid grid{.nodes = {nodes.x, 1, nodes.y},
                    .centre_m = centre_m,
                    .half_m = {half_m.x, 1.0F, half_m.y},
-                   .values_m = {}};
-    for (uint32_t z = 0; z < nodes.y; ++z) {
-        for (uint32_t x = 0; x < nodes.x; ++x) {
-            const glm::dvec2 share = 2.0 * glm::dvec2(x, z) / glm::dvec2(nodes - 1U) - 1.0;
-            const glm::dvec2 at = glm::dvec2(centre_m.x, centre_m.z) + share * glm::dvec2(half_m);
-            grid.values_m.push_back(static_cast<float>(height_m(at.x, at.y) - double{centre_m.y}));
+                   .values_m = std::vector<float>(size_t{nodes.x} * nodes.y)};
+    const auto fill_rows = [&](uint32_t from_z, uint32_t to_z) {
+        for (uint32_t z = from_z; z < to_z; ++z) {
+            for (uint32_t x = 0; x < nodes.x; ++x) {
+                const glm::dvec2 share = 2.0 * glm::dvec2(x, z) / glm::dvec2(nodes - 1U) - 1.0;
+                const glm::dvec2 at = glm::dvec2(centre_m.x, centre_m.z) + share * glm::dvec2(half_m);
+                grid.values_m[size_t{z} * nodes.x + x] =
+                    static_cast<float>(height_m(at.x, at.y) - double{centre_m.y});
+            }
         }
+    };
+    constexpr uint32_t least_rows = 8;
+    const uint32_t parts =
+        std::clamp(std::thread::hardware_concurrency(), 1U, (nodes.y - 1U) / least_rows + 1U);
+    std::vector<std::future<void>> rows;
+    for (uint32_t part = 1; part < parts; ++part) {
+        rows.push_back(std::async(at_once, fill_rows, nodes.y * part / parts, nodes.y * (part + 1U) / parts));
+    }
+    fill_rows(0, nodes.y / parts);
+    for (std::future<void>& filled : rows) {
+        filled.get();
     }
     return grid;
 }

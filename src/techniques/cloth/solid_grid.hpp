@@ -21,7 +21,8 @@ struct SolidGrid {
     std::vector<float> values_m;
 };
 
-/// Heights over a rectangle: `height_m(x, z)` at each node, all from `centre_m` on. Cost: nodes.
+/// Heights over a rectangle: `height_m(x, z)` at each node, all from `centre_m` on. It is asked by several
+/// threads at once. Cost: nodes, shared by the processor's cores.
 [[nodiscard]] SolidGrid grid_of_heights(glm::uvec2 nodes, glm::vec3 centre_m, glm::vec2 half_m,
                                         const std::function<double(double x_m, double z_m)>& height_m);
 

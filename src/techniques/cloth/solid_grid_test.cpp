@@ -134,11 +134,14 @@ TEST(ClothGrids, NothingHasNoGrid)
 
 TEST(ClothGrids, HeightsCountFromTheMiddle)
 {
-    const SolidGrid grid = grid_of_heights({5, 4}, {10.0F, 2.0F, -3.0F}, {2.0F, 1.5F},
-                                           [](double x, double z) { return 2.0 * x + z; });
-    for_nodes(grid, [](glm::vec3 place_m, float value_m) {
-        EXPECT_NEAR(value_m + 2.0F, 2.0F * place_m.x + place_m.z, 1e-4F);
-    });
+    for (const uint32_t rows : {4U, 97U}) { // by one thread, and by several
+        const SolidGrid grid = grid_of_heights({5, rows}, {10.0F, 2.0F, -3.0F}, {2.0F, 1.5F},
+                                               [](double x, double z) { return 2.0 * x + z; });
+        ASSERT_EQ(grid.values_m.size(), 5U * rows);
+        for_nodes(grid, [](glm::vec3 place_m, float value_m) {
+            EXPECT_NEAR(value_m + 2.0F, 2.0F * place_m.x + place_m.z, 1e-4F);
+        });
+    }
 }
 
 } // namespace
