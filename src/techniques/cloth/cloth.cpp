@@ -20,6 +20,7 @@
 #include "shaders/cloth_target_comp.hpp"
 #include "shaders/cloth_tear_comp.hpp"
 #include "shaders/cloth_vertices_comp.hpp"
+#include "shaders/cloth_wide_comp.hpp"
 #include "techniques/cloth/runs.hpp"
 
 namespace estampe::cloth {
@@ -41,9 +42,10 @@ Cloths::Handles Cloths::import(gpu::Graph& graph)
 }
 
 void Cloths::bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
-                         gpu::Buffer& sheet_of_group)
+                         gpu::Buffer& sheet_of_group, bool as_few_sheets)
 {
-    pass.read(gpu::import_whole(graph, "cloth/sheets", sheets_))
+    const gpu::BufferId sheets = gpu::import_whole(graph, "cloth/sheets", sheets_);
+    (as_few_sheets ? pass.uniform(sheets) : pass.read(sheets))
         .uniform(gpu::import_whole(graph, "cloth/run", run))
         .sample(gpu::import_whole(graph, "cloth/links", links_))
         .sample(gpu::import_whole(graph, "cloth/faces", faces_), gpu::Format::rg32ui)
@@ -96,8 +98,9 @@ void Cloths::add_carry(gpu::Graph& graph, Handles& handles, std::span<const glm:
 
 void Cloths::add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind)
 {
-    auto pass = graph.compute("cloth/small", shaders::cloth_small_comp);
-    bind_common(graph, pass, handles, kind.run, sheet_of_group_);
+    const bool is_wide = is_wide_ && records_.size() <= shared::cloth_few_sheets;
+    auto pass = graph.compute("cloth/small", is_wide ? shaders::cloth_wide_comp : shaders::cloth_small_comp);
+    bind_common(graph, pass, handles, kind.run, sheet_of_group_, is_wide);
     handles.places = pass.modify(handles.places);
     handles.speeds = pass.modify(handles.speeds);
     pass.read(handles.pushes);

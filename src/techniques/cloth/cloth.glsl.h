@@ -33,6 +33,8 @@ SHARED_CONSTANT uint cloth_tile_side = 8U;      // of a grid they go by squares 
 SHARED_CONSTANT uint cloth_small_group = 256U;  // threads that share a small sheet
 SHARED_CONSTANT uint cloth_small_sheet = 1024U; // particles that it has at most
 SHARED_CONSTANT uint cloth_small_share = 8U;    // those of one of them, at most
+SHARED_CONSTANT uint cloth_wide_group = 1024U; // threads that share one on a GPU; a part of cloth_small_sheet
+SHARED_CONSTANT uint cloth_few_sheets = 160U;  // whose numbers fit in the smallest uniform buffer
 SHARED_CONSTANT uint cloth_most_tethers = 4U;
 SHARED_CONSTANT uint cloth_met_head = 4U;   // numbers of the ball about a group, before what it may meet
 SHARED_CONSTANT uint cloth_met_words = 32U; // of 32 solids each, at most: of those after it is not asked
@@ -186,6 +188,8 @@ SHARED_CONSTANT uint cloth_on_back = 0x80000000U;
 
 #ifdef __cplusplus
 static_assert(sizeof(ClothSheet) == 100);
+static_assert(cloth_few_sheets * sizeof(ClothSheet) <= 16384); // as Vulkan has it
+static_assert(cloth_small_sheet % cloth_wide_group == 0);
 static_assert(sizeof(ClothLink) == 16);
 static_assert(sizeof(ClothCollider) == 48);
 } // namespace estampe::shared

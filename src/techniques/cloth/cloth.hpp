@@ -85,6 +85,10 @@ public:
     /// Which solver takes all sheets, in place of their own; what they do goes on.
     void set_solver(gpu::Device& device, std::optional<ClothSolver> solver);
 
+    /// Whether small sheets have as many threads as a GPU takes at once, if the device does; by default where
+    /// it is one. Processors are quicker with fewer, and places are the same to a float's rounding.
+    void set_wide(const gpu::Device& device, bool is_wide);
+
     /// Where solids are at the end of the next run; until then they go there from where they were, if there
     /// were as many. Later runs find them there.
     void set_solids(gpu::Device& device, std::span<const Solid> solids);
@@ -219,7 +223,7 @@ private:
     void lower_rigidities(const Surroundings& surroundings);
     void fill_runs(const Surroundings& surroundings, uint32_t count);
     void bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
-                     gpu::Buffer& sheet_of_group);
+                     gpu::Buffer& sheet_of_group, bool as_few_sheets = false);
     void add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind);
     void add_rest(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId& awake);
     void add_near(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake);
@@ -235,6 +239,7 @@ private:
     std::vector<float> bending_rates_s2_;
     std::vector<ClothSolver> solvers_;
     std::optional<ClothSolver> solver_;
+    bool is_wide_ = false; ///< see set_wide()
     uint32_t particle_count_ = 0;
     std::vector<float> held_; ///< one a particle
     bool has_half_held_ = false;

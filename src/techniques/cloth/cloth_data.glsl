@@ -8,10 +8,17 @@
 
 layout(constant_id = 0) const uint variant = 0u;
 
+#ifdef CLOTH_FEW_SHEETS // whose numbers threads need not keep
+layout(scalar, binding = 0) uniform Sheets
+{
+    ClothSheet sheets[cloth_few_sheets];
+};
+#else
 layout(scalar, binding = 0) readonly buffer Sheets
 {
     ClothSheet sheets[];
 };
+#endif
 
 layout(scalar, binding = 1) uniform Run
 {

@@ -114,6 +114,45 @@ TEST(Cloth, LargeAndSmallWaysAgree)
     EXPECT_LE(glm::distance(lowest(32, 32), lowest(33, 32)), 0.02);
 }
 
+/// What becomes of a sheet that a hand pulls, that blows and that solids pass, by so many threads.
+State blown(const Sheet& sheet, bool is_wide)
+{
+    Lab lab(sheet);
+    lab.cloths().set_wide(test::shared_device(), is_wide);
+    lab.air.air_kg_m3 = 1.2F;
+    lab.air.wind = {.speed_m_s = 5.0F, .direction_deg = 80.0F};
+    State state;
+    for (int i = 0; i < 10; ++i) {
+        const float way_m = 0.03F * static_cast<float>(i);
+        lab.move_to([&](glm::vec3 rest) { return rest + glm::vec3(way_m, 0.0F, 0.0F); });
+        lab.cloths().set_solids(test::shared_device(), std::array{ball({way_m, -0.5F, 0.1F}, 0.2F),
+                                                                  Solid{.kind = SolidKind::box,
+                                                                        .half_m = {2.0F, 0.1F, 2.0F},
+                                                                        .centre_m = {0.0F, -1.0F, 0.0F}}});
+        state = lab.run(1.0 / 30.0);
+    }
+    return state;
+}
+
+TEST(Cloth, IsOnAProcessorWhatItIsOnAGpu)
+{
+    const auto cut = [](uint32_t columns, uint32_t rows) {
+        Sheet sheet = grid_sheet({columns, rows}, {}, {1.0F, 0.0F, 0.0F}, {0.0F, -0.8F, 0.1F});
+        sheet.held.assign(sheet.rest_m.size(), 0.0F);
+        std::fill_n(sheet.held.begin(), columns / 2, 1.0F);
+        return sheet;
+    };
+    // As large as they get, narrow and broad ones that end within a thread's share, lists.
+    for (const Sheet& sheet :
+         {cut(32, 32), cut(5, 190), cut(250, 4), cut(7, 9), out_of_rank(cut(31, 33), 1e-3F)}) {
+        const State by_few = blown(sheet, false);
+        const State by_many = blown(sheet, true);
+        EXPECT_TRUE(by_many.places_m == by_few.places_m) << sheet.rest_m.size();
+        EXPECT_TRUE(by_many.speeds_m_s == by_few.speeds_m_s) << sheet.rest_m.size();
+        EXPECT_GT(glm::distance(by_few.places_m.back(), glm::dvec3(sheet.rest_m.back())), 0.05) << "it blows";
+    }
+}
+
 TEST(Cloth, WhatIsHeldALittleComesNearer)
 {
     for (const uint32_t side : {10U, 34U}) {

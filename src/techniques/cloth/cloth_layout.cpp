@@ -158,7 +158,8 @@ void Cloths::lay_out(gpu::Device& device, std::span<const Sheet> sheets, std::sp
     for (gpu::Buffer& predicted : predicted_) {
         predicted = gpu::Buffer(device, "cloth predicted", places_.size_bytes(), gpu::MemoryUse::device);
     }
-    sheets_ = gpu::Buffer(device, "cloth sheets", records_.size() * sizeof(shared::ClothSheet),
+    const size_t record_count = std::max<size_t>(records_.size(), shared::cloth_few_sheets);
+    sheets_ = gpu::Buffer(device, "cloth sheets", record_count * sizeof(shared::ClothSheet),
                           gpu::MemoryUse::upload);
     carries_ =
         gpu::Buffer(device, "cloth carries", records_.size() * sizeof(glm::mat4), gpu::MemoryUse::upload);
@@ -297,6 +298,7 @@ void Cloths::lay_out_vertices(gpu::Device& device, std::span<const DrawnSheet> d
 Cloths::Cloths(gpu::Device& device, std::span<const Sheet> sheets, std::span<const DrawnSheet> drawn)
 {
     lay_out(device, sheets, drawn);
+    set_wide(device, !device.info().software);
     group_sheets(device);
     lay_out_vertices(device, drawn);
     std::vector<glm::vec4> targets;
@@ -323,6 +325,14 @@ void Cloths::set_solver(gpu::Device& device, std::optional<ClothSolver> solver)
         rouses_all_ = true;
         group_sheets(device);
     }
+}
+
+void Cloths::set_wide(const gpu::Device& device, bool is_wide)
+{
+    const VkPhysicalDeviceLimits& limits = device.limits();
+    const uint32_t most_threads =
+        std::min(limits.maxComputeWorkGroupInvocations, limits.maxComputeWorkGroupSize[0]);
+    is_wide_ = is_wide && shared::cloth_wide_group <= most_threads;
 }
 
 void Cloths::set_solids(gpu::Device& device, std::span<const Solid> solids)

@@ -23,6 +23,7 @@ struct Kind {
     const char* name;
     Sheet sheet;
     std::optional<ClothSolver> solver;
+    bool is_wide = false;
 };
 
 /// One of each way that sheets take over the device, but for the thesis's solver, which is never quite calm.
@@ -33,7 +34,8 @@ std::vector<Kind> kinds()
     return {{"small", hung_by_its_edge(6, 6), {}},
             {"lists", out_of_rank(hung_by_its_edge(6, 6), 1e-3F), {}},
             {"self", hung_by_its_edge(6, 6, keeps_apart), {}},
-            {"descent", hung_by_its_edge(6, 6), ClothSolver::block_descent}};
+            {"descent", hung_by_its_edge(6, 6), ClothSolver::block_descent},
+            {"wide", hung_by_its_edge(6, 6), {}, true}};
 }
 
 constexpr glm::vec3 ball_m{0.25F, -0.25F, 0.3F};
@@ -44,6 +46,7 @@ Lab rested(const Kind& kind)
 {
     Lab lab(kind.sheet);
     lab.cloths().set_solver(test::shared_device(), kind.solver);
+    lab.cloths().set_wide(test::shared_device(), kind.is_wide);
     lab.cloths().set_solids(test::shared_device(), std::array{ball(ball_m, 0.1F), ball(far_ball_m, 0.1F)});
     for (int tries = 0; tries < 12 && lab.run(0.25).calm_s < shared::cloth_rest_s; ++tries) {
     }
