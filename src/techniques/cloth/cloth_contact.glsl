@@ -48,8 +48,10 @@ vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to, out bool is_stopped)
     float kept = along_m > 0.0 ? max(1.0 - sheet.friction * depth_m / along_m, 0.0) : 1.0;
     vec3 end = meets ? from + way + (kept - 1.0) * along : to;
     // Of heights, distances and bodies it is not known exactly how far the surface is.
-    is_stopped = meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u;
-    return is_stopped ? pushed_out(kind, half_m, end) : end;
+    bool is_pushed = meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u;
+    vec3 beside = is_pushed ? pushed_out(kind, half_m, end) : end;
+    is_stopped = meets || beside != end;
+    return beside;
 }
 
 vec4 turn_between(vec4 before, vec4 after, float part)
