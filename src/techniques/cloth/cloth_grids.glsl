@@ -11,32 +11,7 @@ float grid_number(int at)
     return texelFetch(grid_texels, at).x;
 }
 
-ivec3 grid_nodes(int first)
-{
-    return ivec3(grid_number(first), grid_number(first + 1), grid_number(first + 2));
-}
-
-// A place in a grid of half sides `half_m`, in cells from its first node.
-vec3 in_cells(vec3 place, vec3 half_m, ivec3 nodes)
-{
-    return clamp(0.5 + 0.5 * place / half_m, vec3(0.0), vec3(1.0)) * vec3(nodes - 1);
-}
-
-vec4 heights_at(int first, vec3 half_m, vec3 place)
-{
-    ivec3 nodes = grid_nodes(first);
-    vec2 at = in_cells(place, half_m, nodes).xz;
-    ivec2 cell = min(ivec2(at), nodes.xz - 2);
-    vec2 f = at - vec2(cell);
-    int corner = first + int(cloth_grid_head) + cell.y * nodes.x + cell.x;
-    vec2 low = vec2(grid_number(corner), grid_number(corner + 1));
-    vec2 high = vec2(grid_number(corner + nodes.x), grid_number(corner + nodes.x + 1));
-    vec2 along = mix(low, high, f.y);
-    vec2 rises = vec2(along.y - along.x, mix(high.x - low.x, high.y - low.y, f.x));
-    vec2 slope = rises * vec2(nodes.xz - 1) / (2.0 * half_m.xz);
-    vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
-    return vec4(normal, (place.y - mix(along.x, along.y, f.x)) * normal.y);
-}
+#include "techniques/cloth/cloth_heights.glsl"
 
 vec4 distances_at(int first, vec3 half_m, vec3 place)
 {

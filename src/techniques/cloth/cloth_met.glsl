@@ -29,8 +29,8 @@ float least_away_m(uint kind, vec3 half_m, vec3 place)
     return solid_at(kind, half_m, place).w;
 }
 
-// Whether a solid comes near a ball at any moment of a step. Of one that moves, of grids and of bodies it is
-// asked how far they reach from their centre, of others how far away they are.
+// Whether a solid comes near a ball at any moment of a step. Of one that moves, of distances and of bodies it
+// is asked how far they reach from their centre, of others how far away they are. Heights stand still.
 bool comes_near(uint i, vec4 ball, uint step)
 {
     int before = 3 * int(i);
@@ -45,13 +45,21 @@ bool comes_near(uint i, vec4 ball, uint step)
     const float rounding = 1e-5;
     float near_m = sheet.thickness_m + ball.w + 1e-3;
     bool is_in_reach = away_m * (1.0 - rounding) <= reach_m + near_m;
-    uint kind = texelFetch(collider_texels, after).w;
-    if (!is_in_reach || run.collider_stride != 0u || kind >= cloth_heights) {
+    uint kind_and_grid = texelFetch(collider_texels, after).w;
+    uint kind = kind_and_grid & ((1u << cloth_kind_bits) - 1u);
+    bool is_heights = (variant & cloth_bit_grids) != 0u && kind == cloth_heights;
+    bool is_simple = run.collider_stride == 0u && kind < cloth_heights;
+    if (!is_in_reach || !(is_heights || is_simple)) {
         return is_in_reach;
     }
     vec4 rotation = uintBitsToFloat(texelFetch(collider_texels, after + 1));
     vec3 half_m = uintBitsToFloat(texelFetch(collider_texels, after + 2).xyz);
     vec3 place = turned_back(rotation, ball.xyz - from);
+    float spare_m = 1e-3 + rounding * length(place);
+    if (is_heights) {
+        int first = int(kind_and_grid >> cloth_kind_bits);
+        return !are_far_below(first, half_m, vec4(place, ball.w + spare_m), sheet.thickness_m + spare_m);
+    }
     return least_away_m(kind, half_m, place) <= near_m + rounding * length(place);
 }
 

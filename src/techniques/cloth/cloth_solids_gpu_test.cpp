@@ -123,6 +123,42 @@ TEST(ClothSolids, WhatIsThrownFartherThanForeseenIsStoppedToo)
     }
 }
 
+TEST(ClothSolids, HeightsFarBelowAreLeftOutToTheBit)
+{
+    // What comes after so many others is asked always, without being told whether it is near. Ground begins
+    // and ends under the sheets: nobody comes down to where it drops.
+    const auto ground_m = [](double x_m, double z_m) { return x_m > 1.4 ? -1e4 : dune_m(x_m, z_m); };
+    const SolidGrid grid = grid_of_heights({33, 25}, {0.1F, -1.3F, 0.0F}, {2.0F, 1.5F},
+                                           [&](double x_m, double z_m) { return ground_m(x_m, z_m) - 1.3; });
+    Solid ground = solid_of_grid(SolidKind::heights, grid, 0);
+    ground.rotation = glm::angleAxis(0.2F, glm::normalize(glm::vec3(0.3F, 1.0F, 0.2F)));
+    for (Sheet& sheet : sheets_of_all_ways()) {
+        sheet.held.front() = 1.0F;
+        const auto states_among = [&](size_t others, bool is_wide) {
+            Lab lab(sheet);
+            lab.cloths().set_wide(test::shared_device(), is_wide);
+            lab.cloths().set_grids(test::shared_device(), {&grid, 1});
+            lab.air.air_kg_m3 = 1.2F;
+            lab.air.wind = {.speed_m_s = 3.0F, .direction_deg = 70.0F};
+            std::vector<std::vector<glm::dvec3>> places;
+            for (int i = 0; i < 5; ++i) {
+                std::vector<Solid> solids(others, ball({90.0F, 0.0F, 0.0F}, 0.5F));
+                solids.push_back(ground);
+                lab.cloths().set_solids(test::shared_device(), solids);
+                places.push_back(lab.run(0.1).places_m);
+            }
+            return places;
+        };
+        const bool is_small = sheet.rest_m.size() <= shared::cloth_small_sheet;
+        for (const bool is_wide : {false, true}) {
+            if (is_small || !is_wide) {
+                EXPECT_TRUE(states_among(0, is_wide) == states_among(is_small ? 64 : 1024, is_wide))
+                    << sheet.rest_m.size() << ' ' << is_wide;
+            }
+        }
+    }
+}
+
 /// A ring about y.
 double to_ring_m(const glm::dvec3& place)
 {
