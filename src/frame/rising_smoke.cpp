@@ -68,21 +68,48 @@ std::optional<smoke::Box> box_about(const glm::dmat4& world_from_node, const glm
                       .grid_from_anchor = glm::mat4(glm::inverse(anchor_from_grid))};
 }
 
-/// Returns what the meter found; nothing where no step is taken.
-std::optional<SolverReport> let_rise(fluid::Fluid& fluid, SolverMeter meter, const smoke::Box& box,
-                                     const smoke::SmokeStyle& style, double gap_s)
+/// Steps that a fluid has yet to take.
+struct StepsLeft {
+    fluid::FluidStyle style;
+    uint32_t count = 0;
+};
+
+/// How a box's smoke rises to a moment.
+struct Rise {
+    const smoke::Box& box;
+    const smoke::SmokeStyle& style;
+    double gap_s = 0.0;
+    uint32_t boxes = 1; ///< that rise together
+    bool is_measured = false;
+};
+
+/// What a graph of steps took, and what is left.
+struct Risen {
+    std::optional<SolverReport> report; ///< nothing where no step was taken
+    StepsLeft left;
+};
+
+/// Takes all steps but those that the picture's own graph has room for; all, where they are measured.
+Risen let_rise(fluid::Fluid& fluid, SolverMeter meter, const Rise& rise)
 {
-    const auto count = static_cast<uint32_t>(std::ceil(gap_s * steps_per_s(box, style) - 1e-6));
-    fluid.set_shapes({}, std::vector{source_of(box, style)});
-    for (uint32_t left = count; left > 0;) {
-        const fluid::FluidStyle solver = solving(box, style, gap_s / count);
-        const uint32_t now = std::min(left, fluid.most_steps(solver));
+    const auto count =
+        static_cast<uint32_t>(std::ceil(rise.gap_s * steps_per_s(rise.box, rise.style) - 1e-6));
+    fluid.set_shapes({}, std::vector{source_of(rise.box, rise.style)});
+    if (count == 0) {
+        return {};
+    }
+    const fluid::FluidStyle solver = solving(rise.box, rise.style, rise.gap_s / count);
+    const uint32_t most = fluid.most_steps(solver);
+    const uint32_t room = rise.is_measured ? 0 : most / rise.boxes;
+    uint32_t left = count;
+    while (left > room) {
+        const uint32_t now = std::min(left - room, most);
         gpu::Graph graph;
         const fluid::FluidFields fields = fluid.add_steps(graph, solver, now);
         left -= now;
         meter.run(graph, fluid, solver, fields, now, left == 0);
     }
-    return meter.report();
+    return {.report = meter.report(), .left = {solver, left}};
 }
 
 /// Puffs and strokes go with the draught.
@@ -104,6 +131,24 @@ struct RisingSmoke::Column {
     KeptSmoke recalled;                  ///< until it is asked for
     std::unique_ptr<fluid::Fluid> fluid; ///< none until then
     std::optional<SolverReport> solver_report = {};
+    StepsLeft left = {}; ///< for the next graph that asks for the fluid
+
+    /// The fluid at its time_s; once a graph.
+    [[nodiscard]] fluid::FluidFields add(gpu::Graph& graph)
+    {
+        const StepsLeft now = std::exchange(left, {});
+        return fluid->add_steps(graph, now.style, now.count);
+    }
+
+    /// Takes steps that no picture asked for.
+    void catch_up(gpu::Executor& executor)
+    {
+        if (left.count > 0) {
+            gpu::Graph graph;
+            static_cast<void>(add(graph));
+            executor.run(graph);
+        }
+    }
 
     [[nodiscard]] bool is_of(const smoke::Box& box, uint32_t wanted_channels) const
     {
@@ -221,7 +266,7 @@ std::vector<KeptSmoke> RisingSmoke::kept(gpu::Device& device, gpu::Executor& exe
         }
         const auto numbers = [&](bool are_quantities) {
             gpu::Graph graph;
-            const fluid::FluidFields fields = column->fluid->add_steps(graph, {}, 0);
+            const fluid::FluidFields fields = column->add(graph);
             return fluid::run_and_read(device, executor, graph,
                                        are_quantities ? fields.quantities.value() : fields.velocity);
         };
@@ -313,10 +358,16 @@ std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& ex
     for (smoke::Box& box : boxes) {
         columns.push_back(started(device, executor, box, in));
         Column& column = *columns.back();
-        auto found = let_rise(*column.fluid, SolverMeter(device, executor, in.settings.measure_solvers), box,
-                              style, time_s - column.time_s);
-        if (found || !in.settings.measure_solvers) {
-            column.solver_report = std::move(found);
+        column.catch_up(executor);
+        Risen risen = let_rise(*column.fluid, SolverMeter(device, executor, in.settings.measure_solvers),
+                               {.box = box,
+                                .style = style,
+                                .gap_s = time_s - column.time_s,
+                                .boxes = static_cast<uint32_t>(boxes.size()),
+                                .is_measured = in.settings.measure_solvers});
+        column.left = risen.left;
+        if (risen.report || !in.settings.measure_solvers) {
+            column.solver_report = std::move(risen.report);
         }
         column.time_s = time_s;
         carry_along(box, style, time_s);
@@ -327,7 +378,7 @@ std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& ex
 
 gpu::ImageId RisingSmoke::velocity(gpu::Graph& graph, size_t box)
 {
-    return columns_.at(box)->fluid->add_steps(graph, {}, 0).velocity;
+    return columns_.at(box)->add(graph).velocity;
 }
 
 std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor& executor,
@@ -350,7 +401,7 @@ smoke::Fields RisingSmoke::fields(gpu::Graph& graph)
     smoke::Fields fields{
         .globals = gpu::import_whole(graph, "smoke", globals_), .densities = {}, .ignition = smoke_ignition};
     for (const auto& column : columns_) {
-        fields.densities.push_back(column->fluid->add_steps(graph, {}, 0).quantities.value());
+        fields.densities.push_back(column->add(graph).quantities.value());
     }
     return fields;
 }

@@ -74,10 +74,11 @@ public:
     RisingSmoke& operator=(const RisingSmoke&) = delete;
 
     /// Lets the smoke rise to the moment of a picture, and returns its boxes; none where the style or the
-    /// scene has none. It goes on from the picture before where that is followed, at most a second later;
-    /// else, and where another number of quantities is to rise, it starts `age_s` ago, and takes
-    /// steps_per_s() for each of these seconds. Patterns that name nothing,
-    /// or more than shared::smoke_most_boxes, go into `notes`.
+    /// scene has none. The last steps are for the graph that next asks for velocity() or fields(), in which
+    /// they run beside what hangs on none of them. It goes on from the picture before where that is followed,
+    /// at most a second later; else, and where another number of quantities is to rise, it starts `age_s`
+    /// ago, and takes steps_per_s() for each of these seconds. Patterns that name nothing, or more than
+    /// shared::smoke_most_boxes, go into `notes`.
     [[nodiscard]] std::vector<smoke::Box> rise(gpu::Device& device, gpu::Executor& executor,
                                                const SmokeInputs& in, std::vector<std::string>& notes);
 

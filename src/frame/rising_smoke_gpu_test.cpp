@@ -44,11 +44,12 @@ Style smoking(const std::vector<std::string>& more = {})
 
 constexpr RenderSettings still{.width = 96, .height = 72, .time_s = 0.25};
 
-std::vector<Image> film(Renderer& renderer, const Style& style)
+std::vector<Image> film(Renderer& renderer, const Style& style, bool is_measured = false)
 {
     std::vector<Image> images;
     for (int number = 0; number < 4; ++number) {
         RenderSettings settings = still;
+        settings.measure_solvers = is_measured;
         settings.time_s = number / 12.0;
         settings.continuity = number == 0 ? Continuity::starts : Continuity::follows;
         images.push_back(renderer.render(camera, style, settings));
@@ -103,6 +104,34 @@ TEST(RisingSmoke, AStillStandsForItselfAndAFilmFlowsOn)
     EXPECT_EQ(renderer.render(camera, {}, still), plain);
     renderer.set_scene(smoking_box());
     EXPECT_EQ(film(renderer, smoking()), once) << "of the scene loaded anew";
+}
+
+/// The passes of the last picture's graph that are of a fluid's steps.
+size_t steps_within(const Renderer& renderer)
+{
+    const std::string graph = renderer.graph_dot();
+    size_t count = 0;
+    for (size_t at = graph.find("fluid/advect"); at != std::string::npos;
+         at = graph.find("fluid/advect", at + 1)) {
+        ++count;
+    }
+    return count;
+}
+
+TEST(RisingSmoke, TakesItsLastStepsBesideThePictureAsItWouldBefore)
+{
+    Scene scene = smoking_box();
+    Node other = scene.nodes.back();
+    other.transform.translation = {1.5, 0.0, -0.5};
+    scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
+    scene.nodes.push_back(other);
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(scene);
+    const std::vector<Image> beside = film(renderer, smoking());
+    EXPECT_GT(steps_within(renderer), 0U);
+    renderer.set_scene(scene);
+    EXPECT_EQ(film(renderer, smoking(), true), beside); // each step by itself, to be measured
+    EXPECT_EQ(steps_within(renderer), 0U);
 }
 
 TEST(RisingSmoke, RisesByEachSolverAndAdvectionAsTheStyleSays)

@@ -220,6 +220,8 @@ haze::HazeLayers add_particles(const Making& making, const PosedScene& scene, co
     const auto import = [&](const char* name, gpu::Buffer& buffer) {
         return gpu::import_whole(making.graph, name, buffer);
     };
+    const glm::uvec2 beside_px = glm::uvec2(making.sample.from_px) % 8U;
+    const bool by_groups = !making.plan.raster.on_processor && beside_px == glm::uvec2(0);
     for (size_t i = 0; i < making.plan.particles.size(); ++i) {
         ParticleBuffers& buffers = making.resources.particles[i];
         shared::ParticleConstants constants = making.plan.particles[i].constants;
@@ -236,7 +238,8 @@ haze::HazeLayers add_particles(const Making& making, const PosedScene& scene, co
                                           .sheet = import("particle sheet", buffers.sheet.texels()),
                                           .depth = surface.depth,
                                           .sky = sky_wash,
-                                          .size_px = making.sample.size_px},
+                                          .size_px = making.sample.size_px,
+                                          .by_groups = by_groups},
                                          constants, drawn);
     }
     return {.wash = drawn.wash, .hatch = drawn.hatch, .lines = drawn.lines};
@@ -312,17 +315,27 @@ gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines)
         making.style.focus, lines);
 }
 
+namespace {
+
+/// From the eye: what is nearer hides the sky, what is farther may be hazy.
+float sky_shows_from_m(const Making& making)
+{
+    constexpr float nowhere_m = 1e30F;
+    return making.plan.page.has_haze ? making.style.haze.start_m : nowhere_m;
+}
+
+} // namespace
+
 std::optional<gpu::BufferId> add_far_tiles(const Making& making, const PosedScene& scene,
                                            const surface::Surface& surface)
 {
-    constexpr float nowhere_m = 1e30F;
     const PagePlan& page = making.plan.page;
     if (!making.plan.raster.on_processor || (!page.has_haze && !making.plan.clouds)) {
         return std::nullopt;
     }
     return surface::add_far_tiles(
         making.graph, {.frame = scene.frame, .depth = surface.depth, .size_px = making.sample.size_px},
-        page.has_haze ? making.style.haze.start_m : nowhere_m);
+        sky_shows_from_m(making));
 }
 
 Colors add_colors(const Making& making, const PosedScene& scene, const surface::Surface& surface,
@@ -334,14 +347,18 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
     const bool is_clear = plan.subsurface && !plan.subsurface->clear.empty();
     const bool shows_elsewhere = screen.is_there || is_clear || has_layers;
     const std::optional<gpu::BufferId> tiles = shows_elsewhere ? std::nullopt : far_tiles;
+    const std::optional<float> far_m =
+        shows_elsewhere ? std::nullopt : std::optional(sky_shows_from_m(making));
     sky::Sky sky = sky::add_sky(making.graph,
                                 {.frame = scene.frame,
+                                 .depth = surface.depth,
                                  .towards_sun = plan.sun.towards,
                                  .daylight_rad = plan.sun.daylight_rad,
                                  .pixels_per_mm = plan.page.pixels_per_mm,
                                  .drawn = plan.page.has_sky,
                                  .size_px = making.sample.size_px,
-                                 .tiles = tiles},
+                                 .tiles = tiles,
+                                 .far_m = far_m},
                                 making.style.sky);
     std::optional<gpu::ImageId> cover;
     if (plan.clouds) {
@@ -355,10 +372,12 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                                          .starts = import("cloud cells", buffers.starts),
                                                          .puffs = import("puffs", buffers.puffs),
                                                          .streaks = import("streaks", buffers.streaks),
+                                                         .depth = surface.depth,
                                                          .variant = plan.clouds->variant,
                                                          .keeps_cover = has_layers,
                                                          .size_px = making.sample.size_px,
-                                                         .tiles = tiles},
+                                                         .tiles = tiles,
+                                                         .far_m = far_m},
                                                         sky);
         sky = clouded.sky;
         cover = has_layers ? std::optional(clouded.cover) : std::nullopt;

@@ -13,8 +13,8 @@
 namespace estampe::gpu {
 namespace {
 
-constexpr uint32_t max_passes = 512;
-constexpr uint32_t max_bindings_per_frame = 4096;
+constexpr uint32_t max_passes = 1024;
+constexpr uint32_t max_bindings_per_frame = 8192;
 
 VkDescriptorType descriptor_type(const Use& use, bool is_image)
 {

@@ -163,7 +163,7 @@ gpu::ImageId add_layer(gpu::Graph& graph, const Flowing& ink, gpu::BufferId fram
     const gpu::ImageId layer = pass.write(
         graph.image("ink/layer", {.width = size_px.x, .height = size_px.y, .format = gpu::Format::rgba8}));
     pass.push(shared::InkMeasure{.sum_now = ink.sum_now}).variant(ink.variant);
-    pass.dispatch_over(size_px.x, size_px.y);
+    pass.dispatch_over_page(size_px.x, size_px.y);
     return layer;
 }
 

@@ -49,7 +49,7 @@ public:
         auto pass = graph_.compute("lens/pack", shaders::lens_pack_comp);
         pass.sample(in_.depth).sample(in_.wash).sample(in_.hatch).sample(in_.lines).sample(in_.sky_ink);
         const gpu::ImageId page = pass.write(graph_.image("lens/page", texels(in_.size_px)));
-        pass.variant(variant_).push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
+        pass.variant(variant_).push(lens_).dispatch_over_page(in_.size_px.x, in_.size_px.y);
         return page;
     }
 
@@ -177,7 +177,7 @@ private:
             graph_.image("lens/hatch", {.width = ink_px.x, .height = ink_px.y, .format = gpu::Format::r16f}));
         const gpu::ImageId lines = pass.write(graph_.image(
             "lens/lines", {.width = ink_px.x, .height = ink_px.y, .format = gpu::Format::rgba8}));
-        pass.variant(variant_ | how).push(lens_).dispatch_over(in_.size_px.x, in_.size_px.y);
+        pass.variant(variant_ | how).push(lens_).dispatch_over_page(in_.size_px.x, in_.size_px.y);
         return {.wash = wash,
                 .hatch = keeps_ink ? in_.hatch : hatch,
                 .lines = keeps_ink ? in_.lines : lines,

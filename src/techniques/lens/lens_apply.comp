@@ -3,10 +3,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_control_flow_attributes : require
 
 #include "techniques/lens/lens.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(binding = 0) uniform sampler2D wash_image;
 layout(binding = 1) uniform sampler2D hatch_image;
@@ -47,24 +48,29 @@ Seen nearly_sharp(ivec2 pixel, LensTexel own, float reach_px)
 {
     float own_radius = abs(own.radius_px);
     bool is_wanted = own_radius < lens_blurred_px && reach_px > lens_sharp_px;
-    int taps = is_wanted ? small_side * small_side : 0;
+    int rows = is_wanted ? small_side : 0;
     Veil sum = Veil(vec4(0.0), vec4(0.0));
     float weights = 0.0;
     float others = 0.0;
-    for (int i = 0; i < taps; ++i) {
-        ivec2 aside = ivec2(i % small_side, i / small_side) - small_side / 2;
-        ivec2 at = pixel + aside;
-        bool is_there = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(uvec2(at), constants.size_px));
-        LensTexel tap =
-            unpack_texel(texelFetch(page_image, clamp(at, ivec2(0), ivec2(constants.size_px) - 1), 0));
-        // What lies behind fills no more than the circle of what it is seen past.
-        bool is_behind = tap.radius_px > own.radius_px;
-        float radius = is_behind ? min(abs(tap.radius_px), own_radius) : abs(tap.radius_px);
-        float share = disc_share(max(radius, lens_sharp_px), aperture_distance(vec2(aside)));
-        float weight = is_there ? share * (aside == ivec2(0) ? 1.0 : 1.0 - near_share(tap.radius_px)) : 0.0;
-        sum = sum_of(sum, scaled(tap.veil, weight));
-        weights += weight;
-        others += aside == ivec2(0) ? 0.0 : weight;
+    for (int row = 0; row < rows; ++row) {
+        [[unroll]] for (int column = 0; column < small_side; ++column)
+        {
+            ivec2 aside = ivec2(column, row) - small_side / 2;
+            ivec2 at = pixel + aside;
+            bool is_there =
+                all(greaterThanEqual(at, ivec2(0))) && all(lessThan(uvec2(at), constants.size_px));
+            LensTexel tap =
+                unpack_texel(texelFetch(page_image, clamp(at, ivec2(0), ivec2(constants.size_px) - 1), 0));
+            // What lies behind fills no more than the circle of what it is seen past.
+            bool is_behind = tap.radius_px > own.radius_px;
+            float radius = is_behind ? min(abs(tap.radius_px), own_radius) : abs(tap.radius_px);
+            float share = disc_share(max(radius, lens_sharp_px), aperture_distance(vec2(aside)));
+            float weight =
+                is_there ? share * (aside == ivec2(0) ? 1.0 : 1.0 - near_share(tap.radius_px)) : 0.0;
+            sum = sum_of(sum, scaled(tap.veil, weight));
+            weights += weight;
+            others += aside == ivec2(0) ? 0.0 : weight;
+        }
     }
     bool is_blurred = others > 0.0;
     return Seen(is_blurred ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.veil, is_blurred);
@@ -78,14 +84,17 @@ LensTexel between(usampler2D field_image, ivec2 pixel, bool is_wanted)
     vec2 part = place - vec2(corner);
     ivec2 most = level_size(1) - 1;
     LensTexel sum = LensTexel(no_veil, 0.0, 1.0);
-    int taps = is_wanted ? 4 : 0;
-    for (int i = 0; i < taps; ++i) {
-        ivec2 aside = ivec2(i & 1, i >> 1);
-        vec2 side = mix(1.0 - part, part, vec2(aside));
-        float weight = side.x * side.y;
-        LensTexel texel = unpack_texel(texelFetch(field_image, clamp(corner + aside, ivec2(0), most), 0));
-        sum.veil = sum_of(sum.veil, scaled(texel.veil, weight));
-        sum.radius_px += weight * texel.radius_px;
+    int rounds = is_wanted ? 1 : 0; // a loop, as processors do what an `if` leaves out
+    for (int round = 0; round < rounds; ++round) {
+        [[unroll]] for (int i = 0; i < 4; ++i)
+        {
+            ivec2 aside = ivec2(i & 1, i >> 1);
+            vec2 side = mix(1.0 - part, part, vec2(aside));
+            float weight = side.x * side.y;
+            LensTexel texel = unpack_texel(texelFetch(field_image, clamp(corner + aside, ivec2(0), most), 0));
+            sum.veil = sum_of(sum.veil, scaled(texel.veil, weight));
+            sum.radius_px += weight * texel.radius_px;
+        }
     }
     return sum;
 }

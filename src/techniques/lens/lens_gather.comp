@@ -4,6 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_control_flow_attributes : require
 
 #include "techniques/lens/lens.glsl.h"
 
@@ -53,9 +54,8 @@ struct Tap {
     bool is_there;
 };
 
-Tap tap_at(Place place, int i)
+Tap tap_at(Place place, ivec2 aside)
 {
-    ivec2 aside = ivec2(i % tap_side, i / tap_side) - tap_side / 2;
     ivec2 at = place.texel + aside;
     bool is_there = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, level_size(place.level)));
     ivec2 from = level_origin(place.level) + clamp(at, ivec2(0), level_size(place.level) - 1);
@@ -73,18 +73,21 @@ LensTexel gather_near(ivec2 at, float own_px, float reach_px)
     float cover = 0.0;
     float seen = 0.0;
     float seen_near = 0.0;
-    int taps = reach_px > lens_nearly_px ? tap_side * tap_side : 0;
-    for (int i = 0; i < taps; ++i) {
-        Tap tap = tap_at(place, i);
-        float radius = disc_texels(-tap.texel.radius_px * place.texels_per_px);
-        float away = aperture_distance(tap.offset);
-        float near = near_share(tap.texel.radius_px) * tap.texel.part;
-        float weight = near * disc_share(radius, away);
-        sum = sum_of(sum, scaled(tap.texel.veil, weight));
-        cover += weight;
-        float within = clamp(own_texels + 0.5 - away, 0.0, 1.0) * tap.texel.part;
-        seen += within;
-        seen_near += within * near_share(tap.texel.radius_px);
+    int rows = reach_px > lens_nearly_px ? tap_side : 0;
+    for (int row = 0; row < rows; ++row) {
+        [[unroll]] for (int column = 0; column < tap_side; ++column)
+        {
+            Tap tap = tap_at(place, ivec2(column, row) - tap_side / 2);
+            float radius = disc_texels(-tap.texel.radius_px * place.texels_per_px);
+            float away = aperture_distance(tap.offset);
+            float near = near_share(tap.texel.radius_px) * tap.texel.part;
+            float weight = near * disc_share(radius, away);
+            sum = sum_of(sum, scaled(tap.texel.veil, weight));
+            cover += weight;
+            float within = clamp(own_texels + 0.5 - away, 0.0, 1.0) * tap.texel.part;
+            seen += within;
+            seen_near += within * near_share(tap.texel.radius_px);
+        }
     }
     // A surface that fills the circle hides all, whatever is left of it by rounding.
     float hidden = min(max(cover, own_near * seen_near / max(seen, 1e-6)), 1.0);
@@ -99,19 +102,22 @@ LensTexel gather_far(ivec2 at, LensTexel own, float own_reach_px)
     Place place = place_on(level_for(search_px), at);
     Veil sum = Veil(vec4(0.0), vec4(0.0));
     float weights = 0.0;
-    int taps = own_reach_px > lens_nearly_px ? tap_side * tap_side : 0;
-    for (int i = 0; i < taps; ++i) {
-        Tap tap = tap_at(place, i);
-        float away = aperture_distance(tap.offset);
-        float radius = disc_texels(min(tap.texel.radius_px, own.radius_px) * place.texels_per_px);
-        float blurred = far_share(tap.texel.radius_px) * disc_share(radius, away);
-        // Behind what is near, what is far goes on sooner than what is sharp.
-        float far = far_share(tap.texel.radius_px);
-        float sharp = hidden_sharp * (1.0 - far - near_share(tap.texel.radius_px));
-        float beside = (far + own_near * sharp) / (1.0 + away * away * away * away);
-        float weight = mix(beside, blurred, own_far) * tap.texel.part;
-        sum = sum_of(sum, scaled(tap.texel.veil, weight));
-        weights += weight;
+    int rows = own_reach_px > lens_nearly_px ? tap_side : 0;
+    for (int row = 0; row < rows; ++row) {
+        [[unroll]] for (int column = 0; column < tap_side; ++column)
+        {
+            Tap tap = tap_at(place, ivec2(column, row) - tap_side / 2);
+            float away = aperture_distance(tap.offset);
+            float radius = disc_texels(min(tap.texel.radius_px, own.radius_px) * place.texels_per_px);
+            float blurred = far_share(tap.texel.radius_px) * disc_share(radius, away);
+            // Behind what is near, what is far goes on sooner than what is sharp.
+            float far = far_share(tap.texel.radius_px);
+            float sharp = hidden_sharp * (1.0 - far - near_share(tap.texel.radius_px));
+            float beside = (far + own_near * sharp) / (1.0 + away * away * away * away);
+            float weight = mix(beside, blurred, own_far) * tap.texel.part;
+            sum = sum_of(sum, scaled(tap.texel.veil, weight));
+            weights += weight;
+        }
     }
     bool has_any = weights > 1e-5;
     return LensTexel(has_any ? scaled(sum, 1.0 / max(weights, 1e-6)) : own.veil, own.radius_px, 1.0);

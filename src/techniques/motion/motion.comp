@@ -10,7 +10,7 @@
 #include "shaders/mesh_texels.glsl"
 #include "techniques/motion/motion.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(scalar, binding = 0) uniform Frame
 {

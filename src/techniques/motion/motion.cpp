@@ -17,7 +17,7 @@ gpu::ImageId add_motion(gpu::Graph& graph, const MotionInputs& in)
         "motion", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba32f}));
     pass.push(shared::MotionConstants{.clip_from_anchor = in.clip_from_anchor,
                                       .clip_from_anchor_before = in.clip_from_anchor_before})
-        .dispatch_over(in.size_px.x, in.size_px.y);
+        .dispatch_over_page(in.size_px.x, in.size_px.y);
     return motion;
 }
 

@@ -48,7 +48,7 @@ Packed add_pack(gpu::Graph& graph, const MotionBlurInputs& in, uint32_t variant,
         .hatch = pass.write(graph.image(
             "motion blur/hatch", {.width = hatch_px.x, .height = hatch_px.y, .format = gpu::Format::r16f}))};
     pass.variant(variant | (in.own_motion == in.motion ? 0U : shared::blur_is_stretched));
-    pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    pass.push(constants).dispatch_over_page(in.size_px.x, in.size_px.y);
     return packed;
 }
 

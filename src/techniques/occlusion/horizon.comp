@@ -79,8 +79,12 @@ void main()
     float shift = 0.9 * ((float((11u * rank + 7u) % 16u) + 0.5) / 16.0 - 0.5);
 
     vec2 middle_px = vec2(pixel) + 0.5;
-    vec4 seen = frame.anchor_from_clip *
-                vec4(ndc_at(page_place(frame, middle_px), frame.page_px), max(depth, 1e-9), 1.0);
+    if (depth <= 0.0) {
+        imageStore(out_open, half_pixel, uvec4(floatBitsToUint(1.0), 0u, 0u, 0u));
+        return;
+    }
+    vec4 seen =
+        frame.anchor_from_clip * vec4(ndc_at(page_place(frame, middle_px), frame.page_px), depth, 1.0);
     vec3 point = seen.xyz / seen.w;
     vec4 per_px_x = frame.anchor_from_clip[0] * (2.0 / float(frame.page_px.x));
     vec4 per_px_y = frame.anchor_from_clip[1] * (2.0 / float(frame.page_px.y));
@@ -137,6 +141,6 @@ void main()
         arriving += weight * (1.0 - closed);
         whole += weight;
     }
-    float open = radius_px < horizon_least_px || depth <= 0.0 ? 1.0 : arriving / whole;
+    float open = radius_px < horizon_least_px ? 1.0 : arriving / whole;
     imageStore(out_open, half_pixel, uvec4(floatBitsToUint(vec2(open, depth)), 0u, 0u));
 }

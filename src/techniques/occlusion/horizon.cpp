@@ -60,7 +60,7 @@ gpu::ImageId add_horizon(gpu::Graph& graph, const OcclusionInputs& in, const Occ
     pass.uniform(in.frame).sample(in.depth).sample(in.normal).sample(open);
     const gpu::ImageId page = pass.write(graph.image(
         "occlusion/open", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
-    pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    pass.push(constants).dispatch_over_page(in.size_px.x, in.size_px.y);
     return page;
 }
 

@@ -8,7 +8,7 @@
 #include "shaders/octahedral.glsl"
 #include "techniques/occlusion/horizon.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(scalar, binding = 0) uniform Frame
 {

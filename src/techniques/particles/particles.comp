@@ -34,6 +34,9 @@ layout(push_constant, scalar) uniform Constants
     ParticleConstants constants;
 };
 
+layout(constant_id = 0) const uint variant = 0u;
+const bool by_groups = (variant & particles_by_groups) != 0u;
+
 // From the eye along the view, of what is seen; far beyond all where nothing is.
 float seen_at_m(ivec2 pixel)
 {
@@ -90,13 +93,16 @@ struct SpriteOver {
     vec2 away; // of the place from its middle, in radii
 };
 
+SpriteOver sprite_of(vec2 place, vec4 a, vec4 b, vec4 c)
+{
+    return SpriteOver(Sprite(a.xy, a.z, a.w, b.xy, b.z, b.w, c.x, c.y, c.zw), (place - a.xy) / a.z);
+}
+
 SpriteOver sprite_over(vec2 place, int i)
 {
     int sprite = 3 * int(texelFetch(listed_texels, i).x);
-    vec4 a = texelFetch(sprite_texels, sprite);
-    vec4 b = texelFetch(sprite_texels, sprite + 1);
-    vec4 c = texelFetch(sprite_texels, sprite + 2);
-    return SpriteOver(Sprite(a.xy, a.z, a.w, b.xy, b.z, b.w, c.x, c.y, c.zw), (place - a.xy) / a.z);
+    return sprite_of(place, texelFetch(sprite_texels, sprite), texelFetch(sprite_texels, sprite + 1),
+                     texelFetch(sprite_texels, sprite + 2));
 }
 
 // Along the sprite and across.
@@ -177,6 +183,42 @@ Mass mass_at(vec2 place, float surface_m, bool is_crisp)
     return mass;
 }
 
+// By groups: as many of the list as a group has threads, one read by each.
+const int read_at_once = 64;
+shared vec4 read[3 * read_at_once];
+
+void read_sprites(int first, int last)
+{
+    int own = int(gl_LocalInvocationIndex);
+    barrier(); // those before are through
+    if (first + own < last) {
+        int sprite = 3 * int(texelFetch(listed_texels, first + own).x);
+        for (int k = 0; k < 3; ++k) {
+            read[3 * own + k] = texelFetch(sprite_texels, sprite + k);
+        }
+    }
+    barrier();
+}
+
+// As mass_at(), of a group whose pixels are all in one tile.
+Mass mass_by_groups(vec2 place, float surface_m, bool is_crisp)
+{
+    uvec2 tile = min(listed_from_px() + frame.tile_from_px, frame.page_px - 1u) / particle_tile_px;
+    int index = int(tile.y * constants.tiles_across + tile.x);
+    int last = int(texelFetch(start_texels, index + 1).x);
+    Mass mass = Mass(0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0);
+    for (int first = int(texelFetch(start_texels, index).x); first < last; first += read_at_once) {
+        read_sprites(first, last);
+        for (int k = 0; k < min(last - first, read_at_once); ++k) {
+            SpriteOver over = sprite_of(place, read[3 * k], read[3 * k + 1], read[3 * k + 2]);
+            if (is_near(over)) {
+                add_sprite(mass, over, over.sprite.opacity, surface_m, is_crisp);
+            }
+        }
+    }
+    return mass;
+}
+
 // Where density passes a limit, as a distance in pixels, above 0 within.
 float within_px(Mass mass)
 {
@@ -196,7 +238,9 @@ void main()
 {
     ivec2 pixel = ivec2(listed_from_px() + gl_LocalInvocationID.xy);
     bool is_crisp = constants.look != particles_wash;
-    Mass mass = mass_at(page_place(frame, vec2(pixel) + 0.5), seen_at_m(pixel), is_crisp);
+    vec2 place = page_place(frame, vec2(pixel) + 0.5);
+    Mass mass = by_groups ? mass_by_groups(place, seen_at_m(pixel), is_crisp)
+                          : mass_at(place, seen_at_m(pixel), is_crisp);
     if (mass.density <= 0.0 || !has_listed_tile() || any(greaterThanEqual(uvec2(pixel), frame.size_px))) {
         return;
     }

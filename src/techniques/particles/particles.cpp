@@ -191,6 +191,7 @@ ParticleLayers add_particles(gpu::Graph& graph, const ParticleInputs& in,
     const gpu::ImageId wash = pass.modify(layers.wash);
     const gpu::ImageId hatch = pass.modify(layers.hatch);
     const gpu::ImageId lines = pass.modify(layers.lines);
+    pass.variant(in.by_groups ? shared::particles_by_groups : 0U);
     pass.read(tiles).push(constants).dispatch_indirect(tiles);
     return {.wash = wash, .hatch = hatch, .lines = lines};
 }

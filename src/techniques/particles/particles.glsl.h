@@ -15,6 +15,9 @@ SHARED_CONSTANT uint particles_wash = 1U;
 SHARED_CONSTANT uint particles_blots = 2U;
 SHARED_CONSTANT uint particles_strokes = 3U;
 
+// Bits of the variant.
+SHARED_CONSTANT uint particles_by_groups = 1U; // the pixels of a tile have one list, and read it together
+
 // A particle on the page: three texels of four floats.
 struct Sprite {
     vec2 centre_px; // on the page

@@ -106,6 +106,9 @@ struct ParticleInputs {
     gpu::ImageId depth;  ///< r32f: reversed, 0 where nothing is
     gpu::ImageId sky;    ///< rgba16f, as large as the page or of one texel: what haze fades into
     glm::uvec2 size_px{0};
+    /// The pixels of 8 x 8 read their list together, as suits a GPU: where a tile of the page is drawn, it
+    /// has to begin at a multiple of 8.
+    bool by_groups = false;
 };
 
 /// What lies under particles, and then has them too.

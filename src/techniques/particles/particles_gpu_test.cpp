@@ -33,6 +33,7 @@ public:
     Camera camera{.eye = {0.0, 0.0, 10.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.8};
     double wall_m = 1e4;
     float halves_per_m = 0.0F; ///< of haze into green
+    bool by_groups = false;
 
     [[nodiscard]] Drawn draw(const ParticleStyle& style, const std::vector<Particle>& particles) const
     {
@@ -66,7 +67,8 @@ public:
                  .sheet = gpu::import_whole(graph, "sheet", sheet.texels()),
                  .depth = depth.in(graph),
                  .sky = sky.in(graph),
-                 .size_px = size_px},
+                 .size_px = size_px,
+                 .by_groups = by_groups},
                 plan.constants, {.wash = wash.in(graph), .hatch = hatch.in(graph), .lines = lines.in(graph)});
         };
         const auto layers = [&] {
@@ -105,6 +107,40 @@ double cover(const Drawn& drawn)
         sum += 1.0 - static_cast<double>(color.y);
     }
     return sum;
+}
+
+/// More than a group reads at once, over the whole page.
+std::vector<Particle> crowd()
+{
+    std::vector<Particle> particles;
+    for (int i = 0; i < 300; ++i) {
+        const double turn = 2.4 * i;
+        const double out = 0.02 * i;
+        Particle particle = at({out * std::cos(turn), 0.6 * out * std::sin(turn), 0.01 * (i % 50)});
+        particle.trait = static_cast<float>(std::fmod(0.37 * i, 1.0));
+        particles.push_back(particle);
+    }
+    return particles;
+}
+
+TEST(Particles, AreReadByGroupsAsByPixels)
+{
+    for (const Look look : {Look::wash, Look::drawn}) {
+        ParticleStyle style = soft();
+        style.look = look;
+        style.opacity = 0.2F;
+        Page page;
+        const Drawn by_pixels = page.draw(style, crowd());
+        page.by_groups = true;
+        const Drawn by_groups = page.draw(style, crowd());
+        double off = 0.0;
+        for (size_t i = 0; i < by_pixels.wash.size(); ++i) {
+            off = std::max<double>(off, glm::length(by_pixels.wash[i] - by_groups.wash[i]));
+            off = std::max<double>(off, std::abs(by_pixels.hatch[i] - by_groups.hatch[i]));
+        }
+        EXPECT_LT(off, 2e-3);
+        EXPECT_GT(cover(by_pixels), 500.0);
+    }
 }
 
 TEST(Particles, ColourWhatTheyAreBeforeAndHideItsStrokes)

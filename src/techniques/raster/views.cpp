@@ -24,6 +24,8 @@ namespace estampe::raster {
 namespace {
 
 constexpr uint64_t most_large = 1ULL << 19U;
+/// All levels of a sun's map together want more than a page. What has no room is drawn by single threads.
+constexpr uint64_t most_tiles_of_views = 1ULL << 20U;
 constexpr uint32_t most_pixels_a_thread = 32768;
 // Pairs of cluster and view that one draw lists at most.
 constexpr uint64_t most_pairs = 1ULL << 22U;
@@ -54,7 +56,8 @@ shared::ViewsConstants constants_of(const Batch& batch, const DepthViews& views)
             .first_view = 0,
             .view_count = count,
             .large_capacity = static_cast<uint32_t>(large),
-            .tile_capacity = static_cast<uint32_t>(std::min(most_tiles, large * side_tiles * side_tiles)),
+            .tile_capacity =
+                static_cast<uint32_t>(std::min(most_tiles_of_views, large * side_tiles * side_tiles)),
             .small_area_px = std::min(views.tuning.small_area_px, most_pixels_a_thread / count),
             .groups = batch.groups,
             .image_px = glm::uvec2(0)};

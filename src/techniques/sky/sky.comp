@@ -23,6 +23,9 @@ layout(binding = 2, r16f) writeonly uniform image2D out_ink;
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_tiles = (variant & sky_has_tiles) != 0u;
+const bool has_depth = (variant & sky_has_depth) != 0u;
+
+layout(binding = 4) uniform sampler2D depth_image; // of the variant that has it
 
 layout(push_constant, scalar) uniform Constants
 {
@@ -82,6 +85,11 @@ void main()
     }
     vec2 position = vec2(pixel) + 0.5;
     vec3 d = direction_at(position);
+    if (has_depth && is_covered(depth_image, pixel, d, constants.far_m)) {
+        imageStore(out_wash, pixel, vec4(1.0));
+        imageStore(out_ink, pixel, vec4(0.0));
+        return;
+    }
     float height = clamp(d.y * 1.9, 0.0, 1.0);
     vec3 wash = graded(d, height);
     LineField field = level_strokes(d, position);

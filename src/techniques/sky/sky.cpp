@@ -89,7 +89,8 @@ Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
         before ? pass.modify(before->wash) : pass.write(graph.image("sky/wash", wash_image));
     const gpu::ImageId ink =
         before ? pass.modify(before->ink) : pass.write(graph.image("sky/ink", ink_image));
-    pass.read(in.tiles.value_or(in.frame)).variant(in.tiles ? shared::sky_has_tiles : 0U);
+    pass.read(in.tiles.value_or(in.frame)).sample(in.depth);
+    pass.variant((in.tiles ? shared::sky_has_tiles : 0U) | (in.far_m ? shared::sky_has_depth : 0U));
     const SkyLook look = look_under(style, in.towards_sun, in.daylight_rad);
     const Disc disc = disc_of(style, in.towards_sun, in.daylight_rad);
     pass.push(shared::SkyConstants{.horizon_color = look.horizon,
@@ -105,7 +106,8 @@ Sky add_sky(gpu::Graph& graph, const SkyInputs& in, const SkyStyle& style)
                                    .disc_rad = 0.5F * glm::radians(style.disc_deg),
                                    .towards_disc = disc.towards,
                                    .disc_lit = disc.lit,
-                                   .steps = static_cast<float>(style.steps)});
+                                   .steps = static_cast<float>(style.steps),
+                                   .far_m = in.far_m.value_or(0.0F)});
     if (in.tiles) {
         pass.dispatch_indirect(*in.tiles);
     } else {

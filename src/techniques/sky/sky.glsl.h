@@ -9,6 +9,7 @@ namespace estampe::shared {
 #endif
 
 SHARED_CONSTANT uint sky_has_tiles = 1U << 0U; // variant bit of sky.comp: only those of a list are painted
+SHARED_CONSTANT uint sky_has_depth = 1U << 1U; // and nothing where something near is seen
 
 struct SkyConstants {
     vec3 horizon_color;
@@ -25,6 +26,7 @@ struct SkyConstants {
     vec3 towards_disc;
     float disc_lit; // share of its width that shines
     float steps;    // flat tones; 0 is an even grade
+    float far_m;    // from the eye: of the variant that knows of depth
 };
 
 #ifdef __cplusplus

@@ -42,6 +42,7 @@ struct SkyStyle {
 
 struct SkyInputs {
     gpu::BufferId frame; ///< FrameGlobals
+    gpu::ImageId depth;  ///< r32f: reversed, 0 where nothing is
     glm::vec3 towards_sun{0.0F, 1.0F, 0.0F};
     std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
     float pixels_per_mm = 1.0F;
@@ -49,6 +50,8 @@ struct SkyInputs {
     glm::uvec2 size_px{0};
     /// Then these alone are painted, as of surface::add_far_tiles(); others are blank.
     std::optional<gpu::BufferId> tiles;
+    /// Then pixels that see something nearer to the eye are blank.
+    std::optional<float> far_m;
 };
 
 struct Sky {

@@ -30,9 +30,11 @@ SkyPixels paint(const View& view, SkyStyle style)
     style.horizon = horizon;
     style.zenith = zenith;
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{view.globals()});
+    auto depth = test::Layer::depth(view.size_px, [](glm::uvec2) { return 0.0F; });
     const auto add = [&](gpu::Graph& graph) {
         return add_sky(graph,
                        {.frame = gpu::import_whole(graph, "frame", frame),
+                        .depth = depth.in(graph),
                         .towards_sun = view.towards_sun,
                         .daylight_rad = view.daylight_rad,
                         .pixels_per_mm = view.pixels_per_mm,

@@ -13,6 +13,13 @@ vec3 direction_at(vec2 position_px)
     return -towards_eye(frame, anchor_at(frame, position_px, 1e-5));
 }
 
+// Whether what is seen in the direction `d` is nearer to the eye than that, so that no sky shows.
+bool is_covered(sampler2D depth_image, ivec2 pixel, vec3 d, float far_m)
+{
+    float depth_at_most = frame.near_m / max(0.999 * far_m * dot(d, frame.view_forward), 1e-9);
+    return frame.is_orthographic == 0u && texelFetch(depth_image, pixel, 0).x > depth_at_most;
+}
+
 // Height above the horizon, bent so that the strokes bow like a vault.
 vec2 vault(vec3 d)
 {

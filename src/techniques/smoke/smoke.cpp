@@ -162,9 +162,18 @@ Seen add_seen(gpu::Graph& graph, const shared::SmokeBox& box, const SmokeStyle& 
 
 /// Several boxes write into one image, one after the other.
 template <class Handle>
-Handle write_turn(gpu::Pass& pass, Handle into, size_t box_count)
+Handle write_turn(gpu::Pass& pass, Handle into, bool is_first)
 {
-    return box_count > 1 ? pass.modify(into) : pass.write(into);
+    return is_first ? pass.write(into) : pass.modify(into);
+}
+
+/// Whether some texel of the fields belongs to no box.
+bool has_gaps(std::span<const shared::SmokeBox> boxes, const shared::SmokeGlobals& globals)
+{
+    const glm::uvec2 sides(globals.field_cells);
+    return std::ranges::any_of(boxes, [&](const shared::SmokeBox& box) {
+        return glm::uvec2(box.cells) != sides || box.cells.z != whole_bricks(box.cells.z);
+    });
 }
 
 uint32_t shaded_variant(const Fields& in)
@@ -183,12 +192,6 @@ void bind_shadows(gpu::Pass& pass, const Fields& in, gpu::BufferId blank)
                                                                   .local_maps = blank});
     pass.uniform(shadows.frame).sample(shadows.sun_map, gpu::Format::r32f).uniform(shadows.sun_shadow);
     pass.read(shadows.local_shadows).sample(shadows.local_maps, gpu::Format::r32f);
-}
-
-/// Where boxes are of several sizes, filters come upon texels beside them, with no weight: those are numbers.
-void blank_several(gpu::Graph& graph, gpu::ImageId& field, uint32_t box_count)
-{
-    field = box_count > 1 ? gpu::add_fill(graph, "smoke/blank", field, glm::vec4(0.0F)) : field;
 }
 
 } // namespace
@@ -245,9 +248,14 @@ Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& sty
     gpu::ImageId packed =
         graph.import_image("smoke/packed", memory.packed_, memory.packed_.desc(), gpu::Layout::undefined);
     gpu::BufferId densest = gpu::import_whole(graph, "smoke/bricks", memory.bricks_);
-    for (gpu::ImageId* const field : {&shape, &light, &packed}) {
-        blank_several(graph, *field, known.box_count);
+    // Filters come upon texels beside boxes, with no weight: those have to be numbers.
+    const bool is_blank = boxes.size() > 1 && has_gaps(boxes, known);
+    if (is_blank) {
+        for (gpu::ImageId* const field : {&shape, &light, &packed}) {
+            *field = gpu::add_fill(graph, "smoke/blank", *field, glm::vec4(0.0F));
+        }
     }
+    const auto is_first = [&](shared::SmokeTurn turn) { return turn.box == 0 && !is_blank; };
     std::vector<Seen> seen;
     for (shared::SmokeTurn turn{.box = 0}; turn.box < boxes.size(); ++turn.box) {
         const shared::SmokeBox& box = boxes[turn.box];
@@ -256,7 +264,7 @@ Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& sty
         const gpu::BufferId puffs = style.puffs ? add_puffs(graph, box, in.globals, density, turn) : blank;
         auto pass = graph.compute("smoke/shape", shaders::smoke_shape_comp);
         pass.uniform(in.globals).sample(density).sample(puffs, gpu::Format::rgba32f);
-        shape = write_turn(pass, shape, boxes.size());
+        shape = write_turn(pass, shape, is_first(turn));
         pass.variant(style.puffs ? shared::smoke_has_puffs : 0U).push(turn);
         pass.dispatch(groups_of(box.cells.x, 8), groups_of(box.cells.y, 8), box.cells.z);
     }
@@ -265,7 +273,7 @@ Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& sty
         auto pass = graph.compute("smoke/light", shaders::smoke_light_comp);
         pass.uniform(in.globals).sample(shape, gpu::Sampling::linear);
         bind_shadows(pass, in, blank);
-        light = write_turn(pass, light, boxes.size());
+        light = write_turn(pass, light, is_first(turn));
         pass.variant(several | shaded).push(turn);
         pass.dispatch(groups_of(cells.x, 8), groups_of(cells.y, 8), cells.z);
     }
@@ -275,8 +283,8 @@ Volume add_volume(gpu::Graph& graph, VolumeMemory& memory, const SmokeStyle& sty
         const std::optional<gpu::ImageId>& fire = seen[turn.box].fire;
         pass.uniform(in.globals).sample(shape).sample(light, gpu::Sampling::linear);
         pass.sample(fire.value_or(shape));
-        packed = write_turn(pass, packed, boxes.size());
-        densest = write_turn(pass, densest, boxes.size());
+        packed = write_turn(pass, packed, is_first(turn));
+        densest = write_turn(pass, densest, turn.box == 0);
         pass.variant(several | (fire ? shared::smoke_has_fire : 0U)).push(turn);
         pass.dispatch(bricks.x, bricks.y, bricks.z);
     }
@@ -313,7 +321,7 @@ gpu::ImageId add_thrown(gpu::Graph& graph, const Volume& volume, const SmokeStyl
     pass.push(shared::SmokeThrown{.towards_sun = in.towards_sun, .strength = style.shadow})
         .variant((volume.has_several ? shared::smoke_has_several : 0U) |
                  (in.share ? shared::smoke_has_share : 0U));
-    pass.dispatch_over(size_px.x, size_px.y);
+    pass.dispatch_over_page(size_px.x, size_px.y);
     return share;
 }
 
@@ -350,7 +358,7 @@ Layer add_ink(gpu::Graph& graph, const SmokeStyle& style, const InkInputs& in)
     pass.variant((style.medium != Medium::strokes ? shared::smoke_has_wash : 0U) |
                  (style.medium != Medium::wash ? shared::smoke_has_strokes : 0U) |
                  (in.haze ? shared::smoke_has_haze : 0U) | (is_burning(style) ? shared::smoke_has_fire : 0U));
-    pass.dispatch_over(size_px.x, size_px.y);
+    pass.dispatch_over_page(size_px.x, size_px.y);
     return {paint, ink};
 }
 

@@ -4,10 +4,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_control_flow_attributes : require
 
 #include "shaders/frame.glsl.h"
 #include "shaders/light_variant.glsl.h"
-#include "shaders/rounds.glsl"
 #include "techniques/shadow/local.glsl.h"
 #include "techniques/shadow/sun.glsl.h"
 #include "techniques/smoke/smoke.glsl.h"
@@ -75,9 +75,14 @@ float depth_through(uint number, vec3 origin, vec3 direction, float distance)
     int count = clamp(int(ceil(reach / stride)), 1, most_strides);
     float way = min(reach, stride * float(count)) / float(count);
     float dense = 0.0;
-    for (int i = 0; i < rounds(count, int(gl_GlobalInvocationID.x)); ++i) {
-        dense += sample_layers(shape, origin + (from + (float(i) + 0.5) * way) * direction, cells,
-                               vec2(smoke.field_cells.xy), float(smoke.boxes[number].first_layer));
+    for (int i = 0; i < count; i += 4) {
+        [[unroll]] for (int k = 0; k < 4; ++k) // which are waited for together
+        {
+            vec3 place = origin + (from + (float(min(i + k, count - 1)) + 0.5) * way) * direction;
+            float there = sample_layers(shape, place, cells, vec2(smoke.field_cells.xy),
+                                        float(smoke.boxes[number].first_layer));
+            dense += i + k < count ? there : 0.0;
+        }
     }
     return dense * way * smoke.boxes[number].cell_m * smoke.boxes[number].extinction_per_m;
 }

@@ -8,7 +8,7 @@
 #include "techniques/smoke/smoke.glsl.h"
 #include "techniques/smoke/smoke_ray.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_several = (variant & smoke_has_several) != 0u;

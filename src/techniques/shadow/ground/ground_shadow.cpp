@@ -135,7 +135,7 @@ gpu::ImageId add_ground_share(gpu::Graph& graph, const GroundShareInputs& in)
     pass.uniform(in.frame).sample(in.depth).sample(in.kept, gpu::Format::r32ui);
     const gpu::ImageId share = pass.write(graph.image(
         "ground/share", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::r16f}));
-    pass.push(constants).dispatch_over(in.size_px.x, in.size_px.y);
+    pass.push(constants).dispatch_over_page(in.size_px.x, in.size_px.y);
     return share;
 }
 

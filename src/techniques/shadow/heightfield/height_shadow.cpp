@@ -104,14 +104,14 @@ gpu::ImageId add_sweep(gpu::Graph& graph, const HeightShadowInputs& in, const Fi
 /// Slopes of a horizon between which it makes a difference.
 glm::vec2 slopes_that_matter(const Fields& fields, double radius_rad, Written written)
 {
-    if (written == Written::horizon) {
-        return {0.0F, steepest};
-    }
     const auto slope = [](double rad) {
         return rad < 1.57 ? std::clamp(static_cast<float>(std::tan(rad)), 0.0F, steepest) : steepest;
     };
-    return {slope(std::max(fields.elevation_rad - radius_rad, 0.0)),
-            slope(std::max(fields.elevation_rad + radius_rad, 0.0))};
+    // An edge lies between a texel whose horizon is below the sun and one whose horizon is above: far from
+    // it a horizon moves the edge by a small part of a texel.
+    const double reach_rad = written == Written::horizon ? std::max(0.15, 16.0 * radius_rad) : radius_rad;
+    return {slope(std::max(fields.elevation_rad - reach_rad, 0.0)),
+            slope(std::max(fields.elevation_rad + reach_rad, 0.0))};
 }
 
 gpu::ImageId add_pyramid(gpu::Graph& graph, const HeightShadowInputs& in, const Fields& fields,

@@ -57,7 +57,8 @@ struct HeightShadowInputs {
 /// How far the horizon stands above the sun's centre, in radians, negative below: r16f, finest near 0. Read
 /// between texels by linear filtering and given to `share_of_disc` of shaders/sun_disc.glsl, divided by the
 /// sun's radius, it draws edges finer than texels. By sweep, or by pyramid; march, which knows no horizon, is
-/// an std::logic_error. Costs as add_height_shadow; the pyramid's search cannot stop early.
+/// an std::logic_error. By pyramid no farther from the sun's centre than 0.15 rad, or 16 of its radii. Costs
+/// as add_height_shadow.
 [[nodiscard]] gpu::ImageId add_height_horizon(gpu::Graph& graph, const HeightShadowInputs& in,
                                               const HeightShadowStyle& style = {});
 

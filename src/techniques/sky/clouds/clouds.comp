@@ -27,6 +27,13 @@ layout(binding = 5, rgba16f) uniform image2D wash_image;
 layout(binding = 6, r16f) uniform image2D ink_image;
 layout(binding = 7, r16f) writeonly uniform image2D out_cover; // of the variant that keeps it
 
+layout(binding = 9) uniform sampler2D depth_image; // of the variant that has one
+
+layout(push_constant, scalar) uniform Constants
+{
+    CloudCover over;
+};
+
 #define TILE_LIST_BINDING 8
 #include "shaders/tile_list.glsl" // of the variant that has one
 
@@ -35,6 +42,7 @@ const bool have_hatching = (variant & clouds_have_hatching) != 0u;
 const bool have_streaks = (variant & clouds_have_streaks) != 0u;
 const bool keep_cover = (variant & clouds_keep_cover) != 0u;
 const bool have_tiles = (variant & clouds_have_tiles) != 0u;
+const bool have_depth = (variant & clouds_have_depth) != 0u;
 
 #include "techniques/sky/clouds/puffs.glsl"
 #include "techniques/sky/clouds/streaks.glsl"
@@ -71,7 +79,7 @@ void main()
     const float lowest = 0.012; // of a direction: below, clouds are too far
     vec2 position = vec2(pixel) + 0.5;
     vec3 d = direction_at(position);
-    if (d.y < lowest) {
+    if (d.y < lowest || (have_depth && is_covered(depth_image, pixel, d, over.far_m))) {
         return;
     }
     vec3 right = direction_at(position + vec2(1.0, 0.0));

@@ -234,9 +234,10 @@ CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky)
     const glm::uvec2 cover_px = in.keeps_cover ? in.size_px : glm::uvec2(1);
     const gpu::ImageId cover = pass.write(graph.image(
         "clouds/cover", {.width = cover_px.x, .height = cover_px.y, .format = gpu::Format::r16f}));
-    pass.read(in.tiles.value_or(in.globals));
+    pass.read(in.tiles.value_or(in.globals)).sample(in.depth);
     pass.variant(in.variant | (in.keeps_cover ? shared::clouds_keep_cover : 0U) |
-                 (in.tiles ? shared::clouds_have_tiles : 0U));
+                 (in.tiles ? shared::clouds_have_tiles : 0U) | (in.far_m ? shared::clouds_have_depth : 0U));
+    pass.push(shared::CloudCover{.far_m = in.far_m.value_or(0.0F)});
     if (in.tiles) {
         pass.dispatch_indirect(*in.tiles);
     } else {

@@ -15,6 +15,7 @@ SHARED_CONSTANT uint clouds_have_streaks = 1U << 1U;
 SHARED_CONSTANT uint clouds_have_share = 1U << 2U; // of the sun, that something else leaves
 SHARED_CONSTANT uint clouds_keep_cover = 1U << 3U; // for a mask
 SHARED_CONSTANT uint clouds_have_tiles = 1U << 4U; // only those of a list are painted
+SHARED_CONSTANT uint clouds_have_depth = 1U << 5U; // and none over what is near
 
 SHARED_CONSTANT uint most_puff_layers = 2U;
 
@@ -66,6 +67,11 @@ struct CloudGlobals {
     float hatch_darkness;
     float hatch_width_px;
     float reach_m; // what is farther dissolves
+};
+
+// Of the variant that knows of depth.
+struct CloudCover {
+    float far_m; // what is nearer than that to the eye has no sky before it
 };
 
 struct CloudShadow {

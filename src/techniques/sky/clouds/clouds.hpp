@@ -72,11 +72,14 @@ struct CloudInputs {
     gpu::BufferId starts;
     gpu::BufferId puffs;
     gpu::BufferId streaks;
+    gpu::ImageId depth; ///< r32f: reversed, 0 where nothing is
     uint32_t variant = 0;
     bool keeps_cover = false; ///< for a mask of them
     glm::uvec2 size_px{0};
     /// Then these alone are painted, as of surface::add_far_tiles(), without a mask.
     std::optional<gpu::BufferId> tiles;
+    /// Then pixels that see something nearer to the eye are left alone.
+    std::optional<float> far_m;
 };
 
 /// A sky, and what of it clouds cover: r16f, one texel where that is not kept.
@@ -88,7 +91,7 @@ struct CloudedSky {
 /// Paints clouds into a sky: its wash is theirs where they are, its strokes end at them. Not in parallel
 /// projection, which sees one direction alone.
 ///
-/// Cost    one dispatch, over the page or a list of tiles
+/// Cost    one dispatch, over the page or a list of tiles; walks where sky may show
 /// Source  the walk through cells: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
 ///         Eurographics 1987
 [[nodiscard]] CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky);

@@ -37,18 +37,23 @@ Painted paint(const View& view, const std::optional<CloudPlan>& plan)
     gpu::Buffer starts = gpu::upload_buffer(device, "cloud cells", of.shapes->starts);
     gpu::Buffer puffs = gpu::upload_buffer(device, "puffs", of.shapes->puffs);
     gpu::Buffer streaks = gpu::upload_buffer(device, "streaks", of.shapes->streaks);
+    auto depth = test::Layer::depth(view.size_px, [](glm::uvec2) { return 0.0F; });
     const auto add = [&](gpu::Graph& graph) {
         const gpu::BufferId frame_id = gpu::import_whole(graph, "frame", frame);
-        const Sky bare = add_sky(
-            graph,
-            {.frame = frame_id, .towards_sun = view.towards_sun, .drawn = true, .size_px = view.size_px},
-            sky);
+        const Sky bare = add_sky(graph,
+                                 {.frame = frame_id,
+                                  .depth = depth.in(graph),
+                                  .towards_sun = view.towards_sun,
+                                  .drawn = true,
+                                  .size_px = view.size_px},
+                                 sky);
         return plan ? add_clouds(graph,
                                  {.frame = frame_id,
                                   .globals = gpu::import_whole(graph, "clouds", globals),
                                   .starts = gpu::import_whole(graph, "cloud cells", starts),
                                   .puffs = gpu::import_whole(graph, "puffs", puffs),
                                   .streaks = gpu::import_whole(graph, "streaks", streaks),
+                                  .depth = depth.in(graph),
                                   .variant = of.variant,
                                   .size_px = view.size_px},
                                  bare)

@@ -61,7 +61,8 @@ gpu::ImageId add_drift(gpu::Graph& graph, const DriftInputs& in, const shared::D
     auto pass = graph.compute("drift/ink", shaders::drift_ink_comp);
     pass.read(drawn);
     const gpu::ImageId over = pass.modify(lines);
-    pass.push(shared::DriftInk{.ink = ink, .size_px = in.size_px}).dispatch_over(in.size_px.x, in.size_px.y);
+    pass.push(shared::DriftInk{.ink = ink, .size_px = in.size_px})
+        .dispatch_over_page(in.size_px.x, in.size_px.y);
     return over;
 }
 

@@ -6,7 +6,7 @@
 
 #include "techniques/terrain/drift/drift.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(scalar, binding = 0) readonly buffer Ink
 {

@@ -129,7 +129,7 @@ gpu::ImageId add_trail_relief(gpu::Graph& graph, const ReliefInputs& in, const T
                                   .texel_m = static_cast<float>(trails.texel_m),
                                   .draw = in.terrain_draw,
                                   .towards_sun = in.towards_sun})
-        .dispatch_over(in.size_px.x, in.size_px.y);
+        .dispatch_over_page(in.size_px.x, in.size_px.y);
     return bent;
 }
 
