@@ -30,7 +30,7 @@ SkyPixels paint(const View& view, SkyStyle style)
     style.horizon = horizon;
     style.zenith = zenith;
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{view.globals()});
-    auto depth = test::Layer::depth(view.size_px, [](glm::uvec2) { return 0.0F; });
+    auto depth = test::Layer::depth(view.size_px, [&](glm::uvec2 pixel) { return view.depth_at(pixel); });
     const auto add = [&](gpu::Graph& graph) {
         return add_sky(graph,
                        {.frame = gpu::import_whole(graph, "frame", frame),
@@ -39,7 +39,8 @@ SkyPixels paint(const View& view, SkyStyle style)
                         .daylight_rad = view.daylight_rad,
                         .pixels_per_mm = view.pixels_per_mm,
                         .drawn = view.drawn,
-                        .size_px = view.size_px},
+                        .size_px = view.size_px,
+                        .far_m = view.far_m},
                        style);
     };
     gpu::Graph for_wash;
@@ -58,6 +59,18 @@ double smoothstep(double low, double high, double x)
 double zenith_share(const glm::vec4& wash)
 {
     return static_cast<double>((wash.x - horizon.x) / (zenith.x - horizon.x));
+}
+
+TEST(Sky, IsBlankBehindWhatIsNear)
+{
+    View view{.camera = looking(20.0, 25.0, 1.2)};
+    const SkyPixels all = paint(view, {});
+    view.far_m = 100.0F;
+    const SkyPixels seen = paint(view, {});
+    for (size_t i = 0; i < all.wash.size(); ++i) {
+        EXPECT_EQ(seen.wash[i], view.is_covered(i) ? glm::vec4(1.0F) : all.wash[i]) << i;
+        EXPECT_EQ(seen.ink[i], view.is_covered(i) ? 0.0F : all.ink[i]) << i;
+    }
 }
 
 TEST(Sky, WashGoesFromHorizonToZenithByItsEquation)

@@ -18,6 +18,19 @@ struct View {
     float pixels_per_mm = 3.0F;
     bool drawn = true;
     std::optional<float> daylight_rad = {};
+    std::optional<float> far_m = {}; ///< then a wall at 50 m hides the left half, and one at 200 m a third
+
+    /// Reversed, of what is seen at a pixel.
+    [[nodiscard]] float depth_at(glm::uvec2 pixel) const
+    {
+        const float away_m = 2 * pixel.x < size_px.x ? 50.0F : 6 * pixel.x < 5 * size_px.x ? 200.0F : 1e30F;
+        const auto forward = glm::normalize(camera.target - camera.eye);
+        const auto straight = glm::dot(direction(glm::dvec2(pixel) + 0.5), forward);
+        return far_m ? static_cast<float>(camera.near_m / (static_cast<double>(away_m) * straight)) : 0.0F;
+    }
+
+    /// Whether that is nearer.
+    [[nodiscard]] bool is_covered(size_t i) const { return far_m && 2 * (i % size_px.x) < size_px.x; }
 
     [[nodiscard]] shared::FrameGlobals globals() const
     {

@@ -37,7 +37,7 @@ Painted paint(const View& view, const std::optional<CloudPlan>& plan)
     gpu::Buffer starts = gpu::upload_buffer(device, "cloud cells", of.shapes->starts);
     gpu::Buffer puffs = gpu::upload_buffer(device, "puffs", of.shapes->puffs);
     gpu::Buffer streaks = gpu::upload_buffer(device, "streaks", of.shapes->streaks);
-    auto depth = test::Layer::depth(view.size_px, [](glm::uvec2) { return 0.0F; });
+    auto depth = test::Layer::depth(view.size_px, [&](glm::uvec2 pixel) { return view.depth_at(pixel); });
     const auto add = [&](gpu::Graph& graph) {
         const gpu::BufferId frame_id = gpu::import_whole(graph, "frame", frame);
         const Sky bare = add_sky(graph,
@@ -55,7 +55,8 @@ Painted paint(const View& view, const std::optional<CloudPlan>& plan)
                                   .streaks = gpu::import_whole(graph, "streaks", streaks),
                                   .depth = depth.in(graph),
                                   .variant = of.variant,
-                                  .size_px = view.size_px},
+                                  .size_px = view.size_px,
+                                  .far_m = view.far_m},
                                  bare)
                           .sky
                     : bare;
@@ -132,6 +133,21 @@ TEST(Clouds, CoverTheShareOfTheSkyThatIsAskedFor)
                                          .white);
         EXPECT_NEAR(streaked, static_cast<double>(share), 0.05);
     }
+}
+
+TEST(Clouds, AreNotPaintedBehindWhatIsNear)
+{
+    View view{.camera = looking(14.0, 30.0, 0.7), .size_px = {160, 100}};
+    const Painted all = paint(view, all_kinds);
+    view.far_m = 100.0F;
+    const Painted seen = paint(view, all_kinds);
+    size_t hidden = 0;
+    for (size_t i = 0; i < all.white.size(); ++i) {
+        EXPECT_EQ(seen.white[i], view.is_covered(i) ? 0.0F : all.white[i]) << i;
+        EXPECT_EQ(seen.ink[i], view.is_covered(i) ? 0.0F : all.ink[i]) << i;
+        hidden += seen.white[i] != all.white[i] ? 1 : 0;
+    }
+    EXPECT_GT(hidden, 500U);
 }
 
 TEST(Clouds, StandStillInTheWorldAsTheCameraTurns)
