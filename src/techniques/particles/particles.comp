@@ -185,7 +185,7 @@ Mass mass_at(vec2 place, float surface_m, bool is_crisp)
 
 // By groups: as many of the list as a group has threads, one read by each.
 const int read_at_once = 64;
-shared vec4 read[3 * read_at_once];
+shared vec4 held[3 * read_at_once];
 
 void read_sprites(int first, int last)
 {
@@ -194,7 +194,7 @@ void read_sprites(int first, int last)
     if (first + own < last) {
         int sprite = 3 * int(texelFetch(listed_texels, first + own).x);
         for (int k = 0; k < 3; ++k) {
-            read[3 * own + k] = texelFetch(sprite_texels, sprite + k);
+            held[3 * own + k] = texelFetch(sprite_texels, sprite + k);
         }
     }
     barrier();
@@ -210,7 +210,7 @@ Mass mass_by_groups(vec2 place, float surface_m, bool is_crisp)
     for (int first = int(texelFetch(start_texels, index).x); first < last; first += read_at_once) {
         read_sprites(first, last);
         for (int k = 0; k < min(last - first, read_at_once); ++k) {
-            SpriteOver over = sprite_of(place, read[3 * k], read[3 * k + 1], read[3 * k + 2]);
+            SpriteOver over = sprite_of(place, held[3 * k], held[3 * k + 1], held[3 * k + 2]);
             if (is_near(over)) {
                 add_sprite(mass, over, over.sprite.opacity, surface_m, is_crisp);
             }
