@@ -303,7 +303,8 @@ subsurface::SubsurfaceInputs subsurface_inputs(const Making& making, const Posed
             .pixels_per_mm = making.plan.page.pixels_per_mm,
             .size_px = making.sample.size_px,
             .from_px = glm::uvec2(making.sample.from_px),
-            .on_processor = making.plan.raster.on_processor};
+            .on_processor = making.plan.raster.on_processor,
+            .in_perspective = !making.plan.page.pixel.is_parallel};
 }
 
 ShadowMaps add_shadow_maps(const Making& making, const PosedScene& scene)

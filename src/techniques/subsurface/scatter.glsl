@@ -56,6 +56,13 @@ float ahead_m(vec3 point)
     return dot(point - frame.eye_anchor, frame.view_forward);
 }
 
+// The same of what is seen at a place of the page.
+float ahead_at(vec2 position_px, float depth, bool in_perspective)
+{
+    float held = max(depth, 1e-9);
+    return in_perspective ? frame.near_m / held : ahead_m(anchor_at(frame, position_px, held));
+}
+
 // What a pixel of the page spans so far along the view.
 float pixel_m_at(float ahead)
 {

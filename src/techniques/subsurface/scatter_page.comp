@@ -28,6 +28,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool shines = (variant & subsurface_shines) != 0u;
 const bool spreads = (variant & subsurface_spreads) != 0u;
 const bool looks_less = (variant & subsurface_looks_less) != 0u;
+const bool in_perspective = (variant & subsurface_in_perspective) != 0u;
 
 layout(binding = 7, rgba16f) uniform image2D light;
 
@@ -56,8 +57,7 @@ void main()
     uint look = look_of(word);
     bool takes = takes_light_in(word);
     vec3 scatter_m = spreads && takes ? look_scatter(look).rgb : vec3(0.0);
-    float ahead =
-        ahead_m(anchor_at(frame, vec2(pixel) + 0.5, max(texelFetch(depth_image, pixel, 0).x, 1e-9)));
+    float ahead = ahead_at(vec2(pixel) + 0.5, texelFetch(depth_image, pixel, 0).x, in_perspective);
     float pixel_m = pixel_m_at(ahead);
     vec3 spread_px = spread_px_of(scatter_m, pixel_m);
     bool scatters = !holds_all(kept_below_px(), max(max(spread_px.r, spread_px.g), spread_px.b));

@@ -26,6 +26,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool shines = (variant & subsurface_shines) != 0u;
 const bool spreads = (variant & subsurface_spreads) != 0u;
 const bool looks_less = (variant & subsurface_looks_less) != 0u;
+const bool in_perspective = (variant & subsurface_in_perspective) != 0u;
 
 // Of the far side, on the half page.
 layout(binding = 6) uniform usampler2D far_draw_image; // 0 where no light comes through
@@ -113,7 +114,7 @@ void main()
     uint look = look_of(word);
     vec4 scatter_m = takes_light_in(word) ? look_scatter(look) : vec4(0.0);
     float depth = texelFetch(depth_image, pixel, 0).x;
-    float ahead = ahead_m(anchor_at(frame, vec2(pixel) + 0.5, max(depth, 1e-9)));
+    float ahead = ahead_at(vec2(pixel) + 0.5, depth, in_perspective);
     vec3 through = vec3(0.0);
     float takes = takes_nothing;
     if (shines) {

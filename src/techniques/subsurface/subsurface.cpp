@@ -56,10 +56,11 @@ uint32_t bind_looks(gpu::Pass& pass, const SubsurfaceInputs& in)
     return in.look_of_draw ? shared::subsurface_has_looks : 0U;
 }
 
-/// How far a pass looks about, as a bit of its variant.
+/// How far a pass looks about, and along which view, as bits of its variant.
 uint32_t looking(const SubsurfaceInputs& in)
 {
-    return in.on_processor ? shared::subsurface_looks_less : 0U;
+    return (in.on_processor ? shared::subsurface_looks_less : 0U) |
+           (in.in_perspective ? shared::subsurface_in_perspective : 0U);
 }
 
 /// Of so many blurs.

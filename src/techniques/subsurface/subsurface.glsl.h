@@ -51,6 +51,7 @@ SHARED_CONSTANT uint subsurface_spreads = 8U; // light comes out beside where it
 // Neighbours are looked at only where they count: on a GPU all are, by loads that do not wait for one
 // another.
 SHARED_CONSTANT uint subsurface_looks_less = 16U;
+SHARED_CONSTANT uint subsurface_in_perspective = 32U;
 
 #ifdef __cplusplus
 static_assert(sizeof(SubsurfaceLook) == 48);
