@@ -160,7 +160,7 @@ private:
     int start_;
     temple::World world_;
     std::optional<temple::Flight> flight_;
-    Style base_ = Style::load("temple-day");
+    Style base_;
     std::optional<Renderer> renderer_;
     std::vector<double> gpu_ms_;
     std::map<std::string, double> passes_ms_; ///< on average

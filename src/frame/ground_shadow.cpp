@@ -33,7 +33,7 @@ void GroundShadow::provide(gpu::Device& device, const GroundShadowPlan& plan)
 bool GroundShadow::is_held(const GroundShadowPlan& plan, uint32_t level, uint64_t form) const
 {
     return stands(plan, level) && !is_in_part_ && held_->form == form &&
-           held_->plan.towards_sun == plan.towards_sun;
+           held_->plan.towards_sun == plan.towards_sun && held_->plan.sun_radius_rad == plan.sun_radius_rad;
 }
 
 bool GroundShadow::stands(const GroundShadowPlan& plan, uint32_t level) const
@@ -74,7 +74,8 @@ gpu::ImageId GroundShadow::add_share(gpu::Graph& graph, terrain::TerrainBuffers&
                                           .levels = plan.levels,
                                           .size = plan.size,
                                           .method = plan.method,
-                                          .wanted = wanted},
+                                          .wanted = wanted,
+                                          .sun_radius_rad = plan.sun_radius_rad},
                                          plan.towards_sun, kept);
     }
     return shadow::add_ground_share(graph, {.frame = in.frame,

@@ -111,10 +111,14 @@ gpu::BufferId add_ground_fields(gpu::Graph& graph, const GroundFields& fields, c
     for (const uint32_t number : fields.numbers) {
         texel_m.push_back(fields.levels[number].texel_m);
     }
-    const gpu::ImageId horizon = add_height_horizon(
-        graph,
-        {.height = fields.height, .texel_m = texel_m, .towards_sun = towards_sun, .wanted = fields.wanted},
-        {.method = fields.method});
+    const gpu::ImageId horizon =
+        add_height_horizon(graph,
+                           {.height = fields.height,
+                            .texel_m = texel_m,
+                            .towards_sun = towards_sun,
+                            .sun_radius_rad = std::max(static_cast<double>(fields.sun_radius_rad), 1e-4),
+                            .wanted = fields.wanted},
+                           {.method = fields.method});
     auto pass = graph.compute("ground/keep", shaders::ground_keep_comp);
     pass.sample(fields.height).sample(horizon);
     const gpu::BufferId result = pass.modify(kept);

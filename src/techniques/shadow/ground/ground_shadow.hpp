@@ -47,6 +47,7 @@ struct GroundFields {
     uint32_t size = 0;
     HeightMethod method = HeightMethod::sweep; ///< not the march
     shared::FieldSector wanted{};              ///< of a pyramid; other texels are kept as they were
+    float sun_radius_rad = 0.0F;               ///< how far about the sun horizons are wanted hangs on it
 };
 
 /// Brings some fields of `kept`, a word a texel, level by level, up to date. Cost: that of

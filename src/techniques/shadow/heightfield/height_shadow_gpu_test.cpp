@@ -387,6 +387,17 @@ TEST(HeightShadow, FieldsTogetherAreAsEachAlone)
     }
 }
 
+TEST(HeightShadow, HorizonsAreKnownAsFarFromABroadSunAsItIsSeen)
+{
+    const Field level{.ground = [](glm::dvec2) { return 0.0; }};
+    for (const auto& [radius_rad, below_rad] : {std::pair(0.005, 0.15), {0.02, 0.32}, {0.2, 0.5}}) {
+        const Sky sky{.elevation_rad = 0.5, .radius_rad = radius_rad};
+        for (const float horizon : shadow_of(level, sky, by_pyramid, true)) {
+            ASSERT_NEAR(static_cast<double>(horizon), -below_rad, 1e-3) << radius_rad;
+        }
+    }
+}
+
 TEST(HeightShadow, HorizonsOfASectorAreThoseOfTheWholeFieldAndTakeNoHeightsBeside)
 {
     for (const double azimuth : {0.4, 1.9, 3.3, 5.6}) {
