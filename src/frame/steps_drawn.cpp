@@ -521,23 +521,38 @@ paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
             .size_px = making.sample.size_px};
 }
 
+namespace {
+
+/// The pixels of the last sample; those before it end in their sums, and nobody sees pixels yet.
+gpu::BufferId add_sample(const Making& making, const paper::ComposeInputs& layers, gpu::BufferId pixels)
+{
+    gpu::Graph& graph = making.graph;
+    const paper::Accumulation& accumulation = making.sample.accumulation;
+    if (accumulation.sample_count == 1) {
+        return paper::add_pixels(graph, layers, making.style.paper, pixels);
+    }
+    const gpu::ImageId composed = paper::add_compose(graph, layers, making.style.paper);
+    return paper::add_develop(graph, composed, paper::import_sums(graph, making.resources.sums, accumulation),
+                              pixels, making.sample.size_px, accumulation)
+        .pixels;
+}
+
+} // namespace
+
 void add_picture(const Making& making, const paper::ComposeInputs& layers)
 {
     gpu::Graph& graph = making.graph;
     const glm::uvec2 size_px = making.sample.size_px;
-    const paper::Accumulation& accumulation = making.sample.accumulation;
-    const auto composed = paper::add_compose(graph, layers, making.style.paper);
-    const auto pixels = graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y});
-    const paper::Developed developed =
-        paper::add_develop(graph, composed, paper::import_sums(graph, making.resources.sums, accumulation),
-                           pixels, size_px, accumulation);
-    if (!accumulation.is_last()) {
-        return; // their sums go on, and nobody sees pixels yet
-    }
-    if (const VulkanPicture* target = making.resources.target) {
-        gpu::add_hand_over(graph, developed.pixels, *target, size_px);
-    } else {
-        gpu::add_read_back(graph, "read back", developed.pixels, making.resources.pixels);
+    const VulkanPicture* target = making.resources.target;
+    const bool is_last = making.sample.accumulation.is_last();
+    const gpu::BufferId pixels = add_sample(
+        making, layers,
+        target == nullptr && is_last ? gpu::import_whole(graph, "pixels", making.resources.pixels)
+                                     : graph.buffer("pixels", {.size_bytes = 4ULL * size_px.x * size_px.y}));
+    if (is_last && target != nullptr) {
+        gpu::add_hand_over(graph, pixels, *target, size_px);
+    } else if (is_last) {
+        gpu::add_host_read(graph, "read back", pixels);
     }
 }
 

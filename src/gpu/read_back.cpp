@@ -17,7 +17,7 @@ void add_copy(Graph& graph, std::string_view name, Id from, Buffer& to, const Co
     pass.touch(from, Access::transfer_read);
     const BufferId copied = pass.touch_write(import_whole(graph, name, to), Access::transfer_write);
     pass.execute([=](Recorder& recorder) { copy(recorder, recorder.buffer(copied).handle()); });
-    graph.custom(Name(name) + "/host").touch(copied, Access::host_read).keep();
+    add_host_read(graph, Name(name) + "/host", copied);
 }
 
 void change_layout(VkCommandBuffer commands, const VkImageMemoryBarrier2& change)
@@ -75,6 +75,11 @@ void add_hand_over(Graph& graph, BufferId pixels, const VulkanPicture& picture, 
         change.newLayout = picture.layout_after;
         change_layout(recorder.commands(), change);
     });
+}
+
+void add_host_read(Graph& graph, std::string_view name, BufferId written)
+{
+    graph.custom(name).touch(written, Access::host_read).keep();
 }
 
 void add_read_back(Graph& graph, std::string_view name, BufferId from, Buffer& to)

@@ -21,6 +21,9 @@ void add_read_back(Graph& graph, std::string_view name, BufferId from, Buffer& t
 /// The same of an image, its first layer and mip, row by row without gaps.
 void add_read_back(Graph& graph, std::string_view name, ImageId from, Buffer& to);
 
+/// The host reads `written`, an imported buffer of MemoryUse::readback, after the run.
+void add_host_read(Graph& graph, std::string_view name, BufferId written);
+
 /// Copies the start of `from`, as much as `to` holds, for graphs that run later; `to` is no larger, and
 /// outlives the run of `graph`.
 void add_copy_out(Graph& graph, std::string_view name, BufferId from, Buffer& to);

@@ -15,6 +15,12 @@ vec3 srgb_from_linear(vec3 linear)
     return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
 }
 
+// Red in the lowest byte, opaque.
+uint srgb_bytes(vec3 linear)
+{
+    return packUnorm4x8(vec4(srgb_from_linear(clamp(linear, 0.0, 1.0)), 1.0));
+}
+
 vec3 linear_from_srgb(vec3 encoded)
 {
     vec3 high = pow((encoded + 0.055) / 1.055, vec3(2.4));

@@ -11,7 +11,8 @@
 #include "shaders/rounds.glsl"
 #include "techniques/paper/paper.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 32) in;
+// A warp writes a whole line of memory, which is what a bus to the host wants.
+layout(local_size_x = 32, local_size_y = 8) in;
 
 layout(scalar, binding = 0) uniform Frame
 {
@@ -29,6 +30,11 @@ layout(binding = 8) uniform sampler2D smoke_ink_image;
 layout(binding = 9, rgba16f) writeonly uniform image2D out_picture;
 layout(binding = 10, rgba32f) writeonly uniform image2D out_stage; // of the variant that is staged
 
+layout(std430, binding = 11) writeonly buffer Pixels // of the variant that develops
+{
+    uint pixels[];
+};
+
 layout(push_constant, scalar) uniform Constants
 {
     PaperConstants constants;
@@ -41,6 +47,7 @@ const bool has_ink = (variant & compose_has_ink) != 0u;
 const bool has_smoke = (variant & compose_has_smoke) != 0u;
 const bool is_staged = (variant & compose_is_staged) != 0u;
 const bool has_margin = (variant & compose_has_margin) != 0u;
+const bool develops = (variant & compose_develops) != 0u;
 const bool has_grain = (variant & compose_has_grain) != 0u;
 
 // How far the edge of the window strays at most, to and fro.
@@ -186,6 +193,8 @@ void main()
                       : constants.stage == stage_ink   ? flow_cover
                                                        : 1.0;
         imageStore(out_stage, pixel, vec4(color, cover));
+    } else if (develops) {
+        pixels[uint(pixel.y) * frame.size_px.x + uint(pixel.x)] = srgb_bytes(color);
     } else {
         imageStore(out_picture, pixel, vec4(color, 1.0));
     }

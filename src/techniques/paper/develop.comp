@@ -51,6 +51,6 @@ void main()
             pixels[4u * index + i] = floatBitsToUint(color[i]);
         }
     } else {
-        pixels[index] = packUnorm4x8(vec4(srgb_from_linear(clamp(color.rgb, 0.0, 1.0)), 1.0));
+        pixels[index] = srgb_bytes(color.rgb);
     }
 }

@@ -19,24 +19,34 @@ Window window_of(const PaperStyle& style, float width_mm)
 
 namespace {
 
+/// All but one are next to nothing, which nobody reads.
 struct Composed {
     gpu::ImageId picture;
     gpu::ImageId stage;
+    gpu::BufferId pixels;
 };
 
-uint32_t compose_variant(const ComposeInputs& in, const PaperStyle& style, bool is_staged)
+/// What becomes of the layers: without either, a picture to be developed.
+struct Wanted {
+    std::optional<Stage> stage = {};
+    std::optional<gpu::BufferId> pixels = {};
+
+    [[nodiscard]] uint32_t variant() const
+    {
+        return (stage ? shared::compose_is_staged : 0U) | (pixels ? shared::compose_develops : 0U);
+    }
+};
+
+uint32_t compose_variant(const ComposeInputs& in, const PaperStyle& style)
 {
     return (style.ink_tint > 0.0F ? shared::compose_has_tint : 0U) |
            (in.has_sky ? shared::compose_has_sky : 0U) | (in.ink ? shared::compose_has_ink : 0U) |
            (in.smoke_paint && in.smoke_ink ? shared::compose_has_smoke : 0U) |
-           (is_staged ? shared::compose_is_staged : 0U) |
            (style.margin_mm > 0.0F || style.border_mm > 0.0F ? shared::compose_has_margin : 0U) |
            (style.ink_grain > 0.0F ? shared::compose_has_grain : 0U);
 }
 
-/// One of the two is of one texel, which nobody reads.
-Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style,
-                 std::optional<Stage> stage)
+Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style, const Wanted& wanted)
 {
     auto pass = graph.compute("compose", shaders::compose_comp);
     pass.uniform(in.frame).sample(in.wash).sample(in.hatch).sample(in.lines).sample(in.sky_ink);
@@ -44,14 +54,16 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
     pass.sample(style.ink_tint > 0.0F ? in.light : in.wash);
     pass.sample(in.ink.value_or(in.wash));
     pass.sample(in.smoke_paint.value_or(in.wash)).sample(in.smoke_ink.value_or(in.wash));
-    pass.variant(compose_variant(in, style, stage.has_value()));
+    pass.variant(compose_variant(in, style) | wanted.variant());
     const auto write = [&](const char* name, gpu::Format format, bool is_wanted) {
         return pass.write(graph.image(name, {.width = is_wanted ? in.size_px.x : 1,
                                              .height = is_wanted ? in.size_px.y : 1,
                                              .format = format}));
     };
-    const gpu::ImageId picture = write("picture", gpu::Format::rgba16f, !stage);
-    const gpu::ImageId staged = write("stage", gpu::Format::rgba32f, stage.has_value());
+    const gpu::ImageId picture = write("picture", gpu::Format::rgba16f, !wanted.stage && !wanted.pixels);
+    const gpu::ImageId staged = write("stage", gpu::Format::rgba32f, wanted.stage.has_value());
+    const gpu::BufferId pixels =
+        pass.write(wanted.pixels.value_or(graph.buffer("no pixels", {.size_bytes = sizeof(uint32_t)})));
     const Window window = window_of(style, style.height_mm * static_cast<float>(in.page_px.x) /
                                                static_cast<float>(in.page_px.y));
     pass.push(shared::PaperConstants{.paper_color = style.color,
@@ -65,23 +77,29 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
                                      .border_mm = style.border_mm,
                                      .window_min_mm = window.min_mm,
                                      .window_max_mm = window.max_mm,
-                                     .stage = static_cast<uint32_t>(stage.value_or(Stage::smoke)),
+                                     .stage = static_cast<uint32_t>(wanted.stage.value_or(Stage::smoke)),
                                      .settles = in.ink_settles})
-        .dispatch_over_page(in.size_px.x, in.size_px.y);
-    return {picture, staged};
+        .dispatch((in.size_px.x + 31) / 32, (in.size_px.y + 7) / 8);
+    return {picture, staged, pixels};
 }
 
 } // namespace
 
 gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style)
 {
-    return compose(graph, in, style, std::nullopt).picture;
+    return compose(graph, in, style, {}).picture;
+}
+
+gpu::BufferId add_pixels(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style,
+                         gpu::BufferId pixels)
+{
+    return compose(graph, in, style, {.pixels = pixels}).pixels;
 }
 
 gpu::ImageId add_compose_stage(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style,
                                Stage stage)
 {
-    return compose(graph, in, style, stage).stage;
+    return compose(graph, in, style, {.stage = stage}).stage;
 }
 
 gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation& accumulation)

@@ -16,6 +16,7 @@ SHARED_CONSTANT uint compose_has_grain = 1U << 3U;  // strokes catch on the toot
 SHARED_CONSTANT uint compose_is_staged = 1U << 4U;  // layers up to one of them, in floats
 SHARED_CONSTANT uint compose_has_ink = 1U << 5U;    // that flows
 SHARED_CONSTANT uint compose_has_smoke = 1U << 6U;
+SHARED_CONSTANT uint compose_develops = 1U << 7U; // the one sample of a picture
 SHARED_CONSTANT uint develop_has_samples = 1U << 0U; // several of them
 SHARED_CONSTANT uint develop_is_last = 1U << 1U;     // of them
 SHARED_CONSTANT uint develop_keeps_floats = 1U << 2U;
