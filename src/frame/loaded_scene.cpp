@@ -140,6 +140,11 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
     loaded.stroke_kinds.clear();
     loaded.line_meshes.forget();
     loaded.still_casters = still_casters(loaded.layout, loaded.scene);
+    loaded.still_room = {};
+    for (const StillCaster& caster : loaded.still_casters) {
+        loaded.still_room.extend(caster.place.min);
+        loaded.still_room.extend(caster.place.max);
+    }
     loaded.discs = {};
     loaded.disc_map = {};
     loaded.surface_maps.clear();

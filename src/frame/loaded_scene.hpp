@@ -45,6 +45,7 @@ struct LoadedScene {
     pose::MeshData layout;
     uint32_t layout_number = 0;             ///< of how many this is the last
     std::vector<StillCaster> still_casters; ///< of that
+    Bounds still_room;                      ///< about all of them
     pose::MeshBuffers meshes;
     raster::ClusterBoxes cluster_boxes; ///< of these
     surface::MaterialBuffers materials;

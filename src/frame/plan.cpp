@@ -58,6 +58,7 @@ SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
     const light::Lighting& lighting = in.lighting;
     const pose::MeshData& layout = in.loaded.layout;
     const SunScene scene{.casters = in.loaded.pose->casters,
+                         .still = in.loaded.still_room,
                          .floor_m = layout.bounds.min.y,
                          .anchor = layout.anchor,
                          .towards_sun = lighting.towards_sun,

@@ -31,13 +31,15 @@ double nearest_m(const Bounds& casters, const glm::dvec3& eye)
     return std::clamp(std::max(beside, above), 1e-3 * casters.radius(), 2.0 * casters.radius());
 }
 
-/// A box about the casters on a coarse lattice: what moves among them seldom changes it, and with it all of a
-/// map.
-Bounds roomy(const Bounds& casters)
+/// A box on a coarse lattice about what stands still and a good deal around it: what moves there does not
+/// change it, and with it all of a map, and what moves beyond seldom does.
+Bounds roomy(const SunScene& scene)
 {
-    const double pitch_m = std::exp2(std::floor(std::log2(std::max(casters.radius(), 1e-6))) - 2.0);
-    return {.min = glm::floor(casters.min / pitch_m) * pitch_m,
-            .max = glm::ceil(casters.max / pitch_m) * pitch_m};
+    const Bounds& middle = scene.still.empty() ? scene.casters : scene.still;
+    const double pitch_m = std::exp2(std::floor(std::log2(std::max(middle.radius(), 1e-6))) - 2.0);
+    const double about_m = scene.still.empty() ? 0.0 : 0.5 * pitch_m;
+    return {.min = glm::floor(glm::min(scene.casters.min, middle.min - about_m) / pitch_m) * pitch_m,
+            .max = glm::ceil(glm::max(scene.casters.max, middle.max + about_m) / pitch_m) * pitch_m};
 }
 
 /// Size of a level: a power of two, of which the device can hold `levels`.
@@ -128,7 +130,7 @@ SunMapPlan plan_sun_map(const SunScene& scene, const Camera& camera, glm::uvec2 
         static_cast<double>(plan.view.texel_m) < coarse_texel_px * pixel_m) {
         return plan;
     }
-    plan.view = shadow::sun_view(roomy(scene.casters), scene.anchor, scene.towards_sun, plan.size);
+    plan.view = shadow::sun_view(roomy(scene), scene.anchor, scene.towards_sun, plan.size);
     if (kind == shadow::SunMapKind::faded) {
         const auto reach_m = static_cast<double>(style.shadow.faded_reach_m);
         const uint32_t size = level_size(plan.size, 1, scene.most_bytes);

@@ -30,6 +30,7 @@ hatched_lines(const hatch::HatchStyle& style, const glm::vec3& towards_light, co
 /// What decides how the sun's shadow is kept.
 struct SunScene {
     Bounds casters;       ///< world space
+    Bounds still;         ///< those of them that stand still for ever
     double floor_m = 0.0; ///< nothing that is lit lies lower, world space
     glm::dvec3 anchor{0.0};
     glm::dvec3 towards_sun{0.0, 1.0, 0.0};
