@@ -223,9 +223,9 @@ void Pass::dispatch_over(uint32_t width, uint32_t height, uint32_t layers)
     dispatch(groups_over(width), groups_over(height), layers);
 }
 
-void Pass::dispatch_over_page(uint32_t width, uint32_t height)
+void Pass::dispatch_over_page(uint32_t width, uint32_t height, uint32_t layers)
 {
-    dispatch(groups_over(width), (groups_over(height) + 3) / 4);
+    dispatch(groups_over(width), (groups_over(height) + 3) / 4, layers);
 }
 
 Pass& Pass::variant(uint32_t bits)

@@ -250,7 +250,7 @@ public:
     /// One thread a pixel, in groups of 8 x 8 as the shaders declare.
     void dispatch_over(uint32_t width, uint32_t height, uint32_t layers = 1);
     /// The same in groups of 8 x 32: a GPU takes long to start as many as a page has of 8 x 8.
-    void dispatch_over_page(uint32_t width, uint32_t height);
+    void dispatch_over_page(uint32_t width, uint32_t height, uint32_t layers = 1);
     /// One thread an item, in groups of 64; shaders number items by item_index() of shaders/items.glsl.
     void dispatch_items(uint32_t count);
     void dispatch(uint32_t groups_x, uint32_t groups_y = 1, uint32_t groups_z = 1);

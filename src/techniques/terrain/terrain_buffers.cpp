@@ -278,7 +278,7 @@ gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const HeightFields& 
         .sample(texels, gpu::Format::r32f);
     const gpu::ImageId height = pass.write(graph.image(
         "terrain/heights", {.width = size.x, .height = count * size.y, .format = gpu::Format::r32f}));
-    pass.push(constants).dispatch_over(size.x, size.y, count);
+    pass.push(constants).dispatch_over_page(size.x, size.y, count);
     return height;
 }
 

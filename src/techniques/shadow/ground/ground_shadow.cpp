@@ -124,8 +124,8 @@ gpu::BufferId add_ground_fields(gpu::Graph& graph, const GroundFields& fields, c
     const gpu::BufferId result = pass.modify(kept);
     shared::GroundKeepConstants constants{.size = fields.size, .wanted = fields.wanted};
     std::ranges::copy(fields.numbers, constants.level);
-    pass.push(constants).dispatch_over(fields.size, fields.size,
-                                       static_cast<uint32_t>(fields.numbers.size()));
+    pass.push(constants).dispatch_over_page(fields.size, fields.size,
+                                            static_cast<uint32_t>(fields.numbers.size()));
     return result;
 }
 

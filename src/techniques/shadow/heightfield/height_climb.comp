@@ -7,7 +7,7 @@
 
 #include "techniques/shadow/heightfield/height_shadow.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(binding = 0) uniform sampler2D height_image;
 layout(binding = 1) uniform sampler2D greatest_image;

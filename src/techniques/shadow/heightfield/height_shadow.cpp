@@ -133,7 +133,7 @@ gpu::ImageId add_pyramid(gpu::Graph& graph, const HeightShadowInputs& in, const 
     gpu::ImageId greatest = base.write(graph.image(
         "height shadow/greatest",
         {.width = cells.x + (cells.x + 1) / 2, .height = fields.count * rows, .format = gpu::Format::r32f}));
-    base.push(pyramid).dispatch_over(cells.x, cells.y, fields.count);
+    base.push(pyramid).dispatch_over_page(cells.x, cells.y, fields.count);
     for (pyramid.level = 1; pyramid.level <= topmost; ++pyramid.level) {
         auto pass = graph.compute("height shadow/pyramid", shaders::height_level_comp);
         greatest = pass.modify(greatest);
@@ -145,7 +145,7 @@ gpu::ImageId add_pyramid(gpu::Graph& graph, const HeightShadowInputs& in, const 
     pass.sample(in.height).sample(greatest);
     const gpu::ImageId result = pass.write(result_image(graph, "height shadow", fields));
     pass.variant(static_cast<uint32_t>(written));
-    pass.push(pyramid).dispatch_over(fields.size.x, fields.size.y, fields.count);
+    pass.push(pyramid).dispatch_over_page(fields.size.x, fields.size.y, fields.count);
     return result;
 }
 

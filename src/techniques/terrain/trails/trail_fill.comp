@@ -7,7 +7,7 @@
 
 #include "techniques/terrain/trails/trails.glsl.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 32) in;
 
 layout(scalar, binding = 0) buffer Heights
 {

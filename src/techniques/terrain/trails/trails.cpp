@@ -254,7 +254,7 @@ gpu::BufferId TrailField::add_fill(gpu::Graph& graph, const TerrainTrails& style
                                 .steps = steps,
                                 .kept = static_cast<float>(std::exp2(
                                     -1.0 / (steps_a_second * static_cast<double>(style.half_life_s))))})
-        .dispatch_over(side_, side_);
+        .dispatch_over_page(side_, side_);
     return heights;
 }
 
@@ -290,7 +290,7 @@ TrailImage TrailField::add_step(gpu::Graph& graph, const TerrainTrails& style, u
     const gpu::ImageId image = pass.write(
         graph.image("trails/height", {.width = side_, .height = side_, .format = gpu::Format::r32f}));
     pass.push(shared::TrailImageConstants{.window = window_at(side_, first_), .edge = side_ / 16})
-        .dispatch_over(side_, side_);
+        .dispatch_over_page(side_, side_);
     return {.height = image, .corner_m = glm::dvec2(first_) * texel_m_, .texel_m = texel_m_};
 }
 
