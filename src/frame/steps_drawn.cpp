@@ -296,7 +296,8 @@ motion_blur::MotionBlurLayers add_motion_blur(const Making& making, const PosedS
          .sky_ink = colors.sky_ink,
          .has_sky = colors.has_sky_ink,
          .size_px = making.sample.size_px,
-         .smear = making.style.motion_blur.smear ? std::optional(smear) : std::nullopt},
+         .smear = making.style.motion_blur.smear ? std::optional(smear) : std::nullopt,
+         .by_groups = !making.plan.raster.on_processor},
         making.style.motion_blur, plan->constants, plan->smear);
 }
 

@@ -14,6 +14,7 @@
 #include "shaders/blur_pack_comp.hpp"
 #include "shaders/blur_reach_comp.hpp"
 #include "shaders/blur_tiles_comp.hpp"
+#include "shaders/blur_tiles_wide_comp.hpp"
 #include "shaders/speed_lines_comp.hpp"
 #include "shaders/speed_seeds_comp.hpp"
 #include "shaders/speed_tiles_comp.hpp"
@@ -63,10 +64,16 @@ Reach add_reach(gpu::Graph& graph, const MotionBlurInputs& in, gpu::ImageId page
 {
     const glm::uvec2 tiles = (in.size_px + shared::blur_tile_px - 1U) / shared::blur_tile_px;
     const gpu::ImageDesc desc{.width = tiles.x, .height = tiles.y, .format = gpu::Format::rg16f};
-    auto find = graph.compute("motion blur/tiles", shaders::blur_tiles_comp);
+    auto find = graph.compute("motion blur/tiles",
+                              in.by_groups ? shaders::blur_tiles_wide_comp : shaders::blur_tiles_comp);
     find.sample(page);
     const gpu::ImageId found = find.write(graph.image("motion blur/tiles", desc));
-    find.push(constants).dispatch_over(tiles.x, tiles.y);
+    find.push(constants);
+    if (in.by_groups) {
+        find.dispatch(tiles.x, tiles.y);
+    } else {
+        find.dispatch_over(tiles.x, tiles.y);
+    }
     const gpu::BufferId no_tiles = gpu::add_empty_tile_list(graph, "motion blur/passed", in.size_px);
     auto spread = graph.compute("motion blur/reach", shaders::blur_reach_comp);
     spread.sample(found);

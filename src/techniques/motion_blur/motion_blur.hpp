@@ -35,6 +35,7 @@ struct MotionBlurInputs {
     bool has_sky = false; ///< else there is no such ink
     glm::uvec2 size_px{0};
     std::optional<SmearScene> smear; ///< where the style has it
+    bool by_groups = false;          ///< the pixels of a tile are looked at by as many threads, as GPUs like it
 };
 
 struct MotionBlurLayers {
