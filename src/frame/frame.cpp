@@ -59,6 +59,8 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
                                       {.wash = colors.wash, .hatch = ink, .lines = lines});
     faded.lines = add_drift(making, scene, surface, faded.lines);
     faded = add_particles(making, scene, surface, colors.sky_wash, faded);
+    // Ink runs out of what was drawn, whatever lens and shutter make of it.
+    const auto flowing = add_flowing_ink(making, scene, visibility, surface, lit.light, faded);
     const lens::LensLayers focused = add_lens(making, surface, faded, colors);
     colors.has_sky_ink = colors.has_sky_ink && !focused.holds_sky;
     faded = {.wash = focused.wash, .hatch = focused.hatch, .lines = focused.lines};
@@ -66,7 +68,6 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
         add_motion_blur(making, scene, visibility, surface, faded, colors);
     colors.has_sky_ink = colors.has_sky_ink && !exposed.holds_sky;
     faded = {.wash = exposed.wash, .hatch = exposed.hatch, .lines = add_focus_lines(making, exposed.lines)};
-    const auto flowing = add_flowing_ink(making, scene, visibility, surface, lit.light, faded);
     const auto smoke = add_smoke(making, scene, surface, volume, colors.sky_wash, faded.lines);
     const paper::ComposeInputs layers =
         page_layers(making, scene, faded, colors, {.ink = flowing, .smoke = smoke}, lit.light);
