@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
-#include <utility>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -45,6 +45,16 @@ void find_uses(const Graph& graph, Schedule& schedule)
     schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
 }
 
+/// Whether a pass keeps a device busy by itself. How many groups an indirect one has is known too late:
+/// mostly they work on lists.
+bool is_wide(const PassRecord& pass)
+{
+    constexpr uint64_t groups_that_fill = 1024;
+    const Dispatch& dispatch = pass.dispatch;
+    return dispatch.indirect_resource == UINT32_MAX &&
+           uint64_t{dispatch.groups_x} * dispatch.groups_y * dispatch.groups_z >= groups_that_fill;
+}
+
 } // namespace
 
 void Scheduler::Wanted::forget(const Graph& graph)
@@ -82,40 +92,80 @@ void Scheduler::find_kept(const Graph& graph, Schedule& schedule)
     std::ranges::reverse(schedule.passes);
 }
 
-void Scheduler::find_levels(const Graph& graph, Schedule& schedule)
+uint32_t Scheduler::next_level(const Schedule& schedule, size_t step)
+{
+    uint32_t level = 0;
+    for (const PassUse& use : schedule.uses_of(step)) {
+        Wave& wave = waves_[use.resource];
+        const bool clashes = wave.is_begun && (use.writes || wave.writes || use.layout != wave.layout);
+        wave.from_level = clashes ? wave.past_level : wave.from_level;
+        wave.is_begun = true;
+        wave.writes = use.writes;
+        wave.layout = use.layout;
+        level = std::max(level, wave.from_level);
+    }
+    return level;
+}
+
+void Scheduler::take_level(Schedule& schedule, size_t step, uint32_t level)
+{
+    schedule.levels[step] = level;
+    for (const PassUse& use : schedule.uses_of(step))
+        waves_[use.resource].past_level = std::max(waves_[use.resource].past_level, level + 1);
+}
+
+void Scheduler::find_latest(const Graph& graph, Schedule& schedule)
 {
     waves_.assign(graph.resources().size(), {});
     schedule.levels.assign(schedule.passes.size(), 0);
     uint32_t past_effects = 0;
-    uint32_t levels = 0;
+    level_count_ = 0;
     for (size_t step = schedule.passes.size(); step-- > 0;) {
         const bool has_effect = graph.passes()[schedule.passes[step]].has_side_effect;
-        uint32_t& level = schedule.levels[step];
-        level = has_effect ? past_effects : 0;
-        for (const PassUse& use : schedule.uses_of(step)) {
-            Wave& wave = waves_[use.resource];
-            const bool clashes = wave.is_begun && (use.writes || wave.writes || use.layout != wave.layout);
-            wave.from_level = clashes ? wave.past_level : wave.from_level;
-            wave.is_begun = true;
-            wave.writes = use.writes;
-            wave.layout = use.layout;
-            level = std::max(level, wave.from_level);
-        }
-        for (const PassUse& use : schedule.uses_of(step))
-            waves_[use.resource].past_level = std::max(waves_[use.resource].past_level, level + 1);
+        const uint32_t level = std::max(next_level(schedule, step), has_effect ? past_effects : 0);
+        take_level(schedule, step, level);
         past_effects = has_effect ? level + 1 : past_effects;
-        levels = std::max(levels, level + 1);
+        level_count_ = std::max(level_count_, level + 1);
     }
     for (uint32_t& level : schedule.levels)
-        level = levels - 1 - level;
+        level = level_count_ - 1 - level;
 }
 
-void Scheduler::sort_by_levels(Schedule& schedule)
+void Scheduler::spread(const Graph& graph, Schedule& schedule)
 {
-    // Within a level as declared.
+    latest_ = schedule.levels;
+    wide_in_level_.assign(level_count_, 0);
+    for (size_t step = 0; step < latest_.size(); ++step)
+        wide_in_level_[latest_[step]] += is_wide(graph.passes()[schedule.passes[step]]) ? 1 : 0;
+    waves_.assign(graph.resources().size(), {});
+    uint32_t past_effects = 0;
+    for (size_t step = 0; step < latest_.size(); ++step) {
+        const PassRecord& pass = graph.passes()[schedule.passes[step]];
+        const uint32_t earliest =
+            std::max(next_level(schedule, step), pass.has_side_effect ? past_effects : 0);
+        const uint32_t level = is_wide(pass) ? move_wide(earliest, latest_[step]) : earliest;
+        take_level(schedule, step, level);
+        past_effects = pass.has_side_effect ? level + 1 : past_effects;
+    }
+}
+
+uint32_t Scheduler::move_wide(uint32_t earliest, uint32_t latest)
+{
+    --wide_in_level_[latest];
+    uint32_t emptiest = latest;
+    for (uint32_t level = latest; level-- > earliest;)
+        emptiest = wide_in_level_[level] < wide_in_level_[emptiest] ? level : emptiest;
+    ++wide_in_level_[emptiest];
+    return emptiest;
+}
+
+void Scheduler::sort_by_levels(const Graph& graph, Schedule& schedule)
+{
     order_.resize(schedule.passes.size());
     std::iota(order_.begin(), order_.end(), 0U);
-    std::ranges::sort(order_, {}, [&](uint32_t step) { return std::pair(schedule.levels[step], step); });
+    std::ranges::sort(order_, {}, [&](uint32_t step) {
+        return std::tuple(schedule.levels[step], is_wide(graph.passes()[schedule.passes[step]]), step);
+    });
     for (uint32_t& step : order_)
         step = schedule.passes[step];
     schedule.passes.swap(order_);
@@ -126,8 +176,9 @@ void Scheduler::run(const Graph& graph, Schedule& schedule)
 {
     find_uses(graph, schedule);
     find_kept(graph, schedule);
-    find_levels(graph, schedule);
-    sort_by_levels(schedule);
+    find_latest(graph, schedule);
+    spread(graph, schedule);
+    sort_by_levels(graph, schedule);
 }
 
 } // namespace estampe::gpu

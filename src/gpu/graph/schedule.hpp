@@ -36,10 +36,13 @@ struct Schedule {
 /// Makes schedule after schedule in the same room.
 class Scheduler {
 public:
-    /// Keeps the passes of `graph` whose work is wanted, and gives each the last level that those allow which
-    /// need it: as few levels as the longest chain has passes, with memory held no longer than it has to be.
-    /// Passes with side effects keep their order. Throws std::logic_error when a pass, kept or not, binds one
-    /// resource twice with clashing accesses. Cost: linear in uses, and a sort of the passes.
+    /// Keeps the passes of `graph` whose work is wanted, and gives each a level after those that it needs and
+    /// before those that need it: as few levels as the longest chain has passes. What a level takes is about
+    /// what its longest pass does; so passes of many groups, in declared order, go each where the fewest such
+    /// are, late rather than early, and all others as early as they can, and before those in a level: the
+    /// time that they wait for memory is then that of others. Passes with side effects keep their order.
+    /// Throws std::logic_error when a pass, kept or not, binds one resource twice with clashing accesses.
+    /// Cost: linear in uses, a sort of the passes, and levels for each pass of many groups.
     void run(const Graph& graph, Schedule& schedule);
 
 private:
@@ -56,21 +59,29 @@ private:
         }
     };
 
-    /// The uses of a resource that may be made at the same time, from the end of the frame backwards.
+    /// The uses of a resource that may be made at the same time, going through passes in order or backwards.
     struct Wave {
         bool is_begun = false;
         bool writes = false;
         Layout layout = Layout::undefined;
-        uint32_t from_level = 0; ///< counted from the end of the frame
-        uint32_t past_level = 0; ///< before all of them
+        uint32_t from_level = 0; ///< counted from where one begins
+        uint32_t past_level = 0; ///< beyond all of them
     };
 
     void find_kept(const Graph& graph, Schedule& schedule);
-    void find_levels(const Graph& graph, Schedule& schedule);
-    void sort_by_levels(Schedule& schedule);
+    /// The first level that the passes gone through leave to the next, whose waves begin.
+    [[nodiscard]] uint32_t next_level(const Schedule& schedule, size_t step);
+    void take_level(Schedule& schedule, size_t step, uint32_t level);
+    void find_latest(const Graph& graph, Schedule& schedule);
+    void spread(const Graph& graph, Schedule& schedule);
+    [[nodiscard]] uint32_t move_wide(uint32_t earliest, uint32_t latest);
+    void sort_by_levels(const Graph& graph, Schedule& schedule);
 
     Wanted wanted_;
-    std::vector<Wave> waves_; ///< by resource
+    std::vector<Wave> waves_;      ///< by resource
+    std::vector<uint32_t> latest_; ///< level of each kept pass
+    std::vector<uint32_t> wide_in_level_;
+    uint32_t level_count_ = 0;
     std::vector<uint32_t> order_;
 };
 
