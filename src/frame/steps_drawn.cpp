@@ -67,6 +67,14 @@ gpu::ImageId stretched_motion_of(const Making& making, const PosedScene& scene, 
     return motion_of(making, drawn_out, add_visibility(making, drawn_out, "motion blur/visibility"), moved);
 }
 
+/// Whether the pixels of 8 x 8 share what they find, as suits a GPU; where a tile of the page is drawn, only
+/// if these are those of the page.
+bool works_by_groups(const Making& making)
+{
+    const glm::uvec2 beside_px = glm::uvec2(making.sample.from_px) % 8U;
+    return !making.plan.raster.on_processor && beside_px == glm::uvec2(0);
+}
+
 } // namespace
 
 std::optional<gpu::BufferId> look_of_draw(const Making& making)
@@ -220,8 +228,6 @@ haze::HazeLayers add_particles(const Making& making, const PosedScene& scene, co
     const auto import = [&](const char* name, gpu::Buffer& buffer) {
         return gpu::import_whole(making.graph, name, buffer);
     };
-    const glm::uvec2 beside_px = glm::uvec2(making.sample.from_px) % 8U;
-    const bool by_groups = !making.plan.raster.on_processor && beside_px == glm::uvec2(0);
     for (size_t i = 0; i < making.plan.particles.size(); ++i) {
         ParticleBuffers& buffers = making.resources.particles[i];
         shared::ParticleConstants constants = making.plan.particles[i].constants;
@@ -239,7 +245,7 @@ haze::HazeLayers add_particles(const Making& making, const PosedScene& scene, co
                                           .depth = surface.depth,
                                           .sky = sky_wash,
                                           .size_px = making.sample.size_px,
-                                          .by_groups = by_groups},
+                                          .by_groups = works_by_groups(making)},
                                          constants, drawn);
     }
     return {.wash = drawn.wash, .hatch = drawn.hatch, .lines = drawn.lines};
@@ -378,7 +384,8 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                                          .keeps_cover = has_layers,
                                                          .size_px = making.sample.size_px,
                                                          .tiles = tiles,
-                                                         .far_m = far_m},
+                                                         .far_m = far_m,
+                                                         .by_groups = works_by_groups(making)},
                                                         sky);
         sky = clouded.sky;
         cover = has_layers ? std::optional(clouded.cover) : std::nullopt;

@@ -3,6 +3,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_vote : require
 
 #include "shaders/frame.glsl.h"
 #include "shaders/rounds.glsl"
@@ -43,8 +46,12 @@ const bool have_streaks = (variant & clouds_have_streaks) != 0u;
 const bool keep_cover = (variant & clouds_keep_cover) != 0u;
 const bool have_tiles = (variant & clouds_have_tiles) != 0u;
 const bool have_depth = (variant & clouds_have_depth) != 0u;
+const bool by_groups = (variant & clouds_by_groups) != 0u;
+
+const float lowest_way = 0.012; // of a direction: below, clouds are too far
 
 #include "techniques/sky/clouds/puffs.glsl"
+#include "techniques/sky/clouds/puffs_of_group.glsl"
 #include "techniques/sky/clouds/streaks.glsl"
 #include "techniques/sky/vault.glsl"
 
@@ -61,31 +68,48 @@ vec3 tone_of(float shade)
                        : mix(clouds.middle_color, clouds.shade_color, 2.0 * shade - 1.0);
 }
 
+// Whether clouds may show at the pixel, which looks along `d`.
+bool may_show(ivec2 pixel, vec3 d)
+{
+    return frame.is_orthographic == 0u && d.y >= lowest_way &&
+           !(have_depth && is_covered(depth_image, pixel, d, over.far_m));
+}
+
+// The directions of the group's corners and a pixel more.
+void share_corners(ivec2 pixel)
+{
+    if (gl_LocalInvocationIndex < 4u) {
+        ivec2 from_px = pixel - ivec2(gl_LocalInvocationID.xy);
+        uvec2 corner = uvec2(gl_LocalInvocationIndex & 1u, gl_LocalInvocationIndex >> 1);
+        corner_ways[gl_LocalInvocationIndex] =
+            in_wind(direction_at(vec2(from_px) - 0.5 + 9.0 * vec2(corner)));
+    }
+}
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (have_tiles) {
         pixel = ivec2(listed_from_px() + gl_LocalInvocationID.xy);
     }
-    if (any(greaterThanEqual(uvec2(pixel), frame.size_px)) || (have_tiles && !has_listed_tile())) {
-        return;
-    }
-    if (keep_cover) {
+    bool is_on_page = all(lessThan(uvec2(pixel), frame.size_px)) && (!have_tiles || has_listed_tile());
+    if (keep_cover && is_on_page) {
         imageStore(out_cover, pixel, vec4(0.0));
     }
-    if (frame.is_orthographic != 0u) {
-        return;
-    }
-    const float lowest = 0.012; // of a direction: below, clouds are too far
     vec2 position = vec2(pixel) + 0.5;
     vec3 d = direction_at(position);
-    if (d.y < lowest || (have_depth && is_covered(depth_image, pixel, d, over.far_m))) {
+    bool is_open = is_on_page && may_show(pixel, d);
+    if (by_groups) {
+        share_corners(pixel);
+    }
+    if (by_groups ? !any_of_group(is_open) : !is_open) {
         return;
     }
     vec3 right = direction_at(position + vec2(1.0, 0.0));
     vec3 down = direction_at(position + vec2(0.0, 1.0));
-    vec3 wash = imageLoad(wash_image, pixel).rgb;
-    float ink = imageLoad(ink_image, pixel).x;
+    ivec2 under = min(pixel, ivec2(frame.size_px) - 1); // threads off the page help to find puffs
+    vec3 wash = imageLoad(wash_image, under).rgb;
+    float ink = imageLoad(ink_image, under).x;
     float open = 1.0;
     if (have_streaks) {
         float cover = streaks_along(clouds.streaks, in_wind(d), in_wind(right), in_wind(down));
@@ -97,7 +121,8 @@ void main()
     float pixel_rad = 0.5 * (distance(d, right) + distance(d, down));
     float hatched = 0.0;
     for (int i = rounds(int(clouds.puff_layer_count), pixel.x) - 1; i >= 0; --i) {
-        SeenPuffs seen = puffs_along(clouds.puffs[i], in_layer, pixel_rad);
+        SeenPuffs seen = by_groups ? puffs_of_group(clouds.puffs[i], in_layer, pixel_rad, is_open)
+                                   : puffs_along(clouds.puffs[i], in_layer, pixel_rad);
         wash = mix(wash, tone_of(seen.shade), seen.cover);
         ink = max(ink * (1.0 - seen.cover), seen.line);
         hatched = mix(hatched, seen.shade, seen.cover);
@@ -106,6 +131,9 @@ void main()
     if (have_hatching) {
         ink = max(ink, line_ink(level_strokes(d, position), level_pen(clouds.hatch_width_px),
                                 clouds.hatch_darkness * hatched, 83u));
+    }
+    if (!is_open) {
+        return;
     }
     imageStore(wash_image, pixel, vec4(wash, 1.0));
     imageStore(ink_image, pixel, vec4(ink));

@@ -74,6 +74,18 @@ Wind wind_of(const CloudStyle& style, double time_s)
             .drifted_m = static_cast<double>(style.wind_mps) * time_s};
 }
 
+/// Where their cells begin.
+uint32_t add_lists(CloudShapes& shapes, const PuffLists& lists)
+{
+    const auto first_cell = static_cast<uint32_t>(shapes.starts.size());
+    const auto first_puff = static_cast<uint32_t>(shapes.puffs.size());
+    for (const uint32_t start : lists.starts) {
+        shapes.starts.push_back(first_puff + start);
+    }
+    shapes.puffs.insert(shapes.puffs.end(), lists.puffs.begin(), lists.puffs.end());
+    return first_cell;
+}
+
 /// Within the tile.
 glm::vec2 on_tile(const glm::dvec2& place, double tile)
 {
@@ -96,17 +108,7 @@ CloudShapes::Layer add_shapes(CloudShapes& shapes, const Kind& kind, float turn)
     const CoverField field =
         cover_field({.cells = tile_cells, .mass_cells = kind.mass_cells, .turn = turn, .seed = kind.seed});
     const float limit = limit_for(field, kind.shape, kind.coverage, kind.seed);
-    const PuffLists lists = list_puffs(puffs_of(field, kind.shape, limit, kind.seed), tile_cells);
-    CloudShapes::Layer layer{.first_cell = static_cast<uint32_t>(shapes.starts.size())};
-    for (const shared::CloudPuff& puff : lists.puffs) {
-        layer.top = std::max(layer.top, puff.centre.y + 1.1F * puff.radius);
-    }
-    const auto first_puff = static_cast<uint32_t>(shapes.puffs.size());
-    for (const uint32_t start : lists.starts) {
-        shapes.starts.push_back(first_puff + start);
-    }
-    shapes.puffs.insert(shapes.puffs.end(), lists.puffs.begin(), lists.puffs.end());
-    return layer;
+    return shapes.add(puffs_of(field, kind.shape, limit, kind.seed), tile_cells);
 }
 
 std::vector<float> streak_shapes(const CloudStyle& style, float turn)
@@ -140,7 +142,9 @@ void add_kind(CloudPlan& plan, const Kind& kind, const CloudShapes::Layer& layer
         .pen = kind.pen,
         .under = kind.under,
         .cells = tile_cells,
-        .first_cell = layer.first_cell};
+        .first_cell = layer.first_cell,
+        .first_home = layer.first_home,
+        .reach = layer.reach};
 }
 
 void add_streaks(CloudPlan& plan, const CloudStyle& style, const CloudView& view)
@@ -180,6 +184,17 @@ void set_colors(shared::CloudGlobals& globals, const CloudStyle& style, const Cl
 }
 
 } // namespace
+
+CloudShapes::Layer CloudShapes::add(std::span<const shared::CloudPuff> layer_puffs, uint32_t cells)
+{
+    Layer layer{.first_cell = add_lists(*this, list_puffs(layer_puffs, cells)),
+                .first_home = add_lists(*this, list_homes(layer_puffs, cells))};
+    for (const shared::CloudPuff& puff : layer_puffs) {
+        layer.top = std::max(layer.top, puff.centre.y + 1.1F * puff.radius);
+        layer.reach = std::max(layer.reach, shared::puff_wavers * puff.radius);
+    }
+    return layer;
+}
 
 std::shared_ptr<const CloudShapes> CloudMemory::shapes(const CloudStyle& style, float turn)
 {
@@ -236,7 +251,8 @@ CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky)
         "clouds/cover", {.width = cover_px.x, .height = cover_px.y, .format = gpu::Format::r16f}));
     pass.read(in.tiles.value_or(in.globals)).sample(in.depth);
     pass.variant(in.variant | (in.keeps_cover ? shared::clouds_keep_cover : 0U) |
-                 (in.tiles ? shared::clouds_have_tiles : 0U) | (in.far_m ? shared::clouds_have_depth : 0U));
+                 (in.tiles ? shared::clouds_have_tiles : 0U) | (in.far_m ? shared::clouds_have_depth : 0U) |
+                 (in.by_groups ? shared::clouds_by_groups : 0U));
     pass.push(shared::CloudCover{.far_m = in.far_m.value_or(0.0F)});
     if (in.tiles) {
         pass.dispatch_indirect(*in.tiles);

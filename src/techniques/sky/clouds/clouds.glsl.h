@@ -16,8 +16,10 @@ SHARED_CONSTANT uint clouds_have_share = 1U << 2U; // of the sun, that something
 SHARED_CONSTANT uint clouds_keep_cover = 1U << 3U; // for a mask
 SHARED_CONSTANT uint clouds_have_tiles = 1U << 4U; // only those of a list are painted
 SHARED_CONSTANT uint clouds_have_depth = 1U << 5U; // and none over what is near
+SHARED_CONSTANT uint clouds_by_groups = 1U << 6U;  // the pixels of a group find their puffs together
 
 SHARED_CONSTANT uint most_puff_layers = 2U;
+SHARED_CONSTANT float puff_wavers = 1.2F; // of a puff's radius: an outline wavers, and lies outside
 
 // Space "layer": along the wind, above the base, across the wind, in cells, of which a tile of `cells` x
 // `cells` repeats. Puffs, which may be flat or long in metres, are balls there.
@@ -39,7 +41,9 @@ struct PuffLayer {
     float pen;     // share of the outlines' width
     float under;   // how much less light their base has
     uint cells;
-    uint first_cell; // in the list of starts
+    uint first_cell; // in the list of starts, of the puffs that a cell meets
+    uint first_home; // and of those whose middles it has
+    float reach;     // of the largest puff, in cells
 };
 
 // Strokes of white on a plane; how dense they are is known at the corners of cells.

@@ -7,6 +7,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "gpu/graph/graph.hpp"
@@ -31,11 +32,16 @@ struct CloudShapes {
     /// Of one kind that is made of puffs.
     struct Layer {
         uint32_t first_cell = 0;
-        float top = 0.0F; ///< in its own cells; 0 where there is none
+        uint32_t first_home = 0; ///< of the lists in which each puff stands once
+        float top = 0.0F;        ///< in its own cells; 0 where there is none
+        float reach = 0.0F;      ///< of its largest puff
     };
 
+    /// A layer of puffs whose middles are on a tile of so many cells a side.
+    Layer add(std::span<const shared::CloudPuff> layer_puffs, uint32_t cells);
+
     std::array<Layer, 2> layers;  ///< heaps, flocks
-    std::vector<uint32_t> starts; ///< of each cell of each layer, where its puffs begin; and the end
+    std::vector<uint32_t> starts; ///< of each cell of each list, where its puffs begin; and the end
     std::vector<shared::CloudPuff> puffs;
     std::vector<float> streaks; ///< how dense they are at each corner, row by row
 };
@@ -80,6 +86,9 @@ struct CloudInputs {
     std::optional<gpu::BufferId> tiles;
     /// Then pixels that see something nearer to the eye are left alone.
     std::optional<float> far_m;
+    /// The pixels of 8 x 8 find their puffs together, as suits a GPU: where a tile of the page is drawn, it
+    /// has to begin at a multiple of 8, or its outlines may cross otherwise than those of the page.
+    bool by_groups = false;
 };
 
 /// A sky, and what of it clouds cover: r16f, one texel where that is not kept.
@@ -91,7 +100,8 @@ struct CloudedSky {
 /// Paints clouds into a sky: its wash is theirs where they are, its strokes end at them. Not in parallel
 /// projection, which sees one direction alone.
 ///
-/// Cost    one dispatch, over the page or a list of tiles; walks where sky may show
+/// Cost    one dispatch, over the page or a list of tiles; walks where sky may show, or looks through the
+///         puffs that the pixels of a group come near
 /// Source  the walk through cells: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing",
 ///         Eurographics 1987
 [[nodiscard]] CloudedSky add_clouds(gpu::Graph& graph, const CloudInputs& in, const Sky& sky);

@@ -10,97 +10,11 @@
 
 #include <gtest/gtest.h>
 
-#include "gpu/imports.hpp"
-#include "gpu/upload.hpp"
-#include "support/gpu_device.hpp"
-#include "support/layers.hpp"
+#include "techniques/sky/clouds/clouds_test_support.hpp"
 #include "techniques/sky/clouds/cover.hpp"
-#include "techniques/sky/sky_test_support.hpp"
 
 namespace estampe::sky {
 namespace {
-
-struct Painted {
-    std::vector<float> white; ///< share of a pixel that is cloud, where clouds are of one tone
-    std::vector<float> ink;
-};
-
-/// What is planned over a black sky.
-Painted paint(const View& view, const std::optional<CloudPlan>& plan)
-{
-    const SkyStyle sky{.horizon = glm::vec3(0.0F), .zenith = glm::vec3(0.0F), .darkness = 0.0F};
-    gpu::Device& device = test::shared_device();
-    gpu::Buffer frame = gpu::upload_buffer(device, "frame", std::vector{view.globals()});
-    const CloudPlan none{.shapes = std::make_shared<CloudShapes>()};
-    const CloudPlan& of = plan ? *plan : none;
-    gpu::Buffer globals = gpu::upload_buffer(device, "clouds", std::vector{of.globals});
-    gpu::Buffer starts = gpu::upload_buffer(device, "cloud cells", of.shapes->starts);
-    gpu::Buffer puffs = gpu::upload_buffer(device, "puffs", of.shapes->puffs);
-    gpu::Buffer streaks = gpu::upload_buffer(device, "streaks", of.shapes->streaks);
-    auto depth = test::Layer::depth(view.size_px, [&](glm::uvec2 pixel) { return view.depth_at(pixel); });
-    const auto add = [&](gpu::Graph& graph) {
-        const gpu::BufferId frame_id = gpu::import_whole(graph, "frame", frame);
-        const Sky bare = add_sky(graph,
-                                 {.frame = frame_id,
-                                  .depth = depth.in(graph),
-                                  .towards_sun = view.towards_sun,
-                                  .drawn = true,
-                                  .size_px = view.size_px},
-                                 sky);
-        return plan ? add_clouds(graph,
-                                 {.frame = frame_id,
-                                  .globals = gpu::import_whole(graph, "clouds", globals),
-                                  .starts = gpu::import_whole(graph, "cloud cells", starts),
-                                  .puffs = gpu::import_whole(graph, "puffs", puffs),
-                                  .streaks = gpu::import_whole(graph, "streaks", streaks),
-                                  .depth = depth.in(graph),
-                                  .variant = of.variant,
-                                  .size_px = view.size_px,
-                                  .far_m = view.far_m},
-                                 bare)
-                          .sky
-                    : bare;
-    };
-    gpu::Graph for_wash;
-    gpu::Graph for_ink;
-    Painted painted{.ink = test::run_and_read_coverage(for_ink, add(for_ink).ink)};
-    for (const glm::vec4& color : test::run_and_read_colors(for_wash, add(for_wash).wash)) {
-        painted.white.push_back(color.x);
-    }
-    return painted;
-}
-
-/// White clouds over a black sky, in the light of the view's sun.
-Painted paint(const View& view, CloudStyle style, double time_s = 0.0)
-{
-    style.color = glm::vec3(1.0F);
-    CloudMemory memory;
-    return paint(view, plan_clouds(style,
-                                   {.eye_m = view.camera.eye,
-                                    .time_s = time_s,
-                                    .towards_sun = view.towards_sun,
-                                    .pixels_per_mm = view.pixels_per_mm},
-                                   memory));
-}
-
-double mean(const std::vector<float>& values)
-{
-    double sum = 0.0;
-    for (const float value : values) {
-        sum += static_cast<double>(value);
-    }
-    return sum / static_cast<double>(values.size());
-}
-
-/// Share of pixels in which two pictures differ by more than a tenth.
-double differing(const std::vector<float>& a, const std::vector<float>& b)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < a.size(); ++i) {
-        count += std::abs(a[i] - b[i]) > 0.1F ? 1 : 0;
-    }
-    return static_cast<double>(count) / static_cast<double>(a.size());
-}
 
 const CloudStyle heaps{.coverage = 0.4F, .tones = 1};
 const CloudStyle all_kinds{.coverage = 0.25F, .flocks = 0.25F, .streaks = 0.2F, .tones = 1};
@@ -257,6 +171,29 @@ Met meet_any(const CloudPlan& plan, std::span<const shared::CloudPuff> puffs, co
     return met;
 }
 
+/// That a pixel is cloud where its ray meets any of the puffs.
+void expect_met_puffs_alone(const View& view, const CloudPlan& plan, std::span<const shared::CloudPuff> puffs,
+                            const Painted& painted)
+{
+    size_t within = 0;
+    size_t outside = 0;
+    for (size_t i = 0; i < painted.white.size(); ++i) {
+        const glm::dvec2 position = centre_of(i, view.size_px);
+        const glm::dvec3 d = view.direction(position);
+        const double pixel_rad = glm::distance(d, view.direction(position + glm::dvec2(1.0, 0.0)));
+        const Met met = meet_any(plan, puffs, d, pixel_rad);
+        if (met.surely) {
+            EXPECT_GT(painted.white[i], 0.99F) << i;
+            ++within;
+        } else if (!met.perhaps) {
+            EXPECT_LT(painted.white[i], 0.01F) << i;
+            ++outside;
+        }
+    }
+    EXPECT_GT(within, 500U);
+    EXPECT_GT(outside, 500U);
+}
+
 TEST(Clouds, CoverWhereARayMeetsAnyPuffOfAll)
 {
     // Apart from each other, so that none hides what another lacks; many are cut by the tile's edges.
@@ -273,15 +210,15 @@ TEST(Clouds, CoverWhereARayMeetsAnyPuffOfAll)
                          .lean = {0.0F, 1.0F, 0.0F},
                          .trait = hashed(i, 5, 1)});
     }
-    const PuffLists lists = list_puffs(puffs, cells);
-    const auto shapes =
-        std::make_shared<CloudShapes>(CloudShapes{.starts = lists.starts, .puffs = lists.puffs});
+    const auto shapes = std::make_shared<CloudShapes>();
+    const CloudShapes::Layer layer = shapes->add(puffs, cells);
     CloudStyle style{.coverage = 0.5F, .size_m = 6.0F * cell_m, .wind_deg = 0.0F, .color = glm::vec3(1.0F)};
     style.tones = 1;
     style.outline_mm = 0.0F;
     style.reach_m = 2e5F;
     // About the tile's corner, along both of its edges and askew.
     for (const double bearing_deg : {0.0, 90.0, 180.0, 270.0, 32.0}) {
+        SCOPED_TRACE(bearing_deg);
         View view{.camera = looking(40.0, bearing_deg, 0.7), .size_px = {96, 60}};
         const glm::dvec3 away_m(0.2 * bearing_deg - 30.0, 0.0, 20.0 - 0.2 * bearing_deg);
         view.camera.eye += away_m;
@@ -290,25 +227,14 @@ TEST(Clouds, CoverWhereARayMeetsAnyPuffOfAll)
         auto plan = plan_clouds(style, {.eye_m = view.camera.eye}, memory);
         ASSERT_TRUE(plan && plan->globals.puffs[0].cells == cells);
         plan->shapes = shapes;
-        plan->globals.puffs[0].thick_m = 1.6F * cell_m;
-        const Painted painted = paint(view, plan);
-        size_t within = 0;
-        size_t outside = 0;
-        for (size_t i = 0; i < painted.white.size(); ++i) {
-            const glm::dvec2 position = centre_of(i, view.size_px);
-            const glm::dvec3 d = view.direction(position);
-            const double pixel_rad = glm::distance(d, view.direction(position + glm::dvec2(1.0, 0.0)));
-            const Met met = meet_any(*plan, puffs, d, pixel_rad);
-            if (met.surely) {
-                EXPECT_GT(painted.white[i], 0.99F) << bearing_deg << ": " << i;
-                ++within;
-            } else if (!met.perhaps) {
-                EXPECT_LT(painted.white[i], 0.01F) << bearing_deg << ": " << i;
-                ++outside;
-            }
+        shared::PuffLayer& planned = plan->globals.puffs[0];
+        planned.thick_m = 1.6F * cell_m;
+        planned.first_cell = layer.first_cell;
+        planned.first_home = layer.first_home;
+        planned.reach = layer.reach;
+        for (const bool by_groups : {false, true}) {
+            expect_met_puffs_alone(view, *plan, puffs, paint(view, plan, {.by_groups = by_groups}));
         }
-        EXPECT_GT(within, 500U) << bearing_deg;
-        EXPECT_GT(outside, 500U) << bearing_deg;
     }
 }
 

@@ -60,6 +60,30 @@ glm::vec3 lean_of(const CoverField& field, int x, int y)
     return glm::normalize(glm::vec3(-6.0F * slope.x, 0.6F, -6.0F * slope.y));
 }
 
+/// `for_cells` visits the cells of a puff, with how far it has to be moved there.
+template <typename ForCells>
+PuffLists list_by_cell(std::span<const shared::CloudPuff> puffs, uint32_t cells, const ForCells& for_cells)
+{
+    PuffLists lists{.starts = std::vector<uint32_t>(size_t{cells} * cells + 1)};
+    const auto index = [cells](glm::ivec2 cell) {
+        return static_cast<size_t>(cell.y) * cells + static_cast<size_t>(cell.x);
+    };
+    for (const shared::CloudPuff& puff : puffs) {
+        for_cells(puff, [&](glm::ivec2 cell, glm::vec2) { ++lists.starts[index(cell) + 1]; });
+    }
+    std::partial_sum(lists.starts.begin(), lists.starts.end(), lists.starts.begin());
+    lists.puffs.resize(lists.starts.back());
+    std::vector<uint32_t> next = lists.starts;
+    for (const shared::CloudPuff& puff : puffs) {
+        for_cells(puff, [&](glm::ivec2 cell, glm::vec2 around) {
+            shared::CloudPuff& listed = lists.puffs[next[index(cell)]++];
+            listed = puff;
+            listed.centre += glm::vec3(around.x, 0.0F, around.y);
+        });
+    }
+    return lists;
+}
+
 } // namespace
 
 float hashed(uint32_t a, uint32_t b, uint32_t c)
@@ -166,12 +190,10 @@ std::vector<shared::CloudPuff> puffs_of(const CoverField& field, const PuffShape
 
 PuffLists list_puffs(std::span<const shared::CloudPuff> puffs, uint32_t cells)
 {
-    constexpr float beyond = 1.2F; // an outline wavers, and lies outside
     const auto mask = static_cast<int>(cells) - 1;
-    PuffLists lists{.starts = std::vector<uint32_t>(size_t{cells} * cells + 1)};
-    const auto for_cells = [&](const shared::CloudPuff& puff, const auto& visit) {
+    return list_by_cell(puffs, cells, [&](const shared::CloudPuff& puff, const auto& visit) {
         const glm::vec2 centre(puff.centre.x, puff.centre.z);
-        const float reach = beyond * puff.radius;
+        const float reach = shared::puff_wavers * puff.radius;
         const glm::ivec2 first(glm::floor(centre - reach));
         const glm::ivec2 last(glm::floor(centre + reach));
         for (int y = first.y; y <= last.y; ++y) {
@@ -179,26 +201,18 @@ PuffLists list_puffs(std::span<const shared::CloudPuff> puffs, uint32_t cells)
                 const glm::vec2 nearest = glm::clamp(centre, glm::vec2(x, y), glm::vec2(x + 1, y + 1));
                 if (glm::distance(nearest, centre) <= reach) {
                     const glm::ivec2 on_tile(x & mask, y & mask);
-                    visit(static_cast<size_t>(on_tile.y) * cells + static_cast<size_t>(on_tile.x),
-                          glm::vec2(on_tile - glm::ivec2(x, y)));
+                    visit(on_tile, glm::vec2(on_tile - glm::ivec2(x, y)));
                 }
             }
         }
-    };
-    for (const shared::CloudPuff& puff : puffs) {
-        for_cells(puff, [&](size_t cell, glm::vec2) { ++lists.starts[cell + 1]; });
-    }
-    std::partial_sum(lists.starts.begin(), lists.starts.end(), lists.starts.begin());
-    lists.puffs.resize(lists.starts.back());
-    std::vector<uint32_t> next = lists.starts;
-    for (const shared::CloudPuff& puff : puffs) {
-        for_cells(puff, [&](size_t cell, glm::vec2 around) {
-            shared::CloudPuff& listed = lists.puffs[next[cell]++];
-            listed = puff;
-            listed.centre += glm::vec3(around.x, 0.0F, around.y);
-        });
-    }
-    return lists;
+    });
+}
+
+PuffLists list_homes(std::span<const shared::CloudPuff> puffs, uint32_t cells)
+{
+    return list_by_cell(puffs, cells, [](const shared::CloudPuff& puff, const auto& visit) {
+        visit(glm::ivec2(puff.centre.x, puff.centre.z), glm::vec2(0.0F));
+    });
 }
 
 std::vector<float> streak_density(const CoverField& field, float share)

@@ -67,6 +67,9 @@ struct PuffLists {
 
 [[nodiscard]] PuffLists list_puffs(std::span<const shared::CloudPuff> puffs, uint32_t cells);
 
+/// Each once, by the cell of the tile that has its middle.
+[[nodiscard]] PuffLists list_homes(std::span<const shared::CloudPuff> puffs, uint32_t cells);
+
 /// How dense streaks are at each cell, so that they cover `share` on average.
 [[nodiscard]] std::vector<float> streak_density(const CoverField& field, float share);
 

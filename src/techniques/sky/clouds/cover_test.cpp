@@ -127,5 +127,24 @@ TEST(CloudCover, ListsHaveEveryPuffThatAPlaceIsUnder)
     }
 }
 
+TEST(CloudCover, HasEachPuffOnceByTheCellOfItsMiddle)
+{
+    const CoverField field = field_of(3);
+    const PuffShape shape{.levels = 4};
+    const auto puffs = puffs_of(field, shape, limit_for(field, shape, 0.5F, 3), 3);
+    const PuffLists lists = list_homes(puffs, cells);
+    ASSERT_EQ(lists.starts.size(), size_t{cells} * cells + 1);
+    ASSERT_EQ(lists.puffs.size(), puffs.size());
+    ASSERT_EQ(lists.starts.back(), puffs.size());
+    for (uint32_t cell = 0; cell < cells * cells; ++cell) {
+        for (uint32_t i = lists.starts[cell]; i < lists.starts[cell + 1]; ++i) {
+            const glm::uvec2 home(lists.puffs[i].centre.x, lists.puffs[i].centre.z);
+            EXPECT_EQ(home.y * cells + home.x, cell);
+            EXPECT_TRUE(std::ranges::any_of(
+                puffs, [&](const shared::CloudPuff& puff) { return puff.centre == lists.puffs[i].centre; }));
+        }
+    }
+}
+
 } // namespace
 } // namespace estampe::sky

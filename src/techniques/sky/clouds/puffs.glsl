@@ -70,10 +70,9 @@ float line_ink_at(float beyond_px, float width_px)
     return clamp(beyond_px + 0.5, 0.0, min(width_px, 1.0)) * clamp(width_px - beyond_px + 0.5, 0.0, 1.0);
 }
 
-// Adds a puff to what is seen.
-void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff, vec3 tile_from)
+// Adds a puff to what is seen; `from_centre` of it to the eye.
+void see_puff(inout SeenPuffs seen, PuffLayer layer, PuffRay ray, CloudPuff puff, vec3 from_centre)
 {
-    vec3 from_centre = layer.eye - puff.centre - tile_from;
     float nearest_m = -dot(from_centre, ray.step) * ray.per_step_squared;
     float at_m = max(nearest_m, ray.enter_m);
     vec3 offset = from_centre + ray.step * at_m;
@@ -158,21 +157,20 @@ PuffWalk start_walk(PuffLayer layer, PuffRay ray)
     return walk;
 }
 
-vec3 tile_from(PuffWalk walk, PuffLayer layer)
+// From the middle of a puff that the list of a cell has to the eye.
+vec3 from_centre_of(PuffLayer layer, vec3 centre, ivec2 cell)
 {
-    ivec2 in_tile = walk.cell & (int(layer.cells) - 1);
-    return vec3(walk.cell.x - in_tile.x, 0.0, walk.cell.y - in_tile.y);
+    ivec2 in_tile = cell & (int(layer.cells) - 1);
+    return layer.eye - centre - vec3(cell.x - in_tile.x, 0.0, cell.y - in_tile.y);
 }
 
 // Whether the ray comes near the puff, and nothing nearer hides that.
-bool is_near(SeenPuffs seen, PuffLayer layer, PuffRay ray, vec4 ball, vec3 from)
+bool is_near(SeenPuffs seen, PuffRay ray, vec3 from_centre, float radius)
 {
-    const float wavers = 1.2;
-    vec3 from_centre = layer.eye - ball.xyz - from;
     float nearest_m = -dot(from_centre, ray.step) * ray.per_step_squared;
     vec3 offset = from_centre + ray.step * max(nearest_m, ray.enter_m);
-    return dot(offset, offset) < wavers * wavers * ball.w * ball.w &&
-           nearest_m - ball.w * sqrt(ray.per_step_squared) < seen.away_m;
+    return dot(offset, offset) < puff_wavers * puff_wavers * radius * radius &&
+           nearest_m - radius * sqrt(ray.per_step_squared) < seen.away_m;
 }
 
 // To the next puff that the ray comes near; false where there is none. A loop of little, so that processors,
@@ -182,8 +180,8 @@ bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray
     bool is_found = false;
     while (!is_found && walk.at_m < ray.leave_m && walk.at_m <= seen.away_m) {
         if (walk.next < walk.end) {
-            is_found =
-                is_near(seen, layer, ray, texelFetch(puff_texels, 2 * walk.next), tile_from(walk, layer));
+            vec4 ball = texelFetch(puff_texels, 2 * walk.next);
+            is_found = is_near(seen, ray, from_centre_of(layer, ball.xyz, walk.cell), ball.w);
             walk.next += is_found ? 0 : 1;
         } else {
             leave_cell(walk);
@@ -194,7 +192,7 @@ bool find_puff(inout PuffWalk walk, SeenPuffs seen, PuffLayer layer, PuffRay ray
 }
 
 // `d` is a unit vector well above the horizon, along the wind, up and across.
-SeenPuffs puffs_along(PuffLayer layer, vec3 d, float pixel_rad)
+PuffRay puff_ray(PuffLayer layer, vec3 d, float pixel_rad)
 {
     PuffRay ray;
     ray.d = d;
@@ -205,17 +203,35 @@ SeenPuffs puffs_along(PuffLayer layer, vec3 d, float pixel_rad)
     ray.enter_m = layer.base_m / d.y;
     ray.leave_m = min((layer.base_m + layer.thick_m) / d.y, clouds.reach_m);
     ray.pixel_rad = pixel_rad;
-    SeenPuffs seen = SeenPuffs(0.0, no_hit_m, 0.0, 0.0, no_hit_m, 0.0, 0.0);
-    PuffWalk walk = start_walk(layer, ray);
-    while (find_puff(walk, seen, layer, ray)) {
-        see_puff(seen, layer, ray, puff_at(walk.next), tile_from(walk, layer));
-        ++walk.next;
-    }
+    return ray;
+}
+
+SeenPuffs no_puffs()
+{
+    return SeenPuffs(0.0, no_hit_m, 0.0, 0.0, no_hit_m, 0.0, 0.0);
+}
+
+// When all puffs are seen.
+void end_line(inout SeenPuffs seen, PuffRay ray)
+{
     // Of two puffs that touch, the outline of the nearer tapers away where they meet.
     float gap_cells = (seen.away_m - seen.line_m) * length(ray.step);
     float tapered = smoothstep(0.15, 0.9, gap_cells);
     seen.line = min(seen.line, line_ink_at(seen.line_px, tapered * seen.width_px));
     seen.line *= 1.0 - smoothstep(0.35 * clouds.reach_m, 0.8 * clouds.reach_m, seen.line_m);
+}
+
+SeenPuffs puffs_along(PuffLayer layer, vec3 d, float pixel_rad)
+{
+    PuffRay ray = puff_ray(layer, d, pixel_rad);
+    SeenPuffs seen = no_puffs();
+    PuffWalk walk = start_walk(layer, ray);
+    while (find_puff(walk, seen, layer, ray)) {
+        CloudPuff puff = puff_at(walk.next);
+        see_puff(seen, layer, ray, puff, from_centre_of(layer, puff.centre, walk.cell));
+        ++walk.next;
+    }
+    end_line(seen, ray);
     return seen;
 }
 
