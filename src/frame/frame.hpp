@@ -64,6 +64,7 @@ struct FrameResources {
     gpu::Buffer& still_shadow_map; ///< see SunMap
     gpu::Buffer& sun_views;
     gpu::Buffer& sun_pictures;
+    gpu::Buffer& sun_tiles;
     gpu::Buffer& edge_look;  ///< EdgeLook, see shadow/edge.glsl.h
     gpu::Buffer& sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
     LocalShadowBuffers& local_shadows;

@@ -214,6 +214,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .still_shadow_map = sun_map.still(),
                                     .sun_views = sun_map.views(),
                                     .sun_pictures = sun_map.pictures(),
+                                    .sun_tiles = sun_map.tiles(),
                                     .edge_look = edge_look,
                                     .sun_shadow = sun_shadow,
                                     .local_shadows = local_shadow_buffers,

@@ -27,7 +27,8 @@ gpu::BufferId sun_map_of(const Making& making, const PosedScene& scene)
         .map = gpu::import_whole(making.graph, "shadow", making.resources.shadow_map),
         .still = import(work.has_still, "shadow of what stands", making.resources.still_shadow_map),
         .views = import(!work.views.empty(), "sun views", making.resources.sun_views),
-        .pictures = import(work.has_still, "shadow of what moves", making.resources.sun_pictures)};
+        .pictures = import(work.has_still, "shadow of what moves", making.resources.sun_pictures),
+        .tiles = import(work.has_still, "tiles that change", making.resources.sun_tiles)};
     return add_sun_map(making.graph,
                        {.raster = scene.meshes,
                         .casters = casters,

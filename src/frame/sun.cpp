@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "frame/mapped_buffer.hpp"
+#include "shaders/square_tile.glsl.h"
 #include "techniques/raster/views.hpp"
 #include "techniques/shadow/warp.hpp"
 
@@ -185,17 +186,32 @@ SunMapWork SunMap::provide(gpu::Device& device, const SunMapPlan& plan, const Su
             still_ = gpu::Buffer(device, "shadow map of what stands", size_bytes, gpu::MemoryUse::device);
         }
         work.has_still = true;
-        work.squares = shadow::squares_about(*plan.clipmap, plan.windows, moved_, work.pieces);
-        work.views = views_of(work.squares, *plan.clipmap, casters.groups);
-        const uint64_t pictures_bytes = sizeof(float) * texels_of(work.views);
-        if (pictures_.empty() || pictures_.size_bytes() < pictures_bytes) {
-            pictures_ = gpu::Buffer(device, "shadows of what moves", pictures_bytes, gpu::MemoryUse::device);
-        }
+        provide_moving(device, plan, casters.groups, work);
     }
     if (!work.views.empty()) {
         refill(device, "sun views", work.views, views_);
     }
     return work;
+}
+
+void SunMap::provide_moving(gpu::Device& device, const SunMapPlan& plan, Groups groups, SunMapWork& work)
+{
+    const shadow::Clipmap& clipmap = *plan.clipmap;
+    work.squares = shadow::squares_about(clipmap, plan.windows, moved_, work.pieces);
+    work.views = views_of(work.squares, clipmap, groups);
+    const uint64_t pictures_bytes = sizeof(float) * texels_of(work.views);
+    if (pictures_.empty() || pictures_.size_bytes() < pictures_bytes) {
+        pictures_ = gpu::Buffer(device, "shadows of what moves", pictures_bytes, gpu::MemoryUse::device);
+    }
+    shadow::list_tiles(clipmap, work.squares, moved_, work.pieces, tile_list_);
+    work.tile_count = static_cast<uint32_t>(tile_list_.size());
+    // Room for all that there may be, since it is another number in each frame.
+    const uint64_t side_tiles = clipmap.size / shared::square_tile_texels;
+    const uint64_t tiles_bytes = sizeof(uint32_t) * clipmap.level_count * side_tiles * side_tiles;
+    if (tiles_.empty() || tiles_.size_bytes() != tiles_bytes) {
+        tiles_ = gpu::Buffer(device, "tiles that change", tiles_bytes, gpu::MemoryUse::upload);
+    }
+    std::ranges::copy(std::as_bytes(std::span(tile_list_)), tiles_.mapped().begin());
 }
 
 void SunMap::drawn(const SunMapPlan& plan)
@@ -240,11 +256,18 @@ gpu::BufferId add_pieces(gpu::Graph& graph, const SunMapInputs& in, const raster
 
 /// Draws what moves, over what stands still.
 gpu::BufferId add_moving(gpu::Graph& graph, const SunMapInputs& in, const raster::RasterInputs& by_sun,
-                         const raster::DepthViews& views, const SunMaps& maps, gpu::BufferId still)
+                         raster::DepthViews views, const SunMaps& maps, gpu::BufferId still)
 {
+    views.tiles = raster::ViewTiles{.list = *maps.tiles, .count = in.work.tile_count};
     const gpu::BufferId pictures =
         raster::add_depth_views(graph, "shadow/moving", by_sun, in.casters, views, *maps.pictures);
-    return shadow::add_mixed_levels(graph, *in.plan.clipmap, in.work.squares, pictures, still, maps.map);
+    return shadow::add_mixed_levels(graph, *in.plan.clipmap,
+                                    {.squares = in.work.squares,
+                                     .pictures = pictures,
+                                     .still = still,
+                                     .tiles = *maps.tiles,
+                                     .tile_count = in.work.tile_count},
+                                    maps.map);
 }
 
 /// What of a clipmap is to be drawn. All of its levels together are views of one drawing: none of them is

@@ -56,6 +56,7 @@ struct SunMapWork {
     bool has_still = false;
     std::vector<shadow::Piece> squares;    ///< then those of the map where something else may be seen now
     std::vector<shared::RasterView> views; ///< of them, or of the levels, which are the same where both are
+    uint32_t tile_count = 0;               ///< of the squares, in which that is so
 };
 
 /// What throws shadows, as far as it decides how the map is kept.
@@ -101,11 +102,19 @@ public:
 
     [[nodiscard]] gpu::Buffer& pictures() { return pictures_; }
 
+    /// Of the pictures, those in which the map changes; beside them pictures hold whatever was drawn before.
+    [[nodiscard]] gpu::Buffer& tiles() { return tiles_; }
+
 private:
+    /// Of what moves, drawn over what stands still.
+    void provide_moving(gpu::Device& device, const SunMapPlan& plan, Groups groups, SunMapWork& work);
+
     gpu::Buffer map_;
     gpu::Buffer still_;
     gpu::Buffer views_;
     gpu::Buffer pictures_;
+    gpu::Buffer tiles_;
+    std::vector<uint32_t> tile_list_;
     bool has_still_ = false; ///< it is up to date wherever the map is
     bool stood_ = false;     ///< the sun, when the map was last provided
     std::vector<Bounds> moved_;
@@ -134,13 +143,15 @@ struct SunMaps {
     std::optional<gpu::BufferId> still = std::nullopt; ///< where the work has any
     std::optional<gpu::BufferId> views = std::nullopt; ///< where it has any
     std::optional<gpu::BufferId> pictures = std::nullopt;
+    std::optional<gpu::BufferId> tiles = std::nullopt;
 };
 
 /// Draws what is to be drawn of the maps, and hands the map back.
 ///
 /// Cost    nothing where nothing is to be drawn; else that of raster::add_depth(), of a clipmap for each
 /// piece, of what stands still only what is seen there; of all its levels, in compute, that of
-/// raster::add_depth_views(). Where what stands still is kept, so is what moves drawn, and mixed in
+/// raster::add_depth_views(). Where what stands still is kept, so is what moves drawn, and mixed in where it
+/// was and is
 [[nodiscard]] gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, const SunMaps& maps);
 
 } // namespace estampe::frame

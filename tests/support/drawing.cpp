@@ -246,25 +246,30 @@ std::vector<float> Drawing::depth_alone()
 }
 
 std::vector<uint32_t> Drawing::depth_views(const std::vector<shared::RasterView>& views, size_t texel_count,
-                                           uint32_t before)
+                                           uint32_t before, const std::vector<uint32_t>& tiles)
 {
     gpu::Buffer target =
         gpu::upload_buffer(shared_device(), "depths", std::vector<uint32_t>(texel_count, before));
     gpu::Buffer records = gpu::upload_buffer(shared_device(), "views", views);
+    gpu::Buffer tile_list = gpu::upload_buffer(shared_device(), "tiles", tiles);
     const auto triangle_count = static_cast<uint32_t>(layout.triangles.size());
     gpu::Graph graph;
     const raster::RasterInputs inputs = raster_inputs(graph, add_posed(graph));
     const gpu::BufferId bounds = raster::add_cluster_bounds(
         graph, inputs, triangle_count,
         graph.buffer("bounds", {.size_bytes = raster::cluster_bounds_bytes(triangle_count)}));
-    return run_and_read_as<uint32_t>(
-        graph, raster::add_depth_views(graph, "depths", inputs, batches(),
-                                       {.list = views,
-                                        .records = gpu::import_whole(graph, "views", records),
-                                        .bounds = bounds,
-                                        .path = path,
-                                        .tuning = tuning},
-                                       gpu::import_whole(graph, "depths", target)));
+    raster::DepthViews drawn{.list = views,
+                             .records = gpu::import_whole(graph, "views", records),
+                             .bounds = bounds,
+                             .path = path,
+                             .tuning = tuning};
+    if (!tiles.empty()) {
+        drawn.tiles = raster::ViewTiles{.list = gpu::import_whole(graph, "tiles", tile_list),
+                                        .count = static_cast<uint32_t>(tiles.size())};
+    }
+    return run_and_read_as<uint32_t>(graph,
+                                     raster::add_depth_views(graph, "depths", inputs, batches(), drawn,
+                                                             gpu::import_whole(graph, "depths", target)));
 }
 
 SurfacePixels Drawing::surface()

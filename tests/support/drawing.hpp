@@ -90,9 +90,11 @@ public:
     [[nodiscard]] std::vector<uint64_t> visibility();
     /// Reversed depth, drawn without the triangles' identities.
     [[nodiscard]] std::vector<float> depth_alone();
-    /// A buffer of `texel_count` words that held `before` and into which the views were drawn.
+    /// A buffer of `texel_count` words that held `before` and into which the views were drawn, or these tiles
+    /// of them.
     [[nodiscard]] std::vector<uint32_t> depth_views(const std::vector<shared::RasterView>& views,
-                                                    size_t texel_count, uint32_t before);
+                                                    size_t texel_count, uint32_t before,
+                                                    const std::vector<uint32_t>& tiles = {});
     /// The posed scene for passes of a test's own.
     [[nodiscard]] raster::RasterInputs raster_inputs(gpu::Graph& graph);
     [[nodiscard]] SurfacePixels surface();

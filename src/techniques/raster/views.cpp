@@ -9,6 +9,7 @@
 #include "gpu/graph/execute.hpp"
 #include "shaders/bin_views_comp.hpp"
 #include "shaders/bin_views_masked_comp.hpp"
+#include "shaders/clear_view_tiles_comp.hpp"
 #include "shaders/clear_views_comp.hpp"
 #include "shaders/corner_views_vert.hpp"
 #include "shaders/cull_views_comp.hpp"
@@ -38,6 +39,13 @@ uint32_t largest_side(const DepthViews& views)
 gpu::BufferId clear_views(gpu::Graph& graph, const gpu::Name& name, const DepthViews& views,
                           gpu::BufferId target)
 {
+    if (views.tiles) {
+        auto pass = graph.compute(name + "/clear", shaders::clear_view_tiles_comp);
+        pass.read(views.records).read(views.tiles->list);
+        target = pass.modify(target);
+        pass.dispatch(views.tiles->count);
+        return target;
+    }
     const uint32_t side = largest_side(views);
     auto pass = graph.compute(name + "/clear", shaders::clear_views_comp);
     pass.read(views.records);

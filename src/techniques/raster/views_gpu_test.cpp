@@ -154,6 +154,35 @@ std::string path_name(const testing::TestParamInfo<RasterPath>& info)
 INSTANTIATE_TEST_SUITE_P(Both, RasterViews, testing::Values(RasterPath::compute, RasterPath::hardware),
                          path_name);
 
+/// By compute. Words that nothing can be nearer than tell where nothing was cleared.
+TEST(RasterViewTiles, AreClearedAlone)
+{
+    test::Drawing drawing(room(), test::front_camera(5.0, 0.6), {64, 64});
+    auto views = six_views({0.1, 0.2, 0.3}, 1e6F, 128);
+    std::erase_if(views, [](const shared::RasterView& view) { return view.size_px < 64; });
+    ASSERT_EQ(views.size(), 4U);
+    ASSERT_EQ(views[1].size_px, 128U);
+    const std::vector<glm::uvec3> tiles{{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {3, 1, 1}}; // view, column, row
+    std::vector<uint32_t> packed(tiles.size());
+    std::ranges::transform(tiles, packed.begin(),
+                           [](const glm::uvec3& tile) { return tile.x << 16U | tile.z << 8U | tile.y; });
+    const auto whole = drawing.depth_views(views, 70000, untouched);
+    const auto some = drawing.depth_views(views, 70000, untouched, packed);
+    std::vector<uint32_t> wanted(70000, untouched);
+    size_t seen = 0;
+    for (const glm::uvec3& tile : tiles) {
+        const shared::RasterView& view = views[tile.x];
+        for (uint32_t i = 0; i < 64 * 64; ++i) {
+            const uint32_t row = 64 * tile.z + i / 64;
+            const uint32_t at = view.first_texel + row * view.size_px + 64 * tile.y + i % 64;
+            wanted[at] = whole[at];
+            seen += whole[at] != 0 ? 1U : 0U;
+        }
+    }
+    EXPECT_GT(seen, 4000U);
+    EXPECT_TRUE(some == wanted);
+}
+
 TEST(RasterViewPlaces, DoNotOverlap)
 {
     std::vector<shared::RasterView> views;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "shaders/mix_levels_comp.hpp"
+#include "shaders/square_tile.glsl.h"
 #include "shaders/sun_vertices_comp.hpp"
 #include "techniques/shadow/clipmap.glsl.h"
 
@@ -59,6 +60,65 @@ Piece square_in(const Clipmap& clipmap, uint32_t level, const glm::ivec2& window
     const glm::ivec2 last = window + static_cast<int>(clipmap.size - side);
     return {.level = level, .low = glm::min(low, last), .size = glm::uvec2(side)};
 }
+
+/// Texel of a level from which on a picture of a square has its own, modulo its size.
+glm::ivec2 picture_low(const Clipmap& clipmap, const Piece& square)
+{
+    return square.size.x == clipmap.size ? glm::ivec2(0) : square.low;
+}
+
+/// Tiles of a picture of a square, a bit each.
+class TileMarks {
+public:
+    TileMarks(const Clipmap& clipmap, const Piece& square)
+        : low_(square.low), end_(square.low + glm::ivec2(square.size)),
+          picture_low_(picture_low(clipmap, square)), last_(static_cast<int>(square.size.x) / side - 1)
+    {
+    }
+
+    /// Those that hold texels from `first` to before `end`, of a level.
+    void mark(const glm::ivec2& first, const glm::ivec2& end)
+    {
+        const glm::ivec2 low = glm::max(first, low_);
+        const glm::ivec2 high = glm::min(end, end_) - 1;
+        if (glm::any(glm::greaterThan(low, high))) {
+            return;
+        }
+        const glm::ivec2 from = tile_of(low);
+        const glm::ivec2 to = tile_of(high);
+        uint64_t columns = 0;
+        for (int x = from.x; x <= to.x; ++x) {
+            columns |= uint64_t{1} << static_cast<uint32_t>(x & last_);
+        }
+        for (int y = from.y; y <= to.y; ++y) {
+            rows_.at(static_cast<size_t>(y & last_)) |= columns;
+        }
+    }
+
+    void list(uint32_t square, std::vector<uint32_t>& tiles) const
+    {
+        for (uint32_t y = 0; y < rows_.size(); ++y) {
+            for (uint64_t left = rows_.at(y); left != 0; left &= left - 1) {
+                tiles.push_back(square << 16U | y << 8U | static_cast<uint32_t>(std::countr_zero(left)));
+            }
+        }
+    }
+
+private:
+    static constexpr auto side = static_cast<int>(shared::square_tile_texels);
+
+    /// Before they are taken modulo the picture's size.
+    [[nodiscard]] glm::ivec2 tile_of(const glm::ivec2& texel) const
+    {
+        return glm::ivec2(glm::floor(glm::dvec2(texel - picture_low_) / static_cast<double>(side)));
+    }
+
+    glm::ivec2 low_;
+    glm::ivec2 end_;
+    glm::ivec2 picture_low_;
+    int last_;                        ///< tile of a row
+    std::array<uint64_t, 64> rows_{}; ///< of the largest level
+};
 
 } // namespace
 
@@ -141,6 +201,29 @@ std::vector<Piece> squares_about(const Clipmap& clipmap, const Windows& windows,
     return squares;
 }
 
+void list_tiles(const Clipmap& clipmap, std::span<const Piece> squares, std::span<const Bounds> places,
+                std::span<const Piece> pieces, std::vector<uint32_t>& tiles)
+{
+    tiles.clear();
+    for (uint32_t i = 0; i < squares.size(); ++i) {
+        const Piece& square = squares[i];
+        const glm::dvec2 first(square.low);
+        const glm::dvec2 end = first + glm::dvec2(square.size);
+        TileMarks marks(clipmap, square);
+        for (const Bounds& place : places) {
+            const auto [low, high] = span_of(clipmap, square.level, place);
+            marks.mark(glm::ivec2(glm::floor(glm::clamp(low, first, end))),
+                       glm::ivec2(glm::ceil(glm::clamp(high, first, end))));
+        }
+        for (const Piece& piece : pieces) {
+            if (piece.level == square.level) {
+                marks.mark(piece.low, piece.low + glm::ivec2(piece.size));
+            }
+        }
+        marks.list(i, tiles);
+    }
+}
+
 std::vector<PieceHome> homes(const Clipmap& clipmap, const Piece& piece)
 {
     // A level is a torus: the power of two takes care of what lies below zero, too.
@@ -188,26 +271,24 @@ shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, flo
     return shadow;
 }
 
-gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap, std::span<const Piece> squares,
-                               gpu::BufferId pictures, gpu::BufferId still, gpu::BufferId map)
+gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap, const MixInputs& in,
+                               gpu::BufferId map)
 {
     std::array<shared::MixedSquare, most_levels> constants{};
     uint32_t first_texel = 0;
-    uint32_t largest = 0;
-    for (size_t i = 0; i < squares.size(); ++i) {
-        const uint32_t side = squares[i].size.x;
-        constants.at(i) = {.low = side == clipmap.size ? glm::uvec2(0) : glm::uvec2(squares[i].low),
+    for (size_t i = 0; i < in.squares.size(); ++i) {
+        const uint32_t side = in.squares[i].size.x;
+        constants.at(i) = {.low = glm::uvec2(picture_low(clipmap, in.squares[i])),
                            .sizes = static_cast<uint32_t>(std::countr_zero(side)) |
                                     static_cast<uint32_t>(std::countr_zero(clipmap.size)) << 8U |
-                                    squares[i].level << 16U,
+                                    in.squares[i].level << 16U,
                            .first_texel = first_texel};
         first_texel += side * side;
-        largest = std::max(largest, side);
     }
     auto pass = graph.compute("shadow/mix", shaders::mix_levels_comp);
-    pass.read(pictures).read(still);
+    pass.read(in.pictures).read(in.still).read(in.tiles);
     map = pass.modify(map);
-    pass.push(constants).dispatch((largest * largest / 4 + 255) / 256, static_cast<uint32_t>(squares.size()));
+    pass.push(constants).dispatch(in.tile_count);
     return map;
 }
 

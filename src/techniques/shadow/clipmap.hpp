@@ -24,7 +24,7 @@ inline constexpr uint32_t most_levels = shared::sun_levels;
 struct Clipmap {
     SunView view; ///< direction and depth
     double finest_m = 0.0;
-    uint32_t size = 0; ///< texels a side; a power of two, 64 or more
+    uint32_t size = 0; ///< texels a side; a power of two, 64 to 4096
     uint32_t level_count = 0;
 
     bool operator==(const Clipmap& other) const
@@ -63,6 +63,12 @@ struct Piece {
 [[nodiscard]] std::vector<Piece> squares_about(const Clipmap& clipmap, const Windows& windows,
                                                std::span<const Bounds> places, std::span<const Piece> pieces);
 
+/// Puts into `tiles` those of a picture of each of `squares` in which the map may change, see
+/// shaders/square_tile.glsl.h: where `places` are seen, and where `pieces` lie. A picture has its texels as
+/// add_mixed_levels() wants them. Cost: a few steps for each place and level.
+void list_tiles(const Clipmap& clipmap, std::span<const Piece> squares, std::span<const Bounds> places,
+                std::span<const Piece> pieces, std::vector<uint32_t>& tiles);
+
 /// A rectangle of a piece that lies in one run of rows of the map.
 struct PieceHome {
     glm::uvec2 from{0}; ///< texel of the piece
@@ -81,12 +87,20 @@ struct PieceHome {
 [[nodiscard]] shared::SunShadow sun_shadow(const Clipmap& clipmap, const Windows& windows, float pixel_m,
                                            bool fades, const ShadowStyle& style);
 
-/// Puts into `map`, in each of `squares`, the nearer to the sun of what `still` holds there and of a picture
-/// of the square: the pictures stand one after another in `pictures`, row by row, of a whole level as the
-/// level has its texels. Cost: one dispatch, three accesses a texel.
-[[nodiscard]] gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap,
-                                             std::span<const Piece> squares, gpu::BufferId pictures,
-                                             gpu::BufferId still, gpu::BufferId map);
+/// What moves, and what stands still.
+struct MixInputs {
+    std::span<const Piece> squares;
+    gpu::BufferId pictures; ///< of the squares, one after another, row by row; of a whole level as that has
+                            ///< its texels
+    gpu::BufferId still;    ///< all levels
+    gpu::BufferId tiles;    ///< of the pictures, from list_tiles()
+    uint32_t tile_count = 0;
+};
+
+/// Puts into `map`, in each tile, the nearer to the sun of what both hold there. Cost: one dispatch, three
+/// accesses a texel of the tiles.
+[[nodiscard]] gpu::BufferId add_mixed_levels(gpu::Graph& graph, const Clipmap& clipmap, const MixInputs& in,
+                                             gpu::BufferId map);
 
 /// Posed vertices as the sun sees them: x and y in the finest texels, rounded to 1/32, z its clip z. So what
 /// is drawn of them does not depend on where a piece begins.

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The sun's clipmap: the same texels wherever the eye is, fine enough for the page, and right against rays.
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <random>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "gpu/imports.hpp"
+#include "gpu/upload.hpp"
 #include "scene/shapes.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
+#include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
 
 namespace estampe::shadow {
@@ -88,6 +93,54 @@ TEST(SunClipmap, HoldsTheSameBitsWhereverItsWindowIs)
             EXPECT_GT(covered, 2000U);
         }
     }
+}
+
+std::vector<uint32_t> random_words(size_t count, uint32_t seed)
+{
+    std::mt19937 random(seed);
+    std::vector<uint32_t> words(count);
+    std::ranges::generate(words, [&] { return static_cast<uint32_t>(random()); });
+    return words;
+}
+
+TEST(SunClipmap, MixesTilesAndNothingBeside)
+{
+    const Clipmap clipmap{.finest_m = 1.0, .size = 256, .level_count = 3};
+    // The first is a whole level, and the second goes over two ends of its own.
+    const std::vector<Piece> squares{{.level = 0, .low = {-96, 40}, .size = glm::uvec2(256)},
+                                     {.level = 1, .low = {-52, 200}, .size = glm::uvec2(128)},
+                                     {.level = 2, .low = {4, -300}, .size = glm::uvec2(64)}};
+    const std::vector<glm::uvec3> tiles{{0, 1, 2}, {0, 3, 0}, {1, 0, 0}, {1, 1, 1}, {2, 0, 0}};
+    const std::vector<uint32_t> first{0, 256 * 256, 256 * 256 + 128 * 128};
+    const auto picture = random_words(first[2] + 64 * 64, 1);
+    const auto still = random_words(size_t{3} * 256 * 256, 2);
+    auto wanted = random_words(size_t{3} * 256 * 256, 3);
+    gpu::Device& device = test::shared_device();
+    gpu::Buffer map = gpu::upload_buffer(device, "map", wanted);
+    gpu::Buffer pictures = gpu::upload_buffer(device, "pictures", picture);
+    gpu::Buffer stills = gpu::upload_buffer(device, "still", still);
+    std::vector<uint32_t> packed;
+    for (const glm::uvec3& tile : tiles) { // square, column, row
+        packed.push_back(tile.x << 16U | tile.z << 8U | tile.y);
+        const Piece& square = squares[tile.x];
+        const uint32_t side = square.size.x;
+        for (uint32_t i = 0; i < 64 * 64; ++i) {
+            const glm::uvec2 place = 64U * glm::uvec2(tile.y, tile.z) + glm::uvec2(i % 64, i / 64);
+            const glm::uvec2 at = ((side == 256 ? glm::uvec2(0) : glm::uvec2(square.low)) + place) % 256U;
+            const size_t texel = (square.level * 256 + at.y) * 256 + at.x;
+            wanted[texel] = std::max(picture[first[tile.x] + place.y * side + place.x], still[texel]);
+        }
+    }
+    gpu::Buffer list = gpu::upload_buffer(device, "tiles", packed);
+    gpu::Graph graph;
+    const auto mixed = add_mixed_levels(graph, clipmap,
+                                        {.squares = squares,
+                                         .pictures = gpu::import_whole(graph, "pictures", pictures),
+                                         .still = gpu::import_whole(graph, "still", stills),
+                                         .tiles = gpu::import_whole(graph, "tiles", list),
+                                         .tile_count = static_cast<uint32_t>(packed.size())},
+                                        gpu::import_whole(graph, "map", map));
+    EXPECT_TRUE(test::run_and_read_as<uint32_t>(graph, mixed) == wanted);
 }
 
 struct Lit {

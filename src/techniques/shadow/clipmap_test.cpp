@@ -130,5 +130,126 @@ TEST(Clipmap, WhatIsUncoveredIsDrawnAndNothingElseIsNeeded)
     EXPECT_LT(drawn, 24U * clipmap.level_count * clipmap.size * clipmap.size);
 }
 
+/// Texels that a box covers as the sun sees it, of a level.
+std::pair<glm::ivec2, glm::ivec2> covered(const Clipmap& clipmap, uint32_t level, const Bounds& place)
+{
+    glm::dvec2 low(1e9);
+    glm::dvec2 high(-1e9);
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner((i & 1) != 0 ? place.max.x : place.min.x,
+                                (i & 2) != 0 ? place.max.y : place.min.y,
+                                (i & 4) != 0 ? place.max.z : place.min.z);
+        low = glm::min(low, texel_at(clipmap, level, corner));
+        high = glm::max(high, texel_at(clipmap, level, corner));
+    }
+    return {glm::ivec2(glm::floor(low)), glm::ivec2(glm::floor(high))};
+}
+
+Bounds cube_at(const glm::dvec3& middle, double half_m)
+{
+    return {.min = middle - half_m, .max = middle + half_m};
+}
+
+/// The tiles of a level, of which the map has texels modulo its size; each is to be listed once, within its
+/// square.
+class ListedTiles {
+public:
+    ListedTiles(const Clipmap& clipmap, const std::vector<Piece>& squares, const std::vector<uint32_t>& tiles)
+        : clipmap_(clipmap), squares_(squares)
+    {
+        for (const Piece& square : squares) {
+            listed_.emplace_back(square.size.x / 64, std::vector(square.size.x / 64, false));
+        }
+        for (const uint32_t tile : tiles) {
+            auto place = listed_.at(tile >> 16U).at(tile >> 8U & 255U).at(tile & 255U);
+            EXPECT_FALSE(place) << tile;
+            place = true;
+        }
+    }
+
+    /// Texels of these that some square has, but no tile.
+    [[nodiscard]] size_t missed(uint32_t level, const glm::ivec2& low, const glm::ivec2& last) const
+    {
+        size_t count = 0;
+        for (size_t i = 0; i < squares_.size(); ++i) {
+            const Piece& square = squares_[i];
+            if (square.level != level) {
+                continue;
+            }
+            const auto side = static_cast<int>(square.size.x);
+            const bool is_whole = square.size.x == clipmap_.size;
+            for (int y = std::max(low.y, square.low.y); y <= std::min(last.y, square.low.y + side - 1); ++y) {
+                for (int x = std::max(low.x, square.low.x); x <= std::min(last.x, square.low.x + side - 1);
+                     ++x) {
+                    const glm::uvec2 at =
+                        glm::uvec2(glm::ivec2(x, y) - (is_whole ? glm::ivec2(0) : square.low)) &
+                        glm::uvec2(square.size.x - 1);
+                    count += listed_[i][at.y / 64][at.x / 64] ? 0U : 1U;
+                }
+            }
+        }
+        return count;
+    }
+
+private:
+    const Clipmap& clipmap_;
+    const std::vector<Piece>& squares_;
+    std::vector<std::vector<std::vector<bool>>> listed_; ///< square, row, column
+};
+
+TEST(Clipmap, ListsTheTilesOfAllThatMoves)
+{
+    const Clipmap clipmap = clipmap_over(300.0, 512); // whose windows go by half a tile
+    const std::vector<std::vector<Bounds>> cases{
+        {cube_at({1.0, 1.0, 0.5}, 0.3)},
+        {cube_at({-2.0, 1.0, 0.5}, 0.3), cube_at({2.5, 2.0, -2.0}, 0.2), cube_at({150.0, 3.0, -80.0}, 4.0)},
+        {{.min = {-1.0, 0.0, -200.0}, .max = {-0.9, 0.1, 200.0}}},
+        {{.min = glm::dvec3(-1e6), .max = glm::dvec3(1e6)}}};
+    std::vector<uint32_t> tiles;
+    Windows before = windows_about(clipmap, {});
+    for (size_t i = 0; i < 4 * cases.size(); ++i) {
+        const std::vector<Bounds>& places = cases[i / 4];
+        // The eye stands, and goes on.
+        const size_t step = i / 2;
+        const Windows now = windows_about(clipmap, {0.9 * static_cast<double>(step), 1.0, 0.0});
+        const auto pieces = uncovered(clipmap, before, now);
+        const auto squares = squares_about(clipmap, now, places, pieces);
+        list_tiles(clipmap, squares, places, pieces, tiles);
+        const ListedTiles listed(clipmap, squares, tiles);
+        for (uint32_t level = 0; level < clipmap.level_count; ++level) {
+            for (const Bounds& place : places) {
+                const auto [low, last] = covered(clipmap, level, place);
+                EXPECT_EQ(listed.missed(level, low - 1, last + 1), 0U) << i << ", level " << level;
+            }
+        }
+        for (const Piece& piece : pieces) {
+            EXPECT_EQ(listed.missed(piece.level, piece.low, piece.low + glm::ivec2(piece.size) - 1), 0U) << i;
+        }
+        before = now;
+    }
+}
+
+TEST(Clipmap, ListsFewTilesOfWhatIsFarApart)
+{
+    const Clipmap clipmap = clipmap_over(300.0, 2048);
+    const std::vector<Bounds> places{cube_at({-12.0, 1.0, 3.0}, 0.3), cube_at({11.0, 2.0, -9.0}, 0.3)};
+    const auto squares = squares_about(clipmap, windows_about(clipmap, {}), places, {});
+    std::vector<uint32_t> tiles;
+    list_tiles(clipmap, squares, places, {}, tiles);
+    size_t all = 0;
+    size_t most = 0;
+    for (const Piece& square : squares) {
+        all += size_t{square.size.x} / 64 * (square.size.y / 64);
+        for (const Bounds& place : places) {
+            const auto [low, last] = covered(clipmap, square.level, place);
+            const glm::ivec2 across = (last - low + 4) / 64 + 2;
+            most += static_cast<size_t>(across.x * across.y);
+        }
+    }
+    EXPECT_GT(all, 1000U);
+    EXPECT_LE(tiles.size(), most);
+    EXPECT_LT(20 * tiles.size(), all);
+}
+
 } // namespace
 } // namespace estampe::shadow

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_SQUARE_TILES
+#define ESTAMPE_SQUARE_TILES
+
+// A list of tiles of square pictures, see square_tile.glsl.h, to each a group of 256 threads that take four
+// texels of a row at once. Wanted before: SQUARE_TILES_BINDING.
+
+#include "shaders/square_tile.glsl.h"
+
+const uint square_tile_rounds = square_tile_texels * square_tile_texels / (4u * 256u);
+
+layout(scalar, binding = SQUARE_TILES_BINDING) readonly buffer SquareTiles
+{
+    uint square_tiles[];
+};
+
+// The picture of which this group has a tile.
+uint square_of_group()
+{
+    return square_tiles[gl_WorkGroupID.x] >> 16;
+}
+
+// In the picture, the first of the four texels of this thread.
+uvec2 texel_of_round(uint i)
+{
+    uint tile = square_tiles[gl_WorkGroupID.x];
+    uint first = 4u * (256u * i + gl_LocalInvocationID.x);
+    return square_tile_texels * uvec2(tile & 0xffu, (tile >> 8) & 0xffu) +
+           uvec2(first % square_tile_texels, first / square_tile_texels);
+}
+
+#endif
