@@ -107,7 +107,7 @@ const LocalShadowPlan& LocalShadows::plan(light::Lighting& lighting, std::span<c
     const std::vector<shadow::Allotment>& lots =
         atlas_.allot(requests_, {.texels = budget_texels, .lights = static_cast<size_t>(style.local_lights)});
     kept_.resize(records.size());
-    const bool has_layers = casters.moving && casters.still && 2 * atlas_.end_texel() <= budget_texels;
+    const bool has_layers = casters.moving && casters.still;
     for (size_t i = 0; i < records.size(); ++i) {
         const shadow::Allotment& lot = lots[i];
         if (lot.size == 0) {

@@ -84,8 +84,8 @@ class LocalShadows {
 public:
     /// Fills in the records' `shadow`. `moved` are the places, before and after, of what moved since the last
     /// call. A light within whose reach casters move while it stands keeps a layer of those that do not, in a
-    /// second buffer as large as the maps', where both fit `shadow.local_megatexels`; else its maps are drawn
-    /// whole. Valid until the next call. Cost: linear in lights and in what moved.
+    /// second buffer as large as the maps', which are held to `shadow.local_megatexels`. Valid until the next
+    /// call. Cost: linear in lights and in what moved.
     [[nodiscard]] const LocalShadowPlan& plan(light::Lighting& lighting, std::span<const Bounds> moved,
                                               const PageView& page, const shadow::ShadowStyle& style,
                                               const CasterKinds& casters = {});

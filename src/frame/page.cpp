@@ -50,6 +50,17 @@ void check_size(const gpu::Device& device, const RenderSettings& settings)
     }
 }
 
+SeenWindow seen_window(const paper::PaperStyle& style, glm::uvec2 page_px, float pixels_per_mm,
+                       glm::vec2 from_px)
+{
+    constexpr float strays_mm = 0.3F; // the edge, and more than that
+    const paper::Window window = paper::window_of(style, static_cast<float>(page_px.x) / pixels_per_mm);
+    const glm::vec2 min_px = (window.min_mm - strays_mm) * pixels_per_mm - from_px;
+    const glm::vec2 max_px = (window.max_mm + strays_mm) * pixels_per_mm - from_px;
+    return {.min_px = glm::uvec2(glm::max(min_px, 0.0F)),
+            .max_px = glm::uvec2(glm::max(glm::ceil(max_px), 0.0F))};
+}
+
 void provide_page(gpu::Device& device, Page& page, glm::uvec2 size_px, uint32_t samples)
 {
     const uint64_t count = uint64_t{size_px.x} * size_px.y;

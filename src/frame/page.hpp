@@ -4,6 +4,7 @@
 #include <estampe/renderer.hpp>
 
 #include "gpu/resources.hpp"
+#include "techniques/paper/paper.hpp"
 
 namespace estampe::frame {
 
@@ -30,6 +31,16 @@ struct PageLimits {
 /// Throws Error naming the device's limit when it cannot draw a picture of this size in one go, or
 /// of no sample.
 void check_size(const gpu::Device& device, const RenderSettings& settings);
+
+/// What the paper's margin leaves of a page to be seen, in pixels of a part of it.
+struct SeenWindow {
+    glm::uvec2 min_px{0};
+    glm::uvec2 max_px{0}; ///< past the last
+};
+
+/// `from_px` is where the part begins on the page. What is beyond the window is never seen.
+[[nodiscard]] SeenWindow seen_window(const paper::PaperStyle& style, glm::uvec2 page_px, float pixels_per_mm,
+                                     glm::vec2 from_px);
 
 /// Makes what `page` lacks for what is drawn at once.
 void provide_page(gpu::Device& device, Page& page, glm::uvec2 size_px, uint32_t samples);

@@ -2,6 +2,7 @@
 // From light to ink, colour and paper.
 #include <algorithm>
 
+#include "frame/page.hpp"
 #include "frame/steps.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/read_back.hpp"
@@ -291,6 +292,8 @@ motion_blur::MotionBlurLayers add_motion_blur(const Making& making, const PosedS
                                             has_moved ? scene.vertices_before : scene.meshes.posed_vertices,
                                         .clip_from_anchor_before = shifted_before,
                                         .seeds = &making.resources.smear_seeds};
+    const SeenWindow window = seen_window(making.style.paper, making.plan.page_px,
+                                          making.plan.page.pixels_per_mm, making.sample.from_px);
     return motion_blur::add_motion_blur(
         making.graph,
         {.motion = is_stretched ? stretched_motion_of(making, scene, *plan) : own_motion,
@@ -302,6 +305,8 @@ motion_blur::MotionBlurLayers add_motion_blur(const Making& making, const PosedS
          .sky_ink = colors.sky_ink,
          .has_sky = colors.has_sky_ink,
          .size_px = making.sample.size_px,
+         .window_min_px = window.min_px,
+         .window_max_px = window.max_px,
          .smear = making.style.motion_blur.smear ? std::optional(smear) : std::nullopt,
          .by_groups = !making.plan.raster.on_processor},
         making.style.motion_blur, plan->constants, plan->smear);

@@ -38,10 +38,11 @@ MemoryAllocator::~MemoryAllocator()
 
 uint32_t MemoryAllocator::pick_type(uint32_t allowed_types, MemoryUse use) const
 {
-    const auto find = [&](VkMemoryPropertyFlags wanted) {
+    const auto find = [&](VkMemoryPropertyFlags wanted, VkDeviceSize least_bytes = 0) {
         for (uint32_t type = 0; type < properties_.memoryTypeCount; ++type) {
-            if ((allowed_types >> type & 1U) != 0 &&
-                (properties_.memoryTypes[type].propertyFlags & wanted) == wanted) {
+            const VkMemoryType& offered = properties_.memoryTypes[type];
+            if ((allowed_types >> type & 1U) != 0 && (offered.propertyFlags & wanted) == wanted &&
+                properties_.memoryHeaps[offered.heapIndex].size >= least_bytes) {
                 return type;
             }
         }
@@ -54,6 +55,11 @@ uint32_t MemoryAllocator::pick_type(uint32_t allowed_types, MemoryUse use) const
         type = find(VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     } else if (use == MemoryUse::readback) {
         type = find(visible | VK_MEMORY_PROPERTY_HOST_CACHED_BIT);
+    } else {
+        // What a shader reads again and again lies better on its side of the bus. A small window into that
+        // side is left to those who know nothing else.
+        constexpr VkDeviceSize least_window_bytes = 1ULL << 30U;
+        type = find(visible | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, least_window_bytes);
     }
     if (type == UINT32_MAX) {
         type = find(use == MemoryUse::device ? 0 : visible);

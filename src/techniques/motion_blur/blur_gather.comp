@@ -30,7 +30,8 @@ const bool shows_velocity = (variant & blur_shows_velocity) != 0u;
 
 #include "shaders/veil.glsl"
 
-const int most_taps = 24; // along each of two ways
+const int most_taps = 24;        // along one way
+const int most_taps_of_two = 16; // along each of two
 
 float length_of(vec2 way)
 {
@@ -56,11 +57,11 @@ struct Passing {
     float there_time;
 };
 
-void pass_along(ivec2 pixel, vec2 way, vec2 own_way, float own_depth, inout Passing passing)
+void pass_along(ivec2 pixel, vec2 way, int most, vec2 own_way, float own_depth, inout Passing passing)
 {
     float reach_px = length_of(way);
     float own_px = length_of(own_way);
-    int taps = reach_px > 0.0 ? min(int(ceil(2.0 * reach_px + 1.0)), most_taps) : 0;
+    int taps = reach_px > 0.0 ? min(int(ceil(2.0 * reach_px + 1.0)), most) : 0;
     vec2 forward = way / max(reach_px, 1e-6);
     float step_px = (2.0 * reach_px + 1.0) / float(max(taps, 1));
     // The condition stands behind: where there is no way one tap counts for nothing.
@@ -117,14 +118,15 @@ void main()
     bool is_moving = own_way != vec2(0.0);
     Passing passing = Passing(no_veil, 0.0, no_veil, 0.0);
     // What comes from elsewhere goes the longest way that reaches the pixel; what is there goes its own.
-    pass_along(pixel, longest, own_way, own_depth, passing);
     bool is_same = length_of(longest - own_way) < 0.05 * length_of(longest);
+    int most = is_same || !is_moving ? most_taps : most_taps_of_two;
+    pass_along(pixel, longest, most, own_way, own_depth, passing);
     Passing own_passing = Passing(no_veil, 0.0, passing.there, passing.there_time);
     if (!is_same) {
         own_passing.there = no_veil;
         own_passing.there_time = 0.0;
     }
-    pass_along(pixel, is_same ? vec2(0.0) : own_way, own_way, own_depth, own_passing);
+    pass_along(pixel, is_same ? vec2(0.0) : own_way, most, own_way, own_depth, own_passing);
     Veil there = unpack_veil(own);
     float there_time = is_moving ? own_passing.there_time : 0.0;
     there = there_time > 1e-4 ? scaled(own_passing.there, 1.0 / max(there_time, 1e-6)) : there;

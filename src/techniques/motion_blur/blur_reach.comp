@@ -42,7 +42,10 @@ void main()
         longest = gets_here && dot(way, way) > dot(longest, longest) ? way : longest;
     } while (++i < tiles);
     imageStore(out_reach, tile, vec4(longest, 0.0, 0.0));
-    if (longest == vec2(0.0) && !shows_velocity) {
+    uvec2 from_px = blur_tile_px * uvec2(tile);
+    bool is_seen = all(lessThan(from_px, constants.window_max_px)) &&
+                   all(greaterThan(from_px + blur_tile_px, constants.window_min_px));
+    if (!is_seen || (longest == vec2(0.0) && !shows_velocity)) {
         return;
     }
     uint side = blur_tile_px / 8u;

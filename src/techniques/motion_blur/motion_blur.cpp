@@ -163,6 +163,8 @@ MotionBlurLayers add_motion_blur(gpu::Graph& graph, const MotionBlurInputs& in, 
                                  shared::MotionBlurConstants constants, const shared::SmearConstants& smear)
 {
     constants.size_px = in.size_px;
+    constants.window_min_px = in.window_min_px;
+    constants.window_max_px = in.window_max_px;
     const uint32_t variant = in.has_sky ? shared::blur_has_sky : 0U;
     const bool blurs_within = style.mode == Mode::own || style.mode == Mode::stretched;
     const bool lays_sky = in.has_sky && style.mode != Mode::none && !blurs_within;

@@ -20,6 +20,8 @@ SHARED_CONSTANT uint most_speed_lines = 16U; // that pass one tile
 
 struct MotionBlurConstants {
     uvec2 size_px;
+    uvec2 window_min_px; // beyond, nothing is seen
+    uvec2 window_max_px;
     float scale;         // from motion to the way that is gone in half the time the shutter is open
     float most_px;       // of that
     float line_reach_px; // how far a line lies at most from what it belongs to

@@ -34,8 +34,10 @@ struct MotionBlurInputs {
     gpu::ImageId sky_ink; ///< r16f
     bool has_sky = false; ///< else there is no such ink
     glm::uvec2 size_px{0};
+    glm::uvec2 window_min_px{0}; ///< tiles beyond the window are left as they are
+    glm::uvec2 window_max_px{~0U};
     std::optional<SmearScene> smear; ///< where the style has it
-    bool by_groups = false;          ///< the pixels of a tile are looked at by as many threads, as GPUs like it
+    bool by_groups = false; ///< the pixels of a tile are looked at by as many threads, as GPUs like it
 };
 
 struct MotionBlurLayers {

@@ -194,7 +194,9 @@ void main()
                                                        : 1.0;
         imageStore(out_stage, pixel, vec4(color, cover));
     } else if (develops) {
-        pixels[uint(pixel.y) * frame.size_px.x + uint(pixel.x)] = srgb_bytes(color);
+        // As what is developed later is kept: light that differs by less than that gives the same bytes.
+        vec3 kept = vec3(unpackHalf2x16(packHalf2x16(color.rg)), unpackHalf2x16(packHalf2x16(color.bb)).x);
+        pixels[uint(pixel.y) * frame.size_px.x + uint(pixel.x)] = srgb_bytes(kept);
     } else {
         imageStore(out_picture, pixel, vec4(color, 1.0));
     }

@@ -32,9 +32,9 @@ struct Layers {
     bool has_sky = true;
 };
 
-/// The picture, or what one of its stages comes to.
-std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, glm::uvec2 size_px,
-                               float pixels_per_mm = 3.0F, std::optional<Stage> stage = std::nullopt)
+/// What `add`, called with a graph and inputs, makes of the layers.
+template <class Add>
+auto made_of(const Layers& layers, glm::uvec2 size_px, float pixels_per_mm, const Add& add)
 {
     const double height_mm = size_px.y / static_cast<double>(pixels_per_mm);
     const auto globals =
@@ -55,10 +55,18 @@ std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, gl
                                .light = light.in(graph),
                                .page_px = size_px,
                                .size_px = size_px};
-    if (stage) {
-        return test::run_and_read_as<glm::vec4>(graph, add_compose_stage(graph, inputs, style, *stage));
-    }
-    return test::run_and_read_colors(graph, add_compose(graph, inputs, style));
+    return add(graph, inputs);
+}
+
+/// The picture, or what one of its stages comes to.
+std::vector<glm::vec4> compose(const Layers& layers, const PaperStyle& style, glm::uvec2 size_px,
+                               float pixels_per_mm = 3.0F, std::optional<Stage> stage = std::nullopt)
+{
+    return made_of(layers, size_px, pixels_per_mm, [&](gpu::Graph& graph, const ComposeInputs& inputs) {
+        return stage
+                   ? test::run_and_read_as<glm::vec4>(graph, add_compose_stage(graph, inputs, style, *stage))
+                   : test::run_and_read_colors(graph, add_compose(graph, inputs, style));
+    });
 }
 
 /// Without relief: every layer lies as it was laid.
@@ -472,6 +480,27 @@ void expect_developed(const std::vector<glm::u8vec4>& bytes, const test::Painter
         }
         EXPECT_EQ(bytes[i].w, 255);
     }
+}
+
+TEST(Develop, IsOnePassWithTheLayingOfAnOnlySample)
+{
+    constexpr glm::uvec2 size_px(67, 21); // no whole number of groups
+    const Layers layers{
+        .wash =
+            [](glm::uvec2 pixel) {
+                return glm::vec4(0.015F * static_cast<float>(pixel.x), 0.5F, 0.9F, 1.0F);
+            },
+        .hatch = [](glm::uvec2 pixel) { return pixel.y % 3 == 0 ? 0.7F : 0.0F; },
+        .lines =
+            [](glm::uvec2 pixel) { return glm::vec4(0.1F, 0.0F, 0.0F, pixel.x % 7 == 0 ? 0.8F : 0.0F); }};
+    const auto bytes = made_of(layers, size_px, 3.0F, [&](gpu::Graph& graph, const ComposeInputs& inputs) {
+        const auto pixels = graph.buffer("pixels", {.size_bytes = sizeof(uint32_t) * size_px.x * size_px.y});
+        return test::run_and_read_as<glm::u8vec4>(graph, add_pixels(graph, inputs, {}, pixels));
+    });
+    const std::vector<glm::vec4> picture = compose(layers, {}, size_px);
+    ASSERT_EQ(bytes.size(), picture.size());
+    expect_developed(
+        bytes, [&](glm::uvec2 pixel) { return glm::vec3(picture[pixel.y * size_px.x + pixel.x]); }, size_px);
 }
 
 TEST(Develop, OnePictureBecomesItsBytes)

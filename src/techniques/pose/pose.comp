@@ -49,8 +49,7 @@ layout(scalar, binding = 7) writeonly buffer PosedVertices
 
 layout(push_constant, scalar) uniform Constants
 {
-    uint first_vertex;
-    uint vertex_count;
+    PoseRuns runs;
 };
 
 layout(constant_id = 0) const uint variant = 3u;
@@ -77,10 +76,13 @@ mat4 skin_matrix(DrawPose draw, uint local)
 void main()
 {
     uint item = item_index();
-    if (item >= vertex_count) {
+    if (item >= runs.item_count) {
         return;
     }
-    uint index = first_vertex + item;
+    uint index = runs.firsts[0] + item;
+    for (uint i = 1u; i < runs.run_count; ++i) {
+        index = item >= runs.ends[i - 1u] ? runs.firsts[i] + item - runs.ends[i - 1u] : index;
+    }
     uint draw_index = draw_of_vertex[index];
     DrawPose draw = draw_pose_at(draw_index);
     DrawPart lists = draw_at(draw_index);

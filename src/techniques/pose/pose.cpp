@@ -20,15 +20,22 @@ gpu::BufferId add_runs(gpu::Graph& graph, MeshBuffers& meshes, const MeshData& d
     const auto morph_offsets = gpu::import_whole(graph, "morph offsets", meshes.morph_offsets);
     const auto joints = gpu::import_whole(graph, "joints", meshes.joints);
     const auto morph_weights = gpu::import_whole(graph, "morph weights", meshes.morph_weights);
+    shared::PoseRuns constants{};
     for (const VertexRun& run : runs) {
-        auto pass = graph.compute("pose", shaders::pose_comp);
-        pass.sample(draws).read(draw_of_vertex).sample(rest_vertices);
-        pass.read(skin_vertices).read(morph_offsets).read(joints).read(morph_weights);
-        posed = pass.modify(posed);
-        pass.variant((data.joint_count > 0 ? shared::pose_has_skins : 0U) |
-                     (data.morph_weight_count > 0 ? shared::pose_has_morphs : 0U));
-        pass.push(glm::uvec2(run.first, run.count)).dispatch_items(run.count);
+        constants.item_count += run.count;
+        constants.firsts[constants.run_count] = run.first;
+        constants.ends[constants.run_count++] = constants.item_count;
     }
+    if (constants.item_count == 0) {
+        return posed;
+    }
+    auto pass = graph.compute("pose", shaders::pose_comp);
+    pass.sample(draws).read(draw_of_vertex).sample(rest_vertices);
+    pass.read(skin_vertices).read(morph_offsets).read(joints).read(morph_weights);
+    posed = pass.modify(posed);
+    pass.variant((data.joint_count > 0 ? shared::pose_has_skins : 0U) |
+                 (data.morph_weight_count > 0 ? shared::pose_has_morphs : 0U));
+    pass.push(constants).dispatch_items(constants.item_count);
     return posed;
 }
 

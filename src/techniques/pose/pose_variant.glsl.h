@@ -12,6 +12,16 @@ namespace estampe::shared {
 SHARED_CONSTANT uint pose_has_skins = 1U << 0U;
 SHARED_CONSTANT uint pose_has_morphs = 1U << 1U;
 
+SHARED_CONSTANT uint most_pose_runs = 8U;
+
+// Vertices that are posed together: runs of them, one after another.
+struct PoseRuns {
+    uint run_count;
+    uint item_count;             // vertices of all runs
+    uint firsts[most_pose_runs]; // vertices
+    uint ends[most_pose_runs];   // in items
+};
+
 #ifdef __cplusplus
 } // namespace estampe::shared
 #endif

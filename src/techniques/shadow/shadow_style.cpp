@@ -45,8 +45,8 @@ const style::Table<ShadowStyle>& shadow_table()
                      "Largest side of a spot's shadow map, and of each of a lamp's six; 0 takes the page's "
                      "longer side for a spot and half of it for a lamp, within 256 and 2048")
             .number("local_megatexels", &ShadowStyle::local_megatexels, {0.1F, 32.0F}, "million texels",
-                    "What all these maps hold together; beyond it they are made smaller, and at last left "
-                    "out");
+                    "What all these maps hold together, as much again lying behind them where casters move; "
+                    "beyond it they are made smaller, and at last left out");
     return table;
 }
 
