@@ -15,7 +15,7 @@ namespace estampe {
 namespace {
 
 /// The first of the bytes: changes when what follows does.
-constexpr uint64_t signature = 0x36304d4c49465345ULL;
+constexpr uint64_t signature = 0x37304d4c49465345ULL;
 
 /// Ink that flows, and the camera that saw it.
 struct InkHead {
@@ -87,6 +87,7 @@ struct SmokeHead {
     float cell_m = 1.0F;
     uint32_t channels = 2; ///< as wide as that no byte between is left open
     double time_s = 0.0;
+    double behind_s = 0.0;
 };
 
 /// What is written ahead of the buffers.
@@ -230,7 +231,8 @@ std::vector<std::byte> Renderer::film_memory() const
                                .cells = box.cells,
                                .cell_m = box.cell_m,
                                .channels = box.channels,
-                               .time_s = box.time_s};
+                               .time_s = box.time_s,
+                               .behind_s = box.behind_s};
         writer.append(std::as_bytes(std::span(&of_box, 1)));
         writer.append(std::as_bytes(std::span(box.velocity)));
         writer.append(std::as_bytes(std::span(box.quantities)));
@@ -294,6 +296,7 @@ void Renderer::recall_film(std::span<const std::byte> memory)
                                                                     .cells = of_box.cells,
                                                                     .cell_m = of_box.cell_m,
                                                                     .time_s = of_box.time_s,
+                                                                    .behind_s = of_box.behind_s,
                                                                     .channels = of_box.channels,
                                                                     .velocity = {},
                                                                     .quantities = {}});

@@ -23,6 +23,7 @@ namespace estampe::frame {
 namespace {
 
 constexpr double longest_gap_s = 1.0;
+constexpr double caught_up_s = 0.25; // by a picture, of what smoke is behind that is begun in a film
 
 /// Sides in cells, powers of two nearest to the proportions.
 glm::uvec3 sides_of(const glm::dvec3& size_m, uint32_t longest)
@@ -128,6 +129,7 @@ struct RisingSmoke::Column {
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
     double time_s = 0.0;
+    double behind_s = 0.0;               ///< the last picture
     KeptSmoke recalled;                  ///< until it is asked for
     std::unique_ptr<fluid::Fluid> fluid; ///< none until then
     std::optional<SolverReport> solver_report = {};
@@ -274,6 +276,7 @@ std::vector<KeptSmoke> RisingSmoke::kept(gpu::Device& device, gpu::Executor& exe
                         .cells = column->cells,
                         .cell_m = column->cell_m,
                         .time_s = column->time_s,
+                        .behind_s = column->behind_s,
                         .channels = column->fluid->channels(),
                         .velocity = numbers(false),
                         .quantities = numbers(true)});
@@ -289,6 +292,7 @@ void RisingSmoke::recall(std::vector<KeptSmoke> kept)
                                                       .cells = box.cells,
                                                       .cell_m = box.cell_m,
                                                       .time_s = box.time_s,
+                                                      .behind_s = box.behind_s,
                                                       .fluid = nullptr});
         column->recalled = std::move(box);
         columns_.push_back(std::move(column));
@@ -302,13 +306,16 @@ std::unique_ptr<RisingSmoke::Column> RisingSmoke::started(gpu::Device& device, g
     const uint32_t channels = smoke_channels(style);
     const auto found = std::ranges::find_if(
         columns_, [&](const auto& column) { return column && column->is_of(box, channels); });
+    const bool goes_on = in.settings.continuity == Continuity::follows;
+    const auto age_s = static_cast<double>(style.age_s);
     std::unique_ptr<Column> column =
         found != columns_.end()
             ? std::move(*found)
             : std::make_unique<Column>(Column{.number = box.number,
                                               .cells = box.cells,
                                               .cell_m = box.cell_m,
-                                              .time_s = in.settings.time_s - static_cast<double>(style.age_s),
+                                              .time_s = in.settings.time_s - age_s,
+                                              .behind_s = goes_on ? age_s : 0.0,
                                               .recalled = {.channels = channels,
                                                            .velocity = stirred_air(box, style),
                                                            .quantities = clean_air(box, style)},
@@ -351,25 +358,28 @@ std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& ex
     }
     const double time_s = in.settings.time_s;
     std::erase_if(columns_, [&](const auto& column) {
-        return in.settings.continuity != Continuity::follows || time_s < column->time_s ||
-               time_s - column->time_s > longest_gap_s;
+        const double before_s = column->time_s + column->behind_s;
+        return in.settings.continuity != Continuity::follows || time_s < before_s - 1e-6 ||
+               time_s - before_s > longest_gap_s;
     });
     std::vector<std::unique_ptr<Column>> columns;
     for (smoke::Box& box : boxes) {
         columns.push_back(started(device, executor, box, in));
         Column& column = *columns.back();
         column.catch_up(executor);
+        column.behind_s = std::max(column.behind_s - caught_up_s, 0.0);
+        const double risen_s = time_s - column.behind_s;
         Risen risen = let_rise(*column.fluid, SolverMeter(device, executor, in.settings.measure_solvers),
                                {.box = box,
                                 .style = style,
-                                .gap_s = time_s - column.time_s,
+                                .gap_s = risen_s - column.time_s,
                                 .boxes = static_cast<uint32_t>(boxes.size()),
                                 .is_measured = in.settings.measure_solvers});
         column.left = risen.left;
         if (risen.report || !in.settings.measure_solvers) {
             column.solver_report = std::move(risen.report);
         }
-        column.time_s = time_s;
+        column.time_s = risen_s;
         carry_along(box, style, time_s);
     }
     columns_ = std::move(columns);

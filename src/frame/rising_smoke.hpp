@@ -58,6 +58,7 @@ struct KeptSmoke {
     glm::uvec3 cells{0};
     float cell_m = 1.0F;
     double time_s = 0.0;
+    double behind_s = 0.0; ///< the picture's time
     uint32_t channels = 2;
     std::vector<float> velocity;   ///< three numbers a cell
     std::vector<float> quantities; ///< one a channel

@@ -106,6 +106,26 @@ TEST(RisingSmoke, AStillStandsForItselfAndAFilmFlowsOn)
     EXPECT_EQ(film(renderer, smoking()), once) << "of the scene loaded anew";
 }
 
+TEST(RisingSmoke, BegunWithinAFilmItIsCaughtUpWithPictureByPicture)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(smoking_box());
+    const Image plain = renderer.render(camera, {}, still);
+    const size_t grown = changed(renderer.render(camera, smoking(), still), plain);
+    std::vector<size_t> seen;
+    for (int number = 0; number < 6; ++number) {
+        RenderSettings settings = still;
+        settings.time_s = number / 12.0;
+        settings.continuity = number == 0 ? Continuity::starts : Continuity::follows;
+        seen.push_back(changed(renderer.render(camera, number == 0 ? Style() : smoking(), settings), plain));
+    }
+    EXPECT_EQ(seen[0], 0U);
+    EXPECT_GT(seen[1], 0U);
+    EXPECT_LT(seen[1], grown / 2) << "all of its age at once";
+    EXPECT_LT(seen[1], seen[2]);
+    EXPECT_GT(seen[5], grown * 3 / 4);
+}
+
 /// The passes of the last picture's graph that are of a fluid's steps.
 size_t steps_within(const Renderer& renderer)
 {

@@ -56,8 +56,8 @@ struct ComposeInputs {
 [[nodiscard]] gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style);
 
 /// Lays the layers on paper and writes a picture of one sample into `pixels`, as add_compose() and
-/// add_develop() do one after the other, but that nothing is rounded between them. `pixels` may be the host's
-/// memory. Cost: one full-screen dispatch, and the bus to where the pixels are.
+/// add_develop() do one after the other. `pixels` may be the host's memory. Cost: one full-screen dispatch,
+/// and the bus to where the pixels are.
 [[nodiscard]] gpu::BufferId add_pixels(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style,
                                        gpu::BufferId pixels);
 
