@@ -38,11 +38,10 @@ MemoryAllocator::~MemoryAllocator()
 
 uint32_t MemoryAllocator::pick_type(uint32_t allowed_types, MemoryUse use) const
 {
-    const auto find = [&](VkMemoryPropertyFlags wanted, VkDeviceSize least_bytes = 0) {
+    const auto find = [&](VkMemoryPropertyFlags wanted) {
         for (uint32_t type = 0; type < properties_.memoryTypeCount; ++type) {
-            const VkMemoryType& offered = properties_.memoryTypes[type];
-            if ((allowed_types >> type & 1U) != 0 && (offered.propertyFlags & wanted) == wanted &&
-                properties_.memoryHeaps[offered.heapIndex].size >= least_bytes) {
+            if ((allowed_types >> type & 1U) != 0 &&
+                (properties_.memoryTypes[type].propertyFlags & wanted) == wanted) {
                 return type;
             }
         }
@@ -55,11 +54,6 @@ uint32_t MemoryAllocator::pick_type(uint32_t allowed_types, MemoryUse use) const
         type = find(VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     } else if (use == MemoryUse::readback) {
         type = find(visible | VK_MEMORY_PROPERTY_HOST_CACHED_BIT);
-    } else {
-        // What a shader reads again and again lies better on its side of the bus. A small window into that
-        // side is left to those who know nothing else.
-        constexpr VkDeviceSize least_window_bytes = 1ULL << 30U;
-        type = find(visible | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, least_window_bytes);
     }
     if (type == UINT32_MAX) {
         type = find(use == MemoryUse::device ? 0 : visible);

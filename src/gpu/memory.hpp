@@ -10,9 +10,8 @@
 namespace estampe::gpu {
 
 enum class MemoryUse : uint8_t {
-    device, ///< only the GPU touches it
-    upload, ///< written by the processor, which never reads it, read by the GPU; mapped, and the device's own
-            ///< where all of that can be
+    device,   ///< only the GPU touches it
+    upload,   ///< written by the processor, read by the GPU; mapped
     readback, ///< written by the GPU, read by the processor; mapped, cached where offered
 };
 
