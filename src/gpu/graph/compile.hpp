@@ -118,11 +118,11 @@ struct CompiledGraph {
 /// needs no earlier write: its first pass clears it.
 ///
 /// Order: in levels. Passes of one level hang on none of each other and share the barriers before the level's
-/// first, so that a device may run them side by side; Scheduler says which level that is. Side effects keep their
-/// order. Culling: a pass stays when it has a side effect, is a host read, writes an exported or imported
-/// resource, or writes what a kept pass reads. Slots: transients of equal description whose levels do not
-/// overlap share one (buffers: same size); sharing adds the barrier that orders them. What is exported or read
-/// by the host has a slot of its own.
+/// first, so that a device may run them side by side; Scheduler says which level that is. Side effects keep
+/// their order. Culling: a pass stays when it has a side effect, is a host read, writes an exported or
+/// imported resource, or writes what a kept pass reads. Slots: transients of equal description whose levels
+/// do not overlap share one (buffers: same size); sharing adds the barrier that orders them. What is exported
+/// or read by the host has a slot of its own.
 ///
 /// Barriers: a write waits for every access since the last write, a read for the last write unless its kind
 /// of access has already waited; a layout change counts as a write. Cost: linear in uses, but for slots,
