@@ -94,6 +94,23 @@ Style smoking(const std::vector<std::string>& more)
     return style;
 }
 
+TEST(FilmMemory, KeepsHowFarSmokeIsBehindThatWasBegunWithinTheFilm)
+{
+    Renderer& renderer = test::shared_renderer();
+    const Scene scene = still_life();
+    renderer.set_scene(scene);
+    const Style style = smoking({"smoke.age_s=2"});
+    static_cast<void>(frame(renderer, smoking({"smoke.drawn=false"}), 0));
+    static_cast<void>(frame(renderer, style, 1));
+    const std::vector<std::byte> memory = renderer.film_memory();
+    const Image second = frame(renderer, style, 2);
+    const Image third = frame(renderer, style, 3);
+    renderer.set_scene(scene);
+    renderer.recall_film(memory);
+    EXPECT_TRUE(frame(renderer, style, 2) == second);
+    EXPECT_TRUE(frame(renderer, style, 3) == third);
+}
+
 TEST(FilmMemory, GoesOnWithoutLinesToo)
 {
     Renderer& renderer = test::shared_renderer();

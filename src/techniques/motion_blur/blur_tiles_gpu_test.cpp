@@ -14,8 +14,19 @@ namespace {
 
 constexpr glm::uvec2 size_px(75, 50); // with tiles that the page cuts
 
+/// What of the page is seen, in pixels from and until.
+struct Window {
+    glm::uvec2 min_px{0};
+    glm::uvec2 max_px = size_px;
+};
+
+glm::vec4 check_at(glm::uvec2 pixel)
+{
+    return {glm::vec3((pixel.x / 3 + pixel.y / 3) % 2 == 0 ? 0.1F : 0.9F), 1.0F};
+}
+
 /// Checks of paint, which patches of the page go past in ways of their own, some of the same length.
-std::vector<glm::vec4> blurred(bool by_groups)
+std::vector<glm::vec4> blurred(bool by_groups, const Window& window = {})
 {
     const auto way = [](glm::uvec2 pixel) {
         constexpr std::array ways{glm::vec2(0.0F), glm::vec2(6.0F, 0.0F), glm::vec2(0.0F, -6.0F),
@@ -25,9 +36,7 @@ std::vector<glm::vec4> blurred(bool by_groups)
     };
     auto motion = test::Layer::places(size_px, way);
     auto depth = test::Layer::depth(size_px, [](glm::uvec2 pixel) { return pixel.x < 40 ? 0.5F : 0.2F; });
-    auto wash = test::Layer::color(size_px, [](glm::uvec2 pixel) {
-        return glm::vec4(glm::vec3((pixel.x / 3 + pixel.y / 3) % 2 == 0 ? 0.1F : 0.9F), 1.0F);
-    });
+    auto wash = test::Layer::color(size_px, check_at);
     auto hatch = test::Layer::coverage(size_px, [](glm::uvec2) { return 0.0F; });
     auto lines = test::Layer::root_color(size_px, [](glm::uvec2) { return glm::vec4(0.0F); });
     auto sky_ink = test::Layer::coverage(size_px, [](glm::uvec2) { return 0.0F; });
@@ -43,6 +52,8 @@ std::vector<glm::vec4> blurred(bool by_groups)
                                                      .lines = lines.in(graph),
                                                      .sky_ink = sky_ink.in(graph),
                                                      .size_px = size_px,
+                                                     .window_min_px = window.min_px,
+                                                     .window_max_px = window.max_px,
                                                      .by_groups = by_groups},
                                                     style, constants_of(style, 1.0F, 2.0F, 0.5F), {});
     return test::run_and_read_colors(graph, layers.wash);
@@ -57,6 +68,27 @@ TEST(MotionBlurTiles, AreFoundByGroupsAsByThreads)
         gray += color.x > 0.2F && color.x < 0.8F ? 1 : 0;
     }
     EXPECT_GT(gray, by_threads.size() / 4) << "nothing was blurred";
+}
+
+TEST(MotionBlurTiles, BeyondTheWindowAreLeftAndWithinAreBlurredAsEver)
+{
+    constexpr Window window{.min_px = {17, 16}, .max_px = {49, 33}};
+    const std::vector<glm::vec4> whole = blurred(false);
+    const std::vector<glm::vec4> part = blurred(false, window);
+    size_t left = 0;
+    for (uint32_t i = 0; i < part.size(); ++i) {
+        const glm::uvec2 pixel(i % size_px.x, i / size_px.x);
+        const bool is_within = glm::all(glm::greaterThanEqual(pixel, window.min_px)) &&
+                               glm::all(glm::lessThan(pixel, window.max_px));
+        const bool is_far = pixel.x < 16 || pixel.y < 16; // tiles of their own
+        if (is_within) {
+            EXPECT_EQ(part[i], whole[i]) << pixel.x << ", " << pixel.y;
+        } else if (is_far) {
+            EXPECT_NEAR(part[i].x, check_at(pixel).x, 1e-3F) << pixel.x << ", " << pixel.y;
+            left += part[i] == whole[i] ? 0 : 1;
+        }
+    }
+    EXPECT_GT(left, 100U) << "nothing would be blurred there";
 }
 
 } // namespace

@@ -40,8 +40,8 @@ void place_views(std::vector<shared::RasterView>& views);
 /// they are. Triangles count from either side.
 ///
 /// Cost    in compute a clear of the views or of their tiles, and three dispatches and a small clear a batch,
-/// each vertex
-///         loaded once for all views; in hardware a cull and a draw a batch, and a copy of the views
+///         each vertex loaded once for all views; in hardware a cull and a draw a batch, and a copy of the
+///         views
 /// Source  culling by clusters after Haar and Aaltonen, "GPU-Driven Rendering Pipelines", 2015
 [[nodiscard]] gpu::BufferId add_depth_views(gpu::Graph& graph, const gpu::Name& name, const RasterInputs& in,
                                             std::span<const Batch> batches, const DepthViews& views,
