@@ -4,6 +4,7 @@
 
 #include <estampe/error.hpp>
 
+#include "core/progress_watch.hpp"
 #include "set_ups.hpp"
 #include "support/gpu_device.hpp"
 
@@ -86,6 +87,50 @@ TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
     renderer.recall_film(memory);
     EXPECT_EQ(film_frame(renderer, set_up, style, 2).rgba, whole[2].rgba);
     EXPECT_EQ(film_frame(renderer, set_up, style, 3).rgba, whole[3].rgba);
+}
+
+TEST(ClothFrame, APictureThatIsGivenUpLosesNoStep)
+{
+    const ClothScene set_up = make_set_up("swing", 0.4F);
+    const Style style = style_of(set_up);
+    Renderer& renderer = test::shared_renderer();
+    const auto film = [&](std::optional<uint32_t> given_up) {
+        renderer.set_scene(set_up.scene);
+        std::vector<Image> frames;
+        for (uint32_t i = 0; i < 4; ++i) {
+            if (given_up == i) {
+                const ProgressWatch watch([](double) { return false; });
+                EXPECT_THROW(static_cast<void>(film_frame(renderer, set_up, style, i)), Error);
+            }
+            frames.push_back(film_frame(renderer, set_up, style, i));
+        }
+        return frames;
+    };
+    const std::vector<Image> whole = film(std::nullopt);
+    EXPECT_GT(differing(whole[3], whole[2]), 20U);
+    for (const uint32_t given_up : {0U, 2U}) {
+        const std::vector<Image> other = film(given_up);
+        EXPECT_EQ(other[2].rgba, whole[2].rgba) << given_up;
+        EXPECT_EQ(other[3].rgba, whole[3].rgba) << given_up;
+    }
+}
+
+TEST(ClothFrame, APictureOfAFilmTakesStepsAndPosesOnceInItsOwnGraph)
+{
+    const ClothScene set_up = make_set_up("flag", 0.5F);    // nothing of it is animated
+    const Style style = style_of(set_up, "ink.drawn=true"); // which looks back to the picture before
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(set_up.scene);
+    for (uint32_t frame = 0; frame < 3; ++frame) {
+        static_cast<void>(film_frame(renderer, set_up, style, frame));
+    }
+    const auto count = [&](std::string_view name) {
+        return std::ranges::count(renderer.timings(), name, &PassTiming::name);
+    };
+    EXPECT_EQ(count("pose"), 1);
+    EXPECT_EQ(count("cloth/snapshot"), 1);
+    EXPECT_EQ(count("cloth/small"), 1);
+    EXPECT_EQ(count("posed before"), 0);
 }
 
 TEST(ClothFrame, TearsAreDrawnAndTakenUpWithTheFilm)

@@ -86,6 +86,7 @@ struct FrameResources {
     std::span<const StillCaster> still_casters;
     GroundShadow& ground_shadow;
     MovingCloth* cloth;               ///< where the scene has any
+    const ClothSteps* cloth_steps;    ///< that it has yet to take
     terrain::TerrainBuffers* terrain; ///< where the scene has one
     terrain::TroddenSand* trodden;    ///< then
     contour::LineMesh* line_mesh;     ///< where lines are chains

@@ -2,6 +2,7 @@
 #include "frame/moving_cloth.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -10,6 +11,9 @@
 
 namespace estampe::frame {
 namespace {
+
+constexpr double usual_step_s = 1.0 / 120.0;
+constexpr uint32_t steps_between_poses = 4; // in between all that is held goes straight
 
 /// Vertices that lie in one place are one particle, so that sheets hang together along the seams of their
 /// UVs.
@@ -272,10 +276,10 @@ std::optional<ClothRun> MovingCloth::plan(const RenderSettings& settings, const 
     return run;
 }
 
-void MovingCloth::done(const RenderSettings& settings, const StyleTables& style)
+void MovingCloth::done(const RenderSettings& settings, const StyleTables& style, double time_s)
 {
-    time_s_ = settings.time_s;
-    is_still_ = settings.continuity == Continuity::still;
+    time_s_ = time_s;
+    is_still_ = settings.continuity == Continuity::still && time_s == settings.time_s;
     animation_ = settings.animation;
     wind_ = style.wind;
     style_ = style.cloth;
@@ -283,10 +287,10 @@ void MovingCloth::done(const RenderSettings& settings, const StyleTables& style)
     has_moved = true;
 }
 
-cloth::Surroundings MovingCloth::surroundings(const Scene& scene, const StyleTables& style,
-                                              const ClothMoments& moments, const glm::dvec3& anchor) const
+cloth::Surroundings MovingCloth::surroundings(double time_s, const Scene& scene, const StyleTables& style,
+                                              const RenderSettings& settings, const glm::dvec3& anchor) const
 {
-    cloth::Surroundings result{.time_s = moments.step_s,
+    cloth::Surroundings result{.time_s = time_s,
                                .wind = style.wind,
                                .origin_m = anchor,
                                .effort = style.cloth.effort,
@@ -297,9 +301,52 @@ cloth::Surroundings MovingCloth::surroundings(const Scene& scene, const StyleTab
         result.wind.direction_deg = wind.direction_deg;
     } else if (style.wind.blown_m >= 0.0F) {
         result.ahead_m = static_cast<double>(style.wind.blown_m) -
-                         static_cast<double>(style.wind.speed_m_s) * moments.picture_s;
+                         static_cast<double>(style.wind.speed_m_s) * settings.time_s;
     }
     return result;
+}
+
+std::vector<ClothSteps> MovingCloth::steps_between(double from_s, double to_s, const Scene& scene,
+                                                   const StyleTables& style, const RenderSettings& settings,
+                                                   const glm::dvec3& anchor) const
+{
+    std::vector<ClothSteps> result;
+    if (!(to_s > from_s)) {
+        return result;
+    }
+    const auto step_count = std::max(static_cast<uint32_t>(std::lround((to_s - from_s) / usual_step_s)), 1U);
+    const double step_s = (to_s - from_s) / step_count;
+    for (uint32_t done = 0; done < step_count;) {
+        const double begin_s = from_s + done * step_s;
+        cloth::Surroundings around = surroundings(begin_s, scene, style, settings, anchor);
+        around.step_s = static_cast<float>(step_s);
+        const uint32_t most = sheets_.most_steps(around);
+        const uint32_t at_once = scene.animations.empty() ? most : std::min(most, steps_between_poses);
+        const uint32_t count = std::min(step_count - done, at_once);
+        done += count;
+        result.push_back(
+            {.from_s = begin_s, .to_s = from_s + done * step_s, .count = count, .surroundings = around});
+    }
+    return result;
+}
+
+void MovingCloth::add_steps(gpu::Graph& graph, cloth::Cloths::Handles& handles, const ClothSteps& steps,
+                            const pose::PoseData& pose, const glm::dvec3& anchor,
+                            gpu::BufferId posed_vertices)
+{
+    const std::vector<glm::mat4> carried = carries(pose, anchor, steps.to_s - steps.from_s);
+    if (!carried.empty()) {
+        forget_before();
+    }
+    if (steps.takes_snapshot) {
+        sheets_.add_snapshot(graph, handles);
+    }
+    sheets_.add_targets(graph, handles, posed_vertices);
+    add_bodies(graph, handles, pose, posed_vertices);
+    if (!carried.empty()) {
+        sheets_.add_carry(graph, handles, carried);
+    }
+    sheets_.add_steps(graph, handles, steps.surroundings, steps.count);
 }
 
 void MovingCloth::place_solids(gpu::Device& device, const Scene& scene, const ClothPose& pose,

@@ -27,17 +27,20 @@ struct ClothRun {
     std::optional<double> snapshot_s; ///< where the picture wants to know how sheets were before
 };
 
+/// Steps of a run that one graph takes.
+struct ClothSteps {
+    double from_s = 0.0; ///< of the scene's time
+    double to_s = 0.0;
+    uint32_t count = 0;
+    cloth::Surroundings surroundings;
+    bool takes_snapshot = false; ///< of sheets as they are before
+};
+
 /// The scene at a moment, as cloth has to know it.
 struct ClothPose {
     const ScenePose& nodes;
     const pose::PoseData& draws;
     double time_s = 0.0;
-};
-
-/// When steps begin, and the picture that they lead to.
-struct ClothMoments {
-    double step_s = 0.0;
-    double picture_s = 0.0;
 };
 
 class MovingCloth {
@@ -58,13 +61,15 @@ public:
     [[nodiscard]] std::optional<ClothRun> plan(const RenderSettings& settings, const StyleTables& style,
                                                std::optional<double> before_s) const;
 
-    /// To be called when that has been done.
-    void done(const RenderSettings& settings, const StyleTables& style);
+    /// The way from one moment to another, before a picture; nothing where the one is not later. `anchor` is
+    /// the place that places are told from.
+    [[nodiscard]] std::vector<ClothSteps> steps_between(double from_s, double to_s, const Scene& scene,
+                                                        const StyleTables& style,
+                                                        const RenderSettings& settings,
+                                                        const glm::dvec3& anchor) const;
 
-    /// What sheets are in at the beginning of steps on the way to a picture.
-    [[nodiscard]] cloth::Surroundings surroundings(const Scene& scene, const StyleTables& style,
-                                                   const ClothMoments& moments,
-                                                   const glm::dvec3& anchor) const;
+    /// To be called when of what was planned all has been done that comes before `time_s`.
+    void done(const RenderSettings& settings, const StyleTables& style, double time_s);
 
     /// Tells sheets where solids are in this pose.
     void place_solids(gpu::Device& device, const Scene& scene, const ClothPose& pose,
@@ -81,6 +86,10 @@ public:
     void add_bodies(gpu::Graph& graph, cloth::Cloths::Handles& handles, const pose::PoseData& pose,
                     gpu::BufferId posed_vertices);
 
+    /// Takes steps: sheets hang on vertices as they are posed at the end, where solids have been placed too.
+    void add_steps(gpu::Graph& graph, cloth::Cloths::Handles& handles, const ClothSteps& steps,
+                   const pose::PoseData& pose, const glm::dvec3& anchor, gpu::BufferId posed_vertices);
+
     /// The boxes that sheets were in since the last call (anchor space), and one without end where any of
     /// them may come anywhere.
     [[nodiscard]] std::vector<Bounds> sweep(const pose::PoseData& pose);
@@ -92,6 +101,9 @@ public:
 
     /// The next picture is of something else.
     void forget() { time_s_.reset(); }
+
+    /// Steps up to then have run.
+    void stands_at(double time_s) { time_s_ = time_s; }
 
     [[nodiscard]] std::optional<double> time_s() const { return time_s_; }
 
@@ -119,6 +131,10 @@ private:
         std::vector<cloth::DrawnSheet> drawn;
     };
 
+    /// What sheets are in at a moment on the way to a picture.
+    [[nodiscard]] cloth::Surroundings surroundings(double time_s, const Scene& scene,
+                                                   const StyleTables& style, const RenderSettings& settings,
+                                                   const glm::dvec3& anchor) const;
     [[nodiscard]] std::vector<glm::mat4> places_of_draws(const pose::PoseData& pose) const;
     [[nodiscard]] std::vector<SheetPlace> sheet_places(const pose::PoseData& pose) const;
 

@@ -236,6 +236,7 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .still_casters = loaded->still_casters,
                                     .ground_shadow = ground_shadow,
                                     .cloth = loaded->cloth.get(),
+                                    .cloth_steps = last_of_cloth ? &*last_of_cloth : nullptr,
                                     .terrain = loaded->terrain.get(),
                                     .trodden = loaded->trodden.get(),
                                     .line_mesh =
@@ -256,6 +257,9 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
                                     .strung_into = job.strung_into,
                                     .target = job.target};
     declared.clear();
+    if (last_of_cloth) {
+        loaded->cloth->forget(); // unless the graph runs
+    }
     frame::declare_frame(declared, loaded->layout, resources, plan, sample, style);
     std::unique_ptr<gpu::CompileAhead> compiling = std::move(ahead); // ends before the graph does
     if (compiling) {
@@ -267,6 +271,10 @@ void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& 
     loaded->terrain_moved = false;
     if (loaded->cloth) {
         loaded->cloth->has_moved = false;
+        if (last_of_cloth) {
+            loaded->cloth->stands_at(last_of_cloth->to_s);
+            last_of_cloth.reset();
+        }
     }
     if (plan.lines.are_remembered && sample.is_first) {
         line_history.end_frame(sample.clip_from_anchor);
@@ -330,19 +338,23 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     check_places(loaded->scene, scene_pose);
     notes = loaded->notes;
     const auto risen = blow_cloth(scene_pose, tables, settings);
-    update_cloth(settings, tables);
+    const bool is_posed_for_cloth = update_cloth(settings, tables);
     const bool has_cloth_moved = loaded->cloth && loaded->cloth->has_moved;
     const std::optional<double> before_s = moment_before(settings, tables);
     // Of the picture before, which ink goes on from, the device has it.
-    const bool is_there = before_s && !settings.motion_since && loaded->pose && !has_cloth_moved &&
+    const bool is_there = before_s && !settings.motion_since && loaded->pose && !is_posed_for_cloth &&
                           before_s == flowing_ink.before_s(settings, tables.ink);
+    // Both moments are posed, though nothing but cloth may differ.
+    poses_anyway = before_s && has_cloth_moved;
     if (before_s && !is_there) {
-        poses_anyway = has_cloth_moved; // both moments are posed, though nothing but cloth may differ
         pose_before(frame::pose_at(*loaded, *before_s, settings.animation));
         poses_anyway = has_cloth_moved;
     }
     update_pose(scene_pose);
-    loaded->pose_moved = loaded->pose_moved || has_cloth_moved;
+    if (has_cloth_moved) {
+        loaded->pose_moved = true;
+        place_cloth(scene_pose, settings, tables);
+    }
     update_terrain(camera, settings, tables);
     light::Lighting lighting = gather_lights(camera, scene_pose, tables);
     const std::optional<light::Daylight> daylight = light::daylight_of(tables.sun);

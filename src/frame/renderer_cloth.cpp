@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the renderer does for cloth: steps between pictures.
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <iterator>
 #include <tuple>
 
 #include "frame/renderer_impl.hpp"
@@ -11,13 +10,6 @@
 #include "gpu/upload.hpp"
 
 namespace estampe {
-namespace {
-
-constexpr double usual_step_s = 1.0 / 120.0;
-constexpr uint32_t steps_between_poses = 4; // in between all that is held goes straight
-
-} // namespace
-
 std::optional<std::vector<smoke::Box>> Renderer::Impl::blow_cloth(const ScenePose& pose,
                                                                   const frame::StyleTables& style,
                                                                   const RenderSettings& settings)
@@ -51,33 +43,63 @@ std::optional<std::vector<smoke::Box>> Renderer::Impl::blow_cloth(const ScenePos
     return boxes;
 }
 
-void Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::StyleTables& style)
+bool Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::StyleTables& style)
 {
+    last_of_cloth.reset();
     if (!loaded->cloth) {
-        return;
+        return false;
     }
     const std::optional<double> before_s = moment_before(settings, style);
     const auto run = loaded->cloth->plan(settings, style, before_s);
     if (!run) {
-        return;
+        return false;
     }
-    if (run->starts_anew || run->is_taken_up) {
+    const auto steps_between = [&](double from_s, double to_s) {
+        return loaded->cloth->steps_between(from_s, to_s, loaded->scene, style, settings,
+                                            loaded->layout.anchor);
+    };
+    const bool starts = run->starts_anew || run->is_taken_up;
+    if (starts) {
         start_cloth(*run, settings, style);
     }
-    double from_s = run->from_s;
-    if (run->snapshot_s) {
-        step_cloth(from_s, *run->snapshot_s, settings, style);
-        from_s = *run->snapshot_s;
+    std::vector<frame::ClothSteps> all = steps_between(run->from_s, run->snapshot_s.value_or(run->from_s));
+    std::vector<frame::ClothSteps> rest = steps_between(run->snapshot_s.value_or(run->from_s), run->to_s);
+    const bool ends_in_snapshot = run->snapshot_s && rest.empty();
+    if (!rest.empty()) {
+        rest.front().takes_snapshot = run->snapshot_s.has_value();
+        std::ranges::move(rest, std::back_inserter(all));
+    }
+    // The last are taken within the picture's own graph, beside what does not hang on cloth.
+    const bool is_last_put_off =
+        !all.empty() && !ends_in_snapshot && settings.time_s >= 0.0 && !loaded->cloth->sheets().may_tear();
+    if (is_last_put_off) {
+        last_of_cloth = std::move(all.back());
+        all.pop_back();
+    }
+    for (const frame::ClothSteps& steps : all) {
+        step_cloth(steps, settings, style);
+    }
+    if (ends_in_snapshot) {
         gpu::Graph graph;
         cloth::Cloths& sheets = loaded->cloth->sheets();
-        sheets.add_snapshot(graph, sheets.import(graph));
+        cloth::Cloths::Handles handles = sheets.import(graph);
+        sheets.add_snapshot(graph, handles);
         executor.run(graph);
     }
-    step_cloth(from_s, run->to_s, settings, style);
     tear_cloth();
-    loaded->cloth->done(settings, style);
-    const std::vector<Bounds> swept =
-        loaded->pose ? loaded->cloth->sweep(*loaded->pose) : std::vector{pose::everywhere()};
+    loaded->cloth->done(settings, style, last_of_cloth ? last_of_cloth->from_s : run->to_s);
+    return starts || !all.empty();
+}
+
+void Renderer::Impl::place_cloth(const ScenePose& pose, const RenderSettings& settings,
+                                 const frame::StyleTables& style)
+{
+    if (last_of_cloth) {
+        loaded->cloth->place_solids(device, loaded->scene,
+                                    {.nodes = pose, .draws = *loaded->pose, .time_s = settings.time_s},
+                                    loaded->layout, style.cloth.bodies);
+    }
+    const std::vector<Bounds> swept = loaded->cloth->sweep(*loaded->pose);
     sun_map.move(swept);
     moved.insert(moved.end(), swept.begin(), swept.end());
 }
@@ -129,42 +151,15 @@ void Renderer::Impl::start_cloth(const frame::ClothRun& run, const RenderSetting
     pose::keep_posed(loaded->meshes);
 }
 
-void Renderer::Impl::step_cloth(double from_s, double to_s, const RenderSettings& settings,
+void Renderer::Impl::step_cloth(const frame::ClothSteps& steps, const RenderSettings& settings,
                                 const frame::StyleTables& style)
 {
-    frame::MovingCloth& cloth = *loaded->cloth;
-    cloth::Cloths& sheets = cloth.sheets();
-    const auto count = static_cast<uint32_t>(std::lround((to_s - from_s) / usual_step_s));
-    if (!(to_s > from_s)) {
-        return;
-    }
-    const uint32_t step_count = std::max(count, 1U);
-    const double step_s = (to_s - from_s) / step_count;
-    const bool is_animated = !loaded->scene.animations.empty();
-    for (uint32_t done = 0; done < step_count;) {
-        const double time_s = from_s + done * step_s;
-        cloth::Surroundings surroundings =
-            cloth.surroundings(loaded->scene, style, {time_s, settings.time_s}, loaded->layout.anchor);
-        surroundings.step_s = static_cast<float>(step_s);
-        const uint32_t most = sheets.most_steps(surroundings);
-        const uint32_t now = std::min({step_count - done, most, is_animated ? steps_between_poses : most});
-        done += now;
-        gpu::Graph graph;
-        const gpu::BufferId posed = pose_for_cloth(graph, from_s + done * step_s, settings.animation, style);
-        const auto carries = cloth.carries(*loaded->pose, loaded->layout.anchor, now * step_s);
-        if (!carries.empty()) {
-            cloth.forget_before();
-        }
-        cloth::Cloths::Handles handles = sheets.import(graph);
-        sheets.add_targets(graph, handles, posed);
-        cloth.add_bodies(graph, handles, *loaded->pose, posed);
-        if (!carries.empty()) {
-            sheets.add_carry(graph, handles, carries);
-        }
-        sheets.add_steps(graph, handles, surroundings, now);
-        executor.run(graph);
-        pose::keep_posed(loaded->meshes);
-    }
+    gpu::Graph graph;
+    const gpu::BufferId posed = pose_for_cloth(graph, steps.to_s, settings.animation, style);
+    cloth::Cloths::Handles handles = loaded->cloth->sheets().import(graph);
+    loaded->cloth->add_steps(graph, handles, steps, *loaded->pose, loaded->layout.anchor, posed);
+    executor.run(graph);
+    pose::keep_posed(loaded->meshes);
 }
 
 } // namespace estampe

@@ -84,12 +84,15 @@ struct Renderer::Impl {
     /// Tells cloth how the air of smoke moves, where the style has it blow; which lets that rise.
     [[nodiscard]] std::optional<std::vector<smoke::Box>>
     blow_cloth(const ScenePose& pose, const frame::StyleTables& style, const RenderSettings& settings);
-    /// Brings cloth to where the picture wants it; afterwards the scene is posed as it was somewhere on the
-    /// way.
-    void update_cloth(const RenderSettings& settings, const frame::StyleTables& style);
+    /// Brings cloth to where the picture wants it, but for `last_of_cloth`. Returns whether the scene was
+    /// posed on the way, as it was somewhere there.
+    [[nodiscard]] bool update_cloth(const RenderSettings& settings, const frame::StyleTables& style);
+    /// Tells cloth that moves where solids are, and maps of shadows where it is; when the scene has been
+    /// posed as it is now.
+    void place_cloth(const ScenePose& pose, const RenderSettings& settings, const frame::StyleTables& style);
     void start_cloth(const frame::ClothRun& run, const RenderSettings& settings,
                      const frame::StyleTables& style);
-    void step_cloth(double from_s, double to_s, const RenderSettings& settings,
+    void step_cloth(const frame::ClothSteps& steps, const RenderSettings& settings,
                     const frame::StyleTables& style);
     /// Leaves out what is torn of sheets, and draws again what is whole. Cost: where any may tear, their torn
     /// links are read back, and where others are torn than before, triangles are uploaded and lines found
@@ -166,6 +169,7 @@ struct Renderer::Impl {
     std::optional<RasterPath> page_path;      ///< of the last page
     std::optional<frame::LoadedScene> loaded;
     PosedScene posed_scene;
+    std::optional<frame::ClothSteps> last_of_cloth; ///< which the picture's first graph takes
     gpu::Buffer frame_globals;
     gpu::Buffer light_globals;
     gpu::Buffer lights;

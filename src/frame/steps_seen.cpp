@@ -60,7 +60,11 @@ PosedScene add_posed_scene(const Making& making)
         .stroke_coordinates = gpu::import_whole(graph, "stroke coordinates", meshes.stroke_coordinates)};
     if (making.resources.cloth != nullptr && making.sample.pose_moved) {
         cloth::Cloths& sheets = making.resources.cloth->sheets();
-        const cloth::Cloths::Handles handles = sheets.import(graph);
+        cloth::Cloths::Handles handles = sheets.import(graph);
+        if (making.resources.cloth_steps != nullptr) {
+            making.resources.cloth->add_steps(graph, handles, *making.resources.cloth_steps,
+                                              making.resources.pose, making.layout.anchor, posed.vertices);
+        }
         posed.vertices = sheets.add_vertices(graph, handles, posed.vertices);
         posed.before = sheets.add_vertices_before(graph, handles, posed.before);
     }

@@ -102,9 +102,9 @@ void add_read_back(Graph& graph, std::string_view name, ImageId from, Buffer& to
     });
 }
 
-void add_copy_out(Graph& graph, std::string_view name, BufferId from, Buffer& to)
+BufferId add_copy_out(Graph& graph, std::string_view name, BufferId from, Buffer& to)
 {
-    static_cast<void>(add_copy_between(graph, name, from, import_whole(graph, name, to), to.size_bytes()));
+    return add_copy_between(graph, name, from, import_whole(graph, name, to), to.size_bytes());
 }
 
 BufferId add_copy_of_start(Graph& graph, std::string_view name, BufferId from, uint64_t size_bytes)

@@ -25,8 +25,8 @@ void add_read_back(Graph& graph, std::string_view name, ImageId from, Buffer& to
 void add_host_read(Graph& graph, std::string_view name, BufferId written);
 
 /// Copies the start of `from`, as much as `to` holds, for graphs that run later; `to` is no larger, and
-/// outlives the run of `graph`.
-void add_copy_out(Graph& graph, std::string_view name, BufferId from, Buffer& to);
+/// outlives the run of `graph`. Returns the copy.
+BufferId add_copy_out(Graph& graph, std::string_view name, BufferId from, Buffer& to);
 
 /// A new buffer of the device's own memory with the first `size_bytes` of `from`.
 [[nodiscard]] BufferId add_copy_of_start(Graph& graph, std::string_view name, BufferId from,

@@ -28,6 +28,7 @@ namespace estampe::cloth {
 Cloths::Handles Cloths::import(gpu::Graph& graph)
 {
     return {.places = gpu::import_whole(graph, "cloth/places", places_),
+            .places_before = gpu::import_whole(graph, "cloth/snapshot", places_before_),
             .speeds = gpu::import_whole(graph, "cloth/speeds", speeds_),
             .pushes = gpu::import_whole(graph, "cloth/pushes", pushes_),
             .near = gpu::import_whole(graph, "cloth/near", near_),
@@ -276,9 +277,9 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
     bodies_move_ = false;
 }
 
-void Cloths::add_snapshot(gpu::Graph& graph, const Handles& handles)
+void Cloths::add_snapshot(gpu::Graph& graph, Handles& handles)
 {
-    gpu::add_copy_out(graph, "cloth/snapshot", handles.places, places_before_);
+    handles.places_before = gpu::add_copy_out(graph, "cloth/snapshot", handles.places, places_before_);
 }
 
 gpu::BufferId Cloths::add_vertices(gpu::Graph& graph, const Handles& handles, gpu::BufferId posed_vertices)
@@ -289,8 +290,7 @@ gpu::BufferId Cloths::add_vertices(gpu::Graph& graph, const Handles& handles, gp
 gpu::BufferId Cloths::add_vertices_before(gpu::Graph& graph, const Handles& handles,
                                           gpu::BufferId posed_vertices)
 {
-    return add_vertices_at(graph, handles, gpu::import_whole(graph, "cloth/places before", places_before_),
-                           posed_vertices);
+    return add_vertices_at(graph, handles, handles.places_before, posed_vertices);
 }
 
 gpu::BufferId Cloths::add_vertices_at(gpu::Graph& graph, const Handles& handles, gpu::BufferId places,

@@ -116,6 +116,7 @@ public:
     /// What the passes of a graph hand on to each other; once a graph, and before them.
     struct Handles {
         gpu::BufferId places;
+        gpu::BufferId places_before;
         gpu::BufferId speeds;
         gpu::BufferId pushes;
         gpu::BufferId near;
@@ -163,7 +164,7 @@ public:
     }
 
     /// Keeps where sheets are, for add_vertices_before().
-    void add_snapshot(gpu::Graph& graph, const Handles& handles);
+    void add_snapshot(gpu::Graph& graph, Handles& handles);
 
     /// Overwrites the drawn vertices' places and normals: as sheets are, or as they were at the last
     /// add_snapshot().
