@@ -234,6 +234,12 @@ Pass& Pass::variant(uint32_t bits)
     return *this;
 }
 
+Pass& Pass::lasts(uint32_t us)
+{
+    record().lasts_us = us;
+    return *this;
+}
+
 void Pass::dispatch_items(uint32_t count)
 {
     constexpr uint32_t most_groups_x = 32768; // devices promise 65535 in each direction
@@ -296,6 +302,7 @@ PassRecord& Graph::new_pass(std::string_view name)
     pass.push.clear();
     pass.variant = 0;
     pass.dispatch = {};
+    pass.lasts_us = 0;
     pass.record.clear();
     pass.has_side_effect = false;
     return pass;

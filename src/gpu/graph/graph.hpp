@@ -180,6 +180,7 @@ struct PassRecord {
     std::vector<std::byte> push = {};
     uint32_t variant = 0; ///< the shaders' specialization constant 0
     Dispatch dispatch = {};
+    uint32_t lasts_us = 0;        ///< about, as Pass::lasts() told; 0: by how many groups there are
     Recording record = {};        ///< custom passes only
     bool has_side_effect = false; ///< never culled
 
@@ -246,6 +247,10 @@ public:
     /// Sets specialization constant 0 of the shader, or of both: bits that say what this scene needs of it,
     /// so that the rest of the code is left out. Each value makes a pipeline of its own.
     Pass& variant(uint32_t bits);
+
+    /// About how long the pass takes on a large GPU, where that is far more than its groups tell: few that
+    /// work long. Others then run beside it.
+    Pass& lasts(uint32_t us);
 
     /// One thread a pixel, in groups of 8 x 8 as the shaders declare.
     void dispatch_over(uint32_t width, uint32_t height, uint32_t layers = 1);

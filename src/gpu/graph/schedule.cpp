@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -45,14 +46,19 @@ void find_uses(const Graph& graph, Schedule& schedule)
     schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
 }
 
-/// Whether a pass keeps a device busy by itself. How many groups an indirect one has is known too late:
-/// mostly they work on lists.
+/// None of an indirect one: how many those have is known too late, and mostly they work on lists.
+uint64_t groups_of(const PassRecord& pass)
+{
+    const Dispatch& dispatch = pass.dispatch;
+    return dispatch.indirect_resource != UINT32_MAX
+               ? 0
+               : uint64_t{dispatch.groups_x} * dispatch.groups_y * dispatch.groups_z;
+}
+
+/// Whether a pass keeps a device busy by itself.
 bool is_wide(const PassRecord& pass)
 {
-    constexpr uint64_t groups_that_fill = 1024;
-    const Dispatch& dispatch = pass.dispatch;
-    return dispatch.indirect_resource == UINT32_MAX &&
-           uint64_t{dispatch.groups_x} * dispatch.groups_y * dispatch.groups_z >= groups_that_fill;
+    return groups_of(pass) >= 1024;
 }
 
 } // namespace
@@ -131,32 +137,53 @@ void Scheduler::find_latest(const Graph& graph, Schedule& schedule)
         level = level_count_ - 1 - level;
 }
 
+Scheduler::Load Scheduler::Load::of(const PassRecord& pass)
+{
+    constexpr uint32_t few_us = 6;
+    constexpr uint32_t page_us = 25; // a page of 1920 x 1080, or a good part of it
+    const uint64_t many_us = std::min<uint64_t>(3 * groups_of(pass) / 1000, page_us);
+    const uint32_t us = pass.lasts_us > 0 ? pass.lasts_us : std::max(static_cast<uint32_t>(many_us), few_us);
+    // Even those of many groups wait for memory in part, and end raggedly.
+    return {4 * us, (is_wide(pass) ? 3 : 1) * us};
+}
+
 void Scheduler::spread(const Graph& graph, Schedule& schedule)
 {
-    latest_ = schedule.levels;
-    wide_in_level_.assign(level_count_, 0);
-    for (size_t step = 0; step < latest_.size(); ++step)
-        wide_in_level_[latest_[step]] += is_wide(graph.passes()[schedule.passes[step]]) ? 1 : 0;
+    level_of_ = schedule.levels;
+    loads_.assign(level_count_, {});
+    load_of_.clear();
+    for (size_t step = 0; step < level_of_.size(); ++step) {
+        load_of_.push_back(Load::of(graph.passes()[schedule.passes[step]]));
+        loads_[level_of_[step]] = loads_[level_of_[step]].with(load_of_[step]);
+    }
     waves_.assign(graph.resources().size(), {});
     uint32_t past_effects = 0;
-    for (size_t step = 0; step < latest_.size(); ++step) {
-        const PassRecord& pass = graph.passes()[schedule.passes[step]];
-        const uint32_t earliest =
-            std::max(next_level(schedule, step), pass.has_side_effect ? past_effects : 0);
-        const uint32_t level = is_wide(pass) ? move_wide(earliest, latest_[step]) : earliest;
+    for (size_t step = 0; step < level_of_.size(); ++step) {
+        const bool has_effect = graph.passes()[schedule.passes[step]].has_side_effect;
+        const uint32_t level =
+            move(step, std::max(next_level(schedule, step), has_effect ? past_effects : 0));
         take_level(schedule, step, level);
-        past_effects = pass.has_side_effect ? level + 1 : past_effects;
+        past_effects = has_effect ? level + 1 : past_effects;
     }
 }
 
-uint32_t Scheduler::move_wide(uint32_t earliest, uint32_t latest)
+uint32_t Scheduler::move(size_t step, uint32_t earliest)
 {
-    --wide_in_level_[latest];
-    uint32_t emptiest = latest;
-    for (uint32_t level = latest; level-- > earliest;)
-        emptiest = wide_in_level_[level] < wide_in_level_[emptiest] ? level : emptiest;
-    ++wide_in_level_[emptiest];
-    return emptiest;
+    const uint32_t latest = std::exchange(level_of_[step], UINT32_MAX);
+    loads_[latest] = {};
+    for (size_t other = 0; other < level_of_.size(); ++other) {
+        if (level_of_[other] == latest)
+            loads_[latest] = loads_[latest].with(load_of_[other]);
+    }
+    const auto lengthens = [&](uint32_t level) {
+        return loads_[level].with(load_of_[step]).takes() - loads_[level].takes();
+    };
+    uint32_t best = earliest;
+    for (uint32_t level = earliest + 1; level <= latest; ++level)
+        best = lengthens(level) < lengthens(best) ? level : best;
+    level_of_[step] = best;
+    loads_[best] = loads_[best].with(load_of_[step]);
+    return best;
 }
 
 void Scheduler::sort_by_levels(const Graph& graph, Schedule& schedule)

@@ -3,6 +3,7 @@
 
 // Which passes of a graph run, and when: those that do not hang on each other side by side.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -37,12 +38,14 @@ struct Schedule {
 class Scheduler {
 public:
     /// Keeps the passes of `graph` whose work is wanted, and gives each a level after those that it needs and
-    /// before those that need it: as few levels as the longest chain has passes. What a level takes is about
-    /// what its longest pass does; so passes of many groups, in declared order, go each where the fewest such
-    /// are, late rather than early, and all others as early as they can, and before those in a level: the
-    /// time that they wait for memory is then that of others. Passes with side effects keep their order.
-    /// Throws std::logic_error when a pass, kept or not, binds one resource twice with clashing accesses.
-    /// Cost: linear in uses, a sort of the passes, and levels for each pass of many groups.
+    /// before those that need it: as few levels as the longest chain has passes. A level takes as long as its
+    /// longest pass, or as all of its work does together if that is more; so each pass, in declared order,
+    /// goes where it lengthens a level the least, early rather than late. How long passes take is guessed
+    /// from their groups, or told by Pass::lasts(): times are not measured, and the order hangs on the graph
+    /// alone. In a level those of few groups stand first: the time that they wait for memory is then that of
+    /// others. Passes with side effects keep their order. Throws std::logic_error when a pass, kept or not,
+    /// binds one resource twice with clashing accesses. Cost: linear in uses, a sort of the passes, and
+    /// levels and passes for each pass.
     void run(const Graph& graph, Schedule& schedule);
 
 private:
@@ -68,19 +71,36 @@ private:
         uint32_t past_level = 0; ///< beyond all of them
     };
 
+    /// Quarters of a microsecond, about: of a pass, or of all that share a level.
+    struct Load {
+        uint32_t longest = 0; ///< of one alone
+        uint32_t work = 0;    ///< of all, if they filled the device
+
+        [[nodiscard]] static Load of(const PassRecord& pass);
+
+        [[nodiscard]] uint32_t takes() const { return std::max(longest, work); }
+
+        [[nodiscard]] Load with(const Load& other) const
+        {
+            return {std::max(longest, other.longest), work + other.work};
+        }
+    };
+
     void find_kept(const Graph& graph, Schedule& schedule);
     /// The first level that the passes gone through leave to the next, whose waves begin.
     [[nodiscard]] uint32_t next_level(const Schedule& schedule, size_t step);
     void take_level(Schedule& schedule, size_t step, uint32_t level);
     void find_latest(const Graph& graph, Schedule& schedule);
     void spread(const Graph& graph, Schedule& schedule);
-    [[nodiscard]] uint32_t move_wide(uint32_t earliest, uint32_t latest);
+    /// Moves a pass from its latest level to the best from `earliest` on; returns that.
+    [[nodiscard]] uint32_t move(size_t step, uint32_t earliest);
     void sort_by_levels(const Graph& graph, Schedule& schedule);
 
     Wanted wanted_;
-    std::vector<Wave> waves_;      ///< by resource
-    std::vector<uint32_t> latest_; ///< level of each kept pass
-    std::vector<uint32_t> wide_in_level_;
+    std::vector<Wave> waves_;        ///< by resource
+    std::vector<uint32_t> level_of_; ///< of each kept pass
+    std::vector<Load> load_of_;      ///< of each kept pass
+    std::vector<Load> loads_;        ///< of levels
     uint32_t level_count_ = 0;
     std::vector<uint32_t> order_;
 };

@@ -81,11 +81,41 @@ TEST(ScheduleTest, WhatFillsADeviceGoesWhereNothingElseDoesAndStandsBehindInItsL
         join.sample(image);
     }
     join.sample(end).keep();
-    // At the latest all three would be in the last level: each in turn goes to the latest that has the
-    // fewest.
+    // At the latest all would be in the last level: each in turn goes where there is the most room.
     EXPECT_EQ(kept_names(graph, compile(graph)),
-              (Names{"not as wide", "make first", "b", "second", "a", "third", "c", "join"}));
+              (Names{"not as wide", "make first", "a", "second", "b", "third", "c", "join"}));
     EXPECT_EQ(schedule_of(graph).levels, (std::vector<uint32_t>{0, 0, 0, 1, 1, 2, 2, 3}));
+}
+
+TEST(ScheduleTest, WhatFillsADeviceGoesBesideFewGroupsThatWorkLong)
+{
+    Graph graph;
+    const std::vector<ImageId> wide{filled(graph, "a", 8192), filled(graph, "b", 8192),
+                                    filled(graph, "c", 8192)};
+    const ImageId first = made(graph, "first");
+    auto pass = graph.compute("second", fake_shader);
+    pass.sample(first);
+    const ImageId second = pass.write(graph.image("second of it", small_image));
+    pass.lasts(100);
+    const ImageId end = next(graph, "third", second);
+    auto join = graph.compute("join", fake_shader);
+    for (const ImageId image : wide) {
+        join.sample(image);
+    }
+    join.sample(end).keep();
+    // Three that take 24 us each have room within 100.
+    EXPECT_EQ(kept_names(graph, compile(graph)),
+              (Names{"make first", "second", "a", "b", "c", "third", "join"}));
+    EXPECT_EQ(schedule_of(graph).levels, (std::vector<uint32_t>{0, 1, 1, 1, 1, 2, 3}));
+}
+
+TEST(ScheduleTest, WhatATakenPassWasToldIsForgottenWithTheGraph)
+{
+    Graph graph;
+    graph.compute("long", fake_shader).lasts(100).keep();
+    graph.clear();
+    graph.compute("other", fake_shader).keep();
+    EXPECT_EQ(graph.passes()[0].lasts_us, 0U);
 }
 
 TEST(ScheduleTest, SideEffectsKeepTheirOrder)

@@ -97,7 +97,7 @@ void Cloths::add_carry(gpu::Graph& graph, Handles& handles, std::span<const glm:
     pass.push(shared::ClothMoment{.first_group = 0}).dispatch(all_groups_);
 }
 
-void Cloths::add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind)
+void Cloths::add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t count)
 {
     const bool is_wide = is_wide_ && records_.size() <= shared::cloth_few_sheets;
     auto pass = graph.compute("cloth/small", is_wide ? shaders::cloth_wide_comp : shaders::cloth_small_comp);
@@ -107,7 +107,8 @@ void Cloths::add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind)
     pass.read(handles.pushes);
     pass.sample(gpu::import_whole(graph, "cloth/flows", flow_speeds_), gpu::Format::rgba32f);
     pass.variant(kind.variant).push(shared::ClothMoment{.first_group = kind.first_group});
-    pass.dispatch(kind.group_count);
+    constexpr uint32_t step_us = 20; // of each group, however many there are
+    pass.lasts(count * step_us).dispatch(kind.group_count);
 }
 
 void Cloths::add_rest(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId& awake)
@@ -255,7 +256,7 @@ void Cloths::add_steps(gpu::Graph& graph, Handles& handles, const Surroundings& 
                                       shared::cloth_bit_gusts | shared::cloth_bit_roused;
         kind.variant = (kind.variant & ~changing) | surrounded;
         if (kind.is_small) {
-            add_small_sheets(graph, handles, kind);
+            add_small_sheets(graph, handles, kind, count);
         } else {
             if (!awake) {
                 awake = gpu::add_zeros(graph, "cloth/awake",

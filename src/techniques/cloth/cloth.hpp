@@ -225,7 +225,7 @@ private:
     void fill_runs(const Surroundings& surroundings, uint32_t count);
     void bind_common(gpu::Graph& graph, gpu::Pass& pass, const Handles& handles, gpu::Buffer& run,
                      gpu::Buffer& sheet_of_group, bool as_few_sheets = false);
-    void add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind);
+    void add_small_sheets(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t count);
     void add_rest(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId& awake);
     void add_near(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake);
     void add_tears(gpu::Graph& graph, Handles& handles, Kind& kind, uint32_t step, gpu::BufferId awake);
