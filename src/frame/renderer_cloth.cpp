@@ -67,13 +67,13 @@ bool Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
     const bool ends_in_snapshot = run->snapshot_s && rest.empty();
     if (!rest.empty()) {
         rest.front().takes_snapshot = run->snapshot_s.has_value();
-        std::ranges::move(rest, std::back_inserter(all));
+        std::ranges::copy(rest, std::back_inserter(all));
     }
     // The last are taken within the picture's own graph, beside what does not hang on cloth.
     const bool is_last_put_off =
         !all.empty() && !ends_in_snapshot && settings.time_s >= 0.0 && !loaded->cloth->sheets().may_tear();
     if (is_last_put_off) {
-        last_of_cloth = std::move(all.back());
+        last_of_cloth = all.back();
         all.pop_back();
     }
     for (const frame::ClothSteps& steps : all) {
