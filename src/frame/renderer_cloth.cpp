@@ -10,6 +10,7 @@
 #include "gpu/upload.hpp"
 
 namespace estampe {
+
 std::optional<std::vector<smoke::Box>> Renderer::Impl::blow_cloth(const ScenePose& pose,
                                                                   const frame::StyleTables& style,
                                                                   const RenderSettings& settings)
