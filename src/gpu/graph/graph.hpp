@@ -180,7 +180,7 @@ struct PassRecord {
     std::vector<std::byte> push = {};
     uint32_t variant = 0; ///< the shaders' specialization constant 0
     Dispatch dispatch = {};
-    uint32_t lasts_us = 0;        ///< about, as Pass::lasts() told; 0: by how many groups there are
+    uint32_t lasts_us = 0;        ///< about, as Pass::lasts() told; 0: not told
     Recording record = {};        ///< custom passes only
     bool has_side_effect = false; ///< never culled
 
@@ -248,8 +248,8 @@ public:
     /// so that the rest of the code is left out. Each value makes a pipeline of its own.
     Pass& variant(uint32_t bits);
 
-    /// About how long the pass takes on a large GPU, where that is far more than its groups tell: few that
-    /// work long. Others then run beside it.
+    /// About how long the pass takes on a large GPU, if it leaves that idle meanwhile: few groups that work
+    /// long, or threads that wait for one thing after another. Such passes then run beside each other.
     Pass& lasts(uint32_t us);
 
     /// One thread a pixel, in groups of 8 x 8 as the shaders declare.

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -46,19 +45,14 @@ void find_uses(const Graph& graph, Schedule& schedule)
     schedule.first_use.push_back(static_cast<uint32_t>(schedule.uses.size()));
 }
 
-/// None of an indirect one: how many those have is known too late, and mostly they work on lists.
-uint64_t groups_of(const PassRecord& pass)
-{
-    const Dispatch& dispatch = pass.dispatch;
-    return dispatch.indirect_resource != UINT32_MAX
-               ? 0
-               : uint64_t{dispatch.groups_x} * dispatch.groups_y * dispatch.groups_z;
-}
-
-/// Whether a pass keeps a device busy by itself.
+/// Whether a pass keeps a device busy by itself. How many groups an indirect one has is known too late:
+/// mostly they work on lists.
 bool is_wide(const PassRecord& pass)
 {
-    return groups_of(pass) >= 1024;
+    constexpr uint64_t groups_that_fill = 1024;
+    const Dispatch& dispatch = pass.dispatch;
+    return dispatch.indirect_resource == UINT32_MAX &&
+           uint64_t{dispatch.groups_x} * dispatch.groups_y * dispatch.groups_z >= groups_that_fill;
 }
 
 } // namespace
@@ -137,52 +131,56 @@ void Scheduler::find_latest(const Graph& graph, Schedule& schedule)
         level = level_count_ - 1 - level;
 }
 
-Scheduler::Load Scheduler::Load::of(const PassRecord& pass)
-{
-    constexpr uint32_t few_us = 6;
-    constexpr uint32_t page_us = 25; // a page of 1920 x 1080, or a good part of it
-    const uint64_t many_us = std::min<uint64_t>(3 * groups_of(pass) / 1000, page_us);
-    const uint32_t us = pass.lasts_us > 0 ? pass.lasts_us : std::max(static_cast<uint32_t>(many_us), few_us);
-    // Even those of many groups wait for memory in part, and end raggedly.
-    return {4 * us, (is_wide(pass) ? 3 : 1) * us};
-}
-
 void Scheduler::spread(const Graph& graph, Schedule& schedule)
 {
     level_of_ = schedule.levels;
-    loads_.assign(level_count_, {});
-    load_of_.clear();
-    for (size_t step = 0; step < level_of_.size(); ++step) {
-        load_of_.push_back(Load::of(graph.passes()[schedule.passes[step]]));
-        loads_[level_of_[step]] = loads_[level_of_[step]].with(load_of_[step]);
+    long_.clear();
+    wide_in_level_.assign(level_count_, 0);
+    for (uint32_t step = 0; step < level_of_.size(); ++step) {
+        const PassRecord& pass = graph.passes()[schedule.passes[step]];
+        wide_in_level_[level_of_[step]] += is_wide(pass) ? 1 : 0;
+        if (pass.lasts_us > 0)
+            long_.push_back({step, pass.lasts_us});
     }
     waves_.assign(graph.resources().size(), {});
     uint32_t past_effects = 0;
-    for (size_t step = 0; step < level_of_.size(); ++step) {
-        const bool has_effect = graph.passes()[schedule.passes[step]].has_side_effect;
-        const uint32_t level =
-            move(step, std::max(next_level(schedule, step), has_effect ? past_effects : 0));
+    for (uint32_t step = 0; step < level_of_.size(); ++step) {
+        const PassRecord& pass = graph.passes()[schedule.passes[step]];
+        const uint32_t earliest =
+            std::max(next_level(schedule, step), pass.has_side_effect ? past_effects : 0);
+        const uint32_t latest = level_of_[step];
+        wide_in_level_[latest] -= is_wide(pass) ? 1 : 0;
+        const uint32_t level = pass.lasts_us > 0 ? beside_longest({step, pass.lasts_us}, earliest, latest)
+                               : is_wide(pass)   ? emptiest(earliest, latest)
+                                                 : earliest;
+        wide_in_level_[level] += is_wide(pass) ? 1 : 0;
+        level_of_[step] = level;
         take_level(schedule, step, level);
-        past_effects = has_effect ? level + 1 : past_effects;
+        past_effects = pass.has_side_effect ? level + 1 : past_effects;
     }
 }
 
-uint32_t Scheduler::move(size_t step, uint32_t earliest)
+uint32_t Scheduler::emptiest(uint32_t earliest, uint32_t latest) const
 {
-    const uint32_t latest = std::exchange(level_of_[step], UINT32_MAX);
-    loads_[latest] = {};
-    for (size_t other = 0; other < level_of_.size(); ++other) {
-        if (level_of_[other] == latest)
-            loads_[latest] = loads_[latest].with(load_of_[other]);
-    }
-    const auto lengthens = [&](uint32_t level) {
-        return loads_[level].with(load_of_[step]).takes() - loads_[level].takes();
+    uint32_t best = earliest;
+    for (uint32_t level = earliest + 1; level <= latest; ++level)
+        best = wide_in_level_[level] < wide_in_level_[best] ? level : best;
+    return best;
+}
+
+uint32_t Scheduler::beside_longest(const Long& pass, uint32_t earliest, uint32_t latest) const
+{
+    const auto lengthens_us = [&](uint32_t level) {
+        uint32_t longest_us = 0;
+        for (const Long& other : long_) {
+            if (other.step != pass.step && level_of_[other.step] == level)
+                longest_us = std::max(longest_us, other.us);
+        }
+        return pass.us - std::min(pass.us, longest_us);
     };
     uint32_t best = earliest;
     for (uint32_t level = earliest + 1; level <= latest; ++level)
-        best = lengthens(level) < lengthens(best) ? level : best;
-    level_of_[step] = best;
-    loads_[best] = loads_[best].with(load_of_[step]);
+        best = lengthens_us(level) < lengthens_us(best) ? level : best;
     return best;
 }
 

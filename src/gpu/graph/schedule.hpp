@@ -3,7 +3,6 @@
 
 // Which passes of a graph run, and when: those that do not hang on each other side by side.
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -38,14 +37,13 @@ struct Schedule {
 class Scheduler {
 public:
     /// Keeps the passes of `graph` whose work is wanted, and gives each a level after those that it needs and
-    /// before those that need it: as few levels as the longest chain has passes. A level takes as long as its
-    /// longest pass, or as all of its work does together if that is more; so each pass, in declared order,
-    /// goes where it lengthens a level the least, early rather than late. How long passes take is guessed
-    /// from their groups, or told by Pass::lasts(): times are not measured, and the order hangs on the graph
-    /// alone. In a level those of few groups stand first: the time that they wait for memory is then that of
-    /// others. Passes with side effects keep their order. Throws std::logic_error when a pass, kept or not,
-    /// binds one resource twice with clashing accesses. Cost: linear in uses, a sort of the passes, and
-    /// levels and passes for each pass.
+    /// before those that need it: as few levels as the longest chain has passes. What a level takes is about
+    /// what its longest pass does. So passes that wait (Pass::lasts()) go where others wait as long, passes
+    /// of many groups where the fewest such are, of several levels the first, and all others as early as they
+    /// can; in declared order. In a level those of few groups stand first: the time that they wait for memory
+    /// is then that of others. Passes with side effects keep their order. Throws std::logic_error when a
+    /// pass, kept or not, binds one resource twice with clashing accesses. Cost: linear in uses, a sort of
+    /// the passes, levels for each pass of many groups, and levels and passes that wait for each such pass.
     void run(const Graph& graph, Schedule& schedule);
 
 private:
@@ -71,19 +69,10 @@ private:
         uint32_t past_level = 0; ///< beyond all of them
     };
 
-    /// Quarters of a microsecond, about: of a pass, or of all that share a level.
-    struct Load {
-        uint32_t longest = 0; ///< of one alone
-        uint32_t work = 0;    ///< of all, if they filled the device
-
-        [[nodiscard]] static Load of(const PassRecord& pass);
-
-        [[nodiscard]] uint32_t takes() const { return std::max(longest, work); }
-
-        [[nodiscard]] Load with(const Load& other) const
-        {
-            return {std::max(longest, other.longest), work + other.work};
-        }
+    /// A pass that told how long it takes.
+    struct Long {
+        uint32_t step = 0;
+        uint32_t us = 0;
     };
 
     void find_kept(const Graph& graph, Schedule& schedule);
@@ -92,15 +81,15 @@ private:
     void take_level(Schedule& schedule, size_t step, uint32_t level);
     void find_latest(const Graph& graph, Schedule& schedule);
     void spread(const Graph& graph, Schedule& schedule);
-    /// Moves a pass from its latest level to the best from `earliest` on; returns that.
-    [[nodiscard]] uint32_t move(size_t step, uint32_t earliest);
+    [[nodiscard]] uint32_t emptiest(uint32_t earliest, uint32_t latest) const;
+    [[nodiscard]] uint32_t beside_longest(const Long& pass, uint32_t earliest, uint32_t latest) const;
     void sort_by_levels(const Graph& graph, Schedule& schedule);
 
     Wanted wanted_;
     std::vector<Wave> waves_;        ///< by resource
-    std::vector<uint32_t> level_of_; ///< of each kept pass
-    std::vector<Load> load_of_;      ///< of each kept pass
-    std::vector<Load> loads_;        ///< of levels
+    std::vector<uint32_t> level_of_; ///< of each kept pass: the latest, until it is given one
+    std::vector<uint32_t> wide_in_level_;
+    std::vector<Long> long_;
     uint32_t level_count_ = 0;
     std::vector<uint32_t> order_;
 };

@@ -87,26 +87,29 @@ TEST(ScheduleTest, WhatFillsADeviceGoesWhereNothingElseDoesAndStandsBehindInItsL
     EXPECT_EQ(schedule_of(graph).levels, (std::vector<uint32_t>{0, 0, 0, 1, 1, 2, 2, 3}));
 }
 
-TEST(ScheduleTest, WhatFillsADeviceGoesBesideFewGroupsThatWorkLong)
+TEST(ScheduleTest, WhatWaitsGoesBesideWhatWaitsAsLong)
 {
     Graph graph;
-    const std::vector<ImageId> wide{filled(graph, "a", 8192), filled(graph, "b", 8192),
-                                    filled(graph, "c", 8192)};
-    const ImageId first = made(graph, "first");
-    auto pass = graph.compute("second", fake_shader);
-    pass.sample(first);
-    const ImageId second = pass.write(graph.image("second of it", small_image));
-    pass.lasts(100);
-    const ImageId end = next(graph, "third", second);
+    const ImageId few = made(graph, "few");
+    const auto waiting = [&](const std::string& name, uint32_t us, uint32_t groups, ImageId after) {
+        auto pass = graph.compute(name, fake_shader);
+        pass.sample(after);
+        const ImageId image = pass.write(graph.image(name, small_image));
+        pass.lasts(us).dispatch(groups);
+        return image;
+    };
+    const ImageId source = made(graph, "source");
+    const ImageId early = waiting("waits a little, few", 40, 64, source);
+    const ImageId wide = waiting("waits a little, many", 40, 4096, source);
+    const ImageId longer = waiting("waits longer", 200, 64, source);
+    const ImageId end = next(graph, "third", waiting("second", 100, 12, next(graph, "first", few)));
     auto join = graph.compute("join", fake_shader);
-    for (const ImageId image : wide) {
-        join.sample(image);
-    }
-    join.sample(end).keep();
-    // Three that take 24 us each have room within 100.
+    join.sample(early).sample(wide).sample(longer).sample(end).keep();
+    // All could run beside "first"; 40 us cost nothing beside 100, and 200 cost the least there.
     EXPECT_EQ(kept_names(graph, compile(graph)),
-              (Names{"make first", "second", "a", "b", "c", "third", "join"}));
-    EXPECT_EQ(schedule_of(graph).levels, (std::vector<uint32_t>{0, 1, 1, 1, 1, 2, 3}));
+              (Names{"make few", "make source", "first", "waits a little, few", "waits longer", "second",
+                     "waits a little, many", "third", "join"}));
+    EXPECT_EQ(schedule_of(graph).levels, (std::vector<uint32_t>{0, 0, 1, 2, 2, 2, 2, 3, 4}));
 }
 
 TEST(ScheduleTest, WhatATakenPassWasToldIsForgottenWithTheGraph)

@@ -278,7 +278,8 @@ gpu::ImageId TerrainBuffers::add_heights(gpu::Graph& graph, const HeightFields& 
         .sample(texels, gpu::Format::r32f);
     const gpu::ImageId height = pass.write(graph.image(
         "terrain/heights", {.width = size.x, .height = count * size.y, .format = gpu::Format::r32f}));
-    pass.push(constants).dispatch_over_page(size.x, size.y, count);
+    constexpr uint32_t point_us = 45; // one after another, a landscape's layers of noise, however few points
+    pass.push(constants).lasts(point_us).dispatch_over_page(size.x, size.y, count);
     return height;
 }
 

@@ -198,7 +198,7 @@ Chains add_chains(gpu::Graph& graph, const ChainInputs& in, LineMesh& mesh, bool
     emit.variant((mesh.loose_edge_count > 0 ? shared::emit_has_loose_edges : 0U) |
                  (along_edges ? shared::emit_along_edges : 0U))
         .push(constants);
-    emit.lasts(50).dispatch_indirect(marks.sizes, indirect_offset(shared::list_segments));
+    emit.dispatch_indirect(marks.sizes, indirect_offset(shared::list_segments));
     if (view_bends) {
         auto suggestive = graph.compute("contour/emit suggestive", shaders::emit_suggestive_comp);
         suggestive.sample(in.line_triangles).sample(in.posed_vertices).sample(in.neighbors);

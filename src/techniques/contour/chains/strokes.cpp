@@ -89,7 +89,7 @@ ChainSamples add_samples(gpu::Graph& graph, const ChainInputs& in, const Chains&
     sample.sample(chains.points);
     const gpu::BufferId samples =
         sample.write(graph.buffer("contour/samples", list_of(samples_most, sizeof(shared::LineSample))));
-    sample.push(constants).lasts(25).dispatch_indirect(divided.sizes, per_sample);
+    sample.push(constants).dispatch_indirect(divided.sizes, per_sample);
 
     auto settle = graph.compute("contour/settle", shaders::settle_comp);
     settle.read(divided.sizes).sample(divided.before, gpu::Format::r32ui);
