@@ -13,7 +13,7 @@ namespace estampe::frame {
 namespace {
 
 constexpr double usual_step_s = 1.0 / 120.0;
-constexpr uint32_t steps_between_poses = 4; // in between all that is held goes straight
+constexpr uint32_t steps_between_poses = 5; // a film's picture; in between all that is held goes straight
 
 /// Vertices that lie in one place are one particle, so that sheets hang together along the seams of their
 /// UVs.
