@@ -89,6 +89,32 @@ TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
     EXPECT_EQ(film_frame(renderer, set_up, style, 3).rgba, whole[3].rgba);
 }
 
+TEST(ClothFrame, GoesOnWhenSomethingElseIsMadeToMove)
+{
+    ClothScene set_up = make_set_up("flag", 0.5F);
+    const auto other = static_cast<Index>(set_up.scene.nodes.size());
+    set_up.scene.roots.push_back(other);
+    set_up.scene.nodes.push_back({.name = "something else"});
+    const Style style = style_of(set_up);
+    Renderer& renderer = test::shared_renderer();
+    const auto film = [&](bool moves_other) {
+        renderer.set_scene(set_up.scene);
+        std::vector<Image> frames;
+        for (uint32_t i = 0; i < 4; ++i) {
+            if (i == 2 && moves_other) { // for which all is laid out anew
+                renderer.place(std::vector{NodePlace{.node = other, .transform = {}}}, i / 24.0);
+            }
+            frames.push_back(film_frame(renderer, set_up, style, i));
+        }
+        return frames;
+    };
+    const std::vector<Image> whole = film(false);
+    EXPECT_GT(differing(whole[3], whole[2]), 20U);
+    const std::vector<Image> other_moves = film(true);
+    EXPECT_EQ(other_moves[2].rgba, whole[2].rgba);
+    EXPECT_EQ(other_moves[3].rgba, whole[3].rgba);
+}
+
 TEST(ClothFrame, APictureThatIsGivenUpLosesNoStep)
 {
     const ClothScene set_up = make_set_up("swing", 0.4F);

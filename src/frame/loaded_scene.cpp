@@ -2,6 +2,7 @@
 #include "frame/loaded_scene.hpp"
 
 #include <future>
+#include <memory>
 
 #include <glm/gtc/packing.hpp>
 
@@ -116,6 +117,8 @@ pose::MeshData layout_of(const Scene& scene)
 /// Brings a layout of the loaded scene to the device, and forgets what was made of the one before.
 void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout)
 {
+    const glm::dvec3 anchor_before = loaded.layout.anchor;
+    const std::unique_ptr<MovingCloth> cloth_before = std::move(loaded.cloth);
     loaded.layout = std::move(layout);
     ++loaded.layout_number;
     if (loaded.scene.terrain) {
@@ -134,6 +137,9 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
     loaded.cloth = MovingCloth::is_in(loaded.scene)
                        ? std::make_unique<MovingCloth>(device, loaded.scene, loaded.layout)
                        : nullptr;
+    if (loaded.cloth && cloth_before && loaded.layout.anchor == anchor_before) {
+        loaded.cloth->go_on_from(*cloth_before);
+    }
     loaded.baked =
         upload_baked(device, loaded.lightmap ? &*loaded.lightmap : nullptr, loaded.scene, loaded.layout);
     loaded.has_plain_links = pose::has_plain_links(loaded.layout);

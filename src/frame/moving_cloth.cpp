@@ -181,8 +181,27 @@ MovingCloth::MovingCloth(gpu::Device& device, const Scene& scene, const pose::Me
     grids_ = SolidGrids(scene);
     sheets_.set_grids(device, grids_.grids());
     for (const uint32_t draw : draws_) {
-        reaches_.push_back(layout.sources[draw].local_bounds);
+        const pose::DrawSource& source = layout.sources[draw];
+        reaches_.push_back(source.local_bounds);
+        cut_from_.emplace_back(source.node, source.primitive, source.instance);
     }
+}
+
+void MovingCloth::go_on_from(MovingCloth& other)
+{
+    const std::vector<gpu::Buffer*> own = sheets_.state();
+    const std::vector<gpu::Buffer*> others = other.sheets_.state();
+    const auto is_as_large = [](const gpu::Buffer* a, const gpu::Buffer* b) {
+        return a->size_bytes() == b->size_bytes();
+    };
+    if (!other.time_s_ || cut_from_ != other.cut_from_ || !std::ranges::equal(own, others, is_as_large)) {
+        return;
+    }
+    std::vector<gpu::Buffer> state;
+    for (gpu::Buffer* const buffer : others) {
+        state.push_back(std::move(*buffer));
+    }
+    recall(*other.time_s_, std::move(state));
 }
 
 bool MovingCloth::tear_triangles(pose::MeshData& layout, std::span<const glm::uvec2> torn) const

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include <estampe/renderer.hpp>
@@ -118,6 +119,10 @@ public:
         is_taken_up_ = true;
     }
 
+    /// The next picture goes on from where the same sheets stood that were cut from another layout, told from
+    /// the same anchor; of others nothing is taken.
+    void go_on_from(MovingCloth& other);
+
     /// Lets triangles of `layout` fall together that are torn, and puts back those that are not; returns
     /// whether any is otherwise than before. `torn` is what sheets().torn() holds.
     [[nodiscard]] bool tear_triangles(pose::MeshData& layout, std::span<const glm::uvec2> torn) const;
@@ -144,8 +149,12 @@ private:
     [[nodiscard]] static Cut cut(const Scene& scene, const pose::MeshData& layout);
     MovingCloth(gpu::Device& device, Cut&& cut);
 
+    /// What a sheet is cut from: a node, a primitive of its mesh, an instance.
+    using CutFrom = std::tuple<Index, uint32_t, uint32_t>;
+
     cloth::Cloths sheets_;
     std::vector<uint32_t> draws_;
+    std::vector<CutFrom> cut_from_; ///< one a sheet
     std::vector<BoneCapsule> bones_;
     std::optional<std::vector<SeenBody>> bodies_; ///< from when they are asked for
     bool are_seen_ = false;                       ///< in place of capsules
