@@ -9,7 +9,7 @@
 namespace estampe::gpu {
 namespace {
 
-/// Four words, and zeros from a place on.
+/// Four words, and zeros from a place on. Each command has a GPU to itself.
 BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, const glm::uvec4& words,
                    uint64_t zeros_from)
 {
@@ -18,7 +18,9 @@ BufferId add_words(Graph& graph, std::string_view name, uint64_t size_bytes, con
         pass.touch_write(graph.buffer(name, {.size_bytes = size_bytes}), Access::transfer_write);
     pass.execute([=](Recorder& recorder) {
         const VkBuffer buffer = recorder.buffer(filled).handle();
-        vkCmdUpdateBuffer(recorder.commands(), buffer, 0, sizeof(words), &words);
+        if (zeros_from > 0) {
+            vkCmdUpdateBuffer(recorder.commands(), buffer, 0, sizeof(words), &words);
+        }
         if (zeros_from < size_bytes) {
             vkCmdFillBuffer(recorder.commands(), buffer, zeros_from, size_bytes - zeros_from, 0);
         }
@@ -50,7 +52,7 @@ ImageId add_fill(Graph& graph, std::string_view name, ImageId image, const glm::
 
 BufferId add_zeros(Graph& graph, std::string_view name, uint64_t size_bytes)
 {
-    return add_words(graph, name, size_bytes, glm::uvec4(0), sizeof(glm::uvec4));
+    return add_words(graph, name, size_bytes, glm::uvec4(0), 0);
 }
 
 BufferId add_empty_list(Graph& graph, std::string_view name, uint64_t size_bytes)

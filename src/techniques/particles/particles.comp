@@ -211,7 +211,7 @@ Mass mass_by_groups(vec2 place, float surface_m, bool is_crisp)
         read_sprites(first, last);
         for (int k = 0; k < min(last - first, read_at_once); ++k) {
             SpriteOver over = sprite_of(place, held[3 * k], held[3 * k + 1], held[3 * k + 2]);
-            if (is_near(over)) {
+            if (over.sprite.away_m < surface_m && is_near(over)) {
                 add_sprite(mass, over, over.sprite.opacity, surface_m, is_crisp);
             }
         }
