@@ -93,8 +93,14 @@ TEST(ClothFrame, GoesOnWhenSomethingElseIsMadeToMove)
 {
     ClothScene set_up = make_set_up("flag", 0.5F);
     const auto other = static_cast<Index>(set_up.scene.nodes.size());
+    const Transform far_off{.translation = {0.0, 0.0, 40.0}}; // behind the camera
     set_up.scene.roots.push_back(other);
-    set_up.scene.nodes.push_back({.name = "something else"});
+    set_up.scene.nodes.push_back(
+        {.name = "pebble", .transform = far_off, .mesh = static_cast<Index>(set_up.scene.meshes.size())});
+    Mesh& pebble = set_up.scene.meshes.emplace_back(Mesh{.name = "pebble"});
+    pebble.primitives.push_back({.material = 0,
+                                 .positions = {{0.0F, 0.0F, 0.0F}, {0.1F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.1F}},
+                                 .indices = {0, 2, 1}});
     const Style style = style_of(set_up);
     Renderer& renderer = test::shared_renderer();
     const auto film = [&](bool moves_other) {
@@ -102,7 +108,7 @@ TEST(ClothFrame, GoesOnWhenSomethingElseIsMadeToMove)
         std::vector<Image> frames;
         for (uint32_t i = 0; i < 4; ++i) {
             if (i == 2 && moves_other) { // for which all is laid out anew
-                renderer.place(std::vector{NodePlace{.node = other, .transform = {}}}, i / 24.0);
+                renderer.place(std::vector{NodePlace{.node = other, .transform = far_off}}, i / 24.0);
             }
             frames.push_back(film_frame(renderer, set_up, style, i));
         }
