@@ -89,6 +89,29 @@ TEST(ClothFrame, FilmsGoOnAndCanBeTakenUp)
     EXPECT_EQ(film_frame(renderer, set_up, style, 3).rgba, whole[3].rgba);
 }
 
+TEST(ClothFrame, AStillThatIsDrawnAgainTakesNoSteps)
+{
+    const ClothScene set_up = make_set_up("flag", 0.5F);
+    const Style style = style_of(set_up);
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(set_up.scene);
+    const auto takes_steps = [&](double time_s, double settle_s) {
+        Style settled = style;
+        settled.set(fmt::format("cloth.settle_s={}", settle_s));
+        RenderSettings settings = small;
+        settings.time_s = time_s;
+        static_cast<void>(renderer.render(set_up.camera, settled, settings));
+        return std::ranges::any_of(renderer.timings(),
+                                   [](const PassTiming& pass) { return pass.name == "cloth/small"; });
+    };
+    for (const double time_s : {0.0, 0.7, 53.1}) {
+        for (const double settle_s : {1.0, 0.37}) { // which no number of steps makes exactly
+            EXPECT_TRUE(takes_steps(time_s, settle_s)) << time_s << ' ' << settle_s;
+            EXPECT_FALSE(takes_steps(time_s, settle_s)) << time_s << ' ' << settle_s;
+        }
+    }
+}
+
 TEST(ClothFrame, GoesOnWhenSomethingElseIsMadeToMove)
 {
     ClothScene set_up = make_set_up("flag", 0.5F);

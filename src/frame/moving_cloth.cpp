@@ -298,7 +298,7 @@ std::optional<ClothRun> MovingCloth::plan(const RenderSettings& settings, const 
 void MovingCloth::done(const RenderSettings& settings, const StyleTables& style, double time_s)
 {
     time_s_ = time_s;
-    is_still_ = settings.continuity == Continuity::still && time_s == settings.time_s;
+    is_still_ = settings.continuity == Continuity::still;
     animation_ = settings.animation;
     wind_ = style.wind;
     style_ = style.cloth;
@@ -346,6 +346,7 @@ std::vector<ClothSteps> MovingCloth::steps_between(double from_s, double to_s, c
         result.push_back(
             {.from_s = begin_s, .to_s = from_s + done * step_s, .count = count, .surroundings = around});
     }
+    result.back().to_s = to_s; // to the bit: the next picture asks whether it is of that moment
     return result;
 }
 
