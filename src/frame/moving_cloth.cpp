@@ -198,6 +198,7 @@ void MovingCloth::go_on_from(MovingCloth& other)
         return;
     }
     std::vector<gpu::Buffer> state;
+    state.reserve(others.size());
     for (gpu::Buffer* const buffer : others) {
         state.push_back(std::move(*buffer));
     }
