@@ -75,12 +75,16 @@ bool has_chains(const pose::MeshData& layout, const contour::ContourStyle& style
 
 contour::EdgeMesh edge_mesh_of(const pose::MeshData& layout)
 {
-    std::vector<glm::vec3> normals;
-    normals.reserve(layout.draw_of_vertex.size());
+    std::vector<glm::vec3> mesh_positions;
+    std::vector<glm::vec3> mesh_normals;
+    mesh_positions.reserve(layout.draw_of_vertex.size());
+    mesh_normals.reserve(layout.draw_of_vertex.size());
     for (uint32_t v = 0; v < layout.draw_of_vertex.size(); ++v) {
         const shared::DrawRecord& draw = layout.draws[layout.draw_of_vertex[v]];
-        const uint32_t rest = draw.first_rest_vertex + v - draw.first_posed_vertex;
-        normals.push_back(pose::unpack_normal(layout.rest_vertices[rest].normal));
+        const shared::RestVertex& rest =
+            layout.rest_vertices[draw.first_rest_vertex + v - draw.first_posed_vertex];
+        mesh_positions.push_back(rest.position);
+        mesh_normals.push_back(pose::unpack_normal(rest.normal));
     }
     const std::vector<uint32_t> body_of_draw = bodies_of_draws(layout);
     std::vector<uint32_t> bodies;
@@ -95,7 +99,8 @@ contour::EdgeMesh edge_mesh_of(const pose::MeshData& layout)
     }
     return contour::build_edge_mesh({.triangles = layout.triangles,
                                      .positions = layout.stroke_coordinates,
-                                     .normals = normals,
+                                     .mesh_positions = mesh_positions,
+                                     .mesh_normals = mesh_normals,
                                      .bodies = bodies,
                                      .materials = materials,
                                      .edge_marks = layout.edge_marks});

@@ -169,11 +169,14 @@ void look_at(const Scene& scene)
 
 void make_lines(const pose::MeshData& meshes)
 {
+    std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     for (uint32_t v = 0; v < meshes.draw_of_vertex.size(); ++v) {
         const shared::DrawRecord& draw = meshes.draws[meshes.draw_of_vertex[v]];
-        normals.push_back(pose::unpack_normal(
-            meshes.rest_vertices[draw.first_rest_vertex + v - draw.first_posed_vertex].normal));
+        const shared::RestVertex& rest =
+            meshes.rest_vertices[draw.first_rest_vertex + v - draw.first_posed_vertex];
+        positions.push_back(rest.position);
+        normals.push_back(pose::unpack_normal(rest.normal));
     }
     std::vector<uint32_t> bodies;
     for (const glm::uvec4& triangle : meshes.triangles) {
@@ -181,7 +184,8 @@ void make_lines(const pose::MeshData& meshes)
     }
     const contour::EdgeMesh edges = contour::build_edge_mesh({.triangles = meshes.triangles,
                                                               .positions = meshes.stroke_coordinates,
-                                                              .normals = normals,
+                                                              .mesh_positions = positions,
+                                                              .mesh_normals = normals,
                                                               .bodies = bodies,
                                                               .materials = bodies,
                                                               .edge_marks = meshes.edge_marks});

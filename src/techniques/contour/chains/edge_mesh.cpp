@@ -2,9 +2,10 @@
 #include "techniques/contour/chains/edge_mesh.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
+
+#include "techniques/contour/chains/weld.hpp"
 
 namespace estampe::contour {
 namespace {
@@ -14,14 +15,6 @@ constexpr float same_normal_cosine = 0.99996F; // half a degree
 uint32_t next(uint32_t corner)
 {
     return corner == 2 ? 0 : corner + 1;
-}
-
-uint32_t mixed(uint32_t h, float value)
-{
-    // Both zeros are one place.
-    h ^= std::bit_cast<uint32_t>(value == 0.0F ? 0.0F : value);
-    h *= 0x9e3779b1U;
-    return h ^ h >> 15U;
 }
 
 class Builder {
@@ -59,32 +52,20 @@ private:
                 body_of_vertex_[soup_.triangles[t][k]] = soup_.bodies[t];
             }
         }
-        mesh_.points.assign(count, no_side);
+        mesh_.points = weld_vertices(
+            {soup_.triangles, soup_.positions, soup_.mesh_positions, soup_.bodies, body_of_vertex_});
         stands_for_.resize(count);
         std::iota(stands_for_.begin(), stands_for_.end(), 0U);
         std::vector<uint32_t> next_normal(count, no_side);
-        const size_t slots = std::bit_ceil(size_t{2} * count + 2);
-        std::vector<uint32_t> table(slots, no_side);
         for (uint32_t v = 0; v < count; ++v) {
             if (body_of_vertex_[v] == no_side) {
                 continue;
             }
-            const glm::vec3& p = soup_.positions[v];
-            size_t slot = mixed(mixed(mixed(body_of_vertex_[v] * 0x85ebca77U, p.x), p.y), p.z) & (slots - 1);
-            while (table[slot] != no_side && !is_same_place(table[slot], v)) {
-                slot = (slot + 1) & (slots - 1);
-            }
-            if (table[slot] == no_side) {
-                table[slot] = v;
-            }
-            const uint32_t point = table[slot];
-            mesh_.points[v] = point;
-            uint32_t like = point;
-            while (glm::dot(soup_.normals[like], soup_.normals[v]) < same_normal_cosine &&
-                   next_normal[like] != no_side) {
+            uint32_t like = mesh_.points[v];
+            while (!has_same_normal(like, v) && next_normal[like] != no_side) {
                 like = next_normal[like];
             }
-            if (like != v && glm::dot(soup_.normals[like], soup_.normals[v]) < same_normal_cosine) {
+            if (like != v && !has_same_normal(like, v)) {
                 next_normal[like] = v;
                 like = v;
             }
@@ -92,9 +73,9 @@ private:
         }
     }
 
-    [[nodiscard]] bool is_same_place(uint32_t a, uint32_t b) const
+    [[nodiscard]] bool has_same_normal(uint32_t a, uint32_t b) const
     {
-        return body_of_vertex_[a] == body_of_vertex_[b] && soup_.positions[a] == soup_.positions[b];
+        return glm::dot(soup_.mesh_normals[a], soup_.mesh_normals[b]) >= same_normal_cosine;
     }
 
     void take_triangles()
@@ -237,17 +218,17 @@ private:
                vertex(a.side, 1) == vertex(b.side, is_alike ? 1 : 0);
     }
 
-    /// As long as twice the triangle's area.
-    [[nodiscard]] glm::vec3 area_normal(uint32_t t) const
+    /// As long as twice the triangle's area, in the space of `positions`.
+    [[nodiscard]] glm::vec3 area_normal(uint32_t t, std::span<const glm::vec3> positions) const
     {
         const glm::uvec4& corners = mesh_.triangles[t];
-        const glm::vec3 a = soup_.positions[corners.x];
-        return glm::cross(soup_.positions[corners.y] - a, soup_.positions[corners.z] - a);
+        const glm::vec3 a = positions[corners.x];
+        return glm::cross(positions[corners.y] - a, positions[corners.z] - a);
     }
 
     [[nodiscard]] glm::vec3 normal(uint32_t t) const
     {
-        const glm::vec3 n = area_normal(t);
+        const glm::vec3 n = area_normal(t, soup_.positions);
         const float length = glm::length(n);
         return length > 0.0F ? n / length : glm::vec3(0.0F);
     }
@@ -256,9 +237,10 @@ private:
     [[nodiscard]] float agreement(uint32_t t) const
     {
         const glm::uvec4& corners = mesh_.triangles[t];
-        const glm::vec3 mean = soup_.normals[corners.x] + soup_.normals[corners.y] + soup_.normals[corners.z];
+        const glm::vec3 mean =
+            soup_.mesh_normals[corners.x] + soup_.mesh_normals[corners.y] + soup_.mesh_normals[corners.z];
         const float sense = (mesh_.neighbors[t].w & neighbor_is_turned) != 0 ? -1.0F : 1.0F;
-        return sense * glm::dot(area_normal(t), mean);
+        return sense * glm::dot(area_normal(t, soup_.mesh_positions), mean);
     }
 
     /// Takes triangles that have lines piece by piece. A piece goes on over side k of triangle t to one that

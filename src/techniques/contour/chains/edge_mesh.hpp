@@ -25,11 +25,15 @@ constexpr uint32_t side_of(uint32_t triangle, uint32_t corner)
     return triangle << 2U | corner;
 }
 
-/// What an edge mesh is made of. Positions and normals are those of the rest pose, one a vertex.
+/// What an edge mesh is made of; one position and normal per vertex.
 struct TriangleSoup {
     std::span<const glm::uvec4> triangles; ///< three vertices, and what is handed through
-    std::span<const glm::vec3> positions;
-    std::span<const glm::vec3> normals;
+    std::span<const glm::vec3> positions;  ///< in the rest pose of the scene: folds are measured here
+    /// As the mesh itself has them, before its node or joints place it. Vertices are welded and the two sides
+    /// of a surface told apart here, so that a mesh has the same lines however it is turned, scaled or
+    /// mirrored.
+    std::span<const glm::vec3> mesh_positions;
+    std::span<const glm::vec3> mesh_normals;
     std::span<const uint32_t> bodies; ///< one a triangle: only triangles of one body share edges; no_side for
                                       ///< triangles that have no lines
     std::span<const uint32_t> materials; ///< one a triangle
@@ -52,7 +56,9 @@ struct FeatureEdge {
 };
 
 /// Triangles with their neighbours. Vertices at one place of one body are one point, whatever else differs
-/// in them; triangles that are there twice count once.
+/// in them; triangles that are there twice count once. Two vertices are at one place when they miss each
+/// other by less than `weld_tolerance` of the body's size and a tenth of the shortest edge at either: tools
+/// that compute a seam twice, as by the sine of 0 and of 2 pi, leave such gaps.
 struct EdgeMesh {
     /// Corners, of vertices that stand for all at their place with their normal, and what is handed through.
     std::vector<glm::uvec4> triangles;
@@ -66,6 +72,9 @@ struct EdgeMesh {
 };
 
 constexpr float least_fold_deg = 10.0F;
+
+/// Share of a body's size, the diagonal of its box, within which vertices are welded.
+constexpr float weld_tolerance = 1e-5F;
 
 /// Cost: linear; about 0.5 us a triangle.
 [[nodiscard]] EdgeMesh build_edge_mesh(const TriangleSoup& soup);

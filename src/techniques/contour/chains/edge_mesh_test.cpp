@@ -40,7 +40,7 @@ struct Soup {
 
     [[nodiscard]] EdgeMesh build() const
     {
-        return build_edge_mesh({triangles, positions, normals, bodies, materials, edge_marks});
+        return build_edge_mesh({triangles, positions, positions, normals, bodies, materials, edge_marks});
     }
 };
 
@@ -303,6 +303,78 @@ TEST(FeatureChains, SmoothShadingHidesGentleFolds)
     Soup soup;
     soup.add(shapes::sphere(1.0F, 12, 6)); // folds of 30 degrees, shaded smooth
     EXPECT_TRUE(strung(soup, {.crease_deg = 20.0F}).chains.empty());
+}
+
+/// A ball whose vertices along one meridian are there twice, the second time off by a share of its size.
+Soup ball_with_seam(float gap, float radius)
+{
+    Primitive ball = shapes::sphere(radius, 24, 12);
+    const size_t count = ball.positions.size();
+    size_t moved = 0;
+    for (size_t v = 0; v < count; ++v) {
+        for (size_t w = 0; w < v; ++w) {
+            if (ball.positions[v] == ball.positions[w] && std::abs(ball.positions[v].y) < 0.99F * radius) {
+                ball.positions[v] += glm::vec3(gap * radius, -gap * radius, gap * radius);
+                ++moved;
+                break;
+            }
+        }
+    }
+    EXPECT_GT(moved, 8U);
+    Soup soup;
+    soup.add(ball);
+    return soup;
+}
+
+size_t border_count(const EdgeMesh& mesh)
+{
+    return static_cast<size_t>(std::ranges::count(mesh.features, FeatureKind::border, &FeatureEdge::kind));
+}
+
+TEST(EdgeMesh, VerticesThatMissEachOtherByRoundingAreOne)
+{
+    for (const float radius : {1e-3F, 1.0F, 4000.0F}) {
+        EXPECT_EQ(border_count(ball_with_seam(0.0F, radius).build()), 0U);
+        EXPECT_EQ(border_count(ball_with_seam(2e-7F, radius).build()), 0U) << radius;
+        EXPECT_EQ(border_count(ball_with_seam(4e-6F, radius).build()), 0U) << radius;
+        EXPECT_GT(border_count(ball_with_seam(1e-3F, radius).build()), 0U) << "that is a gap";
+    }
+}
+
+TEST(EdgeMesh, DetailFinerThanTheToleranceStays)
+{
+    Soup soup;
+    soup.add(shapes::sphere(1.0F, 12, 6));
+    const float fine = 0.2F * weld_tolerance;
+    soup.add(triangles_of(
+        {{2.0F, 0.0F, 0.0F}, {2.0F + fine, 0.0F, 0.0F}, {2.0F, fine, 0.0F}, {2.0F + fine, fine, 0.0F}},
+        {0, 1, 2, 2, 1, 3}));
+    const EdgeMesh mesh = soup.build();
+    const size_t last = mesh.triangles.size() - 2;
+    EXPECT_EQ(mesh.neighbors[last][1], side_of(static_cast<uint32_t>(last + 1), 0));
+    std::set<uint32_t> points;
+    for (size_t t = last; t < last + 2; ++t) {
+        for (int k = 0; k < 3; ++k) {
+            points.insert(mesh.points[mesh.triangles[t][k]]);
+        }
+    }
+    EXPECT_EQ(points.size(), 4U);
+}
+
+TEST(EdgeMesh, VerticesThatJointsTakeApartStayApart)
+{
+    Soup soup;
+    soup.add(triangles_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}));
+    soup.add(triangles_of({{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2}));
+    std::vector<glm::vec3> placed = soup.positions;
+    for (size_t v = 3; v < 6; ++v) {
+        placed[v].x += 5.0F;
+    }
+    const EdgeMesh together = soup.build();
+    EXPECT_EQ(border_count(together), 4U);
+    const EdgeMesh apart = build_edge_mesh(
+        {soup.triangles, placed, soup.positions, soup.normals, soup.bodies, soup.materials, soup.edge_marks});
+    EXPECT_EQ(border_count(apart), 6U);
 }
 
 } // namespace

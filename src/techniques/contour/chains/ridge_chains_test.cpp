@@ -28,7 +28,7 @@ public:
                                    0U);
         }
         const std::vector<uint32_t> zeros(triangles.size(), 0);
-        mesh_ = build_edge_mesh({triangles, positions_, primitive.normals, zeros, zeros, {}});
+        mesh_ = build_edge_mesh({triangles, positions_, positions_, primitive.normals, zeros, zeros, {}});
         sizes_.assign(positions_.size(), size);
         clockwise_.assign(triangles.size(), 0);
     }
