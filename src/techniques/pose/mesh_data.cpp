@@ -109,13 +109,6 @@ public:
     }
 
 private:
-    static bool is_plain(std::span<const glm::uvec4> triangles)
-    {
-        constexpr uint32_t flags = shared::triangle_two_sided | shared::triangle_mirrored;
-        return std::ranges::all_of(triangles,
-                                   [](const glm::uvec4& triangle) { return (triangle.w & flags) == 0; });
-    }
-
     Range append(const std::vector<glm::uvec4>& triangles)
     {
         const Range range{static_cast<uint32_t>(data_.triangles.size()),

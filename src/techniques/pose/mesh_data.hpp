@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <estampe/scene.hpp>
@@ -137,8 +138,12 @@ struct PoseData {
 [[nodiscard]] std::vector<Bounds> moved_places(const MeshData& meshes, const PoseData& before,
                                                const PoseData& now);
 
-/// Flags the triangles of `meshes` whose draws `pose` turns inside out, and no others; returns whether any
-/// changed. Before the first call none is flagged. Cost: linear in draws, and in triangles when any changed.
+/// Whether none of the triangles is two-sided or mirrored, as Range::plain says.
+[[nodiscard]] bool is_plain(std::span<const glm::uvec4> triangles);
+
+/// Flags the triangles of `meshes` whose draws `pose` turns inside out, and no others, and says so in all
+/// ranges; returns whether any changed. Before the first call none is flagged. Cost: linear in draws, and in
+/// triangles when any changed.
 [[nodiscard]] bool turn_triangles(MeshData& meshes, const PoseData& pose);
 
 } // namespace estampe::pose

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstring>
+#include <span>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -105,6 +106,13 @@ PoseData pose_meshes(const MeshData& meshes, const Scene& scene, const ScenePose
     return data;
 }
 
+bool is_plain(std::span<const glm::uvec4> triangles)
+{
+    constexpr uint32_t flags = shared::triangle_two_sided | shared::triangle_mirrored;
+    return std::ranges::all_of(triangles,
+                               [](const glm::uvec4& triangle) { return (triangle.w & flags) == 0; });
+}
+
 bool turn_triangles(MeshData& meshes, const PoseData& pose)
 {
     bool changed = false;
@@ -118,6 +126,12 @@ bool turn_triangles(MeshData& meshes, const PoseData& pose)
     for (glm::uvec4& triangle : meshes.triangles) {
         const bool mirrored = is_mirrored(meshes.draws[triangle.w & shared::triangle_draw_mask]);
         triangle.w = (triangle.w & ~shared::triangle_mirrored) | (mirrored ? shared::triangle_mirrored : 0U);
+    }
+    for (Range* const range : {&meshes.opaque, &meshes.masked, &meshes.blended, &meshes.ground}) {
+        range->plain = is_plain(std::span(meshes.triangles).subspan(range->first, range->count));
+    }
+    for (CasterRun& run : meshes.casters) {
+        run.range.plain = is_plain(std::span(meshes.triangles).subspan(run.range.first, run.range.count));
     }
     return true;
 }

@@ -167,6 +167,30 @@ TEST(RasterPathsAgree, OnTwoSidedMirroredAndMaskedOnes)
     EXPECT_TRUE(seen[drawing.layout.masked.first] && seen[drawing.layout.masked.first + 1]);
 }
 
+/// A one-sided body is seen from outside, also where nothing but a mirrored node is in the scene: the order
+/// of its triangles turns with the node's determinant.
+TEST(RasterPathsAgree, OnAMirroredNodeAlone)
+{
+    Scene scene = test::scene_of(shapes::sphere(0.8F, 60, 30));
+    scene.materials[0].double_sided = false;
+    scene.nodes[0].transform.scale = {-1.0, 1.0, 1.0};
+    (void)expect_agreement(scene, camera, "mirrored");
+    for (const RasterPath path : {RasterPath::compute, RasterPath::hardware}) {
+        test::Drawing drawing = drawing_of(scene, path);
+        EXPECT_FALSE(drawing.layout.opaque.plain);
+        const std::vector<shared::PosedVertex> posed = drawing.posed();
+        size_t backs = 0;
+        for (const uint64_t word : drawing.visibility()) {
+            if (word == 0) {
+                continue;
+            }
+            const glm::vec3 outwards = posed[drawing.layout.triangles[triangle_of(word)].x].position;
+            backs += glm::dot(outwards, drawing.globals.eye_anchor) < 0.0F ? 1U : 0U;
+        }
+        EXPECT_EQ(backs, 0U);
+    }
+}
+
 TEST(RasterPathsAgree, InParallelProjection)
 {
     Camera parallel = camera;
