@@ -1,33 +1,122 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
-#include <utility>
+#include <limits>
+#include <numeric>
+#include <span>
 
-#include "core/hash.hpp"
+#include <meshoptimizer.h>
+
 #include "techniques/pose/mesh_data.hpp"
 
 namespace estampe::pose {
 namespace {
 
-/// An edge by the places of its ends, not by their numbers, so that it is the same edge on both sides of a
-/// seam.
-struct EdgePlaces {
-    glm::vec3 from;
-    glm::vec3 to;
-
-    bool operator==(const EdgePlaces&) const = default;
+/// A triangle's side, filed under the lower number of the two places that it joins.
+struct Side {
+    uint32_t higher = 0;    ///< number of the other place
+    uint32_t corner = 0;    ///< where it begins, an index of Primitive::indices
+    bool goes_up = true;    ///< begins at the lower place
+    bool is_paired = false; ///< has met the triangle beyond
 };
 
-struct EdgeHash {
-    size_t operator()(const EdgePlaces& edge) const
-    {
-        Hash hash;
-        for (const glm::vec3& place : {edge.from, edge.to}) {
-            hash.add(place + 0.0F); // -0 is 0
-        }
-        return hash.value();
+/// The number of each vertex's place: an edge is the same one on both sides of a seam of the texture.
+std::vector<uint32_t> number_places(const Primitive& primitive)
+{
+    std::vector<glm::vec3> positions = primitive.positions;
+    for (glm::vec3& position : positions) {
+        position += 0.0F; // -0 is 0
     }
+    std::vector<uint32_t> places(positions.size());
+    meshopt_generateVertexRemap(places.data(), nullptr, positions.size(), positions.data(), positions.size(),
+                                sizeof(glm::vec3));
+    return places;
+}
+
+uint32_t end_of(uint32_t corner)
+{
+    return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
+/// Lengths of the edges between two triangles, and of those along which the texture is cut.
+struct EdgeLengths {
+    double inner = 0.0;
+    double seams = 0.0;
+};
+
+class Edges {
+public:
+    explicit Edges(const Primitive& primitive)
+        : primitive_(primitive), places_(number_places(primitive)), first_(places_.size() + 1, 0)
+    {
+    }
+
+    EdgeLengths measure()
+    {
+        file_sides();
+        for (size_t place = 0; place + 1 < first_.size(); ++place) {
+            const std::span<Side> sides(sides_.data() + first_[place], first_[place + 1] - first_[place]);
+            for (size_t i = 0; i < sides.size(); ++i) {
+                pair_with_earlier(sides.first(i), sides[i]);
+            }
+        }
+        return lengths_;
+    }
+
+private:
+    [[nodiscard]] uint32_t place(uint32_t corner) const { return places_[primitive_.indices[corner]]; }
+
+    /// Sorts by the lower place, and of one place by the triangles' order.
+    void file_sides()
+    {
+        const auto count = static_cast<uint32_t>(primitive_.indices.size() / 3 * 3);
+        for (uint32_t corner = 0; corner < count; ++corner) {
+            ++first_[std::min(place(corner), place(end_of(corner))) + 1];
+        }
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        sides_.resize(count);
+        std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
+        for (uint32_t corner = 0; corner < count; ++corner) {
+            const uint32_t from = place(corner);
+            const uint32_t to = place(end_of(corner));
+            sides_[next[std::min(from, to)]++] = {std::max(from, to), corner, from <= to};
+        }
+    }
+
+    /// The last side before it that runs the other way between the same places and is still alone.
+    void pair_with_earlier(std::span<Side> earlier, Side& side)
+    {
+        constexpr size_t most = 256; // where very many triangles meet, the nearest in the list will do
+        const size_t first = earlier.size() - std::min(earlier.size(), most);
+        for (size_t i = earlier.size(); i > first; --i) {
+            Side& other = earlier[i - 1];
+            if (!other.is_paired && other.higher == side.higher && other.goes_up != side.goes_up) {
+                other.is_paired = true;
+                side.is_paired = true;
+                add(other.corner, side.corner);
+                return;
+            }
+        }
+    }
+
+    void add(uint32_t there, uint32_t back)
+    {
+        const auto uv = [this](uint32_t corner) { return primitive_.uvs[0][primitive_.indices[corner]]; };
+        const auto position = [this](uint32_t corner) {
+            return primitive_.positions[primitive_.indices[corner]];
+        };
+        const double length = glm::distance(position(back), position(end_of(back)));
+        const bool joined = glm::distance(uv(there), uv(end_of(back))) < 1e-4F &&
+                            glm::distance(uv(end_of(there)), uv(back)) < 1e-4F;
+        lengths_.inner += length;
+        lengths_.seams += joined ? 0.0 : length;
+    }
+
+    const Primitive& primitive_;
+    std::vector<uint32_t> places_; ///< one per vertex
+    std::vector<uint32_t> first_;  ///< one per place, into sides_
+    std::vector<Side> sides_;
+    EdgeLengths lengths_;
 };
 
 /// Ratio of the larger to the smaller stretch of the map from a triangle to its texture; infinite when
@@ -64,10 +153,6 @@ bool uvs_are_usable(const Primitive& primitive)
     constexpr double most_seam_length = 0.12;
     double area_all = 0.0;
     double area_bad = 0.0;
-    std::unordered_map<EdgePlaces, std::pair<glm::vec2, glm::vec2>, EdgeHash> waiting;
-    waiting.reserve(primitive.indices.size() / 2);
-    double inner_length = 0.0;
-    double seam_length = 0.0;
     for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
         const uint32_t* corner = &primitive.indices[i];
         const glm::vec3& p0 = primitive.positions[corner[0]];
@@ -78,25 +163,12 @@ bool uvs_are_usable(const Primitive& primitive)
         if (!(stretch(p0, p1, p2, uvs[corner[0]], uvs[corner[1]], uvs[corner[2]]) < most_stretch)) {
             area_bad += area;
         }
-        for (int k = 0; k < 3; ++k) {
-            const uint32_t from = corner[k];
-            const uint32_t to = corner[(k + 1) % 3];
-            const glm::vec3& a = primitive.positions[from];
-            const glm::vec3& b = primitive.positions[to];
-            const auto other = waiting.find({b, a});
-            if (other == waiting.end()) {
-                waiting[{a, b}] = {uvs[from], uvs[to]};
-                continue;
-            }
-            const double length = glm::distance(a, b);
-            inner_length += length;
-            const bool joined = glm::distance(other->second.first, uvs[to]) < 1e-4F &&
-                                glm::distance(other->second.second, uvs[from]) < 1e-4F;
-            seam_length += joined ? 0.0 : length;
-            waiting.erase(other);
-        }
     }
-    return area_bad <= most_bad_area * area_all && seam_length <= most_seam_length * inner_length;
+    if (!(area_bad <= most_bad_area * area_all)) {
+        return false;
+    }
+    const EdgeLengths lengths = Edges(primitive).measure();
+    return lengths.seams <= most_seam_length * lengths.inner;
 }
 
 } // namespace estampe::pose
