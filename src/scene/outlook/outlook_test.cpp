@@ -256,6 +256,64 @@ TEST(Shelter, ASolidThingIsNoRoomAndAnEyeOutsideNeedsNoLamp)
     EXPECT_TRUE(shelter_around(cloud, {1.0, 1.5, -1.0}));
 }
 
+/// A box of a floor, a ceiling and four walls, each a slab of a twentieth of its length.
+Primitive hollow_box(const glm::vec3& size)
+{
+    Primitive slabs;
+    const glm::vec3 wall = 0.05F * size;
+    for (const float side : {0.0F, 1.0F}) {
+        shapes::append(slabs, shapes::box({size.x, wall.y, size.z}),
+                       at(0.0F, side * (size.y - wall.y), 0.0F));
+        const float sign = 2.0F * side - 1.0F;
+        shapes::append(slabs, shapes::box({size.x, size.y, wall.z}),
+                       at(0.0F, 0.0F, 0.5F * sign * (size.z - wall.z)));
+        shapes::append(slabs, shapes::box({wall.x, size.y, size.z}),
+                       at(0.5F * sign * (size.x - wall.x), 0.0F, 0.0F));
+    }
+    return slabs;
+}
+
+/// The faces of a box, and the same again the other way round.
+Primitive doubled_box(float side)
+{
+    Primitive box = shapes::box(glm::vec3(side));
+    const size_t vertices = box.positions.size();
+    const std::vector<uint32_t> indices = box.indices;
+    for (size_t v = 0; v < vertices; ++v) {
+        box.positions.push_back(box.positions[v]);
+        box.normals.push_back(-box.normals[v]);
+        box.uvs[0].push_back(box.uvs[0][v]);
+    }
+    for (size_t i = 0; i + 2 < indices.size(); i += 3)
+        for (const size_t k : {0U, 2U, 1U})
+            box.indices.push_back(indices[i + k] + static_cast<uint32_t>(vertices));
+    return box;
+}
+
+TEST(Shelter, AnEmptyBoxACaseAndDoubledFacesAreObjects)
+{
+    for (const float side : {0.3F, 1.0F, 4.0F, 120.0F}) {
+        EXPECT_EQ(find_outlook(test::scene_of(hollow_box(glm::vec3(side)))).standpoint, Standpoint::outside);
+        EXPECT_FALSE(find_outlook(test::scene_of(hollow_box(glm::vec3(side)))).shelter) << side;
+        EXPECT_EQ(find_outlook(test::scene_of(doubled_box(side))).standpoint, Standpoint::outside) << side;
+        EXPECT_FALSE(find_outlook(test::scene_of(doubled_box(side))).shelter) << side;
+    }
+    Scene device = test::scene_of(hollow_box({0.3F, 0.1F, 0.2F}));
+    test::add_object(device, shapes::box({0.1F, 0.02F, 0.1F}), glm::vec3(1.0F), {0.0, 0.03, 0.0});
+    EXPECT_EQ(find_outlook(device).standpoint, Standpoint::outside) << "nobody could stand in it";
+    Scene furnished = test::scene_of(hollow_box({5.0F, 3.0F, 5.0F}));
+    test::add_object(furnished, shapes::box({1.0F, 0.8F, 1.0F}), glm::vec3(1.0F), {0.5, 0.2, 0.0});
+    EXPECT_EQ(find_outlook(furnished).standpoint, Standpoint::inside);
+}
+
+TEST(Shelter, AFigureThatIsTurnedInsideOutIsNoRoom)
+{
+    Primitive figure = beast();
+    for (size_t i = 0; i + 2 < figure.indices.size(); i += 3)
+        std::swap(figure.indices[i + 1], figure.indices[i + 2]);
+    EXPECT_EQ(find_outlook(test::scene_of(figure)).standpoint, Standpoint::outside);
+}
+
 TEST(Shelter, TheLampHangsBelowWhatGlows)
 {
     Scene scene = thick_room();

@@ -104,6 +104,12 @@ public:
         return static_cast<double>(std::count_if(first, cells_.end(), is_closed)) / (0.5 * around * levels);
     }
 
+    [[nodiscard]] double open_share() const
+    {
+        const auto closed = std::count_if(cells_.begin(), cells_.end(), is_closed);
+        return 1.0 - static_cast<double>(closed) / static_cast<double>(cells_.size());
+    }
+
     /// How far one sees in the freest eighth of all directions.
     [[nodiscard]] double free_sight_m() const
     {
@@ -157,7 +163,61 @@ std::vector<SurfacePoint> hidden_points(const SurfaceCloud& cloud)
     return hidden;
 }
 
+/// Share of the hidden surface that stands free in the space within: behind it, as seen from the middle, lies
+/// more that is hidden, clearly further away.
+double furnished_share(const std::vector<SurfacePoint>& hidden, const glm::vec3& middle)
+{
+    constexpr int around = 64;
+    constexpr int levels = 32;
+    constexpr float clearly_nearer = 0.7F;
+    std::vector<float> furthest_m(size_t{around} * levels, 0.0F);
+    const auto cell_of = [](const glm::vec3& way, float distance_m) {
+        const float turn = 0.5F + std::atan2(way.x, way.z) / static_cast<float>(2.0 * std::numbers::pi);
+        const int column = std::clamp(static_cast<int>(turn * around), 0, around - 1);
+        const int row =
+            std::clamp(static_cast<int>((0.5F + 0.5F * way.y / distance_m) * levels), 0, levels - 1);
+        return static_cast<size_t>(row) * around + static_cast<size_t>(column);
+    };
+    const auto visit = [&](auto&& see) {
+        for (const SurfacePoint& point : hidden) {
+            const glm::vec3 way = point.position - middle;
+            const float distance_m = glm::length(way);
+            if (distance_m > 0.0F)
+                see(point, distance_m, furthest_m[cell_of(way, distance_m)]);
+        }
+    };
+    visit([](const SurfacePoint&, float distance_m, float& furthest) {
+        furthest = std::max(furthest, distance_m);
+    });
+    double free_m2 = 0.0;
+    visit([&free_m2](const SurfacePoint& point, float distance_m, const float& furthest) {
+        free_m2 += distance_m < clearly_nearer * furthest ? static_cast<double>(point.area_m2) : 0.0;
+    });
+    return free_m2 / std::max(area_of(hidden), 1e-30);
+}
+
+bool is_room_inside(const SurfaceCloud& cloud, const std::vector<SurfacePoint>& hidden)
+{
+    constexpr double least_headroom_m = 1.6;
+    constexpr double most_headroom_m = 25.0; // beyond it the unit is no metre, or the thing no room
+    constexpr double some_furniture = 0.005;
+    constexpr double some_window = 0.02;
+    if (hidden.empty())
+        return false;
+    const Bounds room = trimmed_bounds(hidden, cloud.origin);
+    const glm::dvec3 size = room.max - room.min;
+    if (size.y < least_headroom_m || size.y > most_headroom_m || std::min(size.x, size.z) < least_headroom_m)
+        return false;
+    return furnished_share(hidden, glm::vec3(room.center() - cloud.origin)) > some_furniture ||
+           Surroundings(cloud, room.center()).open_share() > some_window;
+}
+
 } // namespace
+
+bool is_room_inside(const SurfaceCloud& cloud)
+{
+    return is_room_inside(cloud, hidden_points(cloud));
+}
 
 Shelter room_behind(const SurfaceCloud& cloud, double azimuth_rad, bool walled)
 {
@@ -207,7 +267,7 @@ std::optional<CornerView> corner_view(const SurfaceCloud& cloud)
     constexpr double much = 0.28;        // of the surface; a furnished model hides a fifth
     constexpr double least_sight = 0.25; // of the room's diagonal
     const std::vector<SurfacePoint> hidden = hidden_points(cloud);
-    if (area_of(hidden) < much * area_of(cloud.points))
+    if (area_of(hidden) < much * area_of(cloud.points) || !is_room_inside(cloud, hidden))
         return std::nullopt;
     const Bounds room = trimmed_bounds(hidden, cloud.origin);
     const glm::dvec3 half = 0.5 * (room.max - room.min);

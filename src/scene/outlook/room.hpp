@@ -25,8 +25,13 @@ struct CornerView {
     Bounds room; ///< what the eye sees
 };
 
-/// None when views from all around show most of the surface, or when there is no free view inside. Cost: a
-/// dozen visits of all points, of which most scenes need four.
+/// Whether a scene that is closed all around holds a space where a person could stand and would find
+/// something to see: free of 1.6 to 25 m in height and at least as wide, with things in it, or with windows
+/// or doors. An empty box is an object, and so is the case of a device. Cost: seven visits of all points.
+[[nodiscard]] bool is_room_inside(const SurfaceCloud& cloud);
+
+/// None when views from all around show most of the surface, when there is no free view inside, or where
+/// is_room_inside() says no. Cost: a dozen visits of all points, of which most scenes need four.
 [[nodiscard]] std::optional<CornerView> corner_view(const SurfaceCloud& cloud);
 
 } // namespace estampe

@@ -21,10 +21,23 @@ std::optional<size_t> cell_of(const glm::dvec3& part, int axis)
     return static_cast<size_t>(u * grid) * grid + static_cast<size_t>(v * grid);
 }
 
+constexpr double nothing = -std::numeric_limits<double>::infinity();
+
+/// What of a cell lies furthest out, from 0 at the opposite side of the box to 1 at the side itself.
 struct Outermost {
-    double height = -std::numeric_limits<double>::infinity();
-    bool inward = false;
+    double height = nothing;
+    double inward_height = nothing;  ///< of what faces the middle
+    double outward_height = nothing; ///< of what faces away from it
     bool two_sided = false;
+
+    /// A wall of a room stands at the side of the box, and nothing that is seen from outside stands before
+    /// it: neither the outside of a thick wall, nor the second face of a doubled one.
+    [[nodiscard]] bool is_wall_of_room() const
+    {
+        return inward_height > at_the_side && inward_height > outward_height + 0.01;
+    }
+
+    static constexpr double at_the_side = 0.85;
 };
 
 } // namespace
@@ -32,6 +45,11 @@ struct Outermost {
 bool Walls::room() const
 {
     return std::count(inward.begin(), inward.end(), true) >= 4;
+}
+
+bool Walls::has_opening() const
+{
+    return !inward[opening()];
 }
 
 size_t Walls::opening() const
@@ -54,15 +72,22 @@ Walls find_walls(const SurfaceCloud& cloud)
             const glm::dvec3 part = (glm::dvec3(point.position) + cloud.origin - cloud.bounds.min) / size;
             const auto cell = cell_of(part, axis);
             const double height = sign > 0.0 ? part[axis] : 1.0 - part[axis];
-            if (!cell || !(height > cells[*cell].height))
+            if (!cell)
                 continue;
-            cells[*cell] = {height, sign * static_cast<double>(point.normal[axis]) < -0.3, point.two_sided};
+            Outermost& outermost = cells[*cell];
+            const bool is_inward = sign * static_cast<double>(point.normal[axis]) < -0.3;
+            double& facing_alike = is_inward ? outermost.inward_height : outermost.outward_height;
+            facing_alike = std::max(facing_alike, height);
+            if (height > outermost.height) {
+                outermost.height = height;
+                outermost.two_sided = point.two_sided;
+            }
         }
         const auto most = [&](auto property) {
             return std::count_if(cells.begin(), cells.end(), property) > grid * grid / 2;
         };
-        walls.inward[side] = most([](const Outermost& cell) { return cell.inward; });
-        walls.closed[side] = most([](const Outermost& cell) { return cell.height > 0.85; });
+        walls.inward[side] = most([](const Outermost& cell) { return cell.is_wall_of_room(); });
+        walls.closed[side] = most([](const Outermost& cell) { return cell.height > Outermost::at_the_side; });
         walls.two_sided[side] = most([](const Outermost& cell) { return cell.two_sided; });
     }
     return walls;
