@@ -14,6 +14,7 @@
 #include "scene/assimp/assimp_import.hpp"
 #include "scene/drawn_size.hpp"
 #include "scene/gltf/gltf_import.hpp"
+#include "scene/repair/repair.hpp"
 
 namespace estampe {
 namespace {
@@ -28,6 +29,9 @@ bool is_among(std::string_view extension, std::span<const std::string_view> exte
 
 Scene checked(Scene scene, const std::filesystem::path& path)
 {
+    turn_by_normals(scene);
+    leave_out_outline_hulls(scene);
+    find_cut_out_materials(scene);
     check_drawn_size(scene, path.string());
     return scene;
 }
