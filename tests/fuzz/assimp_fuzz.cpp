@@ -16,9 +16,9 @@
 #include <estampe/scene.hpp>
 
 #include "scene/assimp/assimp_import.hpp"
-#include "scene/assimp/mend.hpp"
 #include "scene/assimp/transfer.hpp"
-#include "scene/assimp/turn_outside.hpp"
+#include "scene/mending/mend.hpp"
+#include "scene/mending/turn_outside.hpp"
 
 namespace {
 

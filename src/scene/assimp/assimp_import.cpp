@@ -15,9 +15,9 @@
 #include "core/image_codec.hpp"
 #include "scene/assimp/child.hpp"
 #include "scene/assimp/convert.hpp"
-#include "scene/assimp/mend.hpp"
 #include "scene/assimp/ply_header.hpp"
-#include "scene/assimp/turn_outside.hpp"
+#include "scene/mending/mend.hpp"
+#include "scene/mending/turn_outside.hpp"
 
 namespace estampe {
 namespace {
@@ -34,45 +34,6 @@ uint64_t size_of_file(const std::filesystem::path& path)
     if (failed || size == 0)
         throw Error(failed ? "cannot be read" : "is empty", path.string(), "check the file");
     return size;
-}
-
-/// The file as the scene names it, or a file of that name beside the scene: paths of other machines are
-/// common.
-std::optional<std::filesystem::path> find_picture(std::string name, const std::filesystem::path& folder)
-{
-    std::replace(name.begin(), name.end(), '\\', '/');
-    const std::filesystem::path given(name);
-    for (const std::filesystem::path& candidate : {folder / given, folder / given.filename()}) {
-        std::error_code failed;
-        if (std::filesystem::is_regular_file(candidate, failed))
-            return candidate;
-    }
-    return std::nullopt;
-}
-
-Image load_picture(const ImageSource& source, const std::filesystem::path& folder)
-{
-    if (!source.bytes.empty())
-        return decode_image(source.bytes, source.file);
-    const std::optional<std::filesystem::path> file = find_picture(source.file, folder);
-    if (!file)
-        throw Error("no such file", (folder / source.file).string());
-    return load_image(*file);
-}
-
-void load_pictures(Scene& scene, const std::vector<ImageSource>& sources, const std::filesystem::path& folder)
-{
-    for (size_t i = 0; i < sources.size(); ++i) {
-        Image& image = scene.textures[i].image;
-        if (image.rgba.size() == size_t{4} * image.width * image.height && !image.empty())
-            continue;
-        try {
-            image = load_picture(sources[i], folder);
-        } catch (const Error& error) {
-            scene.warnings.push_back(fmt::format("texture left white: {}", error.what()));
-            image = {.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
-        }
-    }
 }
 
 void mend_meshes(Scene& scene, const std::filesystem::path& path)
@@ -140,7 +101,8 @@ Scene load_with_assimp(const std::filesystem::path& path)
     Scene& scene = transfer.scene;
     mend_meshes(scene, path);
     make_sound(scene, path.string());
-    load_pictures(scene, transfer.images, path.parent_path());
+    FileFinder finder({path.parent_path()});
+    load_pictures(scene, transfer.images, finder);
     give_lights_units(scene);
     return std::move(scene);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/assimp/turn_outside.hpp"
+#include "scene/mending/turn_outside.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/assimp/mend.hpp"
+#include "scene/mending/mend.hpp"
 
 namespace estampe {
 namespace {

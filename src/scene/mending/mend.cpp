@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/assimp/mend.hpp"
+#include "scene/mending/mend.hpp"
 
 #include <algorithm>
 #include <cmath>
