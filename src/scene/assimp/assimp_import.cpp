@@ -16,7 +16,7 @@
 #include "scene/assimp/child.hpp"
 #include "scene/assimp/convert.hpp"
 #include "scene/assimp/ply_header.hpp"
-#include "scene/mending/mend.hpp"
+#include "scene/mending/mend_scene.hpp"
 #include "scene/mending/turn_outside.hpp"
 
 namespace estampe {
@@ -34,31 +34,6 @@ uint64_t size_of_file(const std::filesystem::path& path)
     if (failed || size == 0)
         throw Error(failed ? "cannot be read" : "is empty", path.string(), "check the file");
     return size;
-}
-
-void mend_meshes(Scene& scene, const std::filesystem::path& path)
-{
-    if (scene.materials.empty()) {
-        scene.materials.emplace_back();
-        scene.materials.front().double_sided = true;
-    }
-    size_t elements = 0;
-    for (Mesh& mesh : scene.meshes) {
-        size_t targets = 0;
-        for (Primitive& primitive : mesh.primitives) {
-            if (primitive.material >= scene.materials.size())
-                primitive.material = 0;
-            mend_primitive(primitive, mesh.name, scene.warnings);
-            targets = std::max(targets, primitive.morph_targets.size());
-        }
-        std::erase_if(mesh.primitives, [](const Primitive& primitive) { return primitive.indices.empty(); });
-        mesh.morph_weights.assign(targets, 0.0F);
-        elements += mesh.primitives.size();
-    }
-    if (elements == 0)
-        throw Error(scene.warnings.empty() ? std::string("has no triangles, lines or points")
-                                           : fmt::format("has nothing to draw ({})", scene.warnings.back()),
-                    path.string(), "give a file with meshes");
 }
 
 /// These formats' lights have no unit: 1 lights a surface fully. That is pi lux, here and, for lamps, at the
@@ -99,7 +74,7 @@ Scene load_with_assimp(const std::filesystem::path& path)
         run_in_child([&path] { return pack(read_with_assimp(path)); }, limits, path.string());
     TransferScene transfer = unpack(bytes, path.string());
     Scene& scene = transfer.scene;
-    mend_meshes(scene, path);
+    mend_meshes(scene, path.string());
     make_sound(scene, path.string());
     FileFinder finder({path.parent_path()});
     load_pictures(scene, transfer.images, finder);
