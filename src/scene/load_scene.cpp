@@ -15,6 +15,8 @@
 #include "scene/drawn_size.hpp"
 #include "scene/gltf/gltf_import.hpp"
 #include "scene/obj/obj_import.hpp"
+#include "scene/ply/ply_import.hpp"
+#include "scene/stl/stl_import.hpp"
 
 namespace estampe {
 namespace {
@@ -43,6 +45,12 @@ Scene load_scene(const std::filesystem::path& path)
     }
     if (extension == ".obj") {
         return checked(load_obj(path), path);
+    }
+    if (extension == ".ply") {
+        return checked(load_ply(path), path);
+    }
+    if (extension == ".stl") {
+        return checked(load_stl(path), path);
     }
     if (is_among(extension, other_extensions)) {
         return checked(load_with_assimp(path), path);

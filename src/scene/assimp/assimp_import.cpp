@@ -2,20 +2,13 @@
 #include "scene/assimp/assimp_import.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
-#include <optional>
-
-#include <fmt/format.h>
 
 #include <estampe/error.hpp>
 
-#include "core/file.hpp"
-#include "core/image_codec.hpp"
 #include "scene/assimp/child.hpp"
 #include "scene/assimp/convert.hpp"
-#include "scene/assimp/ply_header.hpp"
 #include "scene/mending/mend_scene.hpp"
 #include "scene/mending/turn_outside.hpp"
 
@@ -65,8 +58,6 @@ void give_lights_units(Scene& scene)
 Scene load_with_assimp(const std::filesystem::path& path)
 {
     const uint64_t size = size_of_file(path);
-    if (lower_extension(path) == ".ply")
-        check_ply_header(path, size);
     ChildLimits limits;
     limits.cpu_s = static_cast<uint32_t>(std::min<uint64_t>(10 + (size >> 20), 60));
     limits.memory_bytes = std::min<uint64_t>((uint64_t{512} << 20) + 64 * size, uint64_t{16} << 30);
