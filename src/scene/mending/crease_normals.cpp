@@ -109,7 +109,7 @@ public:
         const uint32_t group = group_of(of);
         const bool all = shares_average(corners, of) || face == glm::vec3(0.0F);
         if (group == 0 && !all)
-            return glm::normalize(face);
+            return glm::normalize(face) + glm::vec3(0.0F); // no negative zeros, which have other bytes
         glm::vec3 sum{0.0F};
         // The order of the sum is that of the corners, so that corners with equal neighbours get equal bits.
         for (const uint32_t corner : corners) {

@@ -18,6 +18,8 @@ Primitive bare(Primitive primitive)
 {
     primitive.normals.clear();
     primitive.uvs[0].clear();
+    for (glm::vec3& position : primitive.positions)
+        position += glm::vec3(0.0F); // negative zeros have other bytes
     share_vertices(primitive);
     return primitive;
 }
@@ -50,6 +52,91 @@ TEST(Mend, AveragesWhereVeryManyFacesMeet)
         if (cone.positions[i].y > 0.1F) {
             EXPECT_NEAR(cone.normals[i].y, 1.0F, 1e-3F);
         }
+}
+
+/// What make_crease_normals() comes to, one corner at a time.
+std::vector<glm::vec3> slow_crease_normals(const Primitive& primitive, float crease_rad)
+{
+    const auto face = [&primitive](size_t corner) {
+        glm::dvec3 p[3];
+        for (size_t k = 0; k < 3; ++k)
+            p[k] = primitive.positions[primitive.indices[corner / 3 * 3 + k]];
+        const glm::dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
+        const size_t k = corner % 3;
+        const double angle =
+            std::atan2(glm::length(cross), glm::dot(p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]));
+        return std::pair(glm::normalize(cross), angle);
+    };
+    std::vector<glm::vec3> normals;
+    for (size_t corner = 0; corner < primitive.indices.size(); ++corner) {
+        glm::dvec3 sum(0.0);
+        for (size_t other = 0; other < primitive.indices.size(); ++other) {
+            if (primitive.positions[primitive.indices[other]] !=
+                primitive.positions[primitive.indices[corner]])
+                continue;
+            const auto [normal, angle] = face(other);
+            if (glm::dot(normal, face(corner).first) >= std::cos(static_cast<double>(crease_rad)))
+                sum += angle * normal;
+        }
+        normals.emplace_back(glm::normalize(sum));
+    }
+    return normals;
+}
+
+TEST(Mend, CreaseNormalsAreThoseOfASlowAverage)
+{
+    for (Primitive primitive : {bare(shapes::torus(1.0F, 0.4F)), bare(shapes::cone(1.0F, 2.0F, 7)),
+                                bare(shapes::box({1.0F, 2.0F, 3.0F}))}) {
+        primitive.indices.resize(std::min<size_t>(primitive.indices.size(), 1800));
+        const Primitive before = primitive;
+        const std::vector<glm::vec3> expected = slow_crease_normals(primitive, usual_crease_rad);
+        make_crease_normals(primitive, usual_crease_rad);
+        ASSERT_EQ(primitive.indices.size(), before.indices.size());
+        for (size_t i = 0; i < primitive.indices.size(); ++i) {
+            EXPECT_EQ(primitive.positions[primitive.indices[i]], before.positions[before.indices[i]]);
+            EXPECT_GT(glm::dot(primitive.normals[primitive.indices[i]], expected[i]), 0.99999F);
+        }
+    }
+}
+
+TEST(Mend, ALargeMeshIsTheSameInTwoHalves)
+{
+    // Two copies of a small one, one within the other: the second has the same normals wherever a thread
+    // begins with it.
+    Primitive large = bare(shapes::sphere(1.0F, 400, 200));
+    const Primitive one = large;
+    const auto count = static_cast<uint32_t>(one.positions.size());
+    for (const glm::vec3& position : one.positions)
+        large.positions.push_back(4.0F * position); // without any rounding
+    for (const uint32_t index : one.indices)
+        large.indices.push_back(index + count);
+    Primitive small = one;
+    make_crease_normals(small, usual_crease_rad);
+    make_crease_normals(large, usual_crease_rad);
+    ASSERT_EQ(large.positions.size(), 2 * small.positions.size());
+    for (size_t i = 0; i < small.indices.size(); ++i) {
+        ASSERT_EQ(large.indices[i], small.indices[i]);
+        ASSERT_EQ(large.normals[large.indices[i]], small.normals[small.indices[i]]);
+    }
+}
+
+TEST(Mend, SmoothingGroupsRuleWhereThereAreAny)
+{
+    const Primitive box = bare(shapes::box({1, 1, 1}));
+    Primitive smooth = box;
+    make_crease_normals(smooth, usual_crease_rad, std::vector<uint32_t>(12, 3));
+    ASSERT_EQ(smooth.positions.size(), 8U);
+    for (size_t i = 0; i < 8; ++i)
+        EXPECT_GT(glm::dot(smooth.normals[i], glm::normalize(smooth.positions[i] - glm::vec3(0, 0.5F, 0))),
+                  0.9F);
+    Primitive flat = bare(shapes::sphere(1.0F, 16, 8));
+    const std::vector<uint32_t> no_group(flat.indices.size() / 3, 0);
+    make_crease_normals(flat, usual_crease_rad, no_group);
+    for (size_t i = 0; i + 2 < flat.indices.size(); i += 3)
+        EXPECT_EQ(flat.normals[flat.indices[i]], flat.normals[flat.indices[i + 1]]);
+    Primitive unsaid = box;
+    make_crease_normals(unsaid, usual_crease_rad, std::vector<uint32_t>(12, no_index));
+    EXPECT_EQ(unsaid.positions.size(), 24U);
 }
 
 TEST(Mend, DropsFacesWithoutVerticesAndSaysSo)

@@ -165,6 +165,8 @@ void PieceBuilder::drop_missing(Piece& piece)
     piece.indices.resize(kept * corners);
     if (!piece.smoothing_groups.empty())
         piece.smoothing_groups.resize(kept);
+    if (kept == 0)
+        piece.vertices.clear();
     for (Corner& corner : piece.vertices)
         if (is_missing(corner))
             corner = {.position = 0, .uv = no_index, .normal = no_index}; // no element uses it
