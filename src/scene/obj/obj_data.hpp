@@ -49,7 +49,10 @@ struct Losses {
     uint64_t curves = 0;
     uint64_t unread_lines = 0;
     uint64_t first_unread_line = 0;
-    bool is_cut_off = false; ///< the last line has no end and makes no sense
+    bool is_cut_off = false;    ///< the last line has no end and makes no sense
+    uint64_t said_vertices = 0; ///< by a comment, as MeshLab writes it; 0: none says
+    uint64_t said_faces = 0;
+    uint64_t faces = 0; ///< all that the file has, good and bad
 };
 
 /// All of a file. Corners of pieces are in range.

@@ -167,8 +167,14 @@ void add_meshes(obj::Data& data, Scene& scene, const std::string& root_name)
     }
 }
 
-void warn_of_losses(const obj::Losses& losses, std::vector<std::string>& warnings)
+void warn_of_losses(const obj::Losses& losses, size_t vertices, std::vector<std::string>& warnings)
 {
+    const auto warn_of_cut = [&warnings](uint64_t said, uint64_t there, const char* what) {
+        if (there < said)
+            warnings.push_back(fmt::format("is cut off: says {} {}, has {}", said, what, there));
+    };
+    warn_of_cut(losses.said_vertices, vertices, "vertices");
+    warn_of_cut(losses.said_faces, losses.faces, "faces");
     const auto warn = [&warnings](uint64_t count, const char* text) {
         if (count > 0)
             warnings.push_back(fmt::format("{} {}", count, text));
@@ -210,10 +216,10 @@ Scene import(Input& input, const std::filesystem::path* path)
     const obj::Losses losses = data.losses;
     const bool is_cloud = std::all_of(data.pieces.begin(), data.pieces.end(),
                                       [](const Piece& piece) { return piece.indices.empty(); }) &&
-                          losses.faces_of_missing_vertices + losses.short_faces + losses.curves == 0;
+                          losses.faces + losses.said_faces + losses.curves == 0;
     if (is_cloud && !data.positions.empty())
         add_cloud(data, scene.warnings);
-    warn_of_losses(losses, scene.warnings);
+    warn_of_losses(losses, data.positions.size(), scene.warnings);
     const glm::vec3 default_color(data.colors.empty() ? grey : 1.0F);
     obj::read_materials(path != nullptr ? *path : name,
                         path != nullptr ? data.libraries : std::vector<std::string>{}, data.materials,

@@ -287,6 +287,15 @@ TEST_F(ObjImport, AFileThatEndsInALineSaysSo)
     EXPECT_EQ(all_warnings(load(whole.substr(0, whole.size() - 1))), "");
 }
 
+TEST_F(ObjImport, ACommentThatCountsTellsOfACut)
+{
+    const std::string counts = "# OBJ File\n#\n# Vertices: 8\n# Faces: 6\n#\n";
+    EXPECT_EQ(all_warnings(load(counts + cube_corners + cube_faces)), "");
+    const std::string cut = counts + cube_corners + cube_faces.substr(0, 20);
+    EXPECT_NE(all_warnings(load(cut)).find("is cut off: says 6 faces, has 2"), std::string::npos);
+    expect_error(counts + cube_corners);
+}
+
 TEST_F(ObjImport, NothingToDrawIsAnError)
 {
     expect_error("");

@@ -91,9 +91,11 @@ private:
     {
         Scanner words(line);
         const std::string_view keyword = words.word();
-        if (keyword.empty() || keyword.starts_with('#'))
+        if (keyword.empty())
             return;
-        if (keyword == "v")
+        if (keyword.starts_with('#'))
+            read_comment(words);
+        else if (keyword == "v")
             read_position(words);
         else if (keyword == "vt")
             read_uv(words);
@@ -103,6 +105,18 @@ private:
             read_face(words);
         else if (!read_statement(keyword, words))
             note_unread();
+    }
+
+    /// "# Vertices: 8" and "# Faces: 12" are all that tells of a file that is cut off between two lines.
+    void read_comment(Scanner& words)
+    {
+        const std::string_view subject = words.word();
+        if (subject != "Vertices:" && subject != "Faces:")
+            return;
+        const double count = number_of_word(words.word());
+        if (count >= 0.0 && count < 1e12 && words.is_done())
+            (subject == "Faces:" ? data_.losses.said_faces : data_.losses.said_vertices) =
+                static_cast<uint64_t>(count);
     }
 
     bool read_statement(std::string_view keyword, Scanner& words)
@@ -229,6 +243,7 @@ private:
 
     void read_face(Scanner& words)
     {
+        ++data_.losses.faces;
         if (read_corners(words, 3))
             builder_.add_face(corners_);
     }
