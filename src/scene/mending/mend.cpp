@@ -45,7 +45,10 @@ void drop_bad_elements(Primitive& primitive, const std::string& name, std::vecto
     const size_t dropped = (primitive.indices.size() - kept.size() + corners - 1) / corners;
     if (dropped > 0)
         warnings.push_back(fmt::format(
-            "mesh \"{}\": {} faces left out, as their vertices are missing or not finite", name, dropped));
+            "mesh \"{}\": {} {} left out, as their vertices are missing or not finite", name, dropped,
+            corners == 3   ? "faces"
+            : corners == 2 ? "lines"
+                           : "points"));
     primitive.indices = std::move(kept);
 }
 

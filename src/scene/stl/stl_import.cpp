@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/stl/stl_import.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include <fmt/format.h>
-
-#include <estampe/error.hpp>
 
 #include "scene/input/finish.hpp"
 #include "scene/input/origin.hpp"
@@ -38,9 +37,40 @@ Primitive primitive_of(stl::Solid& solid, const glm::dvec3& origin)
     return primitive;
 }
 
+/// Leaves out facets that are points: what a file holds that was not written to its end is zeros. They would
+/// count for the size of the scene.
+void drop_points(stl::Data& data)
+{
+    uint64_t dropped = 0;
+    for (stl::Solid& solid : data.solids) {
+        const std::vector<glm::dvec3>& positions = solid.positions;
+        size_t kept = 0;
+        for (size_t i = 0; i < positions.size() / 3; ++i) {
+            if (positions[3 * i] == positions[3 * i + 1] && positions[3 * i] == positions[3 * i + 2]) {
+                ++dropped;
+                continue;
+            }
+            if (kept != i) {
+                std::copy_n(solid.positions.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
+                            solid.positions.begin() + static_cast<std::ptrdiff_t>(3 * kept));
+                if (!solid.colors.empty())
+                    solid.colors[kept] = solid.colors[i];
+            }
+            ++kept;
+        }
+        solid.positions.resize(3 * kept);
+        solid.colors.resize(std::min(solid.colors.size(), kept));
+    }
+    std::erase_if(data.solids, [](const stl::Solid& solid) { return solid.positions.empty(); });
+    if (dropped > 0)
+        data.warnings.push_back(
+            fmt::format("{} facets left out: all their corners are in one place", dropped));
+}
+
 Scene import(Input& input)
 {
     stl::Data data = stl::parse(input);
+    drop_points(data);
     Scene scene;
     scene.name = std::filesystem::path(input.name()).stem().string();
     scene.warnings = std::move(data.warnings);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/stl/stl_import.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -172,6 +173,24 @@ TEST(StlImport, NonsenseIsCountedOrRefused)
     EXPECT_NE(all_warnings(scene).find("1 facets left out"), std::string::npos);
     EXPECT_NE(all_warnings(scene).find("\"hello\" in line"), std::string::npos);
     EXPECT_EQ(first(scene).indices.size(), 3U);
+}
+
+TEST(StlImport, OtherFilesOfThatNameAreRefused)
+{
+    std::string page = "<!DOCTYPE html>\n<html><head><title>404 Not Found</title></head>\n<body>";
+    page += std::string(500, 'x') + "</body></html>\n";
+    EXPECT_NE(error_of(page).find("is no STL file"), std::string::npos);
+    EXPECT_EQ(first(load(facet() + facet("1"))).indices.size(), 6U) << "a text without its first line";
+}
+
+TEST(StlImport, ZerosInPlaceOfFacetsAreLeftOut)
+{
+    std::string file = binary("", 3, 3);
+    std::fill(file.end() - 50, file.end(), '\0');
+    const Scene scene = load(file);
+    EXPECT_EQ(first(scene).indices.size(), 6U);
+    EXPECT_NE(all_warnings(scene).find("1 facets left out: all their corners are in one place"),
+              std::string::npos);
 }
 
 TEST(StlImport, FarOffCoordinatesAreExact)

@@ -150,22 +150,35 @@ private:
     bool is_in_solid_ = false;
 };
 
+std::string start_of(Input& input)
+{
+    std::string start(input.peek(1024).substr(0, 1024));
+    std::transform(start.begin(), start.end(), start.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return start;
+}
+
 /// Whether a file is text: it begins with "solid", as many a binary one does too, and a word of a facet or
 /// the end of the solid follows in the next lines, without a zero byte.
-bool is_text(Input& input)
+bool is_text(const std::string& start)
 {
-    const std::string_view start = input.peek(1024).substr(0, 1024);
     const size_t first = start.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos || !is_word(start.substr(first, 5), "solid"))
+    if (first == std::string::npos || start.find('\0') != std::string::npos)
         return false;
-    if (start.find('\0') != std::string_view::npos)
+    if (start.compare(first, 5, "solid") != 0 && start.compare(first, 5, "facet") != 0)
         return false;
-    std::string lower(start);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    const size_t end_of_line = lower.find_first_of("\r\n", first);
-    return end_of_line != std::string::npos && (lower.find("facet", end_of_line) != std::string::npos ||
-                                                lower.find("endsolid", end_of_line) != std::string::npos);
+    const size_t end_of_line = start.find_first_of("\r\n", first);
+    return end_of_line != std::string::npos && (start.find("facet", end_of_line) != std::string::npos ||
+                                                start.find("vertex", end_of_line) != std::string::npos ||
+                                                start.find("endsolid", end_of_line) != std::string::npos);
+}
+
+/// Whether all of it could be printed, as a page of the web that was saved in place of a model.
+bool is_other_text(const std::string& start)
+{
+    return std::all_of(start.begin(), start.end(), [](unsigned char letter) {
+        return letter >= 0x20 || letter == '\n' || letter == '\r' || letter == '\t';
+    });
 }
 
 /// Whether the count at byte 80 and the size agree exactly.
@@ -192,9 +205,10 @@ Data parse(Input& input)
     if (is_exactly_binary(input))
         return parse_binary(input);
     input.detect_encoding();
-    if (is_text(input))
+    const std::string start = start_of(input);
+    if (is_text(start))
         return parse_text(input);
-    if (input.size() < bytes_before_facets)
+    if (input.size() < bytes_before_facets || is_other_text(start))
         throw Error("is no STL file: neither text that begins with \"solid\", nor 84 bytes before facets",
                     input.name(), "check that the file is whole");
     return parse_binary(input);
