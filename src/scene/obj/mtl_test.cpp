@@ -246,6 +246,18 @@ TEST_F(MtlImport, EmissionIsRead)
         << "a white picture would make it glow all over";
 }
 
+TEST_F(MtlImport, OnePictureServesSeveralTextures)
+{
+    paint("wood.png", 2, {1, 2, 3, 255});
+    const Scene scene = load_material("map_Kd wood.png\nmap_Ke -clamp on ./WOOD.png\nbump wood.png\n");
+    ASSERT_EQ(scene.textures.size(), 3U);
+    EXPECT_EQ(scene.textures[0].image, scene.textures[1].image);
+    EXPECT_EQ(scene.textures[1].wrap_v, Wrap::clamp);
+    EXPECT_EQ(picture(scene, material_of(scene).normal_texture).rgba.at(2), 255) << "flat";
+    write("test.mtl", "newmtl m\nmap_Kd wood.png\nnewmtl n\nmap_Kd Wood.png\n");
+    EXPECT_EQ(load("mtllib test.mtl").textures.size(), 1U);
+}
+
 TEST_F(MtlImport, PipesAndDevicesAreNotWaitedFor)
 {
     ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);

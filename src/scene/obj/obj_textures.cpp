@@ -120,7 +120,7 @@ std::string Textures::place_of(const std::string& name, FileFinder& finder)
     return file ? file->string() : std::string();
 }
 
-const Image* Textures::picture(const std::string& name, FileFinder& finder)
+Textures::Picture& Textures::decoded(const std::string& name, FileFinder& finder)
 {
     const std::string place = place_of(name, finder);
     const auto [known, is_new] = pictures_.try_emplace(place.empty() ? name : place);
@@ -128,45 +128,69 @@ const Image* Textures::picture(const std::string& name, FileFinder& finder)
         try {
             if (place.empty())
                 throw Error("no such file", name, "put the picture beside the scene's file");
-            known->second = load_image(place);
+            known->second.image = load_image(place);
         } catch (const Error& error) {
             scene_.warnings.push_back(fmt::format("texture left white: {}", error.what()));
         }
     }
-    return known->second ? &*known->second : nullptr;
+    return known->second;
 }
 
-TextureRef Textures::reference(const Key& key, const MtlMap& map, const Image& image)
+const Image* Textures::picture(const std::string& name, FileFinder& finder)
 {
-    const auto [known, is_new] = textures_.try_emplace(key, static_cast<Index>(scene_.textures.size()));
-    if (is_new) {
-        const Wrap wrap = map.clamps ? Wrap::clamp : Wrap::repeat;
-        scene_.textures.push_back({.name = map.file, .image = image, .wrap_u = wrap, .wrap_v = wrap});
-    }
-    return {.texture = known->second, .uv_set = 0, .uv_transform = uv_transform_of(map)};
+    const Picture& picture = decoded(name, finder);
+    if (picture.texture != no_index)
+        return &scene_.textures[picture.texture].image;
+    return picture.image ? &*picture.image : nullptr;
+}
+
+std::optional<TextureRef> Textures::known(const Key& key, const MtlMap& map) const
+{
+    const auto found = textures_.find(key);
+    if (found == textures_.end())
+        return std::nullopt;
+    return TextureRef{.texture = found->second, .uv_set = 0, .uv_transform = uv_transform_of(map)};
+}
+
+TextureRef Textures::add(const Key& key, const MtlMap& map, Image image)
+{
+    const Wrap wrap = map.clamps ? Wrap::clamp : Wrap::repeat;
+    textures_.emplace(key, static_cast<Index>(scene_.textures.size()));
+    scene_.textures.push_back({.name = map.file, .image = std::move(image), .wrap_u = wrap, .wrap_v = wrap});
+    return *known(key, map);
 }
 
 TextureRef Textures::color(const MtlMap& map, FileFinder& finder)
 {
-    const Image* const image = picture(map.file, finder);
     const std::string place = place_of(map.file, finder);
-    return reference({place.empty() ? map.file : place, "", Use::color, map.clamps}, map,
-                     image != nullptr ? *image : white);
+    const Key key{place.empty() ? map.file : place, "", Use::color, map.clamps};
+    if (const std::optional<TextureRef> same = known(key, map))
+        return *same;
+    Picture& picture = decoded(map.file, finder);
+    if (picture.texture != no_index) // shown already, with other edges
+        return add(key, map, scene_.textures[picture.texture].image);
+    if (!picture.image)
+        return add(key, map, white);
+    picture.texture = static_cast<Index>(scene_.textures.size());
+    const TextureRef texture = add(key, map, *std::move(picture.image));
+    picture.image.reset();
+    return texture;
 }
 
 TextureRef Textures::color_with_opacity(const MtlMap& color_map, const MtlMap& opacity_map,
                                         FileFinder& finder)
 {
-    const Image* const opacity = picture(opacity_map.file, finder);
-    if (opacity == nullptr)
-        return color_map.file.empty() ? TextureRef{} : color(color_map, finder);
-    const Image* const colors = color_map.file.empty() ? &white : picture(color_map.file, finder);
-    const MtlMap& placed = color_map.file.empty() ? opacity_map : color_map;
-    const Key key{color_map.file.empty() ? "" : place_of(color_map.file, finder),
+    const bool has_colors = !color_map.file.empty();
+    if (picture(opacity_map.file, finder) == nullptr)
+        return has_colors ? color(color_map, finder) : TextureRef{};
+    const MtlMap& placed = has_colors ? color_map : opacity_map;
+    const Key key{has_colors ? place_of(color_map.file, finder) : std::string(),
                   place_of(opacity_map.file, finder), Use::opacity, placed.clamps};
-    if (textures_.contains(key))
-        return reference(key, placed, white);
-    return reference(key, placed, combined(colors != nullptr ? *colors : white, *opacity, opacity_map.file));
+    if (const std::optional<TextureRef> same = known(key, placed))
+        return *same;
+    const Image* const colors = has_colors ? picture(color_map.file, finder) : &white;
+    const Image* const opacity = picture(opacity_map.file, finder);
+    return add(key, placed, combined(colors != nullptr ? *colors : white, *opacity, opacity_map.file));
 }
 
 TextureRef Textures::normals(const MtlMap& map, FileFinder& finder)
@@ -175,9 +199,9 @@ TextureRef Textures::normals(const MtlMap& map, FileFinder& finder)
     if (image == nullptr)
         return {};
     const Key key{place_of(map.file, finder), "", Use::normals, map.clamps};
-    if (holds_normals(*image) || textures_.contains(key))
-        return reference(key, map, *image);
-    return reference(key, map, normals_of_heights(*image, !map.clamps));
+    if (const std::optional<TextureRef> same = known(key, map))
+        return *same;
+    return add(key, map, holds_normals(*image) ? *image : normals_of_heights(*image, !map.clamps));
 }
 
 } // namespace estampe::obj

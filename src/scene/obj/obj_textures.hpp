@@ -42,12 +42,20 @@ private:
 
     using Key = std::tuple<std::string, std::string, Use, bool>;
 
+    /// A file's picture. It moves to the first texture that shows it as it is, for pictures are large.
+    struct Picture {
+        std::optional<Image> image; ///< nothing: cannot be read, or has moved
+        Index texture = no_index;   ///< where it has moved to
+    };
+
+    [[nodiscard]] Picture& decoded(const std::string& name, FileFinder& finder);
     [[nodiscard]] const Image* picture(const std::string& name, FileFinder& finder);
     [[nodiscard]] std::string place_of(const std::string& name, FileFinder& finder);
-    [[nodiscard]] TextureRef reference(const Key& key, const MtlMap& map, const Image& image);
+    [[nodiscard]] std::optional<TextureRef> known(const Key& key, const MtlMap& map) const;
+    [[nodiscard]] TextureRef add(const Key& key, const MtlMap& map, Image image);
 
     Scene& scene_;
-    std::map<std::string, std::optional<Image>> pictures_; ///< by place; nothing: cannot be read
+    std::map<std::string, Picture> pictures_; ///< by place, or by name where there is none
     std::map<Key, Index> textures_;
 };
 
