@@ -14,13 +14,16 @@
 #include "scene/assimp/assimp_import.hpp"
 #include "scene/drawn_size.hpp"
 #include "scene/gltf/gltf_import.hpp"
+#include "scene/obj/obj_import.hpp"
+#include "scene/ply/ply_import.hpp"
 #include "scene/repair/repair.hpp"
+#include "scene/stl/stl_import.hpp"
 
 namespace estampe {
 namespace {
 
 constexpr std::array<std::string_view, 3> gltf_extensions = {".gltf", ".glb", ".vrm"};
-constexpr std::array<std::string_view, 5> assimp_extensions = {".obj", ".ply", ".stl", ".fbx", ".dae"};
+constexpr std::array<std::string_view, 5> other_extensions = {".obj", ".ply", ".stl", ".fbx", ".dae"};
 
 bool is_among(std::string_view extension, std::span<const std::string_view> extensions)
 {
@@ -44,14 +47,23 @@ Scene load_scene(const std::filesystem::path& path)
     if (is_among(extension, gltf_extensions)) {
         return checked(load_gltf(path), path);
     }
-    if (is_among(extension, assimp_extensions)) {
+    if (extension == ".obj") {
+        return checked(load_obj(path), path);
+    }
+    if (extension == ".ply") {
+        return checked(load_ply(path), path);
+    }
+    if (extension == ".stl") {
+        return checked(load_stl(path), path);
+    }
+    if (is_among(extension, other_extensions)) {
         return checked(load_with_assimp(path), path);
     }
-    throw Error(extension.empty() ? "has no file name extension"
-                                  : fmt::format("files of type {} are not read", extension),
-                path.string(),
-                fmt::format("give one of: {} {}", fmt::join(gltf_extensions, " "),
-                            fmt::join(assimp_extensions, " ")));
+    throw Error(
+        extension.empty() ? "has no file name extension"
+                          : fmt::format("files of type {} are not read", extension),
+        path.string(),
+        fmt::format("give one of: {} {}", fmt::join(gltf_extensions, " "), fmt::join(other_extensions, " ")));
 }
 
 } // namespace estampe

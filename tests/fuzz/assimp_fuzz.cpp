@@ -16,9 +16,9 @@
 #include <estampe/scene.hpp>
 
 #include "scene/assimp/assimp_import.hpp"
-#include "scene/assimp/mend.hpp"
 #include "scene/assimp/transfer.hpp"
-#include "scene/assimp/turn_outside.hpp"
+#include "scene/mending/mend.hpp"
+#include "scene/mending/turn_outside.hpp"
 
 namespace {
 
@@ -51,7 +51,7 @@ void read_file_of(const char* extension, std::span<const std::byte> bytes)
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
-    constexpr std::array extensions{".obj", ".ply", ".stl", ".fbx", ".dae"};
+    constexpr std::array extensions{".fbx", ".dae"};
     if (size == 0) {
         return 0;
     }

@@ -2,22 +2,15 @@
 #include "scene/assimp/assimp_import.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
-#include <optional>
-
-#include <fmt/format.h>
 
 #include <estampe/error.hpp>
 
-#include "core/file.hpp"
-#include "core/image_codec.hpp"
 #include "scene/assimp/child.hpp"
 #include "scene/assimp/convert.hpp"
-#include "scene/assimp/mend.hpp"
-#include "scene/assimp/ply_header.hpp"
-#include "scene/assimp/turn_outside.hpp"
+#include "scene/mending/mend_scene.hpp"
+#include "scene/mending/turn_outside.hpp"
 
 namespace estampe {
 namespace {
@@ -34,70 +27,6 @@ uint64_t size_of_file(const std::filesystem::path& path)
     if (failed || size == 0)
         throw Error(failed ? "cannot be read" : "is empty", path.string(), "check the file");
     return size;
-}
-
-/// The file as the scene names it, or a file of that name beside the scene: paths of other machines are
-/// common.
-std::optional<std::filesystem::path> find_picture(std::string name, const std::filesystem::path& folder)
-{
-    std::replace(name.begin(), name.end(), '\\', '/');
-    const std::filesystem::path given(name);
-    for (const std::filesystem::path& candidate : {folder / given, folder / given.filename()}) {
-        std::error_code failed;
-        if (std::filesystem::is_regular_file(candidate, failed))
-            return candidate;
-    }
-    return std::nullopt;
-}
-
-Image load_picture(const ImageSource& source, const std::filesystem::path& folder)
-{
-    if (!source.bytes.empty())
-        return decode_image(source.bytes, source.file);
-    const std::optional<std::filesystem::path> file = find_picture(source.file, folder);
-    if (!file)
-        throw Error("no such file", (folder / source.file).string());
-    return load_image(*file);
-}
-
-void load_pictures(Scene& scene, const std::vector<ImageSource>& sources, const std::filesystem::path& folder)
-{
-    for (size_t i = 0; i < sources.size(); ++i) {
-        Image& image = scene.textures[i].image;
-        if (image.rgba.size() == size_t{4} * image.width * image.height && !image.empty())
-            continue;
-        try {
-            image = load_picture(sources[i], folder);
-        } catch (const Error& error) {
-            scene.warnings.push_back(fmt::format("texture left white: {}", error.what()));
-            image = {.width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
-        }
-    }
-}
-
-void mend_meshes(Scene& scene, const std::filesystem::path& path)
-{
-    if (scene.materials.empty()) {
-        scene.materials.emplace_back();
-        scene.materials.front().double_sided = true;
-    }
-    size_t elements = 0;
-    for (Mesh& mesh : scene.meshes) {
-        size_t targets = 0;
-        for (Primitive& primitive : mesh.primitives) {
-            if (primitive.material >= scene.materials.size())
-                primitive.material = 0;
-            mend_primitive(primitive, mesh.name, scene.warnings);
-            targets = std::max(targets, primitive.morph_targets.size());
-        }
-        std::erase_if(mesh.primitives, [](const Primitive& primitive) { return primitive.indices.empty(); });
-        mesh.morph_weights.assign(targets, 0.0F);
-        elements += mesh.primitives.size();
-    }
-    if (elements == 0)
-        throw Error(scene.warnings.empty() ? std::string("has no triangles, lines or points")
-                                           : fmt::format("has nothing to draw ({})", scene.warnings.back()),
-                    path.string(), "give a file with meshes");
 }
 
 /// These formats' lights have no unit: 1 lights a surface fully. That is pi lux, here and, for lamps, at the
@@ -129,8 +58,6 @@ void give_lights_units(Scene& scene)
 Scene load_with_assimp(const std::filesystem::path& path)
 {
     const uint64_t size = size_of_file(path);
-    if (lower_extension(path) == ".ply")
-        check_ply_header(path, size);
     ChildLimits limits;
     limits.cpu_s = static_cast<uint32_t>(std::min<uint64_t>(10 + (size >> 20), 60));
     limits.memory_bytes = std::min<uint64_t>((uint64_t{512} << 20) + 64 * size, uint64_t{16} << 30);
@@ -138,9 +65,10 @@ Scene load_with_assimp(const std::filesystem::path& path)
         run_in_child([&path] { return pack(read_with_assimp(path)); }, limits, path.string());
     TransferScene transfer = unpack(bytes, path.string());
     Scene& scene = transfer.scene;
-    mend_meshes(scene, path);
+    mend_meshes(scene, path.string());
     make_sound(scene, path.string());
-    load_pictures(scene, transfer.images, path.parent_path());
+    FileFinder finder({path.parent_path()});
+    load_pictures(scene, transfer.images, finder);
     give_lights_units(scene);
     return std::move(scene);
 }

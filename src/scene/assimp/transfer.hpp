@@ -10,13 +10,9 @@
 
 #include <estampe/scene.hpp>
 
-namespace estampe {
+#include "scene/pictures/load_pictures.hpp"
 
-/// Where the picture of a texture is to come from: a file, or the bytes of one inside the scene's own file.
-struct ImageSource {
-    std::string file;
-    std::vector<std::byte> bytes;
-};
+namespace estampe {
 
 /// A scene whose textures have no pictures yet; `images` has one entry per texture.
 struct TransferScene {

@@ -7,7 +7,7 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/assimp/turn_outside.hpp"
+#include "scene/mending/turn_outside.hpp"
 #include "scene/shapes.hpp"
 
 namespace estampe {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "scene/assimp/mend.hpp"
+#include "scene/mending/mend.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <span>
 
 #include <fmt/format.h>
 #include <meshoptimizer.h>
@@ -15,8 +13,6 @@ namespace estampe {
 namespace {
 
 constexpr float most_m = 1e15F; ///< beyond it, squares of lengths leave the range of floats
-constexpr float crease_rad =
-    0.82F; ///< 47 degrees, so that the eight sides of a coarse tube still run together
 
 size_t corners_of(Topology topology)
 {
@@ -32,8 +28,12 @@ bool usable(const glm::vec3& position)
 void drop_bad_elements(Primitive& primitive, const std::string& name, std::vector<std::string>& warnings)
 {
     const size_t corners = corners_of(primitive.topology);
+    const bool all_usable = std::all_of(primitive.positions.begin(), primitive.positions.end(), usable);
+    if (all_usable && primitive.indices.size() % corners == 0 &&
+        std::all_of(primitive.indices.begin(), primitive.indices.end(),
+                    [&primitive](uint32_t index) { return index < primitive.positions.size(); }))
+        return;
     std::vector<uint32_t> kept;
-    kept.reserve(primitive.indices.size());
     for (size_t i = 0; i + corners <= primitive.indices.size(); i += corners) {
         const auto first = primitive.indices.begin() + static_cast<std::ptrdiff_t>(i);
         const auto last = first + static_cast<std::ptrdiff_t>(corners);
@@ -45,7 +45,10 @@ void drop_bad_elements(Primitive& primitive, const std::string& name, std::vecto
     const size_t dropped = (primitive.indices.size() - kept.size() + corners - 1) / corners;
     if (dropped > 0)
         warnings.push_back(fmt::format(
-            "mesh \"{}\": {} faces left out, as their vertices are missing or not finite", name, dropped));
+            "mesh \"{}\": {} {} left out, as their vertices are missing or not finite", name, dropped,
+            corners == 3   ? "faces"
+            : corners == 2 ? "lines"
+                           : "points"));
     primitive.indices = std::move(kept);
 }
 
@@ -81,93 +84,7 @@ void mend_attributes(Primitive& primitive)
     }
 }
 
-/// Faces around each place: the corners of place p are corners[first[p]] to corners[first[p + 1]].
-struct CornersOfPlace {
-    std::vector<uint32_t> first;
-    std::vector<uint32_t> corners;
-};
-
-CornersOfPlace gather_corners(const std::vector<uint32_t>& place_of_corner, size_t places)
-{
-    CornersOfPlace result{.first = std::vector<uint32_t>(places + 1, 0),
-                          .corners = std::vector<uint32_t>(place_of_corner.size())};
-    for (const uint32_t place : place_of_corner)
-        ++result.first[place + 1];
-    std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
-    std::vector<uint32_t> next(result.first.begin(), result.first.end() - 1);
-    for (uint32_t corner = 0; corner < place_of_corner.size(); ++corner)
-        result.corners[next[place_of_corner[corner]]++] = corner;
-    return result;
-}
-
-/// What a corner adds to the normals around it: its face's unit normal, and the angle there as its weight.
-struct CornerPart {
-    glm::vec3 face{0.0F};
-    float angle = 0.0F;
-};
-
-std::vector<CornerPart> corner_parts(const std::vector<glm::vec3>& positions)
-{
-    std::vector<CornerPart> parts(positions.size());
-    for (size_t i = 0; i + 2 < positions.size(); i += 3) {
-        const glm::dvec3 p[3] = {positions[i], positions[i + 1], positions[i + 2]};
-        const glm::dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
-        const double length = glm::length(cross);
-        if (!(length > 0.0))
-            continue;
-        for (size_t k = 0; k < 3; ++k) {
-            const glm::dvec3 to_next = p[(k + 1) % 3] - p[k];
-            const glm::dvec3 to_last = p[(k + 2) % 3] - p[k];
-            parts[i + k] = {glm::vec3(cross / length),
-                            static_cast<float>(std::atan2(length, glm::dot(to_next, to_last)))};
-        }
-    }
-    return parts;
-}
-
-/// Mean normal of the corners whose faces turn no further from `face` than the cosine allows; of all, when it
-/// is zero. The order of the sum is that of the corners, so that corners with equal neighbours get equal
-/// bits.
-glm::vec3 average(std::span<const uint32_t> corners, const std::vector<CornerPart>& parts,
-                  const glm::vec3& face, float least_cosine)
-{
-    const bool all = face == glm::vec3(0.0F);
-    glm::vec3 sum{0.0F};
-    for (const uint32_t corner : corners)
-        if (all || glm::dot(parts[corner].face, face) >= least_cosine)
-            sum += parts[corner].angle * parts[corner].face;
-    const float length = glm::length(sum);
-    return length > 0.0F ? sum / length : glm::vec3(0.0F);
-}
-
 } // namespace
-
-void make_crease_normals(Primitive& primitive, float sharpest_rad)
-{
-    gltf::pick_vertices(primitive, std::vector<uint32_t>(primitive.indices));
-    std::iota(primitive.indices.begin(), primitive.indices.end(), 0U);
-    const size_t count = primitive.positions.size();
-    std::vector<uint32_t> place_of_corner(count);
-    const size_t places = meshopt_generateVertexRemap(place_of_corner.data(), nullptr, count,
-                                                      primitive.positions.data(), count, sizeof(glm::vec3));
-    const CornersOfPlace around = gather_corners(place_of_corner, places);
-    const std::vector<CornerPart> parts = corner_parts(primitive.positions);
-    const float least_cosine = std::cos(sharpest_rad);
-    primitive.normals.assign(count, glm::vec3(0.0F));
-    for (size_t place = 0; place < places; ++place) {
-        const std::span<const uint32_t> corners(around.corners.data() + around.first[place],
-                                                around.corners.data() + around.first[place + 1]);
-        // Where very many faces meet, one average for all keeps the cost linear.
-        const bool crowded = corners.size() > 64;
-        glm::vec3 shared{0.0F};
-        for (size_t i = 0; i < corners.size(); ++i) {
-            if (!crowded || i == 0)
-                shared =
-                    average(corners, parts, crowded ? glm::vec3(0.0F) : parts[corners[i]].face, least_cosine);
-            primitive.normals[corners[i]] = shared;
-        }
-    }
-}
 
 void share_vertices(Primitive& primitive)
 {
@@ -215,16 +132,16 @@ void mend_primitive(Primitive& primitive, const std::string& name, std::vector<s
     // Negative zero is equal to zero but not the same bytes, and vertices are compared by bytes.
     for (glm::vec3& position : primitive.positions)
         position += glm::vec3(0.0F);
-    if (primitive.topology == Topology::triangles) {
-        const bool given = !primitive.normals.empty();
-        if (!given)
-            make_crease_normals(primitive, crease_rad);
-        const size_t repaired = gltf::repair_normals(primitive);
-        if (given && repaired > 0)
-            warnings.push_back(fmt::format("mesh \"{}\": {} bad normals replaced", name, repaired));
-    }
     if (!primitive.joints_0.empty() && gltf::normalise_weights(primitive) > 0)
         warnings.push_back(fmt::format("mesh \"{}\": vertices that hang on no joint follow the first", name));
+    if (primitive.topology == Topology::triangles) {
+        if (primitive.normals.empty()) {
+            make_crease_normals(primitive, usual_crease_rad);
+            return;
+        }
+        if (const size_t repaired = gltf::repair_normals(primitive); repaired > 0)
+            warnings.push_back(fmt::format("mesh \"{}\": {} bad normals replaced", name, repaired));
+    }
     share_vertices(primitive);
 }
 

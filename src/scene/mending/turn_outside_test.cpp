@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/assimp/turn_outside.hpp"
+#include "scene/mending/turn_outside.hpp"
 
 #include <gtest/gtest.h>
 

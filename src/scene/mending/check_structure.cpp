@@ -6,7 +6,7 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/assimp/mend.hpp"
+#include "scene/mending/mend.hpp"
 
 namespace estampe {
 namespace {

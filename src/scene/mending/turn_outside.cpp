@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "scene/assimp/turn_outside.hpp"
+#include "scene/mending/turn_outside.hpp"
 
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <unordered_map>
 
 #include <fmt/format.h>
+#include <meshoptimizer.h>
 
-#include "scene/assimp/mend.hpp"
+#include "scene/mending/mend.hpp"
 
 namespace estampe {
 namespace {
@@ -16,19 +16,13 @@ namespace {
 /// Numbers vertices by their place.
 std::vector<uint32_t> places_of(const Primitive& primitive)
 {
-    std::vector<uint32_t> order(primitive.positions.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto key = [&](uint32_t i) {
-        const glm::vec3& p = primitive.positions[i];
-        return std::array{p.x, p.y, p.z};
-    };
-    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
-    std::vector<uint32_t> places(order.size());
-    uint32_t place = 0;
-    for (size_t i = 0; i < order.size(); ++i) {
-        place += i > 0 && key(order[i]) != key(order[i - 1]) ? 1U : 0U;
-        places[order[i]] = place;
-    }
+    std::vector<glm::vec3> positions = primitive.positions;
+    // Negative zero is equal to zero but not the same bytes, and vertices are compared by bytes.
+    for (glm::vec3& position : positions)
+        position += glm::vec3(0.0F);
+    std::vector<uint32_t> places(positions.size());
+    (void)meshopt_generateVertexRemap(places.data(), nullptr, positions.size(), positions.data(),
+                                      positions.size(), sizeof(glm::vec3));
     return places;
 }
 
@@ -52,15 +46,15 @@ private:
     std::vector<uint32_t> parent_;
 };
 
-/// What hangs together by corners.
+/// Triangles that are connected by corners.
 struct Piece {
-    std::vector<uint32_t> triangles;
     Bounds bounds;
     double volume_m3 = 0.0;
-    bool is_inside_out = false; ///< it is closed and wound one way, with its backs outside
+    bool is_inside_out = false;      ///< it is closed and wound one way, with its backs outside
+    std::vector<uint32_t> triangles; ///< only of a piece that is inside out
 };
 
-/// The places of a primitive and what its triangles make of them.
+/// The places of a primitive and the pieces that its triangles make of them.
 class Pieces {
 public:
     explicit Pieces(const Primitive& primitive)
@@ -74,9 +68,16 @@ public:
 
     std::vector<Piece> run()
     {
+        std::vector<uint32_t> piece_of_set(places_.size(), no_index);
+        std::vector<uint32_t> piece_of_triangle(triangle_count());
         for (size_t t = 0; t < triangle_count(); ++t) {
-            Piece& piece = piece_of(t);
-            piece.triangles.push_back(static_cast<uint32_t>(t));
+            uint32_t& number = piece_of_set[sets_.find(place(t, 0))];
+            if (number == no_index) {
+                number = static_cast<uint32_t>(pieces_.size());
+                pieces_.emplace_back();
+            }
+            piece_of_triangle[t] = number;
+            Piece& piece = pieces_[number];
             std::array<glm::dvec3, 3> corners;
             for (size_t k = 0; k < 3; ++k) {
                 corners[k] = primitive_.positions[primitive_.indices[3 * t + k]];
@@ -84,8 +85,16 @@ public:
             }
             piece.volume_m3 += glm::dot(corners[0], glm::cross(corners[1], corners[2])) / 6.0;
         }
+        // Few pieces are inside out, and lists of their triangles are long.
+        if (std::ranges::any_of(pieces_, [](const Piece& piece) { return piece.volume_m3 < 0.0; })) {
+            for (uint32_t t = 0; t < triangle_count(); ++t)
+                if (Piece& piece = pieces_[piece_of_triangle[t]]; piece.volume_m3 < 0.0)
+                    piece.triangles.push_back(t);
+        }
         for (Piece& piece : pieces_) {
             piece.is_inside_out = piece.volume_m3 < 0.0 && is_closed(piece);
+            if (!piece.is_inside_out)
+                std::vector<uint32_t>().swap(piece.triangles);
         }
         return std::move(pieces_);
     }
@@ -95,15 +104,6 @@ private:
 
     [[nodiscard]] uint32_t place(size_t t, size_t k) const { return places_[primitive_.indices[3 * t + k]]; }
 
-    Piece& piece_of(size_t t)
-    {
-        const auto [found, is_new] = piece_of_set_.try_emplace(sets_.find(place(t, 0)), pieces_.size());
-        if (is_new) {
-            pieces_.emplace_back();
-        }
-        return pieces_[found->second];
-    }
-
     /// A triangle with two corners in one place, as at the poles of many a ball, is a side without
     /// neighbours.
     [[nodiscard]] bool has_collapsed(size_t t) const
@@ -111,26 +111,52 @@ private:
         return place(t, 0) == place(t, 1) || place(t, 1) == place(t, 2) || place(t, 2) == place(t, 0);
     }
 
+    /// A side of a triangle as a number, and spread over all numbers.
+    static uint64_t side(uint32_t from, uint32_t to) { return uint64_t{from} << 32U | to; }
+
+    static uint64_t spread(uint64_t number)
+    {
+        number = (number ^ number >> 30U) * 0xBF58476D1CE4E5B9U;
+        number = (number ^ number >> 27U) * 0x94D049BB133111EBU;
+        return number ^ number >> 31U;
+    }
+
+    /// Calls `take(from, to)` for each side of the piece's triangles.
+    template <typename Take>
+    void for_sides(const Piece& piece, const Take& take) const
+    {
+        for (const uint32_t t : piece.triangles)
+            for (size_t k = 0; k < 3 && !has_collapsed(t); ++k)
+                take(place(t, k), place(t, (k + 1) % 3));
+    }
+
     /// Whether each side of a triangle has one other beside it, that runs the other way.
     [[nodiscard]] bool is_closed(const Piece& piece) const
     {
-        std::vector<std::pair<uint32_t, uint32_t>> ways;
-        std::vector<std::pair<uint32_t, uint32_t>> back;
-        for (const uint32_t t : piece.triangles) {
-            for (size_t k = 0; k < 3 && !has_collapsed(t); ++k) {
-                ways.emplace_back(place(t, k), place(t, (k + 1) % 3));
-                back.emplace_back(ways.back().second, ways.back().first);
-            }
-        }
+        // An open piece has sides without another: sums over both ways tell almost all of them without a
+        // sort.
+        uint64_t difference = 0;
+        for_sides(piece, [&](uint32_t from, uint32_t to) {
+            difference += spread(side(from, to)) - spread(side(to, from));
+        });
+        if (difference != 0)
+            return false;
+        std::vector<uint64_t> ways;
+        std::vector<uint64_t> back;
+        for_sides(piece, [&](uint32_t from, uint32_t to) {
+            ways.push_back(side(from, to));
+            back.push_back(side(to, from));
+        });
         std::sort(ways.begin(), ways.end());
+        if (std::adjacent_find(ways.begin(), ways.end()) != ways.end())
+            return false;
         std::sort(back.begin(), back.end());
-        return ways == back && std::adjacent_find(ways.begin(), ways.end()) == ways.end();
+        return ways == back;
     }
 
     const Primitive& primitive_;
     std::vector<uint32_t> places_;
     Sets sets_;
-    std::unordered_map<uint32_t, size_t> piece_of_set_;
     std::vector<Piece> pieces_;
 };
 
@@ -215,12 +241,20 @@ std::vector<PlacedPiece> placed_pieces(Scene& scene)
 void turn_outside(Scene& scene)
 {
     const std::vector<PlacedPiece> placed = placed_pieces(scene);
+    // What may stand in a room, from left to right, so that few are compared with each.
+    std::vector<Bounds> furniture;
+    if (std::ranges::any_of(placed, [](const PlacedPiece& piece) { return piece.piece.is_inside_out; }))
+        for (const PlacedPiece& piece : placed)
+            if (!piece.piece.is_inside_out)
+                furniture.push_back(piece.world);
+    const auto left_of = [](const Bounds& bounds) { return bounds.min.x; };
+    std::ranges::sort(furniture, {}, left_of);
     std::vector<size_t> turned(scene.meshes.size(), 0);
     for (const PlacedPiece& piece : placed) {
-        const bool is_room =
-            piece.piece.is_inside_out && std::ranges::any_of(placed, [&](const PlacedPiece& other) {
-                return !other.piece.is_inside_out && contains(piece.world, other.world);
-            });
+        const bool is_room = piece.piece.is_inside_out &&
+                             std::any_of(std::ranges::upper_bound(furniture, piece.world.min.x, {}, left_of),
+                                         std::ranges::lower_bound(furniture, piece.world.max.x, {}, left_of),
+                                         [&](const Bounds& other) { return contains(piece.world, other); });
         if (piece.piece.is_inside_out && !is_room) {
             turn_over(*piece.primitive, piece.piece);
             ++turned[piece.mesh];

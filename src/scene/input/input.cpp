@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "scene/input/input.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+namespace estampe {
+namespace {
+
+constexpr size_t block_bytes = size_t{1} << 18;
+constexpr uint32_t replacement = 0xFFFD; ///< stands for what is no character
+
+} // namespace
+
+Input::Input(const std::filesystem::path& path) : name_(path.string())
+{
+    descriptor_ = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor_ < 0) {
+        const int reason = errno;
+        throw Error(reason == ENOENT
+                        ? std::string("no such file")
+                        : fmt::format("cannot open: {}", std::generic_category().message(reason)),
+                    name_, "check the path");
+    }
+
+    struct stat status {};
+
+    const bool is_file = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+    if (!is_file || status.st_size == 0) {
+        close(descriptor_);
+        throw Error(is_file ? "is empty" : "is not a file", name_, "give the path of a scene file");
+    }
+    size_ = static_cast<uint64_t>(status.st_size);
+}
+
+Input::Input(std::span<const std::byte> bytes, std::string name)
+    : name_(std::move(name)), size_(bytes.size()), memory_(bytes)
+{
+}
+
+Input::~Input()
+{
+    if (descriptor_ >= 0)
+        close(descriptor_);
+}
+
+size_t Input::read_raw(char* to, size_t count)
+{
+    count = static_cast<size_t>(std::min<uint64_t>(count, size_ - offset_));
+    if (descriptor_ < 0) {
+        if (count > 0)
+            std::memcpy(to, memory_.data() + offset_, count);
+    } else {
+        size_t done = 0;
+        while (done < count) {
+            const ssize_t got = read(descriptor_, to + done, count - done);
+            if (got < 0 && errno == EINTR)
+                continue;
+            if (got < 0)
+                throw Error(fmt::format("cannot read: {}", std::generic_category().message(errno)), name_);
+            if (got == 0) {
+                size_ = offset_ + done; // it has become shorter meanwhile
+                break;
+            }
+            done += static_cast<size_t>(got);
+        }
+        count = done;
+    }
+    offset_ += count;
+    return count;
+}
+
+void Input::make_room(size_t count)
+{
+    if (first_ > 0) {
+        std::memmove(buffer_.data(), buffer_.data() + first_, buffered());
+        next_lf_ -= std::min(next_lf_, first_);
+        next_cr_ -= std::min(next_cr_, first_);
+        last_ -= first_;
+        first_ = 0;
+    }
+    if (buffer_.size() < last_ + count)
+        buffer_.resize(
+            std::max(last_ + count, std::min(2 * buffer_.size(), buffer_.size() + (size_t{1} << 24))));
+}
+
+void Input::fill(size_t count)
+{
+    make_room(count);
+    if (encoding_ == Encoding::bytes)
+        last_ += read_raw(buffer_.data() + last_, count);
+    else
+        fill_from_utf16();
+}
+
+void Input::put_utf8(uint32_t code)
+{
+    const auto put = [this](uint32_t byte) { buffer_[last_++] = static_cast<char>(byte); };
+    if (code < 0x80) {
+        put(code);
+    } else if (code < 0x800) {
+        put(0xC0 | code >> 6);
+        put(0x80 | (code & 0x3F));
+    } else if (code < 0x10000) {
+        put(0xE0 | code >> 12);
+        put(0x80 | (code >> 6 & 0x3F));
+        put(0x80 | (code & 0x3F));
+    } else {
+        put(0xF0 | code >> 18);
+        put(0x80 | (code >> 12 & 0x3F));
+        put(0x80 | (code >> 6 & 0x3F));
+        put(0x80 | (code & 0x3F));
+    }
+}
+
+void Input::fill_from_utf16()
+{
+    std::vector<char> raw(block_bytes);
+    const size_t units = read_raw(raw.data(), raw.size()) / 2;
+    make_room(6 * units + 3); // a unit becomes three bytes at most, and may give back a lone one before it
+    for (size_t i = 0; i < units; ++i) {
+        const auto a = static_cast<uint8_t>(raw[2 * i]);
+        const auto b = static_cast<uint8_t>(raw[2 * i + 1]);
+        const uint32_t unit = encoding_ == Encoding::utf16_le ? a | b << 8U : b | a << 8U;
+        if (high_surrogate_ != 0) {
+            const uint32_t high = high_surrogate_;
+            high_surrogate_ = 0;
+            if (unit >= 0xDC00 && unit < 0xE000) {
+                put_utf8(0x10000 + ((high - 0xD800) << 10 | (unit - 0xDC00)));
+                continue;
+            }
+            put_utf8(replacement);
+        }
+        if (unit >= 0xD800 && unit < 0xDC00)
+            high_surrogate_ = unit;
+        else
+            put_utf8(unit >= 0xDC00 && unit < 0xE000 ? replacement : unit);
+    }
+}
+
+void Input::detect_encoding()
+{
+    const std::string_view start = peek(64);
+    const auto byte = [&start](size_t i) { return i < start.size() ? static_cast<uint8_t>(start[i]) : 256; };
+    if (byte(0) == 0xEF && byte(1) == 0xBB && byte(2) == 0xBF) {
+        skip(3);
+        return;
+    }
+    // Text that begins with ASCII has a zero in every second byte in UTF-16, and none in any other encoding.
+    const auto zeros = [&](size_t from) {
+        for (size_t i = from; i < start.size(); i += 2)
+            if (start[i] != '\0' || start[i ^ 1U] == '\0')
+                return false;
+        return start.size() >= 4 && start.size() % 2 == 0;
+    };
+    if ((byte(0) == 0xFF && byte(1) == 0xFE) || zeros(1))
+        encoding_ = Encoding::utf16_le;
+    else if ((byte(0) == 0xFE && byte(1) == 0xFF) || zeros(0))
+        encoding_ = Encoding::utf16_be;
+    if (encoding_ == Encoding::bytes)
+        return;
+    const uint64_t begin = byte(0) == 0xFF || byte(0) == 0xFE ? 2 : 0;
+    offset_ = begin;
+    if (descriptor_ >= 0 && lseek(descriptor_, static_cast<off_t>(begin), SEEK_SET) < 0)
+        throw Error(fmt::format("cannot read: {}", std::generic_category().message(errno)), name_);
+    first_ = last_ = next_lf_ = next_cr_ = 0;
+}
+
+std::string_view Input::peek(size_t wanted)
+{
+    while (buffered() < wanted && offset_ < size_)
+        fill(static_cast<size_t>(
+            std::max<uint64_t>(std::min<uint64_t>(wanted - buffered(), size_ - offset_), block_bytes)));
+    return {buffer_.data() + first_, buffered()};
+}
+
+/// Where the line at first_ ends: at an LF or CR, or at the end of the file.
+size_t Input::end_of_line()
+{
+    const auto search = [this](size_t from, char end) {
+        from = std::max(from, first_);
+        const void* const found =
+            from < last_ ? std::memchr(buffer_.data() + from, end, last_ - from) : nullptr;
+        return found == nullptr ? last_
+                                : static_cast<size_t>(static_cast<const char*>(found) - buffer_.data());
+    };
+    // The places of both are remembered, so that no byte is searched twice.
+    while (true) {
+        if (next_lf_ < first_ || next_lf_ >= last_ || buffer_[next_lf_] != '\n')
+            next_lf_ = search(next_lf_, '\n');
+        if (next_cr_ < first_ || next_cr_ >= last_ || buffer_[next_cr_] != '\r')
+            next_cr_ = search(next_cr_, '\r');
+        const size_t end = std::min(next_lf_, next_cr_);
+        // A CR may have its LF behind the buffer.
+        if ((end + 1 < last_ || (end < last_ && buffer_[end] == '\n')) || offset_ >= size_)
+            return end;
+        fill(block_bytes);
+    }
+}
+
+bool Input::next_line(std::string_view& line)
+{
+    const size_t end = end_of_line();
+    if (first_ == last_)
+        return false;
+    ++line_number_;
+    line_was_ended_ = end < last_;
+    line = {buffer_.data() + first_, end - first_};
+    first_ = std::min(end + 1, last_);
+    if (line_was_ended_ && buffer_[end] == '\r' && first_ < last_ && buffer_[first_] == '\n')
+        ++first_;
+    return true;
+}
+
+std::string Input::place() const
+{
+    return fmt::format("{}:{}", name_, line_number_);
+}
+
+} // namespace estampe

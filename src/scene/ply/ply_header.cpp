@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "scene/ply/ply_header.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "scene/input/scanner.hpp"
+
+namespace estampe::ply {
+namespace {
+
+constexpr size_t longest_line = 65536;
+constexpr uint64_t most_lines = 100000;
+
+std::string lower_case(std::string_view text)
+{
+    std::string lower(text);
+    for (char& letter : lower)
+        if (letter >= 'A' && letter <= 'Z')
+            letter = static_cast<char>(letter - 'A' + 'a');
+    return lower;
+}
+
+std::optional<Type> type_of(std::string_view word)
+{
+    constexpr std::array<std::pair<std::string_view, Type>, 16> types{{{"char", Type::int8},
+                                                                       {"uchar", Type::uint8},
+                                                                       {"short", Type::int16},
+                                                                       {"ushort", Type::uint16},
+                                                                       {"int", Type::int32},
+                                                                       {"uint", Type::uint32},
+                                                                       {"float", Type::float32},
+                                                                       {"double", Type::float64},
+                                                                       {"int8", Type::int8},
+                                                                       {"uint8", Type::uint8},
+                                                                       {"int16", Type::int16},
+                                                                       {"uint16", Type::uint16},
+                                                                       {"int32", Type::int32},
+                                                                       {"uint32", Type::uint32},
+                                                                       {"float32", Type::float32},
+                                                                       {"float64", Type::float64}}};
+    const std::string name = lower_case(word);
+    const auto* const found =
+        std::find_if(types.begin(), types.end(), [&name](const auto& type) { return type.first == name; });
+    return found == types.end() ? std::nullopt : std::optional(found->second);
+}
+
+class HeaderReader {
+public:
+    explicit HeaderReader(Input& input) : input_(input) {}
+
+    Header run()
+    {
+        read_magic();
+        while (true) {
+            Scanner words(next_line());
+            const std::string keyword = lower_case(words.word());
+            if (keyword == "end_header")
+                break;
+            read_line(keyword, words);
+        }
+        if (!has_format_)
+            refuse("its header does not say its format");
+        return std::move(header_);
+    }
+
+private:
+    [[noreturn]] void refuse(const std::string& what) const
+    {
+        throw Error(what, fmt::format("{}:{}", input_.name(), line_number_), "check that the file is whole");
+    }
+
+    /// Line ends of text are left out before the magic word, which ought to be the first.
+    void read_magic()
+    {
+        std::string_view start = input_.peek(1);
+        while (!start.empty() && (start[0] == '\n' || start[0] == '\r')) {
+            line_number_ += start[0] == '\n' ? 1 : 0;
+            input_.skip(1);
+            start = input_.peek(1);
+        }
+        if (lower_case(input_.peek(3).substr(0, 3)) != "ply")
+            refuse("is not a PLY file");
+        // The first line tells how all of them end: with LF, perhaps behind a CR, or with CR alone.
+        start = input_.peek(longest_line);
+        const size_t end = start.find_first_of("\r\n");
+        ends_with_cr_ = end != std::string_view::npos && start[end] == '\r' &&
+                        (end + 1 == start.size() || start[end + 1] != '\n');
+        (void)next_line();
+    }
+
+    std::string_view next_line()
+    {
+        ++line_number_;
+        const std::string_view ahead = input_.peek(longest_line);
+        const size_t end = ahead.substr(0, longest_line).find(ends_with_cr_ ? '\r' : '\n');
+        if (end == std::string_view::npos || line_number_ > most_lines)
+            refuse("its header has no end");
+        line_ = ahead.substr(0, end);
+        input_.skip(end + 1);
+        if (line_.ends_with('\r'))
+            line_.pop_back();
+        return line_;
+    }
+
+    void read_line(const std::string& keyword, Scanner& words)
+    {
+        if (keyword == "format")
+            read_format(words);
+        else if (keyword == "element")
+            read_element(words);
+        else if (keyword == "property")
+            read_property(words);
+        else if (keyword == "comment" && lower_case(words.word()) == "texturefile")
+            header_.texture_files.emplace_back(words.rest());
+        else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
+            refuse(fmt::format("\"{}\" is no line of a header", line_.substr(0, 80)));
+    }
+
+    void read_format(Scanner& words)
+    {
+        const std::string name = lower_case(words.word());
+        if (name == "ascii")
+            header_.format = Format::ascii;
+        else if (name == "binary_little_endian")
+            header_.format = Format::little_endian;
+        else if (name == "binary_big_endian")
+            header_.format = Format::big_endian;
+        else
+            refuse(fmt::format("\"{}\" is no known format", line_.substr(0, 80)));
+        has_format_ = true;
+    }
+
+    void read_element(Scanner& words)
+    {
+        Element& element = header_.elements.emplace_back();
+        element.name = lower_case(words.word());
+        const std::string_view count = words.word();
+        const auto [stopped, error] =
+            std::from_chars(count.data(), count.data() + count.size(), element.count);
+        if (element.name.empty() || error != std::errc() || stopped != count.data() + count.size())
+            refuse(fmt::format("\"{}\" has no usable count", line_.substr(0, 80)));
+    }
+
+    void read_property(Scanner& words)
+    {
+        if (header_.elements.empty())
+            refuse("a property comes before any element");
+        Property property;
+        std::string_view word = words.word();
+        if (lower_case(word) == "list") {
+            property.length_type = type_of(words.word());
+            if (!property.length_type || *property.length_type >= Type::float32)
+                refuse(fmt::format("\"{}\" has no usable type of its length", line_.substr(0, 80)));
+            word = words.word();
+        }
+        const std::optional<Type> type = type_of(word);
+        if (!type)
+            refuse(fmt::format("\"{}\" has no known type", line_.substr(0, 80)));
+        property.type = *type;
+        property.name = lower_case(words.rest());
+        header_.elements.back().properties.push_back(std::move(property));
+    }
+
+    Input& input_;
+    Header header_;
+    std::string line_;
+    uint64_t line_number_ = 0;
+    bool ends_with_cr_ = false;
+    bool has_format_ = false;
+};
+
+} // namespace
+
+size_t bytes_of(Type type)
+{
+    constexpr std::array<size_t, 8> bytes{1, 1, 2, 2, 4, 4, 4, 8};
+    return bytes[static_cast<size_t>(type)];
+}
+
+Header read_header(Input& input)
+{
+    input.detect_encoding();
+    return HeaderReader(input).run();
+}
+
+} // namespace estampe::ply

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// libFuzzer target: whatever the bytes, the OBJ reader gives a scene that can be framed, or an Error;
+// and its reader of material libraries ends.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <estampe/error.hpp>
+
+#include "scene/obj/mtl.hpp"
+#include "scene/obj/obj_import.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+{
+    const std::span bytes(reinterpret_cast<const std::byte*>(data), size);
+    try {
+        estampe::Input library(bytes, "fuzz.mtl");
+        (void)estampe::obj::parse_mtl(library);
+        const estampe::Scene scene = estampe::load_obj_bytes(bytes, "fuzz.obj");
+        (void)estampe::framing_camera(scene, estampe::pose_scene(scene, 0.0), 1.5);
+    } catch (const estampe::Error&) {
+        return 0;
+    }
+    return 0;
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// libFuzzer target: whatever the bytes, the PLY reader gives a scene that can be framed, or an Error.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <estampe/error.hpp>
+
+#include "scene/ply/ply_import.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+{
+    try {
+        const estampe::Scene scene =
+            estampe::load_ply_bytes({reinterpret_cast<const std::byte*>(data), size}, "fuzz.ply");
+        (void)estampe::framing_camera(scene, estampe::pose_scene(scene, 0.0), 1.5);
+    } catch (const estampe::Error&) {
+        return 0;
+    }
+    return 0;
+}
