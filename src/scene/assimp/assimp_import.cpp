@@ -15,6 +15,7 @@
 #include "core/image_codec.hpp"
 #include "scene/assimp/child.hpp"
 #include "scene/assimp/convert.hpp"
+#include "scene/assimp/fbx/version.hpp"
 #include "scene/assimp/mend.hpp"
 #include "scene/assimp/ply_header.hpp"
 #include "scene/assimp/turn_outside.hpp"
@@ -131,6 +132,8 @@ Scene load_with_assimp(const std::filesystem::path& path)
     const uint64_t size = size_of_file(path);
     if (lower_extension(path) == ".ply")
         check_ply_header(path, size);
+    if (lower_extension(path) == ".fbx")
+        fbx::check_version(path);
     ChildLimits limits;
     limits.cpu_s = static_cast<uint32_t>(std::min<uint64_t>(10 + (size >> 20), 60));
     limits.memory_bytes = std::min<uint64_t>((uint64_t{512} << 20) + 64 * size, uint64_t{16} << 30);

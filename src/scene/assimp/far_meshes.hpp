@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <estampe/scene.hpp>
+
+namespace estampe {
+
+/// Adds a warning when meshes lie so far from their origin that the floats which their vertices have been
+/// read as coarsen their shape.
+void warn_of_far_meshes(Scene& scene);
+
+} // namespace estampe
