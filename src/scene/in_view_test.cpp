@@ -16,7 +16,7 @@ Scene cube_at(const glm::dvec3& place)
     scene.meshes.push_back({.name = "cube", .primitives = {shapes::box({2, 2, 2})}});
     scene.nodes.resize(1);
     scene.nodes[0].mesh = 0;
-    scene.nodes[0].transform.translation = place;
+    scene.nodes[0].transform.translation = place - glm::dvec3(0, 1, 0); // it stands on the ground
     scene.roots = {0};
     return scene;
 }
