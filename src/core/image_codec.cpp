@@ -204,6 +204,8 @@ bool read_jpeg_pixels(JpegReader& reader, Image& image)
     return true;
 }
 
+using JpegProfile = std::unique_ptr<JOCTET, decltype(&std::free)>;
+
 /// Takes memory for the profile.
 bool read_jpeg_profile(JpegReader& reader, JOCTET** profile, unsigned* bytes)
 {
@@ -211,16 +213,6 @@ bool read_jpeg_profile(JpegReader& reader, JOCTET** profile, unsigned* bytes)
         return false;
     }
     return jpeg_read_icc_profile(&reader.jpeg, profile, bytes) != 0;
-}
-
-/// Adobe's programs write how much paper each ink leaves free in place of how much ink there is.
-void turn_inks_to_rgb(JpegReader& reader, Image& image)
-{
-    JOCTET* profile = nullptr;
-    unsigned bytes = 0;
-    (void)read_jpeg_profile(reader, &profile, &bytes);
-    const std::unique_ptr<JOCTET, decltype(&std::free)> owned(profile, std::free);
-    inks_to_rgb(image.rgba, reader.jpeg.saw_Adobe_marker != 0, std::as_bytes(std::span(profile, bytes)));
 }
 
 Image decode_jpeg(std::span<const std::byte> data, const std::string& name)
@@ -235,11 +227,20 @@ Image decode_jpeg(std::span<const std::byte> data, const std::string& name)
         throw Error(fmt::format("corrupt JPEG: {}", reader.failure.message), name);
     }
     Image image = new_image(reader.jpeg.image_width, reader.jpeg.image_height, name);
+    const bool has_inks = holds_inks(reader.jpeg);
+    JOCTET* found = nullptr;
+    unsigned profile_bytes = 0;
+    if (has_inks) { // the profile is gone once the pixels have been read
+        (void)read_jpeg_profile(reader, &found, &profile_bytes);
+    }
+    const JpegProfile profile(found, std::free);
     if (!read_jpeg_pixels(reader, image)) {
         throw Error(fmt::format("corrupt JPEG: {}", reader.failure.message), name);
     }
-    if (holds_inks(reader.jpeg)) {
-        turn_inks_to_rgb(reader, image);
+    if (has_inks) {
+        // Adobe's programs write how much paper each ink leaves free in place of how much ink there is.
+        const bool inverted = reader.jpeg.saw_Adobe_marker != 0;
+        inks_to_rgb(image.rgba, inverted, std::as_bytes(std::span(profile.get(), profile_bytes)));
     }
     return image;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/older_pictures.hpp"
 
+#include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string_view>
@@ -249,6 +251,7 @@ Image decode_with_stb(std::span<const std::byte> data, const char* format, const
     int channels = 0;
     if (stbi_info_from_memory(first, size, &width, &height, &channels) == 0)
         throw Error(fmt::format("{} cannot be read: {}", format, stbi_failure_reason()), name);
+    height = std::abs(height); // negative for a BMP from the top
     Image image = new_image(static_cast<uint64_t>(width), static_cast<uint64_t>(height), name);
     constexpr uint64_t bytes_of_decoder = 9; // for each pixel: a picture, what was behind it, and marks
     require_memory(bytes_of_decoder * image.width * image.height, fmt::format("decoding a {}", format), name);

@@ -65,6 +65,17 @@ toff_t size_of(thandle_t handle)
     return source_of(handle).data.size();
 }
 
+/// libtiff reads from mapped memory alone, and does not write there.
+int map_all(thandle_t handle, void** base, toff_t* size)
+{
+    const TiffSource& source = source_of(handle);
+    *base = const_cast<std::byte*>(source.data.data());
+    *size = source.data.size();
+    return 1;
+}
+
+void unmap_nothing(thandle_t /*handle*/, void* /*base*/, toff_t /*size*/) {}
+
 /// The first error says most: those that follow are its consequences.
 int keep_message(TIFF* /*tiff*/, void* target, const char* /*module*/, const char* format, va_list values)
 {
@@ -96,8 +107,8 @@ Tiff open_tiff(TiffSource& source)
     TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), most_bytes_at_once);
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_message, &source);
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_warning, &source);
-    return Tiff(TIFFClientOpenExt("", "rm", &source, read_bytes, write_nothing, seek, close_nothing, size_of,
-                                  nullptr, nullptr, options.get()));
+    return Tiff(TIFFClientOpenExt("", "r", &source, read_bytes, write_nothing, seek, close_nothing, size_of,
+                                  map_all, unmap_nothing, options.get()));
 }
 
 enum class Alpha { straight, premultiplied };
