@@ -12,13 +12,14 @@
 #include <estampe/error.hpp>
 
 #include "core/new_image.hpp"
+#include "core/picture_bytes.hpp"
+#include "core/psd.hpp"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_TGA
 #define STBI_ONLY_BMP
 #define STBI_ONLY_GIF
-#define STBI_ONLY_PSD
 #define STBI_NO_STDIO
 #define STBI_NO_LINEAR
 #define STBI_NO_HDR
@@ -32,47 +33,6 @@ namespace estampe {
 namespace {
 
 static_assert(STBI_MAX_DIMENSIONS == max_image_side);
-
-/// The bytes of a file, which all lie within it or are refused.
-class Bytes {
-public:
-    Bytes(std::span<const std::byte> data, const char* format, const std::string& name)
-        : data_(data), format_(format), name_(name)
-    {
-    }
-
-    [[nodiscard]] size_t size() const { return data_.size(); }
-
-    [[nodiscard]] uint32_t byte(size_t at) const
-    {
-        need(at, 1);
-        return static_cast<uint32_t>(data_[at]);
-    }
-
-    [[nodiscard]] uint32_t little16(size_t at) const { return byte(at) | byte(at + 1) << 8U; }
-
-    [[nodiscard]] uint32_t little32(size_t at) const { return little16(at) | little16(at + 2) << 16U; }
-
-    [[nodiscard]] uint32_t big16(size_t at) const { return byte(at) << 8U | byte(at + 1); }
-
-    [[nodiscard]] uint32_t big32(size_t at) const { return big16(at) << 16U | big16(at + 2); }
-
-    void need(uint64_t at, uint64_t count) const
-    {
-        if (at > data_.size() || count > data_.size() - at)
-            throw Error(fmt::format("corrupt {}: the data ends too early", format_), name_);
-    }
-
-    [[noreturn]] void refuse(const std::string& why) const
-    {
-        throw Error(fmt::format("{} {}", format_, why), name_);
-    }
-
-private:
-    std::span<const std::byte> data_;
-    const char* format_;
-    const std::string& name_;
-};
 
 bool starts_with(std::span<const std::byte> data, std::string_view magic)
 {
@@ -96,7 +56,7 @@ struct TgaHead {
     [[nodiscard]] bool has_runs() const { return (kind & 8U) != 0; }
 };
 
-TgaHead tga_head(const Bytes& bytes)
+TgaHead tga_head(const PictureBytes& bytes)
 {
     return {.map_type = bytes.byte(1),
             .kind = bytes.byte(2),
@@ -118,7 +78,7 @@ bool is_tga(std::span<const std::byte> data, const std::string& name)
 {
     if (data.size() < TgaHead::bytes)
         return false;
-    const TgaHead head = tga_head(Bytes(data, "TGA", name));
+    const TgaHead head = tga_head(PictureBytes(data, "TGA", name));
     const uint32_t kind = head.kind_without_runs();
     if ((head.kind & ~8U) != kind || kind < 1 || kind > 3 || head.width == 0 || head.height == 0 ||
         (head.descriptor & 0xc0U) != 0)
@@ -129,7 +89,7 @@ bool is_tga(std::span<const std::byte> data, const std::string& name)
     return head.map_type <= 1 && (kind == 2 ? is_color_depth(head.bits) : head.bits == 8 || head.bits == 16);
 }
 
-void check_tga(const Bytes& bytes)
+void check_tga(const PictureBytes& bytes)
 {
     const TgaHead head = tga_head(bytes);
     if (head.kind_without_runs() == 1 && head.map_first != 0)
@@ -154,7 +114,7 @@ void check_tga(const Bytes& bytes)
 }
 
 /// Many programs leave the fourth byte zero where it means nothing; and rows may run from right to left.
-void finish_tga(const Bytes& bytes, Image& image)
+void finish_tga(const PictureBytes& bytes, Image& image)
 {
     constexpr uint32_t right_to_left = 0x10;
     constexpr uint32_t alpha_bits = 0x0f;
@@ -173,7 +133,7 @@ void finish_tga(const Bytes& bytes, Image& image)
                           image.rgba[4 * (size_t{y} * image.width + image.width - 1 - x) + channel]);
 }
 
-void check_bmp(const Bytes& bytes)
+void check_bmp(const PictureBytes& bytes)
 {
     const uint64_t pixels_at = bytes.little32(10);
     const uint32_t head = bytes.little32(14);
@@ -193,7 +153,7 @@ void check_bmp(const Bytes& bytes)
 }
 
 /// Up to the end of the first picture.
-void check_gif(const Bytes& bytes)
+void check_gif(const PictureBytes& bytes)
 {
     const auto table_bytes = [](uint32_t flags) -> uint64_t {
         return (flags & 0x80U) != 0 ? uint64_t{3} << ((flags & 7U) + 1) : 0;
@@ -212,30 +172,6 @@ void check_gif(const Bytes& bytes)
     if (uint64_t{bytes.little16(6)} * bytes.little16(8) > 64 * best_lzw_ratio * bytes.size())
         bytes.refuse("is corrupt: so many pixels cannot come from so few bytes");
     (void)skip_blocks(at + 10 + table_bytes(bytes.byte(at + 9)) + 1);
-}
-
-void check_psd(const Bytes& bytes)
-{
-    const uint64_t channels = bytes.big16(12);
-    const uint64_t height = bytes.big32(14);
-    const uint64_t width = bytes.big32(18);
-    const uint64_t depth = bytes.big16(22);
-    constexpr uint32_t rgb = 3;
-    if (bytes.big16(24) != rgb || (depth != 8 && depth != 16))
-        bytes.refuse("is not RGB with 8 or 16 bits per channel");
-    if (width > max_image_side || height > max_image_side)
-        return; // and is refused for that
-    uint64_t at = 26;
-    for (int section = 0; section < 3; ++section)
-        at += 4 + uint64_t{bytes.big32(at)};
-    if (const uint32_t compression = bytes.big16(at); compression == 0) {
-        bytes.need(at + 2, channels * height * width * depth / 8);
-    } else {
-        uint64_t packed = 0;
-        for (uint64_t row = 0; row < channels * height; ++row)
-            packed += bytes.big16(at + 2 + 2 * row);
-        bytes.need(at + 2 + 2 * channels * height, packed);
-    }
 }
 
 struct StbFree {
@@ -277,7 +213,7 @@ std::optional<Image> decode_older_picture(std::span<const std::byte> data, const
     if (!is_gif && !is_bmp && !is_psd && !is_tga(data, name))
         return std::nullopt;
     const char* const format = is_gif ? "GIF" : is_bmp ? "BMP" : is_psd ? "PSD" : "TGA";
-    const Bytes bytes(data, format, name);
+    const PictureBytes bytes(data, format, name);
     if (data.size() > most_bytes)
         bytes.refuse("is longer than 1 GiB");
     if (is_gif)
@@ -285,11 +221,11 @@ std::optional<Image> decode_older_picture(std::span<const std::byte> data, const
     else if (is_bmp)
         check_bmp(bytes);
     else if (is_psd)
-        check_psd(bytes);
+        return decode_psd(bytes, name);
     else
         check_tga(bytes);
     Image image = decode_with_stb(data, format, name);
-    if (!is_gif && !is_bmp && !is_psd)
+    if (!is_gif && !is_bmp)
         finish_tga(bytes, image);
     return image;
 }
