@@ -203,6 +203,8 @@ TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& 
         if (document.start_s < animation.duration_s)
             animation.start_s = static_cast<float>(document.start_s);
     warn_of_far_meshes(conversion.scene());
+    if (!document.moved_vertices)
+        warn_of_far_nodes(conversion.scene());
     return std::move(conversion.transfer);
 }
 

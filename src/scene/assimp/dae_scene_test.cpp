@@ -218,5 +218,21 @@ TEST_F(DaeScene, FarVerticesKeepAllTheirDigits)
     EXPECT_NEAR(pose_scene(scene, 0.0).world_from_node[index][3].x, -1.0, 1e-5);
 }
 
+TEST_F(DaeScene, NodesFarFromTheOriginAreWarnedOf)
+{
+    const auto two_at = [](const std::string& place) {
+        File file;
+        file.nodes =
+            fmt::format(R"(<node id="a"><translate>{0}</translate><instance_geometry url="#g"/></node>
+<node id="b"><translate>{0}</translate><instance_geometry url="#g"/></node>)",
+                        place);
+        return file;
+    };
+    EXPECT_TRUE(load(two_at("100 0 0")).warnings.empty());
+    const Scene far = load(two_at("6378137 0 0"));
+    ASSERT_EQ(far.warnings.size(), 1U);
+    EXPECT_NE(far.warnings[0].find("origin"), std::string::npos) << far.warnings[0];
+}
+
 } // namespace
 } // namespace estampe

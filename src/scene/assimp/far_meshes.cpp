@@ -26,11 +26,35 @@ double step_in_sizes(const Mesh& mesh)
     return farthest * static_cast<double>(std::numeric_limits<float>::epsilon()) / length;
 }
 
+constexpr double visible_step = 1e-4;
+
 } // namespace
+
+void warn_of_far_nodes(Scene& scene)
+{
+    const Bounds bounds = scene_bounds(scene, pose_scene(scene, 0.0, no_index));
+    double farthest = 0.0;
+    size_t shown = 0;
+    for (const Node& node : scene.nodes) {
+        const glm::dvec3 place = node.matrix ? glm::dvec3((*node.matrix)[3]) : node.transform.translation;
+        farthest = std::max(farthest, glm::length(place));
+        shown += node.mesh != no_index ? 1 : 0;
+    }
+    const double step = farthest * static_cast<double>(std::numeric_limits<float>::epsilon());
+    // In the file's unit, which is that of the scene's size but for the scale of the root.
+    const double unit_m =
+        scene.roots.empty()
+            ? 1.0
+            : glm::length(glm::dvec3(scene.nodes[scene.roots.front()].matrix.value_or(glm::dmat4(1.0))[0]));
+    if (shown > 1 && bounds.radius() > 0.0 && step * unit_m > visible_step * bounds.radius())
+        scene.warnings.push_back(fmt::format("nodes lie so far from the origin that they are placed to "
+                                             "{:.2g} m only; move the scene to the origin "
+                                             "in the program that wrote the file",
+                                             step * unit_m));
+}
 
 void warn_of_far_meshes(Scene& scene)
 {
-    constexpr double visible_step = 1e-4;
     size_t count = 0;
     double coarsest = 0.0;
     std::string name;

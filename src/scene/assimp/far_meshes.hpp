@@ -9,4 +9,8 @@ namespace estampe {
 /// read as coarsen their shape.
 void warn_of_far_meshes(Scene& scene);
 
+/// Adds a warning when nodes are moved so far, in floats, that they stand imprecisely beside each other.
+/// `scene` is one whose nodes have been read as floats.
+void warn_of_far_nodes(Scene& scene);
+
 } // namespace estampe

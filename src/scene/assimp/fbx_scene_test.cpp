@@ -205,6 +205,20 @@ TEST_F(FbxScene, ATargetCameraFollowsItsTargetAndRolls)
     expect_near(direction_of(camera_of(scene, 1.9)), glm::normalize(glm::dvec3(1.9, 0, -1)), 1e-3);
 }
 
+TEST_F(FbxScene, ATargetCameraInAMirroredGroupLooksAtItsTarget)
+{
+    File file = tetrahedron("");
+    file.add_model(15, "group", "Null", vector("Lcl Scaling", -1, 1, 1) + vector("Lcl Rotation", 20, 30, 40));
+    file.add_model(20, "Camera01", "Camera", vector("Lcl Translation", 100, 200, 300), 15);
+    file.add_attribute(21, "Camera", "", 20);
+    file.add_model(30, "Camera01.Target", "Null", "");
+    file.link(30, 20, "LookAtProperty");
+    const Camera camera = camera_of(load(file));
+    expect_near(direction_of(camera), -glm::normalize(camera.eye));
+    EXPECT_NEAR(glm::dot(camera.up, glm::cross(camera.eye, glm::dvec3(0, 1, 0))), 0.0, 1e-5) << "upright";
+    EXPECT_GT(camera.up.y, 0.0);
+}
+
 TEST_F(FbxScene, LightsShineAlongTheirNodesMinusYOrAtTheirTarget)
 {
     File file = tetrahedron("");

@@ -103,7 +103,7 @@ Document read_document(const std::filesystem::path& path)
     TidyTexts tidy;
     xml.traverse(tidy);
     Document document;
-    move_to_origin(root);
+    document.moved_vertices = move_to_origin(root);
     document.lenses = number_cameras(root);
     const pugi::xml_node scenes = root.child("library_visual_scenes");
     document.frames_per_s = number_below(scenes, "frame_rate");

@@ -15,7 +15,8 @@ struct Document {
     std::string text;                ///< UTF-8
     std::vector<SceneCamera> lenses; ///< by lens_index() of the cameras that Assimp makes of `text`
     std::optional<double> frames_per_s;
-    double start_s = 0.0; ///< of the time range
+    bool moved_vertices = false; ///< to the origin, and their nodes the other way
+    double start_s = 0.0;        ///< of the time range
 };
 
 /// Reads a .dae file in any encoding that XML allows, and rewrites it for Assimp: numbers are separated by

@@ -145,7 +145,7 @@ void displace(const pugi::xml_node& instance, const glm::dvec3& offset)
 
 } // namespace
 
-void move_to_origin(const pugi::xml_node& collada)
+bool move_to_origin(const pugi::xml_node& collada)
 {
     const std::set<std::string> bent = bent_geometries(collada);
     Offsets offsets;
@@ -158,11 +158,12 @@ void move_to_origin(const pugi::xml_node& collada)
                 offsets.emplace(id, offset);
         }
     if (offsets.empty())
-        return;
+        return false;
     FindInstances find(offsets);
     pugi::xml_node(collada).traverse(find);
     for (const pugi::xml_node& instance : find.found)
         displace(instance, offsets.at(id_of_url(instance.attribute("url").value())));
+    return true;
 }
 
 } // namespace estampe::dae
