@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "core/at_once.hpp"
 #include "drawing.hpp"
+#include "empty_view.hpp"
 #include "film.hpp"
 #include "frame/particles.hpp"
 #include "living.hpp"
@@ -137,6 +138,7 @@ void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand&
     warn_of_idle_time(command.draw, scene);
     const Index animation = choose_animation(command.draw, scene);
     const Camera camera = choose_camera(command.draw, scene, animation);
+    warn_of_empty_view(command.draw, scene, animation, camera);
     const Style style =
         Living(command.draw, scene, Occasion::picture).show(renderer, command.draw.time_s, camera);
     if (command.picture.format == PictureFormat::svg) {
@@ -173,6 +175,7 @@ void run(const RenderCommand& command)
     clock.finish("device");
     set_scene(renderer, scene, draw);
     const Camera camera = choosing.get();
+    warn_of_empty_view(draw, scene, animation, camera);
     const Style style = Living(draw, scene, Occasion::picture).show(renderer, draw.time_s, camera);
     clock.finish("upload");
     if (command.picture.format == PictureFormat::svg) {

@@ -33,8 +33,8 @@ void save_jpeg(const Image& image, const std::filesystem::path& path, int qualit
 /// Cost: about 0.5 s a megapixel.
 void save_webp(const Image& image, const std::filesystem::path& path, std::optional<int> quality = {});
 
-/// Reads a PNG, JPEG or WebP file into an Image. Throws Error naming the file when it is missing, truncated
-/// or too large.
+/// Reads a PNG, JPEG, WebP, TIFF, TGA, BMP, GIF or PSD file into an Image, whatever its name; see
+/// docs/formats.md. Throws Error naming the file when it is missing, truncated or too large.
 [[nodiscard]] Image load_image(const std::filesystem::path& path);
 
 } // namespace estampe

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
 
 #include <jpeglib.h>
 #include <png.h>
@@ -15,31 +17,13 @@
 #include <estampe/error.hpp>
 
 #include "core/codec_failure.hpp"
-#include "core/free_memory.hpp"
+#include "core/ink_colors.hpp"
+#include "core/new_image.hpp"
+#include "core/older_pictures.hpp"
+#include "core/tiff.hpp"
 
 namespace estampe {
 namespace {
-
-void check_size(uint64_t width, uint64_t height, const std::string& name)
-{
-    if (width == 0 || height == 0 || width > max_image_side || height > max_image_side ||
-        width * height > max_image_pixels) {
-        throw Error(fmt::format("image of {} x {} pixels is beyond the limit of {} x {} and {} megapixels",
-                                width, height, max_image_side, max_image_side, max_image_pixels >> 20),
-                    name);
-    }
-}
-
-template <class Picture = Image>
-Picture make_image(uint64_t width, uint64_t height, const std::string& name)
-{
-    check_size(width, height, name);
-    require_memory(width * height * 4 * sizeof(typename decltype(Picture::rgba)::value_type),
-                   fmt::format("an image of {} x {} pixels", width, height), name);
-    Picture image{.width = static_cast<uint32_t>(width), .height = static_cast<uint32_t>(height), .rgba = {}};
-    image.rgba.resize(width * height * 4);
-    return image;
-}
 
 struct PngSource {
     std::span<const std::byte> data;
@@ -71,7 +55,7 @@ bool read_png_header(PngReader& reader)
     if (setjmp(reader.failure.jump) != 0) {
         return false;
     }
-    png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); // see check_size
+    png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); // see check_image_size
     png_set_chunk_malloc_max(reader.png, png_alloc_size_t{1} << 24);
     png_set_crc_action(reader.png, PNG_CRC_ERROR_QUIT, PNG_CRC_QUIET_USE);
     png_set_read_fn(reader.png, &reader.source, png_take);
@@ -124,7 +108,7 @@ Picture decode_png(std::span<const std::byte> data, const std::string& name)
     }
     const uint64_t width = png_get_image_width(reader.png, reader.info);
     const uint64_t height = png_get_image_height(reader.png, reader.info);
-    check_size(width, height, name);
+    check_image_size(width, height, name);
     if (!ask_for_rgba(reader, sizeof(Value) == 2)) {
         throw Error(fmt::format("corrupt PNG: {}", reader.failure.message), name);
     }
@@ -135,7 +119,7 @@ Picture decode_png(std::span<const std::byte> data, const std::string& name)
             fmt::format("corrupt PNG: {} x {} pixels cannot come from {} bytes", width, height, data.size()),
             name);
     }
-    auto image = make_image<Picture>(width, height, name);
+    auto image = new_image<Picture>(width, height, name);
     for (uint64_t row = 0; row < height; ++row) {
         reader.rows.push_back(reinterpret_cast<png_bytep>(image.rgba.data() + row * width * 4));
     }
@@ -182,6 +166,12 @@ void jpeg_progressed(j_common_ptr jpeg)
     }
 }
 
+/// Pictures meant for print: cyan, magenta, yellow and black, or black with the others as YCbCr.
+bool holds_inks(const jpeg_decompress_struct& jpeg)
+{
+    return jpeg.jpeg_color_space == JCS_CMYK || jpeg.jpeg_color_space == JCS_YCCK;
+}
+
 bool read_jpeg_header(JpegReader& reader, std::span<const std::byte> data)
 {
     if (setjmp(reader.failure.jump) != 0) {
@@ -192,6 +182,8 @@ bool read_jpeg_header(JpegReader& reader, std::span<const std::byte> data)
     reader.jpeg.progress = &reader.progress;
     reader.jpeg.mem->max_memory_to_use = 1L << 29;
     jpeg_mem_src(&reader.jpeg, reinterpret_cast<const unsigned char*>(data.data()), data.size());
+    constexpr unsigned longest_marker = 0xffff;
+    jpeg_save_markers(&reader.jpeg, JPEG_APP0 + 2, longest_marker); // colour profiles
     jpeg_read_header(&reader.jpeg, TRUE);
     return true;
 }
@@ -201,7 +193,7 @@ bool read_jpeg_pixels(JpegReader& reader, Image& image)
     if (setjmp(reader.failure.jump) != 0) {
         return false;
     }
-    reader.jpeg.out_color_space = JCS_EXT_RGBA;
+    reader.jpeg.out_color_space = holds_inks(reader.jpeg) ? JCS_CMYK : JCS_EXT_RGBA;
     reader.jpeg.dct_method = JDCT_ISLOW;
     jpeg_start_decompress(&reader.jpeg);
     while (reader.jpeg.output_scanline < reader.jpeg.output_height) {
@@ -210,6 +202,17 @@ bool read_jpeg_pixels(JpegReader& reader, Image& image)
     }
     jpeg_finish_decompress(&reader.jpeg);
     return true;
+}
+
+using JpegProfile = std::unique_ptr<JOCTET, decltype(&std::free)>;
+
+/// Takes memory for the profile.
+bool read_jpeg_profile(JpegReader& reader, JOCTET** profile, unsigned* bytes)
+{
+    if (setjmp(reader.failure.jump) != 0) {
+        return false;
+    }
+    return jpeg_read_icc_profile(&reader.jpeg, profile, bytes) != 0;
 }
 
 Image decode_jpeg(std::span<const std::byte> data, const std::string& name)
@@ -223,9 +226,21 @@ Image decode_jpeg(std::span<const std::byte> data, const std::string& name)
     if (!read_jpeg_header(reader, data)) {
         throw Error(fmt::format("corrupt JPEG: {}", reader.failure.message), name);
     }
-    Image image = make_image(reader.jpeg.image_width, reader.jpeg.image_height, name);
+    Image image = new_image(reader.jpeg.image_width, reader.jpeg.image_height, name);
+    const bool has_inks = holds_inks(reader.jpeg);
+    JOCTET* found = nullptr;
+    unsigned profile_bytes = 0;
+    if (has_inks) { // the profile is gone once the pixels have been read
+        (void)read_jpeg_profile(reader, &found, &profile_bytes);
+    }
+    const JpegProfile profile(found, std::free);
     if (!read_jpeg_pixels(reader, image)) {
         throw Error(fmt::format("corrupt JPEG: {}", reader.failure.message), name);
+    }
+    if (has_inks) {
+        // Adobe's programs write how much paper each ink leaves free in place of how much ink there is.
+        const bool inverted = reader.jpeg.saw_Adobe_marker != 0;
+        inks_to_rgb(image.rgba, inverted, std::as_bytes(std::span(profile.get(), profile_bytes)));
     }
     return image;
 }
@@ -238,7 +253,7 @@ Image decode_webp(std::span<const std::byte> data, const std::string& name)
     if (WebPGetInfo(bytes, data.size(), &width, &height) == 0 || width <= 0 || height <= 0) {
         throw Error("corrupt WebP: bad header", name);
     }
-    Image image = make_image(static_cast<uint64_t>(width), static_cast<uint64_t>(height), name);
+    Image image = new_image(static_cast<uint64_t>(width), static_cast<uint64_t>(height), name);
     if (WebPDecodeRGBAInto(bytes, data.size(), image.rgba.data(), image.rgba.size(), width * 4) == nullptr) {
         throw Error("corrupt WebP: the data is damaged or ends too early", name);
     }
@@ -278,7 +293,13 @@ Image decode_image(std::span<const std::byte> data, const std::string& name)
     if (starts_with(data, 0, "RIFF") && starts_with(data, 8, "WEBP")) {
         return decode_webp(data, name);
     }
-    throw Error("is not a PNG, JPEG or WebP image", name);
+    if (is_tiff(data)) {
+        return decode_tiff(data, name);
+    }
+    if (std::optional<Image> image = decode_older_picture(data, name)) {
+        return std::move(*image);
+    }
+    throw Error("is not a PNG, JPEG, WebP, TIFF, TGA, BMP, GIF or PSD image", name);
 }
 
 } // namespace estampe

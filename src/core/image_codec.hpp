@@ -16,8 +16,10 @@ namespace estampe {
 inline constexpr uint32_t max_image_side = 16384;
 inline constexpr uint64_t max_image_pixels = uint64_t{1} << 26;
 
-/// Decodes PNG (libpng), JPEG (libjpeg) or WebP (libwebp), told apart by their first bytes. Grey, palette,
-/// 16-bit and opaque images all become four 8-bit channels; the colours are not converted.
+/// Decodes PNG (libpng), JPEG (libjpeg), WebP (libwebp), TIFF (libtiff), TGA, BMP or GIF (stb_image) or PSD,
+/// told apart by their first bytes, whatever the file is called. Grey, palette, 16-bit and opaque images all
+/// become four 8-bit channels; colours are not converted, but for CMYK, see inks_to_rgb(). Of a GIF the first
+/// frame is taken.
 ///
 /// Throws Error with `name` as its place when the data is of another kind, truncated, corrupt, or beyond the
 /// limits above. Cost: about 20 ms a megapixel for PNG, half of it for JPEG. Any number of threads may call

@@ -252,7 +252,7 @@ TEST(Image, absurd_sizes_are_errors)
     expect_error(png_header(60000), "image of 60000 x 60000 pixels is beyond the limit of 16384");
     expect_error(png_header(8192), "cannot come from");
     expect_error(png_header(0), "");
-    expect_error({}, "is not a PNG, JPEG or WebP image");
+    expect_error({}, "is not a PNG, JPEG, WebP, TIFF, TGA, BMP, GIF or PSD image");
 }
 
 TEST(Image, loading_what_is_not_there)

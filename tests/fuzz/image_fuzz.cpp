@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// libFuzzer target: whatever the bytes, a PNG, JPEG or WebP image, an OpenEXR picture or a lightmap is read
-// or refused with an Error.
+// libFuzzer target: whatever the bytes, a picture of any format that textures have, an OpenEXR picture or a
+// lightmap is read or refused with an Error.
 
 #include <cstddef>
 #include <cstdint>

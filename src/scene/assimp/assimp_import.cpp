@@ -7,8 +7,10 @@
 
 #include <estampe/error.hpp>
 
+#include "core/file.hpp"
 #include "scene/assimp/child.hpp"
 #include "scene/assimp/convert.hpp"
+#include "scene/assimp/fbx/version.hpp"
 #include "scene/mending/mend_scene.hpp"
 #include "scene/mending/turn_outside.hpp"
 
@@ -58,6 +60,8 @@ void give_lights_units(Scene& scene)
 Scene load_with_assimp(const std::filesystem::path& path)
 {
     const uint64_t size = size_of_file(path);
+    if (lower_extension(path) == ".fbx")
+        fbx::check_version(path);
     ChildLimits limits;
     limits.cpu_s = static_cast<uint32_t>(std::min<uint64_t>(10 + (size >> 20), 60));
     limits.memory_bytes = std::min<uint64_t>((uint64_t{512} << 20) + 64 * size, uint64_t{16} << 30);

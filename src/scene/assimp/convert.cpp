@@ -4,17 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <system_error>
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <estampe/error.hpp>
 
+#include "core/file.hpp"
+#include "scene/assimp/convert_fbx.hpp"
 #include "scene/assimp/converter.hpp"
+#include "scene/assimp/dae/dae_text.hpp"
+#include "scene/assimp/far_meshes.hpp"
+#include "scene/assimp/fbx/document.hpp"
 
 namespace estampe {
 namespace {
@@ -37,6 +41,7 @@ Index add_node(Conversion& conversion, const aiNode& source, Index parent)
     else
         scene.nodes[parent].children.push_back(index);
     conversion.node_of_name.emplace(node.name, index);
+    conversion.node_of_source.emplace(&source, index);
     return index;
 }
 
@@ -105,24 +110,6 @@ void add_meshes(Conversion& conversion, const std::vector<std::pair<const aiNode
     }
 }
 
-/// FBX says how many centimetres its unit is.
-void scale_to_metres(Conversion& conversion)
-{
-    float centimetres = 0.0F;
-    const aiMetadata* const facts = conversion.source.mMetaData;
-    if (facts == nullptr || !facts->Get("UnitScaleFactor", centimetres) || !(centimetres > 0.0F))
-        return;
-    Scene& scene = conversion.scene();
-    Node units;
-    units.name = "metres";
-    units.matrix = glm::scale(glm::dmat4(1.0), glm::dvec3(0.01 * static_cast<double>(centimetres)));
-    units.children = scene.roots;
-    for (const Index root : scene.roots)
-        scene.nodes[root].parent = static_cast<Index>(scene.nodes.size());
-    scene.roots = {static_cast<Index>(scene.nodes.size())};
-    scene.nodes.push_back(std::move(units));
-}
-
 } // namespace
 
 Index Conversion::find_node(const aiString& name) const
@@ -165,26 +152,76 @@ public:
 
 } // namespace
 
-TransferScene read_with_assimp(const std::filesystem::path& path)
+namespace {
+
+Conversion convert(const aiScene& source, const std::filesystem::path& path)
 {
-    Assimp::Importer importer;
-    importer.SetIOHandler(new RegularFiles); // it is the importer's from now on
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-    const aiScene* const source =
-        importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_SortByPType);
-    if (source == nullptr || source->mRootNode == nullptr)
-        throw Error(importer.GetErrorString());
-    Conversion conversion{.source = *source, .transfer = {}, .node_of_name = {}};
+    Conversion conversion{.source = source, .transfer = {}, .node_of_name = {}, .node_of_source = {}};
     conversion.scene().name = path.stem().string();
     std::vector<std::pair<const aiNode*, Index>> drawn;
     add_nodes(conversion, drawn);
     convert_materials(conversion);
     add_meshes(conversion, drawn);
     convert_lights(conversion);
-    convert_cameras(conversion);
     convert_animations(conversion);
-    scale_to_metres(conversion);
+    return conversion;
+}
+
+const aiScene& checked(const aiScene* scene, const Assimp::Importer& importer)
+{
+    if (scene == nullptr || scene->mRootNode == nullptr)
+        throw Error(importer.GetErrorString());
+    return *scene;
+}
+
+TransferScene read_fbx(Assimp::Importer& importer, const std::filesystem::path& path, unsigned steps)
+{
+    std::vector<std::byte> bytes = read_file(path);
+    const std::span file(reinterpret_cast<char*>(bytes.data()), bytes.size());
+    fbx::Document document;
+    {
+        const fbx::Tree tree = fbx::read_tree(file);
+        document = fbx::read_document(tree);
+        fbx::hide_pivots(tree, file);
+    }
+    const aiScene* const scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, "fbx");
+    Conversion conversion = convert(checked(scene, importer), path);
+    apply_fbx(conversion, document);
+    warn_of_far_meshes(conversion.scene());
     return std::move(conversion.transfer);
+}
+
+TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& path, unsigned steps)
+{
+    const dae::Document document = dae::read_document(path);
+    const aiScene* const scene =
+        importer.ReadFileFromMemory(document.text.data(), document.text.size(), steps, "dae");
+    Conversion conversion = convert(checked(scene, importer), path);
+    convert_cameras(conversion, document.lenses);
+    conversion.scene().frames_per_s = document.frames_per_s;
+    for (Animation& animation : conversion.scene().animations)
+        if (document.start_s < animation.duration_s)
+            animation.start_s = static_cast<float>(document.start_s);
+    warn_of_far_meshes(conversion.scene());
+    if (!document.moved_vertices)
+        warn_of_far_nodes(conversion.scene());
+    return std::move(conversion.transfer);
+}
+
+} // namespace
+
+TransferScene read_with_assimp(const std::filesystem::path& path)
+{
+    constexpr unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
+    Assimp::Importer importer;
+    importer.SetIOHandler(new RegularFiles); // it is the importer's from now on
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    const std::string extension = lower_extension(path);
+    if (extension == ".fbx")
+        return read_fbx(importer, path, steps);
+    if (extension == ".dae")
+        return read_dae(importer, path, steps);
+    return convert(checked(importer.ReadFile(path.string(), steps), importer), path).transfer;
 }
 
 } // namespace estampe

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "scene/assimp/converter.hpp"
+#include "scene/assimp/dae/dae_text.hpp"
 
 namespace estampe {
 namespace {
@@ -131,28 +132,20 @@ void convert_lights(Conversion& conversion)
     }
 }
 
-void convert_cameras(Conversion& conversion)
+void convert_cameras(Conversion& conversion, const std::vector<SceneCamera>& lenses)
 {
     Scene& scene = conversion.scene();
     for (unsigned i = 0; i < conversion.source.mNumCameras; ++i) {
         const aiCamera& source = *conversion.source.mCameras[i];
+        const size_t lens = dae::lens_index(static_cast<double>(source.mClipPlaneFar));
+        if (lens >= lenses.size())
+            continue;
         const Index node = add_looking_node(conversion, source.mName, exact(source.mPosition),
                                             exact(source.mLookAt), exact(source.mUp));
         if (node == no_index)
             continue;
-        const double aspect = source.mAspect > 0.0F ? static_cast<double>(source.mAspect) : 16.0 / 9.0;
-        SceneCamera camera;
-        camera.name = name_of(source.mName);
-        camera.near_m = std::max(static_cast<double>(source.mClipPlaneNear), 1e-4);
-        camera.orthographic = source.mOrthographicWidth > 0.0F;
-        if (camera.orthographic)
-            camera.half_height_m = static_cast<double>(source.mOrthographicWidth) / aspect;
-        camera.vertical_fov_rad =
-            2.0 * std::atan(std::tan(0.5 * static_cast<double>(source.mHorizontalFOV)) / aspect);
-        if (!(camera.vertical_fov_rad > 0.02 && camera.vertical_fov_rad < 3.0))
-            camera.vertical_fov_rad = SceneCamera{}.vertical_fov_rad;
         scene.nodes[node].camera = static_cast<Index>(scene.cameras.size());
-        scene.cameras.push_back(std::move(camera));
+        scene.cameras.push_back(lenses[lens]);
     }
 }
 
@@ -160,7 +153,7 @@ void convert_animations(Conversion& conversion)
 {
     for (unsigned i = 0; i < conversion.source.mNumAnimations; ++i) {
         const aiAnimation& source = *conversion.source.mAnimations[i];
-        const double ticks_per_s = source.mTicksPerSecond > 0.0 ? source.mTicksPerSecond : 25.0;
+        const double ticks_per_s = source.mTicksPerSecond != 0.0 ? source.mTicksPerSecond : 25.0;
         Animation animation;
         animation.name = name_of(source.mName);
         for (unsigned k = 0; k < source.mNumChannels; ++k)

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <assimp/scene.h>
@@ -18,6 +19,7 @@ struct Conversion {
     const aiScene& source;
     TransferScene transfer;
     std::map<std::string, Index> node_of_name;
+    std::unordered_map<const aiNode*, Index> node_of_source;
 
     [[nodiscard]] Scene& scene() { return transfer.scene; }
 
@@ -34,7 +36,10 @@ void convert_materials(Conversion& conversion);
 [[nodiscard]] Index convert_skin(Conversion& conversion, const aiMesh& mesh, Primitive& primitive);
 
 void convert_lights(Conversion& conversion);
-void convert_cameras(Conversion& conversion);
+
+/// Cameras of a COLLADA file, see dae::Document.
+void convert_cameras(Conversion& conversion, const std::vector<SceneCamera>& lenses);
+
 void convert_animations(Conversion& conversion);
 
 } // namespace estampe

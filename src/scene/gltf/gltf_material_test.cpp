@@ -210,7 +210,7 @@ TEST(GltfMaterial, textures_that_cannot_be_read_are_white_with_a_warning)
     png.resize(png.size() - 20);
     expect_white(textured_file(png), "test.glb#/images/0: corrupt PNG");
     expect_white(textured_file({std::byte{1}, std::byte{2}}),
-                 "test.glb#/images/0: is not a PNG, JPEG or WebP image");
+                 "test.glb#/images/0: is not a PNG, JPEG, WebP, TIFF, TGA, BMP, GIF or PSD image");
 
     TestFile file = textured_file({std::byte{0}});
     file.document["images"][0] = {{"uri", "wood.png"}};

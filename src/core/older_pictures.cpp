@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "core/older_pictures.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "core/new_image.hpp"
+#include "core/picture_bytes.hpp"
+#include "core/psd.hpp"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_TGA
+#define STBI_ONLY_BMP
+#define STBI_ONLY_GIF
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#define STBI_MAX_DIMENSIONS 16384
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace estampe {
+namespace {
+
+static_assert(STBI_MAX_DIMENSIONS == max_image_side);
+
+bool starts_with(std::span<const std::byte> data, std::string_view magic)
+{
+    return data.size() >= magic.size() && std::memcmp(data.data(), magic.data(), magic.size()) == 0;
+}
+
+struct TgaHead {
+    static constexpr size_t bytes = 18;
+    uint32_t map_type = 0;
+    uint32_t kind = 0; ///< 1 with a colour map, 2 of colours, 3 grey; run-length encoded 8 more
+    uint32_t map_first = 0;
+    uint32_t map_entries = 0;
+    uint32_t map_bits = 0;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    uint32_t bits = 0;
+    uint32_t descriptor = 0;
+
+    [[nodiscard]] uint32_t kind_without_runs() const { return kind & 7U; }
+
+    [[nodiscard]] bool has_runs() const { return (kind & 8U) != 0; }
+};
+
+TgaHead tga_head(const PictureBytes& bytes)
+{
+    return {.map_type = bytes.byte(1),
+            .kind = bytes.byte(2),
+            .map_first = bytes.little16(3),
+            .map_entries = bytes.little16(5),
+            .map_bits = bytes.byte(7),
+            .width = bytes.little16(12),
+            .height = bytes.little16(14),
+            .bits = bytes.byte(16),
+            .descriptor = bytes.byte(17)};
+}
+
+bool is_color_depth(uint32_t bits)
+{
+    return bits == 15 || bits == 16 || bits == 24 || bits == 32;
+}
+
+bool is_tga(std::span<const std::byte> data, const std::string& name)
+{
+    if (data.size() < TgaHead::bytes)
+        return false;
+    const TgaHead head = tga_head(PictureBytes(data, "TGA", name));
+    const uint32_t kind = head.kind_without_runs();
+    if ((head.kind & ~8U) != kind || kind < 1 || kind > 3 || head.width == 0 || head.height == 0 ||
+        (head.descriptor & 0xc0U) != 0)
+        return false;
+    if (kind == 1)
+        return head.map_type == 1 && head.map_entries > 0 && is_color_depth(head.map_bits) &&
+               (head.bits == 8 || head.bits == 16);
+    return head.map_type <= 1 && (kind == 2 ? is_color_depth(head.bits) : head.bits == 8 || head.bits == 16);
+}
+
+void check_tga(const PictureBytes& bytes)
+{
+    const TgaHead head = tga_head(bytes);
+    if (head.kind_without_runs() == 1 && head.map_first != 0)
+        bytes.refuse("has a colour map that does not begin at entry 0");
+    const uint64_t map_bytes =
+        head.map_type == 1 ? uint64_t{head.map_entries} * ((head.map_bits + 7) / 8) : 0;
+    uint64_t at = TgaHead::bytes + bytes.byte(0) + map_bytes;
+    const uint64_t each = (head.bits + 7) / 8;
+    uint64_t left = uint64_t{head.width} * head.height;
+    if (!head.has_runs()) {
+        bytes.need(at, left * each);
+        return;
+    }
+    while (left > 0) {
+        const uint32_t packet = bytes.byte(at);
+        const uint64_t count = 1 + (packet & 0x7fU);
+        const uint64_t size = 1 + ((packet & 0x80U) != 0 ? each : count * each);
+        bytes.need(at, size);
+        at += size;
+        left -= std::min(left, count);
+    }
+}
+
+/// Many programs leave the fourth byte zero where it means nothing; and rows may run from right to left.
+void finish_tga(const PictureBytes& bytes, Image& image)
+{
+    constexpr uint32_t right_to_left = 0x10;
+    constexpr uint32_t alpha_bits = 0x0f;
+    const TgaHead head = tga_head(bytes);
+    bool is_clear = (head.descriptor & alpha_bits) == 0;
+    for (size_t i = 3; is_clear && i < image.rgba.size(); i += 4)
+        is_clear = image.rgba[i] == 0;
+    for (size_t i = 3; is_clear && i < image.rgba.size(); i += 4)
+        image.rgba[i] = 255;
+    if ((head.descriptor & right_to_left) == 0)
+        return;
+    for (uint32_t y = 0; y < image.height; ++y)
+        for (uint32_t x = 0; x < image.width / 2; ++x)
+            for (size_t channel = 0; channel < 4; ++channel)
+                std::swap(image.rgba[4 * (size_t{y} * image.width + x) + channel],
+                          image.rgba[4 * (size_t{y} * image.width + image.width - 1 - x) + channel]);
+}
+
+void check_bmp(const PictureBytes& bytes)
+{
+    const uint64_t pixels_at = bytes.little32(10);
+    const uint32_t head = bytes.little32(14);
+    const bool is_old = head == 12;
+    const uint64_t width = is_old ? bytes.little16(18) : bytes.little32(18);
+    const auto rows = static_cast<int32_t>(is_old ? bytes.little16(20) : bytes.little32(22));
+    const uint64_t height = static_cast<uint64_t>(std::abs(int64_t{rows}));
+    const uint64_t bits = is_old ? bytes.little16(24) : bytes.little16(28);
+    const uint32_t compression = is_old ? 0 : bytes.little32(30);
+    if (compression == 1 || compression == 2)
+        bytes.refuse("has run-length encoded pixels, which are not read");
+    if (compression != 0 && compression != 3)
+        bytes.refuse("holds another format, which is not read");
+    if (width > max_image_side || height > max_image_side)
+        return; // and is refused for that
+    bytes.need(pixels_at, (width * bits + 31) / 32 * 4 * height);
+}
+
+/// Up to the end of the first picture.
+void check_gif(const PictureBytes& bytes)
+{
+    const auto table_bytes = [](uint32_t flags) -> uint64_t {
+        return (flags & 0x80U) != 0 ? uint64_t{3} << ((flags & 7U) + 1) : 0;
+    };
+    const auto skip_blocks = [&bytes](uint64_t at) {
+        while (const uint32_t size = bytes.byte(at))
+            at += 1 + size;
+        return at + 1;
+    };
+    uint64_t at = 13 + table_bytes(bytes.byte(10));
+    while (bytes.byte(at) == 0x21)
+        at = skip_blocks(at + 2);
+    if (bytes.byte(at) != 0x2c)
+        bytes.refuse("has no picture");
+    constexpr uint64_t best_lzw_ratio = 2800;
+    if (uint64_t{bytes.little16(6)} * bytes.little16(8) > 64 * best_lzw_ratio * bytes.size())
+        bytes.refuse("is corrupt: so many pixels cannot come from so few bytes");
+    (void)skip_blocks(at + 10 + table_bytes(bytes.byte(at + 9)) + 1);
+}
+
+struct StbFree {
+    void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
+};
+
+Image decode_with_stb(std::span<const std::byte> data, const char* format, const std::string& name)
+{
+    const auto* const first = reinterpret_cast<const stbi_uc*>(data.data());
+    const int size = static_cast<int>(data.size());
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (stbi_info_from_memory(first, size, &width, &height, &channels) == 0)
+        throw Error(fmt::format("{} cannot be read: {}", format, stbi_failure_reason()), name);
+    height = std::abs(height); // negative for a BMP from the top
+    Image image = new_image(static_cast<uint64_t>(width), static_cast<uint64_t>(height), name);
+    constexpr uint64_t bytes_of_decoder = 9; // for each pixel: a picture, what was behind it, and marks
+    require_memory(bytes_of_decoder * image.width * image.height, fmt::format("decoding a {}", format), name);
+    const std::unique_ptr<stbi_uc, StbFree> pixels(
+        stbi_load_from_memory(first, size, &width, &height, &channels, 4));
+    if (pixels == nullptr || static_cast<uint32_t>(width) != image.width ||
+        static_cast<uint32_t>(height) != image.height)
+        throw Error(fmt::format("{} cannot be read: {}", format,
+                                pixels == nullptr ? stbi_failure_reason() : "two sizes"),
+                    name);
+    std::memcpy(image.rgba.data(), pixels.get(), image.rgba.size());
+    return image;
+}
+
+} // namespace
+
+std::optional<Image> decode_older_picture(std::span<const std::byte> data, const std::string& name)
+{
+    constexpr size_t most_bytes = size_t{1} << 30; // stb_image counts bytes with an int
+    const bool is_gif = starts_with(data, "GIF87a") || starts_with(data, "GIF89a");
+    const bool is_bmp = starts_with(data, "BM");
+    const bool is_psd = starts_with(data, "8BPS");
+    if (!is_gif && !is_bmp && !is_psd && !is_tga(data, name))
+        return std::nullopt;
+    const char* const format = is_gif ? "GIF" : is_bmp ? "BMP" : is_psd ? "PSD" : "TGA";
+    const PictureBytes bytes(data, format, name);
+    if (data.size() > most_bytes)
+        bytes.refuse("is longer than 1 GiB");
+    if (is_gif)
+        check_gif(bytes);
+    else if (is_bmp)
+        check_bmp(bytes);
+    else if (is_psd)
+        return decode_psd(bytes, name);
+    else
+        check_tga(bytes);
+    Image image = decode_with_stb(data, format, name);
+    if (!is_gif && !is_bmp)
+        finish_tga(bytes, image);
+    return image;
+}
+
+} // namespace estampe

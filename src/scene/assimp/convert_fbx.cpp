@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "scene/assimp/convert_fbx.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "scene/assimp/aim.hpp"
+#include "scene/assimp/fbx/lens.hpp"
+#include "scene/assimp/fbx/transform.hpp"
+
+namespace estampe {
+namespace {
+
+/// Which node of the scene a model of the file became.
+using NodeOfModel = std::map<int64_t, Index>;
+
+void match_children(const aiNode& parent, const std::vector<int64_t>& models, const fbx::Document& document,
+                    const Conversion& conversion, std::vector<std::pair<const aiNode*, int64_t>>& found)
+{
+    // Assimp keeps the order, and leaves out what it cannot read: then names decide.
+    const bool same_count = parent.mNumChildren == models.size();
+    size_t next = 0;
+    for (unsigned i = 0; i < parent.mNumChildren; ++i) {
+        const aiNode& child = *parent.mChildren[i];
+        const std::string name = name_of(child.mName);
+        while (!same_count && next < models.size() && document.models.at(models[next]).name != name)
+            ++next;
+        if (next >= models.size())
+            return;
+        if (conversion.node_of_source.contains(&child))
+            found.emplace_back(&child, models[next]);
+        ++next;
+    }
+}
+
+NodeOfModel match_nodes(const Conversion& conversion, const fbx::Document& document)
+{
+    NodeOfModel matched;
+    std::vector<std::pair<const aiNode*, int64_t>> pending;
+    match_children(*conversion.source.mRootNode, document.roots, document, conversion, pending);
+    while (!pending.empty()) {
+        const auto [source, id] = pending.back();
+        pending.pop_back();
+        matched.emplace(id, conversion.node_of_source.at(source));
+        match_children(*source, document.models.at(id).children, document, conversion, pending);
+    }
+    return matched;
+}
+
+Index add_child(Scene& scene, Index parent, const std::string& name, const glm::dmat4& matrix)
+{
+    const auto index = static_cast<Index>(scene.nodes.size());
+    Node& node = scene.nodes.emplace_back();
+    node.name = name;
+    node.parent = parent;
+    node.matrix = matrix;
+    scene.nodes[parent].children.push_back(index);
+    return index;
+}
+
+/// Displaces what the node shows, but not its children.
+void place_geometry(Scene& scene, Index index, const glm::dmat4& geometry)
+{
+    if (geometry == glm::dmat4(1.0))
+        return;
+    for (const Index child : scene.nodes[index].children)
+        if (scene.nodes[child].skin != no_index)
+            for (glm::mat4& joint_from_bind : scene.skins[scene.nodes[child].skin].joint_from_bind)
+                joint_from_bind = glm::mat4(glm::dmat4(joint_from_bind) * geometry);
+    if (scene.nodes[index].mesh == no_index)
+        return;
+    const Index shown = add_child(scene, index, scene.nodes[index].name, geometry);
+    scene.nodes[shown].mesh = std::exchange(scene.nodes[index].mesh, no_index);
+}
+
+/// The channels that animate one node.
+std::vector<AnimationChannel*> channels_of(Scene& scene, Index node)
+{
+    std::vector<AnimationChannel*> channels;
+    for (Animation& animation : scene.animations)
+        for (AnimationChannel& channel : animation.channels)
+            if (channel.node == node)
+                channels.push_back(&channel);
+    return channels;
+}
+
+/// Puts the parts of an animated node with pivots on nodes above it, one for each that is animated.
+void split_node(Scene& scene, Index index, const fbx::Parts& parts)
+{
+    const Index parent = scene.nodes[index].parent;
+    const std::string name = scene.nodes[index].name;
+    std::erase(scene.nodes[parent].children, index);
+    const Index translated = add_child(scene, parent, name, glm::dmat4(1.0));
+    const Index before_rotation = add_child(scene, translated, name, parts.before_rotation);
+    const Index rotated = add_child(scene, before_rotation, name, glm::dmat4(1.0));
+    const Index before_scale = add_child(scene, rotated, name, parts.before_scale);
+    const Index scaled = add_child(scene, before_scale, name, glm::dmat4(1.0));
+    for (const Index animated : {translated, rotated, scaled})
+        scene.nodes[animated].matrix.reset();
+    scene.nodes[translated].transform.translation = parts.translation;
+    scene.nodes[rotated].transform.rotation = parts.rotation;
+    scene.nodes[scaled].transform.scale = parts.scale;
+    scene.nodes[scaled].children.push_back(index);
+    scene.nodes[index].parent = scaled;
+    scene.nodes[index].matrix = parts.after_scale;
+    for (AnimationChannel* const channel : channels_of(scene, index))
+        channel->node = channel->path == AnimatedPath::translation ? translated
+                        : channel->path == AnimatedPath::rotation  ? rotated
+                                                                   : scaled;
+}
+
+void place_node(Scene& scene, Index index, const fbx::Parts& parts, bool is_animated)
+{
+    place_geometry(scene, index, parts.geometry);
+    Node& node = scene.nodes[index];
+    if (!is_animated) {
+        node.matrix = parts.matrix();
+    } else if (parts.is_plain()) {
+        node.matrix.reset();
+        node.transform = {.translation = parts.translation, .rotation = parts.rotation, .scale = parts.scale};
+    } else {
+        split_node(scene, index, parts);
+    }
+}
+
+void place_nodes(Scene& scene, const fbx::Document& document, const NodeOfModel& nodes)
+{
+    std::vector<bool> is_animated(scene.nodes.size(), false);
+    for (const Animation& animation : scene.animations)
+        for (const AnimationChannel& channel : animation.channels)
+            is_animated[channel.node] = true;
+    for (const auto& [id, index] : nodes)
+        place_node(scene, index, fbx::parts_of(document.models.at(id).properties), is_animated[index]);
+}
+
+/// The upward direction of what looks at a target.
+Upward upward_of(const fbx::Model& model, const fbx::Properties& attribute, const fbx::Document& document,
+                 const NodeOfModel& nodes)
+{
+    Upward upward;
+    upward.roll_rad = glm::radians(attribute.number("Roll").value_or(0.0));
+    // Cameras name the y axis where nobody has chosen one, whichever axis of the file is upward.
+    const glm::dvec3 unset(0.0, 1.0, 0.0);
+    const glm::dvec3 chosen = attribute.vector("UpVector").value_or(unset);
+    const glm::dvec3 up = chosen == unset ? fbx::up_of_file(document.settings) : chosen;
+    upward.direction = glm::dmat3(fbx::world_from_file(document.settings)) * up;
+    if (model.up_position)
+        if (const auto found = nodes.find(*model.up_position); found != nodes.end())
+            upward.node = found->second;
+    return upward;
+}
+
+/// Cameras look along their node's x, with y upward.
+Index add_camera(Scene& scene, Index parent, SceneCamera lens, const std::string& name)
+{
+    const glm::dmat4 matrix(glm::dvec4(0.0, 0.0, 1.0, 0.0), glm::dvec4(0.0, 1.0, 0.0, 0.0),
+                            glm::dvec4(-1.0, 0.0, 0.0, 0.0), glm::dvec4(0.0, 0.0, 0.0, 1.0));
+    const Index index = add_child(scene, parent, name, matrix);
+    lens.name = name;
+    scene.nodes[index].camera = static_cast<Index>(scene.cameras.size());
+    scene.cameras.push_back(std::move(lens));
+    return index;
+}
+
+Index light_below(const Scene& scene, Index parent)
+{
+    for (const Index child : scene.nodes[parent].children)
+        if (scene.nodes[child].light != no_index)
+            return child;
+    return no_index;
+}
+
+void add_attributes(Scene& scene, const fbx::Document& document, const NodeOfModel& nodes)
+{
+    for (const auto& [id, index] : nodes) {
+        const fbx::Model& model = document.models.at(id);
+        for (const int64_t attribute_id : model.attributes) {
+            const fbx::Attribute& attribute = document.attributes.at(attribute_id);
+            Index looking = no_index;
+            if (attribute.kind == "Camera")
+                looking = add_camera(scene, index, fbx::lens_of(attribute.properties, document), model.name);
+            else if (attribute.kind == "Light")
+                looking = light_below(scene, index);
+            if (looking == no_index || !model.look_at)
+                continue;
+            if (const auto target = nodes.find(*model.look_at); target != nodes.end())
+                aim_node(scene, looking, target->second,
+                         upward_of(model, attribute.properties, document, nodes));
+        }
+    }
+}
+
+std::optional<double> frames_per_s(const fbx::Properties& settings)
+{
+    // By number of the time mode; 0 is none, and 14 is the custom rate.
+    constexpr std::array<double, 19> rates{0.0,  120.0, 100.0,  60.0,   50.0, 48.0, 30.0, 30.0,  29.97, 29.97,
+                                           25.0, 24.0,  1000.0, 23.976, 0.0,  96.0, 72.0, 59.94, 119.88};
+    constexpr double custom = 14.0;
+    const double mode = settings.number("TimeMode").value_or(0.0);
+    double rate = 0.0;
+    if (mode == custom)
+        rate = settings.number("CustomFrameRate").value_or(0.0);
+    else if (mode > 0.0 && mode < static_cast<double>(rates.size()))
+        rate = rates[static_cast<size_t>(mode)];
+    return rate > 0.0 && rate <= 1000.0 ? std::optional(rate) : std::nullopt;
+}
+
+/// An animation lasts as long as the file says: its last pose may be held. Assimp has moved its start to 0.
+void set_durations(Scene& scene, const fbx::Document& document)
+{
+    for (Animation& animation : scene.animations) {
+        const auto range = document.ranges.find(animation.name);
+        if (range == document.ranges.end())
+            continue;
+        const auto length_s = static_cast<float>(range->second.stop_s - range->second.start_s);
+        if (length_s > animation.duration_s && length_s < 1e6F)
+            animation.duration_s = length_s;
+    }
+}
+
+} // namespace
+
+void apply_fbx(Conversion& conversion, const fbx::Document& document)
+{
+    Scene& scene = conversion.scene();
+    scene.frames_per_s = frames_per_s(document.settings);
+    set_durations(scene, document);
+    const NodeOfModel nodes = match_nodes(conversion, document);
+    place_nodes(scene, document, nodes);
+    scene.nodes[scene.roots.front()].matrix = fbx::world_from_file(document.settings);
+    add_attributes(scene, document, nodes);
+}
+
+} // namespace estampe

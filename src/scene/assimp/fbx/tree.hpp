@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The tree of named elements that an FBX file is, binary or text. Assimp reads meshes, materials and
+// animations from it, but drops what cameras, pivots and axes need; this reader collects that.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace estampe::fbx {
+
+using Value = std::variant<int64_t, double, std::string>;
+
+struct Element {
+    std::string name;
+    std::vector<Value> values;     ///< numbers and texts; arrays are left out
+    size_t first_text_at = 0;      ///< byte of the file at which the first text among `values` begins
+    std::vector<Element> children; ///< in the file's order
+};
+
+struct Tree {
+    uint32_t version = 0; ///< 7400 is FBX 7.4; 0: the file does not say
+    std::vector<Element> elements;
+};
+
+/// Version of the FBX file that begins with `head` (its first kilobytes suffice); 0 if it does not say.
+[[nodiscard]] uint32_t file_version(std::span<const char> head);
+
+/// Reads the settings, and the objects of kind Model, NodeAttribute and AnimationStack with how they are
+/// connected; everything else is skipped. Throws Error without a place when the file is damaged. Memory stays
+/// within a multiple of the file's size, and the depth of nesting is limited.
+[[nodiscard]] Tree read_tree(std::span<const char> file);
+
+} // namespace estampe::fbx
