@@ -133,7 +133,7 @@ struct Primitive {
                              ///< put it: 0 free, 1 wholly; empty: all are free
     std::vector<Index> variant_materials; ///< KHR_materials_variants: empty, or the material for each entry
                                           ///< of Scene::variants; `no_index` keeps the default material
-    Index default_material = no_index; ///< set by apply_variant(): what `material` is without a variant
+    Index default_material = no_index;    ///< set by apply_variant(): what `material` is without a variant
 };
 
 /// A thing to be drawn, in its node's space; any number of nodes may show the same one.
@@ -156,6 +156,8 @@ struct Node {
     std::string name;
     Index parent = no_index;
     std::vector<Index> children;
+    bool visible = true; ///< KHR_node_visibility: false hides the meshes and lights of the node and of all
+                         ///< nodes below it; cameras still work
     Transform transform;
     std::optional<glm::dmat4> matrix; ///< replaces `transform` where the file gives one; never animated
     Index mesh = no_index;
@@ -257,6 +259,9 @@ struct Scene {
         terrain; ///< ground without an end; drawn as an object and a material named "terrain"
     std::vector<std::string> extensions_used;
     std::vector<std::string> extensions_ignored;
+    std::vector<std::string> missing_files; ///< what the file names and could not be opened: pictures
+    std::optional<double>
+        file_unit_m; ///< metres per unit of the file, if the file says so; the scene is in metres
     std::vector<std::string> warnings; ///< what was repaired on the way in, one line each
 };
 

@@ -223,13 +223,12 @@ private:
 
 std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file)
 {
-    constexpr uint64_t max_file_bytes = uint64_t{1} << 34;
     const std::string extension = lower_extension(scene_file);
     if (extension != ".gltf" && extension != ".glb" && extension != ".vrm") {
         return std::nullopt;
     }
     const std::string file = scene_file.string();
-    const std::vector<std::byte> bytes = read_file(scene_file, max_file_bytes);
+    const std::vector<std::byte> bytes = gltf::read_gltf_bytes(scene_file);
     const gltf::Container container = gltf::open_container(bytes, file);
     if (container.json.find(gltf::map_key) == std::string_view::npos) {
         return std::nullopt;
