@@ -12,6 +12,6 @@ namespace estampe::gltf {
 /// keeps its own; empty where no variant changes it. Warns of a variant that is mapped twice: the first
 /// mapping holds.
 [[nodiscard]] std::vector<Index> variant_materials(Data& data, const tinygltf::Primitive& source,
-                                                   size_t count, const std::string& pointer);
+                                                   const std::string& pointer);
 
 } // namespace estampe::gltf
