@@ -11,11 +11,7 @@
 #include <fmt/ranges.h>
 
 namespace estampe::gltf {
-namespace {
 
-constexpr int group_count = 16;
-
-/// "node "Flag"": whose extras stand at `pointer`.
 std::string owner_at(const Data& data, const std::string& pointer)
 {
     const tinygltf::Model& model = data.model();
@@ -38,15 +34,6 @@ std::string owner_at(const Data& data, const std::string& pointer)
     return "the scene";
 }
 
-std::string in_small_letters(std::string text)
-{
-    for (char& letter : text) {
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    }
-    return text;
-}
-
-/// Numbers, and text that holds nothing else: 0.5, "0.5".
 std::optional<double> number_of(const tinygltf::Value& value)
 {
     if (value.IsNumber()) {
@@ -60,6 +47,18 @@ std::optional<double> number_of(const tinygltf::Value& value)
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool is_whole = problem == std::errc{} && end == text.data() + text.size();
     return is_whole ? std::optional(number) : std::nullopt;
+}
+
+namespace {
+
+constexpr int group_count = 16;
+
+std::string in_small_letters(std::string text)
+{
+    for (char& letter : text) {
+        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+    return text;
 }
 
 /// true and false, and what Blender's custom properties make of them: 1, 0, "true", "0".

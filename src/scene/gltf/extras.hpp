@@ -39,6 +39,16 @@ void read_cloth_extras(Data& data, const tinygltf::Value& extras, const std::str
 void read_collider_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                           ClothCollider& collider);
 
+/// Warns of what is not understood in the lightmaps that materials, nodes and scenes name; named_lightmap()
+/// reads them.
+void check_lightmap_extras(Data& data);
+
+/// "node \"Flag\"": whose extras stand at or below `pointer`.
+[[nodiscard]] std::string owner_at(const Data& data, const std::string& pointer);
+
+/// A number, or text that holds nothing but a number.
+[[nodiscard]] std::optional<double> number_of(const tinygltf::Value& value);
+
 /// Whether `extras` has an object of ours at all.
 [[nodiscard]] bool has_extras(const tinygltf::Value& extras);
 

@@ -6,6 +6,7 @@
 
 #include "scene/gltf/convert.hpp"
 #include "scene/gltf/extensions.hpp"
+#include "scene/gltf/extras.hpp"
 #include "scene/visibility.hpp"
 
 namespace estampe {
@@ -68,6 +69,7 @@ Scene import(std::span<const std::byte> bytes, const std::string& file,
         gltf::import_nodes(data, scene);
         gltf::import_cloth(data, held_textures, scene);
         gltf::import_animations(data, scene);
+        gltf::check_lightmap_extras(data);
         check_drawable(scene, file);
         scene.warnings = data.take_warnings();
         return scene;
