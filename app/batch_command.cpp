@@ -14,6 +14,7 @@
 #include "film.hpp"
 #include "picture_output.hpp"
 #include "progress.hpp"
+#include "scene_details.hpp"
 #include "signals.hpp"
 #include "single_picture.hpp"
 #include "text.hpp"
@@ -30,17 +31,19 @@ public:
     [[nodiscard]] const Scene& provide(const DrawOptions& draw)
     {
         if (is_there_ && draw.scene == file_ && draw.seed == seed_ && draw.terrain == terrain_ &&
-            draw.lightmap == lightmap_) {
+            draw.lightmap == lightmap_ && draw.load.variant == variant_) {
             return scene_;
         }
         is_there_ = false;
         scene_ = load_scene_of(draw);
         print_warnings(scene_.warnings);
+        print_notes(up_axis_notes(scene_, draw.scene));
         set_scene(renderer_, scene_, draw);
         file_ = draw.scene;
         seed_ = draw.seed;
         terrain_ = draw.terrain;
         lightmap_ = draw.lightmap;
+        variant_ = draw.load.variant;
         is_there_ = true;
         return scene_;
     }
@@ -52,6 +55,7 @@ private:
     uint64_t seed_ = 0;
     std::string terrain_;
     std::string lightmap_;
+    std::string variant_;
     bool is_there_ = false;
 };
 

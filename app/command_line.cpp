@@ -38,6 +38,7 @@ struct Typed {
     std::string brush;
     std::string preview;
     std::string animation;
+    std::string variant;
     std::string device = "auto";
     std::string raster = "auto";
     double time_s = 0.0;
@@ -82,6 +83,10 @@ void add_look_options(CLI::App& command, Typed& typed)
         ->type_name("S")
         ->capture_default_str();
     command.add_option("--animation", typed.animation, "Animation by name or index [the first]")
+        ->type_name("NAME");
+    command
+        .add_option("--variant", typed.variant,
+                    "Material variant of a glTF file by name or index [its default\nmaterials]")
         ->type_name("NAME");
     command.add_option("--style", typed.style, "Preset, or TOML file (see estampe styles)")
         ->type_name("STYLE");
@@ -303,6 +308,7 @@ DrawOptions read_draw_options(const Typed& typed)
         throw UsageError("is not a finite number", "--time");
     }
     draw.animation = typed.animation;
+    draw.load.variant = typed.variant;
     constexpr uint32_t most_samples = 4096;
     check_count("--samples", typed.samples, most_samples);
     draw.samples = typed.samples;

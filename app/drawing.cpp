@@ -53,19 +53,31 @@ void lift(Scene& scene, double height_m)
     scene.roots = {lifted};
 }
 
+/// Worlds and terrains come from no file that could have material variants.
+void refuse_variant(const DrawOptions& draw)
+{
+    if (!draw.load.variant.empty()) {
+        throw Error(
+            fmt::format("no variant {}: the scene has no material variants", in_quotes(draw.load.variant)),
+            draw.scene, "leave --variant out");
+    }
+}
+
 } // namespace
 
 Scene load_scene_of(const DrawOptions& draw)
 {
     if (is_temple(draw.scene)) {
+        refuse_variant(draw);
         return temple::World(draw.seed).scene();
     }
     if (lower_extension(draw.scene) == ".toml") {
+        refuse_variant(draw);
         Scene scene{.name = draw.scene, .materials = {Material{}}};
         scene.terrain = Terrain(load_terrain(draw.scene));
         return scene;
     }
-    Scene scene = load_scene(draw.scene);
+    Scene scene = load_scene(draw.scene, draw.load);
     if (!draw.terrain.empty()) {
         scene.terrain = Terrain(load_terrain(draw.terrain));
         lift(scene, scene.terrain->sample(0.0, 0.0, draw.time_s).height_m);

@@ -24,6 +24,7 @@
 #include "frame/style_tables.hpp"
 #include "living.hpp"
 #include "progress.hpp"
+#include "scene_details.hpp"
 #include "signals.hpp"
 #include "techniques/motion_blur/motion_blur.hpp"
 #include "temple/flight.hpp"
@@ -85,6 +86,7 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add(draw.is_draft);
     hash.add(draw.time_s);
     hash.add_text(draw.animation);
+    hash.add_text(draw.load.variant);
     hash.add(static_cast<uint64_t>(scene.nodes.size()));
     hash.add(draw.camera.kind);
     hash.add_text(draw.camera.name);
@@ -309,6 +311,7 @@ void draw_film(const RenderCommand& command)
     std::future<Renderer> opening = std::async(at_once, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
+    print_notes(up_axis_notes(scene, draw.scene));
     const FilmChoice film = with_end(*command.film, draw, scene, choose_animation(draw, scene));
     Renderer renderer = opening.get();
     set_scene(renderer, scene, draw);

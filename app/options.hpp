@@ -37,6 +37,7 @@ struct DrawOptions {
     std::string weather;       ///< of such a scene, by its name; empty: it changes
     std::optional<float> hour; ///< of its sun; nothing: as it has it
     std::string terrain;       ///< a terrain's file, that the scene is put on; empty: none
+    LoadOptions load;          ///< how the scene's file is read
     std::string lightmap;      ///< what `estampe bake` wrote; empty: what the scene's file names
     PageSize page;
     CameraChoice camera;

@@ -20,6 +20,7 @@
 #include "picture_output.hpp"
 #include "quick_compile.hpp"
 #include "report.hpp"
+#include "scene_details.hpp"
 #include "single_picture.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
@@ -166,6 +167,7 @@ void run(const RenderCommand& command)
     std::future<Renderer> opening = std::async(at_once, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
+    print_notes(up_axis_notes(scene, draw.scene));
     warn_of_idle_time(draw, scene);
     const Index animation = choose_animation(draw, scene);
     // A view of all of a large scene takes as long to choose as its upload.

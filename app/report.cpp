@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "scene_details.hpp"
 #include "scene_summary.hpp"
 #include "text.hpp"
 
@@ -72,6 +73,7 @@ Json scene_json(const SceneSummary& summary, const Scene& scene, const std::stri
     json["extensions_used"] = scene.extensions_used;
     json["extensions_ignored"] = scene.extensions_ignored;
     json["warnings"] = scene.warnings;
+    json.update(scene_details(scene, path).json);
     return json;
 }
 
@@ -86,12 +88,8 @@ std::string scene_text(const SceneSummary& summary, const Scene& scene, const st
     for (const auto& [name, count] : summary.counts) {
         text += fmt::format("  {:<18} {}\n", name, count);
     }
-    for (const Animation& animation : scene.animations) {
-        text += fmt::format("  {:<18} {}, {:.3g} s\n", "animation", in_quotes(animation.name),
-                            animation.duration_s);
-    }
-    for (const std::string& name : summary.camera_names) {
-        text += fmt::format("  {:<18} {}\n", "camera", in_quotes(name));
+    for (const auto& [label, words] : scene_details(scene, path).rows) {
+        text += fmt::format("  {:<18} {}\n", label, words);
     }
     text += fmt::format("  {:<18} {}\n", "light", names_of(summary.light).words);
     text += fmt::format("  {:<18} {}\n", "extensions used", listed(scene.extensions_used));

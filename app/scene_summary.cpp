@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "scene/visibility.hpp"
+
 namespace estampe::app {
 namespace {
 
@@ -37,8 +39,10 @@ struct PrimitiveCounts {
 uint64_t drawn_triangles(const Scene& scene)
 {
     uint64_t drawn = 0;
-    for (const Node& node : scene.nodes) {
-        if (node.mesh == no_index) {
+    const std::vector<bool> visible = visible_nodes(scene);
+    for (size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        if (!visible[i] || node.mesh == no_index) {
             continue;
         }
         PrimitiveCounts counts;

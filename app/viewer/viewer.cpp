@@ -117,6 +117,7 @@ void Viewer::open_scene(const std::string& path, const std::string& terrain)
         draw.lightmap.clear();
         draw.camera = {};
         draw.animation.clear();
+        draw.load.variant.clear();
         draw.time_s = 0.0;
     }
     int width = 0;

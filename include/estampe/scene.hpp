@@ -131,6 +131,9 @@ struct Primitive {
     std::vector<MorphTarget> morph_targets;
     std::vector<float> held; ///< of cloth, how much each vertex is held where its node, skin or morph targets
                              ///< put it: 0 free, 1 wholly; empty: all are free
+    std::vector<Index> variant_materials; ///< KHR_materials_variants: empty, or the material for each entry
+                                          ///< of Scene::variants; `no_index` keeps the default material
+    Index default_material = no_index;    ///< set by apply_variant(): what `material` is without a variant
 };
 
 /// A thing to be drawn, in its node's space; any number of nodes may show the same one.
@@ -153,6 +156,8 @@ struct Node {
     std::string name;
     Index parent = no_index;
     std::vector<Index> children;
+    bool visible = true; ///< KHR_node_visibility: false hides the meshes and lights of the node and of all
+                         ///< nodes below it; cameras still work
     Transform transform;
     std::optional<glm::dmat4> matrix; ///< replaces `transform` where the file gives one; never animated
     Index mesh = no_index;
@@ -251,10 +256,14 @@ struct Scene {
     std::vector<SceneCamera> cameras;
     std::vector<Animation> animations;
     std::optional<double> frames_per_s; ///< frame rate that the file was made for, if the file says one
+    std::vector<std::string> variants; ///< names of the material variants, see apply_variant()
     std::optional<Terrain>
         terrain; ///< ground without an end; drawn as an object and a material named "terrain"
     std::vector<std::string> extensions_used;
     std::vector<std::string> extensions_ignored;
+    std::vector<std::string> missing_files; ///< what the file names and could not be opened: pictures
+    std::optional<double>
+        file_unit_m; ///< metres per unit of the file, if the file says so; the scene is in metres
     std::vector<std::string> warnings; ///< what was repaired on the way in, one line each
 };
 
@@ -267,12 +276,26 @@ struct Scene {
 [[nodiscard]] Primitive cloth_sheet(uint32_t columns, uint32_t rows, const glm::vec3& corner_m,
                                     const glm::vec3& along_m, const glm::vec3& down_m);
 
+/// Gives every primitive the material that it has in the variant of that name, or of that index if no variant
+/// has the name. An empty name restores the default materials. A renderer shows the change after
+/// Renderer::set_scene(). Throws Error listing the variants when there is no such one. Cost: linear in
+/// primitives.
+void apply_variant(Scene& scene, const std::string& variant);
+
+/// The axis of a file's coordinates that points up. A scene in memory is always y up.
+enum class UpAxis : uint8_t { x, y, z, minus_x, minus_y, minus_z };
+
+/// How load_scene() reads a file. The defaults read the file as it is.
+struct LoadOptions {
+    std::string variant; ///< the material variant to draw, by name or index; empty: the default materials
+};
+
 /// Reads a scene: .gltf and .glb, and .obj .ply .stl .fbx .dae.
 ///
 /// Throws Error naming file and place (a JSON pointer or a byte offset) when the file is broken beyond
 /// repair; what can be repaired is, and is listed in `Scene::warnings`. Never allocates more than a small
 /// multiple of the file's size.
-[[nodiscard]] Scene load_scene(const std::filesystem::path& path);
+[[nodiscard]] Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// The scene at a moment: every node's place, and every node's morph weights.
 struct ScenePose {

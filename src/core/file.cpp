@@ -8,6 +8,7 @@
 #include <cstring>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -44,7 +45,14 @@ std::string lower_extension(const std::filesystem::path& path)
     return extension;
 }
 
-std::vector<std::byte> read_file(const std::filesystem::path& path, uint64_t max_bytes)
+namespace {
+
+struct OpenFile {
+    FileHandle handle;
+    uint64_t size = 0;
+};
+
+OpenFile open_regular(const std::filesystem::path& path)
 {
     const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0) {
@@ -53,21 +61,39 @@ std::vector<std::byte> read_file(const std::filesystem::path& path, uint64_t max
 
     struct stat status {};
 
-    const FileHandle file(fdopen(descriptor, "rb"));
+    FileHandle file(fdopen(descriptor, "rb"));
     if (!file || fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
         throw Error("is not a regular file", path.string());
     }
-    const auto size = static_cast<uint64_t>(status.st_size);
-    if (size > max_bytes) {
-        throw Error(fmt::format("is {} bytes long, more than the limit of {}", size, max_bytes),
-                    path.string());
-    }
+    return {.handle = std::move(file), .size = static_cast<uint64_t>(status.st_size)};
+}
+
+std::vector<std::byte> read_bytes(const OpenFile& file, uint64_t size, const std::filesystem::path& path)
+{
     require_memory(size, "reading it", path.string());
     std::vector<std::byte> bytes(size);
-    if (std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) {
+    if (std::fread(bytes.data(), 1, bytes.size(), file.handle.get()) != bytes.size()) {
         throw Error("cannot read to the end", path.string());
     }
     return bytes;
+}
+
+} // namespace
+
+std::vector<std::byte> read_file(const std::filesystem::path& path, uint64_t max_bytes)
+{
+    const OpenFile file = open_regular(path);
+    if (file.size > max_bytes) {
+        throw Error(fmt::format("is {} bytes long, more than the limit of {}", file.size, max_bytes),
+                    path.string());
+    }
+    return read_bytes(file, file.size, path);
+}
+
+std::vector<std::byte> read_file_start(const std::filesystem::path& path, uint64_t most_bytes)
+{
+    const OpenFile file = open_regular(path);
+    return read_bytes(file, std::min(file.size, most_bytes), path);
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes)

@@ -19,6 +19,10 @@ namespace estampe {
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& path,
                                                uint64_t max_bytes = std::numeric_limits<uint64_t>::max());
 
+/// Reads the first `most_bytes` of a regular file, or all of it where it is shorter. Throws Error naming it
+/// when it is missing, is a folder, pipe or device, or cannot be read.
+[[nodiscard]] std::vector<std::byte> read_file_start(const std::filesystem::path& path, uint64_t most_bytes);
+
 /// Writes beside `path` first and renames, so that readers see the old file or the whole new one, see
 /// Pending. Throws Error when the folder does not exist or cannot be written, or the disk is full.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);

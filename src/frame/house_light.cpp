@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "frame/house_light.hpp"
 
-#include <algorithm>
-
 #include <estampe/terrain.hpp>
+
+#include "scene/visibility.hpp"
 
 namespace estampe::frame {
 
 Outlook HouseLight::outlook(const Scene& scene, const light::LightStyle& style,
                             const std::optional<glm::dvec3>& eye)
 {
-    const bool has_lights =
-        std::ranges::any_of(scene.nodes, [](const Node& node) { return node.light != no_index; });
     if (style.source == light::LightSource::scene ||
-        (style.source == light::LightSource::automatic && has_lights)) {
+        (style.source == light::LightSource::automatic && has_visible_light(scene))) {
         return {};
     }
     if (!outlook_) {

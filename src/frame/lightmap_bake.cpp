@@ -7,9 +7,16 @@
 #include "frame/baking.hpp"
 #include "frame/light_links.hpp"
 #include "scene/static_triangles.hpp"
+#include "scene/visibility.hpp"
 
 namespace estampe {
 namespace {
+
+Scene shown(Scene scene)
+{
+    hide_invisible(scene);
+    return scene;
+}
 
 bake::BakeSettings lit_settings(const Scene& scene, const Style& style, const BakeSettings& wanted)
 {
@@ -26,7 +33,7 @@ bake::BakeSettings lit_settings(const Scene& scene, const Style& style, const Ba
 
 struct LightmapBake::Impl {
     Impl(Scene own_scene, const Style& style, const BakeSettings& settings)
-        : scene(frame::lit_by_style(std::move(own_scene), style.tables().light)),
+        : scene(frame::lit_by_style(shown(std::move(own_scene)), style.tables().light)),
           bake(scene, lit_settings(scene, style, settings))
     {
     }

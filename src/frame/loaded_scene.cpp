@@ -11,6 +11,7 @@
 #include "core/at_once.hpp"
 #include "frame/ground_mesh.hpp"
 #include "scene/drawn_size.hpp"
+#include "scene/visibility.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -20,9 +21,9 @@ Scene without_images(const Scene& scene)
 {
     // All of its members; pictures may take most of its bytes.
     const auto& [name, textures, materials, meshes, nodes, roots, skins, lights, cameras, animations,
-                 frames_per_s, terrain, used, ignored, warnings] = scene;
-    Scene copy{name,    {},         materials,    meshes,  nodes, roots,   skins,   lights,
-               cameras, animations, frames_per_s, terrain, used,  ignored, warnings};
+                 frames_per_s, variants, terrain, used, ignored, missing, unit, warnings] = scene;
+    Scene copy{name,       {},           materials, meshes,  nodes, roots,   skins,   lights, cameras,
+               animations, frames_per_s, variants,  terrain, used,  ignored, missing, unit,   warnings};
     for (const Texture& texture : textures) {
         copy.textures.push_back(
             {.name = texture.name, .image = {}, .wrap_u = texture.wrap_u, .wrap_v = texture.wrap_v});
@@ -175,6 +176,7 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Ligh
         loaded.lightmap = *lightmap;
     }
     loaded.scene = without_images(scene);
+    hide_invisible(loaded.scene);
     std::future<pose::MeshData> layout = std::async(at_once, [&] { return layout_of(loaded.scene); });
     const surface::TexturePlan textures = surface::plan_textures(scene, device.limits().maxImageArrayLayers);
     loaded.materials = surface::upload_materials(device, scene, textures);

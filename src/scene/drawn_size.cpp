@@ -8,6 +8,7 @@
 #include <estampe/error.hpp>
 
 #include "core/free_memory.hpp"
+#include "scene/visibility.hpp"
 
 namespace estampe {
 namespace {
@@ -42,8 +43,10 @@ DrawnSize size_of(const Primitive& primitive)
 DrawnSize drawn_size(const Scene& scene)
 {
     DrawnSize all;
-    for (const Node& node : scene.nodes) {
-        if (node.mesh >= scene.meshes.size()) {
+    const std::vector<bool> visible = visible_nodes(scene);
+    for (size_t index = 0; index < scene.nodes.size(); ++index) {
+        const Node& node = scene.nodes[index];
+        if (!visible[index] || node.mesh >= scene.meshes.size()) {
             continue;
         }
         const uint64_t copies = std::max<uint64_t>(node.instances.size(), 1);

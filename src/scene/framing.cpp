@@ -9,6 +9,7 @@
 #include "scene/outlook/outlook.hpp"
 #include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
+#include "scene/visibility.hpp"
 
 namespace estampe {
 namespace {
@@ -135,8 +136,9 @@ std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose
     std::optional<glm::dvec3> found;
     float strongest = 0.0F;
     bool has_light = false;
+    const std::vector<bool> visible = visible_nodes(scene);
     for (Index index = 0; index < scene.nodes.size(); ++index) {
-        if (scene.nodes[index].light >= scene.lights.size())
+        if (!visible[index] || scene.nodes[index].light >= scene.lights.size())
             continue;
         has_light = true;
         const Light& light = scene.lights[scene.nodes[index].light];

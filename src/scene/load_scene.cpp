@@ -14,9 +14,9 @@
 #include "scene/assimp/assimp_import.hpp"
 #include "scene/drawn_size.hpp"
 #include "scene/gltf/gltf_import.hpp"
+#include "scene/mending/repair.hpp"
 #include "scene/obj/obj_import.hpp"
 #include "scene/ply/ply_import.hpp"
-#include "scene/repair/repair.hpp"
 #include "scene/stl/stl_import.hpp"
 
 namespace estampe {
@@ -30,40 +30,44 @@ bool is_among(std::string_view extension, std::span<const std::string_view> exte
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-Scene checked(Scene scene, const std::filesystem::path& path)
-{
-    turn_by_normals(scene);
-    leave_out_outline_hulls(scene);
-    find_cut_out_materials(scene);
-    check_drawn_size(scene, path.string());
-    return scene;
-}
-
-} // namespace
-
-Scene load_scene(const std::filesystem::path& path)
+Scene read(const std::filesystem::path& path)
 {
     const std::string extension = lower_extension(path);
     if (is_among(extension, gltf_extensions)) {
-        return checked(load_gltf(path), path);
+        return load_gltf(path);
     }
     if (extension == ".obj") {
-        return checked(load_obj(path), path);
+        return load_obj(path);
     }
     if (extension == ".ply") {
-        return checked(load_ply(path), path);
+        return load_ply(path);
     }
     if (extension == ".stl") {
-        return checked(load_stl(path), path);
+        return load_stl(path);
     }
     if (is_among(extension, other_extensions)) {
-        return checked(load_with_assimp(path), path);
+        return load_with_assimp(path);
     }
     throw Error(
         extension.empty() ? "has no file name extension"
                           : fmt::format("files of type {} are not read", extension),
         path.string(),
         fmt::format("give one of: {} {}", fmt::join(gltf_extensions, " "), fmt::join(other_extensions, " ")));
+}
+
+} // namespace
+
+Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
+{
+    Scene scene = read(path);
+    if (!options.variant.empty()) {
+        apply_variant(scene, options.variant);
+    }
+    turn_by_normals(scene);
+    leave_out_outline_hulls(scene);
+    find_cut_out_materials(scene);
+    check_drawn_size(scene, path.string());
+    return scene;
 }
 
 } // namespace estampe

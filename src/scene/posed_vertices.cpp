@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "scene/visibility.hpp"
+
 namespace estampe {
 namespace {
 
@@ -66,9 +68,10 @@ void visit_some(const Scene& scene, const ScenePose& pose, const std::function<s
                 const std::function<void(const PosedPrimitive&)>& visit)
 {
     std::vector<glm::dvec3> placed;
+    const std::vector<bool> visible = visible_nodes(scene);
     for (Index index = 0; index < scene.nodes.size(); ++index) {
         const Node& node = scene.nodes[index];
-        if (node.mesh >= scene.meshes.size())
+        if (!visible[index] || node.mesh >= scene.meshes.size())
             continue;
         const std::vector<glm::dmat4> joints = world_from_bind(scene, pose, index);
         for (const Primitive& primitive : scene.meshes[node.mesh].primitives) {

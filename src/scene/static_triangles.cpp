@@ -6,6 +6,7 @@
 #include "core/hash.hpp"
 #include "scene/drawn_size.hpp"
 #include "scene/pose.hpp"
+#include "scene/visibility.hpp"
 
 namespace estampe {
 
@@ -50,8 +51,9 @@ public:
     void run()
     {
         result_.anchor = scene_bounds(scene_, pose_).center();
+        const std::vector<bool> visible = visible_nodes(scene_);
         for (Index node = 0; node < scene_.nodes.size(); ++node) {
-            if (scene_.nodes[node].mesh >= scene_.meshes.size()) {
+            if (!visible[node] || scene_.nodes[node].mesh >= scene_.meshes.size()) {
                 continue;
             }
             const std::vector<Primitive>& primitives = scene_.meshes[scene_.nodes[node].mesh].primitives;
@@ -135,8 +137,9 @@ StaticTriangles static_triangles(const Scene& scene)
 bool has_moving_parts(const Scene& scene)
 {
     const std::vector<bool> moving = moving_nodes(scene);
+    const std::vector<bool> visible = visible_nodes(scene);
     for (Index node = 0; node < scene.nodes.size(); ++node) {
-        if (scene.nodes[node].mesh >= scene.meshes.size()) {
+        if (!visible[node] || scene.nodes[node].mesh >= scene.meshes.size()) {
             continue;
         }
         for (const Primitive& primitive : scene.meshes[scene.nodes[node].mesh].primitives) {

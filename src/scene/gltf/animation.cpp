@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numeric>
+#include <string_view>
 
 #include "scene/gltf/convert.hpp"
 
@@ -23,6 +25,78 @@ std::optional<AnimatedPath> path_of(const std::string& path)
         return AnimatedPath::weights;
     }
     return std::nullopt;
+}
+
+constexpr auto pointer_extension = "KHR_animation_pointer";
+
+/// What a channel animates: a property of a node.
+struct Target {
+    Index node = no_index;
+    AnimatedPath path = AnimatedPath::translation;
+};
+
+/// Splits "/nodes/3/rotation" into its node and what follows.
+std::optional<std::pair<Index, std::string>> node_and_property(const Scene& scene, std::string_view pointer)
+{
+    constexpr std::string_view nodes = "/nodes/";
+    if (!pointer.starts_with(nodes)) {
+        return std::nullopt;
+    }
+    pointer.remove_prefix(nodes.size());
+    Index node = no_index;
+    const auto [end, problem] = std::from_chars(pointer.data(), pointer.data() + pointer.size(), node);
+    pointer.remove_prefix(static_cast<size_t>(end - pointer.data()));
+    if (problem != std::errc{} || node >= scene.nodes.size() || !pointer.starts_with('/')) {
+        return std::nullopt;
+    }
+    return std::pair(node, std::string(pointer.substr(1)));
+}
+
+/// KHR_animation_pointer: the properties of nodes are animated, with a warning for all others.
+std::optional<Target> pointer_target(Data& data, const Scene& scene, const tinygltf::AnimationChannel& source,
+                                     const std::string& place)
+{
+    const std::string place_of_pointer = fmt::format("{}/target/extensions/{}", place, pointer_extension);
+    const std::string pointer =
+        source.target_extensions.at(pointer_extension).Get("pointer").Get<std::string>();
+    const auto property = node_and_property(scene, pointer);
+    if (!property) {
+        data.warn(place_of_pointer, fmt::format("\"{}\" is not animated; it keeps the value in the file",
+                                                pointer.substr(0, 120)));
+        return std::nullopt;
+    }
+    if (const auto path = path_of(property->second)) {
+        return Target{.node = property->first, .path = *path};
+    }
+    const Node& node = scene.nodes[property->first];
+    if (property->second == "extensions/KHR_node_visibility/visible") {
+        data.warn(place_of_pointer,
+                  fmt::format("the visibility of node {} \"{}\" is not animated; it stays {}",
+                              property->first, node.name, node.visible ? "visible" : "hidden"));
+    } else {
+        data.warn(place_of_pointer, fmt::format("\"{}\" of node {} \"{}\" is not animated",
+                                                property->second.substr(0, 80), property->first, node.name));
+    }
+    return std::nullopt;
+}
+
+/// Nothing, with a warning where the file asks for more, when the channel moves nothing here.
+std::optional<Target> target_of(Data& data, const Scene& scene, const tinygltf::AnimationChannel& source,
+                                const std::string& place)
+{
+    if (source.target_path == "pointer" && source.target_extensions.contains(pointer_extension)) {
+        return pointer_target(data, scene, source, place);
+    }
+    const auto path = path_of(source.target_path);
+    if (source.target_node < 0) {
+        return std::nullopt;
+    }
+    if (!path) {
+        data.warn(place + "/target/path",
+                  fmt::format("\"{}\" is not animated", source.target_path.substr(0, 40)));
+        return std::nullopt;
+    }
+    return Target{.node = static_cast<Index>(source.target_node), .path = *path};
 }
 
 /// Floats a key, before the tangents of cubic splines; zero when there is nothing to move.
@@ -96,22 +170,18 @@ std::optional<AnimationChannel> import_channel(Data& data, const Scene& scene,
 {
     const tinygltf::AnimationChannel& source = animation.channels[index];
     const std::string pointer = fmt::format("{}/channels/{}", animation_pointer, index);
-    const auto path = path_of(source.target_path);
     if (source.sampler < 0 || static_cast<size_t>(source.sampler) >= animation.samplers.size()) {
         data.fail(pointer + "/sampler", fmt::format("index {} is outside the animation's {} samplers",
                                                     source.sampler, animation.samplers.size()));
     }
-    if (!path || source.target_node < 0) {
-        if (!path && source.target_node >= 0) {
-            data.warn(pointer + "/target/path",
-                      fmt::format("\"{}\" is not animated", source.target_path.substr(0, 40)));
-        }
+    const std::optional<Target> target = target_of(data, scene, source, pointer);
+    if (!target) {
         return std::nullopt;
     }
     const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<size_t>(source.sampler)];
     AnimationChannel channel;
-    channel.node = static_cast<Index>(source.target_node);
-    channel.path = *path;
+    channel.node = target->node;
+    channel.path = target->path;
     channel.interpolation = sampler.interpolation == "STEP"          ? Interpolation::step
                             : sampler.interpolation == "CUBICSPLINE" ? Interpolation::cubic_spline
                                                                      : Interpolation::linear;

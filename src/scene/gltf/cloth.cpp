@@ -65,7 +65,7 @@ void hold(Primitive& primitive, const Scene& scene, Index texture)
 
 } // namespace
 
-void import_cloth(const Data& data, const std::map<Index, Index>& held_textures, Scene& scene)
+void import_cloth(Data& data, const std::map<Index, Index>& held_textures, Scene& scene)
 {
     const auto& sources = data.model();
     for (size_t i = 0; i < scene.materials.size(); ++i) {

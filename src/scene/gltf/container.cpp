@@ -9,6 +9,8 @@
 
 #include <estampe/error.hpp>
 
+#include "core/file.hpp"
+
 namespace estampe::gltf {
 namespace {
 
@@ -50,7 +52,14 @@ std::span<const std::byte> take_chunk(std::span<const std::byte> bytes, size_t& 
     return bytes.subspan(start, length);
 }
 
-Container open_binary(std::span<const std::byte> bytes, const std::string& file)
+bool is_binary(std::span<const std::byte> bytes)
+{
+    constexpr std::string_view magic = "glTF";
+    return std::memcmp(bytes.data(), magic.data(), std::min(bytes.size(), magic.size())) == 0;
+}
+
+/// The length that the header of a .glb promises.
+uint32_t promised_length(std::span<const std::byte> bytes, const std::string& file)
 {
     if (bytes.size() < header_bytes) {
         fail_at("the file ends inside the glb header", file, bytes.size(),
@@ -60,7 +69,24 @@ Container open_binary(std::span<const std::byte> bytes, const std::string& file)
         fail_at(fmt::format("glb version {}; only version 2 is read", version), file, 4,
                 "convert it to glTF 2.0");
     }
-    const uint32_t length = read_u32(bytes, 8);
+    return read_u32(bytes, 8);
+}
+
+/// Throws unless the first byte that is not blank begins a JSON object.
+void check_is_text(std::span<const std::byte> bytes, const std::string& file)
+{
+    constexpr std::string_view blank_or_mark = " \t\r\n\xEF\xBB\xBF";
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const size_t first = text.find_first_not_of(blank_or_mark);
+    if (first == std::string_view::npos || text[first] != '{') {
+        fail_at("is not a glTF file: neither a glb header nor a JSON object", file,
+                first == std::string_view::npos ? 0 : first);
+    }
+}
+
+Container open_binary(std::span<const std::byte> bytes, const std::string& file)
+{
+    const uint32_t length = promised_length(bytes, file);
     if (length > bytes.size()) {
         fail_at(fmt::format("the header promises {} bytes, the file has {}", length, bytes.size()), file, 8,
                 "it is truncated: fetch or export it again");
@@ -123,23 +149,32 @@ std::string place_in_json(const Container& container, const std::string& file, s
     return fmt::format("{}:{}:{}", file, line, before.size() - line_start + 1);
 }
 
+std::vector<std::byte> read_gltf_bytes(const std::filesystem::path& path)
+{
+    constexpr uint64_t start_bytes = 4096;
+    constexpr uint64_t max_text_bytes = uint64_t{1} << 32;
+    std::vector<std::byte> start = read_file_start(path, start_bytes);
+    if (start.size() < start_bytes) {
+        return start;
+    }
+    if (is_binary(start)) {
+        return read_file_start(path, std::max<uint64_t>(promised_length(start, path.string()), start_bytes));
+    }
+    check_is_text(start, path.string());
+    return read_file(path, max_text_bytes);
+}
+
 Container open_container(std::span<const std::byte> bytes, const std::string& file)
 {
     if (bytes.empty()) {
         fail_at("the file is empty", file, 0);
     }
-    constexpr std::string_view magic = "glTF";
     Container container;
-    if (std::memcmp(bytes.data(), magic.data(), std::min(bytes.size(), magic.size())) == 0) {
+    if (is_binary(bytes)) {
         container = open_binary(bytes, file);
     } else {
+        check_is_text(bytes, file);
         container.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-        constexpr std::string_view blank_or_mark = " \t\r\n\xEF\xBB\xBF";
-        const size_t first = container.json.find_first_not_of(blank_or_mark);
-        if (first == std::string_view::npos || container.json[first] != '{') {
-            fail_at("is not a glTF file: neither a glb header nor a JSON object", file,
-                    first == std::string_view::npos ? 0 : first);
-        }
     }
     check_nesting(container, file);
     return container;

@@ -24,7 +24,7 @@ void import_nodes(Data& data, Scene& scene);
 
 /// What is cloth: by the names of nodes and materials, or their extras. The red of its vertices' colours says
 /// how much they are held, and colours nothing.
-void import_cloth(const Data& data, const std::map<Index, Index>& held_textures, Scene& scene);
+void import_cloth(Data& data, const std::map<Index, Index>& held_textures, Scene& scene);
 
 void import_animations(Data& data, Scene& scene);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/data.hpp"
 
+#include <algorithm>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include "core/file.hpp"
@@ -44,44 +47,70 @@ Data::Data(Document document, const Container& container, std::string file,
            std::optional<std::filesystem::path> folder)
     : document_(std::move(document)), file_(std::move(file)), folder_(std::move(folder))
 {
-    uint64_t input_bytes = container.json.size() + (container.binary ? container.binary->size() : 0);
-    buffers_.resize(document_.buffers.size());
-    for (size_t i = 0; i < buffers_.size(); ++i) {
-        load_buffer(i, container);
-        input_bytes += document_.buffers[i].uri.empty() ? 0 : buffers_[i].size();
-    }
-    budget_bytes_ = budget_base_bytes + budget_factor * input_bytes;
+    load_buffers(container);
     views_.resize(model().bufferViews.size());
     for (size_t i = 0; i < views_.size(); ++i) {
         open_view(i);
     }
 }
 
-void Data::load_buffer(size_t index, const Container& container)
+void Data::load_buffers(const Container& container)
+{
+    // Of each file as much as the longest of its buffers declares, and once.
+    std::map<std::string_view, size_t> longest;
+    for (size_t i = 0; i < document_.buffers.size(); ++i) {
+        const BufferSource& source = document_.buffers[i];
+        if (!source.uri.empty()) {
+            const auto entry = longest.try_emplace(source.uri, i).first;
+            const bool is_longer = source.byte_length > document_.buffers[entry->second].byte_length;
+            entry->second = is_longer ? i : entry->second;
+        }
+    }
+    uint64_t input_bytes = container.json.size() + (container.binary ? container.binary->size() : 0);
+    std::map<std::string_view, std::span<const std::byte>> bytes_of;
+    for (const auto& [uri, index] : longest) {
+        bytes_of[uri] = named_bytes(index);
+        input_bytes += bytes_of[uri].size();
+    }
+    buffers_.resize(document_.buffers.size());
+    for (size_t i = 0; i < buffers_.size(); ++i) {
+        const BufferSource& source = document_.buffers[i];
+        const auto named = bytes_of.find(source.uri);
+        const bool is_named = named != bytes_of.end();
+        if (!is_named && !(i == 0 && container.binary)) {
+            check_is_fallback(i, container);
+            continue;
+        }
+        const auto bytes = is_named ? named->second : *container.binary;
+        if (bytes.size() < source.byte_length) {
+            fail(fmt::format("/buffers/{}/byteLength", i),
+                 fmt::format("promises {} bytes, there are {}", source.byte_length, bytes.size()),
+                 "the data is truncated: fetch or export it again");
+        }
+        buffers_[i] = bytes.first(source.byte_length);
+    }
+    budget_bytes_ = budget_base_bytes + budget_factor * input_bytes;
+}
+
+std::span<const std::byte> Data::named_bytes(size_t index)
 {
     const BufferSource& source = document_.buffers[index];
-    const std::string pointer = fmt::format("/buffers/{}", index);
-    std::span<const std::byte> bytes;
-    if (!source.uri.empty()) {
-        try {
-            bytes = owned_.emplace_back(resource(source.uri));
-        } catch (const Error& error) {
-            fail(pointer + "/uri", error.what());
-        }
-    } else if (index == 0 && container.binary) {
-        bytes = *container.binary;
-    } else if (is_fallback(model(), index)) {
-        return;
-    } else {
-        fail(pointer, container.is_binary ? "has no uri, and the glb has no binary chunk" : "has no uri",
+    try {
+        return owned_.emplace_back(is_data_uri(source.uri)
+                                       ? resource(source.uri)
+                                       : read_file_start(file_of(source.uri), source.byte_length));
+    } catch (const Error& error) {
+        fail(fmt::format("/buffers/{}/uri", index), error.what());
+    }
+}
+
+void Data::check_is_fallback(size_t index, const Container& container) const
+{
+    if (!is_fallback(model(), index)) {
+        fail(fmt::format("/buffers/{}", index),
+             container.is_binary ? "has no uri, and the glb has no binary chunk" : "has no uri",
              "fetch or export the file again");
     }
-    if (bytes.size() < source.byte_length) {
-        fail(pointer + "/byteLength",
-             fmt::format("promises {} bytes, there are {}", source.byte_length, bytes.size()),
-             "the data is truncated: fetch or export it again");
-    }
-    buffers_[index] = bytes.first(source.byte_length);
 }
 
 std::string Data::resource_name(const std::string& uri) const
@@ -94,32 +123,39 @@ std::string Data::resource_name(const std::string& uri) const
 
 std::vector<std::byte> Data::resource(const std::string& uri) const
 {
-    const std::string name = resource_name(uri);
     if (is_data_uri(uri)) {
         auto bytes = decode_data_uri(uri);
         if (!bytes) {
-            throw Error("is not valid base64", name, "export the file again");
+            throw Error("is not valid base64", resource_name(uri), "export the file again");
         }
         return std::move(*bytes);
     }
+    constexpr uint64_t max_resource_bytes = uint64_t{1} << 31;
+    return read_file(file_of(uri), max_resource_bytes);
+}
+
+std::filesystem::path Data::file_of(const std::string& uri) const
+{
     const auto relative = decode_relative_uri(uri);
     if (!relative) {
-        throw Error("is not a relative path", name, "put the file beside the glTF");
+        throw Error("is not a relative path", resource_name(uri), "put the file beside the glTF");
     }
     if (!folder_) {
-        throw Error("cannot be read: the glTF came from memory", name);
+        throw Error("cannot be read: the glTF came from memory", resource_name(uri));
     }
-    constexpr uint64_t max_resource_bytes = uint64_t{1} << 33;
-    return read_file(*folder_ / *relative, max_resource_bytes);
+    return *folder_ / *relative;
 }
 
 void Data::warn(const std::string& pointer, const std::string& what)
 {
     constexpr size_t max_warnings = 100;
-    if (++warning_count_ > max_warnings) {
+    std::string line = Error(what, place(pointer)).what();
+    if (std::ranges::find(warnings_, line) != warnings_.end()) {
         return;
     }
-    warnings_.emplace_back(Error(what, place(pointer)).what());
+    if (++warning_count_ <= max_warnings) {
+        warnings_.push_back(std::move(line));
+    }
 }
 
 std::vector<std::string> Data::take_warnings()

@@ -35,6 +35,8 @@ public:
 
     [[nodiscard]] const std::vector<std::vector<int>>& indices() const { return document_.indices; }
 
+    [[nodiscard]] const std::vector<std::string>& variants() const { return document_.variants; }
+
     [[nodiscard]] const std::string& file() const { return file_; }
 
     /// The bytes of a buffer view, decompressed.
@@ -51,7 +53,7 @@ public:
     /// Takes `bytes` from the budget.
     void spend(uint64_t bytes, const std::string& pointer);
 
-    /// Notes a repair, in one line.
+    /// Notes a repair, in one line; the same line only once.
     void warn(const std::string& pointer, const std::string& what);
 
     [[nodiscard]] std::string place(const std::string& pointer) const { return file_ + "#" + pointer; }
@@ -66,7 +68,10 @@ public:
     [[nodiscard]] std::vector<std::string> take_warnings();
 
 private:
-    void load_buffer(size_t index, const Container& container);
+    void load_buffers(const Container& container);
+    [[nodiscard]] std::span<const std::byte> named_bytes(size_t index);
+    void check_is_fallback(size_t index, const Container& container) const;
+    [[nodiscard]] std::filesystem::path file_of(const std::string& uri) const;
     void open_view(size_t index);
     void decompress_view(size_t index, const tinygltf::Value& compression);
     [[nodiscard]] std::span<const std::byte> slice(int buffer, uint64_t offset, uint64_t length,

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/document.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <estampe/error.hpp>
 
 #include "scene/gltf/check.hpp"
+#include "scene/gltf/extensions.hpp"
 
 namespace estampe::gltf {
 namespace {
@@ -49,8 +47,10 @@ void check_required_extensions(const json& document, const std::string& file)
     const json& required = document.value("extensionsRequired", json::array());
     for (size_t i = 0; i < required.size(); ++i) {
         const auto name = required[i].get<std::string>();
-        if (!knows_extension(name)) {
-            throw Error(fmt::format("requires the extension {}, which is not supported", name),
+        if (!knows_extension(name) && !can_do_without(name)) {
+            throw Error(fmt::format("requires the extension {}, which is not supported and may change or "
+                                    "compress the geometry",
+                                    name),
                         fmt::format("{}#/extensionsRequired/{}", file, i), "export the file without it");
         }
     }
@@ -98,6 +98,16 @@ std::vector<std::vector<int>> take_indices(json& document)
     return indices;
 }
 
+std::vector<std::string> variant_names(const json& document)
+{
+    const json::json_pointer pointer("/extensions/KHR_materials_variants/variants");
+    std::vector<std::string> names;
+    for (const json& variant : document.contains(pointer) ? document.at(pointer) : json::array()) {
+        names.push_back(variant.value("name", fmt::format("variant {}", names.size())));
+    }
+    return names;
+}
+
 /// tinygltf refuses a channel without a node, which glTF allows.
 void complete_channels(json& document)
 {
@@ -126,28 +136,6 @@ tinygltf::Model parse_model(const json& document, const std::string& file)
 
 } // namespace
 
-bool knows_extension(const std::string& name)
-{
-    static constexpr std::array<std::string_view, 15> known = {
-        "EXT_mesh_gpu_instancing",
-        "EXT_mesh_primitive_edge_visibility",
-        "EXT_meshopt_compression",
-        "EXT_texture_webp",
-        "KHR_draco_mesh_compression",
-        "KHR_lights_punctual",
-        "KHR_materials_emissive_strength",
-        "KHR_materials_pbrSpecularGlossiness",
-        "KHR_materials_transmission",
-        "KHR_materials_unlit",
-        "KHR_materials_volume",
-        "KHR_mesh_quantization",
-        "KHR_texture_transform",
-        "MOZ_lightmap",
-        "VRMC_materials_mtoon",
-    };
-    return std::find(known.begin(), known.end(), name) != known.end();
-}
-
 Document read_document(const Container& container, const std::string& file)
 {
     json parsed = parse_json(container, file);
@@ -158,6 +146,7 @@ Document read_document(const Container& container, const std::string& file)
     document.buffers = take_buffers(parsed);
     document.images = take_images(parsed);
     document.indices = take_indices(parsed);
+    document.variants = variant_names(parsed);
     complete_channels(parsed);
     document.model = parse_model(parsed, file);
     return document;

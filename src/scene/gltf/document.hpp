@@ -33,13 +33,13 @@ struct Document {
     /// The index accessor of each primitive of each mesh, or -1. tinygltf refuses one without a buffer view,
     /// which glTF allows.
     std::vector<std::vector<int>> indices;
+
+    /// Names of the material variants (KHR_materials_variants). tinygltf drops those without a name.
+    std::vector<std::string> variants;
 };
 
 /// Parses and checks the JSON. Afterwards every index in the model is inside its array and every number is in
 /// range. Throws Error with a JSON pointer, a line and column, or a byte.
 [[nodiscard]] Document read_document(const Container& container, const std::string& file);
-
-/// The extensions that the importer understands.
-[[nodiscard]] bool knows_extension(const std::string& name);
 
 } // namespace estampe::gltf

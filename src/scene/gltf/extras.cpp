@@ -2,118 +2,217 @@
 #include "scene/gltf/extras.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
 #include <span>
+#include <utility>
 
 #include <fmt/ranges.h>
 
 namespace estampe::gltf {
+
+std::string owner_at(const Data& data, const std::string& pointer)
+{
+    const tinygltf::Model& model = data.model();
+    const auto named = [&](std::string_view prefix, std::string_view word, const auto& list) {
+        if (!pointer.starts_with(prefix)) {
+            return std::string();
+        }
+        size_t number = 0;
+        std::from_chars(pointer.data() + prefix.size(), pointer.data() + pointer.size(), number);
+        const std::string name = number < list.size() ? list[number].name : std::string();
+        return name.empty() ? fmt::format("{} {}", word, number) : fmt::format("{} \"{}\"", word, name);
+    };
+    for (const std::string& owner :
+         {named("/nodes/", "node", model.nodes), named("/materials/", "material", model.materials),
+          named("/extensions/KHR_lights_punctual/lights/", "light", model.lights)}) {
+        if (!owner.empty()) {
+            return owner;
+        }
+    }
+    return "the scene";
+}
+
+std::optional<double> number_of(const tinygltf::Value& value)
+{
+    if (value.IsNumber()) {
+        return value.GetNumberAsDouble();
+    }
+    if (!value.IsString()) {
+        return std::nullopt;
+    }
+    const auto& text = value.Get<std::string>();
+    double number = 0.0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_whole = problem == std::errc{} && end == text.data() + text.size();
+    return is_whole ? std::optional(number) : std::nullopt;
+}
+
 namespace {
 
 constexpr int group_count = 16;
 
-/// One object of ours, read key by key.
+std::string in_small_letters(std::string text)
+{
+    for (char& letter : text) {
+        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+    return text;
+}
+
+/// true and false, and what Blender's custom properties make of them: 1, 0, "true", "0".
+std::optional<bool> boolean_of(const tinygltf::Value& value)
+{
+    if (value.IsBool()) {
+        return value.Get<bool>();
+    }
+    const std::string word = value.IsString() ? in_small_letters(value.Get<std::string>()) : std::string();
+    const std::optional<double> number = number_of(value);
+    if (word == "true" || number == 1.0) {
+        return true;
+    }
+    return word == "false" || number == 0.0 ? std::optional(false) : std::nullopt;
+}
+
+/// One object of ours, read key by key. What is not understood is left out, with a warning that names the
+/// key and whose it is: a mistake in a custom property does not end the render.
 class Reader {
 public:
-    Reader(const Data& data, const tinygltf::Value& extras, const std::string& pointer)
-        : data_(data), value_(extras.Get(our_key)), pointer_(pointer + "/extras/" + our_key)
+    Reader(Data& data, const tinygltf::Value& extras, const std::string& pointer)
+        : data_(data), value_(extras.Get(our_key)), pointer_(pointer + "/extras/" + our_key),
+          owner_(owner_at(data, pointer))
     {
         check_object();
     }
 
     /// Of an object within it.
     Reader(const Reader& whole, const std::string& key)
-        : data_(whole.data_), value_(whole.value_.Get(key)), pointer_(whole.at(key))
+        : data_(whole.data_), value_(whole.value_.Get(key)), pointer_(whole.at(key)), owner_(whole.owner_)
     {
         check_object();
     }
 
-    /// Fails at the first key that is not among `known`.
+    /// Warns of keys that are not among `known`.
     void expect_only(std::span<const std::string_view> known) const
     {
+        if (!value_.IsObject()) {
+            return;
+        }
         for (const std::string& key : value_.Keys()) {
             if (std::find(known.begin(), known.end(), key) == known.end()) {
-                data_.fail(at(key), "is not known", fmt::format("allowed: {}", fmt::join(known, ", ")));
+                leave_out(at(key), fmt::format("is not known (allowed: {})", fmt::join(known, ", ")));
             }
         }
     }
 
-    [[nodiscard]] bool has(const std::string& key) const { return value_.Has(key); }
+    [[nodiscard]] bool has(const std::string& key) const { return value_.IsObject() && value_.Has(key); }
 
-    [[nodiscard]] bool is_boolean(const std::string& key) const { return value_.Get(key).IsBool(); }
-
-    [[nodiscard]] bool boolean(const std::string& key) const
+    [[nodiscard]] bool is_boolean(const std::string& key) const
     {
-        if (!is_boolean(key)) {
-            data_.fail(at(key), "should be true or false");
-        }
-        return value_.Get(key).Get<bool>();
+        return has(key) && boolean_of(value_.Get(key)).has_value();
     }
 
-    [[nodiscard]] float positive_number(const std::string& key) const
+    [[nodiscard]] bool is_object(const std::string& key) const
     {
-        const tinygltf::Value& value = value_.Get(key);
-        const double number = value.IsNumber() ? value.GetNumberAsDouble() : -1.0;
-        if (!(number >= 0.0 && number <= 1e6)) {
-            data_.fail(at(key), "should be a number, 0 or more");
-        }
-        return static_cast<float>(number);
+        return has(key) && value_.Get(key).IsObject();
+    }
+
+    /// Each of these is nothing where the key is not there, and with a warning where its value is not
+    /// understood.
+    [[nodiscard]] std::optional<bool> boolean(const std::string& key) const
+    {
+        return take(key, "should be true or false", boolean_of);
+    }
+
+    [[nodiscard]] std::optional<float> positive_number(const std::string& key) const
+    {
+        return take(key, "should be a number, 0 or more", [](const tinygltf::Value& value) {
+            const double number = number_of(value).value_or(-1.0);
+            return number >= 0.0 && number <= 1e6 ? std::optional(static_cast<float>(number)) : std::nullopt;
+        });
     }
 
     /// Of a list of so many things.
-    [[nodiscard]] Index index(const std::string& key, size_t count, std::string_view what) const
+    [[nodiscard]] std::optional<Index> index(const std::string& key, size_t count,
+                                             std::string_view what) const
     {
-        const tinygltf::Value& value = value_.Get(key);
-        const int number = value.IsInt() ? value.GetNumberAsInt() : -1;
-        if (number < 0 || static_cast<size_t>(number) >= count) {
-            data_.fail(at(key), fmt::format("should be the number of a {}", what));
-        }
-        return static_cast<Index>(number);
+        return take(key, fmt::format("should be the number of a {}", what),
+                    [&](const tinygltf::Value& value) {
+                        const double number = number_of(value).value_or(-1.0);
+                        const bool is_one = number >= 0.0 && number < static_cast<double>(count) &&
+                                            std::floor(number) == number;
+                        return is_one ? std::optional(static_cast<Index>(number)) : std::nullopt;
+                    });
     }
 
     /// The place of the word among `words`.
-    [[nodiscard]] size_t choice(const std::string& key, std::span<const std::string_view> words) const
+    [[nodiscard]] std::optional<size_t> choice(const std::string& key,
+                                               std::span<const std::string_view> words) const
     {
-        const tinygltf::Value& value = value_.Get(key);
-        const std::string word = value.IsString() ? value.Get<std::string>() : std::string();
-        const auto found = std::find(words.begin(), words.end(), word);
-        if (found == words.end()) {
-            data_.fail(at(key), fmt::format("should be one of: {}", fmt::join(words, ", ")));
-        }
-        return static_cast<size_t>(found - words.begin());
+        const std::string wanted = fmt::format("should be one of: {}", fmt::join(words, ", "));
+        return take(key, wanted, [&](const tinygltf::Value& value) -> std::optional<size_t> {
+            const std::string word =
+                value.IsString() ? in_small_letters(value.Get<std::string>()) : std::string();
+            const auto found = std::find(words.begin(), words.end(), word);
+            return found == words.end() ? std::nullopt
+                                        : std::optional(static_cast<size_t>(found - words.begin()));
+        });
     }
 
-    [[nodiscard]] Groups groups(const std::string& key) const
+    /// A list of groups, or one alone.
+    [[nodiscard]] std::optional<Groups> groups(const std::string& key) const
     {
-        const tinygltf::Value& value = value_.Get(key);
-        if (!value.IsArray()) {
-            data_.fail(at(key), "should be an array of groups", "write for instance [1, 2]");
-        }
-        uint32_t bits = 0;
-        for (size_t i = 0; i < value.ArrayLen(); ++i) {
-            const tinygltf::Value& entry = value.Get(static_cast<int>(i));
-            const int group = entry.IsInt() ? entry.GetNumberAsInt() : 0;
-            if (group < 1 || group > group_count) {
-                data_.fail(fmt::format("{}/{}", at(key), i),
-                           fmt::format("should be a group from 1 to {}", group_count));
+        const std::string wanted =
+            fmt::format("should be an array of groups from 1 to {}, for instance [1, 2]", group_count);
+        return take(key, wanted, [](const tinygltf::Value& value) -> std::optional<Groups> {
+            const size_t count = value.IsArray() ? value.ArrayLen() : 1;
+            uint32_t bits = 0;
+            for (size_t i = 0; i < count; ++i) {
+                const double group =
+                    number_of(value.IsArray() ? value.Get(static_cast<int>(i)) : value).value_or(0.0);
+                if (!(group >= 1.0 && group <= group_count && std::floor(group) == group)) {
+                    return std::nullopt;
+                }
+                bits |= 1U << (static_cast<uint32_t>(group) - 1U);
             }
-            bits |= 1U << static_cast<uint32_t>(group - 1);
-        }
-        return static_cast<Groups>(bits);
+            return static_cast<Groups>(bits);
+        });
     }
+
+    void leave_out(const std::string& place, const std::string& why) const
+    {
+        data_.warn(place, fmt::format("{}; {} is drawn without it", why, owner_));
+    }
+
+    [[nodiscard]] std::string at(const std::string& key) const { return pointer_ + "/" + key; }
 
 private:
     void check_object() const
     {
         if (!value_.IsObject()) {
-            data_.fail(pointer_, "should be an object");
+            leave_out(pointer_, "should be an object");
         }
     }
 
-    [[nodiscard]] std::string at(const std::string& key) const { return pointer_ + "/" + key; }
+    template <typename Read>
+    [[nodiscard]] auto take(const std::string& key, const std::string& wanted, const Read& read) const
+        -> decltype(read(std::declval<const tinygltf::Value&>()))
+    {
+        if (!has(key)) {
+            return std::nullopt;
+        }
+        const auto result = read(value_.Get(key));
+        if (!result) {
+            leave_out(at(key), wanted);
+        }
+        return result;
+    }
 
-    const Data& data_;
+    Data& data_;
     const tinygltf::Value& value_;
     std::string pointer_;
+    std::string owner_;
 };
 
 } // namespace
@@ -123,8 +222,7 @@ bool has_extras(const tinygltf::Value& extras)
     return extras.IsObject() && extras.Has(our_key);
 }
 
-void read_light_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
-                       Light& light)
+void read_light_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer, Light& light)
 {
     if (!has_extras(extras)) {
         return;
@@ -136,31 +234,26 @@ void read_light_extras(const Data& data, const tinygltf::Value& extras, const st
     static constexpr std::string_view types[] = {"ambient"};
     const Reader reader(data, extras, pointer);
     reader.expect_only(keys);
-    if (reader.has("falloff")) {
-        light.falloff = static_cast<LightFalloff>(reader.choice("falloff", falloffs));
+    if (const auto falloff = reader.choice("falloff", falloffs)) {
+        light.falloff = static_cast<LightFalloff>(*falloff);
     }
-    if (reader.has("shape")) {
-        light.shape = static_cast<SpotShape>(reader.choice("shape", shapes));
+    if (const auto shape = reader.choice("shape", shapes)) {
+        light.shape = static_cast<SpotShape>(*shape);
     }
-    if (reader.has("type")) {
-        static_cast<void>(reader.choice("type", types));
+    if (reader.choice("type", types)) {
         light.type = LightType::ambient;
     }
-    if (reader.has("groups")) {
-        light.groups = reader.groups("groups");
+    light.groups = reader.groups("groups").value_or(light.groups);
+    light.casters = reader.groups("casters").value_or(light.casters);
+    if (const auto radius = reader.positive_number("radius")) {
+        light.radius_m = radius;
     }
-    if (reader.has("casters")) {
-        light.casters = reader.groups("casters");
-    }
-    if (reader.has("radius")) {
-        light.radius_m = reader.positive_number("radius");
-    }
-    if (reader.has("shadows") && !reader.boolean("shadows")) {
+    if (!reader.boolean("shadows").value_or(true)) {
         light.casters = 0;
     }
 }
 
-void read_link_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+void read_link_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                       LightLinks& links)
 {
     if (!has_extras(extras)) {
@@ -170,20 +263,16 @@ void read_link_extras(const Data& data, const tinygltf::Value& extras, const std
                                                 "groups", "lightmap", "receives"};
     const Reader reader(data, extras, pointer);
     reader.expect_only(keys);
-    if (reader.has("groups")) {
-        links.lit_by = reader.groups("groups");
+    links.lit_by = reader.groups("groups").value_or(links.lit_by);
+    if (reader.is_boolean("casts")) {
+        links.casts_for = *reader.boolean("casts") ? all_groups : Groups{0};
+    } else {
+        links.casts_for = reader.groups("casts").value_or(links.casts_for);
     }
-    if (reader.has("casts")) {
-        links.casts_for = !reader.is_boolean("casts") ? reader.groups("casts")
-                          : reader.boolean("casts")   ? all_groups
-                                                      : Groups{0};
-    }
-    if (reader.has("receives")) {
-        links.receives_shadows = reader.boolean("receives");
-    }
+    links.receives_shadows = reader.boolean("receives").value_or(links.receives_shadows);
 }
 
-void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+void read_cloth_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                        std::optional<Cloth>& cloth)
 {
     if (!has_extras(extras)) {
@@ -194,7 +283,11 @@ void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const st
         return;
     }
     if (reader.is_boolean("cloth")) {
-        cloth = reader.boolean("cloth") ? std::optional(cloth.value_or(Cloth{})) : std::nullopt;
+        cloth = *reader.boolean("cloth") ? std::optional(cloth.value_or(Cloth{})) : std::nullopt;
+        return;
+    }
+    if (!reader.is_object("cloth")) {
+        reader.leave_out(reader.at("cloth"), "should be true, false or an object");
         return;
     }
     static constexpr std::string_view keys[] = {"back",   "bending",  "damping", "density",  "drag",
@@ -205,7 +298,7 @@ void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const st
     own.expect_only(keys);
     Cloth& read = cloth.emplace();
     const auto take = [&](const char* key, float& number) {
-        number = own.has(key) ? own.positive_number(key) : number;
+        number = own.positive_number(key).value_or(number);
     };
     take("bending", read.bending_n_m);
     take("damping", read.damping_per_s);
@@ -218,29 +311,26 @@ void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const st
     take("stretch", read.stretch_n_m);
     take("tear", read.tear);
     take("thickness", read.thickness_m);
-    if (own.has("back")) {
-        read.back_material = own.index("back", data.model().materials.size(), "material");
-    }
-    if (own.has("solver")) {
-        read.solver = static_cast<ClothSolver>(own.choice("solver", solvers));
+    read.back_material =
+        own.index("back", data.model().materials.size(), "material").value_or(read.back_material);
+    if (const auto solver = own.choice("solver", solvers)) {
+        read.solver = static_cast<ClothSolver>(*solver);
     }
 }
 
-std::optional<Index> held_texture(const Data& data, const tinygltf::Value& extras, const std::string& pointer)
+std::optional<Index> held_texture(Data& data, const tinygltf::Value& extras, const std::string& pointer)
 {
     if (!has_extras(extras)) {
         return std::nullopt;
     }
     const Reader reader(data, extras, pointer);
-    if (!reader.has("cloth") || reader.is_boolean("cloth")) {
+    if (!reader.is_object("cloth")) {
         return std::nullopt;
     }
-    const Reader own(reader, "cloth");
-    return own.has("held") ? std::optional(own.index("held", data.model().textures.size(), "texture"))
-                           : std::nullopt;
+    return Reader(reader, "cloth").index("held", data.model().textures.size(), "texture");
 }
 
-void read_collider_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+void read_collider_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                           ClothCollider& collider)
 {
     if (!has_extras(extras)) {
@@ -248,8 +338,8 @@ void read_collider_extras(const Data& data, const tinygltf::Value& extras, const
     }
     static constexpr std::string_view shapes[] = {"none", "box", "ellipsoid", "cylinder", "capsule", "mesh"};
     const Reader reader(data, extras, pointer);
-    if (reader.has("collider")) {
-        collider = static_cast<ClothCollider>(reader.choice("collider", shapes));
+    if (const auto shape = reader.choice("collider", shapes)) {
+        collider = static_cast<ClothCollider>(*shape);
     }
 }
 

@@ -17,24 +17,37 @@
 //
 // Groups have numbers from 1 to 16; what names none belongs to all. A node hands what it says down to its
 // children, which may say otherwise.
+//
+// Blender's custom properties have no booleans in older versions, and artists type numbers as text: 0, 1,
+// "0", "true" and the like are read where true or false is expected, "0.5" where a number is, and one group
+// where a list is.
 
 #include "scene/gltf/data.hpp"
 
 namespace estampe::gltf {
 
-/// Each throws Error with a pointer when the object holds what is not listed above.
-void read_light_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
-                       Light& light);
-void read_link_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+/// Each leaves out what is not listed above, with a warning that names the key, its place and whose it is.
+void read_light_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer, Light& light);
+void read_link_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                       LightLinks& links);
 
-void read_cloth_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+void read_cloth_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                        std::optional<Cloth>& cloth);
 /// The file's texture whose red says how much vertices of cloth are held, if it says so.
-[[nodiscard]] std::optional<Index> held_texture(const Data& data, const tinygltf::Value& extras,
+[[nodiscard]] std::optional<Index> held_texture(Data& data, const tinygltf::Value& extras,
                                                 const std::string& pointer);
-void read_collider_extras(const Data& data, const tinygltf::Value& extras, const std::string& pointer,
+void read_collider_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer,
                           ClothCollider& collider);
+
+/// Warns of what is not understood in the lightmaps that materials, nodes and scenes name; named_lightmap()
+/// reads them.
+void check_lightmap_extras(Data& data);
+
+/// "node \"Flag\"": whose extras stand at or below `pointer`.
+[[nodiscard]] std::string owner_at(const Data& data, const std::string& pointer);
+
+/// A number, or text that holds nothing but a number.
+[[nodiscard]] std::optional<double> number_of(const tinygltf::Value& value);
 
 /// Whether `extras` has an object of ours at all.
 [[nodiscard]] bool has_extras(const tinygltf::Value& extras);

@@ -126,6 +126,100 @@ TEST_F(GltfFiles, texture_beside_the_file)
     EXPECT_TRUE(scene.warnings.empty());
 }
 
+TEST_F(GltfFiles, a_buffer_is_read_as_far_as_it_is_declared)
+{
+    constexpr uint64_t tebibyte = uint64_t{1} << 40; // of which the disk holds a page
+    write_file_atomically(folder_ / "big.bin", file_.binary);
+    std::filesystem::resize_file(folder_ / "big.bin", tebibyte);
+    buffer_["uri"] = "big.bin";
+    EXPECT_EQ(load_gltf(write()).meshes[0].primitives[0].positions[1], glm::vec3(1, 0, 0));
+    buffer_["byteLength"] = tebibyte;
+    try {
+        (void)load_gltf(write());
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("scene.gltf#/buffers/0/uri"), std::string::npos)
+            << error.what();
+        EXPECT_NE(std::string(error.what()).find("of memory"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(GltfFiles, buffers_of_one_file_share_it)
+{
+    write_file_atomically(folder_ / "scene.bin", file_.binary);
+    file_.document["buffers"] = json::array({{{"uri", "scene.bin"}, {"byteLength", 36}},
+                                             {{"uri", "scene.bin"}, {"byteLength", file_.binary.size()}}});
+    for (json& view : file_.document["bufferViews"]) {
+        view["buffer"] = 1;
+    }
+    const std::string text = file_.document.dump();
+    write_file_atomically(folder_ / "scene.gltf", bytes_of(std::vector<char>(text.begin(), text.end())));
+    EXPECT_EQ(load_gltf(folder_ / "scene.gltf").meshes[0].primitives[0].indices.size(), 3U);
+    file_.document["bufferViews"][2]["buffer"] = 0; // which declares the positions alone
+    const std::string shorter = file_.document.dump();
+    write_file_atomically(folder_ / "scene.gltf",
+                          bytes_of(std::vector<char>(shorter.begin(), shorter.end())));
+    EXPECT_THROW((void)load_gltf(folder_ / "scene.gltf"), Error);
+}
+
+TEST_F(GltfFiles, large_files_of_something_else_are_refused_by_their_first_bytes)
+{
+    constexpr uint64_t tebibyte = uint64_t{1} << 40;
+    const auto failure = [&](const char* name) {
+        std::filesystem::resize_file(folder_ / name, tebibyte);
+        try {
+            (void)load_gltf(folder_ / name);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("loads");
+    };
+    write_file_atomically(folder_ / "zeros.glb", {});
+    EXPECT_NE(failure("zeros.glb").find("zeros.glb:byte 0: is not a glTF file"), std::string::npos);
+    write_file_atomically(folder_ / "old.glb", bytes_of<uint32_t>({0x46546C67, 1, 0xffffffff}));
+    EXPECT_NE(failure("old.glb").find("old.glb:byte 4: glb version 1"), std::string::npos);
+    write_file_atomically(folder_ / "text.gltf", bytes_of<char>({' ', '{'}));
+    EXPECT_NE(failure("text.gltf").find("more than the limit"), std::string::npos);
+    // What lies behind a .glb is not read.
+    write_file_atomically(folder_ / "padded.glb", file_.glb());
+    EXPECT_EQ(failure("padded.glb"), "loads");
+}
+
+TEST_F(GltfFiles, a_picture_that_many_images_name_is_one)
+{
+    const Image image{.width = 1, .height = 1, .rgba = {1, 2, 3, 255}};
+    save_png(image, folder_ / "wood.png");
+    write_file_atomically(folder_ / "scene.bin", file_.binary);
+    buffer_["uri"] = "scene.bin";
+    for (int i = 0; i < 64; ++i) {
+        file_.document["images"].push_back({{"uri", "wood.png"}, {"name", std::to_string(i)}});
+        file_.document["textures"].push_back({{"source", i}});
+        file_.document["materials"].push_back({{"emissiveTexture", {{"index", i}}}});
+    }
+    file_.document["samplers"] = json::array({{{"wrapS", 33071}}});
+    file_.document["textures"][63]["sampler"] = 0;
+    const Scene scene = load_gltf(write());
+    ASSERT_EQ(scene.textures.size(), 2U) << "one for each way to wrap it";
+    EXPECT_EQ(scene.textures[0].image, image);
+    EXPECT_EQ(scene.textures[1].image, image);
+    EXPECT_EQ(scene.materials[62].emissive_texture.texture, 0U);
+    EXPECT_EQ(scene.materials[63].emissive_texture.texture, 1U);
+}
+
+TEST_F(GltfFiles, missing_pictures_are_listed)
+{
+    write_file_atomically(folder_ / "scene.bin", file_.binary);
+    write_file_atomically(folder_ / "broken.png", file_.binary);
+    buffer_["uri"] = "scene.bin";
+    file_.document["images"] = json::parse(R"([{"uri": "a%20b/oak.png"}, {"uri": "broken.png"}])");
+    file_.document["textures"] = json::parse(R"([{"source": 0}, {"source": 1}])");
+    file_.document["materials"] =
+        json::parse(R"([{"emissiveTexture": {"index": 0}, "normalTexture": {"index": 1}}])");
+    const Scene scene = load_gltf(write());
+    EXPECT_EQ(scene.warnings.size(), 2U);
+    EXPECT_EQ(scene.missing_files, std::vector<std::string>{"a b/oak.png"});
+}
+
 TEST_F(GltfFiles, other_files)
 {
     EXPECT_THROW((void)load_gltf(folder_ / "none.gltf"), Error);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/image_codec.hpp"
 #include "scene/gltf/test_file.hpp"
 
 namespace estampe::gltf {
@@ -228,7 +229,10 @@ TEST(GltfGeometry, tangents_are_made_for_a_normal_map)
     TestFile file = triangle_file();
     file.attributes()["TEXCOORD_0"] = file.add<float>({0, 0, 0, 1, 1, 0}, "VEC2"); // u along y, v along x
     file.document["materials"] = json::array({{{"normalTexture", {{"index", 0}}}}});
-    file.document["textures"] = json::array({json::object()});
+    const Bytes image = encode_png({.width = 1, .height = 1, .rgba = {128, 128, 255, 255}});
+    file.document["images"] =
+        json::array({{{"bufferView", file.add_view(image)}, {"mimeType", "image/png"}}});
+    file.document["textures"] = json::parse(R"([{"source": 0}])");
     file.primitive()["material"] = 0;
     const Primitive primitive = only_primitive(file.load());
     EXPECT_EQ(primitive.tangents, std::vector<glm::vec4>(3, {0, 1, 0, -1}));

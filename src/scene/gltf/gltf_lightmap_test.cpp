@@ -128,14 +128,36 @@ TEST_F(NamedLightmap, ErrorsNameThePlace)
     const std::string missing = of(R"({"uri": "none.png"})");
     EXPECT_EQ(missing.find(place + "/uri: names a lightmap that cannot be read"), 0U) << missing;
     EXPECT_NE(missing.find("none.png"), std::string::npos) << missing;
-    EXPECT_EQ(of("5").find(place + ": should be an object"), 0U);
-    EXPECT_EQ(of(R"({"intensity": 1})").find(place + ": names no picture"), 0U);
-    EXPECT_EQ(of(R"({"uri": "grey.png", "texture": 0})").find(place + ": names a picture twice"), 0U);
-    EXPECT_EQ(of(R"({"texture": 0})").find(place + "/texture: should be one of"), 0U);
-    EXPECT_EQ(of(R"({"uri": "grey.png", "texCoord": 2})").find(place + "/texCoord: should be 0 or 1"), 0U);
-    EXPECT_EQ(of(R"({"uri": "grey.png", "intensity": -1})").find(place + "/intensity: should be"), 0U);
-    EXPECT_EQ(of(R"({"uri": "grey.png", "strength": 1})").find(place + "/strength: is not known"), 0U);
     EXPECT_NE(of(R"({"uri": "../grey.png"})").find("cannot be read"), std::string::npos);
+}
+
+TEST_F(NamedLightmap, MistakesInItsKeysAreWarningsOfTheScene)
+{
+    json& material = file_.document["materials"][0];
+    material["name"] = "Wall";
+    const std::string place = (folder_ / "scene.glb").string() + "#/materials/0/extras/estampe/lightmap";
+    const auto warning = [&](const char* text) {
+        material["extras"] = ours(text);
+        static_cast<void>(named()); // which writes the file
+        const Scene scene = load_scene(folder_ / "scene.glb");
+        EXPECT_EQ(scene.warnings.size(), 1U) << text;
+        return scene.warnings.empty() ? "" : scene.warnings[0];
+    };
+    EXPECT_EQ(warning("5"), place + ": should be an object; material \"Wall\" is drawn without it");
+    EXPECT_EQ(warning(R"({"intensity": 1})").find(place + ": names no picture"), 0U);
+    EXPECT_EQ(warning(R"({"uri": "grey.png", "texture": 0})").find(place + ": names a picture twice"), 0U);
+    EXPECT_EQ(warning(R"({"texture": 0})").find(place + "/texture: should be one of"), 0U);
+    EXPECT_EQ(warning(R"({"uri": 5})").find(place + "/uri: should be text"), 0U);
+    EXPECT_FALSE(named()) << "what names no picture is none";
+    EXPECT_EQ(warning(R"({"uri": "grey.png", "texCoord": 2})").find(place + "/texCoord: should be 0 or 1"),
+              0U);
+    EXPECT_EQ(warning(R"({"uri": "grey.png", "intensity": -1})").find(place + "/intensity: should be"), 0U);
+    EXPECT_EQ(warning(R"({"uri": "grey.png", "strength": 1})").find(place + "/strength: is not known"), 0U);
+    const WornPicture plain{.picture = 0, .uv_set = 1};
+    EXPECT_EQ(named()->of_material[0], plain) << "the other keys count";
+    material["extras"] = ours(R"({"uri": "grey.png", "texCoord": "0", "intensity": "0.5"})");
+    const WornPicture typed{.picture = 0, .uv_set = 0, .intensity = 0.5F};
+    EXPECT_EQ(named()->of_material[0], typed);
 }
 
 } // namespace

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <span>
 
 #include <fmt/ranges.h>
 
@@ -11,7 +13,7 @@
 #include "core/image_codec.hpp"
 #include "core/lightmap_file.hpp"
 #include "core/srgb.hpp"
-#include "scene/gltf/data.hpp"
+#include "scene/gltf/extras.hpp"
 
 namespace estampe {
 namespace gltf {
@@ -19,6 +21,120 @@ namespace {
 
 constexpr const char* map_key = "lightmap";
 constexpr const char* extension_key = "MOZ_lightmap";
+
+/// What `extras` or MOZ_lightmap say of a lightmap, before its picture is read.
+struct Entry {
+    std::optional<std::string> uri;
+    int texture = -1;  ///< of the file, where there is no uri
+    std::string place; ///< of uri or texture
+    uint32_t uv_set = 1;
+    float intensity = 1.0F;
+};
+
+/// Leaves out what it does not understand, with a warning. Nothing where no picture is named.
+class EntryReader {
+public:
+    EntryReader(Data& data, const tinygltf::Value& value, const std::string& pointer,
+                std::span<const std::string_view> keys)
+        : data_(data), value_(value), pointer_(pointer), keys_(keys)
+    {
+    }
+
+    [[nodiscard]] std::optional<Entry> read()
+    {
+        if (!value_.IsObject()) {
+            return leave_out(pointer_, "should be an object");
+        }
+        for (const std::string& key : value_.Keys()) {
+            if (std::find(keys_.begin(), keys_.end(), key) == keys_.end()) {
+                leave_out(at(key), fmt::format("is not known (allowed: {})", fmt::join(keys_, ", ")));
+            }
+        }
+        const bool has_uri = value_.Has("uri");
+        const std::string index_key = value_.Has("index") ? "index" : "texture";
+        if (has_uri == value_.Has(index_key)) {
+            return leave_out(pointer_, fmt::format("{} (write for instance {})",
+                                                   has_uri ? "names a picture twice" : "names no picture",
+                                                   R"({"uri": "room.png"} or {"texture": 0})"));
+        }
+        Entry entry;
+        entry.place = at(has_uri ? "uri" : index_key);
+        if (has_uri && !value_.Get("uri").IsString()) {
+            return leave_out(entry.place, "should be text");
+        }
+        if (has_uri) {
+            entry.uri = value_.Get("uri").Get<std::string>();
+        } else {
+            const auto count = static_cast<double>(data_.model().textures.size());
+            const double texture = number_of(value_.Get(index_key)).value_or(-1.0);
+            if (!(texture >= 0.0 && texture < count && std::floor(texture) == texture)) {
+                return leave_out(entry.place, fmt::format("should be one of the file's {} textures", count));
+            }
+            entry.texture = static_cast<int>(texture);
+        }
+        read_numbers(entry);
+        return entry;
+    }
+
+private:
+    void read_numbers(Entry& entry)
+    {
+        if (value_.Has("texCoord")) {
+            const double set = number_of(value_.Get("texCoord")).value_or(-1.0);
+            if (set == 0.0 || set == 1.0) {
+                entry.uv_set = static_cast<uint32_t>(set);
+            } else {
+                leave_out(at("texCoord"), "should be 0 or 1: a mesh has two sets of UVs");
+            }
+        }
+        if (value_.Has("intensity")) {
+            const double factor = number_of(value_.Get("intensity")).value_or(-1.0);
+            if (factor >= 0.0 && factor <= 1e6) {
+                entry.intensity = static_cast<float>(factor);
+            } else {
+                leave_out(at("intensity"), "should be a number, 0 or more");
+            }
+        }
+    }
+
+    std::nullopt_t leave_out(const std::string& place, const std::string& why)
+    {
+        data_.warn(place, fmt::format("{}; {} is drawn without it", why, owner_at(data_, pointer_)));
+        return std::nullopt;
+    }
+
+    [[nodiscard]] std::string at(const std::string& key) const { return pointer_ + "/" + key; }
+
+    Data& data_;
+    const tinygltf::Value& value_;
+    const std::string& pointer_;
+    std::span<const std::string_view> keys_;
+};
+
+std::optional<Entry> entry_of_extras(Data& data, const tinygltf::Value& extras, const std::string& pointer)
+{
+    if (!extras.IsObject() || !extras.Has(our_key) || !extras.Get(our_key).Has(map_key)) {
+        return std::nullopt;
+    }
+    static constexpr std::string_view keys[] = {"intensity", "texCoord", "texture", "uri"};
+    return EntryReader(data, extras.Get(our_key).Get(map_key),
+                       fmt::format("{}/extras/{}/{}", pointer, our_key, map_key), keys)
+        .read();
+}
+
+std::optional<Entry> entry_of_material(Data& data, const tinygltf::Material& material,
+                                       const std::string& pointer)
+{
+    if (auto own = entry_of_extras(data, material.extras, pointer)) {
+        return own;
+    }
+    const auto found = material.extensions.find(extension_key);
+    if (found == material.extensions.end()) {
+        return std::nullopt;
+    }
+    static constexpr std::string_view keys[] = {"extensions", "extras", "index", "intensity", "texCoord"};
+    return EntryReader(data, found->second, pointer + "/extensions/" + extension_key, keys).read();
+}
 
 LightImage linear(const Image& image)
 {
@@ -34,21 +150,22 @@ LightImage linear(const Image& image)
 /// Gathers the maps that one file names, each of its pictures once.
 class NamedMaps {
 public:
-    explicit NamedMaps(const Data& data) : data_(data) {}
+    explicit NamedMaps(Data& data) : data_(data) {}
 
     /// No map where the file names none.
     [[nodiscard]] std::optional<Lightmap> take()
     {
         const tinygltf::Model& model = data_.model();
         for (size_t i = 0; i < model.materials.size(); ++i) {
-            map_.of_material.push_back(of_material(model.materials[i], fmt::format("/materials/{}", i)));
+            map_.of_material.push_back(
+                worn(entry_of_material(data_, model.materials[i], fmt::format("/materials/{}", i))));
         }
         map_.of_node.resize(model.nodes.size());
         if (!model.scenes.empty()) {
             const auto shown = static_cast<size_t>(std::max(model.defaultScene, 0));
             const tinygltf::Scene& scene = model.scenes[std::min(shown, model.scenes.size() - 1)];
             scene_pointer_ = fmt::format("/scenes/{}", &scene - model.scenes.data());
-            map_.of_scene = of_extras(scene.extras, scene_pointer_);
+            map_.of_scene = worn(entry_of_extras(data_, scene.extras, scene_pointer_));
             lay_on_nodes(scene.nodes);
         }
         if (baked_ && !map_.pictures.empty()) {
@@ -73,7 +190,8 @@ private:
             }
             seen[node] = true;
             const tinygltf::Node& source = data_.model().nodes[node];
-            if (const auto own = of_extras(source.extras, fmt::format("/nodes/{}", node))) {
+            if (const auto own =
+                    worn(entry_of_extras(data_, source.extras, fmt::format("/nodes/{}", node)))) {
                 map_.of_node[node] = own;
             }
             for (const int child : source.children) {
@@ -83,89 +201,26 @@ private:
         }
     }
 
-    [[nodiscard]] std::optional<WornPicture> of_material(const tinygltf::Material& material,
-                                                         const std::string& pointer)
+    [[nodiscard]] std::optional<WornPicture> worn(const std::optional<Entry>& entry)
     {
-        if (const auto own = of_extras(material.extras, pointer)) {
-            return own;
-        }
-        const auto found = material.extensions.find(extension_key);
-        if (found == material.extensions.end()) {
+        const auto picture = !entry       ? std::nullopt
+                             : entry->uri ? by_uri(*entry->uri, entry->place)
+                                          : by_texture(entry->texture, entry->place);
+        if (!picture) {
             return std::nullopt;
         }
-        static constexpr std::string_view keys[] = {"extensions", "extras", "index", "intensity", "texCoord"};
-        return worn(found->second, pointer + "/extensions/" + extension_key, keys);
-    }
-
-    [[nodiscard]] std::optional<WornPicture> of_extras(const tinygltf::Value& extras,
-                                                       const std::string& pointer)
-    {
-        if (!extras.IsObject() || !extras.Has(our_key) || !extras.Get(our_key).Has(map_key)) {
-            return std::nullopt;
-        }
-        static constexpr std::string_view keys[] = {"intensity", "texCoord", "texture", "uri"};
-        return worn(extras.Get(our_key).Get(map_key),
-                    fmt::format("{}/extras/{}/{}", pointer, our_key, map_key), keys);
-    }
-
-    [[nodiscard]] std::optional<WornPicture> worn(const tinygltf::Value& value, const std::string& pointer,
-                                                  std::span<const std::string_view> keys)
-    {
-        if (!value.IsObject()) {
-            data_.fail(pointer, "should be an object");
-        }
-        for (const std::string& key : value.Keys()) {
-            if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-                data_.fail(fmt::format("{}/{}", pointer, key), "is not known",
-                           fmt::format("allowed: {}", fmt::join(keys, ", ")));
-            }
-        }
-        WornPicture result;
-        if (value.Has("texCoord")) {
-            const tinygltf::Value& set = value.Get("texCoord");
-            if (!set.IsInt() || set.GetNumberAsInt() < 0 || set.GetNumberAsInt() > 1) {
-                data_.fail(pointer + "/texCoord", "should be 0 or 1: a mesh has two sets of UVs");
-            }
-            result.uv_set = static_cast<uint32_t>(set.GetNumberAsInt());
-        }
-        if (value.Has("intensity")) {
-            const tinygltf::Value& factor = value.Get("intensity");
-            const double number = factor.IsNumber() ? factor.GetNumberAsDouble() : -1.0;
-            if (!(number >= 0.0 && number <= 1e6)) {
-                data_.fail(pointer + "/intensity", "should be a number, 0 or more");
-            }
-            result.intensity = static_cast<float>(number);
-        }
-        const bool has_uri = value.Has("uri");
-        const char* index_key = value.Has("index") ? "index" : "texture";
-        if (has_uri == value.Has(index_key)) {
-            data_.fail(pointer, has_uri ? "names a picture twice" : "names no picture",
-                       R"(write for instance {"uri": "room.png"} or {"texture": 0})");
-        }
-        const auto picture = has_uri ? by_uri(value.Get("uri"), pointer)
-                                     : by_texture(value.Get(index_key), pointer + "/" + index_key);
-        result.picture = picture.value_or(0);
-        return picture ? std::optional(result) : std::nullopt;
+        return WornPicture{.picture = *picture, .uv_set = entry->uv_set, .intensity = entry->intensity};
     }
 
     /// None when it is a baked map, which the scene alone may name.
-    [[nodiscard]] std::optional<uint32_t> by_uri(const tinygltf::Value& uri, const std::string& pointer)
+    [[nodiscard]] std::optional<uint32_t> by_uri(const std::string& uri, const std::string& pointer)
     {
-        if (!uri.IsString()) {
-            data_.fail(pointer + "/uri", "should be text");
-        }
-        const auto& text = uri.Get<std::string>();
-        return read(text, pointer + "/uri", [&] { return data_.resource(text); });
+        return read(uri, pointer, [&] { return data_.resource(uri); });
     }
 
-    [[nodiscard]] std::optional<uint32_t> by_texture(const tinygltf::Value& texture,
-                                                     const std::string& pointer)
+    [[nodiscard]] std::optional<uint32_t> by_texture(int index, const std::string& pointer)
     {
         const auto& textures = data_.model().textures;
-        const int index = texture.IsInt() ? texture.GetNumberAsInt() : -1;
-        if (index < 0 || index >= static_cast<int>(textures.size())) {
-            data_.fail(pointer, fmt::format("should be one of the file's {} textures", textures.size()));
-        }
         const tinygltf::Texture& source = textures[static_cast<size_t>(index)];
         const auto webp = source.extensions.find("EXT_texture_webp");
         const int image =
@@ -211,7 +266,7 @@ private:
         }
     }
 
-    const Data& data_;
+    Data& data_;
     Lightmap map_;
     std::optional<Lightmap> baked_;
     std::string scene_pointer_;
@@ -219,22 +274,36 @@ private:
 };
 
 } // namespace
+
+void check_lightmap_extras(Data& data)
+{
+    const tinygltf::Model& model = data.model();
+    for (size_t i = 0; i < model.materials.size(); ++i) {
+        static_cast<void>(entry_of_material(data, model.materials[i], fmt::format("/materials/{}", i)));
+    }
+    for (size_t i = 0; i < model.nodes.size(); ++i) {
+        static_cast<void>(entry_of_extras(data, model.nodes[i].extras, fmt::format("/nodes/{}", i)));
+    }
+    for (size_t i = 0; i < model.scenes.size(); ++i) {
+        static_cast<void>(entry_of_extras(data, model.scenes[i].extras, fmt::format("/scenes/{}", i)));
+    }
+}
+
 } // namespace gltf
 
 std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file)
 {
-    constexpr uint64_t max_file_bytes = uint64_t{1} << 34;
     const std::string extension = lower_extension(scene_file);
     if (extension != ".gltf" && extension != ".glb" && extension != ".vrm") {
         return std::nullopt;
     }
     const std::string file = scene_file.string();
-    const std::vector<std::byte> bytes = read_file(scene_file, max_file_bytes);
+    const std::vector<std::byte> bytes = gltf::read_gltf_bytes(scene_file);
     const gltf::Container container = gltf::open_container(bytes, file);
     if (container.json.find(gltf::map_key) == std::string_view::npos) {
         return std::nullopt;
     }
-    const gltf::Data data(gltf::read_document(container, file), container, file, scene_file.parent_path());
+    gltf::Data data(gltf::read_document(container, file), container, file, scene_file.parent_path());
     return gltf::NamedMaps(data).take();
 }
 

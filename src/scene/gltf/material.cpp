@@ -215,6 +215,19 @@ Material import_material(Data& data, TextureTable& textures, const tinygltf::Mat
     return material;
 }
 
+/// White is no normal, and would make everything glow: without these pictures a material is drawn as if the
+/// file had none.
+void leave_out_lost(const TextureTable& textures, Material& material)
+{
+    if (textures.is_lost(material.normal_texture.texture)) {
+        material.normal_texture = {};
+    }
+    if (textures.is_lost(material.emissive_texture.texture)) {
+        material.emissive_texture = {};
+        material.emissive = glm::vec3(0.0F);
+    }
+}
+
 bool needs_default_material(const tinygltf::Model& model)
 {
     for (const tinygltf::Mesh& mesh : model.meshes) {
@@ -252,7 +265,10 @@ std::map<Index, Index> import_materials(Data& data, Scene& scene)
     for (size_t i = 0; i < data.model().nodes.size(); ++i) {
         hold(data.model().nodes[i].extras, fmt::format("/nodes/{}", i));
     }
-    scene.textures = textures.decode();
+    scene.textures = textures.decode(scene.missing_files);
+    for (Material& material : scene.materials) {
+        leave_out_lost(textures, material);
+    }
     return held_textures;
 }
 

@@ -7,6 +7,7 @@
 #include "scene/gltf/draco.hpp"
 #include "scene/gltf/edge_marks.hpp"
 #include "scene/gltf/geometry.hpp"
+#include "scene/gltf/variants.hpp"
 
 namespace estampe::gltf {
 namespace {
@@ -222,6 +223,21 @@ private:
     Primitive primitive_;
 };
 
+/// The first of the primitive's materials, by default or in a variant, whose normal map needs tangents.
+const TextureRef* normal_map_of(const Scene& scene, const Primitive& primitive)
+{
+    std::vector<Index> materials = primitive.variant_materials;
+    materials.insert(materials.begin(), primitive.material);
+    for (const Index material : materials) {
+        const TextureRef* map =
+            material < scene.materials.size() ? &scene.materials[material].normal_texture : nullptr;
+        if (map != nullptr && map->texture != no_index && !primitive.uvs[map->uv_set].empty()) {
+            return map;
+        }
+    }
+    return nullptr;
+}
+
 void finish_triangles(Data& data, const Scene& scene, Primitive& primitive, const std::string& pointer)
 {
     if (primitive.normals.empty()) {
@@ -231,9 +247,7 @@ void finish_triangles(Data& data, const Scene& scene, Primitive& primitive, cons
         data.warn(pointer + "/attributes/NORMAL",
                   fmt::format("{} normals are zero or not finite; they were computed from the faces", bad));
     }
-    const TextureRef& normal_texture = scene.materials[primitive.material].normal_texture;
-    const bool wants_tangents =
-        normal_texture.texture != no_index && !primitive.uvs[normal_texture.uv_set].empty();
+    const TextureRef* normal_map = normal_map_of(scene, primitive);
     const bool good =
         std::all_of(primitive.tangents.begin(), primitive.tangents.end(), [](const glm::vec4& tangent) {
             return std::isfinite(glm::dot(tangent, tangent)) && glm::length(glm::vec3(tangent)) > 1e-6F;
@@ -243,8 +257,8 @@ void finish_triangles(Data& data, const Scene& scene, Primitive& primitive, cons
                   "some tangents are zero or not finite; all were computed anew");
         primitive.tangents.clear();
     }
-    if (wants_tangents && primitive.tangents.empty()) {
-        make_tangents(primitive, normal_texture.uv_set);
+    if (normal_map != nullptr && primitive.tangents.empty()) {
+        make_tangents(primitive, normal_map->uv_set);
     }
 }
 
@@ -263,6 +277,7 @@ std::optional<Primitive> import_primitive(Data& data, const Scene& scene, const 
                                                           : Topology::triangles;
     primitive.material = source.material >= 0 ? static_cast<Index>(source.material)
                                               : static_cast<Index>(scene.materials.size() - 1);
+    primitive.variant_materials = variant_materials(data, source, pointer);
     const std::vector<uint32_t> in_file = std::move(primitive.indices);
     primitive.indices = list_indices(mode, in_file);
     if (primitive.indices.empty()) {

@@ -174,7 +174,7 @@ void clear_nodes_outside(const tinygltf::Scene& shown, Scene& scene)
     }
 }
 
-void import_lights(const Data& data, Scene& scene)
+void import_lights(Data& data, Scene& scene)
 {
     const auto& sources = data.model().lights;
     for (size_t i = 0; i < sources.size(); ++i) {
@@ -195,7 +195,7 @@ void import_lights(const Data& data, Scene& scene)
 }
 
 /// What a node says of its links to the lights holds for those below it, unless they say otherwise.
-void import_links(const Data& data, Scene& scene)
+void import_links(Data& data, Scene& scene)
 {
     std::vector<Index> open(scene.roots);
     while (!open.empty()) {
@@ -316,6 +316,9 @@ Node import_node(Data& data, const Scene& scene, const tinygltf::Node& source, c
     node.name = source.name;
     for (const int child : source.children) {
         node.children.push_back(static_cast<Index>(child));
+    }
+    if (const auto shown = source.extensions.find("KHR_node_visibility"); shown != source.extensions.end()) {
+        node.visible = !shown->second.Has("visible") || shown->second.Get("visible").Get<bool>();
     }
     place_node(data, source, node, pointer);
     node.mesh = index_of(source.mesh);

@@ -9,6 +9,8 @@
 
 #include "core/image_codec.hpp"
 #include "core/progress_watch.hpp"
+#include "scene/gltf/extensions.hpp"
+#include "scene/gltf/uri.hpp"
 
 namespace estampe::gltf {
 namespace {
@@ -67,80 +69,155 @@ void for_each_in_parallel(size_t count, const Work& work, const Tell& tell)
     }
 }
 
+/// The first image with the same source for each image: exporters write the same file under many materials,
+/// and a picture of 8192 x 8192 takes 256 MiB.
+std::vector<int> first_of_same(const Data& data)
+{
+    const auto& views = data.model().bufferViews;
+    std::map<std::string_view, int> by_uri;
+    std::map<std::tuple<int, size_t, size_t>, int> by_bytes;
+    std::vector<int> first;
+    for (size_t i = 0; i < data.images().size(); ++i) {
+        const ImageSource& source = data.images()[i];
+        const auto own = static_cast<int>(i);
+        if (source.view >= 0) {
+            const tinygltf::BufferView& view = views[static_cast<size_t>(source.view)];
+            const bool is_plain = view.extensions.empty();
+            const std::tuple bytes{is_plain ? view.buffer : -1 - source.view,
+                                   is_plain ? view.byteOffset : size_t{0},
+                                   is_plain ? view.byteLength : size_t{0}};
+            first.push_back(by_bytes.try_emplace(bytes, own).first->second);
+        } else {
+            first.push_back(source.uri.empty() ? own : by_uri.try_emplace(source.uri, own).first->second);
+        }
+    }
+    return first;
+}
+
+/// The file's image that a texture shows; negative where it has none in a format that is read.
+int readable_image(const tinygltf::Texture& texture)
+{
+    const auto webp = texture.extensions.find("EXT_texture_webp");
+    return webp != texture.extensions.end() ? webp->second.Get("source").GetNumberAsInt() : texture.source;
+}
+
+std::string_view unread_format(const tinygltf::Texture& texture)
+{
+    for (const auto& [extension, value] : texture.extensions) {
+        if (const auto format = unread_picture_format(extension)) {
+            return *format;
+        }
+    }
+    return {};
+}
+
 } // namespace
+
+TextureTable::TextureTable(Data& data) : data_(data), first_of_same_(first_of_same(data)) {}
 
 Index TextureTable::use(int index)
 {
     const tinygltf::Texture& texture = data_.model().textures[static_cast<size_t>(index)];
-    Use use{.texture = index, .image = texture.source};
-    const auto webp = texture.extensions.find("EXT_texture_webp");
-    if (webp != texture.extensions.end()) {
-        use.image = webp->second.Get("source").GetNumberAsInt();
+    const int image = readable_image(texture);
+    Use use{.texture = index, .image = image < 0 ? -1 : first_of_same_[static_cast<size_t>(image)]};
+    if (image < 0) {
+        use.unread_format = unread_format(texture);
     }
     if (texture.sampler >= 0) {
         const tinygltf::Sampler& sampler = data_.model().samplers[static_cast<size_t>(texture.sampler)];
         use.wrap_u = wrap_of(sampler.wrapS);
         use.wrap_v = wrap_of(sampler.wrapT);
     }
-    const auto [entry, added] =
-        index_of_.try_emplace({use.image, use.wrap_u, use.wrap_v}, static_cast<Index>(uses_.size()));
+    const auto [entry, added] = index_of_.try_emplace(
+        {use.image, image < 0 ? index : -1, use.wrap_u, use.wrap_v}, static_cast<Index>(uses_.size()));
     if (added) {
         uses_.push_back(use);
     }
     return entry->second;
 }
 
-Image TextureTable::decode_one(int image, std::string& warning) const
+bool TextureTable::is_lost(Index texture) const
+{
+    return texture < lost_.size() && lost_[texture];
+}
+
+TextureTable::Decoded TextureTable::decode_one(int image) const
 {
     const ImageSource& source = data_.images()[static_cast<size_t>(image)];
     const std::string name = source.view >= 0 ? "" : data_.resource_name(source.uri);
+    Decoded decoded;
     try {
-        if (source.view >= 0) {
-            return decode_image(data_.view(source.view), name);
-        }
-        if (source.uri.empty()) {
+        if (source.view < 0 && source.uri.empty()) {
             throw Error("has neither uri nor bufferView");
         }
-        return decode_image(data_.resource(source.uri), name);
+        if (source.view >= 0) {
+            decoded.image = decode_image(data_.view(source.view), name);
+            return decoded;
+        }
+        decoded.is_missing = !is_data_uri(source.uri);
+        const std::vector<std::byte> bytes = data_.resource(source.uri);
+        decoded.is_missing = false;
+        decoded.image = decode_image(bytes, name);
     } catch (const std::exception& error) {
-        warning = fmt::format("{}; the texture is drawn white", error.what());
-        return white_pixel();
+        decoded.failure = fmt::format("{}; drawn without it", error.what());
+        decoded.image = white_pixel();
     }
+    return decoded;
 }
 
-std::vector<Texture> TextureTable::decode()
+std::map<int, TextureTable::Decoded> TextureTable::decode_all()
 {
-    std::map<int, size_t> slot_of;
-    std::vector<int> images;
-    std::vector<size_t> uses_left;
+    std::map<int, Decoded> all;
     for (const Use& use : uses_) {
-        if (use.image >= 0 && slot_of.try_emplace(use.image, images.size()).second) {
-            images.push_back(use.image);
-            uses_left.push_back(0);
-        }
         if (use.image >= 0) {
-            ++uses_left[slot_of[use.image]];
+            ++all[use.image].uses_left;
         }
     }
-    std::vector<Image> decoded(images.size());
-    std::vector<std::string> failures(images.size());
+    std::vector<std::pair<const int, Decoded>*> entries;
+    entries.reserve(all.size());
+    for (auto& entry : all) {
+        entries.push_back(&entry);
+    }
     std::atomic<uint64_t> total_pixels = 0;
     const auto decode_next = [&](size_t i) {
-        decoded[i] = decode_one(images[i], failures[i]);
-        total_pixels += uint64_t{decoded[i].width} * decoded[i].height;
+        auto& [image, slot] = *entries[i];
+        const size_t uses = slot.uses_left;
+        slot = decode_one(image);
+        slot.uses_left = uses;
+        total_pixels += uint64_t{slot.image.width} * slot.image.height * uses;
         if (total_pixels > max_total_pixels) {
-            failures[i] =
-                "the textures together are beyond the limit of 512 megapixels; this one is drawn white";
-            decoded[i] = white_pixel();
+            slot.failure =
+                "the textures together are beyond the limit of 512 megapixels; drawn without this one";
+            slot.image = white_pixel();
         }
     };
-    for_each_in_parallel(images.size(), decode_next, [&](size_t done) {
-        const double share = static_cast<double>(done) / static_cast<double>(images.size());
+    for_each_in_parallel(entries.size(), decode_next, [&](size_t done) {
+        const double share = static_cast<double>(done) / static_cast<double>(entries.size());
         report_progress(std::lerp(textures_from, textures_to, share));
     });
-    for (size_t i = 0; i < images.size(); ++i) {
-        if (!failures[i].empty()) {
-            data_.warn(fmt::format("/images/{}", images[i]), failures[i]);
+    return all;
+}
+
+void TextureTable::warn_of_unread(const Use& use)
+{
+    const std::string place = fmt::format("/textures/{}", use.texture);
+    if (use.unread_format.empty()) {
+        data_.warn(place, "has no image that can be read; drawn without it");
+        return;
+    }
+    data_.warn(place, fmt::format("texture {} is {}, which is not read; drawn without it", use.texture,
+                                  use.unread_format));
+}
+
+std::vector<Texture> TextureTable::decode(std::vector<std::string>& missing_files)
+{
+    std::map<int, Decoded> decoded = decode_all();
+    for (const auto& [image, result] : decoded) {
+        if (!result.failure.empty()) {
+            data_.warn(fmt::format("/images/{}", image), result.failure);
+        }
+        if (result.is_missing) {
+            missing_files.push_back(data_.resource_name(data_.images()[static_cast<size_t>(image)].uri));
         }
     }
     std::vector<Texture> textures;
@@ -151,16 +228,17 @@ std::vector<Texture> TextureTable::decode()
         texture.wrap_u = use.wrap_u;
         texture.wrap_v = use.wrap_v;
         if (use.image < 0) {
-            data_.warn(fmt::format("/textures/{}", use.texture),
-                       "has no image that can be read; it is drawn white");
+            warn_of_unread(use);
             texture.image = white_pixel();
+            lost_.push_back(true);
             continue;
         }
         const ImageSource& image = data_.images()[static_cast<size_t>(use.image)];
         texture.name = texture.name.empty() ? image.name : texture.name;
         texture.name = texture.name.empty() && image.view < 0 ? data_.resource_name(image.uri) : texture.name;
-        const size_t slot = slot_of[use.image];
-        texture.image = --uses_left[slot] == 0 ? std::move(decoded[slot]) : decoded[slot];
+        Decoded& slot = decoded.at(use.image);
+        texture.image = --slot.uses_left == 0 ? std::move(slot.image) : slot.image;
+        lost_.push_back(!slot.failure.empty());
     }
     return textures;
 }

@@ -13,6 +13,7 @@
 #include "scene/outlook/seen_grid.hpp"
 #include "scene/outlook/subject.hpp"
 #include "scene/outlook/view_axes.hpp"
+#include "scene/visibility.hpp"
 
 namespace estampe {
 namespace {
@@ -183,8 +184,7 @@ Outlook find_outlook(const Scene& scene)
 
 LightChoice default_light(const Scene& scene)
 {
-    if (std::any_of(scene.nodes.begin(), scene.nodes.end(),
-                    [](const Node& node) { return node.light != no_index; })) {
+    if (has_visible_light(scene)) {
         return LightChoice::own;
     }
     const std::optional<Shelter> shelter = find_outlook(scene).shelter;

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "scene/pose.hpp"
-#include "scene/repair/repair.hpp"
+#include "scene/mending/repair.hpp"
 
 namespace estampe {
 namespace {

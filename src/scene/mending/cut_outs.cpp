@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/repair/repair.hpp"
+#include "scene/mending/repair.hpp"
 
 namespace estampe {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/repair/repair.hpp"
+#include "scene/mending/repair.hpp"
 
 #include <gtest/gtest.h>
 

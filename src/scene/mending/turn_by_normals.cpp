@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "scene/repair/repair.hpp"
+#include "scene/mending/repair.hpp"
 
 namespace estampe {
 namespace {

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <estampe/scene.hpp>
+#include <nlohmann/json.hpp>
+
+namespace estampe::app {
+
+/// What `estampe info` tells besides counts: axis, unit, cameras, animations, variants, lights, missing
+/// files.
+struct SceneDetails {
+    std::vector<std::pair<std::string, std::string>> rows; ///< label and text, in the order they are shown
+    nlohmann::ordered_json json;                           ///< the same for programs
+};
+
+/// `path` is the file that the scene was read from; its format says whether axis and unit are known. Cost:
+/// linear in vertices and triangles.
+[[nodiscard]] SceneDetails scene_details(const Scene& scene, const std::string& path);
+
+/// A note for whoever draws a file without an up axis of its own (.obj, .ply, .stl) whose shape looks z-up;
+/// empty for all others.
+[[nodiscard]] std::vector<std::string> up_axis_notes(const Scene& scene, const std::string& path);
+
+/// Frames per second on which all keys of an animation lie: 24, 25, 30, 60 or another common rate; 0 when
+/// they lie on none, or when there are too few keys to tell.
+[[nodiscard]] double key_rate(const Animation& animation);
+
+} // namespace estampe::app
