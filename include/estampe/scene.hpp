@@ -131,6 +131,9 @@ struct Primitive {
     std::vector<MorphTarget> morph_targets;
     std::vector<float> held; ///< of cloth, how much each vertex is held where its node, skin or morph targets
                              ///< put it: 0 free, 1 wholly; empty: all are free
+    std::vector<Index> variant_materials; ///< KHR_materials_variants: empty, or the material for each entry
+                                          ///< of Scene::variants; `no_index` keeps the default material
+    Index default_material = no_index; ///< set by apply_variant(): what `material` is without a variant
 };
 
 /// A thing to be drawn, in its node's space; any number of nodes may show the same one.
@@ -249,6 +252,7 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<SceneCamera> cameras;
     std::vector<Animation> animations;
+    std::vector<std::string> variants; ///< names of the material variants, see apply_variant()
     std::optional<Terrain>
         terrain; ///< ground without an end; drawn as an object and a material named "terrain"
     std::vector<std::string> extensions_used;
@@ -265,12 +269,26 @@ struct Scene {
 [[nodiscard]] Primitive cloth_sheet(uint32_t columns, uint32_t rows, const glm::vec3& corner_m,
                                     const glm::vec3& along_m, const glm::vec3& down_m);
 
+/// Gives every primitive the material that it has in the variant of that name, or of that index if no variant
+/// has the name. An empty name restores the default materials. A renderer shows the change after
+/// Renderer::set_scene(). Throws Error listing the variants when there is no such one. Cost: linear in
+/// primitives.
+void apply_variant(Scene& scene, const std::string& variant);
+
+/// The axis of a file's coordinates that points up. A scene in memory is always y up.
+enum class UpAxis : uint8_t { x, y, z, minus_x, minus_y, minus_z };
+
+/// How load_scene() reads a file. The defaults read the file as it is.
+struct LoadOptions {
+    std::string variant; ///< the material variant to draw, by name or index; empty: the default materials
+};
+
 /// Reads a scene: .gltf and .glb, and .obj .ply .stl .fbx .dae.
 ///
 /// Throws Error naming file and place (a JSON pointer or a byte offset) when the file is broken beyond
 /// repair; what can be repaired is, and is listed in `Scene::warnings`. Never allocates more than a small
 /// multiple of the file's size.
-[[nodiscard]] Scene load_scene(const std::filesystem::path& path);
+[[nodiscard]] Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// The scene at a moment: every node's place, and every node's morph weights.
 struct ScenePose {

@@ -19,10 +19,10 @@ namespace {
 Scene without_images(const Scene& scene)
 {
     // All of its members; pictures may take most of its bytes.
-    const auto& [name, textures, materials, meshes, nodes, roots, skins, lights, cameras, animations, terrain,
-                 used, ignored, warnings] = scene;
-    Scene copy{name,   {},      materials,  meshes,  nodes, roots,   skins,
-               lights, cameras, animations, terrain, used,  ignored, warnings};
+    const auto& [name, textures, materials, meshes, nodes, roots, skins, lights, cameras, animations,
+                 variants, terrain, used, ignored, warnings] = scene;
+    Scene copy{name,    {},         materials, meshes,  nodes, roots,   skins,   lights,
+               cameras, animations, variants,  terrain, used,  ignored, warnings};
     for (const Texture& texture : textures) {
         copy.textures.push_back(
             {.name = texture.name, .image = {}, .wrap_u = texture.wrap_u, .wrap_v = texture.wrap_v});

@@ -26,22 +26,25 @@ bool is_among(std::string_view extension, std::span<const std::string_view> exte
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-Scene checked(Scene scene, const std::filesystem::path& path)
+Scene checked(Scene scene, const std::filesystem::path& path, const LoadOptions& options)
 {
+    if (!options.variant.empty()) {
+        apply_variant(scene, options.variant);
+    }
     check_drawn_size(scene, path.string());
     return scene;
 }
 
 } // namespace
 
-Scene load_scene(const std::filesystem::path& path)
+Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
 {
     const std::string extension = lower_extension(path);
     if (is_among(extension, gltf_extensions)) {
-        return checked(load_gltf(path), path);
+        return checked(load_gltf(path), path, options);
     }
     if (is_among(extension, assimp_extensions)) {
-        return checked(load_with_assimp(path), path);
+        return checked(load_with_assimp(path), path, options);
     }
     throw Error(extension.empty() ? "has no file name extension"
                                   : fmt::format("files of type {} are not read", extension),
