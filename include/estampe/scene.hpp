@@ -236,7 +236,8 @@ struct AnimationChannel {
 struct Animation {
     std::string name;
     std::vector<AnimationChannel> channels;
-    float duration_s = 0.0F;
+    float duration_s = 0.0F; ///< time of the last key
+    float start_s = 0.0F; ///< where the file's own time range begins: its first frame is drawn at this time
 };
 
 /// All that a file holds, in lists that refer to each other by index. It can be made by hand as well: the
@@ -253,6 +254,7 @@ struct Scene {
     std::vector<SceneCamera> cameras;
     std::vector<Animation> animations;
     std::vector<std::string> variants; ///< names of the material variants, see apply_variant()
+    std::optional<double> frames_per_s; ///< frame rate that the file was made for, if the file says one
     std::optional<Terrain>
         terrain; ///< ground without an end; drawn as an object and a material named "terrain"
     std::vector<std::string> extensions_used;

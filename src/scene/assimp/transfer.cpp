@@ -244,6 +244,21 @@ void exchange(Archive& archive, Animation& animation)
     exchange(archive, animation.name);
     exchange(archive, animation.channels);
     exchange(archive, animation.duration_s);
+    exchange(archive, animation.start_s);
+}
+
+template <typename Archive>
+void exchange(Archive& archive, std::optional<double>& value)
+{
+    bool has_value = value.has_value();
+    exchange(archive, has_value);
+    if (!has_value) {
+        value.reset();
+        return;
+    }
+    double number = value.value_or(0.0);
+    exchange(archive, number);
+    value = number;
 }
 
 template <typename Archive>
@@ -261,6 +276,7 @@ void exchange(Archive& archive, TransferScene& transfer)
     exchange(archive, scene.lights);
     exchange(archive, scene.cameras);
     exchange(archive, scene.animations);
+    exchange(archive, scene.frames_per_s);
     exchange(archive, scene.warnings);
 }
 

@@ -37,6 +37,8 @@ TransferScene sample()
     scene.cameras.push_back({.name = "eye", .orthographic = true});
     scene.animations.push_back({.name = "turn", .channels = {AnimationChannel{}}, .duration_s = 2.0F});
     scene.animations[0].channels[0].times_s = {0.0F, 2.0F};
+    scene.animations[0].start_s = 0.5F;
+    scene.frames_per_s = 30.0;
     scene.warnings = {"mended"};
     return transfer;
 }
@@ -57,6 +59,8 @@ TEST(Transfer, ComesBackAsItWent)
     EXPECT_EQ(after.scene.lights[0].type, LightType::directional);
     EXPECT_TRUE(after.scene.cameras[0].orthographic);
     EXPECT_EQ(after.scene.animations[0].channels[0].times_s, (std::vector<float>{0.0F, 2.0F}));
+    EXPECT_EQ(after.scene.animations[0].start_s, 0.5F);
+    EXPECT_EQ(after.scene.frames_per_s, 30.0);
 }
 
 TEST(Transfer, WhatIsNoTreeIsRefusedBeforeItIsPosed)
