@@ -29,18 +29,14 @@ public:
     /// The scene and the lightmap of these options. Throws Error when they cannot be read.
     [[nodiscard]] const Scene& provide(const DrawOptions& draw)
     {
-        if (is_there_ && draw.scene == file_ && draw.seed == seed_ && draw.terrain == terrain_ &&
-            draw.lightmap == lightmap_) {
+        if (is_there_ && load_the_same(draw, loaded_) && draw.lightmap == loaded_.lightmap) {
             return scene_;
         }
         is_there_ = false;
         scene_ = load_scene_of(draw);
         print_warnings(scene_.warnings);
         set_scene(renderer_, scene_, draw);
-        file_ = draw.scene;
-        seed_ = draw.seed;
-        terrain_ = draw.terrain;
-        lightmap_ = draw.lightmap;
+        loaded_ = draw;
         is_there_ = true;
         return scene_;
     }
@@ -48,10 +44,7 @@ public:
 private:
     Renderer& renderer_;
     Scene scene_;
-    std::string file_;
-    uint64_t seed_ = 0;
-    std::string terrain_;
-    std::string lightmap_;
+    DrawOptions loaded_; ///< what `scene_` was read for
     bool is_there_ = false;
 };
 

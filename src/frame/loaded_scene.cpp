@@ -20,9 +20,9 @@ Scene without_images(const Scene& scene)
 {
     // All of its members; pictures may take most of its bytes.
     const auto& [name, textures, materials, meshes, nodes, roots, skins, lights, cameras, animations,
-                 variants, terrain, used, ignored, warnings] = scene;
-    Scene copy{name,    {},         materials, meshes,  nodes, roots,   skins,   lights,
-               cameras, animations, variants,  terrain, used,  ignored, warnings};
+                 variants, frames_per_s, terrain, used, ignored, warnings] = scene;
+    Scene copy{name,    {},         materials, meshes,       nodes,   roots, skins,   lights,
+               cameras, animations, variants,  frames_per_s, terrain, used,  ignored, warnings};
     for (const Texture& texture : textures) {
         copy.textures.push_back(
             {.name = texture.name, .image = {}, .wrap_u = texture.wrap_u, .wrap_v = texture.wrap_v});

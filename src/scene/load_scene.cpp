@@ -14,6 +14,7 @@
 #include "scene/assimp/assimp_import.hpp"
 #include "scene/drawn_size.hpp"
 #include "scene/gltf/gltf_import.hpp"
+#include "scene/turn_up.hpp"
 
 namespace estampe {
 namespace {
@@ -30,6 +31,9 @@ Scene checked(Scene scene, const std::filesystem::path& path, const LoadOptions&
 {
     if (!options.variant.empty()) {
         apply_variant(scene, options.variant);
+    }
+    if (options.up) {
+        turn_up(scene, *options.up);
     }
     check_drawn_size(scene, path.string());
     return scene;
