@@ -222,7 +222,7 @@ std::span<const std::string_view> input_formats()
 
 bool is_piped(const std::string& scene)
 {
-    if (scene == standard_input) {
+    if (scene == standard_input || scene.starts_with("/dev/")) { // such as /dev/stdin, whatever is behind it
         return true;
     }
     struct stat facts = {};
