@@ -8,6 +8,7 @@
 
 #include "clock.hpp"
 #include "commands.hpp"
+#include "drawing.hpp"
 #include "progress.hpp"
 #include "signals.hpp"
 #include "text.hpp"
@@ -42,7 +43,11 @@ void run(const BakeCommand& command)
     check_output(command.output, {command.scene});
     const std::filesystem::path partial = command.output + ".partial";
     check_output(partial, {command.scene});
-    Scene scene = load_scene(command.scene);
+    DrawOptions draw;
+    draw.scene = command.scene;
+    draw.input_format = command.input_format;
+    draw.load.up = command.up;
+    Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
     LightmapBake bake(std::move(scene), command.style, command.settings);
     if (bake.leaves_out_moving()) {

@@ -55,9 +55,10 @@ void BakeOptions::add_to(CLI::App& app)
     CLI::App& command =
         *app.add_subcommand("bake", "Work out the light on what stands still, as a lightmap for render");
     command.footer(bake_examples);
-    command.add_option("SCENE", scene_, "Scene: .gltf .glb .obj .ply .stl .fbx .dae")
+    command.add_option("SCENE", scene_, "Scene: .gltf .glb .obj .ply .stl .fbx .dae; - reads standard input")
         ->required()
         ->type_name("FILE");
+    input_.add_to(command);
     command.add_option("-o,--output", output_, "NAME.exr")->required()->type_name("FILE");
     command.add_option("--size", settings_.size, "Side of the map in texels")
         ->type_name("N")
@@ -115,6 +116,8 @@ BakeCommand BakeOptions::read() const
         throw UsageError("is out of range", "--sky", fmt::format("allowed: 0 to {}", most_sky));
     }
     BakeCommand command{.scene = scene_,
+                        .input_format = input_.format(),
+                        .up = input_.up(),
                         .output = output_,
                         .style = read_style(style_, assignments_),
                         .settings = settings_,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "options.hpp"
+#include "scene_options.hpp"
 
 namespace CLI {
 class App;
@@ -24,6 +25,7 @@ public:
 
 private:
     std::string scene_;
+    SceneOptions input_;
     std::string output_;
     std::string style_;
     std::vector<std::string> assignments_;

@@ -30,8 +30,7 @@ public:
     /// The scene and the lightmap of these options. Throws Error when they cannot be read.
     [[nodiscard]] const Scene& provide(const DrawOptions& draw)
     {
-        if (is_there_ && draw.scene == file_ && draw.seed == seed_ && draw.terrain == terrain_ &&
-            draw.lightmap == lightmap_ && draw.load.variant == variant_) {
+        if (is_there_ && load_the_same(draw, loaded_) && draw.lightmap == loaded_.lightmap) {
             return scene_;
         }
         is_there_ = false;
@@ -39,11 +38,7 @@ public:
         print_warnings(scene_.warnings);
         print_notes(up_axis_notes(scene_, draw.scene));
         set_scene(renderer_, scene_, draw);
-        file_ = draw.scene;
-        seed_ = draw.seed;
-        terrain_ = draw.terrain;
-        lightmap_ = draw.lightmap;
-        variant_ = draw.load.variant;
+        loaded_ = draw;
         is_there_ = true;
         return scene_;
     }
@@ -51,11 +46,7 @@ public:
 private:
     Renderer& renderer_;
     Scene scene_;
-    std::string file_;
-    uint64_t seed_ = 0;
-    std::string terrain_;
-    std::string lightmap_;
-    std::string variant_;
+    DrawOptions loaded_; ///< what `scene_` was read for
     bool is_there_ = false;
 };
 

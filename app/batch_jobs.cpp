@@ -25,15 +25,16 @@ using style::WordTable;
 const std::vector<std::string>& job_keys()
 {
     static const std::vector<std::string> keys{
-        "scene",     "output", "size",      "page",    "dpi",      "landscape", "camera",  "time",
-        "animation", "style",  "set",       "samples", "lightmap", "tile",      "quality", "depth",
-        "layers",    "layer",  "motion",    "since",   "hidden",   "plotter",   "seed",    "terrain",
-        "frames",    "fps",    "turntable", "resume",  "weather",  "hour",      "film",    "variant"};
+        "scene",     "output", "size",         "page",    "dpi",      "landscape", "camera",  "time",
+        "animation", "style",  "set",          "samples", "lightmap", "tile",      "quality", "depth",
+        "layers",    "layer",  "motion",       "since",   "hidden",   "plotter",   "seed",    "terrain",
+        "frames",    "fps",    "turntable",    "resume",  "weather",  "hour",      "film",    "view",
+        "ortho",     "up",     "input-format", "variant"};
     return keys;
 }
 
 /// Of which lists make many jobs of one.
-constexpr std::array varied_keys{"scene", "camera", "style"};
+constexpr std::array varied_keys{"scene", "camera", "view", "style"};
 
 bool is_varied(const std::string& key)
 {
@@ -66,12 +67,15 @@ Entries with_defaults(const WordTable& job, const Entries& defaults)
         check_entry(entry);
         entries.insert_or_assign(entry.key, entry);
     }
-    // A size in pixels and a page stand for each other.
+    // A size in pixels and a page stand for each other, and so do a camera and a view.
+    const bool has_camera = entries.contains("camera");
+    const bool has_view = entries.contains("view");
     const bool has_size = entries.contains("size");
     const bool has_page = entries.contains("page");
     for (const auto& [key, entry] : defaults) {
         const bool is_of_page = key == "page" || key == "dpi" || key == "landscape";
-        if (!(has_page && key == "size") && !(has_size && is_of_page)) {
+        if (!(has_page && key == "size") && !(has_size && is_of_page) && !(has_view && key == "camera") &&
+            !(has_camera && key == "view")) {
             entries.emplace(key, entry);
         }
     }
@@ -178,7 +182,7 @@ void check_outputs_differ(const std::vector<BatchJob>& jobs)
         if (!is_new) {
             throw Error(
                 fmt::format("jobs {} and {} both write {}", other->second->number, job.number, job.output),
-                job.where, "{scene}, {camera}, {style} or {n} in the name tell them apart");
+                job.where, "{scene}, {camera}, {view}, {style} or {n} in the name tell them apart");
         }
     }
 }

@@ -39,8 +39,9 @@ A file of jobs has a table [[job]] for each picture, with the options of estampe
   style = ["comic", "engraving", "wash"]
   output = "out/{scene}-{camera}-{style}.png"
 
-Of lists of scenes, cameras and styles each is drawn with each. In the output's name {scene} is the file's name
-without its extension, {style} the style's, {camera} a name or else a number, and {n} the number of the job.
+Of lists of scenes, cameras, views and styles each is drawn with each. In the output's name {scene} is the
+file's name without its extension, {style} the style's, {camera} a name or else a number, {view} the side, as
+in view = ["front", "top"], and {n} the number of the job.
 Jobs are drawn in their order by one process; a scene is loaded once for all that come one after another.
 A job that fails does not stop the others. The report says what became of each; Ctrl-C finishes the job in
 hand and leaves a report of what is done.

@@ -18,6 +18,9 @@ inline constexpr const char* examples = R"(Examples:
   estampe render temple.glb -o temple.exr --depth 32 --layers layers.exr
   estampe render temple.glb -o - --format jpg --quality 85 | lp
   estampe render temple.glb -o temple.png --page A4 --dpi 600
+  estampe render part.stl -o part.svg --up z --view isometric
+  estampe render house.glb -o plan.svg --view top --ortho --page A3
+  curl -s https://example.org/helmet.glb | estampe render - -o helmet.png
   estampe render fox.glb -o fox.png --time 0.4 --motion fox.exr --since 0.36
   estampe view helmet.gltf
   estampe info helmet.gltf --json

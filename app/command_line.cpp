@@ -17,6 +17,7 @@
 #include "option_values.hpp"
 #include "options.hpp"
 #include "picture_options.hpp"
+#include "scene_options.hpp"
 #include "temple/weather.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
@@ -30,7 +31,10 @@ struct Typed {
     std::string scene;
     std::string output;
     PageOptions page;
+    SceneOptions input;
     std::string camera;
+    std::string view;
+    bool ortho = false;
     std::string style;
     std::vector<std::string> assignments;
     bool draft = false;
@@ -41,7 +45,7 @@ struct Typed {
     std::string variant;
     std::string device = "auto";
     std::string raster = "auto";
-    double time_s = 0.0;
+    std::optional<double> time_s;
     uint32_t samples = 1;
     uint32_t repeat = 1;
     uint32_t tile_px = 0;
@@ -74,15 +78,25 @@ void add_set_option(CLI::App& command, Typed& typed, const char* help)
 void add_look_options(CLI::App& command, Typed& typed)
 {
     typed.page.add_to(command, command.get_name() == "render");
+    typed.input.add_to(command);
     command
         .add_option("--camera", typed.camera,
-                    "A camera of the file by name or index, auto (frame the whole scene), or\n"
-                    "\"eye=x,y,z target=x,y,z fov=degrees\" [the file's first camera, else auto]")
+                    "A camera of the file by name or index; auto (frame the whole scene);\n"
+                    "\"eye=x,y,z target=x,y,z fov=degrees\"; or a direction to frame the scene\n"
+                    "from, \"azimuth=degrees elevation=degrees\": azimuth 0 looks from +z and\n"
+                    "sees the front, 90 looks from +x [the file's first camera, else auto]")
         ->type_name("CAMERA");
-    command.add_option("--time", typed.time_s, "Moment of the animation, in seconds")
-        ->type_name("S")
-        ->capture_default_str();
-    command.add_option("--animation", typed.animation, "Animation by name or index [the first]")
+    command
+        .add_option("--view", typed.view,
+                    "Frame the whole scene from a side: front, back, left, right, top,\n"
+                    "bottom, isometric or three-quarter; front looks from +z, right from +x")
+        ->type_name("SIDE");
+    command.add_flag("--ortho", typed.ortho,
+                     "Parallel projection, as plans and elevations have it; isometric has\nit anyway");
+    command.add_option("--time", typed.time_s, "Moment of the animation, in seconds [0]")->type_name("S");
+    command
+        .add_option("--animation", typed.animation,
+                    "Animation by name or index, or all, which plays all of them together\n[the first]")
         ->type_name("NAME");
     command
         .add_option("--variant", typed.variant,
@@ -134,7 +148,7 @@ CLI::Option& add_scene(CLI::App& command, Typed& typed)
     return *command
                 .add_option("SCENE", typed.scene,
                             "Scene: .gltf .glb .obj .ply .stl .fbx .dae, a terrain's .toml, or\n"
-                            "temple, a world that the program makes")
+                            "temple, a world that the program makes; - reads standard input")
                 ->type_name("FILE");
 }
 
@@ -252,7 +266,10 @@ void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
     own.bake.add_to(app);
     own.batch.add_to(app);
     CLI::App& info = *app.add_subcommand("info", "Tell what a scene file holds");
-    info.add_option("SCENE", typed.scene, "Scene file")->required()->type_name("FILE");
+    info.add_option("SCENE", typed.scene, "Scene file; - reads standard input")
+        ->required()
+        ->type_name("FILE");
+    typed.input.add_to(info);
     info.add_flag("--json", typed.json, "Print JSON");
     CLI::App& devices = *app.add_subcommand("devices", "List the devices that can draw");
     devices.add_flag("--json", typed.json, "Print JSON");
@@ -295,6 +312,12 @@ DrawOptions read_draw_options(const Typed& typed)
 {
     DrawOptions draw;
     draw.scene = typed.scene;
+    draw.input_format = typed.input.format();
+    draw.load.up = typed.input.up();
+    if (draw.load.up && (is_temple(typed.scene) || lower_extension(typed.scene) == ".toml")) {
+        throw UsageError("is for files of scenes; a terrain and the temple have y up", "--up",
+                         "leave it out");
+    }
     draw.output = typed.output;
     draw.seed = typed.seed;
     check_weather(typed);
@@ -303,8 +326,9 @@ DrawOptions read_draw_options(const Typed& typed)
     draw.terrain = typed.terrain;
     draw.lightmap = typed.lightmap;
     draw.page = typed.page.read();
-    draw.time_s = typed.time_s;
-    if (!std::isfinite(typed.time_s)) {
+    draw.time_s = typed.time_s.value_or(0.0);
+    draw.has_time = typed.time_s.has_value();
+    if (!std::isfinite(draw.time_s)) {
         throw UsageError("is not a finite number", "--time");
     }
     draw.animation = typed.animation;
@@ -332,6 +356,18 @@ DrawOptions read_draw_options(const Typed& typed)
     }
     draw.tile_px = typed.tile_px;
     return draw;
+}
+
+CameraChoice read_camera(const Typed& typed, bool has_camera)
+{
+    if (has_camera && !typed.view.empty()) {
+        throw UsageError("takes the place of --camera", "--view", "give one of the two");
+    }
+    CameraChoice choice = has_camera            ? parse_camera(typed.camera)
+                          : !typed.view.empty() ? parse_view(typed.view)
+                                                : CameraChoice{};
+    choice.parallel = typed.ortho;
+    return choice;
 }
 
 /// Some options go with strokes alone, some with pictures alone.
@@ -368,7 +404,7 @@ void read_motion(const Typed& typed, RenderCommand& render)
                          "the name must end in .exr");
     }
     render.motion = typed.motion;
-    render.since_s = typed.since_s.value_or(typed.time_s - step_s);
+    render.since_s = typed.since_s.value_or(render.draw.time_s - step_s);
     if (!std::isfinite(render.since_s)) {
         throw UsageError("is not a finite number", "--since");
     }
@@ -414,7 +450,10 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
         return StyleManualCommand{};
     }
     if (app.got_subcommand("info")) {
-        return InfoCommand{typed.scene, typed.json};
+        return InfoCommand{.scene = typed.scene,
+                           .input_format = typed.input.format(),
+                           .up = typed.input.up(),
+                           .json = typed.json};
     }
     if (app.got_subcommand("devices")) {
         return DevicesCommand{typed.json};
@@ -440,9 +479,7 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
         throw UsageError("a command is missing", {}, "estampe --help lists them");
     }
     DrawOptions draw = read_draw_options(typed);
-    if (app.get_subcommands().front()->count("--camera") > 0) {
-        draw.camera = parse_camera(typed.camera);
-    }
+    draw.camera = read_camera(typed, app.get_subcommands().front()->count("--camera") > 0);
     if (view) {
         if (typed.warm_up && typed.scene.empty()) {
             throw UsageError("needs a scene", "--warm-up", "name the one to compile shaders for");

@@ -7,9 +7,11 @@
 
 #include <CLI/CLI.hpp>
 #include <estampe/style.hpp>
+#include <estampe/views.hpp>
 #include <fmt/format.h>
 
 #include "frame/style_tables.hpp"
+#include "piped_scene.hpp"
 
 namespace estampe::app {
 namespace {
@@ -110,6 +112,15 @@ std::string completer(const CLI::Option& option)
     }
     if (option.check_lname("raster")) {
         return "_estampe_words auto hardware compute";
+    }
+    if (option.check_lname("up")) {
+        return "_estampe_words x y z -x -y -z";
+    }
+    if (option.check_lname("view")) {
+        return fmt::format("_estampe_words {}", fmt::join(view_names(), " "));
+    }
+    if (option.check_lname("input-format")) {
+        return fmt::format("_estampe_words {}", fmt::join(input_formats(), " "));
     }
     if (option.check_lname("format")) {
         return "_estampe_words png jpg webp exr ora svg";

@@ -2,18 +2,15 @@
 #include "drawing.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include <estampe/error.hpp>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "core/file.hpp"
+#include "piped_scene.hpp"
 #include "scene/outlook/outlook.hpp"
 #include "temple/world.hpp"
-#include "text.hpp"
 
 namespace estampe::app {
 namespace {
@@ -63,6 +60,31 @@ void refuse_variant(const DrawOptions& draw)
     }
 }
 
+/// The scene of the file or pipe, whose messages name it as it was typed.
+Scene load_file_of(const DrawOptions& draw)
+{
+    const std::filesystem::path file = scene_file(draw.scene, draw.input_format);
+    const auto typed = [&](const std::string& text) { return with_typed_name(text, draw.scene, file); };
+    try {
+        Scene scene = load_scene(file, draw.load);
+        std::ranges::transform(scene.warnings, scene.warnings.begin(), typed);
+        return scene;
+    } catch (const Error& problem) {
+        if (file == draw.scene) {
+            throw;
+        }
+        throw Error(typed(problem.what()));
+    }
+}
+
+/// The direction that an automatic view has taken.
+ViewDirection direction_of_camera(const Camera& camera)
+{
+    const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
+    return {.azimuth_deg = glm::degrees(std::atan2(back.x, back.z)),
+            .elevation_deg = glm::degrees(std::asin(std::clamp(back.y, -1.0, 1.0)))};
+}
+
 } // namespace
 
 Scene load_scene_of(const DrawOptions& draw)
@@ -77,12 +99,21 @@ Scene load_scene_of(const DrawOptions& draw)
         scene.terrain = Terrain(load_terrain(draw.scene));
         return scene;
     }
-    Scene scene = load_scene(draw.scene, draw.load);
+    Scene scene = load_file_of(draw);
+    if (draw.animation == all_animations) {
+        add_all_animations(scene);
+    }
     if (!draw.terrain.empty()) {
         scene.terrain = Terrain(load_terrain(draw.terrain));
         lift(scene, scene.terrain->sample(0.0, 0.0, draw.time_s).height_m);
     }
     return scene;
+}
+
+bool load_the_same(const DrawOptions& a, const DrawOptions& b)
+{
+    return a.scene == b.scene && a.input_format == b.input_format && a.load == b.load && a.seed == b.seed &&
+           a.terrain == b.terrain && (a.animation == all_animations) == (b.animation == all_animations);
 }
 
 bool is_temple(const std::string& scene)
@@ -98,44 +129,40 @@ bool has_camera_of_file(const DrawOptions& draw, const Scene& scene)
 
 Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animation)
 {
-    if (draw.camera.kind == CameraChoice::Kind::placed) {
-        return draw.camera.placed;
+    const CameraChoice& choice = draw.camera;
+    if (choice.kind == CameraChoice::Kind::placed) {
+        return choice.parallel ? with_parallel_projection(choice.placed, choice.placed.target)
+                               : choice.placed;
     }
+    const double aspect = draw.style.window_aspect(draw.page.width, draw.page.height);
     const ScenePose pose = pose_scene(scene, draw.time_s, animation);
-    if (draw.camera.kind == CameraChoice::Kind::named) {
-        return scene_camera(scene, pose, draw.camera.name);
+    if (choice.kind == CameraChoice::Kind::directed) {
+        if (scene.meshes.empty()) {
+            throw Error("has no objects to frame from a side", draw.scene,
+                        "write --camera \"eye=x,y,z target=x,y,z\"");
+        }
+        ViewDirection direction = choice.direction;
+        direction.parallel = direction.parallel || choice.parallel;
+        return view_camera(scene, pose, aspect, direction);
     }
     if (has_camera_of_file(draw, scene)) {
-        return scene_camera(scene, pose, std::to_string(first_placed_camera(scene)));
+        const bool is_named = choice.kind == CameraChoice::Kind::named;
+        const Camera camera =
+            scene_camera(scene, pose, is_named ? choice.name : std::to_string(first_placed_camera(scene)));
+        return choice.parallel ? with_parallel_projection(camera, scene_bounds(scene, pose).center())
+                               : camera;
     }
     if (scene.terrain && scene.meshes.empty()) {
         return terrain_camera(*scene.terrain, draw.time_s,
                               towards_sun(draw.style.sun_bearing(), *scene.terrain));
     }
-    return framing_camera(scene, pose, draw.style.window_aspect(draw.page.width, draw.page.height),
-                          draw.style.sun_bearing());
-}
-
-Index choose_animation(const DrawOptions& draw, const Scene& scene)
-{
-    if (draw.animation.empty()) {
-        return 0;
+    const Camera framed = framing_camera(scene, pose, aspect, draw.style.sun_bearing());
+    if (!choice.parallel) {
+        return framed;
     }
-    std::vector<std::string> names;
-    for (const Animation& animation : scene.animations) {
-        if (animation.name == draw.animation) {
-            return static_cast<Index>(names.size());
-        }
-        names.push_back(in_quotes(animation.name));
-    }
-    Index index = 0;
-    const char* const end = draw.animation.data() + draw.animation.size();
-    const auto [stop, problem] = std::from_chars(draw.animation.data(), end, index);
-    if (problem == std::errc{} && stop == end && index < names.size()) {
-        return index;
-    }
-    throw Error(fmt::format("no animation {}", in_quotes(draw.animation)), draw.scene,
-                names.empty() ? "the file has none" : fmt::format("it has {}", fmt::join(names, ", ")));
+    ViewDirection direction = direction_of_camera(framed);
+    direction.parallel = true;
+    return view_camera(scene, pose, aspect, direction);
 }
 
 RenderSettings settings_of(const DrawOptions& draw, Index animation)
@@ -151,8 +178,9 @@ RenderSettings settings_of(const DrawOptions& draw, Index animation)
 void set_scene(Renderer& renderer, const Scene& scene, const DrawOptions& draw)
 {
     // What is asked for on the command line takes the place of what the file names.
-    const std::optional<Lightmap> lightmap =
-        draw.lightmap.empty() ? named_lightmap(draw.scene) : load_lightmap(draw.lightmap);
+    const std::optional<Lightmap> lightmap = draw.lightmap.empty()
+                                                 ? named_lightmap(scene_file(draw.scene, draw.input_format))
+                                                 : load_lightmap(draw.lightmap);
     try {
         renderer.set_scene(scene, lightmap ? &*lightmap : nullptr);
     } catch (const Error& problem) {

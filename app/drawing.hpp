@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "animations.hpp"
 #include "options.hpp"
 
 namespace estampe::app {
@@ -12,16 +13,15 @@ namespace estampe::app {
 /// else. Throws Error as load_scene() and load_terrain() do.
 [[nodiscard]] Scene load_scene_of(const DrawOptions& draw);
 
+/// Whether load_scene_of() gives the same scene for both.
+[[nodiscard]] bool load_the_same(const DrawOptions& a, const DrawOptions& b);
+
 /// The camera that `draw` asks for at its moment. Throws Error listing the file's cameras when it has none of
 /// that name.
 [[nodiscard]] Camera choose_camera(const DrawOptions& draw, const Scene& scene, Index animation);
 
 /// Whether that is one of the scene's own, which may move.
 [[nodiscard]] bool has_camera_of_file(const DrawOptions& draw, const Scene& scene);
-
-/// The animation that `draw` asks for. Throws Error listing the file's animations when it has none of that
-/// name.
-[[nodiscard]] Index choose_animation(const DrawOptions& draw, const Scene& scene);
 
 /// Size, samples and moment of a picture.
 [[nodiscard]] RenderSettings settings_of(const DrawOptions& draw, Index animation);

@@ -23,6 +23,7 @@
 #include "film_queue.hpp"
 #include "frame/style_tables.hpp"
 #include "living.hpp"
+#include "piped_scene.hpp"
 #include "progress.hpp"
 #include "scene_details.hpp"
 #include "signals.hpp"
@@ -34,11 +35,33 @@
 namespace estampe::app {
 namespace {
 
-/// The choice, with a last frame.
+/// How long an animation plays from where its file's time range begins.
+double playing_s(const Animation& animation)
+{
+    const double left_s = static_cast<double>(animation.duration_s) - static_cast<double>(animation.start_s);
+    return left_s > 0.0 ? left_s : animation.duration_s;
+}
+
+/// The command as it is drawn: without --time a film begins where the file's time range does.
+RenderCommand with_begin(RenderCommand command, const Scene& scene, Index animation)
+{
+    if (!command.draw.has_time && animation < scene.animations.size()) {
+        command.draw.time_s = scene.animations[animation].start_s;
+    }
+    return command;
+}
+
+/// The choice, with a last frame and the rate of the file.
 FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene, Index animation)
 {
+    constexpr double least_rate = 1.0; // beyond these a file is not believed
+    constexpr double most_rate = 240.0;
     constexpr double turn_s = 5.0;
     constexpr double world_s = 60.0; // of the temple's weather, in which all of it comes once
+    if (!film.has_rate && scene.frames_per_s && *scene.frames_per_s >= least_rate &&
+        *scene.frames_per_s <= most_rate) {
+        film.frames_per_s = *scene.frames_per_s;
+    }
     if (film.flies && !is_temple(draw.scene)) {
         throw Error("there is no film to be taken of it", draw.scene, "--film goes with the temple alone");
     }
@@ -56,7 +79,7 @@ FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene
     const double length_s = film.turntable             ? turn_s
                             : is_temple(draw.scene)    ? world_s
                             : scene.animations.empty() ? turn_s
-                                                       : scene.animations.at(animation).duration_s;
+                                                       : playing_s(scene.animations.at(animation));
     film.last = std::max(1U, static_cast<uint32_t>(std::lround(length_s * film.frames_per_s)));
     return film;
 }
@@ -71,7 +94,8 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add_text(renderer.device().name + renderer.device().driver + name_of(renderer.raster_path()));
     hash.add_text(draw.scene);
     hash.add(draw.seed);
-    for (const std::string& file : {draw.scene, draw.terrain, draw.lightmap}) {
+    const std::string scene_path = scene_file(draw.scene, draw.input_format).string();
+    for (const std::string& file : {scene_path, draw.terrain, draw.lightmap}) {
         if (!file.empty() && !(file == draw.scene && is_temple(file))) {
             hash.add(std::filesystem::file_size(file));
             hash.add(std::filesystem::last_write_time(file).time_since_epoch().count());
@@ -95,6 +119,18 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add(draw.camera.placed.up);
     hash.add(draw.camera.placed.vertical_fov_rad);
     hash.add(draw.camera.placed.orthographic_half_height_m.value_or(0.0));
+    const ViewDirection& from = draw.camera.direction;
+    hash.add(from.azimuth_deg);
+    hash.add(from.elevation_deg);
+    hash.add(from.distance_m.value_or(0.0));
+    hash.add(from.target.value_or(glm::dvec3(0.0)));
+    hash.add(from.target.has_value());
+    hash.add(from.fov_deg.value_or(0.0));
+    hash.add(from.half_height_m.value_or(0.0));
+    hash.add(from.parallel);
+    hash.add(draw.camera.parallel);
+    hash.add(draw.load.up.has_value());
+    hash.add(draw.load.up.value_or(UpAxis::y));
     hash.add(film.first);
     hash.add(film.frames_per_s);
     // It says how far each frame of a turn goes, and how much a view of all that moves has to hold.
@@ -291,10 +327,14 @@ void print_cost(const FilmCost& cost, uint32_t frames, double whole_s)
 
 FilmCost draw_film(Renderer& renderer, const Scene& scene, const RenderCommand& command)
 {
-    const DrawOptions& draw = command.draw;
-    const Index animation = choose_animation(draw, scene);
+    const Index animation = choose_animation(command.draw, scene);
+    const RenderCommand timed = with_begin(command, scene, animation);
+    const DrawOptions& draw = timed.draw;
+    if (const std::string note = note_of_animations(draw, scene); !note.empty()) {
+        print_notes({note});
+    }
     const FilmChoice film = with_end(*command.film, draw, scene, animation);
-    FilmJob job(command, film, scene, animation, renderer);
+    FilmJob job(timed, film, scene, animation, renderer);
     const uint32_t next = job.draw_from(job.recall());
     job.finish(next > film.last);
     if (next <= film.last) {

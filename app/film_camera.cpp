@@ -26,6 +26,7 @@ Camera turned(const Camera& camera, double turn)
 /// How much of the page's half height or width the box reaches to from its middle.
 double reach(const Camera& camera, const Bounds& box, double aspect)
 {
+    const std::optional<double>& half_height_m = camera.orthographic_half_height_m;
     const glm::dmat4 view = glm::lookAt(camera.eye, camera.target, camera.up);
     const double tangent = std::tan(0.5 * camera.vertical_fov_rad);
     double most = 0.0;
@@ -34,9 +35,8 @@ double reach(const Camera& camera, const Bounds& box, double aspect)
                                (corner & 2) != 0 ? box.max.y : box.min.y,
                                (corner & 4) != 0 ? box.max.z : box.min.z);
         const glm::dvec3 seen(view * glm::dvec4(place, 1.0));
-        const double away_m = std::max(-seen.z, camera.near_m);
-        most = std::max(
-            {most, std::abs(seen.y) / (away_m * tangent), std::abs(seen.x) / (away_m * tangent * aspect)});
+        const double half_m = half_height_m.value_or(std::max(-seen.z, camera.near_m) * tangent);
+        most = std::max({most, std::abs(seen.y) / half_m, std::abs(seen.x) / (half_m * aspect)});
     }
     return most;
 }
@@ -59,7 +59,11 @@ Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int si
     Camera away = camera;
     constexpr int rounds = 24;
     for (int round = 0; round < rounds && farthest(away) > 1.001 * allowed; ++round) {
-        away.eye = away.target + (away.eye - away.target) * std::min(farthest(away) / allowed, 1.3);
+        const double farther = std::min(farthest(away) / allowed, 1.3);
+        away.eye = away.target + (away.eye - away.target) * farther;
+        if (away.orthographic_half_height_m) {
+            *away.orthographic_half_height_m *= farther;
+        }
     }
     return away;
 }
@@ -76,7 +80,9 @@ FilmCamera::FilmCamera(const DrawOptions& draw, const Scene& scene, Index animat
     DrawOptions first = draw;
     first.time_s = begin_s;
     still_ = choose_camera(first, scene, animation);
-    const bool is_framed = draw.camera.kind != CameraChoice::Kind::placed;
+    const ViewDirection& from = draw.camera.direction;
+    const bool is_framed =
+        draw.camera.kind != CameraChoice::Kind::placed && !from.distance_m && !from.half_height_m;
     const int sides = turntable ? side_count : 1;
     const int moments = scene.animations.empty() ? 1 : moment_count;
     if (!is_framed || sides * moments == 1) {

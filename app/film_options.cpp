@@ -51,7 +51,8 @@ void FilmOptions::add_to(CLI::App& command)
             "--frames", frames_,
             "Film: how many frames, or the first and the last, as in 25-48\n[to the end of the animation]")
         ->type_name("N|A-B");
-    command.add_option("--fps", frames_per_s_, "Film: frames a second [24]")->type_name("F");
+    command.add_option("--fps", frames_per_s_, "Film: frames a second [what the file was made for, else 24]")
+        ->type_name("F");
     command.add_flag("--turntable", turntable_, "Film: go once around what is seen [in 5 s]");
     command.add_flag("--film", flies_, "Film of the temple: a minute's way from the dunes to its last hall");
     command.add_flag("--resume", resume_, "Film: go on where an earlier run stopped");
@@ -84,6 +85,7 @@ std::optional<FilmChoice> FilmOptions::read(const std::string& output) const
         read_range(frames_, film);
     }
     film.frames_per_s = frames_per_s_.value_or(film.frames_per_s);
+    film.has_rate = frames_per_s_.has_value();
     if (!(film.frames_per_s >= 0.1 && film.frames_per_s <= 1000.0)) {
         throw UsageError("is not 0.1 to 1000", "--fps");
     }

@@ -16,10 +16,11 @@ struct FilmChoice {
     uint32_t first = 1;
     uint32_t last = 0; ///< with the first; 0: to the end of the animation, of a turn of five seconds, or of
                        ///< the flight
-    double frames_per_s = 24.0;
-    bool turntable = false; ///< the eye goes once around from the first frame to the last
-    bool flies = false;     ///< along the way that the temple has for films
-    bool resume = false;    ///< go on where an earlier run stopped
+    double frames_per_s = 24.0; ///< without --fps that of the scene's file, where it says one
+    bool has_rate = false;      ///< --fps was given
+    bool turntable = false;     ///< the eye goes once around from the first frame to the last
+    bool flies = false;         ///< along the way that the temple has for films
+    bool resume = false;        ///< go on where an earlier run stopped
 };
 
 /// Whether `output` is a film, or pictures with numbers in their names ("frames/%04d.png").

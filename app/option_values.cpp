@@ -2,13 +2,17 @@
 #include "option_values.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "piped_scene.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
 
@@ -16,7 +20,7 @@ namespace estampe::app {
 namespace {
 
 constexpr const char* camera_syntax =
-    "write \"eye=x,y,z target=x,y,z fov=degrees\", or a camera's name, or auto";
+    "write \"eye=2,1,3 target=0,0.5,0 fov=35\", \"azimuth=30 elevation=20\", a camera's name, or auto";
 
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text)
@@ -32,15 +36,20 @@ std::optional<Number> parse_number(std::string_view text)
     throw UsageError(what, "--camera", camera_syntax);
 }
 
-/// Looks at the origin unless told otherwise.
-Camera parse_placement(const std::string& text)
+/// What `parse` reads of --camera; its Error is a mistake in the command line.
+template <typename Parse>
+auto parsed(const Parse& parse)
 {
     try {
-        return estampe::parse_camera(text.find("target=") == std::string::npos ? text + " target=0,0,0"
-                                                                               : text);
+        return parse();
     } catch (const Error& problem) {
         throw UsageError(problem.what(), "--camera");
     }
+}
+
+bool has_any(const std::string& text, std::initializer_list<const char*> keys)
+{
+    return std::ranges::any_of(keys, [&](const char* key) { return text.find(key) != std::string::npos; });
 }
 
 } // namespace
@@ -68,10 +77,14 @@ CameraChoice parse_camera(const std::string& text)
     CameraChoice choice;
     if (text == "auto") {
         choice.kind = CameraChoice::Kind::framing;
-    } else if (text.find("eye=") != std::string::npos || text.find("target=") != std::string::npos ||
-               text.find("fov=") != std::string::npos) {
+    } else if (has_any(text, {"azimuth=", "elevation=", "distance="})) {
+        choice.kind = CameraChoice::Kind::directed;
+        choice.direction = parsed([&] { return parse_view_direction(text); });
+    } else if (has_any(text, {"eye=", "target=", "fov="})) {
         choice.kind = CameraChoice::Kind::placed;
-        choice.placed = parse_placement(text);
+        const bool has_target = has_any(text, {"target="}); // else the origin
+        choice.placed =
+            parsed([&] { return estampe::parse_camera(has_target ? text : text + " target=0,0,0"); });
     } else if (text.empty()) {
         fail_camera("is empty");
     } else {
@@ -79,6 +92,47 @@ CameraChoice parse_camera(const std::string& text)
         choice.name = text;
     }
     return choice;
+}
+
+CameraChoice parse_view(const std::string& text)
+{
+    const std::optional<NamedView> view = named_view(text);
+    if (!view) {
+        throw UsageError(fmt::format("there is no view {}", in_quotes(text)), "--view",
+                         fmt::format("allowed: {}", fmt::join(view_names(), ", ")));
+    }
+    CameraChoice choice;
+    choice.kind = CameraChoice::Kind::directed;
+    choice.direction = direction_of(*view);
+    return choice;
+}
+
+UpAxis parse_up_axis(const std::string& text)
+{
+    constexpr std::array<std::pair<std::string_view, UpAxis>, 6> axes{{{"x", UpAxis::x},
+                                                                       {"y", UpAxis::y},
+                                                                       {"z", UpAxis::z},
+                                                                       {"-x", UpAxis::minus_x},
+                                                                       {"-y", UpAxis::minus_y},
+                                                                       {"-z", UpAxis::minus_z}}};
+    std::string low = text;
+    std::ranges::transform(low, low.begin(), [](unsigned char c) { return std::tolower(c); });
+    const auto* const found =
+        std::ranges::find(axes, std::string_view(low), &decltype(axes)::value_type::first);
+    if (found == axes.end()) {
+        throw UsageError(fmt::format("{} is no axis", in_quotes(text)), "--up",
+                         "write x, y, z, -x, -y or -z, as the file's coordinates have it");
+    }
+    return found->second;
+}
+
+void check_input_format(const std::string& text)
+{
+    const auto formats = input_formats();
+    if (!text.empty() && std::ranges::find(formats, std::string_view(text)) == formats.end()) {
+        throw UsageError(fmt::format("{} is no format of scenes", in_quotes(text)), "--input-format",
+                         fmt::format("allowed: {}", fmt::join(formats, ", ")));
+    }
 }
 
 RasterPath parse_raster_path(const std::string& text)

@@ -19,9 +19,18 @@ inline constexpr uint32_t largest_side_px = 65535;
 /// "auto", "hardware" or "compute". Throws UsageError when it is none of them.
 [[nodiscard]] RasterPath parse_raster_path(const std::string& text);
 
-/// "auto", a name or index, or "eye=x,y,z target=x,y,z fov=degrees". Throws UsageError when the last is
-/// malformed.
+/// "auto", a name or index, "eye=x,y,z target=x,y,z fov=degrees", or "azimuth=degrees elevation=degrees".
+/// Throws UsageError when one of the last two is malformed.
 [[nodiscard]] CameraChoice parse_camera(const std::string& text);
+
+/// "front", "three-quarter" and so on. Throws UsageError listing the views when there is no such one.
+[[nodiscard]] CameraChoice parse_view(const std::string& text);
+
+/// "x", "y", "z", "-x", "-y" or "-z". Throws UsageError when it is none of them.
+[[nodiscard]] UpAxis parse_up_axis(const std::string& text);
+
+/// Throws UsageError unless `text` is empty or a format of --input-format.
+void check_input_format(const std::string& text);
 
 /// Throws UsageError unless `text` is "auto", "cpu" or an index.
 void check_device(const std::string& text);

@@ -10,6 +10,7 @@
 #include <estampe/bake.hpp>
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
+#include <estampe/views.hpp>
 
 #include "film_options.hpp"
 #include "page_options.hpp"
@@ -23,15 +24,19 @@ struct CameraChoice {
         framing,   ///< the whole scene, whatever the file says
         named,     ///< a camera of the file
         placed,    ///< eye, target and fov
+        directed,  ///< a named side, or azimuth and elevation
     };
     Kind kind = Kind::automatic;
     std::string name;
     Camera placed;
+    ViewDirection direction;
+    bool parallel = false; ///< --ortho
 };
 
 /// What drawing needs, whether a picture or a graph comes of it.
 struct DrawOptions {
     std::string scene;
+    std::string input_format; ///< of a scene that comes through a pipe; empty: recognised by its content
     std::string output;
     uint64_t seed = 1;         ///< of a scene that is made by chance
     std::string weather;       ///< of such a scene, by its name; empty: it changes
@@ -42,7 +47,8 @@ struct DrawOptions {
     PageSize page;
     CameraChoice camera;
     double time_s = 0.0;
-    std::string animation; ///< a name or an index; empty: the first
+    bool has_time = false; ///< --time was given
+    std::string animation; ///< a name, an index or "all"; empty: the first
     uint32_t samples = 1;
     uint32_t tile_px = 0; ///< see RenderSettings
     Style style;
@@ -94,6 +100,8 @@ struct GraphCommand {
 
 struct InfoCommand {
     std::string scene;
+    std::string input_format; ///< as in DrawOptions
+    std::optional<UpAxis> up;
     bool json = false;
 };
 
@@ -170,6 +178,8 @@ struct BenchRooflineCommand {
 /// Works out light ahead.
 struct BakeCommand {
     std::string scene;
+    std::string input_format; ///< as in DrawOptions
+    std::optional<UpAxis> up;
     std::string output; ///< .exr
     Style style;
     BakeSettings settings;

@@ -128,6 +128,7 @@ PageSize PageOptions::read() const
     }
     size.width = pixels_of(page.width, dots_per_inch);
     size.height = pixels_of(page.height, dots_per_inch);
+    size.width_mm = page.width;
     size.height_mm = page.height;
     size.dots_per_inch = dots_per_inch;
     if (std::max(size.width, size.height) > largest_side_px) {

@@ -15,6 +15,7 @@ namespace estampe::app {
 struct PageSize {
     uint32_t width = 1280; ///< pixels
     uint32_t height = 720;
+    std::optional<double> width_mm;      ///< of a page in millimetres, exactly
     std::optional<double> height_mm;     ///< of a page in millimetres, which millimetres of the style are of
     std::optional<double> dots_per_inch; ///< of such a page, for the file to tell
 };

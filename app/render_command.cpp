@@ -61,8 +61,11 @@ bool has_weather(const DrawOptions& draw, const Scene& scene)
            !frame::emitting_nodes(scene, style.particles.emitters).empty();
 }
 
-void warn_of_idle_time(const DrawOptions& draw, const Scene& scene)
+void tell_of_time(const DrawOptions& draw, const Scene& scene)
 {
+    if (const std::string note = draw.has_time ? note_of_animations(draw, scene) : ""; !note.empty()) {
+        print_notes({note});
+    }
     if (draw.time_s != 0.0 && scene.animations.empty() && !scene.terrain && !has_weather(draw, scene)) {
         print_warnings({fmt::format("{}: has no animation, so --time changes nothing", draw.scene)});
     }
@@ -110,6 +113,24 @@ RenderSettings settings_of_strokes(const DrawOptions& draw, Index animation)
     return settings;
 }
 
+/// Gives the drawing the exact size of the page: pixels of a page are not quite square, as it has a whole
+/// number of them.
+void fit_to_page(VectorDrawing& drawing, const PageSize& page)
+{
+    if (!page.width_mm || !page.height_mm || !(drawing.width_mm > 0.0F && drawing.height_mm > 0.0F)) {
+        return;
+    }
+    const glm::vec2 size_mm(*page.width_mm, *page.height_mm);
+    const glm::vec2 scale = size_mm / glm::vec2(drawing.width_mm, drawing.height_mm);
+    for (VectorStroke& stroke : drawing.strokes) {
+        for (VectorPoint& point : stroke.points) {
+            point.page_mm = glm::min(point.page_mm * scale, size_mm);
+        }
+    }
+    drawing.width_mm = size_mm.x;
+    drawing.height_mm = size_mm.y;
+}
+
 void write_strokes(Renderer& renderer, const Camera& camera, const Style& style, Index animation,
                    const RenderCommand& command)
 {
@@ -117,6 +138,7 @@ void write_strokes(Renderer& renderer, const Camera& camera, const Style& style,
     VectorDrawing drawing = renderer.draw_strokes(camera, style, settings_of_strokes(draw, animation),
                                                   command.hidden ? HiddenLines::kept : HiddenLines::left_out);
     print_notes(renderer.notes());
+    fit_to_page(drawing, draw.page);
     if (command.plotter) {
         const PlotterWork before = plotter_work(drawing);
         prepare_for_plotter(drawing);
@@ -136,7 +158,7 @@ void write_strokes(Renderer& renderer, const Camera& camera, const Style& style,
 
 void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand& command)
 {
-    warn_of_idle_time(command.draw, scene);
+    tell_of_time(command.draw, scene);
     const Index animation = choose_animation(command.draw, scene);
     const Camera camera = choose_camera(command.draw, scene, animation);
     warn_of_empty_view(command.draw, scene, animation, camera);
@@ -168,7 +190,7 @@ void run(const RenderCommand& command)
     const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
     print_notes(up_axis_notes(scene, draw.scene));
-    warn_of_idle_time(draw, scene);
+    tell_of_time(draw, scene);
     const Index animation = choose_animation(draw, scene);
     // A view of all of a large scene takes as long to choose as its upload.
     std::future<Camera> choosing = std::async(at_once, [&] { return choose_camera(draw, scene, animation); });

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "commands.hpp"
+#include "piped_scene.hpp"
 #include "viewer/viewer.hpp"
 
 namespace estampe::app {
@@ -21,6 +22,7 @@ void run(const ViewCommand& command)
         if (is_reading) {
             // A large file that nobody waits for: threads end with the program.
             std::fflush(nullptr);
+            forget_piped_scenes();
             std::_Exit(0);
         }
     }

@@ -51,8 +51,17 @@ bool Viewer::act_on_view(Action action)
     case Action::front:
         rig.look_from(ViewSide::front);
         return true;
+    case Action::back_side:
+        rig.look_from(ViewSide::back);
+        return true;
     case Action::right:
         rig.look_from(ViewSide::right);
+        return true;
+    case Action::left:
+        rig.look_from(ViewSide::left);
+        return true;
+    case Action::bottom:
+        rig.look_from(ViewSide::bottom);
         return true;
     case Action::top:
         rig.look_from(ViewSide::top);
@@ -189,6 +198,10 @@ void Viewer::act(Action action)
         toggle_recording();
         break;
     case Action::reload:
+        read_scene_again();
+        break;
+    case Action::up_axis:
+        studio_.step_up_axis();
         read_scene_again();
         break;
     default:

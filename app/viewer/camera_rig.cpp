@@ -187,8 +187,18 @@ void CameraRig::look_from(ViewSide side)
     switch (side) {
     case ViewSide::front:
         break;
+    case ViewSide::back:
+        from = {0.0, 0.0, -1.0};
+        break;
+    case ViewSide::left:
+        from = {-1.0, 0.0, 0.0};
+        break;
     case ViewSide::right:
         from = {1.0, 0.0, 0.0};
+        break;
+    case ViewSide::bottom:
+        from = {0.0, -1.0, 0.0};
+        up = {0.0, 0.0, 1.0};
         break;
     case ViewSide::top:
         from = {0.0, 1.0, 0.0};

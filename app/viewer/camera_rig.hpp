@@ -16,7 +16,7 @@ enum class CameraMode : uint8_t {
 };
 
 /// Sides to look from, as f3d has them.
-enum class ViewSide : uint8_t { front, right, top, isometric };
+enum class ViewSide : uint8_t { front, back, left, right, top, bottom, isometric };
 
 /// A camera in the hands of a person: orbit, fly and walk. Knows no window: drags come as shares of the
 /// view's height, so that one feels as another on any size.

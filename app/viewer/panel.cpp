@@ -115,6 +115,33 @@ void show_save_field(Studio& studio)
     ImGui::EndPopup();
 }
 
+/// Which axis of the file points up; a choice reads the scene again.
+void show_up_axes(Studio& studio, const PanelRequests& requests)
+{
+    struct Choice {
+        const char* name;
+        std::optional<UpAxis> up;
+    };
+
+    static const std::array<Choice, 7> choices{{{"as the file says", std::nullopt},
+                                                {"x", UpAxis::x},
+                                                {"y", UpAxis::y},
+                                                {"z", UpAxis::z},
+                                                {"-x", UpAxis::minus_x},
+                                                {"-y", UpAxis::minus_y},
+                                                {"-z", UpAxis::minus_z}}};
+    const auto* const now = std::ranges::find(choices, studio.up, &Choice::up);
+    if (ImGui::BeginCombo("Up axis", now->name)) {
+        for (const Choice& choice : choices) {
+            if (ImGui::Selectable(choice.name, choice.up == studio.up) && choice.up != studio.up) {
+                studio.up = choice.up;
+                requests.act(Action::reload);
+            }
+        }
+        ImGui::EndCombo();
+    }
+}
+
 /// Begins tabs so close together that all names are to be read.
 template <typename Begin>
 bool narrowly(const Begin& begin)
@@ -206,7 +233,7 @@ void show_layers_tab(Studio& studio)
     show_layer(studio, "Border", tables.paper.border_mm, base.paper.border_mm, 0.0F, 0.35F);
 }
 
-void show_views_tab(Studio& studio)
+void show_views_tab(Studio& studio, const PanelRequests& requests)
 {
     if (!studio.file) {
         ImGui::TextDisabled("There is no scene yet.");
@@ -219,6 +246,7 @@ void show_views_tab(Studio& studio)
     if (ImGui::Button("The first view")) {
         studio.rig.go_home();
     }
+    show_up_axes(studio, requests);
     ImGui::Spacing();
     std::optional<size_t> removed;
     for (size_t i = 0; i < studio.bookmarks.size(); ++i) {
@@ -332,7 +360,7 @@ void show_panel(Studio& studio, const PanelRequests& requests, float content_sca
                     show_layers_tab(studio);
                     break;
                 case PanelTab::views:
-                    show_views_tab(studio);
+                    show_views_tab(studio, requests);
                     break;
                 case PanelTab::timings:
                     show_timings_tab(studio);

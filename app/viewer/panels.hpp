@@ -40,7 +40,7 @@ void show_style_tab(Studio& studio, const PanelRequests& requests);
 void show_light_tab(Studio& studio);
 void show_ground_tab(Studio& studio, const PanelRequests& requests);
 void show_layers_tab(Studio& studio);
-void show_views_tab(Studio& studio);
+void show_views_tab(Studio& studio, const PanelRequests& requests);
 void show_timings_tab(Studio& studio);
 
 /// Rows of parameters: one that its table describes, with name, control and a way back to the base.

@@ -10,11 +10,21 @@
 namespace estampe::viewer {
 namespace {
 
+/// Lets all animations be chosen together where they move different things.
+void offer_all_animations(Scene& scene)
+{
+    if (!app::add_all_animations(scene)) {
+        scene.animations.pop_back();
+        scene.warnings.pop_back();
+    }
+}
+
 std::shared_ptr<const LoadedFile> load_file(const app::DrawOptions& draw)
 {
     auto file = std::make_shared<LoadedFile>();
     file->draw = draw;
     file->scene = load_scene_of(draw);
+    offer_all_animations(file->scene);
     file->animation = app::choose_animation(draw, file->scene);
     file->home = app::choose_camera(draw, file->scene, file->animation);
     file->bounds = scene_bounds(file->scene, pose_scene(file->scene, draw.time_s, file->animation));

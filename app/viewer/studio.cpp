@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "frame/style_tables.hpp"
+#include "piped_scene.hpp"
 
 namespace estampe::viewer {
 
@@ -37,6 +38,9 @@ void Studio::attempt(const std::string& topic, const std::function<void()>& step
 
 void Studio::store_bookmarks()
 {
+    if (app::is_piped(file->draw.scene)) {
+        return; // there is no file to keep them beside
+    }
     attempt("bookmarks", [this] { save_bookmarks(bookmarks, bookmarks_path(file->draw.scene)); });
 }
 
@@ -82,6 +86,15 @@ void Studio::step_bookmark(int step)
     const auto count = static_cast<int>(bookmarks.size());
     const int now = bookmark ? static_cast<int>(*bookmark) : (step > 0 ? -1 : 0);
     go_to_bookmark(static_cast<size_t>((now + step + count) % count));
+}
+
+void Studio::step_up_axis()
+{
+    const UpAxis now = up.value_or(UpAxis::y);
+    up = now == UpAxis::y ? UpAxis::z : now == UpAxis::z ? UpAxis::x : UpAxis::y;
+    const char* const name = *up == UpAxis::z ? "z" : *up == UpAxis::x ? "x" : "y";
+    say(Message::Kind::note, "up",
+        fmt::format("{} of the file points up; --up {} does the same", name, name));
 }
 
 void Studio::step_preset(int step)

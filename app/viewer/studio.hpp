@@ -55,6 +55,7 @@ struct Studio {
     CameraRig rig;
     Timeline time;
     Resolution resolution;
+    std::optional<UpAxis> up; ///< axis of the scene's file that points up; none: what the file says
     Comparison comparison;
     std::vector<Bookmark> bookmarks;
     std::optional<size_t> bookmark; ///< the one that was gone to last
@@ -100,6 +101,8 @@ struct Studio {
     void remove_bookmark(size_t index);
     /// The one before or after, around.
     void step_bookmark(int step);
+    /// The next axis of the file points up: z, x, y, around.
+    void step_up_axis();
     /// The preset before or after, around.
     void step_preset(int step);
     /// The style in hand becomes the right side, and is compared with what comes of it; or no more.

@@ -110,10 +110,15 @@ void Viewer::open_terrain(const std::string& path)
 
 void Viewer::open_scene(const std::string& path, const std::string& terrain)
 {
+    if (!studio_.file || path != studio_.file->draw.scene) {
+        studio_.up = path == command_.draw.scene ? command_.draw.load.up : std::nullopt;
+    }
     app::DrawOptions draw = command_.draw;
     draw.terrain = terrain;
+    draw.load.up = studio_.up;
     if (path != command_.draw.scene) {
         draw.scene = path;
+        draw.input_format.clear();
         draw.lightmap.clear();
         draw.camera = {};
         draw.animation.clear();

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "gpu/shader_replacements.hpp"
+#include "piped_scene.hpp"
 
 namespace estampe::viewer {
 
@@ -57,6 +58,7 @@ void Viewer::take(const SceneTaken& taken)
 {
     const std::shared_ptr<const LoadedFile> before = studio_.file;
     const bool is_same = studio_.file && studio_.file->draw.scene == taken.file->draw.scene &&
+                         studio_.file->draw.load.up == taken.file->draw.load.up &&
                          studio_.file->scene.terrain.has_value() == taken.file->scene.terrain.has_value();
     studio_.file = taken.file;
     studio_.settle("scene");
@@ -65,8 +67,9 @@ void Viewer::take(const SceneTaken& taken)
     const Scene& scene = taken.file->scene;
     const std::string name = std::filesystem::path(taken.file->draw.scene).filename().string();
     const bool is_terrain_alone = scene.terrain && scene.meshes.empty();
-    scene_watch_.watch(is_terrain_alone ? std::vector<std::filesystem::path>{}
-                                        : files_of_scene(taken.file->draw.scene));
+    const bool is_watched = !is_terrain_alone && !app::is_piped(taken.file->draw.scene);
+    scene_watch_.watch(!is_watched ? std::vector<std::filesystem::path>{}
+                                   : files_of_scene(taken.file->draw.scene));
     take_terrain_of(*taken.file, is_same);
     if (!is_same) {
         // Made when someone walks; a scene that stands still is enough.
@@ -125,7 +128,7 @@ void Viewer::take(Picture& picture)
         }
     }
     studio_.settle("picture");
-    if (studio_.is_refined && studio_.is_on_processor) {
+    if (studio_.is_refined && studio_.is_on_processor && !app::is_piped(studio_.file->draw.scene)) {
         warm_up_.begin(studio_.file->draw.scene);
     }
     report(fmt::format("picture {} of view {}: {} x {}, {:.0f} %, {:.0f} ms{}", picture.slot, picture.view,

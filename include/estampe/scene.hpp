@@ -256,7 +256,7 @@ struct Scene {
     std::vector<SceneCamera> cameras;
     std::vector<Animation> animations;
     std::optional<double> frames_per_s; ///< frame rate that the file was made for, if the file says one
-    std::vector<std::string> variants; ///< names of the material variants, see apply_variant()
+    std::vector<std::string> variants;  ///< names of the material variants, see apply_variant()
     std::optional<Terrain>
         terrain; ///< ground without an end; drawn as an object and a material named "terrain"
     std::vector<std::string> extensions_used;
@@ -288,6 +288,10 @@ enum class UpAxis : uint8_t { x, y, z, minus_x, minus_y, minus_z };
 /// How load_scene() reads a file. The defaults read the file as it is.
 struct LoadOptions {
     std::string variant; ///< the material variant to draw, by name or index; empty: the default materials
+    std::optional<UpAxis> up; ///< the axis of the file's coordinates that points up: the scene is turned so
+                              ///< that it becomes +y; none: what the file or its format says, else y
+
+    bool operator==(const LoadOptions& other) const = default;
 };
 
 /// Reads a scene: .gltf and .glb, and .obj .ply .stl .fbx .dae.
@@ -347,9 +351,11 @@ struct Camera {
 struct SunBearing {
     double azimuth_deg = -34.0; ///< 0 is +z, 90 +x, for an eye at 35 degrees
     double elevation_deg = 45.0;
-    bool turns = true;  ///< with the side that the framed view shows
-    bool rules = false; ///< in place of the scene's own light
-    bool throws = true; ///< whether the shadow is drawn, and so wants room
+    bool turns = true;                   ///< with the side that the framed view shows
+    bool rules = false;                  ///< in place of the scene's own light
+    bool throws = true;                  ///< whether the shadow is drawn, and so wants room
+    std::optional<bool> on_blank_ground; ///< whether a blank ground below the scene takes the shadow, so that
+                                         ///< it is seen without a floor; none: unless the scene has a camera
 };
 
 /// Frames the scene as a person would: three-quarter view from slightly above, whole, with a margin, from the
@@ -362,9 +368,10 @@ struct SunBearing {
 [[nodiscard]] Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect,
                                     const SunBearing& sun = {});
 
-/// Reads "eye=x,y,z target=x,y,z [fov=degrees] [up=x,y,z] [ortho=half_height]", in any order, separated by
-/// blanks. `fov` is vertical, 1 to 170; `ortho` makes a parallel projection, half its height in metres.
-/// Throws Error saying which part is wrong and what is allowed.
+/// Reads "eye=x,y,z target=x,y,z [fov=degrees] [up=x,y,z] [ortho] [ortho=half_height]", in any order,
+/// separated by blanks. `fov` is vertical, 1 to 170. `ortho` makes a parallel projection: half its height in
+/// metres, or without a number as high as the view is at the target. Throws Error saying which part is wrong
+/// and showing the right form.
 [[nodiscard]] Camera parse_camera(const std::string& text);
 
 } // namespace estampe

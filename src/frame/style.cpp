@@ -103,20 +103,25 @@ std::string Style::to_toml() const
 SunBearing Style::sun_bearing() const
 {
     const light::LightStyle& light = tables_->light;
-    const bool throws = light.shadows && tables_->picture.ground != frame::Ground::none;
+    const bool throws = light.shadows;
+    const frame::Ground ground = tables_->picture.ground;
+    const std::optional<bool> on_blank_ground =
+        ground == frame::Ground::automatic ? std::nullopt : std::optional(ground == frame::Ground::drawn);
     if (const auto daylight = light::daylight_of(tables_->sun)) {
         const glm::dvec3& towards = daylight->towards_sun;
         return {.azimuth_deg = glm::degrees(std::atan2(towards.x, towards.z)),
                 .elevation_deg = glm::degrees(std::asin(towards.y)),
                 .turns = false,
                 .rules = true,
-                .throws = throws};
+                .throws = throws,
+                .on_blank_ground = on_blank_ground};
     }
     return {.azimuth_deg = light.sun_azimuth_deg,
             .elevation_deg = light.sun_elevation_deg,
             .turns = light.turn_sun,
             .rules = light.source == light::LightSource::sun,
-            .throws = throws};
+            .throws = throws,
+            .on_blank_ground = on_blank_ground};
 }
 
 double Style::window_aspect(uint32_t width, uint32_t height) const

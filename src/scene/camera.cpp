@@ -1,99 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include <charconv>
 #include <cmath>
-#include <map>
-#include <sstream>
-#include <string_view>
+#include <string>
 
 #include <fmt/format.h>
 
 #include <estampe/error.hpp>
 #include <estampe/scene.hpp>
 
+#include "scene/camera_words.hpp"
+
 namespace estampe {
 namespace {
 
 constexpr const char* camera_form =
-    "write \"eye=x,y,z target=x,y,z fov=degrees\", and if need be up=x,y,z or "
-    "ortho=half_height";
-
-[[noreturn]] void refuse(const std::string& text, const std::string& what)
-{
-    throw Error(what, fmt::format("camera \"{}\"", text), camera_form);
-}
-
-using Settings = std::map<std::string, std::string, std::less<>>;
-
-Settings split_settings(const std::string& text)
-{
-    Settings settings;
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
-        const size_t equals = word.find('=');
-        if (equals == std::string::npos)
-            refuse(text, fmt::format("\"{}\" is not of the form key=value", word));
-        const std::string key = word.substr(0, equals);
-        if (key != "eye" && key != "target" && key != "fov" && key != "up" && key != "ortho")
-            refuse(text, fmt::format("unknown key \"{}\"", key));
-        if (!settings.emplace(key, word.substr(equals + 1)).second)
-            refuse(text, fmt::format("\"{}\" is given twice", key));
-    }
-    return settings;
-}
-
-double parse_number(const std::string& text, const std::string& key, std::string_view digits)
-{
-    if (digits.starts_with('+'))
-        digits.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc{} || end != digits.data() + digits.size() || !(std::abs(value) <= 1e12))
-        refuse(text, fmt::format("{}: \"{}\" is not a number up to 1e12", key, digits));
-    return value;
-}
-
-glm::dvec3 parse_vector(const std::string& text, const std::string& key, std::string_view list)
-{
-    glm::dvec3 vector{0.0};
-    for (int axis = 0; axis < 3; ++axis) {
-        const size_t comma = list.find(',');
-        if ((comma == std::string_view::npos) != (axis == 2))
-            refuse(text, fmt::format("{} needs three numbers, x,y,z", key));
-        vector[axis] = parse_number(text, key, list.substr(0, comma));
-        list.remove_prefix(axis == 2 ? list.size() : comma + 1);
-    }
-    return vector;
-}
+    "write \"eye=x,y,z target=x,y,z fov=degrees\", such as \"eye=2,1,3 target=0,0.5,0 fov=35\", and if need "
+    "be up=x,y,z, ortho or ortho=half_height";
 
 bool parallel(const glm::dvec3& a, const glm::dvec3& b)
 {
     return glm::length(glm::cross(a, b)) <= 1e-6 * glm::length(a) * glm::length(b);
 }
 
-void parse_lens(const std::string& text, const Settings& settings, Camera& camera)
-{
-    if (const auto fov = settings.find("fov"); fov != settings.end()) {
-        const double degrees = parse_number(text, "fov", fov->second);
-        if (degrees < 1.0 || degrees > 170.0)
-            refuse(text, "fov must be from 1 to 170 degrees");
-        camera.vertical_fov_rad = glm::radians(degrees);
-    }
-    if (const auto ortho = settings.find("ortho"); ortho != settings.end()) {
-        const double half_height_m = parse_number(text, "ortho", ortho->second);
-        if (half_height_m <= 0.0)
-            refuse(text, "ortho must be greater than zero");
-        camera.orthographic_half_height_m = half_height_m;
-    }
-}
-
 std::string list_cameras(const Scene& scene)
 {
+    constexpr const char* other_forms =
+        "write auto, \"eye=2,1,3 target=0,0.5,0 fov=35\" or \"azimuth=30 elevation=20\"";
     if (scene.cameras.empty())
-        return "the scene has no cameras: leave --camera out, or use auto";
+        return fmt::format("the scene has no cameras: leave --camera out, or {}", other_forms);
     std::string list;
     for (size_t i = 0; i < scene.cameras.size(); ++i)
         list += fmt::format("{}{} \"{}\"", list.empty() ? "" : ", ", i, scene.cameras[i].name);
-    return "cameras of the scene: " + list;
+    return fmt::format("cameras of the scene: {}; or {}", list, other_forms);
 }
 
 /// The camera of that name (its own or its node's), else the one of that number.
@@ -120,25 +58,28 @@ Index find_camera_node(const Scene& scene, const std::string& name)
 
 Camera parse_camera(const std::string& text)
 {
-    const Settings settings = split_settings(text);
+    const CameraWords words(text, camera_form, {"eye", "target", "fov", "up", "ortho"}, {"ortho"});
     Camera camera;
     for (const char* key : {"eye", "target"})
-        if (!settings.contains(key))
-            refuse(text, fmt::format("\"{}\" is missing", key));
-    camera.eye = parse_vector(text, "eye", settings.find("eye")->second);
-    camera.target = parse_vector(text, "target", settings.find("target")->second);
+        if (!words.has(key))
+            words.refuse(fmt::format("\"{}\" is missing", key));
+    camera.eye = *words.vector("eye");
+    camera.target = *words.vector("target");
     const glm::dvec3 view = camera.target - camera.eye;
     if (glm::length(view) <= 1e-9 * (1.0 + glm::length(camera.eye)))
-        refuse(text, "eye and target are the same point");
-    if (const auto up = settings.find("up"); up != settings.end()) {
-        camera.up = parse_vector(text, "up", up->second);
-        if (glm::length(camera.up) == 0.0 || parallel(camera.up, view))
-            refuse(text, "up must not be zero, nor along the line from eye to target");
-        camera.up = glm::normalize(camera.up);
+        words.refuse("eye and target are the same point");
+    if (const auto up = words.vector("up")) {
+        if (glm::length(*up) == 0.0 || parallel(*up, view))
+            words.refuse("up must not be zero, nor along the line from eye to target");
+        camera.up = glm::normalize(*up);
     } else if (parallel(camera.up, view)) {
         camera.up = {0.0, 0.0, -1.0};
     }
-    parse_lens(text, settings, camera);
+    if (const auto degrees = words.fov_deg())
+        camera.vertical_fov_rad = glm::radians(*degrees);
+    if (words.has("ortho"))
+        camera.orthographic_half_height_m =
+            words.half_height_m().value_or(glm::length(view) * std::tan(0.5 * camera.vertical_fov_rad));
     camera.near_m = std::max(1e-6, 1e-3 * glm::length(view));
     return camera;
 }

@@ -2,77 +2,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 #include "scene/drawn_size.hpp"
 #include "scene/extent.hpp"
 #include "scene/outlook/outlook.hpp"
+#include "scene/outlook/subject.hpp"
 #include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
+#include "scene/view_fit.hpp"
 #include "scene/visibility.hpp"
 
 namespace estampe {
 namespace {
 
-constexpr double margin = 0.08;      // of the picture's shorter side
 constexpr double shadow_room = 0.03; // below the model, of the shorter side
-
-/// Tangents of the half angles that the model may fill.
-struct Window {
-    double side = 0.0;
-    double top = 0.0;
-    double bottom = 0.0;
-};
-
-/// The nearest eye from which every point lies in the window: each side of the window is a plane whose place
-/// follows from the outermost point along its normal, so one pass over the points is exact.
-glm::dvec3 fit_eye(const std::vector<glm::dvec3>& points, const Window& window)
-{
-    constexpr double lowest = -std::numeric_limits<double>::infinity();
-    double left = lowest, right = lowest, top = lowest, bottom = lowest;
-    for (const glm::dvec3& p : points) {
-        right = std::max(right, p.x - window.side * p.z);
-        left = std::max(left, -p.x - window.side * p.z);
-        top = std::max(top, p.y - window.top * p.z);
-        bottom = std::max(bottom, -p.y - window.bottom * p.z);
-    }
-    const double z_wide = -(left + right) / (2.0 * window.side);
-    const double z_tall = -(top + bottom) / (window.top + window.bottom);
-    const double z = std::min(z_wide, z_tall);
-    const double lowest_y = top + window.top * z;
-    const double highest_y = -bottom - window.bottom * z;
-    return {0.5 * (right - left), 0.5 * (lowest_y + highest_y), z};
-}
-
-/// Moves the eye sideways until the picture's extent is in the middle of the window.
-glm::dvec3 centre_eye(const std::vector<glm::dvec3>& points, const Window& window, glm::dvec3 eye)
-{
-    const double middle = 0.5 * (window.top - window.bottom);
-    for (int round = 0; round < 4; ++round) {
-        glm::dvec2 low{std::numeric_limits<double>::infinity()};
-        glm::dvec2 high = -low;
-        glm::dvec2 low_depth{0.0}, high_depth{0.0};
-        for (const glm::dvec3& p : points) {
-            const double depth = p.z - eye.z;
-            for (int axis = 0; axis < 2; ++axis) {
-                const double tangent = (p[axis] - eye[axis]) / depth;
-                if (tangent < low[axis]) {
-                    low[axis] = tangent;
-                    low_depth[axis] = depth;
-                }
-                if (tangent > high[axis]) {
-                    high[axis] = tangent;
-                    high_depth[axis] = depth;
-                }
-            }
-        }
-        const glm::dvec2 wanted{0.0, middle};
-        for (int axis = 0; axis < 2; ++axis)
-            eye[axis] += (low[axis] + high[axis] - 2.0 * wanted[axis]) /
-                         (1.0 / low_depth[axis] + 1.0 / high_depth[axis]);
-    }
-    return eye;
-}
 
 /// Where points lie in the picture from left to right, as tangents, and the depth of the nearer of the two
 /// outermost ones.
@@ -152,33 +98,25 @@ std::optional<glm::dvec3> shadow_light(const Scene& scene, const ScenePose& pose
     return !has_light && !outlook.shelter ? towards(sun, outlook) : found;
 }
 
-/// Whether a vertex belongs to the subject: not when it is of the wide floor around it.
-bool is_subject(const Bounds& subject, double slack_m, const glm::dvec3& position)
-{
-    return position.y > subject.min.y + slack_m ||
-           (position.x >= subject.min.x && position.x <= subject.max.x && position.z >= subject.min.z &&
-            position.z <= subject.max.z);
-}
-
 ViewPoints view_points(const Scene& scene, const ScenePose& pose, const ViewAxes& axes,
-                       const Outlook& outlook, const SunBearing& sun, const Bounds& bounds,
-                       const glm::dvec3& origin)
+                       const Outlook& outlook, const SunBearing& sun, const Subject& subject)
 {
     constexpr double lowest_sun = 0.26; // 15 degrees: longer shadows run out of any page
     ViewPoints points;
     const auto light = shadow_light(scene, pose, outlook, sun);
+    const bool has_ground = sun.on_blank_ground.value_or(scene.cameras.empty());
     const bool has_shadow = sun.throws && light && light->y > lowest_sun;
-    const bool has_floor =
-        outlook.subject.max.x - outlook.subject.min.x < 0.99 * (bounds.max.x - bounds.min.x);
-    const double slack_m = 0.02 * (outlook.subject.max.y - outlook.subject.min.y);
+    const glm::dvec3 origin = subject.bounds().center();
     visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
         for (const glm::dvec3& position : posed.positions) {
-            if (has_floor && !is_subject(outlook.subject, slack_m, position))
+            if (!subject.holds_vertex(position))
                 continue;
             points.subject.push_back(axes.of(position - origin));
-            if (has_shadow)
-                points.shadow.push_back(
-                    axes.of(position - *light * ((position.y - outlook.subject.min.y) / light->y) - origin));
+            if (!has_shadow)
+                continue;
+            const glm::dvec3 shadow = position - *light * ((position.y - outlook.subject.min.y) / light->y);
+            const bool is_seen = has_ground || subject.has_floor_at(shadow);
+            points.shadow.push_back(axes.of((is_seen ? shadow : position) - origin));
         }
     });
     return points;
@@ -284,6 +222,26 @@ glm::dvec3 framed_eye(const ViewPoints& points, const Window& window)
     return fit_part(rim, window, rough.shadow_part).eye;
 }
 
+/// Where to look from. Things are looked at from three quarters and slightly above, characters from near
+/// their front and from the height of their eyes.
+ViewAxes axes_for(const Scene& scene, const SurfaceCloud& cloud, const Outlook& outlook, double aspect)
+{
+    const std::optional<double> eyes_m = outlook.standpoint == Standpoint::outside
+                                             ? eye_level(scene, within(cloud, outlook.subject))
+                                             : std::nullopt;
+    if (!eyes_m)
+        return look_from(outlook.azimuth_rad, outlook.elevation_rad);
+    const glm::dvec3 size = outlook.subject.max - outlook.subject.min;
+    const double usable = 1.0 - 2.0 * framed_margin * std::min(1.0, aspect) - shadow_room;
+    const double distance_m = 0.5 * std::max(size.y, size.x / aspect) / (usable * framed_half_height(aspect));
+    const double rise_m = *eyes_m - outlook.subject.center().y;
+    const double elevation_rad = std::asin(std::clamp(rise_m / distance_m, 0.0, 0.3));
+    // From the side of the front, or of the back, that the thing's own view would show.
+    const double middle_rad = std::cos(outlook.azimuth_rad) > 0.0 ? 0.0 : std::numbers::pi;
+    constexpr double aside = 0.5; // of the way to the three-quarter view
+    return look_from(glm::mix(middle_rad, outlook.azimuth_rad, aside), elevation_rad);
+}
+
 /// In the corner of a closed room, with a wide lens.
 Camera camera_inside(const Outlook& outlook, double aspect)
 {
@@ -301,25 +259,27 @@ Camera camera_inside(const Outlook& outlook, double aspect)
 Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, const SunBearing& sun)
 {
     check_drawn_size(scene);
-    const Bounds bounds = scene_bounds(scene, pose);
-    if (bounds.empty())
+    const Bounds whole = scene_bounds(scene, pose);
+    if (whole.empty())
         return {};
-    check_extent(bounds, scene.name);
+    check_extent(whole, scene.name);
     if (!(aspect > 0.0))
         aspect = 1.0;
-    const Outlook outlook = find_outlook(scene);
+    const SurfaceCloud cloud = surface_cloud(scene, pose_scene(scene, 0.0, no_index));
+    const Outlook outlook = find_outlook(cloud);
     if (outlook.standpoint == Standpoint::inside)
         return camera_inside(outlook, aspect);
-    const ViewAxes axes = look_from(outlook.azimuth_rad, outlook.elevation_rad);
+    const Subject subject(scene, pose, outlook, whole);
+    const ViewAxes axes = axes_for(scene, cloud, outlook, aspect);
+    const Bounds& bounds = subject.bounds();
 
-    // A wide picture keeps its sides from stretching.
-    const double half_height = std::min(std::tan(0.25), 0.8 / aspect);
+    const double half_height = framed_half_height(aspect);
     const double shorter = 2.0 * half_height * std::min(1.0, aspect);
-    const Window window{.side = half_height * aspect - margin * shorter,
-                        .top = half_height - margin * shorter,
-                        .bottom = half_height - (margin + shadow_room) * shorter};
+    const Window window{.side = half_height * aspect - framed_margin * shorter,
+                        .top = half_height - framed_margin * shorter,
+                        .bottom = half_height - (framed_margin + shadow_room) * shorter};
 
-    ViewPoints points = view_points(scene, pose, axes, outlook, sun, bounds, bounds.center());
+    ViewPoints points = view_points(scene, pose, axes, outlook, sun, subject);
     // A subject without extent still stands somewhere: give it a size that arithmetic can see.
     const double least = std::max({1e-12 * glm::length(bounds.center()), 1e-6 * bounds.radius(), 1e-9});
     Bounds extent;

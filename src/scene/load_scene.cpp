@@ -18,6 +18,7 @@
 #include "scene/obj/obj_import.hpp"
 #include "scene/ply/ply_import.hpp"
 #include "scene/stl/stl_import.hpp"
+#include "scene/turn_up.hpp"
 
 namespace estampe {
 namespace {
@@ -66,6 +67,9 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
     turn_by_normals(scene);
     leave_out_outline_hulls(scene);
     find_cut_out_materials(scene);
+    if (options.up) {
+        turn_up(scene, *options.up);
+    }
     check_drawn_size(scene, path.string());
     return scene;
 }

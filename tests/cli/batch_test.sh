@@ -100,6 +100,31 @@ for i in 1 2; do cmp "alone$i.png" "turn$i.png" || wrong "frame $i is not the on
 cmp alone.png after.png || wrong "a film changes the picture after it"
 rm -f -- alone*.png
 
+# Sides of which a list is drawn each; a job's own view takes the place of the camera that all have. The axis that points up
+# is another scene
+cat >sides.toml <<'END'
+[defaults]
+scene = "scene.glb"
+size = "64x40"
+camera = "auto"
+
+[[job]]
+view = ["front", "top"]
+ortho = true
+output = "side-{view}.png"
+
+[[job]]
+view = "front"
+ortho = true
+up = "z"
+output = "side-turned.png"
+END
+expect 0 '' sides.toml
+"$estampe" render scene.glb -o alone.png --size 64x40 --view top --ortho --device cpu
+cmp alone.png side-top.png || wrong "a job's view is not the one that render draws"
+! cmp -s side-front.png side-turned.png || wrong "the up axis of a job changes nothing"
+rm -f -- alone.png side-*.png
+
 # Shards: each job in one of them, whatever their number
 rm -- *.png
 sed -i 's/"missing.glb"/"scene.glb"/' jobs.toml

@@ -97,6 +97,13 @@ expect_error 2 '--camera' render scene.glb -o a.png --camera 'fov=30'
 expect_error 2 '--camera.* "1e30" is not a number up to 1e12' render scene.glb -o a.png --camera 'eye=1e30,0,0'
 expect_error 2 '--camera.*same point' render scene.glb -o a.png --camera 'eye=1,2,3 target=1,2,3.0000000000001'
 expect_error 2 '--camera.*up must not be' render scene.glb -o a.png --camera 'eye=0,9,0 target=0,0,0 up=0,1,0'
+expect_error 2 '--camera.*"azimuth" is missing; write "azimuth=degrees elevation=degrees", such as' render scene.glb -o a.png --camera 'distance=3'
+expect_error 2 '--camera.*such as "eye=2,1,3 target=0,0.5,0 fov=35"' render scene.glb -o a.png --camera 'eye=1,2'
+expect_error 2 '--view: there is no view "side"; allowed: front, back, left' render scene.glb -o a.png --view side
+expect_error 2 '--view: takes the place of --camera' render scene.glb -o a.png --view front --camera auto
+expect_error 2 '--up: "w" is no axis; write x, y, z, -x, -y or -z' render scene.glb -o a.png --up w
+expect_error 2 '--up: is for files of scenes' render temple -o a.png --up z
+expect_error 2 '--input-format: "blend" is no format' render - -o a.png --input-format blend
 expect_error 2 '--set: unknown key .*--help-style' render scene.glb -o a.png --set nosuch.key=1
 expect_error 2 '--set: .* is not an assignment' render scene.glb -o a.png --set nothing
 expect_error 2 'as ".bmp"; the name must end in .png, .jpg, .jpeg, .webp, .exr, .ora, in .svg' render scene.glb -o a.bmp
@@ -128,8 +135,41 @@ dots_at=$(($(grep -obUam1 pHYs page.png | cut -d: -f1) + 4))
 expect_success render scene.glb -o tiled.png --page 30x20mm --dpi 72 --tile 64 --device cpu
 [[ -s tiled.png ]] || wrong "no page in tiles"
 expect_success render scene.glb -o page.svg --page A5 --dpi 72 --device cpu
-grep -q 'width="148' page.svg || wrong "page.svg is not as wide as A5"
+grep -q 'width="148mm" height="210mm" viewBox="0 0 148 210"' page.svg || wrong "page.svg is not as large as A5: $(sed -n 4p page.svg)"
+for dpi in 50 73 151; do
+    expect_success render scene.glb -o page.svg --page A4 --landscape --dpi $dpi --device cpu
+    grep -q 'width="297mm" height="210mm" viewBox="0 0 297 210"' page.svg || wrong "page.svg at $dpi dpi is not A4: $(sed -n 4p page.svg)"
+done
 rm -f page.png tiled.png page.svg
+# Sides, and the axis that points up
+for side in front back left right top bottom isometric three-quarter; do
+    expect_success render scene.glb -o "$side.png" "${small[@]}" --view $side --ortho
+done
+[[ "$(md5sum front.png back.png left.png right.png top.png bottom.png isometric.png three-quarter.png | cut -d' ' -f1 | sort -u | wc -l)" -eq 8 ]] ||
+    wrong "two sides look the same"
+expect_success render scene.glb -o bearing.png "${small[@]}" --camera 'azimuth=90 elevation=0 ortho'
+cmp right.png bearing.png || wrong "a bearing of 90 degrees is not the right side"
+rm -f ./*.png
+printf 'v 0 0 0\nv 1 0 0\nv 1 0 3\nv 0 2 3\nf 1 2 3\nf 1 3 4\n' >z.obj
+expect_success info z.obj
+expect_printed 'bounds  *(0, 0, 0) to (1, 2, 3) m'
+expect_success info z.obj --up z
+expect_printed 'bounds  *(0, 0, -2) to (1, 3, [-0e.1-9]*) m'
+expect_success info z.obj --up -x
+expect_printed 'bounds  *([-0e.1-9]*, -1, 0) to (2, [-0e.1-9]*, 3) m'
+# Through a pipe
+expect_success info - --input-format obj <z.obj
+expect_printed '(0, 0, 0) to (1, 2, 3)'
+expect_error 1 'standard input: does not tell its format; give --input-format' info - <z.obj
+expect_error 1 'standard input: is empty' info - </dev/null
+expect_error 1 '--input-format is for scenes that come through a pipe' info z.obj --input-format obj
+expect_success info - <scene.glb
+expect_success info /dev/stdin < <(cat scene.glb)
+expect_success info /dev/stdin <scene.glb
+expect_success render <(cat scene.glb) -o piped.png "${small[@]}"
+expect_success render scene.glb -o file.png "${small[@]}"
+cmp piped.png file.png || wrong "a scene through a pipe is drawn otherwise"
+rm -f piped.png file.png z.obj
 expect_error 2 '--size: WebP holds no side of more than 16383 pixels' render scene.glb -o a.webp --size 16384x1
 expect_error 2 'SVG does not hold a layer alone' render scene.glb -o a.svg --layer lines
 expect_error 2 '--layer: goes with single pictures alone' render scene.glb -o a.mp4 --layer lines

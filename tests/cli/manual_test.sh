@@ -65,6 +65,9 @@ offers mine.toml render fox.glb --style ""
 offers_not fox.glb render fox.glb --style ""
 offers hatch.width_mm= render --set hatch.wid
 offers hardware render --raster ""
+offers -z info --up ""
+offers three-quarter render --view t
+offers obj bake --input-format o
 offers light.exr render --lightmap ""
 offers lights bench ""
 offers_not lights ""

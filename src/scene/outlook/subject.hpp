@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "scene/outlook/surface_points.hpp"
 
 namespace estampe {
@@ -12,5 +14,10 @@ namespace estampe {
 
 /// The cloud without what lies outside of `subject`.
 [[nodiscard]] SurfaceCloud within(const SurfaceCloud& cloud, const Bounds& subject);
+
+/// The height of the eyes, in world space, of a subject that is a character or a bust: upright, alike on the
+/// left and on the right, with a head on a neck, or moved by a skeleton. Nothing for all other things, such
+/// as bodies of revolution. `inside` is the cloud within the subject. Cost: linear in points and vertices.
+[[nodiscard]] std::optional<double> eye_level(const Scene& scene, const SurfaceCloud& inside);
 
 } // namespace estampe

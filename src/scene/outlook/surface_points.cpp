@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/outlook/strays.hpp"
 #include "scene/pose.hpp"
 
 namespace estampe {
@@ -86,6 +87,8 @@ SurfaceCloud surface_cloud(const Scene& scene, const ScenePose& pose, uint32_t c
         total_m2 += areas_m2.back();
         surfaces += areas_m2.back() > 0.0 ? 1.0 : 0.0;
     });
+    const Bounds all = cloud.bounds;
+    cloud.bounds = bounds_without_strays(scene, pose, all);
     if (!(total_m2 > 0.0) || !std::isfinite(total_m2))
         return cloud;
     cloud.origin = cloud.bounds.center();
@@ -107,6 +110,11 @@ SurfaceCloud surface_cloud(const Scene& scene, const ScenePose& pose, uint32_t c
         }
         sower.end();
     });
+    if (length(all.max - all.min) > length(cloud.bounds.max - cloud.bounds.min)) {
+        std::erase_if(cloud.points, [&](const SurfacePoint& point) {
+            return !holds(cloud.bounds, glm::dvec3(point.position) + cloud.origin);
+        });
+    }
     return cloud;
 }
 

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "piped_scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/file.hpp"
+#include "text.hpp"
+
+namespace estampe::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 7> formats{"glb", "gltf", "obj", "ply", "stl", "fbx", "dae"};
+
+std::string name_of(const std::string& scene)
+{
+    return scene == standard_input ? "standard input" : scene;
+}
+
+/// A descriptor that is closed at the end, but for standard input.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+
+    ~Descriptor()
+    {
+        if (number_ > STDERR_FILENO) {
+            close(number_);
+        }
+    }
+
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    [[nodiscard]] int number() const { return number_; }
+
+private:
+    int number_;
+};
+
+[[noreturn]] void fail(const std::string& what, const std::string& scene, const std::string& remedy = {})
+{
+    throw Error(what, name_of(scene), remedy);
+}
+
+/// The next bytes of the pipe; 0 at its end.
+size_t read_some(int from, std::span<char> buffer, const std::string& scene)
+{
+    for (;;) {
+        const ssize_t count = read(from, buffer.data(), buffer.size());
+        if (count >= 0) {
+            return static_cast<size_t>(count);
+        }
+        if (errno != EINTR) {
+            fail(fmt::format("cannot be read: {}", std::strerror(errno)), scene);
+        }
+    }
+}
+
+void write_all(int to, std::string_view bytes, const fs::path& file)
+{
+    while (!bytes.empty()) {
+        const ssize_t count = write(to, bytes.data(), bytes.size());
+        if (count < 0 && errno != EINTR) {
+            throw Error(fmt::format("cannot be written: {}", std::strerror(errno)), file.string(),
+                        "TMPDIR names the folder for temporary files");
+        }
+        bytes.remove_prefix(count > 0 ? static_cast<size_t>(count) : 0);
+    }
+}
+
+/// A folder of its own among the temporary files, which goes with this.
+class TemporaryFolder {
+public:
+    TemporaryFolder()
+    {
+        std::string name = (fs::temp_directory_path() / "estampe-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) {
+            throw Error(fmt::format("cannot be made: {}", std::strerror(errno)), name,
+                        "TMPDIR names the folder for temporary files");
+        }
+        path_ = name;
+    }
+
+    ~TemporaryFolder()
+    {
+        std::error_code problem;
+        fs::remove_all(path_, problem); // links go, not what they point to
+    }
+
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+/// A scene that was read to its end.
+struct Received {
+    TemporaryFolder folder;
+    fs::path file;
+};
+
+/// Links to what lies in the current folder, so that the scene finds its textures.
+void link_current_folder(const fs::path& folder)
+{
+    constexpr size_t most_links = 20000;
+    std::error_code problem;
+    size_t count = 0;
+    const fs::path current = fs::current_path(problem);
+    for (fs::directory_iterator entry(current, problem); !problem && entry != fs::directory_iterator();
+         entry.increment(problem)) {
+        std::error_code taken;
+        fs::create_symlink(entry->path(), folder / entry->path().filename(), taken);
+        if (++count == most_links) {
+            return;
+        }
+    }
+}
+
+/// The beginning of what came, enough to tell its format.
+struct Beginning {
+    std::string text;
+    uint64_t size_bytes = 0; ///< of all that came
+};
+
+Beginning copy_to(int from, const fs::path& file, const std::string& scene, uint64_t most_bytes)
+{
+    constexpr size_t beginning_bytes = 4096;
+    constexpr mode_t for_owner = 0600;
+    const Descriptor to(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, for_owner));
+    std::vector<char> buffer(size_t{1} << 20U);
+    Beginning beginning;
+    for (size_t count = read_some(from, buffer, scene); count > 0; count = read_some(from, buffer, scene)) {
+        beginning.size_bytes += count;
+        if (beginning.size_bytes > most_bytes) {
+            fail(fmt::format("is longer than {} MiB", most_bytes >> 20U), scene,
+                 "save the scene as a file, and give its name");
+        }
+        const std::string_view bytes(buffer.data(), count);
+        beginning.text += bytes.substr(0, beginning_bytes - std::min(beginning_bytes, beginning.text.size()));
+        write_all(to.number(), bytes, file);
+    }
+    return beginning;
+}
+
+/// The format that the name of a named pipe tells; empty if it does not.
+std::string format_of_name(const std::string& scene)
+{
+    const std::string extension = lower_extension(scene);
+    const bool is_known =
+        !extension.empty() && std::ranges::find(formats, extension.substr(1)) != formats.end();
+    return is_known ? extension.substr(1) : std::string();
+}
+
+std::unique_ptr<Received> receive(const std::string& scene, const std::string& format, uint64_t most_bytes)
+{
+    const Descriptor from(scene == standard_input ? STDIN_FILENO : open(scene.c_str(), O_RDONLY | O_CLOEXEC));
+    if (from.number() < 0) {
+        fail(fmt::format("cannot be read: {}", std::strerror(errno)), scene);
+    }
+    if (isatty(from.number()) == 1) {
+        fail("is a terminal", scene, "send a scene into it, such as estampe render - -o a.png <scene.glb");
+    }
+    auto received = std::make_unique<Received>();
+    const fs::path raw = received->folder.path() / "piped";
+    const Beginning beginning = copy_to(from.number(), raw, scene, most_bytes);
+    if (beginning.size_bytes == 0) {
+        fail("is empty", scene, "what sends the scene has failed, or sent nothing");
+    }
+    std::string chosen = format.empty() ? format_of_name(scene) : format;
+    if (chosen.empty()) {
+        chosen = sniffed_format(beginning.text, beginning.size_bytes);
+    }
+    if (chosen.empty()) {
+        fail("does not tell its format", scene,
+             fmt::format("give --input-format, one of {}", fmt::join(formats, ", ")));
+    }
+    received->file = received->folder.path() / ("piped." + chosen);
+    fs::rename(raw, received->file);
+    link_current_folder(received->folder.path());
+    return received;
+}
+
+/// All that was received in this run, by the name that was typed.
+struct Memory {
+    std::mutex guard;
+    std::map<std::string, std::unique_ptr<Received>> scenes;
+};
+
+Memory& memory()
+{
+    static Memory memory;
+    return memory;
+}
+
+} // namespace
+
+std::span<const std::string_view> input_formats()
+{
+    return formats;
+}
+
+bool is_piped(const std::string& scene)
+{
+    if (scene == standard_input || scene.starts_with("/dev/")) { // such as /dev/stdin, whatever is behind it
+        return true;
+    }
+    struct stat facts = {};
+    return stat(scene.c_str(), &facts) == 0 &&
+           (S_ISFIFO(facts.st_mode) || S_ISCHR(facts.st_mode) || S_ISSOCK(facts.st_mode));
+}
+
+std::string_view sniffed_format(std::string_view beginning, uint64_t size_bytes)
+{
+    const auto holds = [&](std::string_view word) { return beginning.find(word) != std::string_view::npos; };
+    if (beginning.starts_with("glTF")) {
+        return "glb";
+    }
+    if (beginning.starts_with("ply\n") || beginning.starts_with("ply\r")) {
+        return "ply";
+    }
+    if (beginning.starts_with("Kaydara FBX Binary") || beginning.starts_with("; FBX")) {
+        return "fbx";
+    }
+    constexpr size_t stl_head_bytes = 84;
+    if (beginning.size() >= stl_head_bytes) {
+        uint32_t triangles = 0;
+        std::memcpy(&triangles, beginning.data() + stl_head_bytes - sizeof(triangles), sizeof(triangles));
+        constexpr uint64_t triangle_bytes = 50;
+        if (size_bytes == stl_head_bytes + triangle_bytes * triangles) {
+            return "stl";
+        }
+    }
+    if (beginning.starts_with("solid") && holds("facet")) {
+        return "stl";
+    }
+    const size_t first = beginning.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+    const std::string_view text = first == std::string_view::npos ? "" : beginning.substr(first);
+    if (text.starts_with('{')) {
+        return "gltf";
+    }
+    return text.starts_with('<') && holds("<COLLADA") ? "dae" : "";
+}
+
+fs::path scene_file(const std::string& scene, const std::string& format, uint64_t most_bytes)
+{
+    if (!is_piped(scene)) {
+        if (!format.empty() && !scene.empty() && fs::exists(scene)) {
+            throw Error("--input-format is for scenes that come through a pipe", scene,
+                        "the extension of a file's name tells its format");
+        }
+        return scene;
+    }
+    const std::lock_guard lock(memory().guard);
+    std::unique_ptr<Received>& received = memory().scenes[scene];
+    if (!received) {
+        received = receive(scene, format, most_bytes);
+    }
+    return received->file;
+}
+
+std::string with_typed_name(std::string text, const std::string& scene, const fs::path& file)
+{
+    const std::string path = file.string();
+    for (size_t at = text.find(path); !path.empty() && path != scene && at != std::string::npos;
+         at = text.find(path, at + 1)) {
+        text.replace(at, path.size(), name_of(scene));
+    }
+    return text;
+}
+
+void forget_piped_scenes()
+{
+    const std::lock_guard lock(memory().guard);
+    memory().scenes.clear();
+}
+
+} // namespace estampe::app
