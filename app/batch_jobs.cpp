@@ -28,7 +28,7 @@ const std::vector<std::string>& job_keys()
         "scene",     "output", "size",      "page",    "dpi",      "landscape", "camera",  "time",
         "animation", "style",  "set",       "samples", "lightmap", "tile",      "quality", "depth",
         "layers",    "layer",  "motion",    "since",   "hidden",   "plotter",   "seed",    "terrain",
-        "frames",    "fps",    "turntable", "resume",  "weather",  "hour",      "film"};
+        "frames",    "fps",    "turntable", "resume",  "weather",  "hour",      "film",    "transparent"};
     return keys;
 }
 

@@ -9,6 +9,7 @@
 #include "benches/lab/lab.hpp"
 #include "benches/roofline/roofline.hpp"
 #include "benches/series.hpp"
+#include "core/file.hpp"
 #include "no_cache.hpp"
 #include "option_values.hpp"
 #include "text.hpp"

@@ -2,6 +2,7 @@
 #include "frame/layers.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace estampe::frame {
 namespace {
@@ -94,20 +95,34 @@ std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t wid
 {
     const size_t count = size_t{width} * height;
     const auto layer = [&](const char* name, LayerBlend blend) {
-        return PictureLayer{
-            .name = name,
-            .blend = blend,
-            .image = {.width = width, .height = height, .pixels = std::vector<glm::vec4>(count)}};
+        return PictureLayer{.name = name,
+                            .blend = blend,
+                            .image = {.width = width,
+                                      .height = height,
+                                      .pixels = std::vector<glm::vec4>(count),
+                                      .paper = std::nullopt}};
     };
-    std::vector<PictureLayer> layers{layer("paper", LayerBlend::normal), layer("wash", LayerBlend::multiply)};
+    std::vector<PictureLayer> layers{
+        layer("paper", LayerBlend::normal),
+        layer("wash", stages.is_transparent ? LayerBlend::normal : LayerBlend::multiply)};
+    layers[0].is_visible = !stages.is_transparent;
     for (size_t i = 0; i < count; ++i) {
         const glm::vec3 paper(stages.paper[i]);
         const glm::vec3 wash(stages.wash[i]);
         layers[0].image.pixels[i] = glm::vec4(paper, 1.0F);
         layers[1].image.pixels[i] =
-            glm::vec4(factor(paper.x, wash.x), factor(paper.y, wash.y), factor(paper.z, wash.z), 1.0F);
+            stages.is_transparent
+                ? stages.wash[i]
+                : glm::vec4(factor(paper.x, wash.x), factor(paper.y, wash.y), factor(paper.z, wash.z), 1.0F);
     }
-    std::span<const glm::vec4> below = stages.wash;
+    std::vector<glm::vec4> laid_wash;
+    if (stages.is_transparent) {
+        std::ranges::transform(stages.wash, std::back_inserter(laid_wash), [&](const glm::vec4& wash) {
+            return wash + (1.0F - wash.w) * glm::vec4(stages.paper_color, 1.0F);
+        });
+    }
+    std::span<const glm::vec4> below =
+        stages.is_transparent ? std::span<const glm::vec4>(laid_wash) : stages.wash;
     const auto add_laid_over = [&](const char* name, std::span<const glm::vec4> stage) {
         if (stage.empty()) {
             return;

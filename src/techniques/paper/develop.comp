@@ -6,6 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/color.glsl"
+#include "shaders/straight_alpha.glsl"
 #include "techniques/paper/paper.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 32) in;
@@ -28,6 +29,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_samples = (variant & develop_has_samples) != 0u;
 const bool is_last = (variant & develop_is_last) != 0u;
 const bool keeps_floats = (variant & develop_keeps_floats) != 0u;
+const bool is_transparent = (variant & develop_is_transparent) != 0u;
 
 void main()
 {
@@ -51,6 +53,7 @@ void main()
             pixels[4u * index + i] = floatBitsToUint(color[i]);
         }
     } else {
-        pixels[index] = srgb_bytes(color.rgb);
+        pixels[index] =
+            is_transparent ? straight_srgb_bytes(color, constants.paper_color) : srgb_bytes(color.rgb);
     }
 }
