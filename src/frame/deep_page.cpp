@@ -64,7 +64,8 @@ void declare_deep_page(gpu::Graph& graph, const DeepInputs& in, const paper::Pap
         const paper::Developed developed =
             paper::add_develop(graph, picture, paper::import_sums(graph, stage.sums, accumulation),
                                graph.buffer("deep pixels", {.size_bytes = size_bytes}), size_px, accumulation,
-                               paper::PixelForm::linear_floats);
+                               paper::PixelForm::linear_floats,
+                               page.has_layers() ? std::nullopt : paper::transparent_color(style));
         if (accumulation.is_last()) {
             gpu::add_read_back(graph, "read back floats", developed.pixels, stage.pixels);
         }

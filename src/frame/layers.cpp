@@ -2,7 +2,6 @@
 #include "frame/layers.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 namespace estampe::frame {
 namespace {
@@ -112,17 +111,11 @@ std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t wid
         layers[0].image.pixels[i] = glm::vec4(paper, 1.0F);
         layers[1].image.pixels[i] =
             stages.is_transparent
-                ? stages.wash[i]
+                ? glm::vec4(glm::max(wash - (1.0F - stages.wash[i].w) * stages.paper_color, 0.0F),
+                            stages.wash[i].w)
                 : glm::vec4(factor(paper.x, wash.x), factor(paper.y, wash.y), factor(paper.z, wash.z), 1.0F);
     }
-    std::vector<glm::vec4> laid_wash;
-    if (stages.is_transparent) {
-        std::ranges::transform(stages.wash, std::back_inserter(laid_wash), [&](const glm::vec4& wash) {
-            return wash + (1.0F - wash.w) * glm::vec4(stages.paper_color, 1.0F);
-        });
-    }
-    std::span<const glm::vec4> below =
-        stages.is_transparent ? std::span<const glm::vec4>(laid_wash) : stages.wash;
+    std::span<const glm::vec4> below = stages.wash;
     const auto add_laid_over = [&](const char* name, std::span<const glm::vec4> stage) {
         if (stage.empty()) {
             return;

@@ -42,8 +42,8 @@ struct StageColors {
     std::span<const glm::vec4> hatch;
     std::span<const glm::vec4> lines;
     std::span<const glm::vec4> smoke; ///< empty where there is none
-    bool is_transparent = false;      ///< the wash is colour times alpha, and lies on nothing
-    glm::vec3 paper_color{1.0F};      ///< then
+    bool is_transparent = false;      ///< the wash's alpha is that of what lies on paper of this colour
+    glm::vec3 paper_color{1.0F};
 };
 
 /// The layers between these: laid on each other they give each stage again, but for the last bits of floats.

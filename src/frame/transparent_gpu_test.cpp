@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "frame/style_tables.hpp"
 #include "output/layer_files.hpp"
 #include "output/one_layer.hpp"
 #include "scene/shapes.hpp"
@@ -194,7 +195,7 @@ TEST(Transparent, TilesAndFloatsAndLayersAgree)
 {
     Renderer& renderer = test::shared_renderer();
     renderer.set_scene(still_life());
-    const glm::vec3 paper_linear = with(style_of({}), {}).tables().paper.color;
+    const glm::vec3 paper_linear = style_of({}).tables().paper.color;
     for (const char* mode : {"paper.transparent=background", "paper.transparent=paper"}) {
         for (const uint32_t samples : {1U, 3U}) {
             const Style style = style_of({mode});

@@ -17,29 +17,24 @@ float least_alpha(vec3 below, vec3 wanted)
     return min(max(least.r, max(least.g, least.b)), 1.0);
 }
 
-// What has to be laid on paper for it to become `color`: linear colour times alpha, and alpha, which is the
-// least that will do but no less than `cover`.
-// Source: alpha as in "colour to alpha" of painting programs
-vec4 laid_on(vec3 paper, vec3 color, float cover)
+// What was laid on paper that now shows `color`, of that alpha: linear colour times alpha, and alpha.
+vec4 lifted_off(vec3 paper, vec3 color, float alpha)
 {
-    float alpha = max(cover, least_alpha(paper, color));
     return vec4(max(color - (1.0 - alpha) * paper, vec3(0.0)), alpha);
 }
 
-// Bytes of a pixel, red in the lowest: its colour not multiplied by alpha. `page` is linear colour times
-// alpha, `paper` what that alpha shows of the drawing's own paper.
-uint straight_srgb_bytes(vec4 page, vec3 paper)
+// Bytes of a pixel, red in the lowest: its colour not multiplied by alpha. `color` is what the drawing's own
+// paper shows there, and `shown` that as an opaque picture would have it.
+uint straight_srgb_bytes(vec3 paper, vec3 color, float page_alpha, vec3 shown)
 {
-    if (page.a <= 0.0) {
+    if (page_alpha <= 0.0) {
         return 0u;
     }
-    vec3 color = page.rgb + (1.0 - min(page.a, 1.0)) * paper;
-    // As what is developed later is kept: light that differs by less than that gives the same bytes.
-    color = vec3(unpackHalf2x16(packHalf2x16(color.rg)), unpackHalf2x16(packHalf2x16(color.bb)).x);
-    if (page.a >= 1.0) {
-        return srgb_bytes(color);
+    if (page_alpha >= 1.0) {
+        return srgb_bytes(shown);
     }
-    vec3 wanted = srgb_from_linear(clamp(color, 0.0, 1.0));
+    vec4 page = lifted_off(paper, color, page_alpha);
+    vec3 wanted = srgb_from_linear(clamp(shown, 0.0, 1.0));
     vec3 below = srgb_from_linear(clamp(paper, 0.0, 1.0));
     vec3 pigment = srgb_from_linear(clamp(page.rgb / page.a, 0.0, 1.0));
     // The alpha by which the pigment comes nearest; where it differs too little from the paper to tell, its

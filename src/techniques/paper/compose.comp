@@ -131,14 +131,17 @@ float things_at(ivec2 pixel, float wash_alpha)
     return clamp(has_cover ? texelFetch(cover_image, pixel, 0).r : wash_alpha, 0.0, 1.0);
 }
 
-// Paint on paper, as linear colour times alpha, and alpha. Paper that shows has no relief, or what the
-// picture is laid on would show it.
+// Paint on paper: linear colour, and the alpha of it. Paper that is left out has no relief, or what the
+// picture is laid on would show it; what stands on it hides as little as will do.
+// Source: alpha as in "colour to alpha" of painting programs
 vec4 painted(vec3 bare, vec3 paint, float cover)
 {
     if (!is_transparent) {
         return vec4(bare * paint, 1.0);
     }
-    return laid_on(constants.paper_color, mix(constants.paper_color, bare, cover) * paint, cover);
+    vec3 below = cover >= 1.0 ? bare : mix(constants.paper_color, bare, cover);
+    vec3 color = below * paint;
+    return vec4(color, max(cover, least_alpha(constants.paper_color, color)));
 }
 
 void main()
@@ -214,21 +217,18 @@ void main()
         smoke_cover = (1.0 - (1.0 - smoke.a) * (1.0 - drawn)) * there;
     }
     if (is_staged) {
-        bool is_laid = is_transparent && constants.stage != stage_wash && constants.stage != stage_picture;
-        vec3 color = is_laid ? page.rgb + (1.0 - page.a) * constants.paper_color : page.rgb;
         float cover = constants.stage == stage_smoke   ? smoke_cover
                       : constants.stage == stage_lines ? line_cover
                       : constants.stage == stage_hatch ? hatch
                       : constants.stage == stage_ink   ? flow_cover
                                                        : page.a;
-        imageStore(out_stage, pixel, vec4(color, cover));
-    } else if (develops && is_transparent) {
-        pixels[uint(pixel.y) * frame.size_px.x + uint(pixel.x)] =
-            straight_srgb_bytes(page, constants.paper_color);
+        imageStore(out_stage, pixel, vec4(page.rgb, cover));
     } else if (develops) {
         // As what is developed later is kept: light that differs by less than that gives the same bytes.
         vec3 kept = vec3(unpackHalf2x16(packHalf2x16(page.rg)), unpackHalf2x16(packHalf2x16(page.bb)).x);
-        pixels[uint(pixel.y) * frame.size_px.x + uint(pixel.x)] = srgb_bytes(kept);
+        pixels[uint(pixel.y) * frame.size_px.x + uint(pixel.x)] =
+            is_transparent ? straight_srgb_bytes(constants.paper_color, page.rgb, page.a, kept)
+                           : srgb_bytes(kept);
     } else {
         imageStore(out_picture, pixel, vec4(page.rgb, 1.0));
     }

@@ -39,6 +39,9 @@ void main()
     }
     ivec2 at = ivec2(pixel);
     vec4 color = texelFetch(picture_image, at, 0);
+    if (is_transparent && !keeps_floats) { // as opaque pictures are kept, for the same bytes
+        color.rgb = vec3(unpackHalf2x16(packHalf2x16(color.rg)), unpackHalf2x16(packHalf2x16(color.bb)).x);
+    }
     if (has_samples) {
         vec4 sum = constants.sample_index == 0u ? color : imageLoad(sum_image, at) + color;
         imageStore(sum_image, at, sum);
@@ -49,11 +52,13 @@ void main()
     }
     uint index = pixel.y * constants.width + pixel.x;
     if (keeps_floats) {
+        color = is_transparent ? lifted_off(constants.paper_color, color.rgb, color.a) : color;
         for (uint i = 0u; i < 4u; ++i) {
             pixels[4u * index + i] = floatBitsToUint(color[i]);
         }
     } else {
-        pixels[index] =
-            is_transparent ? straight_srgb_bytes(color, constants.paper_color) : srgb_bytes(color.rgb);
+        pixels[index] = is_transparent
+                            ? straight_srgb_bytes(constants.paper_color, color.rgb, color.a, color.rgb)
+                            : srgb_bytes(color.rgb);
     }
 }
