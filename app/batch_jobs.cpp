@@ -25,11 +25,11 @@ using style::WordTable;
 const std::vector<std::string>& job_keys()
 {
     static const std::vector<std::string> keys{
-        "scene",     "output", "size",         "page",    "dpi",      "landscape", "camera",  "time",
-        "animation", "style",  "set",          "samples", "lightmap", "tile",      "quality", "depth",
-        "layers",    "layer",  "motion",       "since",   "hidden",   "plotter",   "seed",    "terrain",
-        "frames",    "fps",    "turntable",    "resume",  "weather",  "hour",      "film",    "view",
-        "ortho",     "up",     "input-format", "variant"};
+        "scene",     "output", "size",         "page",    "dpi",        "landscape", "camera",  "time",
+        "animation", "style",  "set",          "samples", "lightmap",   "tile",      "quality", "depth",
+        "layers",    "layer",  "motion",       "since",   "hidden",     "plotter",   "seed",    "terrain",
+        "frames",    "fps",    "turntable",    "resume",  "weather",    "hour",      "film",    "view",
+        "ortho",     "up",     "input-format", "variant", "transparent"};
     return keys;
 }
 

@@ -20,6 +20,7 @@
 #include "scene_options.hpp"
 #include "temple/weather.hpp"
 #include "text.hpp"
+#include "transparent_option.hpp"
 #include "usage_error.hpp"
 #include "viewer/keys.hpp"
 
@@ -32,6 +33,7 @@ struct Typed {
     std::string output;
     PageOptions page;
     SceneOptions input;
+    TransparentOption transparent;
     std::string camera;
     std::string view;
     bool ortho = false;
@@ -107,6 +109,7 @@ void add_look_options(CLI::App& command, Typed& typed)
     add_set_option(
         command, typed,
         "One parameter of the style, such as hatch.width_mm=0.5;\nmay be repeated (see --help-style)");
+    typed.transparent.add_to(command);
     command.add_flag("--draft", typed.draft,
                      "Quicker and coarser: one layer of strokes, wide cells of ink and\nsmoke, small shadow "
                      "maps, fewer kinds of lines");
@@ -343,6 +346,7 @@ DrawOptions read_draw_options(const Typed& typed)
     if (typed.draft) { // what is set says more
         draw.assignments.assign(draft_assignments.begin(), draft_assignments.end());
     }
+    typed.transparent.assign(draw.assignments);
     draw.assignments.insert(draw.assignments.end(), typed.assignments.begin(), typed.assignments.end());
     draw.style = read_style(typed.style, draw.assignments);
     if (draw.page.height_mm) {
@@ -497,6 +501,7 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
         const PictureChoice picture =
             film ? own.picture.of_film() : own.picture.read(draw.output, draw.page.width, draw.page.height);
         check_strokes(typed, picture);
+        check_has_alpha(draw, picture, film.has_value());
         RenderCommand command{.draw = std::move(draw),
                               .picture = picture,
                               .hidden = typed.hidden,

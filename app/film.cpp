@@ -31,6 +31,7 @@
 #include "temple/flight.hpp"
 #include "temple/world.hpp"
 #include "text.hpp"
+#include "transparent_option.hpp"
 
 namespace estampe::app {
 namespace {
@@ -155,7 +156,8 @@ public:
             living_.world()->end_at(draw_.time_s + flight_->arrives_s());
         }
         if (is_film(draw_.output)) {
-            writer_.emplace(draw_.output, draw_.page.width, draw_.page.height, film.frames_per_s);
+            writer_.emplace(draw_.output, draw_.page.width, draw_.page.height, film.frames_per_s,
+                            is_transparent(draw_.style));
         }
     }
 

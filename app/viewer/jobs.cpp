@@ -49,7 +49,8 @@ FilmJob::FilmJob(Take take, std::shared_ptr<const LoadedFile> file, std::optiona
 
 void FilmJob::begin(const app::Living& seen)
 {
-    writer_.emplace(path_, settings_.width, settings_.height, frames_per_s);
+    writer_.emplace(path_, settings_.width, settings_.height, frames_per_s,
+                    std::filesystem::path(path_).extension() == ".webm");
     living_ = std::make_unique<app::Living>(file_->draw, file_->scene, app::Occasion::walk);
     if (end_s_ && living_->world() != nullptr) {
         living_->world()->end_at(*end_s_);

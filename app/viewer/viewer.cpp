@@ -12,6 +12,7 @@
 #include "core/file.hpp"
 #include "frame/style_tables.hpp"
 #include "text.hpp"
+#include "transparent_option.hpp"
 #include "viewer/jobs.hpp"
 #include "viewer/terrain_text.hpp"
 
@@ -250,8 +251,11 @@ void Viewer::toggle_recording()
     record();
     const RenderSettings settings{
         .width = studio_.view_px.x, .height = studio_.view_px.y, .samples = studio_.samples};
-    pictures_->do_job(std::make_unique<FilmJob>(std::move(take_), studio_.file, end_s_, settings,
-                                                free_name(studio_.file->draw.scene, ".mp4")));
+    // H.264 has no alpha.
+    const bool has_alpha = app::is_transparent(studio_.look.style());
+    pictures_->do_job(
+        std::make_unique<FilmJob>(std::move(take_), studio_.file, end_s_, settings,
+                                  free_name(studio_.file->draw.scene, has_alpha ? ".webm" : ".mp4")));
     take_ = {};
 }
 

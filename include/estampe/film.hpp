@@ -17,9 +17,12 @@ namespace estampe {
 /// same machine. It is written beside `path` and gets its name when it is whole.
 class FilmWriter {
 public:
-    /// Starts ffmpeg. Throws Error when there is no such program, and for a name that is_film() does not
-    /// know, a picture rate that is not 0.1 to 1000, or a folder that cannot be written.
-    FilmWriter(const std::filesystem::path& path, uint32_t width_px, uint32_t height_px, double frames_per_s);
+    /// Starts ffmpeg. With `has_alpha` the film is as transparent as its frames: .webm has a plane of alpha,
+    /// .gif shows or hides each pixel; without, alpha is left out. Throws Error when there is no such
+    /// program, and for a name that is_film() does not know, a picture rate that is not 0.1 to 1000, a folder
+    /// that cannot be written, or alpha in .mp4, which has none.
+    FilmWriter(const std::filesystem::path& path, uint32_t width_px, uint32_t height_px, double frames_per_s,
+               bool has_alpha = false);
     ~FilmWriter();
     FilmWriter(FilmWriter&&) noexcept;
     FilmWriter& operator=(FilmWriter&&) noexcept;

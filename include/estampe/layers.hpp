@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ enum class LayerBlend : uint8_t { normal, multiply };
 struct PictureLayer {
     std::string name;
     LayerBlend blend = LayerBlend::normal;
-    LinearImage image; ///< as large as the page
+    LinearImage image;      ///< as large as the page
+    bool is_visible = true; ///< else it is kept for whoever wants it, as the paper of a transparent picture
 };
 
 /// Where something is, as a share of each pixel; not seen in the picture.
@@ -41,19 +43,22 @@ struct LayeredImage {
     Image picture;                    ///< the very bytes that Renderer::render() gives
     std::vector<PictureLayer> layers; ///< from the bottom, which is opaque, up
     std::vector<PictureMask> masks;   ///< in the order in which they lie on each other
+    /// The linear colour of the paper that is left out of a transparent picture. Not given: it is opaque.
+    std::optional<glm::vec3> paper;
 };
 
-/// The layers laid on each other, in linear light: opaque. Throws Error when there is none, or they are not
-/// all as large as the picture. Cost: about 10 ms a megapixel and layer.
+/// The visible layers laid on each other, in linear light: opaque, unless the picture is transparent. Throws
+/// Error when there is none, or they are not all as large as the picture. Cost: about 10 ms a megapixel and
+/// layer.
 [[nodiscard]] LinearImage flattened(const LayeredImage& image);
 
-/// Writes an OpenRaster file, which Krita, GIMP and MyPaint open: the layers visible and the masks hidden, as
-/// PNG of eight bits. The format lays layers on each other in sRGB-encoded values, so colours and alphas are
-/// found anew for that: an ink keeps its colour and changes its alpha wherever that gives the picture, and
-/// else takes the colour that does. What such a program then shows is the picture, to 1/255 a channel. Beside
-/// `path` first and renamed into place. Throws Error as flattened() does, when the picture is not
-/// as large or the bottom not opaque, and when the file cannot be written. Cost: about 2 s a megapixel.
-/// Source: OpenRaster 0.0.3, www.openraster.org
+/// Writes an OpenRaster file, which Krita, GIMP and MyPaint open: the layers visible, but for the paper of a
+/// transparent picture, and the masks hidden, as PNG of eight bits. The format lays layers on each other in
+/// sRGB-encoded values, so colours and alphas are found anew for that: an ink keeps its colour and changes
+/// its alpha wherever that gives the picture, and else takes the colour that does. What such a program then
+/// shows is the picture, to 1/255 a channel. Beside `path` first and renamed into place. Throws Error as
+/// flattened() does, when the picture is not as large or the bottom not opaque, and when the file cannot be
+/// written. Cost: about 2 s a megapixel. Source: OpenRaster 0.0.3, www.openraster.org
 void save_openraster(const LayeredImage& image, const std::filesystem::path& path);
 
 /// Writes the same layers and masks as PNG files into a new folder, with `layers.json`, which lists them from
@@ -62,10 +67,10 @@ void save_openraster(const LayeredImage& image, const std::filesystem::path& pat
 /// does, and when the folder exists and is not empty.
 void save_layers(const LayeredImage& image, const std::filesystem::path& folder, int bits = 8);
 
-/// Writes one OpenEXR picture in linear light: the picture as R, G and B, each layer as NAME.R, NAME.G,
-/// NAME.B and NAME.A, its colour multiplied by its alpha, and each mask as NAME.Y. What is listed by its
-/// header's `estampe:layers` is in the form of layers.json. Dots in names become underscores, as names must
-/// differ. Throws Error as flattened() does, and when the file cannot be written.
+/// Writes one OpenEXR picture in linear light: the picture as R, G and B, with A if it is transparent, each
+/// layer as NAME.R, NAME.G, NAME.B and NAME.A, its colour multiplied by its alpha, and each mask as NAME.Y.
+/// What is listed by its header's `estampe:layers` is in the form of layers.json. Dots in names become
+/// underscores, as names must differ. Throws Error as flattened() does, and when the file cannot be written.
 void save_layers_exr(const LayeredImage& image, const std::filesystem::path& path,
                      ExrNumbers numbers = ExrNumbers::half);
 

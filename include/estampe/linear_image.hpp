@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -15,6 +16,9 @@ struct LinearImage {
     uint32_t width = 0;
     uint32_t height = 0;
     std::vector<glm::vec4> pixels; ///< width * height; colours are multiplied by their alpha
+    /// The linear colour of the paper that is left out of a transparent picture. Not given: the picture is
+    /// opaque, and is written without alpha.
+    std::optional<glm::vec3> paper;
 
     [[nodiscard]] bool empty() const noexcept { return pixels.empty(); }
 
@@ -28,12 +32,14 @@ enum class ExrNumbers : uint8_t {
 };
 
 /// Writes `image` as PNG of 16 bits a channel, sRGB-encoded and marked so, beside `path` first and renamed
-/// into place. Alpha is left out; what is above 1 becomes white. Throws Error when the folder cannot be
-/// written or the image is empty. Cost: about 150 ms a megapixel.
+/// into place. What is above 1 becomes white. A transparent picture has straight alpha, such that programs
+/// which lay it on its own paper in sRGB-encoded values show the opaque drawing. Throws Error when the folder
+/// cannot be written or the image is empty. Cost: about 150 ms a megapixel.
 void save_png(const LinearImage& image, const std::filesystem::path& path);
 
 /// Writes `image` as OpenEXR, R, G and B in linear light with its primaries named in the header, in the same
-/// way. Alpha is left out. Throws Error as save_png() does. Cost: about 50 ms a megapixel.
+/// way; a transparent picture also has A, by which the colours are multiplied. Throws Error as save_png()
+/// does. Cost: about 50 ms a megapixel.
 void save_exr(const LinearImage& image, const std::filesystem::path& path,
               ExrNumbers numbers = ExrNumbers::half);
 

@@ -58,6 +58,7 @@ struct VectorDrawing {
     float dash_gap_mm = 0.9F;         ///< between the dashes
     bool has_mitred_corners = false;  ///< of strokes of one width; else corners are round
     glm::vec3 paper_srgb{1.0F};       ///< components 0 to 1
+    bool has_paper = true;            ///< else a file has no rectangle of that colour
     std::vector<glm::vec3> inks_srgb; ///< components 0 to 1; none twice
     std::vector<std::string> objects; ///< names, none empty; may repeat
     std::vector<VectorStroke> strokes;

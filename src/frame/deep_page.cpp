@@ -24,13 +24,14 @@ DeepPage make_deep_page(gpu::Device& device, const RenderSettings& settings, Dee
     constexpr std::array all{paper::Stage::paper, paper::Stage::wash,  paper::Stage::ink,
                              paper::Stage::hatch, paper::Stage::lines, paper::Stage::smoke};
     const paper::Stage last = kind.has_smoke ? paper::Stage::smoke : paper::Stage::lines;
+    const bool has_alpha = kind.is_transparent && !kind.has_layers;
     const bool has_sums = settings.samples > 1;
     DeepPage page;
     for (const paper::Stage stage : all) {
         const bool is_there =
             (stage != paper::Stage::ink || kind.has_ink) && (stage != paper::Stage::smoke || kind.has_smoke);
         if ((kind.has_layers && is_there) || stage == last) {
-            page.stages.push_back({.stage = stage,
+            page.stages.push_back({.stage = has_alpha ? paper::Stage::picture : stage,
                                    .sums = gpu::Image(device, "deep sums",
                                                       {.width = has_sums ? settings.width : 1,
                                                        .height = has_sums ? settings.height : 1,
@@ -63,7 +64,8 @@ void declare_deep_page(gpu::Graph& graph, const DeepInputs& in, const paper::Pap
         const paper::Developed developed =
             paper::add_develop(graph, picture, paper::import_sums(graph, stage.sums, accumulation),
                                graph.buffer("deep pixels", {.size_bytes = size_bytes}), size_px, accumulation,
-                               paper::PixelForm::linear_floats);
+                               paper::PixelForm::linear_floats,
+                               page.has_layers() ? std::nullopt : paper::transparent_color(style));
         if (accumulation.is_last()) {
             gpu::add_read_back(graph, "read back floats", developed.pixels, stage.pixels);
         }

@@ -37,6 +37,7 @@ struct DeepKind {
     bool has_ink = false;    ///< one of ink that flows besides
     bool has_smoke = false;  ///< and one of smoke
     bool has_occlusion = false;
+    bool is_transparent = false; ///< the picture has alpha
 };
 
 /// A page for the whole picture, or for each of its layers. Throws Error naming the device's limit when there

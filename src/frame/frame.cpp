@@ -61,6 +61,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     faded = add_particles(making, scene, surface, colors.sky_wash, faded);
     // Ink runs out of what was drawn, whatever lens and shutter make of it.
     const auto flowing = add_flowing_ink(making, scene, visibility, surface, lit.light, faded);
+    const auto cover = add_cover(making, scene, visibility, surface, faded, colors);
     const lens::LensLayers focused = add_lens(making, surface, faded, colors);
     colors.has_sky_ink = colors.has_sky_ink && !focused.holds_sky;
     faded = {.wash = focused.wash, .hatch = focused.hatch, .lines = focused.lines};
@@ -70,7 +71,7 @@ void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResourc
     faded = {.wash = exposed.wash, .hatch = exposed.hatch, .lines = add_focus_lines(making, exposed.lines)};
     const auto smoke = add_smoke(making, scene, surface, volume, colors.sky_wash, faded.lines);
     const paper::ComposeInputs layers =
-        page_layers(making, scene, faded, colors, {.ink = flowing, .smoke = smoke}, lit.light);
+        page_layers(making, scene, faded, colors, {.ink = flowing, .smoke = smoke}, cover, lit.light);
     add_picture(making, layers);
     add_deep_picture(
         making, layers, surface, lit,

@@ -94,18 +94,26 @@ std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t wid
 {
     const size_t count = size_t{width} * height;
     const auto layer = [&](const char* name, LayerBlend blend) {
-        return PictureLayer{
-            .name = name,
-            .blend = blend,
-            .image = {.width = width, .height = height, .pixels = std::vector<glm::vec4>(count)}};
+        return PictureLayer{.name = name,
+                            .blend = blend,
+                            .image = {.width = width,
+                                      .height = height,
+                                      .pixels = std::vector<glm::vec4>(count),
+                                      .paper = std::nullopt}};
     };
-    std::vector<PictureLayer> layers{layer("paper", LayerBlend::normal), layer("wash", LayerBlend::multiply)};
+    std::vector<PictureLayer> layers{
+        layer("paper", LayerBlend::normal),
+        layer("wash", stages.is_transparent ? LayerBlend::normal : LayerBlend::multiply)};
+    layers[0].is_visible = !stages.is_transparent;
     for (size_t i = 0; i < count; ++i) {
         const glm::vec3 paper(stages.paper[i]);
         const glm::vec3 wash(stages.wash[i]);
         layers[0].image.pixels[i] = glm::vec4(paper, 1.0F);
         layers[1].image.pixels[i] =
-            glm::vec4(factor(paper.x, wash.x), factor(paper.y, wash.y), factor(paper.z, wash.z), 1.0F);
+            stages.is_transparent
+                ? glm::vec4(glm::max(wash - (1.0F - stages.wash[i].w) * stages.paper_color, 0.0F),
+                            stages.wash[i].w)
+                : glm::vec4(factor(paper.x, wash.x), factor(paper.y, wash.y), factor(paper.z, wash.z), 1.0F);
     }
     std::span<const glm::vec4> below = stages.wash;
     const auto add_laid_over = [&](const char* name, std::span<const glm::vec4> stage) {

@@ -42,9 +42,12 @@ struct StageColors {
     std::span<const glm::vec4> hatch;
     std::span<const glm::vec4> lines;
     std::span<const glm::vec4> smoke; ///< empty where there is none
+    bool is_transparent = false;      ///< the wash's alpha is that of what lies on paper of this colour
+    glm::vec3 paper_color{1.0F};
 };
 
 /// The layers between these: laid on each other they give each stage again, but for the last bits of floats.
+/// The paper of a transparent picture is a hidden layer, and its wash has alpha in place of multiplying.
 [[nodiscard]] std::vector<PictureLayer> layers_between(const StageColors& stages, uint32_t width,
                                                        uint32_t height);
 

@@ -21,16 +21,20 @@ PagePlan plan_page(const PlanInputs& in)
     const Ground ground = in.style.picture.ground;
     const sky::SkyMode sky = in.style.sky.mode;
     const haze::HazeMode haze = in.style.haze.mode;
+    const bool has_sky = sky == sky::SkyMode::drawn ||
+                         (sky == sky::SkyMode::automatic && (is_outdoors || scene.terrain.has_value()));
+    const bool has_haze =
+        haze == haze::HazeMode::drawn || (haze == haze::HazeMode::automatic && scene.terrain.has_value());
+    const bool has_background = in.style.paper.transparent != paper::Transparency::background;
     return {.size_px = {in.settings.width, in.settings.height},
             .pixels_per_mm = pixels_per_mm(in.settings.height, in.style.paper.height_mm),
             .pixel = pixel_size(in.camera, in.settings.height),
             .has_ground =
                 !scene.terrain && (ground == Ground::drawn ||
                                    (ground == Ground::automatic && !is_composed && !in.lighting.indoors)),
-            .has_sky = sky == sky::SkyMode::drawn ||
-                       (sky == sky::SkyMode::automatic && (is_outdoors || scene.terrain.has_value())),
-            .has_haze = haze == haze::HazeMode::drawn ||
-                        (haze == haze::HazeMode::automatic && scene.terrain.has_value())};
+            .has_sky = has_sky && (has_background || has_haze),
+            .shows_sky = has_sky && has_background,
+            .has_haze = has_haze};
 }
 
 RasterPlan plan_raster(const PlanInputs& in)

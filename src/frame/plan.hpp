@@ -40,6 +40,7 @@ struct PagePlan {
     PixelSize pixel; ///< what one of them spans in the scene
     bool has_ground = false;
     bool has_sky = false;
+    bool shows_sky = false; ///< it is painted behind the scene, and not only into its haze
     bool has_haze = false;
 };
 

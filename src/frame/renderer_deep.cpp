@@ -145,13 +145,17 @@ private:
 LinearImage Renderer::render_linear(const Camera& camera, const Style& style, const RenderSettings& settings)
 {
     frame::check_size(impl_->device, settings);
+    const std::optional<glm::vec3> paper = paper::transparent_color(style.tables().paper);
     frame::DeepPage page = frame::make_deep_page(
-        impl_->device, settings, {.has_layers = false, .has_smoke = style.tables().smoke.drawn});
+        impl_->device, settings,
+        {.has_layers = false, .has_smoke = style.tables().smoke.drawn, .is_transparent = paper.has_value()});
     std::ignore = impl_->draw_picture(camera, style, settings, &page);
-    LinearImage image{.width = settings.width, .height = settings.height, .pixels = {}};
+    LinearImage image{.width = settings.width, .height = settings.height, .pixels = {}, .paper = paper};
     const auto pixels = gpu::items_of<glm::vec4>(page.stages.front().pixels);
     image.pixels.assign(pixels.begin(), pixels.end());
-    std::ranges::for_each(image.pixels, [](glm::vec4& pixel) { pixel.w = 1.0F; });
+    if (!paper) {
+        std::ranges::for_each(image.pixels, [](glm::vec4& pixel) { pixel.w = 1.0F; });
+    }
     return image;
 }
 
@@ -160,6 +164,7 @@ LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, c
     Impl& impl = *impl_;
     frame::check_size(impl.device, settings);
     const bool has_smoke = style.tables().smoke.drawn;
+    const std::optional<glm::vec3> paper = paper::transparent_color(style.tables().paper);
     frame::DeepPage page = frame::make_deep_page(impl.device, settings,
                                                  {.has_layers = true,
                                                   .has_ink = style.tables().ink.drawn,
@@ -183,8 +188,11 @@ LayeredImage Renderer::render_layers(const Camera& camera, const Style& style, c
                                            .ink = stage(paper::Stage::ink),
                                            .hatch = stage(paper::Stage::hatch),
                                            .lines = stage(paper::Stage::lines),
-                                           .smoke = stage(paper::Stage::smoke)},
+                                           .smoke = stage(paper::Stage::smoke),
+                                           .is_transparent = paper.has_value(),
+                                           .paper_color = paper.value_or(glm::vec3(1.0F))},
                                           settings.width, settings.height);
+    result.paper = paper;
     result.masks = seen->masks(impl.loaded->scene, settings, static_cast<uint32_t>(result.layers.size()));
     return result;
 }

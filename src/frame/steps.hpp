@@ -177,6 +177,13 @@ void add_strung_lines(const Making& making, const contour::ContourInputs& in);
 add_motion_blur(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
                 const surface::Surface& surface, const haze::HazeLayers& layers, const Colors& colors);
 
+/// How much of each pixel things cover as lens and shutter see them, for a transparent background; nothing
+/// where neither blurs anything, as the wash's alpha says it then. `layers` and `colors` are those that lens
+/// and shutter are given; must be declared before these are drawn in place.
+[[nodiscard]] std::optional<gpu::ImageId> add_cover(const Making& making, const PosedScene& scene,
+                                                    gpu::BufferId visibility, const surface::Surface& surface,
+                                                    const haze::HazeLayers& layers, const Colors& colors);
+
 /// Focus lines over those of the scene.
 [[nodiscard]] gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines);
 
@@ -231,7 +238,8 @@ add_motion_blur(const Making& making, const PosedScene& scene, gpu::BufferId vis
 /// What is laid on the paper.
 [[nodiscard]] paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
                                                const haze::HazeLayers& layers, const Colors& colors,
-                                               const MovingLayers& moving, gpu::ImageId light);
+                                               const MovingLayers& moving,
+                                               const std::optional<gpu::ImageId>& cover, gpu::ImageId light);
 
 /// The layers on paper, added to those of the samples before, and read back.
 void add_picture(const Making& making, const paper::ComposeInputs& layers);

@@ -397,12 +397,12 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
     }
     const bool is_tinted = screen.is_there && making.style.screen.mode == screen::Mode::ink;
     const gpu::ImageId wash =
-        add_paint(making, scene, surface, light, plan.page.has_sky ? std::optional(sky.wash) : std::nullopt,
+        add_paint(making, scene, surface, light, plan.page.shows_sky ? std::optional(sky.wash) : std::nullopt,
                   is_tinted ? &screen : nullptr);
     return {.wash = wash,
             .sky_ink = sky.ink,
             .sky_wash = sky.wash,
-            .has_sky_ink = plan.page.has_sky,
+            .has_sky_ink = plan.page.shows_sky,
             .cloud_cover = cover};
 }
 
@@ -422,6 +422,7 @@ gpu::ImageId add_paint(const Making& making, const PosedScene& scene, const surf
                            .has_screen = screen != nullptr,
                            .background = background.value_or(surface.color),
                            .has_background = background.has_value(),
+                           .keeps_cover = making.style.paper.transparent == paper::Transparency::background,
                            .size_px = making.sample.size_px,
                            .look_of_draw = look_of_draw(making)},
                           wash_looks(making));
@@ -517,7 +518,8 @@ std::optional<smoke::Layer> add_smoke(const Making& making, const PosedScene& sc
 
 paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
                                  const haze::HazeLayers& layers, const Colors& colors,
-                                 const MovingLayers& moving, gpu::ImageId light)
+                                 const MovingLayers& moving, const std::optional<gpu::ImageId>& cover,
+                                 gpu::ImageId light)
 {
     return {.frame = scene.frame,
             .wash = layers.wash,
@@ -529,6 +531,7 @@ paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
             .smoke_paint = moving.smoke ? std::optional(moving.smoke->paint) : std::nullopt,
             .smoke_ink = moving.smoke ? std::optional(moving.smoke->ink) : std::nullopt,
             .has_sky = colors.has_sky_ink,
+            .cover = cover,
             .light = light,
             .page_px = making.plan.page_px,
             .size_px = making.sample.size_px};
@@ -546,7 +549,8 @@ gpu::BufferId add_sample(const Making& making, const paper::ComposeInputs& layer
     }
     const gpu::ImageId composed = paper::add_compose(graph, layers, making.style.paper);
     return paper::add_develop(graph, composed, paper::import_sums(graph, making.resources.sums, accumulation),
-                              pixels, making.sample.size_px, accumulation)
+                              pixels, making.sample.size_px, accumulation, paper::PixelForm::srgb_bytes,
+                              paper::transparent_color(making.style.paper))
         .pixels;
 }
 

@@ -39,7 +39,7 @@ gpu::ImageId add_behind(const Making& making, const PosedScene& scene, gpu::Buff
         .posed_vertices = scene.meshes.posed_vertices,
         .color = surface.color,
         .painted = add_painted(making, scene, background, maps,
-                               making.plan.page.has_sky ? std::optional(colors.sky_wash) : std::nullopt)};
+                               making.plan.page.shows_sky ? std::optional(colors.sky_wash) : std::nullopt)};
     return subsurface::add_behind(graph, inputs, colors.wash);
 }
 

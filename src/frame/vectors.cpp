@@ -54,6 +54,7 @@ public:
         window_ = paper::window_of(style.paper, drawing_.width_mm);
         drawing_.hatch_width_mm = style.hatch.width_mm;
         drawing_.paper_srgb = style::srgb_from_linear(style.paper.color);
+        drawing_.has_paper = style.paper.transparent == paper::Transparency::none;
         drawing_.has_mitred_corners = style.contour.joints == contour::Joints::mitre;
         if (style.contour.hidden != contour::Hidden::none) {
             // Round ends count as part of a dash in a picture, and come on top of it in paths.

@@ -20,39 +20,52 @@ namespace {
 struct Codec {
     const char* container;
     std::vector<std::string> arguments;
-    bool wants_even_sides = false; ///< colour is kept for squares of two pixels
+    bool wants_even_sides = false;            ///< colour is kept for squares of two pixels
+    std::vector<std::string> with_alpha = {}; ///< in place of `arguments`; empty: it has no alpha
 };
 
 /// Each without dates, names of programs and whatever else would make two runs differ.
 const Codec* codec_of(const std::filesystem::path& path)
 {
     static const std::string video_filter =
-        "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd,format=yuv420p";
+        "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd,format=yuv";
     static const std::vector<std::string> tags{"-colorspace", "bt709",        "-color_primaries", "bt709",
                                                "-color_trc",  "iec61966-2-1", "-color_range",     "tv",
                                                "-flags:v",    "+bitexact"};
-    const auto video = [&](const char* container, std::vector<std::string> arguments) {
-        arguments.insert(arguments.end(), {"-vf", video_filter});
+    const auto video = [&](std::vector<std::string> arguments, const char* planes) {
+        arguments.insert(arguments.end(), {"-vf", video_filter + planes});
         arguments.insert(arguments.end(), tags.begin(), tags.end());
-        return Codec{container, std::move(arguments), true};
+        return arguments;
     };
+    static const std::vector<std::string> vp9{"-c:v",      "libvpx-vp9", "-b:v",      "0", "-crf",    "22",
+                                              "-deadline", "good",       "-cpu-used", "4", "-row-mt", "1"};
+    // Frames of two streams, colour and alpha, cannot be hidden ones.
+    std::vector<std::string> vp9_of_alpha = vp9;
+    vp9_of_alpha.insert(vp9_of_alpha.end(), {"-auto-alt-ref", "0", "-metadata:s:v:0", "alpha_mode=1"});
     static const std::map<std::string, Codec> codecs{
-        {".mp4", video("mp4", {"-c:v", "libx264", "-preset", "veryfast", "-crf", "16", "-tune", "animation",
-                               "-movflags", "+faststart"})},
-        {".webm", video("webm", {"-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "22", "-deadline", "good",
-                                 "-cpu-used", "4", "-row-mt", "1"})},
+        {".mp4",
+         {"mp4",
+          video({"-c:v", "libx264", "-preset", "veryfast", "-crf", "16", "-tune", "animation", "-movflags",
+                 "+faststart"},
+                "420p"),
+          true}},
+        {".webm", {"webm", video(vp9, "420p"), true, video(vp9_of_alpha, "a420p")}},
         {".gif",
          {"gif",
+          {"-vf", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"},
+          false,
           {"-vf",
-           "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"}}},
+           "split[a][b];[a]palettegen=stats_mode=full:reserve_transparent=1[p];[b][p]paletteuse=dither=bayer:"
+           "bayer_scale=4:alpha_threshold=128"}}},
     };
     const auto found = codecs.find(lower_extension(path));
     return found == codecs.end() ? nullptr : &found->second;
 }
 
 std::vector<std::string> command_for(const Codec& codec, const std::filesystem::path& to, uint32_t width_px,
-                                     uint32_t height_px, double frames_per_s)
+                                     uint32_t height_px, double frames_per_s, bool has_alpha)
 {
+    const std::vector<std::string>& arguments = has_alpha ? codec.with_alpha : codec.arguments;
     std::vector<std::string> command{"ffmpeg",     "-nostdin",
                                      "-v",         "error",
                                      "-f",         "rawvideo",
@@ -63,7 +76,7 @@ std::vector<std::string> command_for(const Codec& codec, const std::filesystem::
                                      "-an",        "-map_metadata",
                                      "-1",         "-fflags",
                                      "+bitexact"};
-    command.insert(command.end(), codec.arguments.begin(), codec.arguments.end());
+    command.insert(command.end(), arguments.begin(), arguments.end());
     command.insert(command.end(), {"-f", codec.container, "-y", "file:" + to.string()});
     return command;
 }
@@ -92,11 +105,11 @@ bool is_film(const std::filesystem::path& path)
 
 struct FilmWriter::Impl {
     Impl(const std::filesystem::path& path, const Codec& codec, uint32_t width, uint32_t height,
-         double frames_per_s)
+         double frames_per_s, bool has_alpha)
         : name(path.string()), width_px(width), height_px(height), has_even_sides(codec.wants_even_sides),
           file(Pending::file(path)),
           encoder(command_for(codec, file.path(), width + (has_even_sides ? width % 2 : 0),
-                              height + (has_even_sides ? height % 2 : 0), frames_per_s),
+                              height + (has_even_sides ? height % 2 : 0), frames_per_s, has_alpha),
                   "films are written by ffmpeg: install Debian's package of that name")
     {
     }
@@ -114,7 +127,7 @@ struct FilmWriter::Impl {
 };
 
 FilmWriter::FilmWriter(const std::filesystem::path& path, uint32_t width_px, uint32_t height_px,
-                       double frames_per_s)
+                       double frames_per_s, bool has_alpha)
 {
     const Codec* const codec = codec_of(path);
     if (codec == nullptr) {
@@ -127,7 +140,10 @@ FilmWriter::FilmWriter(const std::filesystem::path& path, uint32_t width_px, uin
         throw Error(fmt::format("a film of {} frames a second cannot be written", frames_per_s),
                     path.string(), "0.1 to 1000 are allowed");
     }
-    impl_ = std::make_unique<Impl>(path, *codec, width_px, height_px, frames_per_s);
+    if (has_alpha && codec->with_alpha.empty()) {
+        throw Error("such a film has no alpha channel", path.string(), "write .webm or .gif");
+    }
+    impl_ = std::make_unique<Impl>(path, *codec, width_px, height_px, frames_per_s, has_alpha);
 }
 
 FilmWriter::~FilmWriter() = default;

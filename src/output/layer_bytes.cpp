@@ -2,91 +2,15 @@
 #include "output/layer_bytes.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
-#include "core/srgb.hpp"
+#include "output/covering.hpp"
 #include "output/pictures.hpp"
 
 namespace estampe::output {
 namespace {
-
-/// A colour of whole numbers.
-using Numbers = glm::ivec3;
-
-int64_t rounded_quotient(int64_t value, int64_t by)
-{
-    return (value + by / 2) / by;
-}
-
-/// What layers do, in numbers of 0 to `top`.
-class Arithmetic {
-public:
-    explicit Arithmetic(int bits) : top_((1 << bits) - 1) {}
-
-    [[nodiscard]] int top() const { return top_; }
-
-    [[nodiscard]] glm::dvec3 encoded(const glm::vec3& linear) const
-    {
-        glm::dvec3 result;
-        for (int i = 0; i < 3; ++i) {
-            result[i] = top_ * static_cast<double>(srgb_from_linear(std::clamp(linear[i], 0.0F, 1.0F)));
-        }
-        return result;
-    }
-
-    [[nodiscard]] int multiplied(int below, int factor) const
-    {
-        return static_cast<int>(rounded_quotient(int64_t{below} * factor, top_));
-    }
-
-    [[nodiscard]] int over(int below, int color, int alpha) const
-    {
-        return static_cast<int>(
-            rounded_quotient(int64_t{below} * (top_ - alpha) + int64_t{color} * alpha, top_));
-    }
-
-    [[nodiscard]] double over(double below, int color, int alpha) const
-    {
-        return below + (color - below) * alpha / top_;
-    }
-
-    [[nodiscard]] int nearest(double value) const
-    {
-        return static_cast<int>(std::lround(std::clamp(value, 0.0, static_cast<double>(top_))));
-    }
-
-private:
-    int top_;
-};
-
-/// What lies at a pixel when the layers up to one have been laid.
-struct Laid {
-    Numbers rounded{0};    ///< as a program shows it that rounds at every layer
-    glm::dvec3 exact{0.0}; ///< as one shows it that works in floats, in the same unit
-};
-
-/// What the next layer is to make of it.
-struct Wanted {
-    Numbers rounded{0};
-    glm::dvec3 exact{0.0};
-};
-
-/// The number nearest to `start` for which `result`, which grows with it, is what is wanted, or as near as
-/// can be.
-template <class Result>
-int tuned(int start, int wanted, int top, const Result& result)
-{
-    while (start < top && result(start) < wanted) {
-        ++start;
-    }
-    while (start > 0 && result(start) > wanted) {
-        --start;
-    }
-    return start;
-}
 
 /// Colour and alpha of a layer that multiplies.
 glm::ivec4 multiplying(Laid& laid, const Wanted& wanted, const Arithmetic& in)
@@ -104,59 +28,6 @@ glm::ivec4 multiplying(Laid& laid, const Wanted& wanted, const Arithmetic& in)
     return is_white ? glm::ivec4(0) : pixel;
 }
 
-/// The least share of a layer that can turn `below` into `wanted`, whatever its colour.
-double least_alpha(double below, double wanted, double top)
-{
-    if (wanted > below) {
-        return (wanted - below) / std::max(top - below, wanted - below);
-    }
-    return below > wanted ? (below - wanted) / below : 0.0;
-}
-
-/// The alpha by which a pigment comes nearest to what is wanted; where it differs too little from what is
-/// below to tell, its share of the pixel.
-double pigment_alpha(const Laid& laid, const Wanted& wanted, const glm::dvec3& pigment, double share, int top)
-{
-    const glm::dvec3 way = laid.exact - pigment;
-    const double least_way = 0.02 * top;
-    const double length_2 = glm::dot(way, way);
-    return length_2 > least_way * least_way ? glm::dot(laid.exact - wanted.exact, way) / length_2 : share;
-}
-
-/// Colour and alpha of a layer of ink or paint, of which `paint` lies there in linear light.
-glm::ivec4 covering(Laid& laid, const Wanted& wanted, const glm::vec4& paint, const Arithmetic& in)
-{
-    if (paint.w <= 0.0F) {
-        return glm::ivec4(0);
-    }
-    const int top = in.top();
-    const glm::dvec3 pigment = in.encoded(glm::vec3(paint) / paint.w);
-    double least = 0.0;
-    for (int i = 0; i < 3; ++i) {
-        least = std::max({least, least_alpha(laid.exact[i], wanted.exact[i], top),
-                          least_alpha(laid.rounded[i], wanted.rounded[i], top)});
-    }
-    const double share =
-        std::max(least, pigment_alpha(laid, wanted, pigment, static_cast<double>(paint.w), top));
-    const int alpha = std::clamp(
-        std::max(static_cast<int>(std::ceil(least * top - 1e-9)), in.nearest(share * top)), 0, top);
-    if (alpha == 0) {
-        return glm::ivec4(0);
-    }
-    glm::ivec4 pixel(0, 0, 0, alpha);
-    for (int i = 0; i < 3; ++i) {
-        const auto result = [&](int color) { return in.over(laid.rounded[i], color, alpha); };
-        const int own = in.nearest(pigment[i]);
-        const bool serves = result(own) == wanted.rounded[i] &&
-                            std::abs(in.over(laid.exact[i], own, alpha) - wanted.exact[i]) <= 0.5;
-        const double ideal = laid.exact[i] + (wanted.exact[i] - laid.exact[i]) * top / alpha;
-        pixel[i] = serves ? own : tuned(in.nearest(ideal), wanted.rounded[i], top, result);
-        laid.exact[i] = in.over(laid.exact[i], pixel[i], alpha);
-        laid.rounded[i] = result(pixel[i]);
-    }
-    return pixel;
-}
-
 /// Which layer is the last to change each pixel.
 std::vector<size_t> topmost_layers(const LayeredImage& image)
 {
@@ -169,6 +40,12 @@ std::vector<size_t> topmost_layers(const LayeredImage& image)
         }
     }
     return topmost;
+}
+
+Numbers numbers_of(const glm::vec4& linear, const Arithmetic& in)
+{
+    const glm::dvec3 exact = in.encoded(glm::vec3(linear));
+    return {in.nearest(exact.x), in.nearest(exact.y), in.nearest(exact.z)};
 }
 
 void check_opaque(const PictureLayer& bottom)
@@ -223,6 +100,9 @@ std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits)
     check_opaque(image.layers.front());
     const Arithmetic in(bits);
     LinearImage stage = image.layers.front().image;
+    if (image.paper) { // its relief is not that of what will lie below the others
+        std::ranges::fill(stage.pixels, glm::vec4(*image.paper, 1.0F));
+    }
     std::vector<Laid> laid(stage.pixels.size());
     const std::vector<size_t> topmost = topmost_layers(image);
     std::vector<EncodedLayer> result;
@@ -231,11 +111,12 @@ std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits)
         if (number > 0) {
             lay(stage, layer);
         }
-        EncodedLayer& encoded = result.emplace_back(EncodedLayer{.name = layer.name, .blend = layer.blend});
+        EncodedLayer& encoded = result.emplace_back(
+            EncodedLayer{.name = layer.name, .blend = layer.blend, .is_visible = layer.is_visible});
         encoded.rgba.reserve(4 * stage.pixels.size());
         for (size_t i = 0; i < stage.pixels.size(); ++i) {
             Wanted wanted{.exact = in.encoded(glm::vec3(stage.pixels[i]))};
-            const bool is_whole = bits == 8 && number >= topmost[i];
+            const bool is_whole = bits == 8 && number >= topmost[i] && !image.paper;
             for (int channel = 0; channel < 3; ++channel) {
                 wanted.rounded[channel] = is_whole ? image.picture.rgba[4 * i + static_cast<size_t>(channel)]
                                                    : in.nearest(wanted.exact[channel]);
@@ -243,6 +124,7 @@ std::vector<EncodedLayer> encoded_layers(const LayeredImage& image, int bits)
             glm::ivec4 pixel(wanted.rounded, in.top());
             if (number == 0) {
                 laid[i] = {wanted.rounded, wanted.rounded};
+                pixel = image.paper ? glm::ivec4(numbers_of(layer.image.pixels[i], in), in.top()) : pixel;
             } else if (layer.blend == LayerBlend::multiply) {
                 pixel = multiplying(laid[i], wanted, in);
             } else {
@@ -264,9 +146,15 @@ LinearImage flattened(const LayeredImage& image)
 {
     output::check_layers(image);
     LinearImage result = image.layers.front().image;
-    for (size_t i = 1; i < image.layers.size(); ++i) {
-        output::lay(result, image.layers[i]);
+    if (!image.layers.front().is_visible) {
+        std::ranges::fill(result.pixels, glm::vec4(0.0F));
     }
+    for (size_t i = 1; i < image.layers.size(); ++i) {
+        if (image.layers[i].is_visible) {
+            output::lay(result, image.layers[i]);
+        }
+    }
+    result.paper = image.paper;
     return result;
 }
 

@@ -16,6 +16,7 @@ namespace estampe::output {
 struct EncodedLayer {
     std::string name;
     LayerBlend blend = LayerBlend::normal;
+    bool is_visible = true;
     std::vector<uint16_t> rgba; ///< four a pixel of the page
 };
 

@@ -62,6 +62,7 @@ LayerFile layer_file(const LayeredImage& image, const EncodedLayer& layer, int b
 {
     LayerFile file{.name = layer.name,
                    .blend = layer.blend == LayerBlend::multiply ? "multiply" : "normal",
+                   .is_visible = layer.is_visible,
                    .width = image.picture.width,
                    .height = image.picture.height};
     if (bits == 16) {

@@ -85,13 +85,13 @@ std::vector<std::byte> encode_layers_exr(const LayeredImage& image, ExrNumbers n
             }
         }
     };
-    add_layer(channels, "", "RGB", whole);
+    add_layer(channels, "", image.paper ? "RGBA" : "RGB", whole);
     for (size_t i = 0; i < image.layers.size(); ++i) {
         add_masks(i);
         const PictureLayer& layer = image.layers[i];
         const bool multiplies = layer.blend == LayerBlend::multiply;
-        add_layer(channels, list(layer.name, true, multiplies ? "multiply" : "normal") + ".", "RGBA",
-                  layer.image);
+        add_layer(channels, list(layer.name, layer.is_visible, multiplies ? "multiply" : "normal") + ".",
+                  "RGBA", layer.image);
     }
     add_masks(image.layers.size());
     return encode_exr(image.picture.width, image.picture.height, channels, numbers,

@@ -40,7 +40,8 @@ std::string stack_of(const LayeredImage& image, const std::vector<LayerFile>& fi
                        image.picture.width, image.picture.height, objects, others);
 }
 
-/// The picture at a size of at most 256 pixels, each the mean of the light of those it stands for.
+/// The picture at a size of at most 256 pixels, each the mean of the light and the alpha of those it stands
+/// for.
 Image thumbnail_of(const Image& picture)
 {
     constexpr uint32_t longest_side = 256;
@@ -61,19 +62,21 @@ Image thumbnail_of(const Image& picture)
             const uint32_t bottom = std::max(top + 1, place(y + 1, picture.height, thumbnail.height));
             const uint32_t left = place(x, picture.width, thumbnail.width);
             const uint32_t right = std::max(left + 1, place(x + 1, picture.width, thumbnail.width));
-            glm::vec3 sum(0.0F);
+            glm::vec4 sum(0.0F); // colour times alpha
             for (uint32_t from_y = top; from_y < bottom; ++from_y) {
                 for (uint32_t from_x = left; from_x < right; ++from_x) {
                     const uint8_t* pixel = &picture.rgba[4 * (size_t{from_y} * picture.width + from_x)];
-                    sum += glm::vec3(linear[pixel[0]], linear[pixel[1]], linear[pixel[2]]);
+                    const float alpha = static_cast<float>(pixel[3]) / 255.0F;
+                    sum += alpha * glm::vec4(linear[pixel[0]], linear[pixel[1]], linear[pixel[2]], 1.0F);
                 }
             }
-            sum /= static_cast<float>((bottom - top) * (right - left));
+            const float alpha = sum.w / static_cast<float>((bottom - top) * (right - left));
+            sum /= std::max(sum.w, 1e-6F);
             for (int channel = 0; channel < 3; ++channel) {
                 thumbnail.rgba.push_back(static_cast<uint8_t>(
                     std::lround(255.0F * srgb_from_linear(std::min(sum[channel], 1.0F)))));
             }
-            thumbnail.rgba.push_back(255);
+            thumbnail.rgba.push_back(static_cast<uint8_t>(std::lround(255.0F * alpha)));
         }
     }
     return thumbnail;

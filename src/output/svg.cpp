@@ -171,7 +171,7 @@ std::string output::encode_svg(const VectorDrawing& drawing, const SvgSettings& 
     if (!(drawing.width_mm > 0.0F && drawing.height_mm > 0.0F)) {
         throw Error("a drawing without a size cannot be written");
     }
-    return head(drawing, !settings.is_for_plotter) +
+    return head(drawing, drawing.has_paper && !settings.is_for_plotter) +
            (settings.is_for_plotter ? layers_by_pen(drawing, settings.tolerance_mm)
                                     : layers_by_kind(drawing, settings.tolerance_mm)) +
            "</svg>\n";

@@ -9,6 +9,7 @@
 #include "shaders/color.glsl"
 #include "shaders/noise.glsl"
 #include "shaders/rounds.glsl"
+#include "shaders/straight_alpha.glsl"
 #include "techniques/paper/paper.glsl.h"
 
 // A warp writes a whole line of memory, which is what a bus to the host wants.
@@ -27,10 +28,11 @@ layout(binding = 5) uniform sampler2D light_image;       // of the variant that 
 layout(binding = 6) uniform sampler2D ink_image;         // of the variant that has ink that flows
 layout(binding = 7) uniform sampler2D smoke_paint_image; // of the variant that has smoke
 layout(binding = 8) uniform sampler2D smoke_ink_image;
-layout(binding = 9, rgba16f) writeonly uniform image2D out_picture;
-layout(binding = 10, rgba32f) writeonly uniform image2D out_stage; // of the variant that is staged
+layout(binding = 9) uniform sampler2D cover_image; // of the variant that has one
+layout(binding = 10, rgba16f) writeonly uniform image2D out_picture;
+layout(binding = 11, rgba32f) writeonly uniform image2D out_stage; // of the variant that is staged
 
-layout(std430, binding = 11) writeonly buffer Pixels // of the variant that develops
+layout(std430, binding = 12) writeonly buffer Pixels // of the variant that develops
 {
     uint pixels[];
 };
@@ -49,6 +51,9 @@ const bool is_staged = (variant & compose_is_staged) != 0u;
 const bool has_margin = (variant & compose_has_margin) != 0u;
 const bool develops = (variant & compose_develops) != 0u;
 const bool has_grain = (variant & compose_has_grain) != 0u;
+const bool is_transparent = (variant & compose_is_transparent) != 0u;
+const bool keeps_things = (variant & compose_keeps_things) != 0u;
+const bool has_cover = (variant & compose_has_cover) != 0u;
 
 // How far the edge of the window strays at most, to and fro.
 const float edge_stray_mm = 0.17;
@@ -117,6 +122,28 @@ float from_window_mm(vec2 page_mm)
     return max(beyond.x, beyond.y);
 }
 
+// How much of a pixel hides what the picture is laid on, whatever is painted there.
+float things_at(ivec2 pixel, float wash_alpha)
+{
+    if (!keeps_things) {
+        return 0.0;
+    }
+    return clamp(has_cover ? texelFetch(cover_image, pixel, 0).r : wash_alpha, 0.0, 1.0);
+}
+
+// Paint on paper: linear colour, and the alpha of it. Paper that is left out has no relief, or what the
+// picture is laid on would show it; what stands on it hides as little as will do.
+// Source: alpha as in "colour to alpha" of painting programs
+vec4 painted(vec3 bare, vec3 paint, float cover)
+{
+    if (!is_transparent) {
+        return vec4(bare * paint, 1.0);
+    }
+    vec3 below = cover >= 1.0 ? bare : mix(constants.paper_color, bare, cover);
+    vec3 color = below * paint;
+    return vec4(color, max(cover, least_alpha(constants.paper_color, color)));
+}
+
 void main()
 {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -132,7 +159,8 @@ void main()
     vec3 paint = pow(max(wash.rgb, vec3(1e-3)),
                      vec3(1.0 + constants.granulation * (0.3 * paper.pooled - 0.7 * relief)));
     vec3 bare = constants.paper_color * (1.0 + 0.10 * constants.grain * relief);
-    vec3 color = bare * mix(vec3(1.0), paint, within);
+    float things = things_at(pixel, wash.a) * within;
+    vec4 page = painted(bare, mix(vec3(1.0), paint, within), things);
 
     float dry = clamp(1.0 - constants.ink_break * max(relief - 0.1, 0.0) * 3.0, 0.0, 1.0);
     float strokes = texelFetch(hatch_image, pixel, 0).x;
@@ -164,7 +192,7 @@ void main()
         line_cover = cover;
     }
     if (is_staged) {
-        color = constants.stage >= stage_wash ? color : bare;
+        page = constants.stage >= stage_wash ? page : vec4(bare, 1.0);
         hatch = constants.stage >= stage_hatch ? hatch : 0.0;
         line_cover = constants.stage >= stage_lines ? line_cover : 0.0;
     }
@@ -173,17 +201,19 @@ void main()
         vec4 flow = texelFetch(ink_image, pixel, 0);
         flow_cover = clamp(flow.a * (1.0 - constants.settles * relief), 0.0, 1.0);
         flow_cover = is_staged && constants.stage < stage_ink ? 0.0 : flow_cover;
-        color = mix(color, flow.rgb * flow.rgb, flow_cover);
+        page = mix(page, vec4(flow.rgb * flow.rgb, 1.0), flow_cover);
     }
-    color = mix(color, ink, hatch);
-    color = mix(color, line_color, line_cover);
+    page = mix(page, vec4(ink, 1.0), hatch);
+    page = mix(page, vec4(line_color, 1.0), line_cover);
     float smoke_cover = 0.0;
     if (has_smoke && (!is_staged || constants.stage >= stage_smoke)) {
         vec4 smoke = texelFetch(smoke_paint_image, pixel, 0);
         float drawn = texelFetch(smoke_ink_image, pixel, 0).x * dry;
         float there = within * (1.0 - border);
-        color = mix(color, bare * smoke.rgb * smoke.rgb, smoke.a * there);
-        color = mix(color, ink, drawn * there);
+        vec4 paint_of_smoke = is_transparent ? painted(bare, smoke.rgb * smoke.rgb, keeps_things ? 1.0 : 0.0)
+                                             : vec4(bare * smoke.rgb * smoke.rgb, 1.0);
+        page = mix(page, paint_of_smoke, smoke.a * there);
+        page = mix(page, vec4(ink, 1.0), drawn * there);
         smoke_cover = (1.0 - (1.0 - smoke.a) * (1.0 - drawn)) * there;
     }
     if (is_staged) {
@@ -191,13 +221,15 @@ void main()
                       : constants.stage == stage_lines ? line_cover
                       : constants.stage == stage_hatch ? hatch
                       : constants.stage == stage_ink   ? flow_cover
-                                                       : 1.0;
-        imageStore(out_stage, pixel, vec4(color, cover));
+                                                       : page.a;
+        imageStore(out_stage, pixel, vec4(page.rgb, cover));
     } else if (develops) {
         // As what is developed later is kept: light that differs by less than that gives the same bytes.
-        vec3 kept = vec3(unpackHalf2x16(packHalf2x16(color.rg)), unpackHalf2x16(packHalf2x16(color.bb)).x);
-        pixels[uint(pixel.y) * frame.size_px.x + uint(pixel.x)] = srgb_bytes(kept);
+        vec3 kept = vec3(unpackHalf2x16(packHalf2x16(page.rg)), unpackHalf2x16(packHalf2x16(page.bb)).x);
+        pixels[uint(pixel.y) * frame.size_px.x + uint(pixel.x)] =
+            is_transparent ? straight_srgb_bytes(constants.paper_color, page.rgb, page.a, kept)
+                           : srgb_bytes(kept);
     } else {
-        imageStore(out_picture, pixel, vec4(color, 1.0));
+        imageStore(out_picture, pixel, vec4(page.rgb, 1.0));
     }
 }

@@ -6,6 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/color.glsl"
+#include "shaders/straight_alpha.glsl"
 #include "techniques/paper/paper.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 32) in;
@@ -28,6 +29,7 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_samples = (variant & develop_has_samples) != 0u;
 const bool is_last = (variant & develop_is_last) != 0u;
 const bool keeps_floats = (variant & develop_keeps_floats) != 0u;
+const bool is_transparent = (variant & develop_is_transparent) != 0u;
 
 void main()
 {
@@ -37,6 +39,9 @@ void main()
     }
     ivec2 at = ivec2(pixel);
     vec4 color = texelFetch(picture_image, at, 0);
+    if (is_transparent && !keeps_floats) { // as opaque pictures are kept, for the same bytes
+        color.rgb = vec3(unpackHalf2x16(packHalf2x16(color.rg)), unpackHalf2x16(packHalf2x16(color.bb)).x);
+    }
     if (has_samples) {
         vec4 sum = constants.sample_index == 0u ? color : imageLoad(sum_image, at) + color;
         imageStore(sum_image, at, sum);
@@ -47,10 +52,13 @@ void main()
     }
     uint index = pixel.y * constants.width + pixel.x;
     if (keeps_floats) {
+        color = is_transparent ? lifted_off(constants.paper_color, color.rgb, color.a) : color;
         for (uint i = 0u; i < 4u; ++i) {
             pixels[4u * index + i] = floatBitsToUint(color[i]);
         }
     } else {
-        pixels[index] = srgb_bytes(color.rgb);
+        pixels[index] = is_transparent
+                            ? straight_srgb_bytes(constants.paper_color, color.rgb, color.a, color.rgb)
+                            : srgb_bytes(color.rgb);
     }
 }

@@ -6,6 +6,7 @@
 
 #include "gpu/resources.hpp"
 #include "shaders/compose_comp.hpp"
+#include "shaders/cover_comp.hpp"
 #include "shaders/develop_comp.hpp"
 
 namespace estampe::paper {
@@ -43,7 +44,10 @@ uint32_t compose_variant(const ComposeInputs& in, const PaperStyle& style)
            (in.has_sky ? shared::compose_has_sky : 0U) | (in.ink ? shared::compose_has_ink : 0U) |
            (in.smoke_paint && in.smoke_ink ? shared::compose_has_smoke : 0U) |
            (style.margin_mm > 0.0F || style.border_mm > 0.0F ? shared::compose_has_margin : 0U) |
-           (style.ink_grain > 0.0F ? shared::compose_has_grain : 0U);
+           (style.ink_grain > 0.0F ? shared::compose_has_grain : 0U) |
+           (style.transparent != Transparency::none ? shared::compose_is_transparent : 0U) |
+           (style.transparent == Transparency::background ? shared::compose_keeps_things : 0U) |
+           (in.cover ? shared::compose_has_cover : 0U);
 }
 
 Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style, const Wanted& wanted)
@@ -54,6 +58,7 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
     pass.sample(style.ink_tint > 0.0F ? in.light : in.wash);
     pass.sample(in.ink.value_or(in.wash));
     pass.sample(in.smoke_paint.value_or(in.wash)).sample(in.smoke_ink.value_or(in.wash));
+    pass.sample(in.cover.value_or(in.wash));
     pass.variant(compose_variant(in, style) | wanted.variant());
     const auto write = [&](const char* name, gpu::Format format, bool is_wanted) {
         return pass.write(graph.image(name, {.width = is_wanted ? in.size_px.x : 1,
@@ -87,6 +92,10 @@ Composed compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& s
 
 gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style)
 {
+    if (style.transparent != Transparency::none) {
+        // In halves an alpha near 1 would let through too much of the paper under dark ink.
+        return compose(graph, in, style, {.stage = Stage::picture}).stage;
+    }
     return compose(graph, in, style, {}).picture;
 }
 
@@ -109,7 +118,8 @@ gpu::ImageId import_sums(gpu::Graph& graph, gpu::Image& sums, const Accumulation
 }
 
 Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums, gpu::BufferId pixels,
-                      glm::uvec2 size_px, const Accumulation& accumulation, PixelForm form)
+                      glm::uvec2 size_px, const Accumulation& accumulation, PixelForm form,
+                      const std::optional<glm::vec3>& transparent)
 {
     auto pass = graph.compute("develop", shaders::develop_comp);
     pass.sample(picture);
@@ -118,11 +128,28 @@ Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums
     const bool is_last = accumulation.sample_index + 1 == accumulation.sample_count;
     pass.variant((accumulation.sample_count > 1 ? shared::develop_has_samples : 0U) |
                  (is_last ? shared::develop_is_last : 0U) |
-                 (form == PixelForm::linear_floats ? shared::develop_keeps_floats : 0U));
-    pass.push(shared::DevelopConstants{
-                  .width = size_px.x, .height = size_px.y, .sample_index = accumulation.sample_index})
+                 (form == PixelForm::linear_floats ? shared::develop_keeps_floats : 0U) |
+                 (transparent ? shared::develop_is_transparent : 0U));
+    pass.push(shared::DevelopConstants{.width = size_px.x,
+                                       .height = size_px.y,
+                                       .sample_index = accumulation.sample_index,
+                                       .paper_color = transparent.value_or(glm::vec3(1.0F))})
         .dispatch_over_page(size_px.x, size_px.y);
     return {added, written};
+}
+
+CoverLayers add_cover(gpu::Graph& graph, const CoverLayers& drawn, glm::uvec2 size_px)
+{
+    auto pass = graph.compute("cover", shaders::cover_comp);
+    pass.sample(drawn.wash).sample(drawn.hatch).sample(drawn.lines);
+    const auto write = [&](const char* name, gpu::Format format) {
+        return pass.write(graph.image(name, {.width = size_px.x, .height = size_px.y, .format = format}));
+    };
+    const gpu::ImageId wash = write("cover/wash", gpu::Format::rgba16f);
+    const gpu::ImageId hatch = write("cover/hatch", gpu::Format::r16f);
+    const gpu::ImageId lines = write("cover/lines", gpu::Format::rgba8);
+    pass.dispatch_over_page(size_px.x, size_px.y);
+    return {.wash = wash, .hatch = hatch, .lines = lines};
 }
 
 } // namespace estampe::paper

@@ -16,6 +16,12 @@ const style::Table<PaperStyle>& paper_table()
             .number("border_mm", &PaperStyle::border_mm, {0.0F, 5.0F}, "mm",
                     "Width of the line drawn around the picture, at its margin")
             .color("color", &PaperStyle::color, "Colour of the paper")
+            .choice("transparent", &PaperStyle::transparent,
+                    {{"none", Transparency::none},
+                     {"background", Transparency::background},
+                     {"paper", Transparency::paper}},
+                    "Which paper is left out of the picture, which then has an alpha channel: none, the "
+                    "background beyond all things, or all bare paper, which leaves ink and paint alone")
             .number("grain", &PaperStyle::grain, {0.0F, 1.0F}, "", "Relief of the paper")
             .number("granulation", &PaperStyle::granulation, {0.0F, 1.0F}, "",
                     "How far paint settles in the hollows")

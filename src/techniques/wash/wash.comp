@@ -48,6 +48,7 @@ const bool has_air = (variant & wash_has_air) != 0u;
 const bool has_screen = (variant & wash_has_screen) != 0u;
 const bool has_background = (variant & wash_has_background) != 0u;
 const bool is_of_one_look = (variant & wash_is_of_one_look) != 0u;
+const bool keeps_cover = (variant & wash_keeps_cover) != 0u;
 
 float darkness_at(ivec2 pixel)
 {
@@ -142,9 +143,11 @@ void main()
         }
         through = mix(vec3(1.0), clamp(color, 0.0, 1.0), constants.strength);
     }
+    float cover = sees_draw(word) && !(keeps_cover && is_paper(word)) ? 1.0 : 0.0;
     if (has_screen) {
         vec4 screen = texelFetch(screen_image, pixel, 0);
         through = mix(through, mix(vec3(1.0), screen.rgb * screen.rgb, constants.strength), screen.a);
+        cover = keeps_cover ? mix(cover, 1.0, screen.a) : cover;
     }
-    imageStore(out_wash, pixel, vec4(through, sees_draw(word) ? 1.0 : 0.0));
+    imageStore(out_wash, pixel, vec4(through, cover));
 }

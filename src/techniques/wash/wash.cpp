@@ -24,7 +24,8 @@ gpu::ImageId add_look(gpu::Graph& graph, const WashInputs& in, const LookWash& l
     pass.sample(in.look_of_draw.value_or(in.draws), gpu::Format::r32ui);
     pass.variant(
         (style.air > 0.0F ? shared::wash_has_air : 0U) | (in.has_screen ? shared::wash_has_screen : 0U) |
-        (in.has_background ? shared::wash_has_background : 0U) | (before ? shared::wash_is_of_one_look : 0U));
+        (in.has_background ? shared::wash_has_background : 0U) | (before ? shared::wash_is_of_one_look : 0U) |
+        (in.keeps_cover ? shared::wash_keeps_cover : 0U));
     pass.push(shared::WashConstants{.tone = look.tone,
                                     .shadow_tint = style.shadow_tint,
                                     .shadow_from = style.shadow_from,

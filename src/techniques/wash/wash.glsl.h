@@ -14,6 +14,7 @@ SHARED_CONSTANT uint wash_has_air = 1U << 0U;    // colours pale with distance
 SHARED_CONSTANT uint wash_has_screen = 1U << 1U; // there are see-through surfaces
 SHARED_CONSTANT uint wash_has_background = 1U << 2U;
 SHARED_CONSTANT uint wash_is_of_one_look = 1U << 3U; // others are painted already
+SHARED_CONSTANT uint wash_keeps_cover = 1U << 4U;    // alpha is how much things hide
 
 struct WashConstants {
     ToneConstants tone;

@@ -39,6 +39,7 @@ struct WashInputs {
     bool has_screen = false;
     gpu::ImageId background;    ///< the wash where nothing is
     bool has_background = true; ///< else it is bare paper
+    bool keeps_cover = false;   ///< alpha is how much of the pixel things hide: bare ground hides nothing
     glm::uvec2 size_px{0};
     std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels
 };
@@ -51,7 +52,8 @@ struct LookWash {
 
 /// Paints flat colours.
 ///
-/// Writes  rgba16f: what the paint lets through (1: bare paper); alpha 1 where there is a surface
+/// Writes  rgba16f: what the paint lets through (1: bare paper); alpha 1 where there is a surface, or where
+///         `keeps_cover` is set how much of the pixel things hide, see-through ones too
 /// Cost    one full-screen dispatch for each look
 [[nodiscard]] gpu::ImageId add_wash(gpu::Graph& graph, const WashInputs& in,
                                     const std::vector<LookWash>& looks);
