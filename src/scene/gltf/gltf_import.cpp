@@ -61,6 +61,7 @@ Scene import(std::span<const std::byte> bytes, const std::string& file,
         gltf::Data data(gltf::read_document(container, file), container, file, folder);
         gltf::check_accessors(data);
         Scene scene;
+        scene.file_unit_m = 1.0;
         list_extensions(data.model(), scene);
         warn_of_required(data);
         const auto held_textures = gltf::import_materials(data, scene);

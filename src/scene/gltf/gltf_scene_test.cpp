@@ -165,6 +165,26 @@ TEST(GltfScene, gpu_instancing)
     EXPECT_EQ(scene.nodes[0].instances[1] * glm::vec4(1, 1, 1, 1), glm::vec4(4 - 2, 5 - 3, 6 + 4, 1));
 }
 
+TEST(GltfScene, instances_in_the_same_place_are_one)
+{
+    TestFile file = triangle_file();
+    json& attributes = file.document["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] =
+        json::object();
+    attributes["TRANSLATION"] = file.add<float>({4, 5, 6, 1, 2, 3, 4, 5, 6, 1, 2, 3, 1, 2, 4}, "VEC3");
+    const Scene scene = file.load();
+    ASSERT_EQ(scene.nodes[0].instances.size(), 3U) << "the first of each, in the order of the file";
+    EXPECT_EQ(scene.nodes[0].instances[0][3], glm::vec4(4, 5, 6, 1));
+    EXPECT_EQ(scene.nodes[0].instances[1][3], glm::vec4(1, 2, 3, 1));
+    EXPECT_EQ(scene.nodes[0].instances[2][3], glm::vec4(1, 2, 4, 1));
+    ASSERT_EQ(scene.warnings.size(), 1U);
+    EXPECT_NE(scene.warnings[0].find("EXT_mesh_gpu_instancing: 2 instances stand exactly where another does"),
+              std::string::npos);
+    // Zeros that no buffer holds: a file of a kilobyte asks for half a million copies.
+    attributes["TRANSLATION"] =
+        file.add_accessor({{"componentType", 5126}, {"count", 500000}, {"type", "VEC3"}});
+    EXPECT_EQ(file.load().nodes[0].instances.size(), 1U);
+}
+
 TestFile animated_file(const std::string& path, const std::string& interpolation, int times, int values,
                        TestFile file)
 {
@@ -250,6 +270,7 @@ TEST(GltfScene, extensions_are_listed)
     EXPECT_EQ(scene.extensions_used,
               (std::vector<std::string>{"KHR_materials_unlit", "KHR_materials_sheen"}));
     EXPECT_EQ(scene.extensions_ignored, (std::vector<std::string>{"KHR_materials_sheen"}));
+    EXPECT_EQ(scene.file_unit_m, 1.0);
 }
 
 TEST(GltfScene, deep_tree_is_no_trouble)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <numeric>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -57,6 +59,42 @@ void place_node(Data& data, const tinygltf::Node& source, Node& node, const std:
     }
 }
 
+/// Keeps the first of instances that stand exactly alike. An accessor without data is all zeros, so that a
+/// small file can ask for any number of copies in one place, which draw over each other.
+void drop_same(Data& data, std::vector<glm::mat4>& instances, const std::string& pointer)
+{
+    const auto compare = [&](size_t a, size_t b) {
+        return std::memcmp(&instances[a], &instances[b], sizeof(glm::mat4));
+    };
+    std::vector<size_t> order(instances.size());
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+        const int difference = compare(a, b);
+        return difference != 0 ? difference < 0 : a < b;
+    });
+    std::vector<bool> is_again(instances.size(), false);
+    size_t count = 0;
+    for (size_t i = 1; i < order.size(); ++i) {
+        if (compare(order[i - 1], order[i]) == 0) {
+            is_again[order[i]] = true;
+            ++count;
+        }
+    }
+    if (count == 0) {
+        return;
+    }
+    std::vector<glm::mat4> kept;
+    kept.reserve(instances.size() - count);
+    for (size_t i = 0; i < instances.size(); ++i) {
+        if (!is_again[i]) {
+            kept.push_back(instances[i]);
+        }
+    }
+    instances = std::move(kept);
+    data.warn(pointer + "/extensions/EXT_mesh_gpu_instancing",
+              fmt::format("{} instances stand exactly where another does; they are left out", count));
+}
+
 std::vector<glm::mat4> import_instances(Data& data, const tinygltf::Node& source, const std::string& pointer)
 {
     const auto extension = source.extensions.find("EXT_mesh_gpu_instancing");
@@ -110,6 +148,7 @@ std::vector<glm::mat4> import_instances(Data& data, const tinygltf::Node& source
         }
         instances.emplace_back(matrix);
     }
+    drop_same(data, instances, pointer);
     return instances;
 }
 
