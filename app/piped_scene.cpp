@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <vector>
 
 #include <fcntl.h>
@@ -86,6 +87,18 @@ void write_all(int to, std::string_view bytes, const fs::path& file)
     }
 }
 
+/// The temporary folders that are there now.
+struct Folders {
+    std::mutex guard;
+    std::set<fs::path> paths;
+};
+
+Folders& folders()
+{
+    static Folders folders;
+    return folders;
+}
+
 /// A folder of its own among the temporary files, which goes with this.
 class TemporaryFolder {
 public:
@@ -97,12 +110,16 @@ public:
                         "TMPDIR names the folder for temporary files");
         }
         path_ = name;
+        const std::lock_guard lock(folders().guard);
+        folders().paths.insert(path_);
     }
 
     ~TemporaryFolder()
     {
+        const std::lock_guard lock(folders().guard);
         std::error_code problem;
         fs::remove_all(path_, problem); // links go, not what they point to
+        folders().paths.erase(path_);
     }
 
     TemporaryFolder(const TemporaryFolder&) = delete;
@@ -209,6 +226,7 @@ struct Memory {
 
 Memory& memory()
 {
+    folders(); // made first, so that they outlive what is kept in them
     static Memory memory;
     return memory;
 }
@@ -289,10 +307,14 @@ std::string with_typed_name(std::string text, const std::string& scene, const fs
     return text;
 }
 
-void forget_piped_scenes()
+void remove_piped_scenes()
 {
-    const std::lock_guard lock(memory().guard);
-    memory().scenes.clear();
+    // A thread may wait for a pipe and hold the memory meanwhile, so that is left alone.
+    const std::lock_guard lock(folders().guard);
+    for (const fs::path& path : folders().paths) {
+        std::error_code problem;
+        fs::remove_all(path, problem);
+    }
 }
 
 } // namespace estampe::app

@@ -36,7 +36,8 @@ inline constexpr const char* standard_input = "-";
 [[nodiscard]] std::string with_typed_name(std::string text, const std::string& scene,
                                           const std::filesystem::path& file);
 
-/// Removes the temporary folders. Happens by itself when the program ends in the usual way.
-void forget_piped_scenes();
+/// Removes the temporary folders, for an end of the program without its destructors; else they go by
+/// themselves. No scene of a pipe can be read afterwards.
+void remove_piped_scenes();
 
 } // namespace estampe::app

@@ -127,7 +127,7 @@ TEST(PipedScene, TheTemporaryFolderGoes)
         file = scene_file(pipe.name(), "");
     }
     EXPECT_TRUE(std::filesystem::exists(file));
-    forget_piped_scenes();
+    remove_piped_scenes();
     EXPECT_FALSE(std::filesystem::exists(file.parent_path()));
     EXPECT_TRUE(std::filesystem::exists(std::filesystem::current_path())) << "links went, not files";
 }

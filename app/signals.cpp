@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "core/pending.hpp"
+#include "piped_scene.hpp"
 
 namespace estampe::app {
 namespace {
@@ -38,6 +39,7 @@ bool is_ignored(int number)
 [[noreturn]] void end_by(int number)
 {
     remove_all_pending();
+    remove_piped_scenes();
     std::signal(number, SIG_DFL);
     const sigset_t set = watched_set();
     pthread_sigmask(SIG_UNBLOCK, &set, nullptr);

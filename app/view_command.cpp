@@ -22,7 +22,7 @@ void run(const ViewCommand& command)
         if (is_reading) {
             // A large file that nobody waits for: threads end with the program.
             std::fflush(nullptr);
-            forget_piped_scenes();
+            remove_piped_scenes();
             std::_Exit(0);
         }
     }

@@ -25,7 +25,7 @@ bool parallel(const glm::dvec3& a, const glm::dvec3& b)
 std::string list_cameras(const Scene& scene)
 {
     constexpr const char* other_forms =
-        "write auto, \"eye=2,1,3 target=0,0.5,0 fov=35\" or \"azimuth=30 elevation=20\"";
+        "write auto, \"eye=2,1,3 target=0,0.5,0 fov=35\" or \"azimuth=30 elevation=20\"; --view takes sides";
     if (scene.cameras.empty())
         return fmt::format("the scene has no cameras: leave --camera out, or {}", other_forms);
     std::string list;

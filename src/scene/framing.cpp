@@ -266,9 +266,11 @@ Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, 
     if (!(aspect > 0.0))
         aspect = 1.0;
     const SurfaceCloud cloud = surface_cloud(scene, pose_scene(scene, 0.0, no_index));
-    const Outlook outlook = find_outlook(cloud);
+    Outlook outlook = find_outlook(cloud);
     if (outlook.standpoint == Standpoint::inside)
         return camera_inside(outlook, aspect);
+    if (outlook.standpoint == Standpoint::outside)
+        outlook.subject = subject_by_vertices(scene, pose, cloud, outlook.subject);
     const Subject subject(scene, pose, outlook, whole);
     const ViewAxes axes = axes_for(scene, cloud, outlook, aspect);
     const Bounds& bounds = subject.bounds();

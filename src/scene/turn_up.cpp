@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "scene/turn_up.hpp"
 
-#include <numbers>
+#include <utility>
 
 namespace estampe {
 namespace {
 
-/// The quarter or half turn that brings `up` to +y.
-glm::dquat rotation_of(UpAxis up)
+/// The quarter or half turn that brings `up` to +y, by where the axes go; exact, as no angle would be.
+glm::dmat3 rotation_of(UpAxis up)
 {
-    constexpr double quarter = 0.5 * std::numbers::pi;
     constexpr glm::dvec3 x(1.0, 0.0, 0.0);
+    constexpr glm::dvec3 y(0.0, 1.0, 0.0);
     constexpr glm::dvec3 z(0.0, 0.0, 1.0);
     switch (up) {
     case UpAxis::x:
-        return glm::angleAxis(quarter, z);
+        return {y, -x, z};
     case UpAxis::minus_x:
-        return glm::angleAxis(-quarter, z);
+        return {-y, x, z};
     case UpAxis::minus_y:
-        return glm::angleAxis(2.0 * quarter, z);
+        return {-x, -y, z};
     case UpAxis::z:
-        return glm::angleAxis(-quarter, x);
+        return {x, -z, y};
     case UpAxis::minus_z:
-        return glm::angleAxis(quarter, x);
+        return {x, z, -y};
     case UpAxis::y:
         break;
     }
-    return {1.0, 0.0, 0.0, 0.0};
+    return {x, y, z};
 }
 
 } // namespace
@@ -39,7 +39,7 @@ void turn_up(Scene& scene, UpAxis up)
     Node node;
     node.name = "up";
     node.children = scene.roots;
-    node.transform.rotation = rotation_of(up);
+    node.matrix = glm::dmat4(rotation_of(up));
     for (const Index root : scene.roots)
         scene.nodes[root].parent = turned;
     scene.nodes.push_back(std::move(node));

@@ -31,8 +31,8 @@ TEST(TurnUp, BringsTheAxisToYAndTheFrontToZ)
         Scene scene = test::scene_of(shapes::box({1, 1, 1}));
         turn_up(scene, turn.up);
         const glm::dmat4 world = pose_scene(scene, 0.0).world_from_node[0];
-        EXPECT_LT(glm::length(glm::dvec3(world * glm::dvec4(turn.axis, 0.0)) - glm::dvec3(0, 1, 0)), 1e-9);
-        EXPECT_LT(glm::length(glm::dvec3(world * glm::dvec4(turn.front, 0.0)) - glm::dvec3(0, 0, 1)), 1e-9);
+        EXPECT_EQ(glm::dvec3(world * glm::dvec4(turn.axis, 0.0)), glm::dvec3(0, 1, 0));
+        EXPECT_EQ(glm::dvec3(world * glm::dvec4(turn.front, 0.0)), glm::dvec3(0, 0, 1));
         EXPECT_GT(glm::determinant(world), 0.0);
     }
 }

@@ -10,6 +10,7 @@
 #include "scene/camera_words.hpp"
 #include "scene/drawn_size.hpp"
 #include "scene/extent.hpp"
+#include "scene/outlook/subject.hpp"
 #include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
 #include "scene/view_fit.hpp"
@@ -142,9 +143,12 @@ Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, con
     check_extent(whole, scene.name);
     if (!(aspect > 0.0))
         aspect = 1.0;
-    Outlook outlook = find_outlook(scene);
+    const SurfaceCloud cloud = surface_cloud(scene, pose_scene(scene, 0.0, no_index));
+    Outlook outlook = find_outlook(cloud);
     if (outlook.standpoint == Standpoint::inside)
         outlook.subject = whole; // seen from outside after all
+    else if (outlook.standpoint == Standpoint::outside)
+        outlook.subject = subject_by_vertices(scene, pose, cloud, outlook.subject);
     const Subject subject(scene, pose, outlook, whole);
     const ViewAxes axes = axes_of(from);
     const std::vector<glm::dvec3> points = subject_points(scene, pose, subject, axes);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include "scene/outlook/outlook.hpp"
@@ -111,6 +112,22 @@ TEST(Strays, WhatBelongsTogetherIsKeptWhole)
     Scene hall = test::scene_of(shapes::box({60, 20, 60}));
     test::add_object(hall, shapes::sphere(0.5F, 64, 32), glm::vec3(1.0F), {0, 1.0, 0});
     EXPECT_NEAR(kept(hall).max.x, 30.0, 1e-3) << "the room around a small thing";
+}
+
+TEST(HugeFloor, IsLeftOutWhereItIsOneMeshWithWhatStandsOnIt)
+{
+    const Primitive thing = shapes::sphere(0.6F);
+    Scene alone = test::scene_of(thing);
+    alone.nodes[0].transform.translation.y = 0.6;
+    const Camera expected = framed(alone);
+    for (const float side : {20.0F, 300.0F}) {
+        SCOPED_TRACE(side);
+        Primitive merged = shapes::plane(side, side, 4);
+        shapes::append(merged, thing, glm::translate(glm::mat4(1.0F), {0.0F, 0.6F, 0.0F}));
+        const Camera camera = framed(test::scene_of(merged));
+        EXPECT_LT(glm::distance(camera.eye, camera.target),
+                  1.3 * glm::distance(expected.eye, expected.target));
+    }
 }
 
 /// A person of boxes and balls, 1.8 m high, that faces +z.

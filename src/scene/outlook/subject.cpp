@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/outlook/strays.hpp"
+#include "scene/pose.hpp"
+
 namespace estampe {
 namespace {
 
@@ -25,6 +28,19 @@ double floor_level(const SurfaceCloud& cloud)
     return low + step * (static_cast<double>(most - upward.begin()) + 1.0);
 }
 
+/// What stands on the floor at `level`, if the floor is the lowest thing and much wider; else all.
+Bounds without_floor(const Bounds& all, Bounds standing, double level)
+{
+    const glm::dvec3 whole = all.max - all.min;
+    const glm::dvec3 part = standing.max - standing.min;
+    const bool floor_is_lowest = level - all.min.y < 0.25 * whole.y;
+    constexpr double much_wider = 1.6; // each way, so two and a half times the ground that is stood on
+    if (!floor_is_lowest || whole.x < much_wider * part.x || whole.z < much_wider * part.z)
+        return all;
+    standing.min.y = std::min(standing.min.y, level);
+    return standing;
+}
+
 } // namespace
 
 Bounds subject_bounds(const SurfaceCloud& cloud)
@@ -44,14 +60,30 @@ Bounds subject_bounds(const SurfaceCloud& cloud)
     }
     if (above < 32 || below < cloud.points.size() / 16)
         return cloud.bounds;
-    const glm::dvec3 whole = cloud.bounds.max - cloud.bounds.min;
-    const glm::dvec3 part = standing.max - standing.min;
-    const bool floor_is_lowest = level - cloud.bounds.min.y < 0.25 * whole.y;
-    constexpr double much_wider = 1.6; // each way, so two and a half times the ground that is stood on
-    if (!floor_is_lowest || whole.x < much_wider * part.x || whole.z < much_wider * part.z)
-        return cloud.bounds;
-    standing.min.y = std::min(standing.min.y, level);
-    return standing;
+    return without_floor(cloud.bounds, standing, level);
+}
+
+Bounds subject_by_vertices(const Scene& scene, const ScenePose& pose, const SurfaceCloud& cloud,
+                           const Bounds& found)
+{
+    const bool is_whole = found.min == cloud.bounds.min && found.max == cloud.bounds.max;
+    if (!is_whole || cloud.points.empty())
+        return found;
+    const double level = floor_level(cloud);
+    const auto is_above = [&](const SurfacePoint& point) {
+        return static_cast<double>(point.position.y) + cloud.origin.y > level;
+    };
+    const auto above = std::ranges::count_if(cloud.points, is_above);
+    if (static_cast<size_t>(above) > cloud.points.size() / 16)
+        return found; // what stands there is in the cloud
+    Bounds standing;
+    visit_posed(scene, pose, [&](const PosedPrimitive& posed) {
+        for (const glm::dvec3& position : posed.positions) {
+            if (position.y > level && holds(cloud.bounds, position))
+                standing.extend(position);
+        }
+    });
+    return standing.radius() > 0.0 ? without_floor(cloud.bounds, standing, level) : found;
 }
 
 SurfaceCloud within(const SurfaceCloud& cloud, const Bounds& subject)

@@ -12,6 +12,11 @@ namespace estampe {
 /// points.
 [[nodiscard]] Bounds subject_bounds(const SurfaceCloud& cloud);
 
+/// The subject where `found`, that of the cloud, is the whole cloud: a small thing that is one mesh with a
+/// huge floor has no points in the cloud, but it has vertices. Else `found`. Cost: linear in vertices.
+[[nodiscard]] Bounds subject_by_vertices(const Scene& scene, const ScenePose& pose, const SurfaceCloud& cloud,
+                                         const Bounds& found);
+
 /// The cloud without what lies outside of `subject`.
 [[nodiscard]] SurfaceCloud within(const SurfaceCloud& cloud, const Bounds& subject);
 
