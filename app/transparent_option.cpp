@@ -18,7 +18,7 @@ void TransparentOption::add_to(CLI::App& command)
 {
     command
         .add_flag(
-            "--transparent{background}", mode_,
+            "--transparent", mode_,
             "Draw with an alpha channel and without paper behind the scene, or\nwith =paper without any "
             "bare paper")
         ->type_name("[=MODE]");
@@ -29,12 +29,13 @@ void TransparentOption::assign(std::vector<std::string>& assignments) const
     if (mode_.empty()) {
         return;
     }
+    const std::string mode = mode_ == "true" ? "background" : mode_; // typed without a mode
     constexpr std::array modes{"none", "background", "paper"};
-    if (std::ranges::find(modes, mode_) == modes.end()) {
-        throw UsageError(fmt::format("cannot make {} transparent", in_quotes(mode_)), "--transparent",
+    if (std::ranges::find(modes, mode) == modes.end()) {
+        throw UsageError(fmt::format("cannot make {} transparent", in_quotes(mode)), "--transparent",
                          "allowed: background, paper, none");
     }
-    assignments.insert(assignments.begin(), "paper.transparent=" + mode_);
+    assignments.insert(assignments.begin(), "paper.transparent=" + mode);
 }
 
 bool is_transparent(const Style& style)

@@ -9,6 +9,7 @@
 namespace estampe {
 
 /// An 8-bit picture: rows from top to bottom, four bytes a pixel (red, green, blue, alpha), sRGB-encoded.
+/// Colours are not multiplied by alpha, which is linear.
 struct Image {
     uint32_t width = 0;
     uint32_t height = 0;

@@ -194,12 +194,14 @@ public:
     /// When it is not any more, the next picture is drawn by that.
     [[nodiscard]] bool is_terrain_compiling() const;
 
-    /// Draws the scene. The same scene, camera, style and settings give the same bytes on the same device by
-    /// the same raster path; so do the frames of a film that follow one another.
-    /// Pages that are too large for the device are drawn in tiles, which leave no seams: lines are strung for
-    /// the whole page, in up to 16.7 megapixels. Each side may have 65535 pixels.
-    /// Throws Error when the size is zero or too large, or larger than the device's limits where tiles will
-    /// not do: with motion_since, and in films; when no scene was set, and when memory runs out.
+    /// Draws the scene: opaque, or with straight alpha where the style's `paper.transparent` says so, such
+    /// that on paper of the style's colour it is the opaque picture to 1/255 when it is laid there in
+    /// sRGB-encoded values, as programs do. The same scene, camera, style and settings give the same bytes on
+    /// the same device by the same raster path; so do the frames of a film that follow one another. Pages
+    /// that are too large for the device are drawn in tiles, which leave no seams: lines are strung for the
+    /// whole page, in up to 16.7 megapixels. Each side may have 65535 pixels. Throws Error when the size is
+    /// zero or too large, or larger than the device's limits where tiles will not do: with motion_since, and
+    /// in films; when no scene was set, and when memory runs out.
     [[nodiscard]] Image render(const Camera& camera, const Style& style, const RenderSettings& settings);
 
     /// The picture of render() in bands of rows, for pages that memory does not hold. Throws Error as
@@ -208,14 +210,16 @@ public:
     void render_bands(const Camera& camera, const Style& style, const RenderSettings& settings,
                       const BandSink& sink);
 
-    /// The picture of render() in an image of the device that this renderer borrows, without a way over the
-    /// host's memory. Returns when the device is done. Throws Error as render() does, and when the device is
-    /// the renderer's own. Cost: as render(), less one copy of the picture to the host and one there.
+    /// The picture of render(), its straight alpha included, in an image of the device that this renderer
+    /// borrows, without a way over the host's memory. Returns when the device is done. Throws Error as
+    /// render() does, and when the device is the renderer's own. Cost: as render(), less one copy of the
+    /// picture to the host and one there.
     void render_to(const VulkanPicture& picture, const Camera& camera, const Style& style,
                    const RenderSettings& settings);
 
-    /// The picture of render() before it is rounded to bytes: opaque, and as fine as it was composed, some
-    /// 11 bits where ink is thin.
+    /// The picture of render() before it is rounded to bytes, as fine as it was composed, some 11 bits where
+    /// ink is thin: opaque, or where the style's paper is transparent with colours multiplied by alpha, and
+    /// LinearImage::paper set.
     /// Throws Error as render() does, and when the device cannot hold so many floats. Cost: as render(), and
     /// one more pass over the page.
     [[nodiscard]] LinearImage render_linear(const Camera& camera, const Style& style,
@@ -223,7 +227,8 @@ public:
 
     /// The picture of render(), and what it is made of: the layers paper, wash (multiplied), ink
     /// that flows where the style has any, hatch and lines,
-    /// which laid on each other are the picture again; and masks: "shadow", where the sun's light is kept off
+    /// which laid on each other are the picture again (of a transparent picture the paper is hidden, and the
+    /// wash has alpha in place of multiplying); and masks: "shadow", where the sun's light is kept off
     /// by something, where there is such a shadow, "clouds", where they cover the sky, and one for each node
     /// of the scene that is seen, named after it. With several samples all are means of theirs. Throws Error
     /// as render_linear() does. Cost: as render(), and four more passes over the page; 86 bytes a pixel are

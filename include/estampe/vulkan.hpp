@@ -52,7 +52,8 @@ private:
 /// An image of the host's to draw into, for Renderer::render_to(): a 2D colour image of one layer and one
 /// sample, of VK_FORMAT_R8G8B8A8_UNORM or _SRGB (both get the same sRGB bytes), made with
 /// VK_IMAGE_USAGE_TRANSFER_DST_BIT, and as large as RenderSettings say. What it held is lost, whatever its
-/// layout was.
+/// layout was. Its alpha is 1, or straight where the style's paper is transparent: blend it with
+/// VK_BLEND_FACTOR_SRC_ALPHA, or multiply colours by it for a swapchain that wants them so.
 struct VulkanPicture {
     VkImage image = VK_NULL_HANDLE;
     VkImageLayout layout_after = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; ///< that it is left in

@@ -81,7 +81,7 @@ TEST(Transparent, OnItsOwnPaperIsTheOpaquePicture)
     test::shared_renderer().set_scene(still_life());
     const std::vector<Style> styles{
         style_of({}), style_of({"wash.strength=1", "paper.border_mm=0.8", "paper.ink_tint=1"}),
-        style_of({"bleed.drawn=true", "contour.ink=#c03020"}), style_of({"ink.drawn=true", "ink.age_s=1"})};
+        style_of({"bleed.width_mm=0.5", "contour.ink=#c03020"}), style_of({"ink.drawn=true", "ink.age_s=1"})};
     for (size_t i = 0; i < styles.size(); ++i) {
         for (const uint32_t samples : {1U, 4U}) {
             RenderSettings settings = small;
@@ -102,9 +102,9 @@ TEST(Transparent, InkLooksOnAnyPaperAsIfDrawnThere)
     const Style ink = style_of({"wash.strength=0", "paper.transparent=paper"});
     const Image transparent = draw(ink);
     for (const auto& [name, color, bound] :
-         {std::tuple("paper.color=#ffffff", glm::dvec3(255.0), 2.0),
-          std::tuple("paper.color=#ff0000", glm::dvec3(255.0, 0.0, 0.0), 14.0),
-          std::tuple("paper.color=#000000", glm::dvec3(0.0), 14.0)}) {
+         {std::tuple("paper.color=#ffffff", glm::dvec3(255.0), 4.0),
+          std::tuple("paper.color=#ff0000", glm::dvec3(255.0, 0.0, 0.0), 16.0),
+          std::tuple("paper.color=#000000", glm::dvec3(0.0), 16.0)}) {
         const Image drawn = draw(with(ink, {name, "paper.transparent=none"}));
         const double difference = difference_on(transparent, color, drawn);
         RecordProperty(name, std::to_string(difference));
@@ -220,7 +220,8 @@ TEST(Transparent, TilesAndFloatsAndLayersAgree)
                 const glm::vec3 wanted =
                     glm::vec3(linear.pixels[i]) + (1.0F - linear.pixels[i].w) * paper_linear;
                 ASSERT_LT(glm::length(shown - wanted), 2e-4F) << i;
-                ASSERT_NEAR(flat.pixels[i].w, linear.pixels[i].w, 0.02F) << i;
+                // The mean of what several samples cover is not what their means cover.
+                ASSERT_TRUE(samples > 1 || std::abs(flat.pixels[i].w - linear.pixels[i].w) < 1e-3F) << i;
             }
             test::OpenRaster raster = test::read_openraster(output::encode_openraster(layers));
             EXPECT_EQ(raster.merged, picture);

@@ -70,6 +70,31 @@ grep -q 'warning: job 5: missing.glb: ' err || wrong "the failure is not told: $
 "$estampe" render other.glb -o alone.png --size 64x40 --style pencil --set paper.seed=3 --device cpu
 cmp alone.png other-pencil.png || wrong "a job is not the picture that render draws"
 
+# Transparent paper, with a mode and without
+cat >clear.toml <<'END'
+[defaults]
+scene = "other.glb"
+size = "64x40"
+
+[[job]]
+output = "clear.png"
+transparent = true
+
+[[job]]
+output = "ink.png"
+transparent = "paper"
+
+[[job]]
+output = "clear.jpg"
+transparent = true
+END
+expect 1 'clear.toml: 1 of 3 jobs failed' clear.toml
+grep -q 'JPEG has no alpha channel' err || wrong "a transparent JPEG is not told: $(cat err)"
+"$estampe" render other.glb -o clear-alone.png --size 64x40 --transparent --device cpu
+cmp clear-alone.png clear.png || wrong "a transparent job is not the picture that render draws"
+"$estampe" render other.glb -o ink-alone.png --size 64x40 --transparent=paper --device cpu
+cmp ink-alone.png ink.png || wrong "a job of transparent paper is not the picture that render draws"
+
 # Films are what render draws, and so are the pictures after them; the program's own world is known by its seed
 cat >films.toml <<'END'
 [defaults]

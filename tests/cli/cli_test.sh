@@ -118,6 +118,10 @@ expect_error 2 '--depth: 0 is no depth of SVG' render scene.glb -o a.svg --depth
 expect_error 2 '--quality: goes with JPEG and WebP alone' render scene.glb -o a.png --quality 90
 expect_error 2 '--quality: 0 is out of range; of JPEG it is 1 to 100' render scene.glb -o a.jpg --quality 0
 expect_error 2 '--quality: 101 is out of range' render scene.glb -o a.webp --quality 101
+expect_error 2 'JPEG has no alpha channel .*; write PNG, WebP, OpenEXR or OpenRaster' render scene.glb -o a.jpg --transparent
+expect_error 2 'JPEG has no alpha channel' render scene.glb -o - --format jpg --set paper.transparent=paper
+expect_error 2 'H.264 .*; write .webm, .gif or numbered frames' render scene.glb -o a.mp4 --frames 2 --transparent=paper
+expect_error 2 '--transparent: cannot make "sky" transparent; allowed: background, paper' render scene.glb -o a.png --transparent=sky
 # Pages
 expect_error 2 '--page: "A9" is not a page' render scene.glb -o a.png --page A9
 expect_error 2 '--page: 2x3mm is out of range' render scene.glb -o a.png --page 2x3mm
@@ -303,6 +307,23 @@ expect_success render scene.glb -o deep.png "${small[@]}" --depth 16
 [[ "$(od -An -tu1 -j24 -N1 deep.png | tr -d ' ')" == 16 ]] || wrong "deep.png is not of 16 bits"
 expect_success render scene.glb -o float.exr "${small[@]}" --depth 32
 [[ $(wc -c <float.exr) -gt $(wc -c <form.exr) ]] || wrong "floats are no longer than halves"
+
+# Transparent paper
+for file in clear.png clear.webp clear.exr clear.ora; do
+    expect_success render scene.glb -o "$file" "${small[@]}" --transparent
+done
+starts_with clear.webp 52494646
+expect_success render scene.glb -o same.png "${small[@]}" --set paper.transparent=background
+cmp clear.png same.png || wrong "--transparent is not paper.transparent"
+! cmp -s clear.png form.png || wrong "--transparent changes nothing"
+expect_success render scene.glb -o ink.png "${small[@]}" --transparent=paper
+! cmp -s clear.png ink.png || wrong "--transparent=paper is --transparent"
+expect_success render scene.glb -o opaque.png "${small[@]}" --transparent --set paper.transparent=none
+cmp opaque.png form.png || wrong "--set does not go over --transparent"
+expect_success render scene.glb -o deep.png "${small[@]}" --depth 16 --transparent
+[[ "$(od -An -tu1 -j25 -N1 deep.png | tr -d ' ')" == 6 ]] || wrong "deep.png has no alpha channel"
+expect_success render scene.glb -o clear.svg "${small[@]}" --transparent
+! grep -q 'id="paper"' clear.svg || wrong "clear.svg has paper"
 
 # Standard output carries the picture alone
 for format in png jpg webp exr ora svg; do

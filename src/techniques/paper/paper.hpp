@@ -69,7 +69,7 @@ struct ComposeInputs {
 };
 
 /// Lays the layers on paper. Writes rgba16f, linear colour; where the style's paper is transparent rgba32f,
-/// linear colour times alpha. Cost: one full-screen dispatch.
+/// with the picture's alpha besides. Cost: one full-screen dispatch.
 [[nodiscard]] gpu::ImageId add_compose(gpu::Graph& graph, const ComposeInputs& in, const PaperStyle& style);
 
 /// Lays the layers on paper and writes a picture of one sample into `pixels`, as add_compose() and
@@ -90,8 +90,8 @@ enum class Stage : uint8_t {
 };
 
 /// Lays the layers up to one of them. Writes rgba32f: linear colour, and how much of it hides what lies below
-/// the topmost of these layers: 1 of paper and wash. Where the style's paper is transparent the wash is
-/// colour times alpha, and what lies above it is laid on paper without relief. Cost: as add_compose().
+/// the topmost of these layers: 1 of paper and wash. Where the style's paper is transparent, the paper has no
+/// relief but under things, and the wash has the picture's alpha so far. Cost: as add_compose().
 [[nodiscard]] gpu::ImageId add_compose_stage(gpu::Graph& graph, const ComposeInputs& in,
                                              const PaperStyle& style, Stage stage);
 
@@ -117,7 +117,8 @@ struct Developed {
 /// Adds a frame to `sums` (rgba32f, as large as the picture where it has several samples) and, with the last
 /// one, writes `pixels`: the mean, sRGB-encoded in four bytes a pixel, or as it is in four floats. Bytes are
 /// opaque, or where the picture was laid on `transparent` paper of a colour, straight: see
-/// shaders/straight_alpha.glsl. Cost: one full-screen dispatch.
+/// shaders/straight_alpha.glsl; floats have that paper taken off them, and are multiplied by alpha. Cost: one
+/// full-screen dispatch.
 [[nodiscard]] Developed add_develop(gpu::Graph& graph, gpu::ImageId picture, gpu::ImageId sums,
                                     gpu::BufferId pixels, glm::uvec2 size_px,
                                     const Accumulation& accumulation, PixelForm form = PixelForm::srgb_bytes,
