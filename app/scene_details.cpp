@@ -50,7 +50,7 @@ void add_unit(SceneDetails& details, const Scene& scene, const std::string& path
     details.json["unit_m"] = scene.file_unit_m ? Json(*scene.file_unit_m) : Json();
     details.rows.emplace_back("unit", scene.file_unit_m   ? fmt::format("{:.6g} m", *scene.file_unit_m)
                                       : has_no_axis(path) ? "not in the file; read as metres"
-                                                          : "converted to metres");
+                                                          : "metres");
 }
 
 /// A camera's own name, or that of the node that carries it.

@@ -67,6 +67,51 @@ expect_success info scene.glb --json
 expect_printed '"triangles": [1-9]'
 expect_printed '"default_light": "scene"'
 
+# A glTF with variants and a hidden node, and the same triangle lying on the ground of a z-up program
+cat >variants.gltf <<'END'
+{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1]}],
+ "nodes": [{"mesh": 0}, {"mesh": 0, "extensions": {"KHR_node_visibility": {"visible": false}}}],
+ "extensionsUsed": ["KHR_materials_variants", "KHR_node_visibility"],
+ "extensions": {"KHR_materials_variants": {"variants": [{"name": "night"}, {"name": "storm"}]}},
+ "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}, {}],
+ "textures": [{"source": 0}], "images": [{"uri": "oak.png"}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0,
+   "extensions": {"KHR_materials_variants": {"mappings": [{"material": 1, "variants": [1]}]}}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "buffers": [{"byteLength": 36, "uri": "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
+END
+cat >wedge.obj <<'END'
+v 5 5 0
+v 7 5 0
+v 5 7 0
+v 5 5 3
+f 1 3 2
+f 1 2 4
+f 2 3 4
+f 3 1 4
+END
+expect_success info variants.gltf
+expect_printed 'variants  *night, storm'
+expect_printed 'missing files  *oak.png'
+expect_printed 'hidden nodes  *1'
+expect_printed 'unit  *1 m'
+expect_printed 'triangles drawn  *1$'
+expect_success info variants.gltf --json
+expect_printed '"up_axis_guess": null'
+expect_printed '"storm"'
+expect_error 1 'no variant "dusk"; variants of the scene: 0 "night", 1 "storm"' render variants.gltf -o a.png --variant dusk
+expect_error 1 'the scene has no material variants' render wedge.obj -o a.png --variant night
+expect_error 1 'the scene has no material variants' render temple -o a.png --variant night
+expect_error 2 '--variant: is empty' render variants.gltf -o a.png --variant ''
+expect_success render variants.gltf -o by-default.png "${small[@]}"
+expect_success render variants.gltf -o storm.png --variant storm "${small[@]}"
+expect_success info wedge.obj
+expect_printed 'up axis  *y, as read; the box looks z-up: draw with --up z'
+expect_success render wedge.obj -o wedge.png "${small[@]}"
+[[ "$(grep -c 'note: wedge.obj: its box looks z-up.*--up z' ../"$name".err)" -eq 1 ]] || wrong "no note of z-up: $(cat ../"$name".err)"
+rm by-default.png storm.png wedge.png variants.gltf wedge.obj
+
 # The command line
 expect_error 2 'a command is missing'
 expect_error 2 'rendr' rendr
