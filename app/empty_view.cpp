@@ -27,12 +27,21 @@ std::string name_of_camera(const DrawOptions& draw, const Scene& scene)
 
 void warn_of_empty_view(const DrawOptions& draw, const Scene& scene, Index animation, const Camera& camera)
 {
+    const Moment moment{camera, draw.time_s};
+    warn_of_empty_film(draw, scene, animation, {&moment, 1});
+}
+
+void warn_of_empty_film(const DrawOptions& draw, const Scene& scene, Index animation,
+                        std::span<const Moment> moments)
+{
     if (draw.camera.kind != CameraChoice::Kind::placed && !has_camera_of_file(draw, scene))
         return;
     const double aspect = draw.style.window_aspect(draw.page.width, draw.page.height);
-    if (!may_see_anything(scene, pose_scene(scene, draw.time_s, animation), camera, aspect))
-        print_warnings({fmt::format("{}: {} sees nothing of the scene; --camera auto frames all of it",
-                                    draw.scene, name_of_camera(draw, scene))});
+    for (const Moment& moment : moments)
+        if (may_see_anything(scene, pose_scene(scene, moment.time_s, animation), moment.camera, aspect))
+            return;
+    print_warnings({fmt::format("{}: {} sees nothing of the scene; --camera auto frames all of it",
+                                draw.scene, name_of_camera(draw, scene))});
 }
 
 } // namespace estampe::app

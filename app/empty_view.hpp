@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
+#include <estampe/renderer.hpp>
+
 #include "options.hpp"
 
 namespace estampe::app {
 
 /// Warns when nothing of the scene can be in the picture that `camera` takes of it, unless the program placed
-/// it.
+/// the camera.
 void warn_of_empty_view(const DrawOptions& draw, const Scene& scene, Index animation, const Camera& camera);
+
+/// Warns when that is so at all of these moments of a film.
+void warn_of_empty_film(const DrawOptions& draw, const Scene& scene, Index animation,
+                        std::span<const Moment> moments);
 
 } // namespace estampe::app

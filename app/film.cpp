@@ -18,6 +18,7 @@
 #include "core/at_once.hpp"
 #include "core/hash.hpp"
 #include "drawing.hpp"
+#include "empty_view.hpp"
 #include "film_camera.hpp"
 #include "film_frames.hpp"
 #include "film_queue.hpp"
@@ -159,6 +160,7 @@ public:
             writer_.emplace(draw_.output, draw_.page.width, draw_.page.height, film.frames_per_s,
                             is_transparent(draw_.style));
         }
+        warn_if_empty(scene);
     }
 
     /// The frame that an earlier run would have drawn next, after giving the film those it drew.
@@ -243,6 +245,20 @@ private:
     {
         constexpr uint32_t every = 4;
         return times_passes_ && (number - film_.first) % every == 0;
+    }
+
+    void warn_if_empty(const Scene& scene) const
+    {
+        constexpr uint32_t parts = 8;
+        std::vector<Moment> moments;
+        const uint64_t length = std::max(film_.last, film_.first) - film_.first;
+        for (uint32_t part = 0; part <= parts && !flight_; ++part) {
+            const auto number = static_cast<uint32_t>(film_.first + length * part / parts);
+            moments.push_back({camera_.at(time_s(number), turn_at(number)), time_s(number)});
+        }
+        if (!moments.empty()) {
+            warn_of_empty_film(draw_, scene, animation_, moments);
+        }
     }
 
     [[nodiscard]] double time_s(uint32_t number) const

@@ -324,6 +324,9 @@ expect_success render scene.glb -o b.svg "${small[@]}" --plotter
 expect_printed 'pen up .* before .* after'
 expect_success render scene.glb -o b.png "${small[@]}" --camera auto
 expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=0,50,0 target=0,0,0 fov=40'
+! grep -q 'sees nothing' ../"$name".err || wrong "a camera above the scene sees it: $(cat ../"$name".err)"
+expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=0,50,0 target=0,90,0 fov=40'
+grep -q '^estampe: warning: .*sees nothing of the scene; --camera auto' ../"$name".err || wrong "nothing said of an empty view"
 expect_success graph scene.glb -o frame.dot "${small[@]}"
 grep -q digraph frame.dot || wrong "frame.dot is no graph"
 "$estampe" styles | while read -r preset _; do

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -174,10 +175,28 @@ Index light_below(const Scene& scene, Index parent)
     return no_index;
 }
 
+/// The views of the program that wrote the file, which are no part of the scene.
+bool is_view_of_program(const fbx::Model& model)
+{
+    constexpr std::array<std::string_view, 7> views{"Perspective", "Front", "Back",  "Right",
+                                                    "Left",        "Top",   "Bottom"};
+    constexpr std::string_view prefix = "Producer ";
+    return model.name.starts_with(prefix) &&
+           std::find(views.begin(), views.end(), std::string_view(model.name).substr(prefix.size())) !=
+               views.end();
+}
+
+/// Cameras are numbered in the order of their nodes.
 void add_attributes(Scene& scene, const fbx::Document& document, const NodeOfModel& nodes)
 {
-    for (const auto& [id, index] : nodes) {
+    std::vector<std::pair<Index, int64_t>> in_order;
+    for (const auto& [id, index] : nodes)
+        in_order.emplace_back(index, id);
+    std::sort(in_order.begin(), in_order.end());
+    for (const auto& [index, id] : in_order) {
         const fbx::Model& model = document.models.at(id);
+        if (is_view_of_program(model))
+            continue;
         for (const int64_t attribute_id : model.attributes) {
             const fbx::Attribute& attribute = document.attributes.at(attribute_id);
             Index looking = no_index;

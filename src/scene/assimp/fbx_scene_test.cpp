@@ -164,6 +164,20 @@ TEST_F(FbxScene, CameraOfBlenderHasItsNearPlaneInTheUnitOfTheFile)
     EXPECT_NEAR(std::tan(0.5 * camera.vertical_fov_rad), 18.0 / 50.0 * 9.0 / 16.0, 1e-9);
 }
 
+TEST_F(FbxScene, CamerasAreNumberedAsTheirNodesAre)
+{
+    File file = tetrahedron("");
+    for (const auto& [id, name] :
+         {std::pair(70, "Producer Perspective"), std::pair(60, "first"), std::pair(50, "second")}) {
+        file.add_model(id, name, "Camera", "");
+        file.add_attribute(id + 1, "Camera", "", id);
+    }
+    const Scene scene = load(file);
+    ASSERT_EQ(scene.cameras.size(), 2U);
+    EXPECT_EQ(scene.cameras[0].name, "first");
+    EXPECT_EQ(scene.cameras[1].name, "second");
+}
+
 TEST_F(FbxScene, PostRotationOfACameraIsUndone)
 {
     File file = tetrahedron("");
