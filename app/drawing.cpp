@@ -5,6 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include <fmt/format.h>
+
 #include <estampe/error.hpp>
 
 #include "core/file.hpp"
