@@ -13,6 +13,7 @@
 #include "piped_scene.hpp"
 #include "scene/outlook/outlook.hpp"
 #include "temple/world.hpp"
+#include "text.hpp"
 
 namespace estampe::app {
 namespace {
