@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// libFuzzer target: whatever the bytes, the OBJ reader gives a scene that can be framed, or an Error;
+// libFuzzer target: whatever the bytes, the OBJ reader gives a scene that can be posed, or an Error;
 // and its reader of material libraries ends.
 
 #include <cstddef>
@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
         estampe::Input library(bytes, "fuzz.mtl");
         (void)estampe::obj::parse_mtl(library);
         const estampe::Scene scene = estampe::load_obj_bytes(bytes, "fuzz.obj");
-        (void)estampe::framing_camera(scene, estampe::pose_scene(scene, 0.0), 1.5);
+        (void)estampe::scene_bounds(scene, estampe::pose_scene(scene, 0.0));
     } catch (const estampe::Error&) {
         return 0;
     }

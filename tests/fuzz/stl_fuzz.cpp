@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// libFuzzer target: whatever the bytes, the STL reader gives a scene that can be framed, or an Error.
+// libFuzzer target: whatever the bytes, the STL reader gives a scene that can be posed, or an Error.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     try {
         const estampe::Scene scene =
             estampe::load_stl_bytes({reinterpret_cast<const std::byte*>(data), size}, "fuzz.stl");
-        (void)estampe::framing_camera(scene, estampe::pose_scene(scene, 0.0), 1.5);
+        (void)estampe::scene_bounds(scene, estampe::pose_scene(scene, 0.0));
     } catch (const estampe::Error&) {
         return 0;
     }

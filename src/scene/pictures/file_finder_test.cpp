@@ -91,7 +91,9 @@ TEST_F(FindFile, OnlyFilesThatCanBeReadToAnEnd)
         EXPECT_EQ(find(name), "") << name;
     EXPECT_EQ(find(std::string("a\0b", 3)), "");
     EXPECT_EQ(find(std::string(100000, 'x')), "");
-    EXPECT_EQ(find(std::string(3000, '/') + "wood.png"), "");
+    std::string slashes(3000, '/');
+    slashes += "wood.png";
+    EXPECT_EQ(find(slashes), "");
 }
 
 } // namespace
