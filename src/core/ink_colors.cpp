@@ -16,28 +16,29 @@ struct DeleteTransform {
     void operator()(void* transform) const { cmsDeleteTransform(transform); }
 };
 
-using Profile = std::unique_ptr<void, CloseProfile>;
-using Transform = std::unique_ptr<void, DeleteTransform>;
+using ColorProfile = std::unique_ptr<void, CloseProfile>;
+using ColorTransform = std::unique_ptr<void, DeleteTransform>;
 
 /// Null where the profile is damaged or of other colours.
-Transform transform_of(std::span<const std::byte> bytes, bool inverted)
+ColorTransform transform_of(std::span<const std::byte> bytes, bool inverted)
 {
     if (bytes.empty())
         return nullptr;
-    const Profile profile(cmsOpenProfileFromMem(bytes.data(), static_cast<cmsUInt32Number>(bytes.size())));
+    const ColorProfile profile(
+        cmsOpenProfileFromMem(bytes.data(), static_cast<cmsUInt32Number>(bytes.size())));
     if (profile == nullptr || cmsGetColorSpace(profile.get()) != cmsSigCmykData)
         return nullptr;
-    const Profile srgb(cmsCreate_sRGBProfile());
-    return Transform(cmsCreateTransform(profile.get(), inverted ? TYPE_CMYK_8_REV : TYPE_CMYK_8, srgb.get(),
-                                        TYPE_RGBA_8, INTENT_RELATIVE_COLORIMETRIC,
-                                        cmsFLAGS_BLACKPOINTCOMPENSATION));
+    const ColorProfile srgb(cmsCreate_sRGBProfile());
+    return ColorTransform(cmsCreateTransform(profile.get(), inverted ? TYPE_CMYK_8_REV : TYPE_CMYK_8,
+                                             srgb.get(), TYPE_RGBA_8, INTENT_RELATIVE_COLORIMETRIC,
+                                             cmsFLAGS_BLACKPOINTCOMPENSATION));
 }
 
 } // namespace
 
 void inks_to_rgb(std::span<uint8_t> pixels, bool inverted, std::span<const std::byte> profile)
 {
-    const Transform transform = transform_of(profile, inverted);
+    const ColorTransform transform = transform_of(profile, inverted);
     if (transform != nullptr)
         cmsDoTransform(transform.get(), pixels.data(), pixels.data(),
                        static_cast<cmsUInt32Number>(pixels.size() / 4));
