@@ -112,9 +112,9 @@ std::vector<size_t> emitting_nodes(const Scene& scene, const std::string& patter
     std::vector<size_t> nodes;
     for (size_t i = 0; i < scene.nodes.size(); ++i) {
         const Node& node = scene.nodes[i];
-        if (node.mesh == no_index && std::ranges::any_of(parts, [&](const std::string& pattern) {
-                return style::matches(pattern, node.name);
-            })) {
+        if (node.visible && node.mesh == no_index &&
+            std::ranges::any_of(
+                parts, [&](const std::string& pattern) { return style::matches(pattern, node.name); })) {
             nodes.push_back(i);
         }
     }

@@ -211,7 +211,8 @@ std::vector<smoke::Box> smoke_boxes(const Scene& scene, const ScenePose& pose, c
     std::vector<smoke::Box> boxes;
     uint32_t number = 0;
     for (size_t i = 0; i < scene.nodes.size(); ++i) {
-        if (scene.nodes[i].mesh != no_index || !style::matches(pattern, scene.nodes[i].name)) {
+        const Node& node = scene.nodes[i];
+        if (!node.visible || node.mesh != no_index || !style::matches(pattern, node.name)) {
             continue;
         }
         if (auto box = box_about(pose.world_from_node[i], anchor, cells)) {

@@ -28,6 +28,7 @@ void hide_invisible(Scene& scene)
     for (size_t i = 0; i < scene.nodes.size(); ++i) {
         if (!visible[i]) {
             Node& node = scene.nodes[i];
+            node.visible = false;
             node.mesh = node.skin = node.light = no_index;
             node.instances.clear();
         }

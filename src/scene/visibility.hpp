@@ -12,8 +12,8 @@ namespace estampe {
 /// Cost: linear in nodes.
 [[nodiscard]] std::vector<bool> visible_nodes(const Scene& scene);
 
-/// Takes mesh, skin, instances and light from the nodes that are not visible. The nodes stay, because
-/// cameras, joints and visible nodes' indices depend on them.
+/// Takes mesh, skin, instances and light from the nodes that are not visible, and marks each of them itself
+/// as hidden. The nodes stay, because cameras, joints and the indices of other nodes depend on them.
 void hide_invisible(Scene& scene);
 
 /// Whether a visible node carries a light.

@@ -13,7 +13,8 @@
 namespace estampe::gltf {
 
 /// Materials, and the textures they use, decoded on up to four threads. The last one is the default, when a
-/// mesh needs it. Returns the scene's textures that say how cloth is held, by the file's.
+/// mesh needs it. Returns the scene's textures that say how cloth is held, by the file's;
+/// `no_index` for one that is missing.
 std::map<Index, Index> import_materials(Data& data, Scene& scene);
 
 /// Meshes, decompressed, as plain lists, with normals and tangents.

@@ -110,6 +110,11 @@ TEST(GltfExtras, TexturesAndColoursSayHowMuchClothIsHeld)
     EXPECT_NEAR(held[0], 1.0F, 1e-5F);
     EXPECT_NEAR(held[1], 0.2F, 1e-5F);
     EXPECT_NEAR(held[2], 0.6F, 1e-5F);
+    const json picture = file.document["images"][0];
+    file.document["images"][0] = {{"uri", "missing.png"}};
+    const Primitive without = file.load().meshes[0].primitives[0];
+    EXPECT_EQ(without.held, coloured.held) << "a picture that is missing holds nothing";
+    file.document["images"][0] = picture;
     file.document["nodes"][0]["extras"] = json::parse(R"({"estampe": {"cloth": {"held": 3}}})");
     EXPECT_EQ(warning(file).find("test.glb#/nodes/0/extras/estampe/cloth/held: should be the number"), 0U);
     file.document["nodes"][0]["extras"] = json::parse(R"({"estampe": {"cloth": {"back": 7}}})");

@@ -54,6 +54,7 @@ TEST(GltfVisibility, HiddenNodesKeepTheirPlacesAndCameras)
     scene.nodes[2].camera = 0;
     hide_invisible(scene);
     EXPECT_EQ(scene.nodes[1].light, no_index);
+    EXPECT_FALSE(scene.nodes[2].visible) << "it emits neither smoke nor particles";
     EXPECT_EQ(scene.nodes[2].mesh, no_index);
     EXPECT_EQ(scene.nodes[0].mesh, 0U);
     EXPECT_EQ(scene_camera(scene, pose_scene(scene, 0.0), "0").eye.x, 100.0);

@@ -269,6 +269,9 @@ std::map<Index, Index> import_materials(Data& data, Scene& scene)
     for (Material& material : scene.materials) {
         leave_out_lost(textures, material);
     }
+    for (auto& [of_file, of_scene] : held_textures) {
+        of_scene = textures.is_lost(of_scene) ? no_index : of_scene;
+    }
     return held_textures;
 }
 
