@@ -1,39 +1,35 @@
-#!/ usr / bin / env bash
-#SPDX - License - Identifier : MIT
-#Runs files of jobs, good and bad, and checks what is drawn, what the report says and what is left on disk.
-#Usage : batch_test.sh ESTAMPE MAKE_EXAMPLE the program, and the one that writes the example scene
-set - euo pipefail estampe = "$(realpath " $1 ")" make_example = "$(realpath " $2 ")"
-#shellcheck source = tests / support / harness.sh
-    source "$(dirname " $
-{
-    BASH_SOURCE[0]
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Runs files of jobs, good and bad, and checks what is drawn, what the report says and what is left on disk.
+# Usage: batch_test.sh ESTAMPE MAKE_EXAMPLE     the program, and the one that writes the example scene
+set -euo pipefail
+estampe="$(realpath "$1")"
+make_example="$(realpath "$2")"
+# shellcheck source=tests/support/harness.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/harness.sh"
+cd "$folder"
+
+# expect STATUS PATTERN ARGUMENT...: `estampe batch ARGUMENT...` ends with STATUS, and the last line of stderr matches
+expect() {
+    local wanted="$1" pattern="$2" status=0
+    shift 2
+    "$estampe" batch "$@" --device cpu >out 2>err || status=$?
+    [[ $status -eq $wanted ]] || wrong "batch $*: status $status instead of $wanted: $(cat err)"
+    [[ -z $pattern ]] || tail -1 err | grep -q -- "$pattern" || wrong "batch $*: no '$pattern' in: $(cat err)"
+    [[ ! -s out ]] || wrong "batch $*: printed on stdout: $(cat out)"
+    [[ -z "$(find . -name '.*.part-*')" ]] || wrong "batch $*: left $(find . -name '.*.part-*')"
 }
-")/../support/harness.sh" cd "$folder"
 
-#expect STATUS PATTERN ARGUMENT... : `estampe batch ARGUMENT...` ends with STATUS,                           \
-    and the last line of stderr matches
-    expect(){local wanted = "$1" pattern = "$2" status = 0 shift 2 "$estampe" batch
-                                                                   "$@" --device cpu > out 2 > err ||
-                                                         status = $
-             ? [[$status - eq $wanted]] ||
-                   wrong "batch $*: status $status instead of $wanted: $(cat err)"[[-z $pattern]] ||
-                   tail - 1 err | grep - q-- "$pattern" ||
-                   wrong "batch $*: no '$pattern' in: $(cat err)"[[!-s out]] ||
-                   wrong "batch $*: printed on stdout: $(cat out)"[[-z "$(find . -name '.*.part-*')"]] ||
-                   wrong "batch $*: left $(find . -name '.*.part-*')" }
-
-#report FILE PATTERN : the report is whole and has a line that matches
-             report()
-{
-    grep - q-- "$2"
-               "$1" ||
-        wrong "no '$2' in $1: $(cat " $1 ")"[["$(tail -1 " $1 ")" == "}"]] || wrong "$1 is not whole"
+# report FILE PATTERN: the report is whole and has a line that matches
+report() {
+    grep -q -- "$2" "$1" || wrong "no '$2' in $1: $(cat "$1")"
+    [[ "$(tail -1 "$1")" == "}" ]] || wrong "$1 is not whole"
 }
 
 "$make_example" scene.glb >/dev/null
 "$make_example" other.glb >/dev/null
 
-#Each with each, one job as render draws it, and a failure that does not stop the rest
+# Each with each, one job as render draws it, and a failure that does not stop the rest
 cat >jobs.toml <<'END'
 [defaults]
 size = "64x40"
@@ -62,8 +58,7 @@ dpi = 72
 landscape = true
 END
 expect 1 'jobs.toml: 1 of 7 jobs failed; jobs.report.json tells which' jobs.toml
-for file in scene-comic.png scene-pencil.png other-comic.png other-pencil.png lines.svg page.jpg;
-do
+for file in scene-comic.png scene-pencil.png other-comic.png other-pencil.png lines.svg page.jpg; do
     [[ -s $file ]] || wrong "no $file"
 done
 [[ ! -e missing.png ]] || wrong "a failed job left its file"
@@ -75,7 +70,7 @@ grep -q 'warning: job 5: missing.glb: ' err || wrong "the failure is not told: $
 "$estampe" render other.glb -o alone.png --size 64x40 --style pencil --set paper.seed=3 --device cpu
 cmp alone.png other-pencil.png || wrong "a job is not the picture that render draws"
 
-#Transparent paper, with a mode and without
+# Transparent paper, with a mode and without
 cat >clear.toml <<'END'
 [defaults]
 scene = "other.glb"
@@ -100,7 +95,7 @@ cmp clear-alone.png clear.png || wrong "a transparent job is not the picture tha
 "$estampe" render other.glb -o ink-alone.png --size 64x40 --transparent=paper --device cpu
 cmp ink-alone.png ink.png || wrong "a job of transparent paper is not the picture that render draws"
 
-#Films are what render draws, and so are the pictures after them; the program's own world is known by its seed
+# Films are what render draws, and so are the pictures after them; the program's own world is known by its seed
 cat >films.toml <<'END'
 [defaults]
 scene = "scene.glb"
@@ -124,78 +119,73 @@ style = "pencil"
 END
 expect 0 '' films.toml
 "$estampe" render scene.glb -o 'alone%d.png' --size 64x40 --style pencil --turntable --frames 2 --device cpu 2>/dev/null
-for i in 1 2;
-do
-    cmp "alone$i.png"
-        "turn$i.png" ||
-        wrong "frame $i is not the one that render draws"; done
+for i in 1 2; do cmp "alone$i.png" "turn$i.png" || wrong "frame $i is not the one that render draws"; done
 [[ "$(identify turn.gif | wc -l)" -eq 3 ]] || wrong "turn.gif has not three frames"
 "$estampe" render scene.glb -o alone.png --size 64x40 --style pencil --device cpu
 cmp alone.png after.png || wrong "a film changes the picture after it"
 rm -f -- alone*.png
 
-#Shards : each job in one of them, whatever their number
+# Shards: each job in one of them, whatever their number
 rm -- *.png
 sed -i 's/"missing.glb"/"scene.glb"/' jobs.toml
-for i in 1 2 3;
-do
-    expect 0 '' jobs.toml-- shard "$i/3" report "jobs.$i-of-3.report.json" '"failed": 0' done[
-        ["$(cat jobs.?-of-3.report.json | grep -c '" status ": " done "')" - eq 7]] ||
-        wrong "shards are not all jobs"[
-            ["$(cat jobs.?-of-3.report.json | grep '" output "' | sort -u | wc -l)" - eq 7]] ||
-        wrong "shards share jobs" expect 0 '' jobs.toml-- shard 1 /
-                99 --report none.json report none.json '"jobs": \[\]'
+for i in 1 2 3; do
+    expect 0 '' jobs.toml --shard "$i/3"
+    report "jobs.$i-of-3.report.json" '"failed": 0'
+done
+[[ "$(cat jobs.?-of-3.report.json | grep -c '"status": "done"')" -eq 7 ]] || wrong "shards are not all jobs"
+[[ "$(cat jobs.?-of-3.report.json | grep '"output"' | sort -u | wc -l)" -eq 7 ]] || wrong "shards share jobs"
+expect 0 '' jobs.toml --shard 1/99 --report none.json
+report none.json '"jobs": \[\]'
 
-#Mistakes : nothing is drawn, and no report is written
-                rm -
-            f--*.png*.json bad(){printf '%b' "$2" > bad.toml expect 1 "$1" bad.toml[[!-e bad.report.json]] ||
-                                 wrong "a report of: $2"} bad
-            'bad.toml:3:1: unknown key "stile"; did you mean "style"?' '[[job]]\nscene = "scene.glb"\nstile = "comic"\n' bad
-            'bad.toml:1:1: this job has no "output"' '[[job]]\nscene = "scene.glb"\n' bad
-            'bad.toml:1:1: unknown table "jobs"' '[[jobs]]\nscene = "scene.glb"\n' bad
-            'bad.toml: holds no job' '[defaults]\nsize = "64x40"\n' bad
-            'bad.toml:1:1: jobs 1 and 2 both write a.png' '[[job]]\nscene = "scene.glb"\nstyle = ["comic", "wash"]\noutput = "a.png"\n' bad
-            'bad.toml:1:7: not TOML' '[[job]\n' bad
-            'bad.toml:2:9: a date or time is no word' '[[job]]\nscene = 2020-01-01\n' bad
-            'bad.toml:2:1: "size" takes no list' '[[job]]\nsize = ["1x1"]\n' words =
-        "$(seq -s ', ' 1001 | sed 's/[0-9]\+/" &
-            "/g')" printf
-                '[[job]]\nscene = "scene.glb"\noutput = "{n}.png"\ncamera = [%s]\nstyle = [%s]\n' "$words"
-                                                                                                  "$words" >
-                many.toml expect 1 'many.toml:1:1: stands for more than 1000000 pictures' many
-                        .toml expect 2 'shard.* write 1/4' jobs.toml-- shard 4 /
-                    3 expect 1 'nowhere.toml' nowhere.toml[[-z "$(ls ./*.png 2>/dev/null)"]] ||
-        wrong "a mistake drew $(ls ./*.png)"
+# Mistakes: nothing is drawn, and no report is written
+rm -f -- *.png *.json
+bad() {
+    printf '%b' "$2" >bad.toml
+    expect 1 "$1" bad.toml
+    [[ ! -e bad.report.json ]] || wrong "a report of: $2"
+}
+bad 'bad.toml:3:1: unknown key "stile"; did you mean "style"?' '[[job]]\nscene = "scene.glb"\nstile = "comic"\n'
+bad 'bad.toml:1:1: this job has no "output"' '[[job]]\nscene = "scene.glb"\n'
+bad 'bad.toml:1:1: unknown table "jobs"' '[[jobs]]\nscene = "scene.glb"\n'
+bad 'bad.toml: holds no job' '[defaults]\nsize = "64x40"\n'
+bad 'bad.toml:1:1: jobs 1 and 2 both write a.png' '[[job]]\nscene = "scene.glb"\nstyle = ["comic", "wash"]\noutput = "a.png"\n'
+bad 'bad.toml:1:7: not TOML' '[[job]\n'
+bad 'bad.toml:2:9: a date or time is no word' '[[job]]\nscene = 2020-01-01\n'
+bad 'bad.toml:2:1: "size" takes no list' '[[job]]\nsize = ["1x1"]\n'
+words="$(seq -s ', ' 1001 | sed 's/[0-9]\+/"&"/g')"
+printf '[[job]]\nscene = "scene.glb"\noutput = "{n}.png"\ncamera = [%s]\nstyle = [%s]\n' "$words" "$words" >many.toml
+expect 1 'many.toml:1:1: stands for more than 1000000 pictures' many.toml
+expect 2 'shard.* write 1/4' jobs.toml --shard 4/3
+expect 1 'nowhere.toml' nowhere.toml
+[[ -z "$(ls ./*.png 2>/dev/null)" ]] || wrong "a mistake drew $(ls ./*.png)"
 
-#A wrong option is the job's own failure
-            printf
-            '[[job]]\nscene = "scene.glb"\noutput = "a.png"\nsize = "huge"\n\n[[job]]\nscene = "scene.glb"\noutput = "b.png"\nsize = "32x20"\n' >
-            mixed.toml expect 1 '1 of 2 jobs failed' mixed.toml report mixed.report.json
-            'mixed.toml:1:1: --size: .*huge.* is not a size'[[-s b.png && !-e a.png]] ||
-        wrong "not b.png alone"
+# A wrong option is the job's own failure
+printf '[[job]]\nscene = "scene.glb"\noutput = "a.png"\nsize = "huge"\n\n[[job]]\nscene = "scene.glb"\noutput = "b.png"\nsize = "32x20"\n' >mixed.toml
+expect 1 '1 of 2 jobs failed' mixed.toml
+report mixed.report.json 'mixed.toml:1:1: --size: .*huge.* is not a size'
+[[ -s b.png && ! -e a.png ]] || wrong "not b.png alone"
 
-#Ctrl - C : the job in hand is finished, the report says what was not begun
-    {
+# Ctrl-C: the job in hand is finished, the report says what was not begun
+{
     printf '[defaults]\nscene = "scene.glb"\nsize = "640x360"\nsamples = 4\n'
-    for i in {1..40};
-    do
-        printf '[[job]]\noutput = "stop{n}.png"\n';
-    done
-    } >stop.toml
+    for i in {1..40}; do printf '[[job]]\noutput = "stop{n}.png"\n'; done
+} >stop.toml
 "$estampe" batch stop.toml --device cpu >out 2>err &
 pid=$!
-for _ in {1..600};
-do
-[[-e stop1.png]]&& break sleep 0.05 done kill - INT "$pid" status = 0 wait "$pid" || status = $
-    ? [[$status - eq 1]] ||
-          wrong "Ctrl-C: status $status: $(cat err)" tail - 1 err |
-              grep - q 'stop.toml: stopped with [0-9]* of 40 jobs not begun' ||
-          wrong "Ctrl-C: $(cat err)" report stop.report.json '"failed": 0' done_count =
-          "$(grep -c '" status ": " done "' stop.report.json)" drawn_count =
-              "$(find . -name 'stop*.png' | wc -l)"[
-                  [$done_count - ge 1 && $done_count - lt 40 && $done_count - eq $drawn_count]] ||
-              wrong "Ctrl-C: $done_count done, $drawn_count drawn"[[-z "$(find . -name '.*.part-*')"]] ||
-              wrong "Ctrl-C left $(find . -name '.*.part-*')"
+for _ in {1..600}; do
+    [[ -e stop1.png ]] && break
+    sleep 0.05
+done
+kill -INT "$pid"
+status=0
+wait "$pid" || status=$?
+[[ $status -eq 1 ]] || wrong "Ctrl-C: status $status: $(cat err)"
+tail -1 err | grep -q 'stop.toml: stopped with [0-9]* of 40 jobs not begun' || wrong "Ctrl-C: $(cat err)"
+report stop.report.json '"failed": 0'
+done_count="$(grep -c '"status": "done"' stop.report.json)"
+drawn_count="$(find . -name 'stop*.png' | wc -l)"
+[[ $done_count -ge 1 && $done_count -lt 40 && $done_count -eq $drawn_count ]] ||
+    wrong "Ctrl-C: $done_count done, $drawn_count drawn"
+[[ -z "$(find . -name '.*.part-*')" ]] || wrong "Ctrl-C left $(find . -name '.*.part-*')"
 
-              [[$failures - eq 0]] ||
-              exit 1
+[[ $failures -eq 0 ]] || exit 1

@@ -1,53 +1,46 @@
-#!/ usr / bin / env bash
-#SPDX - License - Identifier : MIT
-#Runs the built program on good and bad input and checks exit status, messages and what is left on disk.
-#Usage : cli_test.sh ESTAMPE MAKE_EXAMPLE the program, and the one that writes the example scene
-set - euo pipefail estampe = "$(realpath " $1 ")" make_example = "$(realpath " $2 ")"
-#shellcheck source = tests / support / harness.sh
-    source "$(dirname " $
-{
-    BASH_SOURCE[0]
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Runs the built program on good and bad input and checks exit status, messages and what is left on disk.
+# Usage: cli_test.sh ESTAMPE MAKE_EXAMPLE     the program, and the one that writes the example scene
+set -euo pipefail
+estampe="$(realpath "$1")"
+make_example="$(realpath "$2")"
+# shellcheck source=tests/support/harness.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/harness.sh"
+name="$(basename "$folder")"
+trap 'chmod -R u+w "$folder"; rm -rf "$folder" "$folder".out "$folder".err' EXIT
+cd "$folder"
+
+# expect_error STATUS PATTERN ARGUMENT...: ends with STATUS, says one line on stderr that matches PATTERN and nothing on
+# stdout, and leaves the folder as it was.
+expect_error() {
+    local wanted="$1" pattern="$2" status=0 before after
+    shift 2
+    before="$(ls -lAR --time-style=full-iso .)"
+    "$estampe" "$@" >../"$name".out 2>../"$name".err || status=$?
+    after="$(ls -lAR --time-style=full-iso .)"
+    [[ $status -eq $wanted ]] || wrong "estampe $*: status $status instead of $wanted"
+    [[ "$(grep -cv '^estampe: warning: ' ../"$name".err)" -eq 1 ]] || wrong "estampe $*: not one line: $(cat ../"$name".err)"
+    grep -q "^estampe: error: .*$pattern" ../"$name".err || wrong "estampe $*: no '$pattern' in: $(cat ../"$name".err)"
+    [[ ! -s ../"$name".out ]] || wrong "estampe $*: printed on stdout: $(cat ../"$name".out)"
+    [[ "$before" == "$after" ]] || wrong "estampe $*: changed files: $after"
 }
-")/../support/harness.sh" name =
-    "$(basename " $folder
-    ")" trap 'chmod -R u+w "$folder"; rm -rf "$folder" "$folder".out "$folder".err' EXIT cd "$folder"
 
-#expect_error STATUS PATTERN ARGUMENT... : ends with STATUS,                                                 \
-    says one line on stderr that matches PATTERN and nothing on
-#stdout, and leaves the folder as it was.
-    expect_error(){
-        local wanted = "$1" pattern = "$2" status = 0 before after shift 2 before =
-            "$(ls -lAR --time-style=full-iso .)"
-            "$estampe"
-            "$@" >../ "$name".out 2 >
-                      ../ "$name".err ||
-            status = $
-        ? after = "$(ls -lAR --time-style=full-iso .)"[[$status - eq $wanted]] ||
-                  wrong "estampe $*: status $status instead of $wanted"[
-                      ["$(grep -cv '^estampe: warning: ' ../" $name ".err)" - eq 1]] ||
-                  wrong "estampe $*: not one line: $(cat ../" $name ".err)" grep -
-                      q "^estampe: error: .*$pattern"../ "$name".err ||
-                  wrong "estampe $*: no '$pattern' in: $(cat ../" $name ".err)"[[!-s../ "$name".out]] ||
-                  wrong "estampe $*: printed on stdout: $(cat ../" $name ".out)"[["$before" == "$after"]] ||
-                  wrong "estampe $*: changed files: $after" }
+# expect_success ARGUMENT...: ends with 0 and says no error; stdout goes to ../NAME.out
+expect_success() {
+    "$estampe" "$@" >../"$name".out 2>../"$name".err || wrong "estampe $*: $(cat ../"$name".err)"
+    ! grep -q error ../"$name".err || wrong "estampe $*: $(cat ../"$name".err)"
+}
 
-#expect_success ARGUMENT... : ends with 0 and says no error; stdout goes to../ NAME.out
-          expect_success(){"$estampe"
-                           "$@" >../ "$name".out 2 >
-                                     ../ "$name".err ||
-                           wrong "estampe $*: $(cat ../" $name ".err)" !grep - q error../ "$name".err ||
-                           wrong "estampe $*: $(cat ../" $name ".err)"}
-
-#expect_printed PATTERN : the last success printed a line that matches
-          expect_printed()
-{
-    grep - q-- "$1"../ "$name".out || wrong "no '$1' in: $(head -20 ../" $name ".out)"
+# expect_printed PATTERN: the last success printed a line that matches
+expect_printed() {
+    grep -q -- "$1" ../"$name".out || wrong "no '$1' in: $(head -20 ../"$name".out)"
 }
 
 "$make_example" scene.glb >/dev/null
 small=(--size 96x54 --device cpu)
 
-#What it tells without drawing
+# What it tells without drawing
 expect_success --version
 expect_printed '^estampe [0-9]'
 expect_success --help
@@ -74,14 +67,13 @@ expect_success info scene.glb --json
 expect_printed '"triangles": [1-9]'
 expect_printed '"default_light": "scene"'
 
-#The command line
+# The command line
 expect_error 2 'a command is missing'
 expect_error 2 'rendr' rendr
 expect_error 2 'SCENE is required' render
 expect_error 2 'output is required' render scene.glb
 expect_error 2 'bogus' render scene.glb -o a.png --bogus
-for size in 0x0 banana 65536x1 1x 10x10x10 -1x5 99999999999x1 '' 3.5x2 '1 x 1';
-do
+for size in 0x0 banana 65536x1 1x 10x10x10 -1x5 99999999999x1 '' 3.5x2 '1 x 1'; do
     expect_error 2 '--size: ' render scene.glb -o a.png --size "$size"
 done
 expect_error 2 '--samples' render scene.glb -o a.png --samples 0
@@ -94,8 +86,7 @@ expect_error 2 '--device' render scene.glb -o a.png --device -1
 expect_error 2 '--raster' render scene.glb -o a.png --raster software
 expect_error 2 '--raster' graph scene.glb -o a.dot --raster ''
 expect_error 2 '--camera' render scene.glb -o a.png --camera ''
-for option in --time --samples --style --animation --set;
-do
+for option in --time --samples --style --animation --set; do
     expect_error 2 "$option: is empty" render scene.glb -o a.png "$option" ''
 done
 expect_error 2 '--camera' render scene.glb -o a.png --camera 'eye=1,2 target=0,0,0'
@@ -124,7 +115,7 @@ expect_error 2 'JPEG has no alpha channel .*; write PNG, WebP, OpenEXR or OpenRa
 expect_error 2 'JPEG has no alpha channel' render scene.glb -o - --format jpg --set paper.transparent=paper
 expect_error 2 'H.264 .*; write .webm, .gif or numbered frames' render scene.glb -o a.mp4 --frames 2 --transparent=paper
 expect_error 2 '--transparent: cannot make "sky" transparent; allowed: background, paper' render scene.glb -o a.png --transparent=sky
-#Pages
+# Pages
 expect_error 2 '--page: "A9" is not a page' render scene.glb -o a.png --page A9
 expect_error 2 '--page: 2x3mm is out of range' render scene.glb -o a.png --page 2x3mm
 expect_error 2 '--page: does not go with --size' render scene.glb -o a.png --page A4 --size 10x10
@@ -154,7 +145,7 @@ expect_error 2 '--plotter: goes with strokes alone' render scene.glb -o a.png --
 expect_error 2 '--hidden: goes with strokes alone' render scene.glb -o a.png --hidden
 expect_error 2 '--samples: goes with pictures alone' render scene.glb -o a.svg --samples 2
 
-#A draft is coarser, and what is set goes over it
+# A draft is coarser, and what is set goes over it
 expect_success render scene.glb -o fine.png --style engraving --size 64x48 --device cpu
 expect_success render scene.glb -o draft.png --style engraving --size 64x48 --device cpu --draft
 expect_success render scene.glb -o set.png --style engraving --size 64x48 --device cpu --draft --set hatch.layers=3
@@ -162,11 +153,11 @@ expect_success render scene.glb -o set.png --style engraving --size 64x48 --devi
 ! cmp -s set.png draft.png || wrong "what is set does not go over a draft"
 rm -f fine.png draft.png set.png
 
-#A typing mistake in a key that there is gets the right one suggested
+# A typing mistake in a key that there is gets the right one suggested
 key="$("$estampe" --help-style | awk '$1 ~ /\./ && !found { print $1; found = 1 }')"
 expect_error 2 "did you mean \"$key\"" render scene.glb -o a.png --set "${key}x=1"
 
-#Files
+# Files
 echo 'no scene' >text.gltf
 head -c 100 scene.glb >truncated.glb
 printf '[nosuch]\n' >unknown.toml
@@ -188,102 +179,76 @@ expect_error 1 'cannot write into this folder' render scene.glb -o /proc/a.png
 expect_error 1 'overwrite an input' graph scene.glb -o scene.glb
 printf '[hatch]\nink = "\xf7\xbf\xbf\xbf"\n' >beyond.toml
 expect_error 1 'beyond.toml:2:8: not TOML: byte 0xf7 begins no character of UTF-8' render scene.glb -o a.png --style beyond.toml
-for size in 1e20 1e-20;
-do
-    printf 'v 0 0 0\nv %s 0 0\nv 0 1e-20 0\nf 1 2 3\n' $size >
-            extent.obj expect_error 1 'extent.*: ' render extent.obj -
-                o a.png "${small[@]}" done mkfifo pipe
-                    pipe.obj printf 'mtllib pipe\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >
-            beside - a - pipe.obj timeout 60 "$estampe" info beside - a - pipe.obj > / dev / null 2 > &1 ||
-        wrong "a pipe beside a scene is waited for" expect_error 1 'pipe.obj: is not a file' info pipe
-                .obj rm pipe pipe.obj ln
-                    scene.glb scene.png expect_error 1 'overwrite an input' render scene.glb -
-            o scene.png rm scene.png expect_error 1 'no such folder' render scene.glb -
-            o a.png-- layers nowhere /
-                layers expect_error 1 'exists and is no empty folder' render scene.glb -
-            o a.png-- layers text.gltf mkdir locked chmod a - w locked if [[$(id - u) - ne 0]];
-then expect_error 1 'cannot write into this folder' render scene.glb -
-    o locked / a.png fi expect_error 1 '' render scene.glb -
-    o a.png-- device 4000000000 expect_error 1 'hatch.strokes: .*no paths' render scene.glb -
-    o a.svg "${small[@]}" --set hatch.strokes =
-    map expect_error 1 'contour.lines: .*no paths' render scene.glb - o a.svg
-                                                                      "${small[@]}" --set contour.lines =
-        page
+for size in 1e20 1e-20; do
+    printf 'v 0 0 0\nv %s 0 0\nv 0 1e-20 0\nf 1 2 3\n' $size >extent.obj
+    expect_error 1 'extent.*: ' render extent.obj -o a.png "${small[@]}"
+done
+mkfifo pipe pipe.obj
+printf 'mtllib pipe\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >beside-a-pipe.obj
+timeout 60 "$estampe" info beside-a-pipe.obj >/dev/null 2>&1 || wrong "a pipe beside a scene is waited for"
+expect_error 1 'pipe.obj: is not a file' info pipe.obj
+rm pipe pipe.obj
+ln scene.glb scene.png
+expect_error 1 'overwrite an input' render scene.glb -o scene.png
+rm scene.png
+expect_error 1 'no such folder' render scene.glb -o a.png --layers nowhere/layers
+expect_error 1 'exists and is no empty folder' render scene.glb -o a.png --layers text.gltf
+mkdir locked
+chmod a-w locked
+if [[ $(id -u) -ne 0 ]]; then
+    expect_error 1 'cannot write into this folder' render scene.glb -o locked/a.png
+fi
+expect_error 1 '' render scene.glb -o a.png --device 4000000000
+expect_error 1 'hatch.strokes: .*no paths' render scene.glb -o a.svg "${small[@]}" --set hatch.strokes=map
+expect_error 1 'contour.lines: .*no paths' render scene.glb -o a.svg "${small[@]}" --set contour.lines=page
 
-#Control characters of names do not reach the terminal
-                expect_error 1 'red.glb' info $ '\e[31mred.glb' !grep -
-            q $ '\e'../ "$name".err ||
-        wrong "an escape character reached stderr"
+# Control characters of names do not reach the terminal
+expect_error 1 'red.glb' info $'\e[31mred.glb'
+! grep -q $'\e' ../"$name".err || wrong "an escape character reached stderr"
 
-#A name that no one can read to its end is cut
-        expect_error 1 'File name too long' info
-        "$(printf 'x%.0s' {1..50000}).glb"[["$(wc -c <../" $name ".err)" - lt 3000]] ||
-        wrong "a long name makes a long message"
+# A name that no one can read to its end is cut
+expect_error 1 'File name too long' info "$(printf 'x%.0s' {1..50000}).glb"
+[[ "$(wc -c <../"$name".err)" -lt 3000 ]] || wrong "a long name makes a long message"
 
-#Drawing
-            expect_success render scene.glb -
-            o a.png "${small[@]}"[[!-s../ "$name".out]] ||
-        wrong "render printed on stdout" expect_success render scene.glb - o b.png
-                                                                           "${small[@]}" cmp a.png b.png ||
-        wrong
-        "the same command gave other bytes" GALLIVM_PERF ='' expect_success render scene.glb -
-                                                              o b.png "${small[@]}" cmp a.png b.png ||
-                                                          wrong
-                                                          "shaders compiled well and quickly draw other bytes"
-                                                              [["$(head -c 4 a.png | tail -c 3)" == PNG]] ||
-                                                          wrong "a.png is no PNG" expect_success render
-                                                                  scene.glb -
-                                                              o B.PNG
-                                                              "${small[@]"
-                                                              "}" --samples 2 --timings-- repeat 3 expect_printed 'GPU ms' expect_printed 'median later frame' expect_success
-                                                                  render scene.glb -
-                                                              o b.png "${small[@]}" --raster compute-- json
-                                                                  expect_printed '"raster": "compute"' expect_success
-                                                                      render scene.glb -
-                                                              o b.png "${small[@]}" --raster hardware-- json
-                                                                  expect_printed '"raster": "hardware"' expect_printed '"gpu_ms": ' expect_success
-                                                                      render scene.glb -
-                                                              o a.svg
-                                                              "${small[@]}" expect_success render scene.glb -
-                                                              o b.svg "${small[@]}" cmp a.svg b.svg ||
-                                                          wrong "the same command gave other strokes" grep -
-                                                              q '<path ' a.svg ||
-                                                          wrong "a.svg has no strokes" expect_success render
-                                                                  scene.glb -
-                                                              o b.svg "${small[@]}" --hidden grep -
-                                                              q 'stroke-dasharray' b.svg ||
-                                                          wrong "b.svg has no hidden lines" expect_success
-                                                                  render scene.glb -
-                                                              o b.svg "${small[@]}" --plotter
-                                                                  expect_printed 'pen up .* before .* after' expect_success
-                                                                      render scene.glb -
-                                                              o b.png
-                                                              "${small[@]}" --camera auto expect_success
-                                                                  render scene.glb -
-                                                              o b.png
-                                                              "${small[@]"
-                                                              "}" --camera 'eye=0,50,0 target=0,0,0 fov=40' expect_success
-                                                                  graph scene.glb -
-                                                              o frame.dot "${small[@]}" grep -
-                                                              q digraph frame.dot ||
-                                                          wrong "frame.dot is no graph"
-                                                                "$estampe" styles |
-                                                              while read - r preset _;
-do
-    "$estampe" styles "$preset" > "$preset".toml "$estampe" styles "$preset".toml | cmp - "$preset".toml ||
-        exit 1 done ||
-        wrong "a preset does not read back equal"
+# Drawing
+expect_success render scene.glb -o a.png "${small[@]}"
+[[ ! -s ../"$name".out ]] || wrong "render printed on stdout"
+expect_success render scene.glb -o b.png "${small[@]}"
+cmp a.png b.png || wrong "the same command gave other bytes"
+GALLIVM_PERF='' expect_success render scene.glb -o b.png "${small[@]}"
+cmp a.png b.png || wrong "shaders compiled well and quickly draw other bytes"
+[[ "$(head -c 4 a.png | tail -c 3)" == PNG ]] || wrong "a.png is no PNG"
+expect_success render scene.glb -o B.PNG "${small[@]}" --samples 2 --timings --repeat 3
+expect_printed 'GPU ms'
+expect_printed 'median later frame'
+expect_success render scene.glb -o b.png "${small[@]}" --raster compute --json
+expect_printed '"raster": "compute"'
+expect_success render scene.glb -o b.png "${small[@]}" --raster hardware --json
+expect_printed '"raster": "hardware"'
+expect_printed '"gpu_ms": '
+expect_success render scene.glb -o a.svg "${small[@]}"
+expect_success render scene.glb -o b.svg "${small[@]}"
+cmp a.svg b.svg || wrong "the same command gave other strokes"
+grep -q '<path ' a.svg || wrong "a.svg has no strokes"
+expect_success render scene.glb -o b.svg "${small[@]}" --hidden
+grep -q 'stroke-dasharray' b.svg || wrong "b.svg has no hidden lines"
+expect_success render scene.glb -o b.svg "${small[@]}" --plotter
+expect_printed 'pen up .* before .* after'
+expect_success render scene.glb -o b.png "${small[@]}" --camera auto
+expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=0,50,0 target=0,0,0 fov=40'
+expect_success graph scene.glb -o frame.dot "${small[@]}"
+grep -q digraph frame.dot || wrong "frame.dot is no graph"
+"$estampe" styles | while read -r preset _; do
+    "$estampe" styles "$preset" >"$preset".toml
+    "$estampe" styles "$preset".toml | cmp - "$preset".toml || exit 1
+done || wrong "a preset does not read back equal"
 
-#Formats of pictures
-#starts_with FILE HEX : the bytes that a kind of file begins with
-        starts_with()
-    {
-        [["$(od -An -tx1 -v " $1 " | head -1 | tr -d ' ')" == $2 * ]] || wrong
-            "$1 begins with $(od -An -tx1 " $1 " | head -1)"
-    }
-for
-    file in form.png form.jpg form.jpeg form.webp form.exr form.ora;
-do
+# Formats of pictures
+# starts_with FILE HEX: the bytes that a kind of file begins with
+starts_with() {
+    [[ "$(od -An -tx1 -v "$1" | head -1 | tr -d ' ')" == $2* ]] || wrong "$1 begins with $(od -An -tx1 "$1" | head -1)"
+}
+for file in form.png form.jpg form.jpeg form.webp form.exr form.ora; do
     expect_success render scene.glb -o "$file" "${small[@]}"
     [[ ! -s ../"$name".out ]] || wrong "render -o $file printed on stdout"
 done
@@ -300,9 +265,8 @@ expect_success render scene.glb -o deep.png "${small[@]}" --depth 16
 expect_success render scene.glb -o float.exr "${small[@]}" --depth 32
 [[ $(wc -c <float.exr) -gt $(wc -c <form.exr) ]] || wrong "floats are no longer than halves"
 
-#Transparent paper
-for file in clear.png clear.webp clear.exr clear.ora;
-do
+# Transparent paper
+for file in clear.png clear.webp clear.exr clear.ora; do
     expect_success render scene.glb -o "$file" "${small[@]}" --transparent
 done
 starts_with clear.webp 52494646
@@ -318,30 +282,28 @@ expect_success render scene.glb -o deep.png "${small[@]}" --depth 16 --transpare
 expect_success render scene.glb -o clear.svg "${small[@]}" --transparent
 ! grep -q 'id="paper"' clear.svg || wrong "clear.svg has paper"
 
-#Standard output carries the picture alone
-for format in png jpg webp exr ora svg;
-do
-    expect_success render scene.glb - o -
-            "${small[@]}" --format "$format" cp../ "$name".out piped expect_success render scene.glb -
-            o "named.$format"
-              "${small[@]}" cmp piped "named.$format" ||
-        wrong "-o - --format $format writes other bytes than a file" done expect_success render scene.glb -
-            o - "${small[@]}" --timings cmp../ "$name".out form.png ||
-        wrong "timings went to stdout" grep - q 'GPU ms'../ "$name".err ||
-        wrong "timings went nowhere" expect_success render scene.glb - o -
-            "${small[@]}" --format svg-- plotter[["$(tail -c 7 ../" $name ".out)" == '</svg>']] ||
-        wrong "the plotter's work went to stdout" if "$estampe" render scene.glb - o - "${small[@]}" >
-            / dev / full 2 >../ "$name".err; then
+# Standard output carries the picture alone
+for format in png jpg webp exr ora svg; do
+    expect_success render scene.glb -o - "${small[@]}" --format "$format"
+    cp ../"$name".out piped
+    expect_success render scene.glb -o "named.$format" "${small[@]}"
+    cmp piped "named.$format" || wrong "-o - --format $format writes other bytes than a file"
+done
+expect_success render scene.glb -o - "${small[@]}" --timings
+cmp ../"$name".out form.png || wrong "timings went to stdout"
+grep -q 'GPU ms' ../"$name".err || wrong "timings went nowhere"
+expect_success render scene.glb -o - "${small[@]}" --format svg --plotter
+[[ "$(tail -c 7 ../"$name".out)" == '</svg>' ]] || wrong "the plotter's work went to stdout"
+if "$estampe" render scene.glb -o - "${small[@]}" >/dev/full 2>../"$name".err; then
     wrong "a full stdout went unnoticed"
 fi
 grep -q 'standard output cannot be written' ../"$name".err || wrong "a full stdout: $(cat ../"$name".err)"
 
-#Layers
+# Layers
 expect_success render scene.glb -o plain.png "${small[@]}"
 expect_success render scene.glb -o with.png "${small[@]}" --layers layers
 cmp plain.png with.png || wrong "--layers changes the picture"
-for layer in 00-paper 01-wash hatch lines;
-do
+for layer in 00-paper 01-wash hatch lines; do
     compgen -G "layers/*$layer.png" >/dev/null || wrong "there is no layer $layer"
 done
 grep -q '"blend": "multiply"' layers/layers.json || wrong "layers.json does not say how layers blend"
@@ -353,14 +315,14 @@ expect_success render scene.glb -o with.ora "${small[@]}" --layers layers.exr
 cmp with.ora form.ora || wrong "--layers changes the OpenRaster file"
 grep -q 'paper\.R' layers.exr || wrong "layers.exr has no paper"
 
-#One of them alone
+# One of them alone
 expect_success render scene.glb -o lines.png "${small[@]}" --layer lines
 ! cmp -s plain.png lines.png || wrong "--layer draws the whole picture"
 expect_success render scene.glb -o occlusion.png "${small[@]}" --set occlusion.drawn=true --layer occlusion
 expect_error 1 'has no layer "occlusion"' render scene.glb -o none.png "${small[@]}" --layer occlusion
 [[ ! -e none.png ]] || wrong "a layer that is not there was written"
 
-#Tonal art maps
+# Tonal art maps
 tiny=(--set tam.size_px=64 --set tam.tones=4 --set tam.candidates=8)
 expect_success tam --help
 expect_printed '--preview'
@@ -374,197 +336,150 @@ expect_success tam --from a.tam -o painted/
 expect_success tam --from painted -o a.dds
 expect_success tam --from a.dds -o d.tam
 mkdir alone
-for tone in 1 2 3 4;
-do
-    cp painted / tone${tone} _level0.png alone / tone$tone.png;
-done expect_success tam-- from alone - o e.tam grep -
-        q 'warning: levels of 32 px and less were derived'../ "$name".err ||
-    wrong "nothing said of derived levels" expect_success tam -
-        o f.tam "${tiny[@]}" --brush painted /
-            tone4_level0.png expect_error 2 'output is required' tam expect_error 2 'must end in .tam' tam -
-        o a.png expect_error 2 '--preview .*must end in .png' tam -
-        o a.tam-- preview a.jpg expect_error 2 'leave out --brush and --set' tam-- from a.tam -
-        o b.tam-- set tam
-            .seed =
-    2 expect_error 2 '--set: tam.tones = 3 is out of range' tam - o a.tam-- set tam.tones =
-        3 expect_error 1 'tam.size_px = 100 is not a power of two' tam - o a.tam-- set tam.size_px =
-            100 expect_error 1 'nosuchpreset' tam nosuchpreset -
-                o a.tam expect_error 1 'missing.tam' tam-- from missing.tam -
-                o a.tam expect_error 1 'scene.glb: is no tonal art map' tam-- from scene.glb -
-                o a.tam expect_error 1 'overwrite an input' tam-- from a.tam -
-                o a.tam expect_error 1 'is not empty' tam-- from a.tam -
-                o painted / expect_error 1 'no such folder' tam -
-                o nowhere / a.tam expect_error 1 'sheet.png' tam - o a.tam-- brush missing - sheet.png head -
-                c 2000 a.tam >
-            truncated.tam expect_error 1 'truncated.tam' tam-- from truncated.tam -
-                o g.tam
+for tone in 1 2 3 4; do cp painted/tone${tone}_level0.png alone/tone$tone.png; done
+expect_success tam --from alone -o e.tam
+grep -q 'warning: levels of 32 px and less were derived' ../"$name".err || wrong "nothing said of derived levels"
+expect_success tam -o f.tam "${tiny[@]}" --brush painted/tone4_level0.png
+expect_error 2 'output is required' tam
+expect_error 2 'must end in .tam' tam -o a.png
+expect_error 2 '--preview .*must end in .png' tam -o a.tam --preview a.jpg
+expect_error 2 'leave out --brush and --set' tam --from a.tam -o b.tam --set tam.seed=2
+expect_error 2 '--set: tam.tones = 3 is out of range' tam -o a.tam --set tam.tones=3
+expect_error 1 'tam.size_px = 100 is not a power of two' tam -o a.tam --set tam.size_px=100
+expect_error 1 'nosuchpreset' tam nosuchpreset -o a.tam
+expect_error 1 'missing.tam' tam --from missing.tam -o a.tam
+expect_error 1 'scene.glb: is no tonal art map' tam --from scene.glb -o a.tam
+expect_error 1 'overwrite an input' tam --from a.tam -o a.tam
+expect_error 1 'is not empty' tam --from a.tam -o painted/
+expect_error 1 'no such folder' tam -o nowhere/a.tam
+expect_error 1 'sheet.png' tam -o a.tam --brush missing-sheet.png
+head -c 2000 a.tam >truncated.tam
+expect_error 1 'truncated.tam' tam --from truncated.tam -o g.tam
 
-#Benches
-                    expect_success bench lights-- counts 2,
-         70 --shadowed 1 --frames 1 --size 64x36 --device cpu -
-                 o lights.svg expect_printed '^ *70 '[["$(head -c 4 lights.svg)" == "<svg"]] ||
-             wrong "lights.svg is no SVG" expect_success bench
-                     lights-- counts 1 --frames 1 --size 64x36 --device cpu-- json
-                         expect_printed '"light_ms"' expect_success bench triangles
-                             lamps-- frames 1 --size 64x36 --most 0.02 --device cpu-- json bench
-                                 .json-- csv bench.csv-- plots plots
-                                     expect_printed '^lamps, by lamps' expect_printed '^ *10000 ' grep -
-                 q '^triangles,triangles,10000,' bench.csv ||
-             wrong "bench.csv lacks a row"[["$(head -c 4 plots/lamps.svg)" == "<svg"]] ||
-             wrong "plots/lamps.svg is no SVG" expect_success bench-- compare bench.json bench
-                         .json expect_printed ' 1.000 ' expect_error 2 'no series .lumps.' bench lumps
-                             expect_error 2 'must end in .json' bench-- json bench
-                         .txt expect_error 2 'leave out series' bench lamps-- compare bench.json bench
-                         .json expect_error 2 '--most' bench-- most 2 expect_error 1 'bench.csv/plots' bench
-                             lamps-- most 0.001 --plots bench.csv /
-                     plots expect_error 1 'nothing.json' bench-- compare bench.json nothing.json echo "{}" >
-                 empty.json expect_error 1 "no result of estampe bench" bench-- compare bench.json empty
-                         .json expect_error 2 '--counts' bench lights-- counts 0 expect_success bench lab
-                             min-- rounds 1 --device cpu-- json lab.json-- csv lab
-                         .csv expect_printed '^if (x > a) x = a ' grep -
-                     q '"against": "min(x, a)"' lab.json ||
-             wrong "lab.json does not say what is compared"[["$(wc -l <lab.csv)" == 5]] ||
-             wrong "lab.csv has not a row for each kernel" expect_error 2 'no experiment .lumps.' bench lab
-                     lumps expect_error 2 '--rounds' bench lab-- rounds 0 expect_success bench roofline
-                         field-- frames 1 --size 64x36 --least 0 --device cpu-- json roof.json-- csv roof
-                             .csv expect_printed 'GB/s' expect_printed '^light' grep -
-                 q '^field,"light' roof.csv ||
-             wrong "roof.csv lacks the light" grep - q '"share_of_copy"' roof.json ||
-             wrong "roof.json lacks shares" expect_error 2 'no picture .lumps.' bench roofline lumps
-                     expect_error 2 '--least' bench roofline-- least 1 expect_success render scene.glb -
-                 o kept.png-- size 64x36 --device cpu-- no -
-                 cache expect_error 2 'must end in .svg' bench lights -
-                 o lights.png
+# Benches
+expect_success bench lights --counts 2,70 --shadowed 1 --frames 1 --size 64x36 --device cpu -o lights.svg
+expect_printed '^ *70 '
+[[ "$(head -c 4 lights.svg)" == "<svg" ]] || wrong "lights.svg is no SVG"
+expect_success bench lights --counts 1 --frames 1 --size 64x36 --device cpu --json
+expect_printed '"light_ms"'
+expect_success bench triangles lamps --frames 1 --size 64x36 --most 0.02 --device cpu --json bench.json --csv bench.csv --plots plots
+expect_printed '^lamps, by lamps'
+expect_printed '^ *10000 '
+grep -q '^triangles,triangles,10000,' bench.csv || wrong "bench.csv lacks a row"
+[[ "$(head -c 4 plots/lamps.svg)" == "<svg" ]] || wrong "plots/lamps.svg is no SVG"
+expect_success bench --compare bench.json bench.json
+expect_printed ' 1.000 '
+expect_error 2 'no series .lumps.' bench lumps
+expect_error 2 'must end in .json' bench --json bench.txt
+expect_error 2 'leave out series' bench lamps --compare bench.json bench.json
+expect_error 2 '--most' bench --most 2
+expect_error 1 'bench.csv/plots' bench lamps --most 0.001 --plots bench.csv/plots
+expect_error 1 'nothing.json' bench --compare bench.json nothing.json
+echo "{}" >empty.json
+expect_error 1 "no result of estampe bench" bench --compare bench.json empty.json
+expect_error 2 '--counts' bench lights --counts 0
+expect_success bench lab min --rounds 1 --device cpu --json lab.json --csv lab.csv
+expect_printed '^if (x > a) x = a '
+grep -q '"against": "min(x, a)"' lab.json || wrong "lab.json does not say what is compared"
+[[ "$(wc -l <lab.csv)" == 5 ]] || wrong "lab.csv has not a row for each kernel"
+expect_error 2 'no experiment .lumps.' bench lab lumps
+expect_error 2 '--rounds' bench lab --rounds 0
+expect_success bench roofline field --frames 1 --size 64x36 --least 0 --device cpu --json roof.json --csv roof.csv
+expect_printed 'GB/s'
+expect_printed '^light'
+grep -q '^field,"light' roof.csv || wrong "roof.csv lacks the light"
+grep -q '"share_of_copy"' roof.json || wrong "roof.json lacks shares"
+expect_error 2 'no picture .lumps.' bench roofline lumps
+expect_error 2 '--least' bench roofline --least 1
+expect_success render scene.glb -o kept.png --size 64x36 --device cpu --no-cache
+expect_error 2 'must end in .svg' bench lights -o lights.png
 
-#Lightmaps
-                     quick =
-             (--size 512 --samples 1 --bounces 1)expect_success bake-- help
-                     expect_printed 'Ctrl-C keeps what is done' expect_success bake scene.glb -
-                 o a.exr "${quick[@]}" grep - q 'texels of 512 x 512'../ "$name".err ||
-             wrong "bake said nothing of its texels"[[!-e a.exr.partial]] ||
-             wrong "a finished bake left its partial file" expect_success bake scene.glb -
-                 o b.exr "${quick[@]}" cmp - s a.exr b.exr ||
-             wrong "the same bake has other bytes" expect_success bake scene.glb -
-                 o c.exr "${quick[@]}" --seed 2 --direct sun,
-         point-- sky 0.5 --set light.ambient =
-             0.3 !cmp - s a.exr c.exr ||
-             wrong "settings of a bake change nothing" expect_success render scene.glb -
-                 o dark.png "${small[@]}" expect_success render scene.glb -
-                 o lit.png "${small[@]}" --lightmap a.exr !cmp - s dark.png lit.png ||
-             wrong "a lightmap changes nothing" status =
-                 0 timeout-- foreground - s INT 4 "$estampe" bake scene.glb -
-                         o d.exr-- size 512 --samples 60000 2 >
-                         ../ "$name".err ||
-                 status = $
-         ? [[$status - ne 0 && -s d.exr.partial && !-e d.exr]] ||
-               wrong "a stopped bake did not keep its work" grep -
-                   q '^estampe: error: d.exr: stopped at '../ "$name".err ||
-               wrong "a stopped bake said: $(cat ../" $name ".err)" rm -
-                   f d.exr.partial expect_error 2 'output is required' bake scene
-                       .glb expect_error 2 'must end in .exr' bake scene.glb -
-                   o a.png expect_error 2 '--size: 8 is out of range' bake scene.glb -
-                   o d.exr-- size 8 expect_error 2 '--samples: 0 is out of range' bake scene.glb -
-                   o d.exr-- samples 0 expect_error 2 '--bounces: 99 is out of range' bake scene.glb -
-                   o d.exr-- bounces 99 expect_error 2 '--direct: "moon" is no kind of light' bake scene.glb -
-                   o d.exr-- direct sun,
-         moon expect_error 1 'missing.glb' bake missing.glb -
-                     o d.exr expect_error 1 'no such folder' bake scene.glb -
-                     o nowhere / d.exr expect_error 1 'charts do not fit' bake scene.glb -
-                     o d.exr-- size 16 expect_error 1 'missing.exr' render scene.glb -
-                     o d.png "${small[@]}" --lightmap missing
-                         .exr expect_error 1 'scene.glb: is not an OpenEXR picture' render scene.glb -
-                     o d.png "${small[@]}" --lightmap scene.glb head - c 3000 a.exr >
-                 truncated.exr expect_error 1 'truncated.exr: is damaged' render scene.glb -
-                     o d.png
-                     "${small[@]}" --lightmap truncated.exr printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >
-                 other.obj expect_error 1 'was made for another scene' render other.obj -
-                     o d.png "${small[@]}" --lightmap a.exr
+# Lightmaps
+quick=(--size 512 --samples 1 --bounces 1)
+expect_success bake --help
+expect_printed 'Ctrl-C keeps what is done'
+expect_success bake scene.glb -o a.exr "${quick[@]}"
+grep -q 'texels of 512 x 512' ../"$name".err || wrong "bake said nothing of its texels"
+[[ ! -e a.exr.partial ]] || wrong "a finished bake left its partial file"
+expect_success bake scene.glb -o b.exr "${quick[@]}"
+cmp -s a.exr b.exr || wrong "the same bake has other bytes"
+expect_success bake scene.glb -o c.exr "${quick[@]}" --seed 2 --direct sun,point --sky 0.5 --set light.ambient=0.3
+! cmp -s a.exr c.exr || wrong "settings of a bake change nothing"
+expect_success render scene.glb -o dark.png "${small[@]}"
+expect_success render scene.glb -o lit.png "${small[@]}" --lightmap a.exr
+! cmp -s dark.png lit.png || wrong "a lightmap changes nothing"
+status=0
+timeout --foreground -s INT 4 "$estampe" bake scene.glb -o d.exr --size 512 --samples 60000 2>../"$name".err || status=$?
+[[ $status -ne 0 && -s d.exr.partial && ! -e d.exr ]] || wrong "a stopped bake did not keep its work"
+grep -q '^estampe: error: d.exr: stopped at ' ../"$name".err || wrong "a stopped bake said: $(cat ../"$name".err)"
+rm -f d.exr.partial
+expect_error 2 'output is required' bake scene.glb
+expect_error 2 'must end in .exr' bake scene.glb -o a.png
+expect_error 2 '--size: 8 is out of range' bake scene.glb -o d.exr --size 8
+expect_error 2 '--samples: 0 is out of range' bake scene.glb -o d.exr --samples 0
+expect_error 2 '--bounces: 99 is out of range' bake scene.glb -o d.exr --bounces 99
+expect_error 2 '--direct: "moon" is no kind of light' bake scene.glb -o d.exr --direct sun,moon
+expect_error 1 'missing.glb' bake missing.glb -o d.exr
+expect_error 1 'no such folder' bake scene.glb -o nowhere/d.exr
+expect_error 1 'charts do not fit' bake scene.glb -o d.exr --size 16
+expect_error 1 'missing.exr' render scene.glb -o d.png "${small[@]}" --lightmap missing.exr
+expect_error 1 'scene.glb: is not an OpenEXR picture' render scene.glb -o d.png "${small[@]}" --lightmap scene.glb
+head -c 3000 a.exr >truncated.exr
+expect_error 1 'truncated.exr: is damaged' render scene.glb -o d.png "${small[@]}" --lightmap truncated.exr
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >other.obj
+expect_error 1 'was made for another scene' render other.obj -o d.png "${small[@]}" --lightmap a.exr
 
-#Lightmaps that the file names itself
-                         cat >
-                 panel.gltf << 'JSON' {
-                     "asset" : {"version" : "2.0"},
-                     "scene" : 0,
-                     "scenes" : [ {"nodes" : [0]} ],
-                     "nodes" : [ {
-                         "mesh" : 0,
-                         "extras" : {"estampe" : {"lightmap" : {"uri" : "panel.png", "texCoord" : 0}}}
-                     } ],
-                     "meshes" : [ {"primitives" : [ {"attributes" : {"POSITION" : 0, "TEXCOORD_0" : 1}} ]} ],
-                     "accessors" : [
-                         {
-                             "bufferView" : 0,
-                             "componentType" : 5126,
-                             "count" : 3,
-                             "type" : "VEC3",
-                             "min" : [ 0, 0, 0 ],
-                             "max" : [ 1, 1, 0 ]
-                         },
-                         {"bufferView" : 1, "componentType" : 5126, "count" : 3, "type" : "VEC2"}
-                     ],
-                     "bufferViews" : [
-                         {"buffer" : 0, "byteLength" : 36},
-                         {"buffer" : 0, "byteOffset" : 36, "byteLength" : 24}
-                     ],
-                     "buffers" : [ {"byteLength" : 60, "uri" : "panel.bin"} ]
-                 } JSON printf '%b' '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0' >
-                 panel.bin head - c 24 / dev / zero >>
-                 panel.bin cp dark.png panel.png sed 's/, "extras": .*/}],/' panel.gltf >
-                 plain.gltf expect_success render panel.gltf -
-                     o worn.png "${small[@]}" expect_success render plain.gltf -
-                     o plain.png "${small[@]}" !cmp - s worn.png plain.png ||
-             wrong "a lightmap that the file names changes nothing" rm panel
-                     .png
-                         expect_error 1 'panel.gltf#/nodes/0/extras/estampe/lightmap/uri: names a lightmap that cannot be read' render
-                             panel.gltf -
-                 o d.png "${small[@]}"
 
-#Motion
-                     sed 's/, "extras": .*/}], "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],\
- "samplers": [{"input": 2, "output": 3}]}],/ s /
-                     "type"
-    : "VEC2"
-}],/"type": "VEC2"
-},\
+# Lightmaps that the file names itself
+cat >panel.gltf <<'JSON'
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"mesh": 0, "extras": {"estampe": {"lightmap": {"uri": "panel.png", "texCoord": 0}}}}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+               {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+ "buffers": [{"byteLength": 60, "uri": "panel.bin"}]}
+JSON
+printf '%b' '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0' >panel.bin
+head -c 24 /dev/zero >>panel.bin
+cp dark.png panel.png
+sed 's/, "extras": .*/}],/' panel.gltf >plain.gltf
+expect_success render panel.gltf -o worn.png "${small[@]}"
+expect_success render plain.gltf -o plain.png "${small[@]}"
+! cmp -s worn.png plain.png || wrong "a lightmap that the file names changes nothing"
+rm panel.png
+expect_error 1 'panel.gltf#/nodes/0/extras/estampe/lightmap/uri: names a lightmap that cannot be read' render panel.gltf -o d.png "${small[@]}"
+
+# Motion
+sed 's/, "extras": .*/}], "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],\
+ "samplers": [{"input": 2, "output": 3}]}],/
+s/"type": "VEC2"}],/"type": "VEC2"},\
  {"bufferView": 2, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},\
  {"bufferView": 3, "componentType": 5126, "count": 2, "type": "VEC3"}],/
-s/"byteLength": 24
-}],/"byteLength": 24
-}, {"buffer": 0, "byteOffset": 60, "byteLength": 8},\
+s/"byteLength": 24}],/"byteLength": 24}, {"buffer": 0, "byteOffset": 60, "byteLength": 8},\
  {"buffer": 0, "byteOffset": 68, "byteLength": 24}],/
 s/"byteLength": 60, "uri": "panel.bin"/"byteLength": 92, "uri": "moving.bin"/' panel.gltf >moving.gltf
-{
-    cat panel.bin;
-    printf '%b' '\0\0\0\0\0\0\x80\x3f';
-    head - c 12 / dev / zero;
-    printf '%b' '\0\0\x80\x3f';
-    head - c 8 / dev / zero;
-}
-> moving.bin expect_success render moving.gltf -
-            o moved.png "${small[@]}" --time 0.5 --motion moved.exr expect_success render moving.gltf -
-            o still.png "${small[@]}" --time 0.5 cmp - s moved.png still.png ||
-    wrong "motion changes the picture" expect_success render moving.gltf -
-        o still.png "${small[@]}" --time 0.5 --motion still.exr-- since 0.5 !cmp - s moved.exr still.exr ||
-    wrong "--since changes nothing" expect_error 2 '--motion m.png: motion is written as OpenEXR' render scene
-                .glb -
-            o d.png-- motion m.png expect_error 2 '--since: goes with --motion alone' render scene.glb -
-            o d.png-- since 1 expect_error 2 '--since: is not a finite number' render scene.glb -
-            o d.png-- motion m
-                .exr-- since nan expect_error 2 '--motion: goes with pictures alone' render scene.glb -
-            o d.svg-- motion m.exr expect_error 1 'no such folder' render scene.glb -
-            o d.png-- motion nowhere / m.exr
+{ cat panel.bin; printf '%b' '\0\0\0\0\0\0\x80\x3f'; head -c 12 /dev/zero; printf '%b' '\0\0\x80\x3f'; head -c 8 /dev/zero; } >moving.bin
+expect_success render moving.gltf -o moved.png "${small[@]}" --time 0.5 --motion moved.exr
+expect_success render moving.gltf -o still.png "${small[@]}" --time 0.5
+cmp -s moved.png still.png || wrong "motion changes the picture"
+expect_success render moving.gltf -o still.png "${small[@]}" --time 0.5 --motion still.exr --since 0.5
+! cmp -s moved.exr still.exr || wrong "--since changes nothing"
+expect_error 2 '--motion m.png: motion is written as OpenEXR' render scene.glb -o d.png --motion m.png
+expect_error 2 '--since: goes with --motion alone' render scene.glb -o d.png --since 1
+expect_error 2 '--since: is not a finite number' render scene.glb -o d.png --motion m.exr --since nan
+expect_error 2 '--motion: goes with pictures alone' render scene.glb -o d.svg --motion m.exr
+expect_error 1 'no such folder' render scene.glb -o d.png --motion nowhere/m.exr
 
-#A failure keeps the picture that was there
-                                           expect_error 1 'truncated.glb' render truncated.glb -
-            o a.png
+# A failure keeps the picture that was there
+expect_error 1 'truncated.glb' render truncated.glb -o a.png
 
-#Output that goes nowhere is a failure
-            if "$estampe" --help -
-            style >
-        / dev / full 2 >../ "$name".err;
-then wrong "a full disk went unnoticed" fi left =
-    "$(find . -name '.*' -type f -o -name '*.tmp*')"[[-z "$left"]] ||
-    wrong "left over: $left"
+# Output that goes nowhere is a failure
+if "$estampe" --help-style >/dev/full 2>../"$name".err; then
+    wrong "a full disk went unnoticed"
+fi
+left="$(find . -name '.*' -type f -o -name '*.tmp*')"
+[[ -z "$left" ]] || wrong "left over: $left"
 
-    [[$failures - eq 0]] ||
-    exit 1 echo "All is as it should be."
+[[ $failures -eq 0 ]] || exit 1
+echo "All is as it should be."
