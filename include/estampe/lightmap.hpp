@@ -70,8 +70,9 @@ void save_lightmap(const Lightmap& map, const std::filesystem::path& path);
 ///
 /// A uri stands beside the file or is embedded; pictures are OpenEXR (linear) or PNG, JPEG, WebP (sRGB). The
 /// scene may name a map of `estampe bake` instead, and nothing else a map then. UVs count as they are,
-/// without KHR_texture_transform. Throws Error naming file and JSON pointer when what is named is missing or
-/// cannot be read. Cost: reads the file once more, and decodes what is in it only where maps are named.
+/// without KHR_texture_transform. Keys and values that are not understood are left out, and load_scene()
+/// warns of them. Throws Error naming file and JSON pointer when what is named is missing or cannot be read.
+/// Cost: reads the file once more, and decodes what is in it only where maps are named.
 [[nodiscard]] std::optional<Lightmap> named_lightmap(const std::filesystem::path& scene_file);
 
 /// Reads what save_lightmap() writes. Throws Error naming the file when it is missing, damaged, or an OpenEXR
