@@ -178,7 +178,8 @@ TEST(StlImport, NonsenseIsCountedOrRefused)
 TEST(StlImport, OtherFilesOfThatNameAreRefused)
 {
     std::string page = "<!DOCTYPE html>\n<html><head><title>404 Not Found</title></head>\n<body>";
-    page += std::string(500, 'x') + "</body></html>\n";
+    page.append(500, 'x');
+    page += "</body></html>\n";
     EXPECT_NE(error_of(page).find("is no STL file"), std::string::npos);
     EXPECT_EQ(first(load(facet() + facet("1"))).indices.size(), 6U) << "a text without its first line";
 }
