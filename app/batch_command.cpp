@@ -36,7 +36,9 @@ public:
         is_there_ = false;
         scene_ = load_scene_of(draw);
         print_warnings(scene_.warnings);
-        print_notes(up_axis_notes(scene_, draw.scene));
+        if (!draw.load.up) {
+            print_notes(up_axis_notes(scene_, draw.scene));
+        }
         set_scene(renderer_, scene_, draw);
         loaded_ = draw;
         is_there_ = true;

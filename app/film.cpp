@@ -369,7 +369,9 @@ void draw_film(const RenderCommand& command)
     std::future<Renderer> opening = std::async(at_once, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
-    print_notes(up_axis_notes(scene, draw.scene));
+    if (!draw.load.up) {
+        print_notes(up_axis_notes(scene, draw.scene));
+    }
     const FilmChoice film = with_end(*command.film, draw, scene, choose_animation(draw, scene));
     Renderer renderer = opening.get();
     set_scene(renderer, scene, draw);

@@ -189,7 +189,9 @@ void run(const RenderCommand& command)
     std::future<Renderer> opening = std::async(at_once, [&draw] { return Renderer(draw.device); });
     const Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
-    print_notes(up_axis_notes(scene, draw.scene));
+    if (!draw.load.up) {
+        print_notes(up_axis_notes(scene, draw.scene));
+    }
     tell_of_time(draw, scene);
     const Index animation = choose_animation(draw, scene);
     // A view of all of a large scene takes as long to choose as its upload.

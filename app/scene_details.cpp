@@ -85,6 +85,10 @@ void add_cameras(SceneDetails& details, const Scene& scene)
 
 void add_animations(SceneDetails& details, const Scene& scene)
 {
+    details.json["frames_per_s"] = scene.frames_per_s ? Json(*scene.frames_per_s) : Json();
+    if (scene.frames_per_s) {
+        details.rows.emplace_back("frame rate", fmt::format("{:.6g} fps", *scene.frames_per_s));
+    }
     details.json["animation_details"] = Json::array();
     for (const Animation& animation : scene.animations) {
         const double rate = key_rate(animation);

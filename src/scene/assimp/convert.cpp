@@ -199,6 +199,7 @@ TransferScene read_dae(Assimp::Importer& importer, const std::filesystem::path& 
     Conversion conversion = convert(checked(scene, importer), path);
     convert_cameras(conversion, document.lenses);
     conversion.scene().frames_per_s = document.frames_per_s;
+    conversion.scene().file_unit_m = document.unit_m;
     for (Animation& animation : conversion.scene().animations)
         if (document.start_s < animation.duration_s)
             animation.start_s = static_cast<float>(document.start_s);

@@ -247,6 +247,7 @@ void apply_fbx(Conversion& conversion, const fbx::Document& document)
 {
     Scene& scene = conversion.scene();
     scene.frames_per_s = frames_per_s(document.settings);
+    scene.file_unit_m = fbx::unit_m(document.settings);
     set_durations(scene, document);
     const NodeOfModel nodes = match_nodes(conversion, document);
     place_nodes(scene, document, nodes);

@@ -277,6 +277,7 @@ void exchange(Archive& archive, TransferScene& transfer)
     exchange(archive, scene.cameras);
     exchange(archive, scene.animations);
     exchange(archive, scene.frames_per_s);
+    exchange(archive, scene.file_unit_m);
     exchange(archive, scene.warnings);
 }
 

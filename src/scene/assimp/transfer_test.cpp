@@ -39,6 +39,7 @@ TransferScene sample()
     scene.animations[0].channels[0].times_s = {0.0F, 2.0F};
     scene.animations[0].start_s = 0.5F;
     scene.frames_per_s = 30.0;
+    scene.file_unit_m = 0.01;
     scene.warnings = {"mended"};
     return transfer;
 }
@@ -61,6 +62,7 @@ TEST(Transfer, ComesBackAsItWent)
     EXPECT_EQ(after.scene.animations[0].channels[0].times_s, (std::vector<float>{0.0F, 2.0F}));
     EXPECT_EQ(after.scene.animations[0].start_s, 0.5F);
     EXPECT_EQ(after.scene.frames_per_s, 30.0);
+    EXPECT_EQ(after.scene.file_unit_m, 0.01);
 }
 
 TEST(Transfer, WhatIsNoTreeIsRefusedBeforeItIsPosed)

@@ -132,6 +132,7 @@ TEST_F(MtlImport, MissingLibrariesAndMaterialsAreNamed)
 {
     const Scene scene = load("mtllib nowhere.mtl");
     EXPECT_NE(all_warnings(scene).find("\"nowhere.mtl\" is not there"), std::string::npos);
+    EXPECT_EQ(scene.missing_files, std::vector<std::string>{"nowhere.mtl"});
     EXPECT_EQ(scene.warnings.size(), 1U);
     EXPECT_EQ(material_of(scene).name, "m") << "styles address it all the same";
     write("other.mtl", "newmtl other\n");

@@ -81,10 +81,12 @@ private:
             i += std::max<size_t>(used, 1);
         }
         const std::string own_name = file_.stem().string() + ".mtl";
-        if (!missing.empty() && !found(own_name))
+        if (!missing.empty() && !found(own_name)) {
+            scene_.missing_files.insert(scene_.missing_files.end(), missing.begin(), missing.end());
             scene_.warnings.push_back(fmt::format(
                 "material library \"{}\" is not there: its materials are drawn grey",
                 missing.size() == words.size() ? line : fmt::format("{}", fmt::join(missing, " "))));
+        }
     }
 
     bool found(const std::string& name)

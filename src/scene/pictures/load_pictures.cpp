@@ -12,11 +12,14 @@
 namespace estampe {
 namespace {
 
-std::filesystem::path found_file(const std::string& name, FileFinder& finder)
+/// Notes in the scene what is not there. Throws Error.
+std::filesystem::path found_file(const std::string& name, FileFinder& finder, Scene& scene)
 {
     std::optional<std::filesystem::path> file = finder.find(name);
-    if (!file)
+    if (!file) {
+        scene.missing_files.push_back(name);
         throw Error("no such file", name, "put the picture beside the scene's file");
+    }
     return *std::move(file);
 }
 
@@ -34,7 +37,7 @@ void load_pictures(Scene& scene, const std::vector<ImageSource>& sources, FileFi
                 image = decode_image(sources[i].bytes, sources[i].file);
                 continue;
             }
-            const std::filesystem::path file = found_file(sources[i].file, finder);
+            const std::filesystem::path file = found_file(sources[i].file, finder, scene);
             const auto [known, is_new] = texture_of_file.emplace(file, i);
             image = is_new ? load_image(file) : scene.textures[known->second].image;
         } catch (const Error& error) {

@@ -109,6 +109,9 @@ Document read_document(const std::filesystem::path& path)
     document.frames_per_s = number_below(scenes, "frame_rate");
     if (document.frames_per_s && !(*document.frames_per_s > 0.0 && *document.frames_per_s <= 1000.0))
         document.frames_per_s.reset();
+    const double metres = root.child("asset").child("unit").attribute("meter").as_double(0.0);
+    if (metres > 0.0 && std::isfinite(metres))
+        document.unit_m = metres;
     document.start_s = number_below(scenes, "start_time").value_or(0.0);
     StringWriter writer;
     xml.save(writer, "", pugi::format_raw, pugi::encoding_utf8);

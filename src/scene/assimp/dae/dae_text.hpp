@@ -15,8 +15,9 @@ struct Document {
     std::string text;                ///< UTF-8
     std::vector<SceneCamera> lenses; ///< by lens_index() of the cameras that Assimp makes of `text`
     std::optional<double> frames_per_s;
-    bool moved_vertices = false; ///< to the origin, and their nodes the other way
-    double start_s = 0.0;        ///< of the time range
+    std::optional<double> unit_m; ///< metres per unit, if the file says so
+    bool moved_vertices = false;  ///< to the origin, and their nodes the other way
+    double start_s = 0.0;         ///< of the time range
 };
 
 /// Reads a .dae file in any encoding that XML allows, and rewrites it for Assimp: numbers are separated by
