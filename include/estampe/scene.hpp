@@ -289,7 +289,8 @@ enum class UpAxis : uint8_t { x, y, z, minus_x, minus_y, minus_z };
 struct LoadOptions {
     std::string variant; ///< the material variant to draw, by name or index; empty: the default materials
     std::optional<UpAxis> up; ///< the axis of the file's coordinates that points up: the scene is turned so
-                              ///< that it becomes +y; none: what the file or its format says, else y
+                              ///< that it becomes +y; none: what the file or its format says, else y. FBX and
+                              ///< COLLADA are turned by the axis that they name before this
 
     bool operator==(const LoadOptions& other) const = default;
 };
