@@ -21,8 +21,8 @@ using Json = nlohmann::ordered_json;
 
 bool has_no_axis(const std::string& path)
 {
-    constexpr std::array<std::string_view, 3> formats{".obj", ".ply", ".stl"};
-    return std::ranges::find(formats, lower_extension(path)) != formats.end();
+    constexpr std::array<std::string_view, 3> without_axis{".obj", ".ply", ".stl"};
+    return std::ranges::find(without_axis, lower_extension(path)) != without_axis.end();
 }
 
 bool looks_z_up(const Scene& scene, const std::string& path)

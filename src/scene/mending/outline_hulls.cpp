@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "scene/pose.hpp"
 #include "scene/mending/repair.hpp"
+#include "scene/pose.hpp"
 
 namespace estampe {
 namespace {
@@ -59,14 +59,14 @@ bool lies_close_around(const Bounds& hull, const Bounds& figure)
 {
     constexpr double widest = 0.12; // of the figure's diagonal
     const double slack_m = 1e-4 * figure.radius();
-    const double most_m = 2.0 * widest * figure.radius();
+    const double widest_m = 2.0 * widest * figure.radius();
     const glm::dvec3 below = figure.min - hull.min;
     const glm::dvec3 above = hull.max - figure.max;
     const bool is_around = glm::all(glm::greaterThan(below, glm::dvec3(-slack_m))) &&
                            glm::all(glm::greaterThan(above, glm::dvec3(-slack_m)));
     const double sum_m = below.x + below.y + below.z + above.x + above.y + above.z;
     return is_around && sum_m > slack_m &&
-           glm::all(glm::lessThan(glm::max(below, above), glm::dvec3(most_m)));
+           glm::all(glm::lessThan(glm::max(below, above), glm::dvec3(widest_m)));
 }
 
 /// Whether both have as many triangles but for a few that an exporter dropped or added.

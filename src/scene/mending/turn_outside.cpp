@@ -47,7 +47,7 @@ private:
 };
 
 /// Triangles that are connected by corners.
-struct Piece {
+struct SurfacePiece {
     Bounds bounds;
     double volume_m3 = 0.0;
     bool is_inside_out = false;      ///< it is closed and wound one way, with its backs outside
@@ -66,7 +66,7 @@ public:
         }
     }
 
-    std::vector<Piece> run()
+    std::vector<SurfacePiece> run()
     {
         std::vector<uint32_t> piece_of_set(places_.size(), no_index);
         std::vector<uint32_t> piece_of_triangle(triangle_count());
@@ -77,7 +77,7 @@ public:
                 pieces_.emplace_back();
             }
             piece_of_triangle[t] = number;
-            Piece& piece = pieces_[number];
+            SurfacePiece& piece = pieces_[number];
             std::array<glm::dvec3, 3> corners;
             for (size_t k = 0; k < 3; ++k) {
                 corners[k] = primitive_.positions[primitive_.indices[3 * t + k]];
@@ -86,12 +86,12 @@ public:
             piece.volume_m3 += glm::dot(corners[0], glm::cross(corners[1], corners[2])) / 6.0;
         }
         // Few pieces are inside out, and lists of their triangles are long.
-        if (std::ranges::any_of(pieces_, [](const Piece& piece) { return piece.volume_m3 < 0.0; })) {
+        if (std::ranges::any_of(pieces_, [](const SurfacePiece& piece) { return piece.volume_m3 < 0.0; })) {
             for (uint32_t t = 0; t < triangle_count(); ++t)
-                if (Piece& piece = pieces_[piece_of_triangle[t]]; piece.volume_m3 < 0.0)
+                if (SurfacePiece& piece = pieces_[piece_of_triangle[t]]; piece.volume_m3 < 0.0)
                     piece.triangles.push_back(t);
         }
-        for (Piece& piece : pieces_) {
+        for (SurfacePiece& piece : pieces_) {
             piece.is_inside_out = piece.volume_m3 < 0.0 && is_closed(piece);
             if (!piece.is_inside_out)
                 std::vector<uint32_t>().swap(piece.triangles);
@@ -123,7 +123,7 @@ private:
 
     /// Calls `take(from, to)` for each side of the piece's triangles.
     template <typename Take>
-    void for_sides(const Piece& piece, const Take& take) const
+    void for_sides(const SurfacePiece& piece, const Take& take) const
     {
         for (const uint32_t t : piece.triangles)
             for (size_t k = 0; k < 3 && !has_collapsed(t); ++k)
@@ -131,7 +131,7 @@ private:
     }
 
     /// Whether each side of a triangle has one other beside it, that runs the other way.
-    [[nodiscard]] bool is_closed(const Piece& piece) const
+    [[nodiscard]] bool is_closed(const SurfacePiece& piece) const
     {
         // An open piece has sides without another: sums over both ways tell almost all of them without a
         // sort.
@@ -157,10 +157,10 @@ private:
     const Primitive& primitive_;
     std::vector<uint32_t> places_;
     Sets sets_;
-    std::vector<Piece> pieces_;
+    std::vector<SurfacePiece> pieces_;
 };
 
-void turn_over(Primitive& primitive, const Piece& piece)
+void turn_over(Primitive& primitive, const SurfacePiece& piece)
 {
     double agreement = 0.0;
     std::vector<uint32_t> vertices;
@@ -196,7 +196,7 @@ void turn_over(Primitive& primitive, const Piece& piece)
 /// A piece as it stands in the scene.
 struct PlacedPiece {
     Primitive* primitive;
-    Piece piece;
+    SurfacePiece piece;
     Bounds world;
     Index mesh;
 };
@@ -221,7 +221,7 @@ std::vector<PlacedPiece> placed_pieces(Scene& scene)
             if (primitive.topology != Topology::triangles) {
                 continue;
             }
-            for (Piece& piece : Pieces(primitive).run()) {
+            for (SurfacePiece& piece : Pieces(primitive).run()) {
                 Bounds world;
                 for (int corner = 0; corner < 8; ++corner) {
                     const glm::dvec3 at((corner & 1) != 0 ? piece.bounds.max.x : piece.bounds.min.x,
