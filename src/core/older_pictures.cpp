@@ -140,7 +140,7 @@ void check_bmp(const PictureBytes& bytes)
     const bool is_old = head == 12;
     const uint64_t width = is_old ? bytes.little16(18) : bytes.little32(18);
     const auto rows = static_cast<int32_t>(is_old ? bytes.little16(20) : bytes.little32(22));
-    const uint64_t height = static_cast<uint64_t>(std::abs(int64_t{rows}));
+    const auto height = static_cast<uint64_t>(std::abs(int64_t{rows}));
     const uint64_t bits = is_old ? bytes.little16(24) : bytes.little16(28);
     const uint32_t compression = is_old ? 0 : bytes.little32(30);
     if (compression == 1 || compression == 2)

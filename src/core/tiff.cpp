@@ -2,6 +2,7 @@
 #include "core/tiff.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdarg>
 #include <cstdio>
@@ -145,10 +146,14 @@ void divide_by_alpha(Image& image)
 
 bool is_tiff(std::span<const std::byte> data)
 {
-    const auto starts_with = [data](const char(&magic)[5]) {
-        return data.size() >= 8 && std::memcmp(data.data(), magic, 4) == 0;
+    using Magic = std::array<unsigned char, 4>;
+    constexpr unsigned char classic = 42;
+    constexpr unsigned char big = 43;
+    const auto starts_with = [data](const Magic& magic) {
+        return data.size() >= 8 && std::memcmp(data.data(), magic.data(), magic.size()) == 0;
     };
-    return starts_with("II*\0") || starts_with("MM\0*") || starts_with("II+\0") || starts_with("MM\0+");
+    return starts_with({'I', 'I', classic, 0}) || starts_with({'M', 'M', 0, classic}) ||
+           starts_with({'I', 'I', big, 0}) || starts_with({'M', 'M', 0, big});
 }
 
 Image decode_tiff(std::span<const std::byte> data, const std::string& name)

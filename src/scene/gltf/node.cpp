@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -63,19 +64,18 @@ void place_node(Data& data, const tinygltf::Node& source, Node& node, const std:
 /// small file can ask for any number of copies in one place, which draw over each other.
 void drop_same(Data& data, std::vector<glm::mat4>& instances, const std::string& pointer)
 {
-    const auto compare = [&](size_t a, size_t b) {
-        return std::memcmp(&instances[a], &instances[b], sizeof(glm::mat4));
-    };
+    using Bits = std::array<uint32_t, 16>;
+    const auto bits_of = [&](size_t i) { return std::bit_cast<Bits>(instances[i]); };
     std::vector<size_t> order(instances.size());
     std::iota(order.begin(), order.end(), size_t{0});
     std::sort(order.begin(), order.end(), [&](size_t a, size_t b) {
-        const int difference = compare(a, b);
+        const auto difference = bits_of(a) <=> bits_of(b);
         return difference != 0 ? difference < 0 : a < b;
     });
     std::vector<bool> is_again(instances.size(), false);
     size_t count = 0;
     for (size_t i = 1; i < order.size(); ++i) {
-        if (compare(order[i - 1], order[i]) == 0) {
+        if (bits_of(order[i - 1]) == bits_of(order[i])) {
             is_again[order[i]] = true;
             ++count;
         }

@@ -129,8 +129,8 @@ void Input::fill_from_utf16()
     const size_t units = read_raw(raw.data(), raw.size()) / 2;
     make_room(6 * units + 3); // a unit becomes three bytes at most, and may give back a lone one before it
     for (size_t i = 0; i < units; ++i) {
-        const auto a = static_cast<uint8_t>(raw[2 * i]);
-        const auto b = static_cast<uint8_t>(raw[2 * i + 1]);
+        const uint32_t a = static_cast<uint8_t>(raw[2 * i]);
+        const uint32_t b = static_cast<uint8_t>(raw[2 * i + 1]);
         const uint32_t unit = encoding_ == Encoding::utf16_le ? a | b << 8U : b | a << 8U;
         if (high_surrogate_ != 0) {
             const uint32_t high = high_surrogate_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <future>
 #include <numeric>
 #include <span>
@@ -144,7 +144,8 @@ private:
 
 bool same_bits(const glm::vec3& a, const glm::vec3& b)
 {
-    return std::memcmp(&a, &b, sizeof a) == 0;
+    using Bits = std::array<uint32_t, 3>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
 /// New vertices, each an old one with a normal; which of them each corner uses.

@@ -89,7 +89,7 @@ private:
     [[nodiscard]] double alpha(const Primitive& primitive, const uint32_t* corners,
                                const glm::dvec3& weights) const
     {
-        double alpha = static_cast<double>(material_.base_color.w);
+        auto alpha = static_cast<double>(material_.base_color.w);
         const TextureRef& ref = material_.base_color_texture;
         const auto& uvs = primitive.uvs[std::min(ref.uv_set, 1U)];
         glm::dvec2 uv(0.0);

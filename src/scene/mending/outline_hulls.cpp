@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <map>
+#include <ranges>
 #include <set>
 
 #include <fmt/format.h>
@@ -148,12 +149,12 @@ void leave_out_outline_hulls(Scene& scene)
             hulls.emplace(hull.mesh, hull.primitive);
         }
     }
-    for (auto hull = hulls.rbegin(); hull != hulls.rend(); ++hull) { // the last of a mesh first
-        Mesh& mesh = scene.meshes[hull->first];
+    for (const auto& [index, primitive] : std::views::reverse(hulls)) { // the last of a mesh first
+        Mesh& mesh = scene.meshes[index];
         scene.warnings.push_back(fmt::format("mesh \"{}\": an outline hull, a larger copy turned inside out; "
                                              "left out, as lines are drawn without it",
                                              mesh.name));
-        mesh.primitives.erase(mesh.primitives.begin() + static_cast<std::ptrdiff_t>(hull->second));
+        mesh.primitives.erase(mesh.primitives.begin() + static_cast<std::ptrdiff_t>(primitive));
     }
     for (Node& node : scene.nodes) {
         if (node.mesh != no_index && scene.meshes[node.mesh].primitives.empty()) {

@@ -149,7 +149,7 @@ Outlook find_outlook(const SurfaceCloud& cloud)
     if (cloud.points.empty())
         return outlook;
     const Walls walls = find_walls(cloud);
-    if (walls.room() && (walls.has_opening() || is_room_inside(cloud))) {
+    if (walls.room() && (walls.has_opening() || could_stand_inside(cloud))) {
         const size_t side = walls.opening();
         outlook.standpoint = Standpoint::opening;
         outlook.azimuth_rad = side_azimuth(side);

@@ -196,27 +196,30 @@ double furnished_share(const std::vector<SurfacePoint>& hidden, const glm::vec3&
     return free_m2 / std::max(area_of(hidden), 1e-30);
 }
 
-bool is_room_inside(const SurfaceCloud& cloud, const std::vector<SurfacePoint>& hidden)
+/// Whether the hidden surface stands around a space where a person could stand.
+bool could_stand_within(const Bounds& space)
 {
-    constexpr double least_headroom_m = 1.6;
+    constexpr double least_m = 1.6;
     constexpr double most_headroom_m = 25.0; // beyond it the unit is no metre, or the thing no room
+    const glm::dvec3 size = space.max - space.min;
+    return std::min({size.x, size.y, size.z}) >= least_m && size.y <= most_headroom_m;
+}
+
+/// Whether a space has things in it, or windows or doors.
+bool is_worth_seeing(const SurfaceCloud& cloud, const std::vector<SurfacePoint>& hidden, const Bounds& space)
+{
     constexpr double some_furniture = 0.005;
     constexpr double some_window = 0.02;
-    if (hidden.empty())
-        return false;
-    const Bounds room = trimmed_bounds(hidden, cloud.origin);
-    const glm::dvec3 size = room.max - room.min;
-    if (size.y < least_headroom_m || size.y > most_headroom_m || std::min(size.x, size.z) < least_headroom_m)
-        return false;
-    return furnished_share(hidden, glm::vec3(room.center() - cloud.origin)) > some_furniture ||
-           Surroundings(cloud, room.center()).open_share() > some_window;
+    return furnished_share(hidden, glm::vec3(space.center() - cloud.origin)) > some_furniture ||
+           Surroundings(cloud, space.center()).open_share() > some_window;
 }
 
 } // namespace
 
-bool is_room_inside(const SurfaceCloud& cloud)
+bool could_stand_inside(const SurfaceCloud& cloud)
 {
-    return is_room_inside(cloud, hidden_points(cloud));
+    const std::vector<SurfacePoint> hidden = hidden_points(cloud);
+    return !hidden.empty() && could_stand_within(trimmed_bounds(hidden, cloud.origin));
 }
 
 Shelter room_behind(const SurfaceCloud& cloud, double azimuth_rad, bool walled)
@@ -267,9 +270,11 @@ std::optional<CornerView> corner_view(const SurfaceCloud& cloud)
     constexpr double much = 0.28;        // of the surface; a furnished model hides a fifth
     constexpr double least_sight = 0.25; // of the room's diagonal
     const std::vector<SurfacePoint> hidden = hidden_points(cloud);
-    if (area_of(hidden) < much * area_of(cloud.points) || !is_room_inside(cloud, hidden))
+    if (hidden.empty() || area_of(hidden) < much * area_of(cloud.points))
         return std::nullopt;
     const Bounds room = trimmed_bounds(hidden, cloud.origin);
+    if (!could_stand_within(room) || !is_worth_seeing(cloud, hidden, room))
+        return std::nullopt;
     const glm::dvec3 half = 0.5 * (room.max - room.min);
     std::optional<CornerView> best;
     double best_sight_m = least_sight * 2.0 * room.radius();

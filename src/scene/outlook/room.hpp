@@ -25,13 +25,13 @@ struct CornerView {
     Bounds room; ///< what the eye sees
 };
 
-/// Whether a scene that is closed all around holds a space where a person could stand and would find
-/// something to see: free of 1.6 to 25 m in height and at least as wide, with things in it, or with windows
-/// or doors. An empty box is an object, and so is the case of a device. Cost: seven visits of all points.
-[[nodiscard]] bool is_room_inside(const SurfaceCloud& cloud);
+/// Whether a scene that is closed all around holds a space where a person could stand: 1.6 to 25 m high, and
+/// at least 1.6 m wide and deep. Cost: seven visits of all points.
+[[nodiscard]] bool could_stand_inside(const SurfaceCloud& cloud);
 
-/// None when views from all around show most of the surface, when there is no free view inside, or where
-/// is_room_inside() says no. Cost: a dozen visits of all points, of which most scenes need four.
+/// None when views from all around show most of the surface, when nobody could stand inside, when there is
+/// nothing to see inside, neither things nor windows, as in an empty box, or when there is no free view.
+/// Cost: a dozen visits of all points, of which most scenes need four.
 [[nodiscard]] std::optional<CornerView> corner_view(const SurfaceCloud& cloud);
 
 } // namespace estampe

@@ -96,7 +96,7 @@ bool is_usable_file(const std::filesystem::path& path)
 
 } // namespace
 
-FileFinder::FileFinder(std::vector<std::filesystem::path> folders)
+FileFinder::FileFinder(const std::vector<std::filesystem::path>& folders)
 {
     for (const std::filesystem::path& folder : folders)
         add_folder(folder);

@@ -25,7 +25,7 @@ namespace estampe {
 class FileFinder {
 public:
     /// `folders` are searched in this order; an empty path is the current folder.
-    explicit FileFinder(std::vector<std::filesystem::path> folders);
+    explicit FileFinder(const std::vector<std::filesystem::path>& folders);
 
     /// Where the file is; nothing when it is in none of the folders.
     [[nodiscard]] std::optional<std::filesystem::path> find(std::string_view name);
