@@ -95,6 +95,9 @@ struct Material {
     float roughness = 1.0F;
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5F;
+    /// Of a blended material: parts of its surfaces are wholly clear, so that they do not end where their
+    /// edges are and get no lines there. load_scene() finds out.
+    bool has_clear_parts = false;
     bool double_sided = false;
     bool unlit = false;
     std::optional<ToonShade> toon;

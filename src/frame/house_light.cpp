@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "frame/house_light.hpp"
 
-#include <estampe/terrain.hpp>
+#include <algorithm>
 
-#include "scene/visibility.hpp"
+#include <estampe/terrain.hpp>
 
 namespace estampe::frame {
 
 Outlook HouseLight::outlook(const Scene& scene, const light::LightStyle& style,
                             const std::optional<glm::dvec3>& eye)
 {
+    const bool has_lights =
+        std::ranges::any_of(scene.nodes, [](const Node& node) { return node.light != no_index; });
     if (style.source == light::LightSource::scene ||
-        (style.source == light::LightSource::automatic && has_visible_light(scene))) {
+        (style.source == light::LightSource::automatic && has_lights)) {
         return {};
     }
     if (!outlook_) {

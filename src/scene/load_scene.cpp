@@ -11,10 +11,12 @@
 #include <estampe/scene.hpp>
 
 #include "core/file.hpp"
+#include "core/progress_watch.hpp"
 #include "scene/assimp/assimp_import.hpp"
 #include "scene/drawn_size.hpp"
 #include "scene/gltf/gltf_import.hpp"
 #include "scene/mending/repair.hpp"
+#include "scene/mending/turn_outside.hpp"
 #include "scene/obj/obj_import.hpp"
 #include "scene/ply/ply_import.hpp"
 #include "scene/stl/stl_import.hpp"
@@ -64,9 +66,14 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
     if (!options.variant.empty()) {
         apply_variant(scene, options.variant);
     }
+    report_progress(0.9);
     turn_by_normals(scene);
+    if (is_among(lower_extension(path), gltf_extensions)) { // readers of other formats have done so
+        turn_outside(scene);
+    }
     leave_out_outline_hulls(scene);
     find_cut_out_materials(scene);
+    report_progress(1.0);
     if (options.up) {
         turn_up(scene, *options.up);
     }

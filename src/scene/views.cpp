@@ -149,6 +149,12 @@ Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, con
         outlook.subject = whole; // seen from outside after all
     else if (outlook.standpoint == Standpoint::outside)
         outlook.subject = subject_by_vertices(scene, pose, cloud, outlook.subject);
+    // A view that was asked for shows the floor too, unless that is ground far beyond what stands on it.
+    constexpr double far_wider = 4.0;
+    const glm::dvec3 all_m = cloud.bounds.max - cloud.bounds.min;
+    const glm::dvec3 subject_m = outlook.subject.max - outlook.subject.min;
+    if (!cloud.points.empty() && (all_m.x < far_wider * subject_m.x || all_m.z < far_wider * subject_m.z))
+        outlook.subject = cloud.bounds;
     const Subject subject(scene, pose, outlook, whole);
     const ViewAxes axes = axes_of(from);
     const std::vector<glm::dvec3> points = subject_points(scene, pose, subject, axes);

@@ -282,7 +282,7 @@ close_viewer
 ! grep -i 'validation\|VUID\|SYNC-' log || wrong "the validation layers have something to say"
 
 # What takes long to read can be cancelled, and the window closed meanwhile.
-awk 'BEGIN { n = 400
+awk 'BEGIN { n = 900
     for (i = 0; i <= n; ++i) for (j = 0; j <= n; ++j) print "v", i / n, 0.01 * (i * j % 7), j / n
     for (i = 0; i < n; ++i) for (j = 1; j <= n; ++j) { a = i * (n + 1) + j; b = a + n + 1
         print "f", a, a + 1, b + 1; print "f", a, b + 1, b } }' >large.obj

@@ -14,6 +14,8 @@
 
 #include <estampe/error.hpp>
 
+#include "core/progress_watch.hpp"
+
 namespace estampe {
 namespace {
 
@@ -96,6 +98,10 @@ void Input::make_room(size_t count)
 
 void Input::fill(size_t count)
 {
+    constexpr uint64_t worth_telling = 1U << 20U; // material libraries are small: they would set the share back
+    constexpr double share_of_load = 0.4;
+    if (size_ >= worth_telling)
+        report_progress(share_of_load * static_cast<double>(offset_) / static_cast<double>(size_));
     make_room(count);
     if (encoding_ == Encoding::bytes)
         last_ += read_raw(buffer_.data() + last_, count);

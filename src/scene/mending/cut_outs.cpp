@@ -125,23 +125,24 @@ private:
 
 void find_cut_out_materials(Scene& scene)
 {
-    // Of leaves, hair and fences, what lies between clear and solid is no more than their soft borders.
-    constexpr double nearly_all = 0.7;
+    // Leaves and fences are clear or solid but for their soft borders; hair is soft over half of its width.
+    constexpr double much = 0.4;
     constexpr double some = 0.01;
+    constexpr double a_part = 0.1;
     for (Index index = 0; index < scene.materials.size(); ++index) {
         Material& material = scene.materials[index];
-        if (material.alpha_mode != AlphaMode::blend || material.transmission ||
-            !(material.base_color.w > static_cast<float>(solid_above))) {
+        if (material.alpha_mode != AlphaMode::blend || material.transmission) {
             continue;
         }
         const AlphaShares shares = AlphaMeter(scene, index).shares();
         if (!(shares.area > 0.0)) {
             continue;
         }
+        material.has_clear_parts = shares.clear >= some * shares.area;
         if (shares.wholly_solid == shares.area) {
             material.alpha_mode = AlphaMode::opaque;
-        } else if (shares.clear + shares.solid >= nearly_all * shares.area &&
-                   shares.clear >= some * shares.area && shares.solid >= some * shares.area) {
+        } else if (material.has_clear_parts && shares.solid >= a_part * shares.area &&
+                   shares.clear + shares.solid >= much * shares.area) {
             material.alpha_mode = AlphaMode::mask;
             material.alpha_cutoff = 0.5F;
         }

@@ -2,15 +2,25 @@
 #include "scene/mending/mend_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include <estampe/error.hpp>
 
+#include "core/progress_watch.hpp"
 #include "scene/gltf/geometry.hpp"
 #include "scene/mending/mend.hpp"
 
 namespace estampe {
+
+namespace {
+
+// Shares of a load between which meshes are mended: files are read before.
+constexpr double mending_from = 0.4;
+constexpr double mending_to = 0.85;
+
+} // namespace
 
 void mend_meshes(Scene& scene, const std::string& where)
 {
@@ -19,6 +29,7 @@ void mend_meshes(Scene& scene, const std::string& where)
         scene.materials.front().double_sided = true;
     }
     size_t elements = 0;
+    size_t done = 0;
     for (Mesh& mesh : scene.meshes) {
         size_t targets = 0;
         for (Primitive& primitive : mesh.primitives) {
@@ -30,6 +41,8 @@ void mend_meshes(Scene& scene, const std::string& where)
         std::erase_if(mesh.primitives, [](const Primitive& primitive) { return primitive.indices.empty(); });
         mesh.morph_weights.assign(targets, 0.0F);
         elements += mesh.primitives.size();
+        report_progress(std::lerp(mending_from, mending_to,
+                                  static_cast<double>(++done) / static_cast<double>(scene.meshes.size())));
     }
     if (elements == 0)
         throw Error(scene.warnings.empty() ? std::string("has no triangles, lines or points")

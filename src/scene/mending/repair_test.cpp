@@ -220,6 +220,26 @@ TEST(CutOuts, OnlyWhatTheSurfaceCoversCounts)
     }
 }
 
+TEST(CutOuts, SoftHairIsMaskedAndSmokeHasNoEdges)
+{
+    const auto hair = [](const glm::dvec2& place) {
+        return std::clamp(1.6 - 4.0 * std::abs(std::fmod(8.0 * place.x, 1.0) - 0.5), 0.0, 1.0);
+    };
+    EXPECT_EQ(mode_of(hair), AlphaMode::mask);
+    const auto clear_parts = [](const auto& alpha) {
+        Scene scene = card(alpha);
+        find_cut_out_materials(scene);
+        EXPECT_EQ(material_of(scene).alpha_mode, AlphaMode::blend);
+        return material_of(scene).has_clear_parts;
+    };
+    EXPECT_TRUE(clear_parts([](const glm::dvec2& place) {
+        return std::clamp(1.0 - 2.2 * distance_from_middle(place), 0.0, 1.0);
+    }));
+    EXPECT_TRUE(
+        clear_parts([](const glm::dvec2& place) { return distance_from_middle(place) < 0.3 ? 0.3 : 0.0; }));
+    EXPECT_FALSE(clear_parts([](const glm::dvec2&) { return 0.3; }));
+}
+
 TEST(CutOuts, AClearMaterialStaysBlended)
 {
     Scene scene = card([](const glm::dvec2&) { return 1.0; });

@@ -218,7 +218,9 @@ std::vector<PlacedPiece> placed_pieces(Scene& scene)
     std::vector<PlacedPiece> placed;
     for (Index mesh = 0; mesh < scene.meshes.size(); ++mesh) {
         for (Primitive& primitive : scene.meshes[mesh].primitives) {
-            if (primitive.topology != Topology::triangles) {
+            const bool is_one_sided = primitive.material < scene.materials.size() &&
+                                      !scene.materials[primitive.material].double_sided;
+            if (primitive.topology != Topology::triangles || is_one_sided) {
                 continue;
             }
             for (SurfacePiece& piece : Pieces(primitive).run()) {

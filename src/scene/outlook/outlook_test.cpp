@@ -208,6 +208,16 @@ TEST(Subject, KeepsWhatItShouldKeep)
     table.nodes[0].transform.translation = {0.0, 1.0, 0.0};
     test::add_object(table, shapes::cylinder(0.2F, 1.0F), glm::vec3(1.0F));
     EXPECT_TRUE(all(table)) << "a top is no floor";
+    Scene hat = test::scene_of(shapes::cylinder(1.2F, 0.01F));
+    test::add_object(hat, shapes::cylinder(0.5F, 0.9F), glm::vec3(1.0F));
+    EXPECT_TRUE(all(hat)) << "a brim";
+    Scene tower = test::scene_of(shapes::box({3.0F, 0.3F, 3.0F}));
+    test::add_object(tower, shapes::box({0.8F, 3.0F, 0.8F}), glm::vec3(1.0F), {0.0, 0.3, 0.0});
+    EXPECT_TRUE(all(tower)) << "a step";
+    Scene axes = test::scene_of(shapes::box({0.1F, 1.4F, 0.1F}));
+    test::add_object(axes, shapes::box({2.0F, 0.02F, 0.1F}), glm::vec3(1.0F), {1.0, 0.0, 0.0});
+    test::add_object(axes, shapes::box({0.1F, 0.02F, 1.0F}), glm::vec3(1.0F), {0.0, 0.0, 0.5});
+    EXPECT_TRUE(all(axes)) << "arms";
 }
 
 TEST(Shelter, AClosedHollowIsSeenFromACornerByALamp)

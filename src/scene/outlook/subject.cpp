@@ -28,13 +28,45 @@ double floor_level(const SurfaceCloud& cloud)
     return low + step * (static_cast<double>(most - upward.begin()) + 1.0);
 }
 
-/// What stands on the floor at `level`, if the floor is the lowest thing and much wider; else all.
-Bounds without_floor(const Bounds& all, Bounds standing, double level)
+/// Whether what lies at the floor's level is ground to stand on: a thin sheet that fills its rectangle. The
+/// brim of a hat, a saucer, arms along the ground or a plinth are parts of the thing itself.
+bool is_sheet(const SurfaceCloud& cloud, double level)
 {
+    constexpr int grid = 16;
+    constexpr double most_thickness = 0.02; // of its width
+    constexpr double most_of_it = 0.9;      // a disc fills 0.79
+    Bounds floor;
+    for (const SurfacePoint& point : cloud.points) {
+        const glm::dvec3 position = glm::dvec3(point.position) + cloud.origin;
+        if (position.y <= level)
+            floor.extend(position);
+    }
+    const glm::dvec3 size = floor.max - floor.min;
+    if (floor.empty() || size.y > most_thickness * std::max(size.x, size.z))
+        return false;
+    std::array<bool, grid * grid> is_filled{};
+    for (const SurfacePoint& point : cloud.points) {
+        const glm::dvec3 position = glm::dvec3(point.position) + cloud.origin;
+        if (position.y > level)
+            continue;
+        const glm::dvec3 part = (position - floor.min) / glm::max(size, glm::dvec3(1e-300));
+        const auto cell = [](double share) {
+            return std::clamp(static_cast<int>(share * grid), 0, grid - 1);
+        };
+        is_filled[static_cast<size_t>(cell(part.x) * grid + cell(part.z))] = true;
+    }
+    return static_cast<double>(std::ranges::count(is_filled, true)) >= most_of_it * grid * grid;
+}
+
+/// What stands on the floor at `level`, if the floor is the lowest thing and much wider; else all.
+Bounds without_floor(const SurfaceCloud& cloud, Bounds standing, double level)
+{
+    const Bounds& all = cloud.bounds;
     const glm::dvec3 whole = all.max - all.min;
     const glm::dvec3 part = standing.max - standing.min;
     const bool floor_is_lowest = level - all.min.y < 0.25 * whole.y;
-    constexpr double much_wider = 1.6; // each way, so two and a half times the ground that is stood on
+    // Each way: two and a half times the ground that is stood on; a hundred times where it is no plain sheet.
+    const double much_wider = is_sheet(cloud, level) ? 1.6 : 10.0;
     if (!floor_is_lowest || whole.x < much_wider * part.x || whole.z < much_wider * part.z)
         return all;
     standing.min.y = std::min(standing.min.y, level);
@@ -60,7 +92,7 @@ Bounds subject_bounds(const SurfaceCloud& cloud)
     }
     if (above < 32 || below < cloud.points.size() / 16)
         return cloud.bounds;
-    return without_floor(cloud.bounds, standing, level);
+    return without_floor(cloud, standing, level);
 }
 
 Bounds subject_by_vertices(const Scene& scene, const ScenePose& pose, const SurfaceCloud& cloud,
@@ -83,7 +115,7 @@ Bounds subject_by_vertices(const Scene& scene, const ScenePose& pose, const Surf
                 standing.extend(position);
         }
     });
-    return standing.radius() > 0.0 ? without_floor(cloud.bounds, standing, level) : found;
+    return standing.radius() > 0.0 ? without_floor(cloud, standing, level) : found;
 }
 
 SurfaceCloud within(const SurfaceCloud& cloud, const Bounds& subject)

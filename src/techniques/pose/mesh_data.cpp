@@ -201,7 +201,8 @@ private:
     static bool is_cut(const Material& material)
     {
         return material.alpha_mode == AlphaMode::mask ||
-               (material.alpha_mode == AlphaMode::blend && material.base_color.w <= 0.0F);
+               (material.alpha_mode == AlphaMode::blend &&
+                (material.base_color.w <= 0.0F || material.has_clear_parts));
     }
 
     static void link(shared::DrawRecord& draw, const LightLinks& node, const LightLinks& material)
