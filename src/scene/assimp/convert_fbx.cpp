@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -241,6 +242,54 @@ void set_durations(Scene& scene, const fbx::Document& document)
     }
 }
 
+bool is_set_to_zero(const fbx::Properties& properties, std::string_view name)
+{
+    return properties.sets(name) && properties.number(name).value_or(1.0) == 0.0;
+}
+
+/// Hides what a node itself shows, but not the models below it. What a node shows may be on nodes of its own.
+void hide_own(Scene& scene, Index index, const std::vector<bool>& is_model)
+{
+    for (const Index child : scene.nodes[index].children)
+        if (!is_model[child])
+            scene.nodes[child].visible = false;
+    if (scene.nodes[index].mesh == no_index && scene.nodes[index].light == no_index)
+        return;
+    const Index shown = add_child(scene, index, scene.nodes[index].name, glm::dmat4(1.0));
+    scene.nodes[shown].visible = false;
+    scene.nodes[shown].mesh = std::exchange(scene.nodes[index].mesh, no_index);
+    scene.nodes[shown].skin = std::exchange(scene.nodes[index].skin, no_index);
+    scene.nodes[shown].light = std::exchange(scene.nodes[index].light, no_index);
+}
+
+/// Hides models that `Show` or `Visibility` hides: the former the model alone, the latter also those below it
+/// that inherit visibility, as they do unless they say otherwise.
+void hide_models(Scene& scene, const fbx::Document& document, const NodeOfModel& nodes)
+{
+    std::vector<bool> is_model(scene.nodes.size(), false);
+    for (const auto& [id, index] : nodes)
+        is_model[index] = true;
+    std::set<int64_t> seen;
+    std::vector<std::pair<int64_t, bool>> pending; // models, and whether the one above is invisible
+    for (const int64_t root : document.roots)
+        pending.emplace_back(root, false);
+    while (!pending.empty()) {
+        const auto [id, hidden_above] = pending.back();
+        pending.pop_back();
+        // A damaged file may link models in a ring.
+        if (!seen.insert(id).second)
+            continue;
+        const fbx::Model& model = document.models.at(id);
+        const bool inherits = !is_set_to_zero(model.properties, "VisibilityInheritance");
+        const bool hidden = is_set_to_zero(model.properties, "Visibility") || (hidden_above && inherits);
+        const auto found = nodes.find(id);
+        if (found != nodes.end() && (hidden || is_set_to_zero(model.properties, "Show")))
+            hide_own(scene, found->second, is_model);
+        for (const int64_t child : model.children)
+            pending.emplace_back(child, hidden);
+    }
+}
+
 } // namespace
 
 void apply_fbx(Conversion& conversion, const fbx::Document& document)
@@ -250,6 +299,7 @@ void apply_fbx(Conversion& conversion, const fbx::Document& document)
     scene.file_unit_m = fbx::unit_m(document.settings);
     set_durations(scene, document);
     const NodeOfModel nodes = match_nodes(conversion, document);
+    hide_models(scene, document, nodes);
     place_nodes(scene, document, nodes);
     scene.nodes[scene.roots.front()].matrix = fbx::world_from_file(document.settings);
     add_attributes(scene, document, nodes);

@@ -234,5 +234,22 @@ TEST_F(DaeScene, NodesFarFromTheOriginAreWarnedOf)
     EXPECT_NE(far.warnings[0].find("origin"), std::string::npos) << far.warnings[0];
 }
 
+TEST_F(DaeScene, ACameraWithoutANameHasItsId)
+{
+    File file;
+    file.optics = "<perspective><yfov>40</yfov></perspective>";
+    file.nodes += R"(<node id="eye"><translate>0 0 9</translate><instance_camera url="#cam"/></node>)";
+    for (const char* const attribute : {"", R"( name="")"}) {
+        std::string text = file.text();
+        const std::string name = R"( name="lens")";
+        text.replace(text.find(name), name.size(), attribute);
+        const Scene scene = load(text);
+        ASSERT_EQ(scene.cameras.size(), 1U);
+        EXPECT_EQ(scene.cameras[0].name, "cam");
+        const Camera camera = scene_camera(scene, pose_scene(scene, 0.0), "cam");
+        EXPECT_NEAR(camera.vertical_fov_rad, 40.0 * std::acos(-1.0) / 180.0, 1e-6);
+    }
+}
+
 } // namespace
 } // namespace estampe

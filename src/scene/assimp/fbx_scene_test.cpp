@@ -297,5 +297,16 @@ TEST_F(FbxScene, OlderVersionsAreRefusedForWhatTheyAre)
     EXPECT_NO_THROW((void)load(newer));
 }
 
+TEST_F(FbxScene, HiddenModelsAreHidden)
+{
+    const auto shown = [this](const std::string& properties) {
+        const Scene scene = load(tetrahedron("", properties));
+        return !scene_bounds(scene, pose_scene(scene, 0.0)).empty();
+    };
+    EXPECT_TRUE(shown(number("Visibility", 1) + whole("Show", 1)));
+    EXPECT_FALSE(shown(number("Visibility", 0)));
+    EXPECT_FALSE(shown(whole("Show", 0)));
+}
+
 } // namespace
 } // namespace estampe

@@ -197,6 +197,7 @@ void exchange(Archive& archive, Node& node)
     exchange(archive, node.skin);
     exchange(archive, node.camera);
     exchange(archive, node.light);
+    exchange(archive, node.visible);
 }
 
 template <typename Archive>

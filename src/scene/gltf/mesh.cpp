@@ -8,6 +8,7 @@
 #include "scene/gltf/edge_marks.hpp"
 #include "scene/gltf/geometry.hpp"
 #include "scene/gltf/variants.hpp"
+#include "scene/mending/mend.hpp"
 
 namespace estampe::gltf {
 namespace {
@@ -242,6 +243,12 @@ void finish_triangles(Data& data, const Scene& scene, Primitive& primitive, cons
 {
     if (primitive.normals.empty()) {
         data.spend(primitive.indices.size() * sizeof(glm::vec3) * 4, pointer);
+        // The order of corners of one-sided triangles says what may be seen.
+        if (primitive.material < scene.materials.size() && scene.materials[primitive.material].double_sided) {
+            if (const size_t turned = agree_winding(primitive); turned > 0) {
+                data.warn(pointer, fmt::format("{} triangles ran against their neighbours, turned", turned));
+            }
+        }
         make_flat_normals(primitive);
     } else if (const size_t bad = repair_normals(primitive); bad > 0) {
         data.warn(pointer + "/attributes/NORMAL",

@@ -136,6 +136,7 @@ void mend_primitive(Primitive& primitive, const std::string& name, std::vector<s
         warnings.push_back(fmt::format("mesh \"{}\": vertices that hang on no joint follow the first", name));
     if (primitive.topology == Topology::triangles) {
         if (primitive.normals.empty()) {
+            agree_winding(primitive, name, warnings);
             make_crease_normals(primitive, usual_crease_rad);
             return;
         }

@@ -160,6 +160,7 @@ void add_meshes(obj::Data& data, Scene& scene, const std::string& root_name)
         const std::vector<uint32_t> groups = std::move(piece.smoothing_groups);
         Primitive primitive = primitive_of(data, piece, origin);
         if (!groups.empty() && primitive.normals.empty()) {
+            agree_winding(primitive, data.objects[piece.object].name, scene.warnings);
             make_crease_normals(primitive, usual_crease_rad, groups);
             (void)gltf::repair_normals(primitive); // those of faces without an area
         }

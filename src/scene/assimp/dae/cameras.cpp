@@ -79,6 +79,11 @@ std::vector<SceneCamera> number_cameras(const pugi::xml_node& collada)
             lenses.push_back(lens_of(optics.child("technique_common"), metres));
             const pugi::char_t* const name = camera.attribute("name").value();
             lenses.back().name = *name != '\0' ? name : camera.attribute("id").value();
+            // Assimp finds cameras by their name, which COLLADA leaves optional.
+            if (*name == '\0') {
+                camera.remove_attribute("name");
+                camera.append_attribute("name").set_value(lenses.back().name.c_str());
+            }
             camera.remove_child(optics);
             pugi::xml_node lens =
                 camera.append_child("optics").append_child("technique_common").append_child("perspective");
