@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <compare>
 #include <numeric>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -70,7 +71,7 @@ void drop_same(Data& data, std::vector<glm::mat4>& instances, const std::string&
     std::iota(order.begin(), order.end(), size_t{0});
     std::sort(order.begin(), order.end(), [&](size_t a, size_t b) {
         const auto difference = bits_of(a) <=> bits_of(b);
-        return difference != 0 ? difference < 0 : a < b;
+        return std::is_neq(difference) ? std::is_lt(difference) : a < b;
     });
     std::vector<bool> is_again(instances.size(), false);
     size_t count = 0;

@@ -76,13 +76,13 @@ Sides gather_sides(const std::vector<uint32_t>& corners, size_t places)
 }
 
 /// A triangle beyond an edge, and whether both run along that edge the same way.
-struct Neighbour {
+struct EdgeNeighbour {
     uint32_t triangle = no_index;
     bool against = false;
 };
 
-struct Neighbours {
-    std::vector<std::array<Neighbour, 3>> of_triangle;
+struct EdgeNeighbours {
+    std::vector<std::array<EdgeNeighbour, 3>> of_triangle;
     bool any_against = false;
 };
 
@@ -94,12 +94,12 @@ bool same_places(const std::vector<uint32_t>& corners, uint32_t one, uint32_t ot
 }
 
 /// Pairs the triangles at edges that exactly two share; not a triangle with its own copy.
-Neighbours pair_triangles(const std::vector<uint32_t>& corners, const Sides& sides)
+EdgeNeighbours pair_triangles(const std::vector<uint32_t>& corners, const Sides& sides)
 {
-    Neighbours result;
+    EdgeNeighbours result;
     result.of_triangle.resize(corners.size() / 3);
-    const auto add = [&](uint32_t triangle, const Neighbour& neighbour) {
-        for (Neighbour& slot : result.of_triangle[triangle]) {
+    const auto add = [&](uint32_t triangle, const EdgeNeighbour& neighbour) {
+        for (EdgeNeighbour& slot : result.of_triangle[triangle]) {
             if (slot.triangle == no_index) {
                 slot = neighbour;
                 return;
@@ -171,7 +171,7 @@ size_t agree_winding(Primitive& primitive)
     const std::vector<uint32_t> corners = places_of_corners(primitive, places);
     if (!any_edge_run_twice(corners, places))
         return 0;
-    const Neighbours neighbours = pair_triangles(corners, gather_sides(corners, places));
+    const EdgeNeighbours neighbours = pair_triangles(corners, gather_sides(corners, places));
     if (!neighbours.any_against)
         return 0;
     constexpr uint8_t unseen = 2;
@@ -188,7 +188,7 @@ size_t agree_winding(Primitive& primitive)
         for (size_t next = 0; next < piece.size(); ++next) {
             const uint32_t triangle = piece[next];
             areas[side[triangle]] += area(primitive, triangle);
-            for (const Neighbour& neighbour : neighbours.of_triangle[triangle]) {
+            for (const EdgeNeighbour& neighbour : neighbours.of_triangle[triangle]) {
                 if (neighbour.triangle == no_index)
                     continue;
                 const auto wanted = static_cast<uint8_t>(side[triangle] ^ (neighbour.against ? 1U : 0U));

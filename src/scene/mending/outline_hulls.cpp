@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <map>
-#include <ranges>
 #include <set>
 
 #include <fmt/format.h>
@@ -149,7 +148,8 @@ void leave_out_outline_hulls(Scene& scene)
             hulls.emplace(hull.mesh, hull.primitive);
         }
     }
-    for (const auto& [index, primitive] : std::views::reverse(hulls)) { // the last of a mesh first
+    const std::vector<std::pair<Index, size_t>> last_first(hulls.rbegin(), hulls.rend()); // of each mesh
+    for (const auto& [index, primitive] : last_first) {
         Mesh& mesh = scene.meshes[index];
         scene.warnings.push_back(fmt::format("mesh \"{}\": an outline hull, a larger copy turned inside out; "
                                              "left out, as lines are drawn without it",

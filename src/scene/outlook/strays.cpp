@@ -18,7 +18,7 @@ constexpr uint32_t side_cells = 16;
 constexpr uint32_t cell_count = side_cells * side_cells * side_cells;
 constexpr uint32_t outside = cell_count;
 
-struct Cell {
+struct StrayCell {
     Bounds bounds;
     double vertices = 0.0;
     double area_m2 = 0.0;
@@ -180,7 +180,7 @@ private:
 
     Bounds whole_;
     double side_m_ = 0.0;
-    std::vector<Cell> cells_;
+    std::vector<StrayCell> cells_;
     std::vector<uint32_t> parents_;
     std::vector<uint32_t> cell_of_; ///< of the vertices of the primitive in hand
 };

@@ -73,7 +73,7 @@ void put(std::string& bytes, Value value, bool is_big_endian)
 
 TEST(PlyImport, TextWithFaces)
 {
-    const Scene scene = load(head("ascii", 4, faces(2)) + end + three + "1 1 0\n3 0 1 2\n4 0 1 3 2\n");
+    const Scene scene = load(head("ascii", 5, faces(2)) + end + three + "1 1 0\n2 0 0\n3 1 4 3\n4 0 1 3 2\n");
     EXPECT_EQ(first(scene).indices.size(), 9U);
     EXPECT_EQ(first(scene).normals.at(0), glm::vec3(0, 0, 1));
     EXPECT_TRUE(scene.materials.at(0).double_sided);
@@ -199,7 +199,7 @@ TEST(PlyImport, TexturesOfFacesAreMaterials)
            "vertex 4\n"
            "property float x\nproperty float y\nproperty float z\nelement face 3\n"
         << list << "property list uchar float texcoord\nproperty int texnumber\nend_header\n"
-        << three << "1 1 0\n3 0 1 2 6 0 0 1 0 0 1 0\n3 1 3 2 6 0 0 1 0 0 1 1\n3 0 3 2 6 0 0 1 0 0 1 0\n";
+        << three << "1 1 0\n3 0 1 2 6 0 0 1 0 0 1 0\n3 1 3 2 6 0 0 1 0 0 1 1\n3 0 2 3 6 0 0 1 0 0 1 0\n";
     const Scene scene = load_ply(folder / "scan.ply");
     ASSERT_EQ(scene.meshes.at(0).primitives.size(), 2U);
     EXPECT_EQ(first(scene).indices.size(), 6U);

@@ -17,7 +17,7 @@ namespace estampe::stl {
 namespace {
 
 constexpr size_t bytes_of_title = 80;
-constexpr size_t bytes_of_facet = 50;
+constexpr size_t bytes_of_record = 50;
 constexpr size_t facets_at_once = 4096;
 
 uint32_t read_u32(const char* bytes)
@@ -90,7 +90,7 @@ Data parse_binary(Input& input)
     const FacetColors facet_colors(head.substr(0, bytes_of_title));
     const uint32_t said = read_u32(head.data() + bytes_of_title);
     input.skip(bytes_of_title + 4);
-    const auto count = static_cast<size_t>(std::min<uint64_t>(said, input.bytes_left() / bytes_of_facet));
+    const auto count = static_cast<size_t>(std::min<uint64_t>(said, input.bytes_left() / bytes_of_record));
     Data data;
     if (count < said)
         data.warnings.push_back(fmt::format("is cut off: says {} facets, has {}", said, count));
@@ -99,19 +99,19 @@ Data parse_binary(Input& input)
     Solid& solid = data.solids.emplace_back();
     solid.positions.reserve(3 * count);
     for (size_t done = 0; done < count;) {
-        const std::string_view bytes = input.peek(bytes_of_facet * std::min(count - done, facets_at_once));
-        const size_t here = std::min(bytes.size() / bytes_of_facet, count - done);
+        const std::string_view bytes = input.peek(bytes_of_record * std::min(count - done, facets_at_once));
+        const size_t here = std::min(bytes.size() / bytes_of_record, count - done);
         if (here == 0)
             throw Error("became shorter while it was read", input.name());
         for (size_t facet = 0; facet < here; ++facet) {
-            const char* const at = bytes.data() + facet * bytes_of_facet;
+            const char* const at = bytes.data() + facet * bytes_of_record;
             for (size_t corner = 0; corner < 3; ++corner) {
                 const char* const place = at + 12 + 12 * corner;
                 solid.positions.emplace_back(read_float(place), read_float(place + 4), read_float(place + 8));
             }
             facet_colors.add(static_cast<uint16_t>(read_u32(at + 46) >> 16U), done + facet, solid.colors);
         }
-        input.skip(here * bytes_of_facet);
+        input.skip(here * bytes_of_record);
         done += here;
     }
     return data;
