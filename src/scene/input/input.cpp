@@ -98,7 +98,8 @@ void Input::make_room(size_t count)
 
 void Input::fill(size_t count)
 {
-    constexpr uint64_t worth_telling = 1U << 20U; // material libraries are small: they would set the share back
+    constexpr uint64_t worth_telling = 1U
+                                       << 20U; // material libraries are small: they would set the share back
     constexpr double share_of_load = 0.4;
     if (size_ >= worth_telling)
         report_progress(share_of_load * static_cast<double>(offset_) / static_cast<double>(size_));

@@ -15,9 +15,9 @@ namespace estampe {
 void mend_primitive(Primitive& primitive, const std::string& name, std::vector<std::string>& warnings);
 
 /// Turns triangles around so that those which share an edge agree on its side: in each connected piece, the
-/// smaller part by area. Edges of more than two triangles part pieces; a piece that cannot agree, as a Moebius
-/// strip, stays as it is. The primitive is of triangles, its indices are in range. Returns how many were
-/// turned. Cost: linear in triangles, and small where all agree.
+/// smaller part by area. Edges of more than two triangles part pieces; a piece that cannot agree, as a
+/// Moebius strip, stays as it is. The primitive is of triangles, its indices are in range. Returns how many
+/// were turned. Cost: linear in triangles, and small where all agree.
 size_t agree_winding(Primitive& primitive);
 
 /// The same, with a line about `name` in `warnings` when triangles were turned.
