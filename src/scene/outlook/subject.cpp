@@ -65,7 +65,8 @@ Bounds without_floor(const SurfaceCloud& cloud, Bounds standing, double level)
     const glm::dvec3 whole = all.max - all.min;
     const glm::dvec3 part = standing.max - standing.min;
     const bool floor_is_lowest = level - all.min.y < 0.25 * whole.y;
-    // Each way: two and a half times the ground that is stood on; a thousand times where it is no plain sheet.
+    // Each way: two and a half times the ground that is stood on; a thousand times where it is no plain
+    // sheet.
     const double much_wider = is_sheet(cloud, level) ? 1.6 : 30.0;
     if (!floor_is_lowest || whole.x < much_wider * part.x || whole.z < much_wider * part.z)
         return all;
