@@ -157,6 +157,7 @@ starved() { (
     "$@"
 ); }
 if [[ -e "$layer"/libestampe_failing_threads.so ]]; then # a sanitizer takes terabytes of address space
+    printf 'glTF\002\000\000\000\000\000\000\300\000\000\000\001JSON' >vast.glb # a sound header that promises 3 GiB
     truncate -s 3G vast.glb
     expect_failure 'a vast file' 'vast.glb: reading it needs 3.0 GiB of memory, [0-9.]* [GM]iB are free' \
         starved 2000000 "$estampe" info vast.glb
