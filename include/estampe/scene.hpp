@@ -374,8 +374,8 @@ struct SunBearing {
 
 /// Reads "eye=x,y,z target=x,y,z [fov=degrees] [up=x,y,z] [ortho] [ortho=half_height]", in any order,
 /// separated by blanks. `fov` is vertical, 1 to 170. `ortho` makes a parallel projection: half its height in
-/// metres, or without a number as high as the view is at the target. Throws Error saying which part is wrong
-/// and showing the right form.
+/// metres, or without a number as high as the view is at the target. Throws Error that names the wrong part
+/// and shows an example of the right form.
 [[nodiscard]] Camera parse_camera(const std::string& text);
 
 } // namespace estampe

@@ -43,7 +43,7 @@ struct ViewDirection {
 
 /// Reads "azimuth=degrees elevation=degrees [distance=metres] [target=x,y,z] [fov=degrees] [ortho]
 /// [ortho=half_height]", in any order, separated by blanks; one of azimuth and elevation is enough. Throws
-/// Error saying which part is wrong and showing the right form.
+/// Error that names the wrong part and shows an example of the right form.
 [[nodiscard]] ViewDirection parse_view_direction(const std::string& text);
 
 /// The camera that looks from that direction and holds the whole subject in the middle of the page, with a
@@ -53,8 +53,8 @@ struct ViewDirection {
 [[nodiscard]] Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect,
                                  const ViewDirection& from);
 
-/// The same camera in parallel projection, which shows things as large as they are at `focus` now, or at the
-/// camera's target if `focus` lies behind the eye.
+/// Returns `camera` with parallel projection. Things at the depth of `focus` keep their size on the page; at
+/// the depth of the camera's target, if `focus` lies behind the eye.
 [[nodiscard]] Camera with_parallel_projection(const Camera& camera, const glm::dvec3& focus);
 
 } // namespace estampe

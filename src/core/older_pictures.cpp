@@ -148,7 +148,7 @@ void check_bmp(const PictureBytes& bytes)
     if (compression != 0 && compression != 3)
         bytes.refuse("holds another format, which is not read");
     if (width > max_image_side || height > max_image_side)
-        return; // and is refused for that
+        return; // the decoder refuses such sizes, with its own message
     bytes.need(pixels_at, (width * bits + 31) / 32 * 4 * height);
 }
 

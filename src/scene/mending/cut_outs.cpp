@@ -20,6 +20,9 @@ struct AlphaShares {
 
 double wrapped(double t, Wrap wrap)
 {
+    if (!std::isfinite(t)) {
+        return 0.0;
+    }
     if (wrap == Wrap::clamp) {
         return std::clamp(t, 0.0, 1.0);
     }

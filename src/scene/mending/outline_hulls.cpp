@@ -83,8 +83,7 @@ bool is_hull_of(const PlacedSurface& hull, const PlacedSurface& figure)
            lies_close_around(hull.bounds, figure.bounds);
 }
 
-/// Whether some one-sided primitive has about as many triangles as others together, as a hull has: else
-/// nothing needs to be posed.
+/// Whether a one-sided primitive stands beside others: without one nothing needs to be posed.
 bool may_have_hulls(const Scene& scene)
 {
     size_t primitives = 0;

@@ -24,7 +24,7 @@ void leave_out_outline_hulls(Scene& scene);
 /// cover: `mask` where nearly all of it is either clear or solid, as leaves, hair and fences are, and
 /// `opaque` where all of it is solid. Lines and shadows then follow the alpha. Glass, smoke and soft decals
 /// stay blended, and Material::has_clear_parts says whether they end at the edges of their surfaces. Cost:
-/// linear in triangles of such materials, at most about 10 ms a material.
+/// linear in triangles of such materials, at most half a million samples per material.
 void find_cut_out_materials(Scene& scene);
 
 } // namespace estampe

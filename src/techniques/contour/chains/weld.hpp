@@ -21,7 +21,7 @@ struct WeldInput {
 };
 
 /// The first vertex at the place of each vertex, or no_side for those without lines. Within one body only,
-/// by `weld_tolerance`. Cost: linear; about 0.1 us per vertex.
+/// by `weld_tolerance`. Cost: linear; about 0.2 us per vertex.
 [[nodiscard]] std::vector<uint32_t> weld_vertices(const WeldInput& input);
 
 } // namespace estampe::contour
