@@ -68,9 +68,7 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options)
     }
     report_progress(0.9);
     turn_by_normals(scene);
-    if (is_among(lower_extension(path), gltf_extensions)) { // readers of other formats have done so
-        turn_outside(scene);
-    }
+    turn_outside(scene);
     leave_out_outline_hulls(scene);
     find_cut_out_materials(scene);
     report_progress(1.0);

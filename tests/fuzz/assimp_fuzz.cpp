@@ -32,7 +32,8 @@ void read_sent(std::span<const std::byte> bytes)
             mend_primitive(primitive, mesh.name, transfer.scene.warnings);
         }
     }
-    make_sound(transfer.scene, "fuzz");
+    check_structure(transfer.scene, "fuzz");
+    turn_outside(transfer.scene);
     const ScenePose pose = pose_scene(transfer.scene, 0.5);
     (void)scene_bounds(transfer.scene, pose);
 }

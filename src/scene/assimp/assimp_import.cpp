@@ -11,8 +11,8 @@
 #include "scene/assimp/child.hpp"
 #include "scene/assimp/convert.hpp"
 #include "scene/assimp/fbx/version.hpp"
+#include "scene/mending/mend.hpp"
 #include "scene/mending/mend_scene.hpp"
-#include "scene/mending/turn_outside.hpp"
 
 namespace estampe {
 namespace {
@@ -70,7 +70,7 @@ Scene load_with_assimp(const std::filesystem::path& path)
     TransferScene transfer = unpack(bytes, path.string());
     Scene& scene = transfer.scene;
     mend_meshes(scene, path.string());
-    make_sound(scene, path.string());
+    check_structure(scene, path.string());
     FileFinder finder({path.parent_path()});
     load_pictures(scene, transfer.images, finder);
     give_lights_units(scene);

@@ -7,7 +7,7 @@
 
 #include <estampe/error.hpp>
 
-#include "scene/mending/turn_outside.hpp"
+#include "scene/mending/mend.hpp"
 #include "scene/shapes.hpp"
 
 namespace estampe {
@@ -70,11 +70,11 @@ TEST(Transfer, WhatIsNoTreeIsRefusedBeforeItIsPosed)
     for (const Index root : {Index{2}, no_index}) {
         Scene scene = sample().scene;
         scene.roots = {root};
-        EXPECT_THROW(make_sound(scene, "sample"), Error);
+        EXPECT_THROW(check_structure(scene, "sample"), Error);
     }
     Scene none = sample().scene;
     none.nodes.clear();
-    EXPECT_THROW(make_sound(none, "sample"), Error);
+    EXPECT_THROW(check_structure(none, "sample"), Error);
 }
 
 TEST(Transfer, EveryTruncationIsAnError)

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <meshoptimizer.h>
 
 #include "scene/mending/mend.hpp"
 
@@ -27,13 +26,7 @@ struct Sides {
 
 std::vector<uint32_t> places_of_corners(const Primitive& primitive, size_t& places)
 {
-    // Negative zero has other bytes than zero.
-    std::vector<glm::vec3> positions = primitive.positions;
-    for (glm::vec3& position : positions)
-        position += glm::vec3(0.0F);
-    std::vector<uint32_t> place(positions.size());
-    places = meshopt_generateVertexRemap(place.data(), nullptr, positions.size(), positions.data(),
-                                         positions.size(), sizeof(glm::vec3));
+    const std::vector<uint32_t> place = places_of_vertices(primitive, &places);
     std::vector<uint32_t> corners(primitive.indices.size() / 3 * 3);
     for (size_t i = 0; i < corners.size(); ++i)
         corners[i] = place[primitive.indices[i]];
@@ -153,16 +146,6 @@ double area(const Primitive& primitive, uint32_t triangle)
                                   glm::dvec3(primitive.positions[corners[2]]) - a));
 }
 
-void turn(Primitive& primitive, uint32_t triangle)
-{
-    std::swap(primitive.indices[size_t{3} * triangle + 1], primitive.indices[size_t{3} * triangle + 2]);
-    if (primitive.edge_marks.empty())
-        return;
-    uint8_t& marks = primitive.edge_marks[triangle];
-    // The first edge has become the last, and the other way about.
-    marks = static_cast<uint8_t>((marks & ~5U) | (marks & 1U) << 2U | (marks >> 2U & 1U));
-}
-
 } // namespace
 
 size_t agree_winding(Primitive& primitive)
@@ -205,7 +188,7 @@ size_t agree_winding(Primitive& primitive)
         const uint8_t minority = areas[1] <= areas[0] ? 1 : 0;
         for (const uint32_t triangle : piece) {
             if (side[triangle] == minority) {
-                turn(primitive, triangle);
+                turn_triangle(primitive, triangle);
                 ++turned;
             }
         }

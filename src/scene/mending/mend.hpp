@@ -14,6 +14,13 @@ namespace estampe {
 /// repair adds a line about `name` to `warnings`. Cost: about 0.4 s for a million triangles.
 void mend_primitive(Primitive& primitive, const std::string& name, std::vector<std::string>& warnings);
 
+/// The number of each vertex's place, from 0: vertices at equal positions have one. `count`, where it is
+/// given, becomes how many places there are. Cost: linear.
+[[nodiscard]] std::vector<uint32_t> places_of_vertices(const Primitive& primitive, size_t* count = nullptr);
+
+/// Swaps the last two corners of a triangle, so that it is seen from its other side; its edge marks follow.
+void turn_triangle(Primitive& primitive, size_t triangle);
+
 /// Turns triangles around so that those which share an edge agree on its side: in each connected piece, the
 /// smaller part by area. Edges of more than two triangles part pieces; a piece that cannot agree, as a
 /// Moebius strip, stays as it is. The primitive is of triangles, its indices are in range. Returns how many

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "scene/mending/mend.hpp"
 #include "scene/mending/repair.hpp"
 
 namespace estampe {
@@ -33,15 +34,8 @@ void turn_by_normals(Scene& scene)
                 continue;
             }
             for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-                uint32_t* const corners = &primitive.indices[i];
-                if (!runs_against_normals(primitive, corners)) {
-                    continue;
-                }
-                std::swap(corners[1], corners[2]);
-                if (!primitive.edge_marks.empty()) {
-                    uint8_t& marks = primitive.edge_marks[i / 3];
-                    // The first edge has become the last, and the other way about.
-                    marks = static_cast<uint8_t>((marks & ~5U) | (marks & 1U) << 2U | (marks >> 2U & 1U));
+                if (runs_against_normals(primitive, &primitive.indices[i])) {
+                    turn_triangle(primitive, i / 3);
                 }
             }
         }

@@ -6,25 +6,11 @@
 #include <numeric>
 
 #include <fmt/format.h>
-#include <meshoptimizer.h>
 
 #include "scene/mending/mend.hpp"
 
 namespace estampe {
 namespace {
-
-/// Numbers vertices by their place.
-std::vector<uint32_t> places_of(const Primitive& primitive)
-{
-    std::vector<glm::vec3> positions = primitive.positions;
-    // Negative zero is equal to zero but not the same bytes, and vertices are compared by bytes.
-    for (glm::vec3& position : positions)
-        position += glm::vec3(0.0F);
-    std::vector<uint32_t> places(positions.size());
-    (void)meshopt_generateVertexRemap(places.data(), nullptr, positions.size(), positions.data(),
-                                      positions.size(), sizeof(glm::vec3));
-    return places;
-}
 
 /// Sets of places that triangles connect.
 class Sets {
@@ -58,7 +44,7 @@ struct SurfacePiece {
 class Pieces {
 public:
     explicit Pieces(const Primitive& primitive)
-        : primitive_(primitive), places_(places_of(primitive)), sets_(places_.size())
+        : primitive_(primitive), places_(places_of_vertices(primitive)), sets_(places_.size())
     {
         for (size_t t = 0; t < triangle_count(); ++t) {
             sets_.join(place(t, 0), place(t, 1));
@@ -165,8 +151,8 @@ void turn_over(Primitive& primitive, const SurfacePiece& piece)
     double agreement = 0.0;
     std::vector<uint32_t> vertices;
     for (const uint32_t t : piece.triangles) {
-        uint32_t* corners = &primitive.indices[size_t{3} * t];
-        std::swap(corners[1], corners[2]);
+        turn_triangle(primitive, t);
+        const uint32_t* const corners = &primitive.indices[size_t{3} * t];
         const glm::dvec3 a = primitive.positions[corners[0]];
         const glm::dvec3 normal = glm::cross(glm::dvec3(primitive.positions[corners[1]]) - a,
                                              glm::dvec3(primitive.positions[corners[2]]) - a);
@@ -269,12 +255,6 @@ void turn_outside(Scene& scene)
                                                  turned[mesh] == 1 ? " was" : "s were"));
         }
     }
-}
-
-void make_sound(Scene& scene, const std::string& where)
-{
-    check_structure(scene, where); // only what is a tree can be posed
-    turn_outside(scene);
 }
 
 } // namespace estampe

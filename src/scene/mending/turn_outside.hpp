@@ -13,8 +13,4 @@ namespace estampe {
 /// Scene::warnings for each mesh. Cost: about 0.01 s for 70,000 triangles that are all right.
 void turn_outside(Scene& scene);
 
-/// Checks a scene that came from elsewhere, and then turns what is inside out. Throws Error as
-/// check_structure().
-void make_sound(Scene& scene, const std::string& where);
-
 } // namespace estampe

@@ -47,6 +47,17 @@ const Primitive& first(const Scene& scene)
     return scene.meshes[0].primitives[0];
 }
 
+TEST(TurnOutside, MarksOfEdgesTurnWithTheirTriangles)
+{
+    Primitive ball = inside_out(shapes::sphere(1.0F, 16, 8));
+    ball.edge_marks.assign(ball.indices.size() / 3, 1); // from the first corner to the second
+    Scene scene = scene_of_meshes({ball});
+    turn_outside(scene);
+    EXPECT_EQ(first(scene).edge_marks[7], 4) << "from the last corner to the first";
+    EXPECT_EQ(first(scene).indices[21], ball.indices[21]);
+    EXPECT_EQ(first(scene).indices[23], ball.indices[22]);
+}
+
 TEST(TurnOutside, WhatIsInsideOutIsTurnedWithItsNormals)
 {
     Scene scene = scene_of_meshes({inside_out(shapes::sphere(1.0F, 16, 8))});
