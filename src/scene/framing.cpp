@@ -4,10 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
-#include "scene/drawn_size.hpp"
-#include "scene/extent.hpp"
 #include "scene/outlook/outlook.hpp"
 #include "scene/outlook/subject.hpp"
 #include "scene/outlook/view_axes.hpp"
@@ -258,21 +257,16 @@ Camera camera_inside(const Outlook& outlook, double aspect)
 
 Camera framing_camera(const Scene& scene, const ScenePose& pose, double aspect, const SunBearing& sun)
 {
-    check_drawn_size(scene);
-    const Bounds whole = scene_bounds(scene, pose);
-    if (whole.empty())
+    const std::optional<SceneSurvey> surveyed = survey(scene, pose);
+    if (!surveyed)
         return {};
-    check_extent(whole, scene.name);
     if (!(aspect > 0.0))
         aspect = 1.0;
-    const SurfaceCloud cloud = surface_cloud(scene, pose_scene(scene, 0.0, no_index));
-    Outlook outlook = find_outlook(cloud);
+    const Outlook& outlook = surveyed->outlook;
     if (outlook.standpoint == Standpoint::inside)
         return camera_inside(outlook, aspect);
-    if (outlook.standpoint == Standpoint::outside)
-        outlook.subject = subject_by_vertices(scene, pose, cloud, outlook.subject);
-    const Subject subject(scene, pose, outlook, whole);
-    const ViewAxes axes = axes_for(scene, cloud, outlook, aspect);
+    const Subject subject(scene, pose, outlook, surveyed->whole);
+    const ViewAxes axes = axes_for(scene, surveyed->cloud, outlook, aspect);
     const Bounds& bounds = subject.bounds();
 
     const double half_height = framed_half_height(aspect);

@@ -5,9 +5,27 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/drawn_size.hpp"
+#include "scene/extent.hpp"
 #include "scene/outlook/strays.hpp"
+#include "scene/outlook/subject.hpp"
 
 namespace estampe {
+
+std::optional<SceneSurvey> survey(const Scene& scene, const ScenePose& pose)
+{
+    check_drawn_size(scene);
+    const Bounds whole = scene_bounds(scene, pose);
+    if (whole.empty())
+        return std::nullopt;
+    check_extent(whole, scene.name);
+    SceneSurvey result{
+        .whole = whole, .cloud = surface_cloud(scene, pose_scene(scene, 0.0, no_index)), .outlook = {}};
+    result.outlook = find_outlook(result.cloud);
+    if (result.outlook.standpoint == Standpoint::outside)
+        result.outlook.subject = subject_by_vertices(scene, pose, result.cloud, result.outlook.subject);
+    return result;
+}
 
 double framed_half_height(double aspect)
 {

@@ -4,6 +4,7 @@
 // Where an eye must stand so that points lie within the page, for automatic framing and for views from a
 // side.
 
+#include <optional>
 #include <vector>
 
 #include "scene/outlook/outlook.hpp"
@@ -30,6 +31,17 @@ struct Window {
 /// Moves the eye sideways until the picture's extent is in the middle of the window.
 [[nodiscard]] glm::dvec3 centre_eye(const std::vector<glm::dvec3>& points, const Window& window,
                                     glm::dvec3 eye);
+
+/// What every framed picture is made of.
+struct SceneSurvey {
+    Bounds whole; ///< of all vertices in the pose, never empty
+    SurfaceCloud cloud;
+    Outlook outlook;
+};
+
+/// Surveys the scene; nothing where it has nothing to draw. Throws Error when the scene is so large, small or
+/// far away that it cannot be drawn. Cost: linear in vertices and triangles.
+[[nodiscard]] std::optional<SceneSurvey> survey(const Scene& scene, const ScenePose& pose);
 
 /// Which vertices a framed picture has to hold.
 class Subject {

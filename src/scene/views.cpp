@@ -5,12 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "scene/camera_words.hpp"
-#include "scene/drawn_size.hpp"
-#include "scene/extent.hpp"
-#include "scene/outlook/subject.hpp"
 #include "scene/outlook/view_axes.hpp"
 #include "scene/pose.hpp"
 #include "scene/view_fit.hpp"
@@ -136,19 +134,16 @@ ViewDirection parse_view_direction(const std::string& text)
 
 Camera view_camera(const Scene& scene, const ScenePose& pose, double aspect, const ViewDirection& from)
 {
-    check_drawn_size(scene);
-    const Bounds whole = scene_bounds(scene, pose);
-    if (whole.empty())
+    std::optional<SceneSurvey> surveyed = survey(scene, pose);
+    if (!surveyed)
         return {};
-    check_extent(whole, scene.name);
     if (!(aspect > 0.0))
         aspect = 1.0;
-    const SurfaceCloud cloud = surface_cloud(scene, pose_scene(scene, 0.0, no_index));
-    Outlook outlook = find_outlook(cloud);
+    const Bounds& whole = surveyed->whole;
+    const SurfaceCloud& cloud = surveyed->cloud;
+    Outlook& outlook = surveyed->outlook;
     if (outlook.standpoint == Standpoint::inside)
         outlook.subject = whole; // seen from outside after all
-    else if (outlook.standpoint == Standpoint::outside)
-        outlook.subject = subject_by_vertices(scene, pose, cloud, outlook.subject);
     // A view that was asked for shows the floor too, unless that is ground far beyond what stands on it.
     constexpr double far_wider = 4.0;
     const glm::dvec3 all_m = cloud.bounds.max - cloud.bounds.min;
