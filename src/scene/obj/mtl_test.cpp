@@ -12,9 +12,12 @@
 #include "scene/obj/mtl.hpp"
 #include "scene/obj/obj_import.hpp"
 #include "support/folder.hpp"
+#include "support/imported.hpp"
 
 namespace estampe {
 namespace {
+
+using test::all_warnings;
 
 using obj::MtlMaterial;
 
@@ -93,14 +96,6 @@ protected:
 
     test::Folder folder_;
 };
-
-std::string all_warnings(const Scene& scene)
-{
-    std::string all;
-    for (const std::string& warning : scene.warnings)
-        all += warning + '\n';
-    return all;
-}
 
 const Material& material_of(const Scene& scene)
 {

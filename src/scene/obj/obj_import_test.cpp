@@ -14,9 +14,13 @@
 #include <estampe/error.hpp>
 
 #include "support/folder.hpp"
+#include "support/imported.hpp"
 
 namespace estampe {
 namespace {
+
+using test::all_warnings;
+using test::first_primitive;
 
 class ObjImport : public testing::Test {
 protected:
@@ -46,19 +50,6 @@ const std::string cube_corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv
 const std::string cube_faces = "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
-const Primitive& first(const Scene& scene)
-{
-    return scene.meshes.at(0).primitives.at(0);
-}
-
-std::string all_warnings(const Scene& scene)
-{
-    std::string all;
-    for (const std::string& warning : scene.warnings)
-        all += warning + '\n';
-    return all;
-}
-
 size_t triangles_of(const Scene& scene)
 {
     size_t count = 0;
@@ -77,9 +68,9 @@ TEST_F(ObjImport, CubeHasHardEdgesAndTwoSides)
 {
     const Scene scene = load(cube_corners + cube_faces);
     ASSERT_EQ(scene.meshes.size(), 1U);
-    EXPECT_EQ(first(scene).indices.size(), 36U);
-    EXPECT_EQ(first(scene).positions.size(), 24U);
-    const Material& material = scene.materials.at(first(scene).material);
+    EXPECT_EQ(first_primitive(scene).indices.size(), 36U);
+    EXPECT_EQ(first_primitive(scene).positions.size(), 24U);
+    const Material& material = scene.materials.at(first_primitive(scene).material);
     EXPECT_TRUE(material.double_sided);
     EXPECT_EQ(material.metallic, 0.0F);
     EXPECT_EQ(material.base_color, glm::vec4(0.6F, 0.6F, 0.6F, 1.0F));
@@ -90,8 +81,8 @@ TEST_F(ObjImport, CubeHasHardEdgesAndTwoSides)
 TEST_F(ObjImport, KeepsNormalsAndTurnsTexturesOver)
 {
     const Scene scene = load(triangle + "vt 0 0.25\nvt 1 0.25\nvt 0 1\nvn 0 1 0\nf 1/1/1 2/2/1 3/3/1\n");
-    EXPECT_EQ(first(scene).normals.at(0), glm::vec3(0, 1, 0));
-    EXPECT_FLOAT_EQ(first(scene).uvs[0].at(0).y, 0.75F);
+    EXPECT_EQ(first_primitive(scene).normals.at(0), glm::vec3(0, 1, 0));
+    EXPECT_FLOAT_EQ(first_primitive(scene).uvs[0].at(0).y, 0.75F);
 }
 
 TEST_F(ObjImport, IndicesOfAllFormsNameTheSame)
@@ -101,17 +92,17 @@ TEST_F(ObjImport, IndicesOfAllFormsNameTheSame)
          {"f 1/1/1 2/2/1 3/3/1\n", "f -3/-3/-1 -2/-2/-1 -1/-1/-1\n", "f\t1/1/1   2/2/1\t3/3/1  \r\n",
           "f 1/1/1 \\\n 2/2/1 \\\r\n3/3/1\n", "fo 1/1/1 2/2/1 3/3/1 # a face\n"}) {
         const Scene scene = load(triangle + attributes + face);
-        ASSERT_EQ(first(scene).positions.size(), 3U) << face;
-        EXPECT_EQ(first(scene).positions[2], glm::vec3(0, 1, 0)) << face;
-        EXPECT_EQ(first(scene).uvs[0].at(1), glm::vec2(1, 1)) << face;
-        EXPECT_EQ(first(scene).normals.at(0), glm::vec3(0, 0, 1)) << face;
+        ASSERT_EQ(first_primitive(scene).positions.size(), 3U) << face;
+        EXPECT_EQ(first_primitive(scene).positions[2], glm::vec3(0, 1, 0)) << face;
+        EXPECT_EQ(first_primitive(scene).uvs[0].at(1), glm::vec2(1, 1)) << face;
+        EXPECT_EQ(first_primitive(scene).normals.at(0), glm::vec3(0, 0, 1)) << face;
         EXPECT_EQ(all_warnings(scene), "") << face;
     }
     const Scene normals_only = load(triangle + "vn 0 1 0\nf 1//1 2//1 3//1\n");
-    EXPECT_EQ(first(normals_only).normals.at(0), glm::vec3(0, 1, 0));
-    EXPECT_TRUE(first(normals_only).uvs[0].empty());
+    EXPECT_EQ(first_primitive(normals_only).normals.at(0), glm::vec3(0, 1, 0));
+    EXPECT_TRUE(first_primitive(normals_only).uvs[0].empty());
     const Scene textures_only = load(triangle + "vt 1 1\nf 1/1 2/1 3/1\n");
-    EXPECT_EQ(first(textures_only).uvs[0].at(2), glm::vec2(1, 0));
+    EXPECT_EQ(first_primitive(textures_only).uvs[0].at(2), glm::vec2(1, 0));
     const Scene forward = load("f 1 2 3\nf 1 2 3 4\n" + triangle + "v 1 -1 0\n");
     EXPECT_EQ(triangles_of(forward), 3U);
 }
@@ -138,9 +129,9 @@ TEST_F(ObjImport, ConcavePolygonsKeepTheirShape)
 {
     const Scene scene = load("v 0 0 0\nv 3 0 0\nv 3 3 0\nv 2 3 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4 5 6\n");
     double area = 0.0;
-    for (size_t i = 0; i + 2 < first(scene).indices.size(); i += 3) {
+    for (size_t i = 0; i + 2 < first_primitive(scene).indices.size(); i += 3) {
         const auto at = [&](size_t k) {
-            return glm::dvec3(first(scene).positions[first(scene).indices[i + k]]);
+            return glm::dvec3(first_primitive(scene).positions[first_primitive(scene).indices[i + k]]);
         };
         const double one = 0.5 * glm::cross(at(1) - at(0), at(2) - at(0)).z;
         EXPECT_GT(one, 0.0);
@@ -162,8 +153,8 @@ TEST_F(ObjImport, LinesAndPoints)
 TEST_F(ObjImport, VerticesAloneAreACloudOfPoints)
 {
     const Scene scene = load(cube_corners);
-    EXPECT_EQ(first(scene).topology, Topology::points);
-    EXPECT_EQ(first(scene).indices.size(), 8U);
+    EXPECT_EQ(first_primitive(scene).topology, Topology::points);
+    EXPECT_EQ(first_primitive(scene).indices.size(), 8U);
     EXPECT_NE(all_warnings(scene).find("8 vertices are drawn as dots"), std::string::npos);
 }
 
@@ -172,13 +163,13 @@ TEST_F(ObjImport, ColorsOfVerticesAreSrgb)
     for (const char* const values : {"1 0.5 0", "255 127.5 0"}) {
         const Scene scene = load("v 0 0 0 " + std::string(values) + "\nv 1 0 0 " + values + "\nv 0 1 0 " +
                                  values + "\nf 1 2 3\n");
-        ASSERT_EQ(first(scene).colors.size(), 3U);
-        EXPECT_NEAR(first(scene).colors[0].x, 1.0F, 1e-6F);
-        EXPECT_NEAR(first(scene).colors[0].y, 0.2140F, 1e-3F);
+        ASSERT_EQ(first_primitive(scene).colors.size(), 3U);
+        EXPECT_NEAR(first_primitive(scene).colors[0].x, 1.0F, 1e-6F);
+        EXPECT_NEAR(first_primitive(scene).colors[0].y, 0.2140F, 1e-3F);
         EXPECT_EQ(scene.materials.at(0).base_color, glm::vec4(1.0F)) << "the vertices say it all";
     }
     const Scene weighted = load("v 2 0 0 0.5\nv 1 0 0 1\nv 0 1 0 1.0\nf 1 2 3\n");
-    EXPECT_TRUE(first(weighted).colors.empty());
+    EXPECT_TRUE(first_primitive(weighted).colors.empty());
     EXPECT_EQ(bounds_of(weighted).max.x, 2.0) << "a weight of curves does not scale";
 }
 
@@ -205,14 +196,14 @@ TEST_F(ObjImport, OneMaterialOfAnObjectIsOnePrimitive)
         load("mtllib m.mtl\n" + cube_corners +
              "usemtl red\nf 1 2 3\nusemtl green\nf 2 3 4\nusemtl red\nf 5 6 7\nusemtl green\nf 6 7 8\n");
     ASSERT_EQ(scene.meshes.at(0).primitives.size(), 2U);
-    EXPECT_EQ(first(scene).indices.size(), 6U);
-    EXPECT_EQ(scene.materials.at(first(scene).material).name, "red");
+    EXPECT_EQ(first_primitive(scene).indices.size(), 6U);
+    EXPECT_EQ(scene.materials.at(first_primitive(scene).material).name, "red");
 }
 
 TEST_F(ObjImport, SmoothingGroupsRuleWhereThereAreNoNormals)
 {
     const auto vertices = [this](const std::string& before) {
-        return first(load(cube_corners + before + cube_faces)).positions.size();
+        return first_primitive(load(cube_corners + before + cube_faces)).positions.size();
     };
     EXPECT_EQ(vertices("s 1\n"), 8U);
     EXPECT_EQ(vertices("s off\n"), 24U);
@@ -220,12 +211,12 @@ TEST_F(ObjImport, SmoothingGroupsRuleWhereThereAreNoNormals)
     EXPECT_EQ(vertices(""), 24U);
     // A bent strip whose edge is below the crease angle, so that it would be smooth.
     const std::string strip = "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 2 0 0.2\nv 2 1 0.2\n";
-    EXPECT_EQ(first(load(strip + "f 1 3 4 2\nf 3 5 6 4\n")).positions.size(), 6U);
-    EXPECT_EQ(first(load(strip + "s off\nf 1 3 4 2\nf 3 5 6 4\n")).positions.size(), 8U);
-    EXPECT_EQ(first(load(strip + "s 1\nf 1 3 4 2\ns 2\nf 3 5 6 4\n")).positions.size(), 8U);
-    EXPECT_EQ(first(load(strip + "s 7\nf 1 3 4 2\nf 3 5 6 4\n")).positions.size(), 6U);
+    EXPECT_EQ(first_primitive(load(strip + "f 1 3 4 2\nf 3 5 6 4\n")).positions.size(), 6U);
+    EXPECT_EQ(first_primitive(load(strip + "s off\nf 1 3 4 2\nf 3 5 6 4\n")).positions.size(), 8U);
+    EXPECT_EQ(first_primitive(load(strip + "s 1\nf 1 3 4 2\ns 2\nf 3 5 6 4\n")).positions.size(), 8U);
+    EXPECT_EQ(first_primitive(load(strip + "s 7\nf 1 3 4 2\nf 3 5 6 4\n")).positions.size(), 6U);
     const Scene given = load(triangle + "vn 0 1 0\ns off\nf 1//1 2//1 3//1\n");
-    EXPECT_EQ(first(given).normals.at(0), glm::vec3(0, 1, 0)) << "normals of the file go first";
+    EXPECT_EQ(first_primitive(given).normals.at(0), glm::vec3(0, 1, 0)) << "normals of the file go first";
 }
 
 TEST_F(ObjImport, FarOffCoordinatesAreAsExactAsNearOnes)
@@ -235,12 +226,13 @@ TEST_F(ObjImport, FarOffCoordinatesAreAsExactAsNearOnes)
         "v 12958094.125 4865499 35\nv 12958095.375 4865499 35.25\nv 12958094 4865500.0625 35\nf 1 2 3\n";
     const Scene near_scene = load(near_file);
     const Scene far_scene = load(far_file);
-    const glm::vec3 side = first(near_scene).positions.at(1) - first(near_scene).positions.at(0);
-    EXPECT_EQ(first(far_scene).positions.at(1) - first(far_scene).positions.at(0), side);
+    const glm::vec3 side =
+        first_primitive(near_scene).positions.at(1) - first_primitive(near_scene).positions.at(0);
+    EXPECT_EQ(first_primitive(far_scene).positions.at(1) - first_primitive(far_scene).positions.at(0), side);
     const Bounds bounds = bounds_of(far_scene);
     EXPECT_EQ(bounds.min, glm::dvec3(12958094.0, 4865499.0, 35.0));
     EXPECT_EQ(bounds.max, glm::dvec3(12958095.375, 4865500.0625, 35.25));
-    for (const glm::vec3& position : first(far_scene).positions)
+    for (const glm::vec3& position : first_primitive(far_scene).positions)
         EXPECT_LT(glm::length(position), 4.0F);
 }
 
@@ -259,7 +251,7 @@ TEST_F(ObjImport, WhatCannotBeReadIsCounted)
     const Scene scene = load(cube_corners + "v nan 0 0\nv 1e39 0 0\n" + cube_faces +
                              "f 1 2 9\nf 1 2 10\nf 1 2 99\nf 0 1 2\nf -1 -2 -99\nf 1 2\nf 1 x 3\n"
                              "this is no OBJ\ncurv 0 1 2 3\n");
-    EXPECT_EQ(first(scene).indices.size(), 36U);
+    EXPECT_EQ(first_primitive(scene).indices.size(), 36U);
     const std::string warnings = all_warnings(scene);
     EXPECT_NE(warnings.find("4 faces left out: they name vertices that are not there"), std::string::npos)
         << warnings;
@@ -276,7 +268,7 @@ TEST_F(ObjImport, MissingAttributesOfCornersAreCounted)
     const Scene scene = load(triangle + "vt 0 0\nvn 0 0 1\nf 1/1/1 2/7/1 3/1/9\n");
     EXPECT_EQ(triangles_of(scene), 1U);
     EXPECT_NE(all_warnings(scene).find("2 corners name texture coordinates or normals"), std::string::npos);
-    EXPECT_EQ(first(scene).normals.at(2), glm::vec3(0, 0, 1));
+    EXPECT_EQ(first_primitive(scene).normals.at(2), glm::vec3(0, 0, 1));
 }
 
 TEST_F(ObjImport, AFileThatEndsInALineSaysSo)
@@ -325,7 +317,7 @@ TEST_F(ObjImport, ManyTextureCoordinatesAtOnePositionCostNoMore)
     const Scene scene = load(text);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun;
     EXPECT_LT(passed.count(), 15.0);
-    EXPECT_EQ(first(scene).positions.size(), 60002U);
+    EXPECT_EQ(first_primitive(scene).positions.size(), 60002U);
 }
 
 } // namespace

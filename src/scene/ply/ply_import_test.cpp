@@ -13,9 +13,13 @@
 #include <estampe/error.hpp>
 
 #include "support/folder.hpp"
+#include "support/imported.hpp"
 
 namespace estampe {
 namespace {
+
+using test::all_warnings;
+using test::first_primitive;
 
 Scene load(const std::string& content)
 {
@@ -31,19 +35,6 @@ std::string error_of(const std::string& content)
         EXPECT_EQ(error.where().find("test.ply"), 0U) << error.what();
         return error.what();
     }
-}
-
-std::string all_warnings(const Scene& scene)
-{
-    std::string all;
-    for (const std::string& warning : scene.warnings)
-        all += warning + '\n';
-    return all;
-}
-
-const Primitive& first(const Scene& scene)
-{
-    return scene.meshes.at(0).primitives.at(0);
 }
 
 std::string head(const std::string& format, int vertices, const std::string& more = "")
@@ -74,8 +65,8 @@ void put(std::string& bytes, Value value, bool is_big_endian)
 TEST(PlyImport, TextWithFaces)
 {
     const Scene scene = load(head("ascii", 5, faces(2)) + end + three + "1 1 0\n2 0 0\n3 1 4 3\n4 0 1 3 2\n");
-    EXPECT_EQ(first(scene).indices.size(), 9U);
-    EXPECT_EQ(first(scene).normals.at(0), glm::vec3(0, 0, 1));
+    EXPECT_EQ(first_primitive(scene).indices.size(), 9U);
+    EXPECT_EQ(first_primitive(scene).normals.at(0), glm::vec3(0, 0, 1));
     EXPECT_TRUE(scene.materials.at(0).double_sided);
     EXPECT_EQ(all_warnings(scene), "");
     EXPECT_EQ(scene.nodes.at(0).name, "test");
@@ -111,7 +102,7 @@ TEST(PlyImport, BinaryOfBothOrdersAndAllTypes)
             put<int16_t>(file, index, is_big);
         const Scene scene = load(file);
         EXPECT_EQ(all_warnings(scene), "");
-        EXPECT_EQ(first(scene).indices.size(), 3U);
+        EXPECT_EQ(first_primitive(scene).indices.size(), 3U);
         const Bounds bounds = scene_bounds(scene, pose_scene(scene, 0.0));
         EXPECT_EQ(bounds.min, glm::dvec3(0.0, -2.0, 3e9));
         EXPECT_EQ(bounds.max, glm::dvec3(1.5, 0.0, 3e9));
@@ -135,7 +126,9 @@ TEST(PlyImport, DataThatBeginsWithALineEnd)
         const Scene scene = load(file);
         EXPECT_EQ(scene_bounds(scene, pose_scene(scene, 0.0)).max.x, static_cast<double>(odd));
     }
-    EXPECT_EQ(first(load("\n" + head("ascii", 3, faces(1)) + end + three + "3 0 1 2\n")).indices.size(), 3U);
+    EXPECT_EQ(
+        first_primitive(load("\n" + head("ascii", 3, faces(1)) + end + three + "3 0 1 2\n")).indices.size(),
+        3U);
 }
 
 TEST(PlyImport, ACloudOfPointsKeepsItsNormalsAndColors)
@@ -146,11 +139,11 @@ TEST(PlyImport, ACloudOfPointsKeepsItsNormalsAndColors)
     for (const std::string& none : {std::string(), faces(0)}) {
         const Scene scene =
             load(head("ascii", 2, properties + none) + end + "0 0 0 0 1 0 255 0 0\n1 0 0 1 0 0 0 128 255");
-        EXPECT_EQ(first(scene).topology, Topology::points);
-        EXPECT_EQ(first(scene).indices.size(), 2U);
-        EXPECT_EQ(first(scene).normals.at(1), glm::vec3(1, 0, 0));
-        EXPECT_EQ(first(scene).colors.at(0), glm::vec4(1, 0, 0, 1));
-        EXPECT_NEAR(first(scene).colors.at(1).y, 0.2159F, 1e-3F) << "128 is sRGB";
+        EXPECT_EQ(first_primitive(scene).topology, Topology::points);
+        EXPECT_EQ(first_primitive(scene).indices.size(), 2U);
+        EXPECT_EQ(first_primitive(scene).normals.at(1), glm::vec3(1, 0, 0));
+        EXPECT_EQ(first_primitive(scene).colors.at(0), glm::vec4(1, 0, 0, 1));
+        EXPECT_NEAR(first_primitive(scene).colors.at(1).y, 0.2159F, 1e-3F) << "128 is sRGB";
         EXPECT_EQ(all_warnings(scene), "");
     }
 }
@@ -162,7 +155,8 @@ TEST(PlyImport, ColorsOfAllTypes)
         for (const std::string name : {"red", "green", "blue"})
             properties += "property " + type + ' ' + names + name + '\n';
         properties += "property " + type + " alpha\n";
-        return first(load(head("ascii", 1, properties) + end + "0 0 0 " + values + "\n")).colors.at(0);
+        return first_primitive(load(head("ascii", 1, properties) + end + "0 0 0 " + values + "\n"))
+            .colors.at(0);
     };
     for (const glm::vec4& color :
          {color_of("uchar", "", "255 0 255 51"), color_of("ushort", "diffuse_", "65535 0 65535 13107"),
@@ -182,12 +176,13 @@ TEST(PlyImport, TextureCoordinatesOfVerticesAndOfCorners)
         const Scene scene =
             load(head("ascii", 3, "property float " + u + "\nproperty float " + v + '\n' + faces(1)) + end +
                  "0 0 0 0 0.25\n1 0 0 1 0.25\n0 1 0 0 1\n3 0 1 2\n");
-        EXPECT_EQ(first(scene).uvs[0].at(0), glm::vec2(0, 0.75F)) << names;
+        EXPECT_EQ(first_primitive(scene).uvs[0].at(0), glm::vec2(0, 0.75F)) << names;
     }
     const Scene corners = load(head("ascii", 4, faces(2) + "property list uchar float texcoord\n") + end +
                                three + "1 1 0\n3 0 1 2 6 0 0 1 0 0 1\n3 1 3 2 6 0.5 0 0.5 1 0 1\n");
-    EXPECT_EQ(first(corners).positions.size(), 5U) << "one corner has other coordinates in the second face";
-    EXPECT_EQ(first(corners).uvs[0].at(3), glm::vec2(0.5F, 1.0F));
+    EXPECT_EQ(first_primitive(corners).positions.size(), 5U)
+        << "one corner has other coordinates in the second face";
+    EXPECT_EQ(first_primitive(corners).uvs[0].at(3), glm::vec2(0.5F, 1.0F));
 }
 
 TEST(PlyImport, TexturesOfFacesAreMaterials)
@@ -202,7 +197,7 @@ TEST(PlyImport, TexturesOfFacesAreMaterials)
         << three << "1 1 0\n3 0 1 2 6 0 0 1 0 0 1 0\n3 1 3 2 6 0 0 1 0 0 1 1\n3 0 2 3 6 0 0 1 0 0 1 0\n";
     const Scene scene = load_ply(folder / "scan.ply");
     ASSERT_EQ(scene.meshes.at(0).primitives.size(), 2U);
-    EXPECT_EQ(first(scene).indices.size(), 6U);
+    EXPECT_EQ(first_primitive(scene).indices.size(), 6U);
     EXPECT_EQ(scene.textures.at(scene.materials.at(0).base_color_texture.texture).image.width, 2U);
     ASSERT_EQ(scene.warnings.size(), 1U);
     EXPECT_NE(scene.warnings[0].find("hair.png"), std::string::npos);
@@ -213,9 +208,9 @@ TEST(PlyImport, ColorsOfFaces)
     const Scene scene =
         load(head("ascii", 4, faces(2) + "property uchar red\nproperty uchar green\nproperty uchar blue\n") +
              end + three + "1 1 0\n3 0 1 2 255 0 0\n3 1 3 2 0 0 255\n");
-    ASSERT_EQ(first(scene).positions.size(), 6U);
-    EXPECT_EQ(first(scene).colors.at(0), glm::vec4(1, 0, 0, 1));
-    EXPECT_EQ(first(scene).colors.at(5), glm::vec4(0, 0, 1, 1));
+    ASSERT_EQ(first_primitive(scene).positions.size(), 6U);
+    EXPECT_EQ(first_primitive(scene).colors.at(0), glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(first_primitive(scene).colors.at(5), glm::vec4(0, 0, 1, 1));
 }
 
 TEST(PlyImport, StripsAndEdges)
@@ -223,20 +218,20 @@ TEST(PlyImport, StripsAndEdges)
     const Scene strips =
         load(head("ascii", 6, "element tristrips 1\nproperty list int int vertex_indices\n") + end +
              "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n9 0 1 2 3 -1 2 3 4 5\n");
-    ASSERT_EQ(first(strips).indices.size(), 12U);
-    for (const glm::vec3& normal : first(strips).normals)
+    ASSERT_EQ(first_primitive(strips).indices.size(), 12U);
+    for (const glm::vec3& normal : first_primitive(strips).normals)
         EXPECT_EQ(normal, glm::vec3(0, 0, 1)) << "all wound one way";
     const Scene edges =
         load(head("ascii", 3, "element edge 2\nproperty int vertex1\nproperty int vertex2\n") + end + three +
              "0 1\n1 2\n");
-    EXPECT_EQ(first(edges).topology, Topology::lines);
-    EXPECT_EQ(first(edges).indices.size(), 4U);
+    EXPECT_EQ(first_primitive(edges).topology, Topology::lines);
+    EXPECT_EQ(first_primitive(edges).indices.size(), 4U);
 }
 
 TEST(PlyImport, ConcaveFacesKeepTheirShape)
 {
     const Scene scene = load(head("ascii", 4, faces(1)) + end + "0 0 0\n2 -1 0\n0.5 0 0\n2 1 0\n4 0 1 2 3\n");
-    for (const glm::vec3& normal : first(scene).normals)
+    for (const glm::vec3& normal : first_primitive(scene).normals)
         EXPECT_EQ(normal, glm::vec3(0, 0, 1));
 }
 
@@ -246,7 +241,7 @@ TEST(PlyImport, FacesMayComeFirst)
                                "element vertex 3\nproperty float x\nproperty float y\n"
                                "property float z\nend_header\n";
     const Scene scene = load(header + "3 0 1 2\n3 0 1 3\n" + three);
-    EXPECT_EQ(first(scene).indices.size(), 3U);
+    EXPECT_EQ(first_primitive(scene).indices.size(), 3U);
     EXPECT_NE(all_warnings(scene).find("1 faces left out: they name vertices that are not there"),
               std::string::npos);
 }
@@ -258,7 +253,7 @@ TEST(PlyImport, FarOffCoordinatesAreExact)
         "property double z\n" +
         faces(1) + end;
     const Scene scene = load(header + "5000000.125 0 0\n5000001.25 0 0\n5000000.125 1.0625 0\n3 0 1 2\n");
-    EXPECT_EQ(first(scene).positions.at(1).x - first(scene).positions.at(0).x, 1.125F);
+    EXPECT_EQ(first_primitive(scene).positions.at(1).x - first_primitive(scene).positions.at(0).x, 1.125F);
     EXPECT_EQ(scene_bounds(scene, pose_scene(scene, 0.0)).max.x, 5000001.25);
 }
 
@@ -290,7 +285,7 @@ TEST(PlyImport, ACutFileSaysHowMuchIsMissing)
               std::string::npos);
     const std::string cloud = head("ascii", 5) + end + three;
     EXPECT_NE(all_warnings(load(cloud)).find("says 5 vertices, has 3"), std::string::npos);
-    EXPECT_EQ(first(load(cloud)).indices.size(), 3U);
+    EXPECT_EQ(first_primitive(load(cloud)).indices.size(), 3U);
 }
 
 TEST(PlyImport, NonsenseIsCountedOrRefused)
@@ -339,7 +334,7 @@ TEST(PlyImport, ElementsWithoutUseArePassedOver)
              faces(1) +
              "element material 1\nproperty int shine\nend_header\n5 2 1 1\n"
              "9 0 0 0\n9 1 0 0\n9 0 1 0\n3 0 1 2\n7\n");
-    EXPECT_EQ(first(scene).positions.at(1), glm::vec3(1, 0, 0));
+    EXPECT_EQ(first_primitive(scene).positions.at(1), glm::vec3(1, 0, 0));
     EXPECT_EQ(all_warnings(scene), "");
 }
 

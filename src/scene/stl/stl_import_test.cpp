@@ -9,8 +9,13 @@
 
 #include <estampe/error.hpp>
 
+#include "support/imported.hpp"
+
 namespace estampe {
 namespace {
+
+using test::all_warnings;
+using test::first_primitive;
 
 Scene load(const std::string& content)
 {
@@ -26,19 +31,6 @@ std::string error_of(const std::string& content)
         EXPECT_EQ(error.where().find("test.stl"), 0U) << error.what();
         return error.what();
     }
-}
-
-std::string all_warnings(const Scene& scene)
-{
-    std::string all;
-    for (const std::string& warning : scene.warnings)
-        all += warning + '\n';
-    return all;
-}
-
-const Primitive& first(const Scene& scene)
-{
-    return scene.meshes.at(0).primitives.at(0);
 }
 
 /// A facet in the plane z, wound to face up.
@@ -94,8 +86,8 @@ TEST(StlImport, TextOfAnyCaseAndLineEnd)
          {capitals, one_line, old_mac, "\xEF\xBB\xBF" + solid("part", facet("0.15")),
           "\n  " + solid("part", facet("0,15"))}) {
         const Scene scene = load(text);
-        EXPECT_EQ(first(scene).indices.size(), 3U) << text;
-        EXPECT_EQ(first(scene).positions.at(0).z, 0.15F) << text;
+        EXPECT_EQ(first_primitive(scene).indices.size(), 3U) << text;
+        EXPECT_EQ(first_primitive(scene).positions.at(0).z, 0.15F) << text;
         EXPECT_EQ(all_warnings(scene), "") << text;
     }
 }
@@ -103,21 +95,22 @@ TEST(StlImport, TextOfAnyCaseAndLineEnd)
 TEST(StlImport, NormalsComeFromTheShape)
 {
     for (const char* const normal : {"0 0 0", "0 0 1", "0 1 0", "nan nan nan", "1e99 0 0"})
-        EXPECT_EQ(first(load(solid("x", facet("0", normal)))).normals.at(0), glm::vec3(0, 0, 1)) << normal;
+        EXPECT_EQ(first_primitive(load(solid("x", facet("0", normal)))).normals.at(0), glm::vec3(0, 0, 1))
+            << normal;
     // A strip that bends by less than the crease angle runs together, as a scan does.
     const std::string bent =
         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
         "facet normal 0 0.3 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0.3\nvertex 0 1 0\nendloop\nendfacet\n";
-    EXPECT_EQ(first(load(solid("bent", bent))).positions.size(), 4U);
+    EXPECT_EQ(first_primitive(load(solid("bent", bent))).positions.size(), 4U);
 }
 
 TEST(StlImport, BinaryWhateverItsTitle)
 {
     for (const char* const title : {"", "solid of a program that ought to know better", "exported"}) {
         const Scene scene = load(binary(title, 2, 2));
-        EXPECT_EQ(first(scene).indices.size(), 6U) << title;
-        EXPECT_EQ(first(scene).normals.at(0), glm::vec3(0, 0, 1));
-        EXPECT_TRUE(first(scene).colors.empty());
+        EXPECT_EQ(first_primitive(scene).indices.size(), 6U) << title;
+        EXPECT_EQ(first_primitive(scene).normals.at(0), glm::vec3(0, 0, 1));
+        EXPECT_TRUE(first_primitive(scene).colors.empty());
         EXPECT_EQ(all_warnings(scene), "") << title;
         EXPECT_EQ(all_warnings(load(binary(title, 2, 2) + "more")), "")
             << "bytes behind the facets do not matter";
@@ -127,11 +120,11 @@ TEST(StlImport, BinaryWhateverItsTitle)
 TEST(StlImport, ColorsOfFacets)
 {
     const Scene viscam = load(binary("viscam", 1, 1, 0x8000U | 31U << 10U));
-    EXPECT_EQ(first(viscam).colors.at(0), glm::vec4(1, 0, 0, 1)) << "blue comes first";
+    EXPECT_EQ(first_primitive(viscam).colors.at(0), glm::vec4(1, 0, 0, 1)) << "blue comes first";
     const std::string magics = std::string("COLOR=") + '\0' + '\xFF' + '\0' + '\xFF';
-    EXPECT_EQ(first(load(binary(magics, 1, 1, 31U))).colors.at(0), glm::vec4(1, 0, 0, 1))
+    EXPECT_EQ(first_primitive(load(binary(magics, 1, 1, 31U))).colors.at(0), glm::vec4(1, 0, 0, 1))
         << "red comes first";
-    EXPECT_EQ(first(load(binary(magics, 1, 1, 0x8000U))).colors.at(0), glm::vec4(0, 1, 0, 1))
+    EXPECT_EQ(first_primitive(load(binary(magics, 1, 1, 0x8000U))).colors.at(0), glm::vec4(0, 1, 0, 1))
         << "the part's own";
 }
 
@@ -146,12 +139,12 @@ TEST(StlImport, ACutFileSaysHowMuchIsMissing)
     const std::string in_number = text.substr(0, text.rfind("vertex 0 1") + 9);
     EXPECT_NE(all_warnings(load(in_number)).find("is cut off: ends in a facet, after 2 facets"),
               std::string::npos);
-    EXPECT_EQ(first(load(in_number)).indices.size(), 6U);
+    EXPECT_EQ(first_primitive(load(in_number)).indices.size(), 6U);
     const std::string between = text.substr(0, text.find("endsolid"));
     EXPECT_NE(all_warnings(load(between)).find("ends without endsolid, after 3 facets"), std::string::npos);
     // A digit may be missing from the last number of all.
     const std::string in_last = text.substr(0, text.rfind("\n    endloop"));
-    EXPECT_EQ(first(load(in_last)).indices.size(), 6U);
+    EXPECT_EQ(first_primitive(load(in_last)).indices.size(), 6U);
 }
 
 TEST(StlImport, NonsenseIsCountedOrRefused)
@@ -172,7 +165,7 @@ TEST(StlImport, NonsenseIsCountedOrRefused)
                        "endfacet\nhello\n"));
     EXPECT_NE(all_warnings(scene).find("1 facets left out"), std::string::npos);
     EXPECT_NE(all_warnings(scene).find("\"hello\" in line"), std::string::npos);
-    EXPECT_EQ(first(scene).indices.size(), 3U);
+    EXPECT_EQ(first_primitive(scene).indices.size(), 3U);
 }
 
 TEST(StlImport, OtherFilesOfThatNameAreRefused)
@@ -181,7 +174,8 @@ TEST(StlImport, OtherFilesOfThatNameAreRefused)
     page.append(500, 'x');
     page += "</body></html>\n";
     EXPECT_NE(error_of(page).find("is no STL file"), std::string::npos);
-    EXPECT_EQ(first(load(facet() + facet("1"))).indices.size(), 6U) << "a text without its first line";
+    EXPECT_EQ(first_primitive(load(facet() + facet("1"))).indices.size(), 6U)
+        << "a text without its first line";
 }
 
 TEST(StlImport, ZerosInPlaceOfFacetsAreLeftOut)
@@ -189,7 +183,7 @@ TEST(StlImport, ZerosInPlaceOfFacetsAreLeftOut)
     std::string file = binary("", 3, 3);
     std::fill(file.end() - 50, file.end(), '\0');
     const Scene scene = load(file);
-    EXPECT_EQ(first(scene).indices.size(), 6U);
+    EXPECT_EQ(first_primitive(scene).indices.size(), 6U);
     EXPECT_NE(all_warnings(scene).find("1 facets left out: all their corners are in one place"),
               std::string::npos);
 }
@@ -199,7 +193,7 @@ TEST(StlImport, FarOffCoordinatesAreExact)
     const Scene scene =
         load(solid("x", "facet normal 0 0 1\nouter loop\nvertex 5000000.125 0 0\nvertex 5000001.25 0 0\n"
                         "vertex 5000000.125 1 0\nendloop\nendfacet\n"));
-    EXPECT_EQ(first(scene).positions.at(1).x - first(scene).positions.at(0).x, 1.125F);
+    EXPECT_EQ(first_primitive(scene).positions.at(1).x - first_primitive(scene).positions.at(0).x, 1.125F);
     EXPECT_EQ(scene_bounds(scene, pose_scene(scene, 0.0)).max.x, 5000001.25);
 }
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What tests of importers look at in a scene that was read.
+
+#include <string>
+
+#include <estampe/scene.hpp>
+
+namespace estampe::test {
+
+/// All warnings of the scene, each on a line of its own.
+inline std::string all_warnings(const Scene& scene)
+{
+    std::string all;
+    for (const std::string& warning : scene.warnings)
+        all += warning + '\n';
+    return all;
+}
+
+inline const Primitive& first_primitive(const Scene& scene)
+{
+    return scene.meshes.at(0).primitives.at(0);
+}
+
+} // namespace estampe::test
