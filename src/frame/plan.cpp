@@ -53,7 +53,8 @@ RasterPlan plan_raster(const PlanInputs& in)
             .tuning = {.small_area_px = 2048,
                        .list_groups = 32,
                        .threads_list_tiles = false,
-                       .clusters_from = 8192},
+                       .clusters_from = 8192,
+                       .threads_bound_clusters = true},
             .on_processor = true};
 }
 

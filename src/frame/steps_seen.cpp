@@ -88,9 +88,9 @@ PosedScene add_posed_scene(const Making& making)
                    .textures = surface::import_textures(graph, making.resources.materials),
                    .texture_classes = making.plan.needs.texture_classes}};
     if (wants_cluster_bounds(making)) {
-        scene.cluster_bounds =
-            making.resources.cluster_boxes.add(graph, making.resources.device, scene.meshes,
-                                               static_cast<uint32_t>(making.layout.triangles.size()));
+        scene.cluster_bounds = making.resources.cluster_boxes.add(
+            graph, making.resources.device, scene.meshes,
+            static_cast<uint32_t>(making.layout.triangles.size()), making.plan.raster.tuning);
     }
     return scene;
 }

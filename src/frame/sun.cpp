@@ -284,7 +284,8 @@ gpu::BufferId add_levels(gpu::Graph& graph, const SunMapInputs& in, const raster
     }
     const gpu::BufferId bounds = raster::add_cluster_bounds(
         graph, by_sun, in.triangle_count,
-        graph.buffer("sun cluster bounds", {.size_bytes = raster::cluster_bounds_bytes(in.triangle_count)}));
+        graph.buffer("sun cluster bounds", {.size_bytes = raster::cluster_bounds_bytes(in.triangle_count)}),
+        in.tuning);
     const raster::DepthViews views{.list = in.work.views,
                                    .records = *maps.views,
                                    .bounds = bounds,

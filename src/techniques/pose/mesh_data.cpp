@@ -125,8 +125,12 @@ private:
             const uint32_t draw = triangle.w & shared::triangle_draw_mask;
             return std::pair(static_cast<Groups>(data_.draws[draw].groups >> 16U), !draw_moves_[draw]);
         };
-        std::stable_sort(triangles.begin(), triangles.end(),
-                         [&](const glm::uvec4& a, const glm::uvec4& b) { return kind_of(a) > kind_of(b); });
+        const auto comes_first = [&](const glm::uvec4& a, const glm::uvec4& b) {
+            return kind_of(a) > kind_of(b);
+        };
+        if (!std::is_sorted(triangles.begin(), triangles.end(), comes_first)) { // of most scenes they are
+            std::stable_sort(triangles.begin(), triangles.end(), comes_first);
+        }
         const Range whole = append(triangles);
         for (uint32_t first = 0; first < whole.count && kind_of(triangles[first]).first != 0;) {
             const auto kind = kind_of(triangles[first]);

@@ -17,17 +17,20 @@ uint64_t cluster_bounds_bytes(uint64_t triangle_count)
 }
 
 gpu::BufferId add_cluster_bounds(gpu::Graph& graph, const RasterInputs& in, uint32_t triangle_count,
-                                 gpu::BufferId bounds)
+                                 gpu::BufferId bounds, const Tuning& tuning)
 {
     auto pass = graph.compute("cluster bounds", shaders::cluster_bounds_comp);
     pass.sample(in.triangles).sample(in.posed_vertices);
     bounds = pass.write(bounds);
-    pass.push(triangle_count).dispatch_items(triangle_count);
+    pass.variant(tuning.threads_bound_clusters ? shared::bounds_by_thread : 0U).push(triangle_count);
+    pass.dispatch_items(tuning.threads_bound_clusters
+                            ? (triangle_count + shared::cluster_triangles - 1) / shared::cluster_triangles
+                            : triangle_count);
     return bounds;
 }
 
 gpu::BufferId ClusterBoxes::add(gpu::Graph& graph, gpu::Device& device, const RasterInputs& in,
-                                uint32_t triangle_count)
+                                uint32_t triangle_count, const Tuning& tuning)
 {
     const uint64_t size_bytes = cluster_bounds_bytes(triangle_count);
     if (bounds_.size_bytes() < size_bytes) {
@@ -39,7 +42,7 @@ gpu::BufferId ClusterBoxes::add(gpu::Graph& graph, gpu::Device& device, const Ra
         return bounds;
     }
     are_found_ = true;
-    return add_cluster_bounds(graph, in, triangle_count, bounds);
+    return add_cluster_bounds(graph, in, triangle_count, bounds, tuning);
 }
 
 uint32_t cluster_count(const Batch& batch)

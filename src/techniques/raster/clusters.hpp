@@ -15,9 +15,10 @@ namespace estampe::raster {
 /// Finds the boxes anew, for triangles whose vertices have moved.
 ///
 /// Writes  `bounds`: ClusterBounds, of cluster_bounds_bytes()
-/// Cost    one dispatch, a thread a triangle
+/// Cost    one dispatch: a thread per triangle, or per cluster with Tuning::threads_bound_clusters
 [[nodiscard]] gpu::BufferId add_cluster_bounds(gpu::Graph& graph, const RasterInputs& in,
-                                               uint32_t triangle_count, gpu::BufferId bounds);
+                                               uint32_t triangle_count, gpu::BufferId bounds,
+                                               const Tuning& tuning = {});
 
 /// The boxes of a scene, kept for as long as it stands as it did.
 class ClusterBoxes {
@@ -27,7 +28,7 @@ public:
 
     /// Finds them where they are not known. Cost: nothing, or that of add_cluster_bounds().
     [[nodiscard]] gpu::BufferId add(gpu::Graph& graph, gpu::Device& device, const RasterInputs& in,
-                                    uint32_t triangle_count);
+                                    uint32_t triangle_count, const Tuning& tuning = {});
 
 private:
     gpu::Buffer bounds_;

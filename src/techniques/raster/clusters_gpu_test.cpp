@@ -116,5 +116,21 @@ TEST(RasterClusters, KeepTheirBoxesUntilTheyAreForgotten)
     EXPECT_GT(found().front(), first.front() + 99.0F);
 }
 
+TEST(RasterClusters, AreTheSameBoxesHoweverThreadsShareTheWork)
+{
+    std::vector<ClipTriangle> soup = scattered_runs(9, 300);
+    soup.resize(soup.size() - 27); // the last cluster is short
+    SoupBuffers buffers = upload_soup(soup);
+    const auto count = static_cast<uint32_t>(soup.size());
+    const auto found = [&](bool by_thread) {
+        gpu::Graph graph;
+        ClusterBoxes boxes;
+        return test::run_and_read_as<float>(graph,
+                                            boxes.add(graph, test::shared_device(), buffers.inputs(graph),
+                                                      count, {.threads_bound_clusters = by_thread}));
+    };
+    EXPECT_EQ(found(true), found(false));
+}
+
 } // namespace
 } // namespace estampe::raster

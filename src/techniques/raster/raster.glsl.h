@@ -14,6 +14,7 @@ SHARED_CONSTANT uint raster_tile_px = 64U;
 SHARED_CONSTANT uint draw_tests_sides = 1U << 5U;
 SHARED_CONSTANT uint draw_has_no_masks = 1U << 6U; // of shaders that could test them
 SHARED_CONSTANT uint draw_lists_tiles = 1U << 7U;  // a thread does, of a triangle that touches few
+SHARED_CONSTANT uint bounds_by_thread = 1U;        // a thread finds the box of a whole cluster
 SHARED_CONSTANT uint cull_drops_backs = 1U;        // of the list that is drawn from
 // Of peels that draw but every second pixel each way; the two bits above it say at which they begin.
 SHARED_CONSTANT uint draws_second = 1U;

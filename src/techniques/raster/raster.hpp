@@ -60,6 +60,9 @@ struct Tuning {
     /// Triangles of a batch from which on compute draws a list of the clusters that the page may show, where
     /// their boxes are known. What that saves a GPU of less is what the list costs.
     uint32_t clusters_from = 2'000'000;
+    /// One thread finds the box about a whole cluster; otherwise a workgroup does, a thread per triangle.
+    /// Processors run the barriers of a workgroup slowly.
+    bool threads_bound_clusters = false;
 };
 
 struct View {

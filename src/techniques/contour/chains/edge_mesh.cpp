@@ -11,6 +11,7 @@ namespace estampe::contour {
 namespace {
 
 constexpr float same_normal_cosine = 0.99996F; // half a degree
+constexpr float flat_cosine = 0.9852F;         // of 9.87 degrees, less than least_fold_deg
 
 uint32_t next(uint32_t corner)
 {
@@ -191,8 +192,10 @@ private:
         const bool is_smooth = shades_on(a, b);
         const glm::vec3 normal_b = normal(b.side >> 2U) * (a.goes_up == b.goes_up ? -1.0F : 1.0F);
         const float cosine = glm::dot(normal(a.side >> 2U), normal_b);
-        const float fold_deg = glm::degrees(std::acos(std::clamp(cosine, -1.0F, 1.0F)));
         const bool is_boundary = soup_.materials[a.side >> 2U] != soup_.materials[b.side >> 2U];
+        // Most edges of a fine mesh are flat: their angle is not worth an arc cosine.
+        const bool is_flat = cosine > flat_cosine && !is_boundary && mark != EdgeMark::marked;
+        const float fold_deg = is_flat ? 0.0F : glm::degrees(std::acos(std::clamp(cosine, -1.0F, 1.0F)));
         if (is_boundary || fold_deg > least_fold_deg || mark == EdgeMark::marked) {
             mesh_.features.push_back({.side = a.side,
                                       .other_side = b.side,
