@@ -10,7 +10,7 @@
 #include <estampe/views.hpp>
 #include <fmt/format.h>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "piped_scene.hpp"
 
 namespace estampe::app {
@@ -76,9 +76,9 @@ std::string joined(const std::vector<std::string>& words)
 /// All parameters, as "hatch.width_mm=".
 std::vector<std::string> style_keys()
 {
-    frame::StyleTables tables;
+    features::StyleTables tables;
     std::vector<std::string> keys;
-    const style::Sheet sheet = frame::sheet_of(tables);
+    const style::Sheet sheet = features::sheet_of(tables);
     for (const style::Sheet::Section& section : sheet.sections()) {
         for (const style::Parameter& parameter : section.parameters) {
             keys.push_back(fmt::format("{}.{}=", section.name, parameter.key));

@@ -2,7 +2,7 @@
 #include "living.hpp"
 
 #include "drawing.hpp"
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "temple/world.hpp"
 
 namespace estampe::app {
@@ -18,11 +18,11 @@ float hours_a_minute(Occasion occasion)
 /// Gives `style` what `chosen` has otherwise than its base.
 void keep_choices(Style& style, const ChosenStyle& chosen)
 {
-    frame::StyleTables changed = chosen.style.tables();
-    frame::StyleTables base = chosen.base.tables();
-    const style::Sheet to = frame::sheet_of(style.tables());
-    const style::Sheet from = frame::sheet_of(changed);
-    const style::Sheet before = frame::sheet_of(base);
+    features::StyleTables changed = chosen.style.tables();
+    features::StyleTables base = chosen.base.tables();
+    const style::Sheet to = features::sheet_of(style.tables());
+    const style::Sheet from = features::sheet_of(changed);
+    const style::Sheet before = features::sheet_of(base);
     for (size_t i = 0; i < from.sections().size(); ++i) {
         for (const style::Parameter& parameter : from.sections()[i].parameters) {
             const style::Value value = parameter.get(from.sections()[i].values);

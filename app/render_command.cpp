@@ -12,8 +12,8 @@
 #include "core/at_once.hpp"
 #include "drawing.hpp"
 #include "empty_view.hpp"
+#include "features/particles/particles.hpp"
 #include "film.hpp"
-#include "frame/particles.hpp"
 #include "living.hpp"
 #include "output/svg.hpp"
 #include "pass_history.hpp"
@@ -55,10 +55,10 @@ private:
 /// Whether clouds drift over the scene, or particles fly in it.
 bool has_weather(const DrawOptions& draw, const Scene& scene)
 {
-    const frame::StyleTables& style = draw.style.tables();
+    const features::StyleTables& style = draw.style.tables();
     const sky::CloudStyle& clouds = style.clouds;
     return clouds.coverage > 0.0F || clouds.flocks > 0.0F || clouds.streaks > 0.0F ||
-           !frame::emitting_nodes(scene, style.particles.emitters).empty();
+           !features::emitting_nodes(scene, style.particles.emitters).empty();
 }
 
 void tell_of_time(const DrawOptions& draw, const Scene& scene)

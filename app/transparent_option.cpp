@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/file.hpp"
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
 

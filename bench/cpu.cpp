@@ -17,7 +17,7 @@
 #include <estampe/style.hpp>
 #include <estampe/tonal_art_map.hpp>
 
-#include "frame/line_meshes.hpp"
+#include "features/lines/line_meshes.hpp"
 #include "scene/shapes.hpp"
 #include "techniques/pose/mesh_data.hpp"
 
@@ -129,7 +129,7 @@ void find_adjacency(benchmark::State& state)
 {
     const pose::MeshData layout = pose::build_meshes(scene_of(static_cast<double>(state.range(0))), 0);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(frame::edge_mesh_of(layout));
+        benchmark::DoNotOptimize(features::edge_mesh_of(layout));
     }
     count_triangles(state);
 }

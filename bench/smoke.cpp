@@ -14,7 +14,7 @@
 
 #include <estampe/error.hpp>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/fills.hpp"
 #include "gpu/graph/execute.hpp"
 #include "gpu/imports.hpp"
@@ -129,7 +129,7 @@ void measure(const Options& options)
     const Camera camera{.eye = {0.6, 0.3, 4.4}, .target = {0.0, 0.0, 0.0}};
     auto frame = gpu::upload_buffer(
         watch.device, "frame",
-        std::vector{frame::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = options.size_px})});
+        std::vector{features::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = options.size_px})});
     smoke::VolumeMemory memory;
     memory.provide(watch.device, around);
     gpu::Buffer pixels(watch.device, "pixels", uint64_t{4} * options.size_px.x * options.size_px.y,

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "style/presets.hpp"
 #include "support/files.hpp"
 
@@ -47,17 +47,17 @@ TEST(Presets, ReadBackEqual)
 {
     for (const std::string& name : Style::presets()) {
         const std::string text = Style::load(name).to_toml();
-        frame::StyleTables tables;
-        frame::sheet_of(tables).read_toml_text(text, name);
-        EXPECT_EQ(frame::sheet_of(tables).to_toml(), text);
+        features::StyleTables tables;
+        features::sheet_of(tables).read_toml_text(text, name);
+        EXPECT_EQ(features::sheet_of(tables).to_toml(), text);
     }
 }
 
 TEST(Parameters, EachHasHelpOnOneLineAndAUniqueName)
 {
-    frame::StyleTables tables;
+    features::StyleTables tables;
     std::vector<std::string> names;
-    const style::Sheet sheet = frame::sheet_of(tables);
+    const style::Sheet sheet = features::sheet_of(tables);
     for (const style::Sheet::Section& section : sheet.sections()) {
         for (const style::Parameter& parameter : section.parameters) {
             names.push_back(section.name + "." + parameter.key);
@@ -71,8 +71,8 @@ TEST(Parameters, EachHasHelpOnOneLineAndAUniqueName)
 
 TEST(Parameters, EachTakesItsOwnDefaultAndEndsOfRange)
 {
-    frame::StyleTables tables;
-    style::Sheet sheet = frame::sheet_of(tables);
+    features::StyleTables tables;
+    style::Sheet sheet = features::sheet_of(tables);
     for (const style::Sheet::Section& section : sheet.sections()) {
         for (const style::Parameter& parameter : section.parameters) {
             const std::string name = section.name + "." + parameter.key;

@@ -5,7 +5,7 @@
 
 #include <estampe/error.hpp>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "support/folder.hpp"
 
 namespace estampe::viewer {

@@ -10,7 +10,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "viewer/panels.hpp"
 
 namespace estampe::viewer {
@@ -217,9 +217,9 @@ void show_light_tab(Studio& studio)
 
 void show_layers_tab(Studio& studio)
 {
-    frame::StyleTables& tables = studio.look.style().tables();
-    const frame::StyleTables& base = studio.look.base().tables();
-    const frame::StyleTables plain;
+    features::StyleTables& tables = studio.look.style().tables();
+    const features::StyleTables& base = studio.look.base().tables();
+    const features::StyleTables plain;
     ImGui::TextDisabled("What lies on the page, from above");
     ImGui::Spacing();
     show_layer(studio, "Lines", tables.contour.drawn, true, false, true);
@@ -227,7 +227,7 @@ void show_layers_tab(Studio& studio)
     show_layer(studio, "Shadows", tables.light.shadows, true, false, true);
     show_layer(studio, "Wash", tables.wash.strength, base.wash.strength, 0.0F, plain.wash.strength);
     show_layer(studio, "Sky", tables.sky.mode, base.sky.mode, sky::SkyMode::paper, plain.sky.mode);
-    show_layer(studio, "Ground", tables.picture.ground, base.picture.ground, frame::Ground::none,
+    show_layer(studio, "Ground", tables.picture.ground, base.picture.ground, features::Ground::none,
                plain.picture.ground);
     show_layer(studio, "Grain of the paper", tables.paper.grain, base.paper.grain, 0.0F, plain.paper.grain);
     show_layer(studio, "Border", tables.paper.border_mm, base.paper.border_mm, 0.0F, 0.35F);

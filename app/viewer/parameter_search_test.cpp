@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 
 namespace estampe::viewer {
 namespace {
 
 std::vector<std::string> found(const std::string& search)
 {
-    frame::StyleTables tables;
-    const style::Sheet sheet = frame::sheet_of(tables);
+    features::StyleTables tables;
+    const style::Sheet sheet = features::sheet_of(tables);
     std::vector<std::string> names;
     for (const style::Sheet::Section& section : sheet.sections()) {
         for (const style::Parameter& parameter : section.parameters) {

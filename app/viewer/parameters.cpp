@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "style/raw.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/parameter_row.hpp"
@@ -55,9 +55,9 @@ bool is_wanted(std::span<const char* const> sections, const std::string& name)
 
 void show_parameters(Studio& studio, const std::string& search, std::span<const char* const> sections)
 {
-    style::Sheet sheet = frame::sheet_of(studio.look.style().tables());
-    frame::StyleTables base = studio.look.base().tables();
-    const style::Sheet base_sheet = frame::sheet_of(base);
+    style::Sheet sheet = features::sheet_of(studio.look.style().tables());
+    features::StyleTables base = studio.look.base().tables();
+    const style::Sheet base_sheet = features::sheet_of(base);
     bool any = false;
     for (size_t i = 0; i < sheet.sections().size(); ++i) {
         const style::Sheet::Section& section = sheet.sections()[i];

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "piped_scene.hpp"
 
 namespace estampe::viewer {

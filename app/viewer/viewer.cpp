@@ -10,7 +10,7 @@
 #include <imgui.h>
 
 #include "core/file.hpp"
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "text.hpp"
 #include "transparent_option.hpp"
 #include "viewer/jobs.hpp"

@@ -11,7 +11,7 @@
 
 namespace estampe {
 
-namespace frame {
+namespace features {
 struct StyleTables;
 }
 
@@ -66,12 +66,12 @@ public:
     /// What a preset looks like, in a line. Throws Error when there is none of that name.
     [[nodiscard]] static std::string about(const std::string& preset);
 
-    [[nodiscard]] const frame::StyleTables& tables() const { return *tables_; }
+    [[nodiscard]] const features::StyleTables& tables() const { return *tables_; }
 
-    [[nodiscard]] frame::StyleTables& tables() { return *tables_; }
+    [[nodiscard]] features::StyleTables& tables() { return *tables_; }
 
 private:
-    std::unique_ptr<frame::StyleTables> tables_;
+    std::unique_ptr<features::StyleTables> tables_;
 };
 
 } // namespace estampe

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "frame/baked_lights.hpp"
-#include "frame/house_light.hpp"
+#include "features/lighting/baked_lights.hpp"
+#include "features/lighting/house_light.hpp"
 #include "techniques/light/daylight.hpp"
 
 namespace estampe::frame {
@@ -52,12 +52,13 @@ bake::Lamp lamp_of(const shared::LightRecord& record)
 
 } // namespace
 
-void set_light(bake::BakeSettings& settings, const Scene& scene, const StyleTables& style,
+void set_light(bake::BakeSettings& settings, const Scene& scene, const features::StyleTables& style,
                const BakedLight& wanted)
 {
     const ScenePose pose = pose_scene(scene, 0.0, no_index);
     const Bounds bounds = scene_bounds(scene, pose);
-    const Outlook outlook = HouseLight().outlook(scene, style.light, eye_of_first_camera(scene, pose));
+    const Outlook outlook =
+        features::HouseLight().outlook(scene, style.light, eye_of_first_camera(scene, pose));
     light::Lighting lighting =
         light::gather_lights(scene, pose, bounds, bounds.center(), style.light, outlook);
     if (const std::optional<light::Daylight> daylight = light::daylight_of(style.sun)) {

@@ -3,7 +3,7 @@
 
 #include <estampe/scene.hpp>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "techniques/bake/bake.hpp"
 
 namespace estampe::frame {
@@ -16,7 +16,7 @@ struct BakedLight {
 
 /// Gives `settings` the light that a picture of `scene` in this style has: its lamps, or the sun or lamp that
 /// it would get, and its ambient light as a sky.
-void set_light(bake::BakeSettings& settings, const Scene& scene, const StyleTables& style,
+void set_light(bake::BakeSettings& settings, const Scene& scene, const features::StyleTables& style,
                const BakedLight& wanted);
 
 } // namespace estampe::frame

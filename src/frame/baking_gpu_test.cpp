@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "frame/light_links.hpp"
+#include "features/lighting/light_links.hpp"
 #include "scene/shapes.hpp"
 #include "scene/static_triangles.hpp"
 #include "support/drawing.hpp"
@@ -74,12 +74,12 @@ struct Likeness {
 /// Bakes the lamps' own light, and lights a page by the same style.
 Likeness compare(const Scene& plain, const char* lights, const char* objects)
 {
-    StyleTables style;
+    features::StyleTables style;
     style.light.lights = lights;
     style.light.objects = objects;
     style.light.ambient = 0.0F;
     style.light.falloff = 1.0F;
-    const Scene scene = lit_by_style(plain, style.light);
+    const Scene scene = features::lit_by_style(plain, style.light);
     bake::BakeSettings settings{.size = 256, .samples = 32, .bounces = 0, .smooth = false};
     set_light(settings, scene, style, {.direct = baked_point | baked_spot});
     bake::Bake bake(scene, settings);

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "frame/named_objects.hpp"
+#include "features/common/named_objects.hpp"
 #include "style/raw.hpp"
 
 namespace estampe::frame {
@@ -44,7 +44,7 @@ double focus_distance_m(const LensSetting& in, std::vector<std::string>& notes)
     Bounds named;
     if (!style.focus_on.empty()) {
         for (size_t draw = 0; draw < in.loaded.layout.sources.size(); ++draw) {
-            if (is_named(in.loaded.scene, in.loaded.layout.sources[draw].node, style.focus_on)) {
+            if (features::is_named(in.loaded.scene, in.loaded.layout.sources[draw].node, style.focus_on)) {
                 const Bounds place = place_of(in.loaded, in.pose, draw);
                 if (!place.empty()) {
                     named.extend(place.min);

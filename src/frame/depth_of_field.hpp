@@ -17,7 +17,7 @@ struct LensSetting {
     const LoadedScene& loaded;
     const ScenePose& pose;
     const Camera& camera;
-    const StyleTables& style;
+    const features::StyleTables& style;
     const PagePlan& page;
     float line_half_px = 1.0F;
 };

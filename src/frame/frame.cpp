@@ -6,7 +6,7 @@
 namespace estampe::frame {
 
 void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResources& resources,
-                   const FramePlan& plan, const SamplePlan& sample, const StyleTables& style)
+                   const FramePlan& plan, const SamplePlan& sample, const features::StyleTables& style)
 {
     const Making making{.graph = graph,
                         .layout = layout,

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "frame/clouds.hpp"
+#include "features/cloth/moving_cloth.hpp"
+#include "features/clouds/clouds.hpp"
+#include "features/common/style_tables.hpp"
+#include "features/common/surface_map.hpp"
+#include "features/hatching/tonal_maps.hpp"
+#include "features/particles/particles.hpp"
+#include "features/shadows/local_maps.hpp"
+#include "features/shadows/sun_casters.hpp"
 #include "frame/deep_page.hpp"
-#include "frame/local_maps.hpp"
-#include "frame/moving_cloth.hpp"
-#include "frame/particles.hpp"
 #include "frame/plan.hpp"
-#include "frame/style_tables.hpp"
-#include "frame/sun_casters.hpp"
-#include "frame/surface_map.hpp"
-#include "frame/tonal_maps.hpp"
 #include "frame/vectors.hpp"
 #include "gpu/graph/graph.hpp"
 #include "techniques/contour/chains/brushes.hpp"
@@ -67,42 +67,42 @@ struct FrameResources {
     gpu::Buffer& sun_tiles;
     gpu::Buffer& edge_look;  ///< EdgeLook, see shadow/edge.glsl.h
     gpu::Buffer& sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
-    LocalShadowBuffers& local_shadows;
-    gpu::Buffer& stroke_kinds;              ///< one a draw
-    gpu::Buffer& form_coordinates;          ///< three a triangle, where strokes follow the form
-    lightmap::MapBuffers* lightmaps;        ///< where the scene has any
-    TonalMaps& maps;                        ///< one a look
-    gpu::Buffer& look_of_draw;              ///< where surfaces differ, as LookPlan has it
-    gpu::Buffer& line_looks;                ///< then, contour's LineLook of each look
-    gpu::Buffer& subsurface_looks;          ///< where light goes into things
-    occlusion::DiscBuffers& discs;          ///< where occlusion is found between them
-    occlusion::DiscMapBuffers& disc_map;    ///< then, in a map
-    SurfaceMap* occlusion_map = nullptr;    ///< then
-    SurfaceMap* scatter_map = nullptr;      ///< that light spreads in
-    gpu::Buffer& map_frame;                 ///< then: FrameGlobals, of a page as large as the map
-    gpu::Buffer& half_frame;                ///< FrameGlobals of every second pixel each way
-    motion_blur::TogetherBuffers& together; ///< where meshes are drawn out
-    motion_blur::SmearSeeds& smear_seeds;   ///< where strokes begin
-    std::span<const StillCaster> still_casters;
-    GroundShadow& ground_shadow;
-    MovingCloth* cloth;               ///< where the scene has any
-    const ClothSteps* cloth_steps;    ///< that it has yet to take
-    terrain::TerrainBuffers* terrain; ///< where the scene has one
-    terrain::TroddenSand* trodden;    ///< then
-    contour::LineMesh* line_mesh;     ///< where lines are chains
+    features::LocalShadowBuffers& local_shadows;
+    gpu::Buffer& stroke_kinds;                     ///< one a draw
+    gpu::Buffer& form_coordinates;                 ///< three a triangle, where strokes follow the form
+    lightmap::MapBuffers* lightmaps;               ///< where the scene has any
+    features::TonalMaps& maps;                     ///< one a look
+    gpu::Buffer& look_of_draw;                     ///< where surfaces differ, as LookPlan has it
+    gpu::Buffer& line_looks;                       ///< then, contour's LineLook of each look
+    gpu::Buffer& subsurface_looks;                 ///< where light goes into things
+    occlusion::DiscBuffers& discs;                 ///< where occlusion is found between them
+    occlusion::DiscMapBuffers& disc_map;           ///< then, in a map
+    features::SurfaceMap* occlusion_map = nullptr; ///< then
+    features::SurfaceMap* scatter_map = nullptr;   ///< that light spreads in
+    gpu::Buffer& map_frame;                        ///< then: FrameGlobals, of a page as large as the map
+    gpu::Buffer& half_frame;                       ///< FrameGlobals of every second pixel each way
+    motion_blur::TogetherBuffers& together;        ///< where meshes are drawn out
+    motion_blur::SmearSeeds& smear_seeds;          ///< where strokes begin
+    std::span<const features::StillCaster> still_casters;
+    features::GroundShadow& ground_shadow;
+    features::MovingCloth* cloth;            ///< where the scene has any
+    const features::ClothSteps* cloth_steps; ///< that it has yet to take
+    terrain::TerrainBuffers* terrain;        ///< where the scene has one
+    terrain::TroddenSand* trodden;           ///< then
+    contour::LineMesh* line_mesh;            ///< where lines are chains
     contour::LineHistory& line_history;
-    gpu::Buffer& focus_lines;                ///< of the plan
-    CloudBuffers& clouds;                    ///< where the plan has any
-    std::vector<ParticleBuffers>& particles; ///< as many as the plan has looks of them
-    contour::BrushImages* brushes;           ///< where lines have others than the pen
-    gpu::Image& sums;                        ///< of a picture of several samples
-    gpu::Buffer& pixels;                     ///< the picture, four bytes a pixel, for reading back
-    gpu::Buffer& motion;                     ///< read back where the plan asks for it
-    ink::Memory& ink;                        ///< that flows, where the plan has any
-    RisingSmoke& smoke;                      ///< risen, where the plan has any
-    StrokeLists* lists = nullptr;            ///< where strokes are wanted in place of a picture
-    DeepPage* deep = nullptr;                ///< where the picture is wanted in floats too
-    std::optional<StrungPart> strung = {};   ///< where lines are strung already
+    gpu::Buffer& focus_lines;                          ///< of the plan
+    features::CloudBuffers& clouds;                    ///< where the plan has any
+    std::vector<features::ParticleBuffers>& particles; ///< as many as the plan has looks of them
+    contour::BrushImages* brushes;                     ///< where lines have others than the pen
+    gpu::Image& sums;                                  ///< of a picture of several samples
+    gpu::Buffer& pixels;                               ///< the picture, four bytes a pixel, for reading back
+    gpu::Buffer& motion;                               ///< read back where the plan asks for it
+    ink::Memory& ink;                                  ///< that flows, where the plan has any
+    features::RisingSmoke& smoke;                      ///< risen, where the plan has any
+    StrokeLists* lists = nullptr;                      ///< where strokes are wanted in place of a picture
+    DeepPage* deep = nullptr;                          ///< where the picture is wanted in floats too
+    std::optional<StrungPart> strung = {};             ///< where lines are strung already
     /// Where what tiles share is wanted in place of a picture: lines, and how bright the page is.
     contour::StrungLines* strung_into = nullptr;
     const VulkanPicture* target = nullptr; ///< of the host's, where the picture goes in place of `pixels`
@@ -110,6 +110,6 @@ struct FrameResources {
 
 /// Declares one sample of a picture, top to bottom; or where there are lists, what fills those in its place.
 void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResources& resources,
-                   const FramePlan& plan, const SamplePlan& sample, const StyleTables& style);
+                   const FramePlan& plan, const SamplePlan& sample, const features::StyleTables& style);
 
 } // namespace estampe::frame

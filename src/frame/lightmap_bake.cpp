@@ -4,8 +4,8 @@
 
 #include <utility>
 
+#include "features/lighting/light_links.hpp"
 #include "frame/baking.hpp"
-#include "frame/light_links.hpp"
 #include "scene/static_triangles.hpp"
 #include "scene/visibility.hpp"
 
@@ -33,7 +33,7 @@ bake::BakeSettings lit_settings(const Scene& scene, const Style& style, const Ba
 
 struct LightmapBake::Impl {
     Impl(Scene own_scene, const Style& style, const BakeSettings& settings)
-        : scene(frame::lit_by_style(shown(std::move(own_scene)), style.tables().light)),
+        : scene(features::lit_by_style(shown(std::move(own_scene)), style.tables().light)),
           bake(scene, lit_settings(scene, style, settings))
     {
     }

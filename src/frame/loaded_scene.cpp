@@ -9,7 +9,7 @@
 #include <estampe/error.hpp>
 
 #include "core/at_once.hpp"
-#include "frame/ground_mesh.hpp"
+#include "features/terrain/ground_mesh.hpp"
 #include "scene/drawn_size.hpp"
 #include "scene/visibility.hpp"
 
@@ -111,7 +111,7 @@ pose::MeshData layout_of(const Scene& scene)
     if (!scene.terrain) {
         return pose::build_meshes(scene, ground_material);
     }
-    const pose::ForeignMesh ground = ground_mesh(scene);
+    const pose::ForeignMesh ground = features::ground_mesh(scene);
     return pose::build_meshes(scene, ground_material, &ground);
 }
 
@@ -119,36 +119,36 @@ pose::MeshData layout_of(const Scene& scene)
 void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout)
 {
     const glm::dvec3 anchor_before = loaded.layout.anchor;
-    const std::unique_ptr<MovingCloth> cloth_before = std::move(loaded.cloth);
+    const std::unique_ptr<features::MovingCloth> cloth_before = std::move(loaded.cloth);
     loaded.layout = std::move(layout);
     ++loaded.layout_number;
     if (loaded.scene.terrain) {
         const terrain::TerrainTarget target{.first_vertex = *loaded.layout.foreign_vertex,
                                             .stroke_unit_m = loaded.layout.stroke_unit_m};
         if (loaded.terrain) {
-            loaded.terrain->set_mesh(device, target, raised_object(loaded.scene));
+            loaded.terrain->set_mesh(device, target, features::raised_object(loaded.scene));
         } else {
             loaded.terrain = std::make_unique<terrain::TerrainBuffers>(device, *loaded.scene.terrain, target,
-                                                                       raised_object(loaded.scene));
+                                                                       features::raised_object(loaded.scene));
             loaded.trodden = std::make_unique<terrain::TroddenSand>(loaded.scene.terrain->description());
         }
     }
     loaded.meshes = pose::upload_meshes(device, loaded.layout);
     loaded.cluster_boxes.forget();
-    loaded.cloth = MovingCloth::is_in(loaded.scene)
-                       ? std::make_unique<MovingCloth>(device, loaded.scene, loaded.layout)
+    loaded.cloth = features::MovingCloth::is_in(loaded.scene)
+                       ? std::make_unique<features::MovingCloth>(device, loaded.scene, loaded.layout)
                        : nullptr;
     if (loaded.cloth && cloth_before && loaded.layout.anchor == anchor_before) {
         loaded.cloth->go_on_from(*cloth_before);
     }
-    loaded.baked =
-        upload_baked(device, loaded.lightmap ? &*loaded.lightmap : nullptr, loaded.scene, loaded.layout);
+    loaded.baked = features::upload_baked(device, loaded.lightmap ? &*loaded.lightmap : nullptr, loaded.scene,
+                                          loaded.layout);
     loaded.has_plain_links = pose::has_plain_links(loaded.layout);
     loaded.stroke_kinds.clear();
     loaded.line_meshes.forget();
-    loaded.still_casters = still_casters(loaded.layout, loaded.scene);
+    loaded.still_casters = features::still_casters(loaded.layout, loaded.scene);
     loaded.still_room = {};
-    for (const StillCaster& caster : loaded.still_casters) {
+    for (const features::StillCaster& caster : loaded.still_casters) {
         loaded.still_room.extend(caster.place.min);
         loaded.still_room.extend(caster.place.max);
     }
@@ -166,10 +166,11 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
 LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Lightmap* lightmap)
 {
     check_drawn_size(given);
-    const bool has_cloth = MovingCloth::is_in(given);
+    const bool has_cloth = features::MovingCloth::is_in(given);
     const Scene two_sided = has_cloth ? with_both_sides(given) : Scene{};
     const Scene& whole = has_cloth ? two_sided : given;
-    const Scene grounded = whole.terrain ? with_terrain_node(whole) : Scene{}; // its material comes last
+    const Scene grounded =
+        whole.terrain ? features::with_terrain_node(whole) : Scene{}; // its material comes last
     const Scene& scene = whole.terrain ? grounded : whole;
     LoadedScene loaded;
     if (lightmap != nullptr) {
@@ -182,7 +183,7 @@ LoadedScene load_onto_device(gpu::Device& device, const Scene& given, const Ligh
     loaded.materials = surface::upload_materials(device, scene, textures);
     loaded.needs = surface::scene_needs(scene, textures);
     loaded.notes = surface::notes_of(textures);
-    loaded.own_lighting = lighting_of(scene);
+    loaded.own_lighting = features::lighting_of(scene);
     loaded.styled_lighting = loaded.own_lighting;
     take_layout(device, loaded, layout.get());
     return loaded;
@@ -196,8 +197,8 @@ ScenePose pose_at(LoadedScene& loaded, double time_s, Index animation)
 
 void place_nodes(gpu::Device& device, LoadedScene& loaded, std::span<const NodePlace> places, double time_s)
 {
-    check_places(places, loaded.scene.nodes.size(), time_s);
-    if (take_over(loaded.scene, places)) {
+    features::check_places(places, loaded.scene.nodes.size(), time_s);
+    if (features::take_over(loaded.scene, places)) {
         lay_out(device, loaded);
     }
     loaded.placed.place(places, time_s);
@@ -271,7 +272,7 @@ bool swap_terrain(gpu::Device& device, LoadedScene& loaded, const Terrain& terra
 {
     const Terrain before = *loaded.scene.terrain;
     const Bounds bounds_before = loaded.layout.bounds;
-    const TerrainChange change = change_of(loaded.layout, before, terrain);
+    const features::TerrainChange change = features::change_of(loaded.layout, before, terrain);
     const auto take = [&](const Terrain& taken, const Bounds& bounds) {
         loaded.scene.terrain = taken;
         loaded.terrain->set_graph(device, taken);
@@ -303,14 +304,14 @@ bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::Light
         loaded.styled_by->objects == style.objects) {
         return false;
     }
-    LightingOfScene wanted = styled_lighting(loaded.own_lighting, loaded.scene, style);
+    features::LightingOfScene wanted = features::styled_lighting(loaded.own_lighting, loaded.scene, style);
     loaded.styled_by = {style.lights, style.objects};
     if (wanted == loaded.styled_lighting) {
         return false;
     }
-    const bool stands_otherwise = !same_links(wanted, loaded.styled_lighting);
-    const bool is_brightness_alone = same_but_for_brightness(wanted, loaded.styled_lighting);
-    set_lighting(loaded.scene, wanted);
+    const bool stands_otherwise = !features::same_links(wanted, loaded.styled_lighting);
+    const bool is_brightness_alone = features::same_but_for_brightness(wanted, loaded.styled_lighting);
+    features::set_lighting(loaded.scene, wanted);
     loaded.styled_lighting = std::move(wanted);
     if (stands_otherwise) {
         lay_out(device, loaded);

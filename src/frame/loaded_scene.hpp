@@ -10,14 +10,15 @@
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 
-#include "frame/house_light.hpp"
-#include "frame/light_links.hpp"
-#include "frame/lightmaps.hpp"
-#include "frame/line_meshes.hpp"
-#include "frame/moving_cloth.hpp"
-#include "frame/placed_nodes.hpp"
-#include "frame/sun_casters.hpp"
-#include "frame/surface_map.hpp"
+#include "features/cloth/moving_cloth.hpp"
+#include "features/common/placed_nodes.hpp"
+#include "features/common/surface_map.hpp"
+#include "features/lighting/house_light.hpp"
+#include "features/lighting/light_links.hpp"
+#include "features/lighting/lightmaps.hpp"
+#include "features/lines/line_meshes.hpp"
+#include "features/particles/particles.hpp"
+#include "features/shadows/sun_casters.hpp"
 #include "techniques/light/light.hpp"
 #include "techniques/motion_blur/smear.hpp"
 #include "techniques/motion_blur/stretch.hpp"
@@ -30,42 +31,37 @@
 
 namespace estampe::frame {
 
-/// The nodes that give particles, and the style's words that they were found by.
-struct EmittingNodes {
-    std::string patterns;
-    std::vector<size_t> nodes;
-};
-
 /// Everything of one scene that lives on the device, and the scene itself without its pictures.
 struct LoadedScene {
     Scene scene;
-    LightingOfScene own_lighting;           ///< as the file has it
-    LightingOfScene styled_lighting;        ///< as `scene` has it now
-    std::optional<LightingWords> styled_by; ///< what made that of the file's, unless that has changed since
+    features::LightingOfScene own_lighting;    ///< as the file has it
+    features::LightingOfScene styled_lighting; ///< as `scene` has it now
+    std::optional<features::LightingWords>
+        styled_by; ///< what made that of the file's, unless that has changed since
     pose::MeshData layout;
-    uint32_t layout_number = 0;             ///< of how many this is the last
-    std::vector<StillCaster> still_casters; ///< of that
-    Bounds still_room;                      ///< about all of them
+    uint32_t layout_number = 0;                       ///< of how many this is the last
+    std::vector<features::StillCaster> still_casters; ///< of that
+    Bounds still_room;                                ///< about all of them
     pose::MeshBuffers meshes;
     raster::ClusterBoxes cluster_boxes; ///< of these
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
-    std::vector<std::string> notes;     ///< what became of textures
-    std::optional<Lightmap> lightmap;   ///< where one was given
-    std::optional<WornLight> baked;     ///< the same as the meshes wear it
-    std::vector<uint32_t> stroke_kinds; ///< what the strokes of each draw follow, on the device
-    std::optional<pose::PoseData> pose; ///< what the device holds now
-    LineMeshes line_meshes;
-    occlusion::DiscBuffers discs;                ///< made when a style first asks for them
-    occlusion::DiscMapBuffers disc_map;          ///< then, where they are summed in a map
-    std::map<uint32_t, SurfaceMap> surface_maps; ///< that styles ask for, by their side in texels
-    motion_blur::TogetherBuffers together;       ///< then, too
-    motion_blur::SmearSeeds smear_seeds;         ///< and these
-    HouseLight house_light;
+    std::vector<std::string> notes;           ///< what became of textures
+    std::optional<Lightmap> lightmap;         ///< where one was given
+    std::optional<features::WornLight> baked; ///< the same as the meshes wear it
+    std::vector<uint32_t> stroke_kinds;       ///< what the strokes of each draw follow, on the device
+    std::optional<pose::PoseData> pose;       ///< what the device holds now
+    features::LineMeshes line_meshes;
+    occlusion::DiscBuffers discs;                          ///< made when a style first asks for them
+    occlusion::DiscMapBuffers disc_map;                    ///< then, where they are summed in a map
+    std::map<uint32_t, features::SurfaceMap> surface_maps; ///< that styles ask for, by their side in texels
+    motion_blur::TogetherBuffers together;                 ///< then, too
+    motion_blur::SmearSeeds smear_seeds;                   ///< and these
+    features::HouseLight house_light;
     light::KeyLightMemory key_light;
-    EmittingNodes emitting;
-    PlacedNodes placed;                               ///< what a program moves
-    std::unique_ptr<MovingCloth> cloth;               ///< where the scene has any
+    features::EmittingNodes emitting;
+    features::PlacedNodes placed;                     ///< what a program moves
+    std::unique_ptr<features::MovingCloth> cloth;     ///< where the scene has any
     std::unique_ptr<terrain::TerrainBuffers> terrain; ///< where the scene has one
     std::unique_ptr<terrain::TroddenSand> trodden;    ///< then
     bool terrain_moved = false;                       ///< the device has yet to pose its vertices

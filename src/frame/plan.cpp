@@ -18,7 +18,7 @@ PagePlan plan_page(const PlanInputs& in)
     const Scene& scene = in.loaded.scene;
     const bool is_composed = !scene.cameras.empty();
     const bool is_outdoors = is_composed && in.lighting.directional_count > 0 && !scene.lights.empty();
-    const Ground ground = in.style.picture.ground;
+    const features::Ground ground = in.style.picture.ground;
     const sky::SkyMode sky = in.style.sky.mode;
     const haze::HazeMode haze = in.style.haze.mode;
     const bool has_sky = sky == sky::SkyMode::drawn ||
@@ -27,11 +27,11 @@ PagePlan plan_page(const PlanInputs& in)
         haze == haze::HazeMode::drawn || (haze == haze::HazeMode::automatic && scene.terrain.has_value());
     const bool has_background = in.style.paper.transparent != paper::Transparency::background;
     return {.size_px = {in.settings.width, in.settings.height},
-            .pixels_per_mm = pixels_per_mm(in.settings.height, in.style.paper.height_mm),
-            .pixel = pixel_size(in.camera, in.settings.height),
-            .has_ground =
-                !scene.terrain && (ground == Ground::drawn ||
-                                   (ground == Ground::automatic && !is_composed && !in.lighting.indoors)),
+            .pixels_per_mm = features::pixels_per_mm(in.settings.height, in.style.paper.height_mm),
+            .pixel = features::pixel_size(in.camera, in.settings.height),
+            .has_ground = !scene.terrain &&
+                          (ground == features::Ground::drawn ||
+                           (ground == features::Ground::automatic && !is_composed && !in.lighting.indoors)),
             .has_sky = has_sky && (has_background || has_haze),
             .shows_sky = has_sky && has_background,
             .has_haze = has_haze};
@@ -62,36 +62,37 @@ SunPlan plan_sun(const PlanInputs& in, const PagePlan& page)
 {
     const light::Lighting& lighting = in.lighting;
     const pose::MeshData& layout = in.loaded.layout;
-    const SunScene scene{.casters = in.loaded.pose->casters,
-                         .still = in.loaded.still_room,
-                         .floor_m = layout.bounds.min.y,
-                         .anchor = layout.anchor,
-                         .towards_sun = lighting.towards_sun,
-                         .throws_shadow = in.style.light.shadows && lighting.sun_casters != 0 &&
-                                          lighting.directional_count > 0 && lighting.towards_sun.y > -0.999,
-                         .most_bytes = std::min<uint64_t>(in.device.limits().maxStorageBufferRange,
-                                                          4ULL * in.device.limits().maxTexelBufferElements)};
+    const features::SunScene scene{
+        .casters = in.loaded.pose->casters,
+        .still = in.loaded.still_room,
+        .floor_m = layout.bounds.min.y,
+        .anchor = layout.anchor,
+        .towards_sun = lighting.towards_sun,
+        .throws_shadow = in.style.light.shadows && lighting.sun_casters != 0 &&
+                         lighting.directional_count > 0 && lighting.towards_sun.y > -0.999,
+        .most_bytes = std::min<uint64_t>(in.device.limits().maxStorageBufferRange,
+                                         4ULL * in.device.limits().maxTexelBufferElements)};
     return {.towards = glm::vec3(lighting.towards_sun),
             .shines = lighting.directional_count > 0,
             .daylight_rad =
                 in.daylight ? std::optional(static_cast<float>(in.daylight->elevation_rad)) : std::nullopt,
             .casters = lighting.sun_casters,
-            .map = plan_sun_map(scene, in.camera, page.size_px, page.pixel, in.style),
-            .ground =
-                in.loaded.terrain == nullptr
-                    ? GroundShadowPlan{}
-                    : plan_ground_shadow({.camera = in.camera,
-                                          .anchor = layout.anchor,
-                                          .towards_sun = lighting.towards_sun,
-                                          .is_thrown = scene.throws_shadow,
-                                          .page_height_px = page.size_px.y,
-                                          .is_processor = in.device.info().software,
-                                          .relief_m = std::max(layout.bounds.max.y, scene.casters.max.y) -
-                                                      layout.bounds.min.y},
-                                         in.style.shadow)};
+            .map = features::plan_sun_map(scene, in.camera, page.size_px, page.pixel, in.style),
+            .ground = in.loaded.terrain == nullptr
+                          ? features::GroundShadowPlan{}
+                          : features::plan_ground_shadow(
+                                {.camera = in.camera,
+                                 .anchor = layout.anchor,
+                                 .towards_sun = lighting.towards_sun,
+                                 .is_thrown = scene.throws_shadow,
+                                 .page_height_px = page.size_px.y,
+                                 .is_processor = in.device.info().software,
+                                 .relief_m = std::max(layout.bounds.max.y, scene.casters.max.y) -
+                                             layout.bounds.min.y},
+                                in.style.shadow)};
 }
 
-LightPlan plan_light(const PlanInputs& in, const StrokePlan& strokes)
+LightPlan plan_light(const PlanInputs& in, const features::StrokePlan& strokes)
 {
     const light::Lighting& lighting = in.lighting;
     const uint32_t local_count = static_cast<uint32_t>(lighting.records.size()) - lighting.directional_count;
@@ -101,10 +102,10 @@ LightPlan plan_light(const PlanInputs& in, const StrokePlan& strokes)
             .meters_page = in.style.light.metering == light::Metering::page};
 }
 
-EdgePlan plan_edges(const StyleTables& style, const SunPlan& sun, const StrokePlan& strokes,
-                    float pixels_per_mm)
+EdgePlan plan_edges(const features::StyleTables& style, const SunPlan& sun,
+                    const features::StrokePlan& strokes, float pixels_per_mm)
 {
-    const auto lines = hatched_lines(style.hatch, sun.towards, strokes);
+    const auto lines = features::hatched_lines(style.hatch, sun.towards, strokes);
     return {.look = shadow::edge_look(style.shadow, lines, pixels_per_mm),
             .variant = shadow::shadow_variant(style.shadow, lines)};
 }
@@ -162,7 +163,8 @@ std::optional<sky::CloudPlan> plan_clouds(const PlanInputs& in, const PagePlan& 
 
 /// Runs of solid triangles whose looks are chosen.
 template <typename Chosen>
-std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const LookPlan& looks, const Chosen& chosen)
+std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const features::LookPlan& looks,
+                                   const Chosen& chosen)
 {
     std::vector<raster::Batch> runs;
     for (const pose::Range* range : {&layout.opaque, &layout.masked}) {
@@ -183,14 +185,15 @@ std::vector<raster::Batch> runs_of(const pose::MeshData& layout, const LookPlan&
     return runs;
 }
 
-std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout, const LookPlan& looks,
+std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout, const features::LookPlan& looks,
                                               bool has_ground)
 {
-    if (std::ranges::none_of(looks.styles, [](const StyleTables& style) { return style.subsurface.drawn; })) {
+    if (std::ranges::none_of(looks.styles,
+                             [](const features::StyleTables& style) { return style.subsurface.drawn; })) {
         return std::nullopt;
     }
     SubsurfacePlan plan;
-    for (const StyleTables& style : looks.styles) {
+    for (const features::StyleTables& style : looks.styles) {
         plan.looks.push_back(subsurface::look_of(style.subsurface));
         plan.scatters |= subsurface::scatters(style.subsurface);
     }
@@ -220,7 +223,7 @@ std::optional<uint32_t> scatter_texels(const subsurface::SubsurfaceStyle& style,
     return has_map ? std::optional(style.texels) : std::nullopt;
 }
 
-bool draws_shadow_lines(const contour::ContourStyle& style, const SunMapPlan& map)
+bool draws_shadow_lines(const contour::ContourStyle& style, const features::SunMapPlan& map)
 {
     return style.drawn && style.lines == contour::Lines::chains &&
            contour::has_lines(style, shared::line_shadow) && map.size > 0;
@@ -237,7 +240,8 @@ float widest_half_px(const contour::ContourStyle& style, float pixels_per_mm)
 
 } // namespace
 
-FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px, const StyleTables& style)
+FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px,
+                      const features::StyleTables& style)
 {
     FramePlan shrunk = plan;
     shrunk.page.size_px = size_px;
@@ -251,9 +255,10 @@ FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px
 FramePlan plan_frame(const PlanInputs& in, PlanLists room)
 {
     const PagePlan page = plan_page(in);
-    LookPlan looks = plan_looks(in.loaded.layout, in.loaded.scene, in.style, std::move(room.styles));
-    StrokePlan strokes =
-        plan_strokes(in.loaded.layout, in.loaded.scene.materials, looks, std::move(room.kind_of_draw));
+    features::LookPlan looks =
+        features::plan_looks(in.loaded.layout, in.loaded.scene, in.style, std::move(room.styles));
+    features::StrokePlan strokes = features::plan_strokes(in.loaded.layout, in.loaded.scene.materials, looks,
+                                                          std::move(room.kind_of_draw));
     if (in.loaded.scene.terrain) {
         const float wind_rad = glm::radians(in.loaded.scene.terrain->description().wind.direction_deg);
         strokes.ground_wind = {std::cos(wind_rad), std::sin(wind_rad)};

@@ -8,17 +8,17 @@
 
 #include <estampe/renderer.hpp>
 
-#include "frame/flowing_ink.hpp"
-#include "frame/ground_shadow.hpp"
+#include "features/common/looks.hpp"
+#include "features/common/style_tables.hpp"
+#include "features/common/view.hpp"
+#include "features/hatching/strokes.hpp"
+#include "features/ink/flowing_ink.hpp"
+#include "features/motion/motion.hpp"
+#include "features/shadows/ground_shadow.hpp"
+#include "features/shadows/local_shadows.hpp"
+#include "features/shadows/sun.hpp"
+#include "features/smoke/rising_smoke.hpp"
 #include "frame/loaded_scene.hpp"
-#include "frame/local_shadows.hpp"
-#include "frame/looks.hpp"
-#include "frame/motion.hpp"
-#include "frame/rising_smoke.hpp"
-#include "frame/strokes.hpp"
-#include "frame/style_tables.hpp"
-#include "frame/sun.hpp"
-#include "frame/view.hpp"
 #include "gpu/device.hpp"
 #include "techniques/lens/lens.glsl.h"
 #include "techniques/light/daylight.hpp"
@@ -37,7 +37,7 @@ namespace estampe::frame {
 struct PagePlan {
     glm::uvec2 size_px{0};
     float pixels_per_mm = 1.0F;
-    PixelSize pixel; ///< what one of them spans in the scene
+    features::PixelSize pixel; ///< what one of them spans in the scene
     bool has_ground = false;
     bool has_sky = false;
     bool shows_sky = false; ///< it is painted behind the scene, and not only into its haze
@@ -57,8 +57,8 @@ struct SunPlan {
     bool shines = false;               ///< else there is none
     std::optional<float> daylight_rad; ///< height of a sun that stands by place and hour
     Groups casters = all_groups;       ///< whose shadows it throws
-    SunMapPlan map;
-    GroundShadowPlan ground;
+    features::SunMapPlan map;
+    features::GroundShadowPlan ground;
 };
 
 /// The light but for the sun's place.
@@ -101,7 +101,7 @@ struct FocusPlan {
 
 /// What is exposed for a while.
 struct MotionBlurPlan {
-    MotionPlan motion;
+    features::MotionPlan motion;
     shared::MotionBlurConstants constants;
     shared::SmearConstants smear;
 };
@@ -112,12 +112,12 @@ struct FramePlan {
     PagePlan page;
     RasterPlan raster;
     surface::SceneNeeds needs;
-    LookPlan looks;
-    StrokePlan strokes;
+    features::LookPlan looks;
+    features::StrokePlan strokes;
     SunPlan sun;
     LightPlan light;
     EdgePlan shadow_edges;
-    LocalMapPlan local_shadows;
+    features::LocalMapPlan local_shadows;
     float occlusion_radius_m = 1.0F;
     std::optional<uint32_t> occlusion_texels; ///< side of the map in which it is found
     std::optional<uint32_t> scatter_texels;   ///< of that in which light spreads
@@ -129,12 +129,12 @@ struct FramePlan {
     std::optional<sky::CloudPlan> clouds;
     std::vector<particles::ParticlePlan> particles; ///< one a look of particles, the farthest first
     std::optional<shared::LensConstants> lens;
-    std::optional<MotionPlan> motion;
+    std::optional<features::MotionPlan> motion;
     std::optional<MotionBlurPlan> motion_blur;
-    std::optional<InkPlan> ink;                   ///< that flows
+    std::optional<features::InkPlan> ink;         ///< that flows
     std::optional<std::vector<smoke::Box>> risen; ///< where smoke rose already, for cloth
     std::vector<smoke::Lamp> lamps;               ///< that smoke stands in, where the style has any
-    std::optional<SmokePlan> smoke;
+    std::optional<features::SmokePlan> smoke;
 };
 
 /// What of a picture differs from sample to sample, and from tile to tile. The first one leaves on the device
@@ -147,13 +147,13 @@ struct SamplePlan {
     glm::mat4 clip_from_anchor{1.0F}; ///< shifted within a pixel
     bool pose_moved = true;           ///< the posed vertices are not yet those of this moment
     bool terrain_moved = false;       ///< nor are the ground's
-    SunMapWork sun_map;
+    features::SunMapWork sun_map;
     float line_step_px = 3.0F; ///< between samples of lines, about
 };
 
 /// Lists of a plan that is done with, for the next one to fill.
 struct PlanLists {
-    std::vector<StyleTables> styles;
+    std::vector<features::StyleTables> styles;
     std::vector<uint32_t> kind_of_draw;
 };
 
@@ -164,7 +164,7 @@ struct PlanInputs {
     const std::optional<light::Daylight>& daylight;
     const Camera& camera;
     const RenderSettings& settings;
-    const StyleTables& style;
+    const features::StyleTables& style;
     const gpu::Device& device;
     RasterPath raster_path = RasterPath::compute;   ///< never automatic
     RasterPath wanted_path = RasterPath::automatic; ///< before it was chosen
@@ -174,7 +174,7 @@ struct PlanInputs {
 /// The plan of the same page in pixels `shrink` times as large each way, of which `size_px` hold it: what its
 /// shadows and lights are stays as it was.
 [[nodiscard]] FramePlan shrunk_plan(const FramePlan& plan, uint32_t shrink, glm::uvec2 size_px,
-                                    const StyleTables& style);
+                                    const features::StyleTables& style);
 
 /// Between samples of lines, about, so that they bend as finely on a page that is `shrink` times as large.
 [[nodiscard]] inline float line_step_px(uint32_t shrink)

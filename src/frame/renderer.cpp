@@ -16,9 +16,9 @@
 #include "core/free_memory.hpp"
 #include "core/luminance.hpp"
 #include "core/progress_watch.hpp"
-#include "frame/baked_lights.hpp"
+#include "features/lighting/baked_lights.hpp"
 #include "frame/depth_of_field.hpp"
-#include "frame/mapped_buffer.hpp"
+#include "gpu/mapped_buffer.hpp"
 #include "scene/extent.hpp"
 #include "techniques/contour/chains/chains.hpp"
 #include "techniques/light/daylight.hpp"
@@ -35,9 +35,10 @@ float nearby_m(const pose::MeshData& layout, const glm::dvec3& eye)
     const glm::vec3 eye_rest(eye - layout.rest_anchor);
     const std::span places(layout.stroke_coordinates);
     if (!layout.foreign_vertex) {
-        return unit_m * frame::nearby(places, eye_rest / unit_m);
+        return unit_m * features::nearby(places, eye_rest / unit_m);
     }
-    const float objects_m = unit_m * frame::nearby(places.first(*layout.foreign_vertex), eye_rest / unit_m);
+    const float objects_m =
+        unit_m * features::nearby(places.first(*layout.foreign_vertex), eye_rest / unit_m);
     return objects_m > 0.0F ? std::min(objects_m, near_ground_m) : near_ground_m;
 }
 
@@ -99,7 +100,7 @@ void Renderer::set_brightness(std::span<const LightBrightness> lights)
         throw Error("there is no scene whose lights could burn otherwise", "set_brightness",
                     "call set_scene first");
     }
-    frame::brighten(impl_->loaded->own_lighting, lights);
+    features::brighten(impl_->loaded->own_lighting, lights);
     impl_->loaded->styled_by.reset();
 }
 
@@ -130,11 +131,11 @@ void Renderer::Impl::update_pose(const ScenePose& scene_pose)
     loaded->pose_moved = true;
 }
 
-frame::SunCasters Renderer::Impl::sun_casters(const frame::FramePlan& plan) const
+features::SunCasters Renderer::Impl::sun_casters(const frame::FramePlan& plan) const
 {
     // The device's own rasteriser gives depths other bits in another picture: a film that is taken up again
     // would not be the same to the byte.
-    const frame::CasterKinds kinds = frame::caster_kinds(loaded->layout);
+    const features::CasterKinds kinds = features::caster_kinds(loaded->layout);
     const bool by_compute = plan.raster.paths.maps == RasterPath::compute;
     return {.layout = loaded->layout_number,
             .groups = plan.sun.casters,
@@ -153,7 +154,7 @@ void Renderer::Impl::posed()
 namespace {
 
 /// The map of that side, where there is one.
-frame::SurfaceMap* map_of(frame::LoadedScene& loaded, std::optional<uint32_t> size)
+features::SurfaceMap* map_of(frame::LoadedScene& loaded, std::optional<uint32_t> size)
 {
     return size ? &loaded.surface_maps.at(*size) : nullptr;
 }
@@ -170,29 +171,29 @@ shared::FrameGlobals map_globals(const shared::FrameGlobals& globals, uint32_t s
 
 } // namespace
 
-void Renderer::Impl::draw_frame(const Camera& camera, const frame::StyleTables& style,
+void Renderer::Impl::draw_frame(const Camera& camera, const features::StyleTables& style,
                                 const frame::FramePlan& plan, const FrameJob& job)
 {
     frame::forget_other_poses(*loaded);
     const paper::Accumulation& accumulation = job.accumulation;
-    const shared::FrameGlobals globals = frame::frame_globals(
+    const shared::FrameGlobals globals = features::frame_globals(
         camera, loaded->layout.bounds, loaded->layout.anchor,
         {.size_px = plan.page_px,
          .tile = job.tile,
          .survey = job.survey,
-         .jitter_px = frame::jitter(accumulation.sample_index, accumulation.sample_count),
+         .jitter_px = features::jitter(accumulation.sample_index, accumulation.sample_count),
          .page_height_mm = style.paper.height_mm,
          .nearby_m = nearby_m(loaded->layout, camera.eye)});
-    frame::refill(device, "frame", std::span(&globals, 1), frame_globals);
+    gpu::refill(device, "frame", std::span(&globals, 1), frame_globals);
     const shared::FrameGlobals of_map = map_globals(globals, plan.scatter_texels.value_or(1));
-    frame::refill(device, "frame of the map", std::span(&of_map, 1), map_frame_globals);
-    const shared::FrameGlobals of_half = frame::every_second(globals);
-    frame::refill(device, "frame of the half page", std::span(&of_half, 1), half_frame_globals);
+    gpu::refill(device, "frame of the map", std::span(&of_map, 1), map_frame_globals);
+    const shared::FrameGlobals of_half = features::every_second(globals);
+    gpu::refill(device, "frame of the half page", std::span(&of_half, 1), half_frame_globals);
     const frame::SamplePlan sample{.accumulation = accumulation,
                                    .is_first = job.is_first,
                                    .size_px = globals.size_px,
                                    .from_px = glm::vec2(globals.tile_from_px),
-                                   .clip_from_anchor = frame::drawn_clip(globals),
+                                   .clip_from_anchor = features::drawn_clip(globals),
                                    .pose_moved = loaded->pose_moved,
                                    .terrain_moved = loaded->terrain_moved,
                                    .sun_map = sun_map.provide(device, plan.sun.map, sun_casters(plan)),
@@ -303,11 +304,11 @@ double window_share(const paper::PaperStyle& style, const RenderSettings& settin
 Camera page_camera(const Camera& camera, const paper::PaperStyle& style, const RenderSettings& settings)
 {
     check_camera(camera);
-    return frame::seen_within(camera, window_share(style, settings));
+    return features::seen_within(camera, window_share(style, settings));
 }
 
 light::Lighting Renderer::Impl::gather_lights(const Camera& camera, const ScenePose& scene_pose,
-                                              const frame::StyleTables& tables)
+                                              const features::StyleTables& tables)
 {
     // What lines will want is found in the meantime.
     const std::future<void> edges = loaded->line_meshes.find_edges(loaded->layout, tables.contour);
@@ -316,7 +317,7 @@ light::Lighting Renderer::Impl::gather_lights(const Camera& camera, const SceneP
         loaded->house_light.outlook(loaded->scene, tables.light, camera.eye), &loaded->key_light);
 }
 
-frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::StyleTables& tables,
+frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::StyleTables& tables,
                                          const RenderSettings& settings)
 {
     if (!loaded) {
@@ -362,16 +363,16 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
         light::set_daylight(lighting, *daylight, tables.light);
     }
     if (tables.smoke.drawn && tables.smoke.glow > 0.0F) {
-        frame::add_fires(lighting,
-                         frame::smoke_boxes(loaded->scene, scene_pose, layout.anchor, tables.smoke.objects,
-                                            std::bit_floor(tables.smoke.cells)),
-                         tables.smoke, settings.time_s);
+        features::add_fires(lighting,
+                            features::smoke_boxes(loaded->scene, scene_pose, layout.anchor,
+                                                  tables.smoke.objects, std::bit_floor(tables.smoke.cells)),
+                            tables.smoke, settings.time_s);
     }
-    const float lightmap_scale = frame::make_room(lighting, loaded->baked, tables.lightmap);
+    const float lightmap_scale = features::make_room(lighting, loaded->baked, tables.lightmap);
     if (loaded->terrain && !loaded->terrain->problem().empty()) {
         notes.push_back(fmt::format("the ground is drawn slowly: {}", loaded->terrain->problem()));
     }
-    std::ranges::copy(frame::idle_overrides(loaded->scene, tables), std::back_inserter(notes));
+    std::ranges::copy(features::idle_overrides(loaded->scene, tables), std::back_inserter(notes));
     if (lighting.indoors) {
         notes.emplace_back("the scene has no light and the sun does not reach it: a lamp hangs in the room");
     }
@@ -389,9 +390,12 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     page_path = plan.raster.paths.page;
     plan.light.lightmap_scale = lightmap_scale;
     plan.risen = risen;
-    plan.particles = frame::provide_particles(
+    plan.particles = features::provide_particles(
         device, executor, particles,
-        {.loaded = *loaded,
+        {.scene = loaded->scene,
+         .layout = loaded->layout,
+         .emitting = loaded->emitting,
+         .are_nodes_placed = !loaded->placed.empty(),
          .pose = scene_pose,
          .pose_at = [&](double time_s) { return frame::pose_at(*loaded, time_s, settings.animation); },
          .camera = camera,
@@ -413,7 +417,7 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     plan.local_shadows = provide_local_shadows(plan.page, lighting, camera, tables);
     provide_lighting(plan, lighting, tables);
     if (tables.smoke.drawn) {
-        plan.lamps = frame::smoke_lamps(lighting, plan.sun.map.size > 0);
+        plan.lamps = features::smoke_lamps(lighting, plan.sun.map.size > 0);
         plan.light.ambient = luminance(lighting.ambient);
     }
     plan.light.adapt_stops = exposure.prepare(device, tables.light, settings.time_s);
@@ -421,23 +425,28 @@ frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const frame::Styl
     return plan;
 }
 
-frame::FlowingInkInputs Renderer::Impl::ink_inputs(const Camera& camera, const frame::StyleTables& tables,
-                                                   const RenderSettings& settings)
+features::FlowingInkInputs Renderer::Impl::ink_inputs(const Camera& camera,
+                                                      const features::StyleTables& tables,
+                                                      const RenderSettings& settings)
 {
-    return {.loaded = *loaded,
-            .pose = pose_at(settings),
+    const ScenePose& pose = pose_at(settings);
+    return {.scene = loaded->scene,
+            .layout = loaded->layout,
+            .pose = pose,
             .camera = camera,
             .settings = settings,
             .style = tables,
-            .nearby_m = tables.ink.drawn ? nearby_m(loaded->layout, camera.eye) : 0.0F};
+            .nearby_m = tables.ink.drawn ? nearby_m(loaded->layout, camera.eye) : 0.0F,
+            .pose_moved = loaded->pose_moved};
 }
 
-std::optional<frame::SmokePlan> Renderer::Impl::plan_smoke(const frame::FramePlan& plan,
-                                                           const frame::StyleTables& tables,
-                                                           const RenderSettings& settings)
+std::optional<features::SmokePlan> Renderer::Impl::plan_smoke(const frame::FramePlan& plan,
+                                                              const features::StyleTables& tables,
+                                                              const RenderSettings& settings)
 {
     return rising_smoke.provide(device, executor,
-                                {.loaded = *loaded,
+                                {.scene = loaded->scene,
+                                 .layout = loaded->layout,
                                  .pose = pose_at(settings),
                                  .settings = settings,
                                  .style = tables,
@@ -451,7 +460,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
                                    frame::DeepPage* deep, const std::function<void()>& after_sample,
                                    const VulkanPicture* target)
 {
-    const frame::StyleTables& tables = style.tables();
+    const features::StyleTables& tables = style.tables();
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     RenderSettings page_settings = settings;
     for (std::optional<Moment>* const moment : {&page_settings.motion_since, &page_settings.exposure_end}) {
@@ -487,7 +496,7 @@ Image Renderer::Impl::draw_picture(const Camera& camera, const Style& style, con
         }
     }
     if (settings.motion_since) {
-        motion = frame::read_motion(motion_pixels, settings);
+        motion = features::read_motion(motion_pixels, settings);
     }
     plan_lists = {std::move(plan.looks.styles), std::move(plan.strokes.kind_of_draw)};
     if (target != nullptr) {
@@ -541,7 +550,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
                                      HiddenLines hidden)
 {
     Impl& impl = *impl_;
-    const frame::StyleTables& tables = style.tables();
+    const features::StyleTables& tables = style.tables();
     frame::check_size(impl.device, settings);
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     frame::FramePlan plan = impl.prepare(seen_by, tables, settings);
@@ -563,7 +572,7 @@ VectorDrawing Renderer::draw_strokes(const Camera& camera, const Style& style, c
     if (!plan.particles.empty()) {
         impl.notes.emplace_back("a drawing of strokes has no particles");
     }
-    if (!frame::is_drawn_by_pen(tables.contour)) {
+    if (!features::is_drawn_by_pen(tables.contour)) {
         impl.notes.emplace_back("a drawing of strokes has lines of the pen in place of other brushes");
     }
     frame::StrokeLists lists(impl.device);

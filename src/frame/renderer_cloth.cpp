@@ -12,7 +12,7 @@
 namespace estampe {
 
 std::optional<std::vector<smoke::Box>> Renderer::Impl::blow_cloth(const ScenePose& pose,
-                                                                  const frame::StyleTables& style,
+                                                                  const features::StyleTables& style,
                                                                   const RenderSettings& settings)
 {
     if (!loaded->cloth) {
@@ -24,9 +24,14 @@ std::optional<std::vector<smoke::Box>> Renderer::Impl::blow_cloth(const ScenePos
         return std::nullopt;
     }
     const std::vector<smoke::Lamp> none;
-    auto boxes = rising_smoke.rise(
-        device, executor,
-        {.loaded = *loaded, .pose = pose, .settings = settings, .style = style, .lamps = none}, notes);
+    auto boxes = rising_smoke.rise(device, executor,
+                                   {.scene = loaded->scene,
+                                    .layout = loaded->layout,
+                                    .pose = pose,
+                                    .settings = settings,
+                                    .style = style,
+                                    .lamps = none},
+                                   notes);
     if (boxes.empty()) {
         notes.emplace_back("wind.from is smoke, of which there is none");
     }
@@ -44,7 +49,7 @@ std::optional<std::vector<smoke::Box>> Renderer::Impl::blow_cloth(const ScenePos
     return boxes;
 }
 
-bool Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::StyleTables& style)
+bool Renderer::Impl::update_cloth(const RenderSettings& settings, const features::StyleTables& style)
 {
     last_of_cloth.reset();
     if (!loaded->cloth) {
@@ -63,8 +68,8 @@ bool Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
     if (starts) {
         start_cloth(*run, settings, style);
     }
-    std::vector<frame::ClothSteps> all = steps_between(run->from_s, run->snapshot_s.value_or(run->from_s));
-    std::vector<frame::ClothSteps> rest = steps_between(run->snapshot_s.value_or(run->from_s), run->to_s);
+    std::vector<features::ClothSteps> all = steps_between(run->from_s, run->snapshot_s.value_or(run->from_s));
+    std::vector<features::ClothSteps> rest = steps_between(run->snapshot_s.value_or(run->from_s), run->to_s);
     const bool ends_in_snapshot = run->snapshot_s && rest.empty();
     if (!rest.empty()) {
         rest.front().takes_snapshot = run->snapshot_s.has_value();
@@ -77,7 +82,7 @@ bool Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
         last_of_cloth = all.back();
         all.pop_back();
     }
-    for (const frame::ClothSteps& steps : all) {
+    for (const features::ClothSteps& steps : all) {
         step_cloth(steps, settings, style);
     }
     if (ends_in_snapshot) {
@@ -93,7 +98,7 @@ bool Renderer::Impl::update_cloth(const RenderSettings& settings, const frame::S
 }
 
 void Renderer::Impl::place_cloth(const ScenePose& pose, const RenderSettings& settings,
-                                 const frame::StyleTables& style)
+                                 const features::StyleTables& style)
 {
     if (last_of_cloth) {
         loaded->cloth->place_solids(device, loaded->scene,
@@ -122,7 +127,7 @@ void Renderer::Impl::tear_cloth()
 }
 
 gpu::BufferId Renderer::Impl::pose_for_cloth(gpu::Graph& graph, double time_s, Index animation,
-                                             const frame::StyleTables& style)
+                                             const features::StyleTables& style)
 {
     const ScenePose pose = frame::pose_at(*loaded, std::max(time_s, 0.0), animation);
     update_pose(pose);
@@ -132,8 +137,8 @@ gpu::BufferId Renderer::Impl::pose_for_cloth(gpu::Graph& graph, double time_s, I
     return add_moved(graph);
 }
 
-void Renderer::Impl::start_cloth(const frame::ClothRun& run, const RenderSettings& settings,
-                                 const frame::StyleTables& style)
+void Renderer::Impl::start_cloth(const features::ClothRun& run, const RenderSettings& settings,
+                                 const features::StyleTables& style)
 {
     cloth::Cloths& sheets = loaded->cloth->sheets();
     gpu::Graph graph;
@@ -152,8 +157,8 @@ void Renderer::Impl::start_cloth(const frame::ClothRun& run, const RenderSetting
     pose::keep_posed(loaded->meshes);
 }
 
-void Renderer::Impl::step_cloth(const frame::ClothSteps& steps, const RenderSettings& settings,
-                                const frame::StyleTables& style)
+void Renderer::Impl::step_cloth(const features::ClothSteps& steps, const RenderSettings& settings,
+                                const features::StyleTables& style)
 {
     gpu::Graph graph;
     const gpu::BufferId posed = pose_for_cloth(graph, steps.to_s, settings.animation, style);

@@ -35,7 +35,7 @@ struct InkHead {
     double half_height_m = -1.0; ///< negative: in perspective
 };
 
-InkHead ink_head(const frame::FlowingInk& ink)
+InkHead ink_head(const features::FlowingInk& ink)
 {
     const auto kept = ink.memory().kept();
     if (!kept) {
@@ -184,19 +184,20 @@ std::vector<std::byte> Renderer::film_memory() const
     if (!impl.is_of_film) {
         return {};
     }
-    const std::vector<frame::KeptSmoke> smoke = impl.rising_smoke.kept(impl.device, impl.executor);
+    const std::vector<features::KeptSmoke> smoke = impl.rising_smoke.kept(impl.device, impl.executor);
     Head head{.size_px = impl.line_history.size_px(),
               .clip_from_anchor = impl.line_history.clip_from_anchor_before(),
               .has_exposure = impl.exposure.time_s() ? uint64_t{1} : 0,
               .exposure_time_s = impl.exposure.time_s().value_or(0.0),
               .ink = ink_head(impl.flowing_ink),
               .smoke_boxes = smoke.size()};
-    frame::MovingCloth* const cloth = impl.loaded ? impl.loaded->cloth.get() : nullptr;
+    features::MovingCloth* const cloth = impl.loaded ? impl.loaded->cloth.get() : nullptr;
     if (cloth != nullptr && cloth->time_s()) {
         head.has_cloth = 1;
         head.cloth_time_s = *cloth->time_s();
     }
-    const std::optional<frame::KeptWater> water = impl.flowing_ink.water().kept(impl.device, impl.executor);
+    const std::optional<features::KeptWater> water =
+        impl.flowing_ink.water().kept(impl.device, impl.executor);
     if (water) {
         head.has_water = 1;
         head.water_time_s = water->time_s;
@@ -226,7 +227,7 @@ std::vector<std::byte> Renderer::film_memory() const
     }
     Writer writer(head);
     download.append_to(writer, impl.executor);
-    for (const frame::KeptSmoke& box : smoke) {
+    for (const features::KeptSmoke& box : smoke) {
         const SmokeHead of_box{.number = box.number,
                                .cells = box.cells,
                                .cell_m = box.cell_m,
@@ -281,26 +282,26 @@ void Renderer::recall_film(std::span<const std::byte> memory)
         ink = {next_buffer("ink cells", bytes[0]), next_buffer("ink depths", bytes[1]),
                next_buffer("ink sums", bytes[2])};
     }
-    frame::MovingCloth* const cloth = impl.loaded->cloth.get();
+    features::MovingCloth* const cloth = impl.loaded->cloth.get();
     std::vector<gpu::Buffer> sheets;
     if (head.has_cloth != 0 && cloth != nullptr) {
         for (const gpu::Buffer* const buffer : cloth->sheets().state()) {
             sheets.push_back(next_buffer("cloth state", buffer->size_bytes()));
         }
     }
-    std::vector<frame::KeptSmoke> smoke;
+    std::vector<features::KeptSmoke> smoke;
     for (uint64_t i = 0; i < head.smoke_boxes; ++i) {
         SmokeHead of_box;
         std::memcpy(&of_box, reader.take(sizeof of_box).data(), sizeof of_box);
-        frame::KeptSmoke& box = smoke.emplace_back(frame::KeptSmoke{.number = of_box.number,
-                                                                    .cells = of_box.cells,
-                                                                    .cell_m = of_box.cell_m,
-                                                                    .time_s = of_box.time_s,
-                                                                    .behind_s = of_box.behind_s,
-                                                                    .channels = of_box.channels,
-                                                                    .velocity = {},
-                                                                    .quantities = {}});
-        const uint64_t cell_count = frame::kept_cell_count(box);
+        features::KeptSmoke& box = smoke.emplace_back(features::KeptSmoke{.number = of_box.number,
+                                                                          .cells = of_box.cells,
+                                                                          .cell_m = of_box.cell_m,
+                                                                          .time_s = of_box.time_s,
+                                                                          .behind_s = of_box.behind_s,
+                                                                          .channels = of_box.channels,
+                                                                          .velocity = {},
+                                                                          .quantities = {}});
+        const uint64_t cell_count = features::kept_cell_count(box);
         box.velocity = reader.take_floats(3 * cell_count);
         box.quantities = reader.take_floats(box.channels * cell_count);
     }
@@ -308,7 +309,8 @@ void Renderer::recall_film(std::span<const std::byte> memory)
     if (head.water_numbers > most_numbers) {
         throw Error("this is not the memory of a film's frame");
     }
-    frame::KeptWater water{.time_s = head.water_time_s, .velocity = reader.take_floats(head.water_numbers)};
+    features::KeptWater water{.time_s = head.water_time_s,
+                              .velocity = reader.take_floats(head.water_numbers)};
     if (!reader.is_at_end()) {
         throw Error("this is not the memory of a film's frame");
     }

@@ -6,7 +6,7 @@
 
 #include <estampe/error.hpp>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "techniques/motion_blur/motion_blur.hpp"
 
@@ -44,7 +44,7 @@ void Renderer::Impl::pose_before(const ScenePose& scene_pose)
 }
 
 std::optional<double> Renderer::Impl::moment_before(const RenderSettings& settings,
-                                                    const frame::StyleTables& style) const
+                                                    const features::StyleTables& style) const
 {
     if (settings.motion_since) {
         return settings.motion_since->time_s;
@@ -77,7 +77,7 @@ Camera carried_back(const Camera& now, const Camera& before, double share)
 /// To be called when the scene has been posed as it is now.
 std::optional<frame::MotionBlurPlan>
 Renderer::Impl::plan_motion_blur(const Camera& camera, const frame::PagePlan& page_plan, float line_half_px,
-                                 const frame::StyleTables& style, const RenderSettings& settings)
+                                 const features::StyleTables& style, const RenderSettings& settings)
 {
     const std::optional<double> before_s = moment_before(settings, style);
     if (!motion_blur::is_wanted(style.motion_blur) || !before_s) {
@@ -101,12 +101,12 @@ Renderer::Impl::plan_motion_blur(const Camera& camera, const frame::PagePlan& pa
                                                  page_plan.pixels_per_mm)};
 }
 
-frame::MotionPlan Renderer::Impl::motion_between(const Camera& before, const Camera& now,
-                                                 const RenderSettings& settings) const
+features::MotionPlan Renderer::Impl::motion_between(const Camera& before, const Camera& now,
+                                                    const RenderSettings& settings) const
 {
     const auto clip_from_anchor = [&](const Camera& seen_by) {
-        return frame::frame_globals(seen_by, loaded->layout.bounds, loaded->layout.anchor,
-                                    {.size_px = {settings.width, settings.height}})
+        return features::frame_globals(seen_by, loaded->layout.bounds, loaded->layout.anchor,
+                                       {.size_px = {settings.width, settings.height}})
             .clip_from_anchor;
     };
     return {.clip_from_anchor = clip_from_anchor(now),
@@ -114,9 +114,9 @@ frame::MotionPlan Renderer::Impl::motion_between(const Camera& before, const Cam
             .pose_moved = loaded->pose_moved};
 }
 
-frame::MotionPlan Renderer::Impl::plan_motion(const Camera& camera, const RenderSettings& settings)
+features::MotionPlan Renderer::Impl::plan_motion(const Camera& camera, const RenderSettings& settings)
 {
-    frame::provide_motion(device, motion_pixels, settings);
+    features::provide_motion(device, motion_pixels, settings);
     return motion_between(settings.motion_since->camera, camera, settings);
 }
 

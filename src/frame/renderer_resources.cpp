@@ -7,26 +7,26 @@
 
 #include <fmt/format.h>
 
-#include "frame/form_strokes.hpp"
-#include "frame/mapped_buffer.hpp"
+#include "features/hatching/form_strokes.hpp"
+#include "gpu/mapped_buffer.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/light/daylight.hpp"
 
 namespace estampe {
 
-frame::LocalMapPlan Renderer::Impl::provide_local_shadows(const frame::PagePlan& page_plan,
-                                                          light::Lighting& lighting, const Camera& camera,
-                                                          const frame::StyleTables& tables)
+features::LocalMapPlan Renderer::Impl::provide_local_shadows(const frame::PagePlan& page_plan,
+                                                             light::Lighting& lighting, const Camera& camera,
+                                                             const features::StyleTables& tables)
 {
     shadow::ShadowStyle style = tables.shadow;
     style.local_lights = tables.light.shadows ? style.local_lights : 0;
-    const frame::PageView page_view{.eye_anchor = glm::vec3(camera.eye - loaded->layout.anchor),
-                                    .pixel = page_plan.pixel,
-                                    .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
-                                    .longer_side_px = std::max(page_plan.size_px.x, page_plan.size_px.y)};
-    const frame::CasterKinds casters = frame::caster_kinds(loaded->layout);
-    const frame::LocalShadowPlan* plan = &local_shadows.plan(lighting, moved, page_view, style, casters);
+    const features::PageView page_view{.eye_anchor = glm::vec3(camera.eye - loaded->layout.anchor),
+                                       .pixel = page_plan.pixel,
+                                       .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
+                                       .longer_side_px = std::max(page_plan.size_px.x, page_plan.size_px.y)};
+    const features::CasterKinds casters = features::caster_kinds(loaded->layout);
+    const features::LocalShadowPlan* plan = &local_shadows.plan(lighting, moved, page_view, style, casters);
     moved.clear();
     gpu::Buffer& maps = local_shadow_buffers.maps;
     const uint64_t needed_bytes = std::max<uint64_t>(sizeof(uint32_t) * plan->texel_count, 16);
@@ -36,12 +36,12 @@ frame::LocalMapPlan Renderer::Impl::provide_local_shadows(const frame::PagePlan&
         plan = &local_shadows.plan(lighting, {}, page_view, style, casters);
         local_shadow_buffers.layers = {};
     }
-    const frame::LocalShadowPlan& local = *plan;
-    frame::refill(device, "local shadows", local.shadows, local_shadow_buffers.shadows);
-    frame::LocalViewBuffers& views = local_shadow_buffers.views;
-    frame::refill(device, "local views", local.views.whole, views.whole);
-    frame::refill(device, "local views/still", local.views.still, views.still);
-    frame::refill(device, "local views/moving", local.views.moving, views.moving);
+    const features::LocalShadowPlan& local = *plan;
+    gpu::refill(device, "local shadows", local.shadows, local_shadow_buffers.shadows);
+    features::LocalViewBuffers& views = local_shadow_buffers.views;
+    gpu::refill(device, "local views", local.views.whole, views.whole);
+    gpu::refill(device, "local views/still", local.views.still, views.still);
+    gpu::refill(device, "local views/moving", local.views.moving, views.moving);
     if (!local.views.still.empty() && local_shadow_buffers.layers.empty()) {
         local_shadow_buffers.layers =
             gpu::Buffer(device, "local shadow layers", maps.size_bytes(), gpu::MemoryUse::device);
@@ -56,7 +56,7 @@ frame::LocalMapPlan Renderer::Impl::provide_local_shadows(const frame::PagePlan&
             .views = local.views};
 }
 
-void Renderer::Impl::provide_strokes(const frame::StrokePlan& strokes)
+void Renderer::Impl::provide_strokes(const features::StrokePlan& strokes)
 {
     if (loaded->stroke_kinds == strokes.kind_of_draw) {
         return;
@@ -64,7 +64,7 @@ void Renderer::Impl::provide_strokes(const frame::StrokePlan& strokes)
     stroke_kinds = gpu::upload_buffer(device, "stroke kinds", strokes.kind_of_draw);
     form_coordinates = gpu::upload_buffer(device, "form coordinates",
                                           strokes.has(shared::strokes_form)
-                                              ? frame::form_coordinates(loaded->layout, strokes)
+                                              ? features::form_coordinates(loaded->layout, strokes)
                                               : std::vector<glm::vec2>());
     loaded->stroke_kinds = strokes.kind_of_draw;
 }
@@ -73,10 +73,10 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
 {
     tonal_maps.provide(device, plan.looks.styles);
     if (!plan.focus.lines.empty()) {
-        frame::refill(device, "focus lines", plan.focus.lines, focus_lines);
+        gpu::refill(device, "focus lines", plan.focus.lines, focus_lines);
     }
     if (plan.clouds) {
-        frame::refill_clouds(device, *plan.clouds, clouds);
+        features::refill_clouds(device, *plan.clouds, clouds);
     }
     if (const occlusion::OcclusionStyle& style = plan.looks.styles.front().occlusion;
         style.drawn && occlusion::has_discs(style.method) && loaded->discs.empty()) {
@@ -93,11 +93,11 @@ void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
         loaded->smear_seeds = frame::smear_seeds_of(device, loaded->layout);
     }
     if (plan.subsurface) {
-        frame::refill(device, "subsurface looks", plan.subsurface->looks, subsurface_looks);
+        gpu::refill(device, "subsurface looks", plan.subsurface->looks, subsurface_looks);
     }
     if (plan.looks.has_several()) {
         const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
-        frame::refill(device, "looks", looks, look_of_draw);
+        gpu::refill(device, "looks", looks, look_of_draw);
     }
 }
 
@@ -110,7 +110,8 @@ void Renderer::Impl::provide_surface_maps(const frame::FramePlan& plan)
     for (const std::optional<uint32_t>& size : wanted) {
         if (size && !loaded->surface_maps.contains(*size)) {
             loaded->surface_maps.emplace(
-                *size, frame::upload_surface_map(device, frame::make_surface_map(loaded->layout, *size)));
+                *size,
+                features::upload_surface_map(device, features::make_surface_map(loaded->layout, *size)));
         }
         if (size && loaded->surface_maps.at(*size).cut_draws > 0) {
             const std::string note = fmt::format("{} of the scene's objects have no coordinates of their own "
@@ -127,22 +128,22 @@ void Renderer::Impl::provide_surface_maps(const frame::FramePlan& plan)
     }
 }
 
-void Renderer::Impl::provide_pixel_sizes(const frame::FramePlan& plan, const frame::StyleTables& tables)
+void Renderer::Impl::provide_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables)
 {
-    frame::refill(device, "edges", std::span(&plan.shadow_edges.look, 1), edge_look);
-    const shared::SunShadow sun = frame::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
-    frame::refill(device, "sun", std::span(&sun, 1), sun_shadow);
+    gpu::refill(device, "edges", std::span(&plan.shadow_edges.look, 1), edge_look);
+    const shared::SunShadow sun = features::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
+    gpu::refill(device, "sun", std::span(&sun, 1), sun_shadow);
     if (plan.looks.has_several()) {
         std::vector<shared::LineLook> lines;
-        for (const frame::StyleTables& style : plan.looks.styles) {
+        for (const features::StyleTables& style : plan.looks.styles) {
             lines.push_back(contour::line_look(style.contour, plan.page.pixels_per_mm));
         }
-        frame::refill(device, "line looks", lines, line_looks);
+        gpu::refill(device, "line looks", lines, line_looks);
     }
 }
 
 void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
-                                      const frame::StyleTables& tables)
+                                      const features::StyleTables& tables)
 {
     const pose::MeshData& layout = loaded->layout;
     const light::Paling paling =
@@ -155,9 +156,9 @@ void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light:
                                        .falloff = tables.light.falloff,
                                        .paling = paling.share_per_m,
                                        .paling_at_anchor = paling.share_at_anchor};
-    frame::refill(device, "lighting", std::span(&globals, 1), light_globals);
+    gpu::refill(device, "lighting", std::span(&globals, 1), light_globals);
     provide_pixel_sizes(plan, tables);
-    frame::refill(device, "lights", lighting.records, lights);
+    gpu::refill(device, "lights", lighting.records, lights);
 }
 
 } // namespace estampe

@@ -67,7 +67,7 @@ void Renderer::Impl::follow_eye(const Camera& camera)
 }
 
 void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& settings,
-                                    const frame::StyleTables& style)
+                                    const features::StyleTables& style)
 {
     if (!loaded->terrain) {
         return;

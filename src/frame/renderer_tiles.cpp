@@ -63,10 +63,9 @@ bool Renderer::Impl::is_tiled(const RenderSettings& settings) const
     return is_alone && (is_wanted || !fits);
 }
 
-std::vector<contour::StrungLines> Renderer::Impl::survey_page(const Camera& camera,
-                                                              const frame::StyleTables& style,
-                                                              const frame::FramePlan& plan,
-                                                              const frame::Survey& survey, uint32_t samples)
+std::vector<contour::StrungLines>
+Renderer::Impl::survey_page(const Camera& camera, const features::StyleTables& style,
+                            const frame::FramePlan& plan, const features::Survey& survey, uint32_t samples)
 {
     const bool has_chains = loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines) != nullptr;
     const uint32_t survey_count = has_chains ? samples : plan.light.meters_page ? 1 : 0;
@@ -88,8 +87,8 @@ std::vector<contour::StrungLines> Renderer::Impl::survey_page(const Camera& came
     return lines;
 }
 
-frame::InkPlan Renderer::Impl::let_ink_flow(const Camera& camera, const frame::StyleTables& tables,
-                                            const RenderSettings& settings)
+features::InkPlan Renderer::Impl::let_ink_flow(const Camera& camera, const features::StyleTables& tables,
+                                               const RenderSettings& settings)
 {
     frame::FramePlan plan = prepare(camera, tables, settings);
     plan.ink = flowing_ink.provide(device, executor, ink_inputs(camera, tables, settings), notes);
@@ -103,12 +102,12 @@ frame::InkPlan Renderer::Impl::let_ink_flow(const Camera& camera, const frame::S
 void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const RenderSettings& settings,
                                 const BandSink& sink)
 {
-    const frame::StyleTables& tables = style.tables();
+    const features::StyleTables& tables = style.tables();
     const Camera seen_by = page_camera(camera, tables.paper, settings);
     const frame::PageLimits limits = frame::page_limits(device);
-    const frame::Survey survey =
+    const features::Survey survey =
         frame::survey_of({settings.width, settings.height}, limits.side_px, survey_pixels(device, limits));
-    std::optional<frame::InkPlan> flowed;
+    std::optional<features::InkPlan> flowed;
     std::vector<std::string> notes_of_ink;
     if (tables.ink.drawn) {
         RenderSettings surveyed = settings;
@@ -128,7 +127,7 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
         plan.motion_blur.reset();
     }
     uint32_t overlap = 0;
-    for (const frame::StyleTables& look : plan.looks.styles) {
+    for (const features::StyleTables& look : plan.looks.styles) {
         overlap = std::max(overlap, frame::overlap_px(look, plan.page.pixels_per_mm));
     }
     const uint32_t tile_px = settings.tile_px > 0 ? std::min(settings.tile_px, limits.side_px)

@@ -27,7 +27,7 @@ struct Making {
     FrameResources& resources;
     const FramePlan& plan;
     const SamplePlan& sample;
-    const StyleTables& style;
+    const features::StyleTables& style;
 };
 
 /// The camera, and the scene as it stands at this moment.

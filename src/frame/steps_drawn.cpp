@@ -16,7 +16,7 @@ const std::vector<wash::LookWash>& wash_looks(const Making& making)
 {
     std::vector<wash::LookWash>& looks = making.resources.frame_lists.wash_looks;
     looks.clear();
-    for (const StyleTables& style : making.plan.looks.styles) {
+    for (const features::StyleTables& style : making.plan.looks.styles) {
         looks.push_back({.style = style.wash, .tone = light::tone_constants(style.tone)});
     }
     return looks;
@@ -33,7 +33,7 @@ gpu::ImageId stroke_footprint(const Making& making, const surface::Surface& surf
 }
 
 gpu::ImageId motion_of(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
-                       const MotionPlan& moved)
+                       const features::MotionPlan& moved)
 {
     // A scene that stands as it stood has one set of vertices.
     const bool has_moved = moved.pose_moved || making.resources.terrain != nullptr;
@@ -63,7 +63,7 @@ gpu::ImageId stretched_motion_of(const Making& making, const PosedScene& scene, 
     PosedScene drawn_out = scene;
     drawn_out.meshes.posed_vertices = stretched.vertices;
     drawn_out.vertices_before = stretched.before;
-    MotionPlan moved = plan.motion;
+    features::MotionPlan moved = plan.motion;
     moved.pose_moved = true;
     return motion_of(making, drawn_out, add_visibility(making, drawn_out, "motion blur/visibility"), moved);
 }
@@ -90,7 +90,7 @@ const std::vector<hatch::LookHatch>& hatch_looks(const Making& making)
 {
     std::vector<hatch::LookHatch>& looks = making.resources.frame_lists.hatch_looks;
     looks.clear();
-    for (const StyleTables& style : making.plan.looks.styles) {
+    for (const features::StyleTables& style : making.plan.looks.styles) {
         hatch::MapImages* const map = making.resources.maps.of_look(looks.size());
         looks.push_back(
             {.style = style.hatch,
@@ -230,7 +230,7 @@ haze::HazeLayers add_particles(const Making& making, const PosedScene& scene, co
         return gpu::import_whole(making.graph, name, buffer);
     };
     for (size_t i = 0; i < making.plan.particles.size(); ++i) {
-        ParticleBuffers& buffers = making.resources.particles[i];
+        features::ParticleBuffers& buffers = making.resources.particles[i];
         shared::ParticleConstants constants = making.plan.particles[i].constants;
         if (making.plan.page.has_haze) {
             constants.haze_start_m = making.style.haze.start_m;
@@ -374,7 +374,7 @@ Colors add_colors(const Making& making, const PosedScene& scene, const surface::
                                 making.style.sky);
     std::optional<gpu::ImageId> cover;
     if (plan.clouds) {
-        CloudBuffers& buffers = making.resources.clouds;
+        features::CloudBuffers& buffers = making.resources.clouds;
         const auto import = [&](const char* name, gpu::Buffer& buffer) {
             return gpu::import_whole(making.graph, name, buffer);
         };
@@ -464,7 +464,7 @@ std::optional<gpu::ImageId> add_flowing_ink(const Making& making, const PosedSce
     if (!making.plan.ink) {
         return std::nullopt;
     }
-    const InkPlan& plan = *making.plan.ink;
+    const features::InkPlan& plan = *making.plan.ink;
     gpu::Graph& graph = making.graph;
     ink::Memory& memory = making.resources.ink;
     const auto add_flow = [&] {

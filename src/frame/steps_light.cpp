@@ -17,45 +17,46 @@ gpu::BufferId sun_map_of(const Making& making, const PosedScene& scene)
     const FramePlan& plan = making.plan;
     // The ground receives but does not throw.
     std::vector<raster::Batch>& casters = making.resources.frame_lists.casters;
-    list_casters(making.layout, plan.sun.casters, plan.sun.map.clipmap ? Casters::moving : Casters::all,
-                 casters);
-    const SunMapWork& work = making.sample.sun_map;
+    features::list_casters(making.layout, plan.sun.casters,
+                           plan.sun.map.clipmap ? features::Casters::moving : features::Casters::all,
+                           casters);
+    const features::SunMapWork& work = making.sample.sun_map;
     const auto import = [&](bool is_there, const char* name, gpu::Buffer& buffer) {
         return is_there ? std::optional(gpu::import_whole(making.graph, name, buffer)) : std::nullopt;
     };
-    const SunMaps maps{
+    const features::SunMaps maps{
         .map = gpu::import_whole(making.graph, "shadow", making.resources.shadow_map),
         .still = import(work.has_still, "shadow of what stands", making.resources.still_shadow_map),
         .views = import(!work.views.empty(), "sun views", making.resources.sun_views),
         .pictures = import(work.has_still, "shadow of what moves", making.resources.sun_pictures),
         .tiles = import(work.has_still, "tiles that change", making.resources.sun_tiles)};
-    return add_sun_map(making.graph,
-                       {.raster = scene.meshes,
-                        .casters = casters,
-                        .still = making.resources.still_casters,
-                        .groups = plan.sun.casters,
-                        .anchor = making.layout.anchor,
-                        .plan = plan.sun.map,
-                        .work = work,
-                        .path = plan.raster.paths.maps,
-                        .tuning = plan.raster.tuning,
-                        .vertex_count = making.resources.meshes.vertex_count,
-                        .triangle_count = static_cast<uint32_t>(making.layout.triangles.size())},
-                       maps);
+    return features::add_sun_map(making.graph,
+                                 {.raster = scene.meshes,
+                                  .casters = casters,
+                                  .still = making.resources.still_casters,
+                                  .groups = plan.sun.casters,
+                                  .anchor = making.layout.anchor,
+                                  .plan = plan.sun.map,
+                                  .work = work,
+                                  .path = plan.raster.paths.maps,
+                                  .tuning = plan.raster.tuning,
+                                  .vertex_count = making.resources.meshes.vertex_count,
+                                  .triangle_count = static_cast<uint32_t>(making.layout.triangles.size())},
+                                 maps);
 }
 
 gpu::BufferId local_maps_of(const Making& making, const PosedScene& scene)
 {
     const FramePlan& plan = making.plan;
-    const LocalMapViews none;
-    return add_local_maps(making.graph,
-                          {.raster = scene.meshes,
-                           .layout = making.layout,
-                           .views = making.sample.is_first ? plan.local_shadows.views : none,
-                           .cluster_bounds = scene.cluster_bounds,
-                           .path = plan.raster.paths.maps,
-                           .tuning = plan.raster.tuning},
-                          making.resources.local_shadows);
+    const features::LocalMapViews none;
+    return features::add_local_maps(making.graph,
+                                    {.raster = scene.meshes,
+                                     .layout = making.layout,
+                                     .views = making.sample.is_first ? plan.local_shadows.views : none,
+                                     .cluster_bounds = scene.cluster_bounds,
+                                     .path = plan.raster.paths.maps,
+                                     .tuning = plan.raster.tuning},
+                                    making.resources.local_shadows);
 }
 
 std::optional<gpu::ImageId> add_ground_shadow(const Making& making, const PosedScene& scene,
@@ -90,7 +91,7 @@ std::optional<gpu::ImageId> add_sun_share(const Making& making, const PosedScene
     }
     const float of_clouds = making.style.clouds.shadow;
     if (plan.clouds && plan.clouds->globals.puff_layer_count > 0 && of_clouds > 0.0F) {
-        CloudBuffers& buffers = making.resources.clouds;
+        features::CloudBuffers& buffers = making.resources.clouds;
         share = sky::add_cloud_shadow(graph,
                                       {.frame = scene.frame,
                                        .globals = gpu::import_whole(graph, "clouds", buffers.globals),
@@ -163,7 +164,7 @@ namespace {
 occlusion::OpenPage add_disc_map_occlusion(const Making& making, const PosedScene& scene,
                                            gpu::BufferId visibility, const occlusion::DiscSettings& settings)
 {
-    SurfaceMap& map = *making.resources.occlusion_map;
+    features::SurfaceMap& map = *making.resources.occlusion_map;
     const gpu::BufferId found = occlusion::add_disc_map(
         making.graph, making.resources.discs, making.resources.disc_map,
         {.map_texels = gpu::import_whole(making.graph, "texels of surfaces", map.texels),
@@ -219,7 +220,7 @@ gpu::ImageId spread_in_map(const Making& making, const PosedScene& scene, gpu::B
                            light::LightInputs to_light, gpu::ImageId light)
 {
     gpu::Graph& graph = making.graph;
-    SurfaceMap& map = *making.resources.scatter_map;
+    features::SurfaceMap& map = *making.resources.scatter_map;
     float most_m = 0.0F;
     for (const shared::SubsurfaceLook& look : making.plan.subsurface->looks) {
         most_m = std::max({most_m, look.scatter_m.x, look.scatter_m.y, look.scatter_m.z});

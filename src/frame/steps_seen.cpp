@@ -152,22 +152,22 @@ surface::Surface add_surface(const Making& making, const PosedScene& scene, gpu:
 
 void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
 {
-    const std::optional<MotionPlan>& motion = making.plan.motion;
+    const std::optional<features::MotionPlan>& motion = making.plan.motion;
     if (!motion || !making.sample.is_first) {
         return;
     }
     const bool has_moved = motion->pose_moved || making.resources.terrain != nullptr;
     const auto vertices_before = has_moved ? scene.vertices_before : scene.meshes.posed_vertices;
-    declare_motion(making.graph,
-                   {.frame = scene.frame,
-                    .visibility = visibility,
-                    .triangles = scene.meshes.triangles,
-                    .posed_vertices = scene.meshes.posed_vertices,
-                    .posed_vertices_before = vertices_before,
-                    .clip_from_anchor = motion->clip_from_anchor,
-                    .clip_from_anchor_before = motion->clip_from_anchor_before,
-                    .size_px = making.sample.size_px},
-                   making.resources.motion);
+    features::declare_motion(making.graph,
+                             {.frame = scene.frame,
+                              .visibility = visibility,
+                              .triangles = scene.meshes.triangles,
+                              .posed_vertices = scene.meshes.posed_vertices,
+                              .posed_vertices_before = vertices_before,
+                              .clip_from_anchor = motion->clip_from_anchor,
+                              .clip_from_anchor_before = motion->clip_from_anchor_before,
+                              .size_px = making.sample.size_px},
+                             making.resources.motion);
 }
 
 screen::ScreenInputs screen_inputs(const Making& making, const PosedScene& scene, gpu::BufferId visibility,

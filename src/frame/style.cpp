@@ -7,7 +7,7 @@
 
 #include <estampe/error.hpp>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "style/color.hpp"
 #include "style/presets.hpp"
 #include "techniques/light/daylight.hpp"
@@ -17,10 +17,10 @@ namespace estampe {
 namespace {
 
 /// Nothing for a key that is none.
-std::optional<style::Value> value_of(const frame::StyleTables& tables, std::string_view key)
+std::optional<style::Value> value_of(const features::StyleTables& tables, std::string_view key)
 {
-    frame::StyleTables copy = tables;
-    const style::Sheet sheet = frame::sheet_of(copy);
+    features::StyleTables copy = tables;
+    const style::Sheet sheet = features::sheet_of(copy);
     for (const style::Sheet::Section& section : sheet.sections()) {
         for (const style::Parameter& parameter : section.parameters) {
             if (key == section.name + "." + parameter.key) {
@@ -33,11 +33,11 @@ std::optional<style::Value> value_of(const frame::StyleTables& tables, std::stri
 
 } // namespace
 
-Style::Style() : tables_(std::make_unique<frame::StyleTables>()) {}
+Style::Style() : tables_(std::make_unique<features::StyleTables>()) {}
 
 Style::~Style() = default;
 
-Style::Style(const Style& other) : tables_(std::make_unique<frame::StyleTables>(*other.tables_)) {}
+Style::Style(const Style& other) : tables_(std::make_unique<features::StyleTables>(*other.tables_)) {}
 
 Style::Style(Style&&) noexcept = default;
 
@@ -52,13 +52,13 @@ Style& Style::operator=(Style&&) noexcept = default;
 Style Style::load(const std::string& file_or_preset)
 {
     Style style;
-    frame::sheet_of(*style.tables_).read(file_or_preset);
+    features::sheet_of(*style.tables_).read(file_or_preset);
     return style;
 }
 
 void Style::set(std::string_view assignment)
 {
-    frame::sheet_of(*tables_).set(assignment);
+    features::sheet_of(*tables_).set(assignment);
 }
 
 double Style::number(std::string_view key) const
@@ -96,17 +96,18 @@ std::string Style::text(std::string_view key) const
 
 std::string Style::to_toml() const
 {
-    frame::StyleTables copy = *tables_;
-    return frame::sheet_of(copy).to_toml();
+    features::StyleTables copy = *tables_;
+    return features::sheet_of(copy).to_toml();
 }
 
 SunBearing Style::sun_bearing() const
 {
     const light::LightStyle& light = tables_->light;
     const bool throws = light.shadows;
-    const frame::Ground ground = tables_->picture.ground;
-    const std::optional<bool> on_blank_ground =
-        ground == frame::Ground::automatic ? std::nullopt : std::optional(ground == frame::Ground::drawn);
+    const features::Ground ground = tables_->picture.ground;
+    const std::optional<bool> on_blank_ground = ground == features::Ground::automatic
+                                                    ? std::nullopt
+                                                    : std::optional(ground == features::Ground::drawn);
     if (const auto daylight = light::daylight_of(tables_->sun)) {
         const glm::dvec3& towards = daylight->towards_sun;
         return {.azimuth_deg = glm::degrees(std::atan2(towards.x, towards.z)),
@@ -135,14 +136,14 @@ double Style::window_aspect(uint32_t width, uint32_t height) const
 
 std::string Style::help()
 {
-    frame::StyleTables defaults;
-    return frame::sheet_of(defaults).help();
+    features::StyleTables defaults;
+    return features::sheet_of(defaults).help();
 }
 
 std::string Style::json_schema()
 {
-    frame::StyleTables defaults;
-    return frame::sheet_of(defaults).json_schema();
+    features::StyleTables defaults;
+    return features::sheet_of(defaults).json_schema();
 }
 
 std::string Style::about(const std::string& preset)

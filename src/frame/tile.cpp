@@ -4,11 +4,9 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <estampe/error.hpp>
 
-#include "frame/style_tables.hpp"
 #include "techniques/lens/lens.hpp"
 #include "techniques/occlusion/occlusion.hpp"
 #include "techniques/smoke/smoke.hpp"
@@ -18,11 +16,11 @@ namespace estampe::frame {
 
 Tile whole_page(glm::uvec2 page_px)
 {
-    const PixelRect all{.size_px = page_px};
+    const features::PixelRect all{.size_px = page_px};
     return {all, all};
 }
 
-uint32_t overlap_px(const StyleTables& style, float pixels_per_mm)
+uint32_t overlap_px(const features::StyleTables& style, float pixels_per_mm)
 {
     // A pixel's own neighbours: the slope of a surface, an edge found between two.
     constexpr uint32_t neighbours_px = 4;
@@ -59,7 +57,7 @@ std::vector<Tile> tiles_of(glm::uvec2 page_px, uint32_t most_px, uint32_t overla
     return tiles;
 }
 
-Survey survey_of(glm::uvec2 page_px, uint32_t most_px, uint64_t most_pixels)
+features::Survey survey_of(glm::uvec2 page_px, uint32_t most_px, uint64_t most_pixels)
 {
     const auto size_at = [&](uint32_t shrink) { return (page_px + (shrink - 1)) / shrink; };
     const auto is_small = [&](glm::uvec2 size) {
@@ -70,15 +68,6 @@ Survey survey_of(glm::uvec2 page_px, uint32_t most_px, uint64_t most_pixels)
         ++shrink;
     }
     return {.part = {.size_px = shrink * size_at(shrink)}, .shrink = shrink};
-}
-
-glm::dmat4 crop_of(const PixelRect& part, glm::uvec2 page_px)
-{
-    const glm::dvec2 scale = glm::dvec2(page_px) / glm::dvec2(part.size_px);
-    const glm::dvec2 middle_px = glm::dvec2(part.from_px) + 0.5 * glm::dvec2(part.size_px);
-    const glm::dvec2 middle = 2.0 * middle_px / glm::dvec2(page_px) - 1.0;
-    const glm::dmat4 scaled = glm::scale(glm::dmat4(1.0), glm::dvec3(scale, 1.0));
-    return glm::translate(scaled, glm::dvec3(-middle, 0.0));
 }
 
 } // namespace estampe::frame

@@ -12,9 +12,9 @@
 
 #include <estampe/error.hpp>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
+#include "features/common/view.hpp"
 #include "frame/tile.hpp"
-#include "frame/view.hpp"
 #include "scene/shapes.hpp"
 #include "support/gpu_device.hpp"
 #include "support/image_compare.hpp"
@@ -57,7 +57,7 @@ Style style_of(const std::string& preset, const std::vector<std::string>& assign
 /// The side of tiles of which four by four make a page.
 uint32_t four_by_four(const Style& style, const RenderSettings& settings)
 {
-    const float pixels_per_mm = frame::pixels_per_mm(settings.height, style.tables().paper.height_mm);
+    const float pixels_per_mm = features::pixels_per_mm(settings.height, style.tables().paper.height_mm);
     const uint32_t overlap = frame::overlap_px(style.tables(), pixels_per_mm);
     return (std::max(settings.width, settings.height) + 3) / 4 + 2 * overlap;
 }

@@ -9,7 +9,7 @@
 
 #include <estampe/error.hpp>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 
 namespace estampe::frame {
 namespace {
@@ -86,7 +86,7 @@ TEST(Tiles, ASurveyIsAsFineAsItMayBeAndHoldsThePage)
 
 TEST(Tiles, OverlapAsFarAsInkRuns)
 {
-    StyleTables style;
+    features::StyleTables style;
     style.contour.drawn = false;
     const uint32_t least = overlap_px(style, 10.0F);
     EXPECT_LT(least, 8U);

@@ -2,7 +2,7 @@
 // The public door to tonal art maps.
 #include <estampe/tonal_art_map.hpp>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "techniques/tam/folder.hpp"
 #include "techniques/tam/maker.hpp"
 #include "techniques/tam/preview.hpp"

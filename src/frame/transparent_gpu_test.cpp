@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 #include "output/layer_files.hpp"
 #include "output/one_layer.hpp"
 #include "scene/shapes.hpp"

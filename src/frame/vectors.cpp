@@ -11,8 +11,8 @@
 #include <estampe/error.hpp>
 #include <fmt/format.h>
 
-#include "frame/page_clip.hpp"
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
+#include "features/lines/page_clip.hpp"
 #include "gpu/read_back.hpp"
 #include "style/color.hpp"
 #include "techniques/contour/chains/chains.hpp"
@@ -46,7 +46,7 @@ StrokeKind kind_of_line(uint32_t kind)
 /// Gathers strokes, and numbers objects and inks as they occur.
 class Gathering {
 public:
-    Gathering(const DrawnScene& drawn, const StyleTables& style)
+    Gathering(const DrawnScene& drawn, const features::StyleTables& style)
         : drawn_(drawn), mm_per_px_(style.paper.height_mm / static_cast<float>(drawn.size_px.y))
     {
         drawing_.height_mm = style.paper.height_mm;
@@ -160,7 +160,7 @@ private:
 
     void add_parts(const VectorStroke& stroke)
     {
-        const std::vector<VectorStroke> parts = clipped(stroke, window_);
+        const std::vector<VectorStroke> parts = features::clipped(stroke, window_);
         drawing_.strokes.insert(drawing_.strokes.end(), parts.begin(), parts.end());
     }
 
@@ -199,7 +199,7 @@ private:
 };
 
 void add_hatching(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn,
-                  const StyleTables& style)
+                  const features::StyleTables& style)
 {
     const uint32_t count = gpu::items_of<uint32_t>(lists.crossings).front();
     const auto crossings = gpu::items_of<shared::Crossing>(lists.crossings, sizeof(uint32_t));
@@ -227,7 +227,7 @@ contour::LineWidths hidden_widths_px(const contour::ContourStyle& contour, float
 }
 
 /// Of a line, by LinePoint::ink.
-glm::vec3 ink_of(uint32_t number, const Scene& scene, const LookPlan& looks)
+glm::vec3 ink_of(uint32_t number, const Scene& scene, const features::LookPlan& looks)
 {
     if ((number & shared::ink_of_look) != 0) {
         return looks.styles.at(number & ~shared::ink_of_look).contour.ink;
@@ -236,11 +236,11 @@ glm::vec3 ink_of(uint32_t number, const Scene& scene, const LookPlan& looks)
                                                              : looks.lines.ink;
 }
 
-void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn, const LookPlan& looks,
-               bool with_hidden_lines)
+void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene& drawn,
+               const features::LookPlan& looks, bool with_hidden_lines)
 {
     const contour::ContourStyle& contour = looks.lines;
-    const float px_per_mm = pixels_per_mm(drawn.size_px.y, looks.styles.front().paper.height_mm);
+    const float px_per_mm = features::pixels_per_mm(drawn.size_px.y, looks.styles.front().paper.height_mm);
     bool with_hidden = with_hidden_lines || contour.hidden != contour::Hidden::none;
     std::vector<contour::LinePath> paths;
     for (const gpu::Buffer& line_points : lists.line_points) {
@@ -272,9 +272,9 @@ void add_lines(Gathering& gathering, const StrokeLists& lists, const DrawnScene&
 
 } // namespace
 
-void check_has_paths(const LookPlan& looks)
+void check_has_paths(const features::LookPlan& looks)
 {
-    const auto is_no_line = [](const StyleTables& style) {
+    const auto is_no_line = [](const features::StyleTables& style) {
         return style.hatch.drawn && style.hatch.strokes != hatch::Strokes::lines;
     };
     if (std::ranges::any_of(looks.styles, is_no_line)) {
@@ -288,13 +288,15 @@ void check_has_paths(const LookPlan& looks)
 }
 
 void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const LineStrokes& lines,
-                          const LookPlan& looks, const std::optional<StrokeHaze>& haze, StrokeLists& lists)
+                          const features::LookPlan& looks, const std::optional<StrokeHaze>& haze,
+                          StrokeLists& lists)
 {
     gpu::Device& device = lists.device;
     if (haze) {
         read_back(graph, device, haze::add_ink_left(graph, haze->inputs, haze->style), lists.ink_left);
     }
-    if (std::ranges::any_of(looks.styles, [](const StyleTables& style) { return style.hatch.drawn; })) {
+    if (std::ranges::any_of(looks.styles,
+                            [](const features::StyleTables& style) { return style.hatch.drawn; })) {
         read_back(graph, device,
                   hatch::add_trace(graph, hatch.inputs, hatch.looks, device.limits().maxStorageBufferRange),
                   lists.crossings);
@@ -317,7 +319,7 @@ void declare_stroke_lists(gpu::Graph& graph, const HatchStrokes& hatch, const Li
 VectorDrawing drawing_of(const StrokeLists& lists, const DrawnScene& drawn, const FramePlan& plan,
                          bool with_hidden_lines)
 {
-    const StyleTables& style = plan.looks.styles.front();
+    const features::StyleTables& style = plan.looks.styles.front();
     Gathering gathering(drawn, style);
     const auto ink_left =
         lists.ink_left.empty() ? std::span<const glm::vec2>() : gpu::items_of<glm::vec2>(lists.ink_left);

@@ -10,7 +10,7 @@
 #include <estampe/error.hpp>
 #include <estampe/style.hpp>
 
-#include "frame/style_tables.hpp"
+#include "features/common/style_tables.hpp"
 
 namespace {
 
@@ -24,12 +24,12 @@ estampe::style::Source resolve_presets(const std::string& name, const std::strin
 }
 
 /// What is left after a text or an assignment must be a style that reads back.
-void expect_whole(estampe::frame::StyleTables& tables)
+void expect_whole(estampe::features::StyleTables& tables)
 {
-    const std::string text = estampe::frame::sheet_of(tables).to_toml();
-    estampe::frame::StyleTables again;
-    estampe::frame::sheet_of(again).read_toml_text(text, "again", resolve_presets);
-    if (estampe::frame::sheet_of(again).to_toml() != text) {
+    const std::string text = estampe::features::sheet_of(tables).to_toml();
+    estampe::features::StyleTables again;
+    estampe::features::sheet_of(again).read_toml_text(text, "again", resolve_presets);
+    if (estampe::features::sheet_of(again).to_toml() != text) {
         std::abort();
     }
 }
@@ -39,16 +39,16 @@ void expect_whole(estampe::frame::StyleTables& tables)
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    estampe::frame::StyleTables tables;
+    estampe::features::StyleTables tables;
     try {
         if (text.starts_with('!')) { // lines for --set
             for (size_t at = 1; at < text.size();) {
                 const size_t end = std::min(text.size(), text.find('\n', at));
-                estampe::frame::sheet_of(tables).set(text.substr(at, end - at));
+                estampe::features::sheet_of(tables).set(text.substr(at, end - at));
                 at = end + 1;
             }
         } else {
-            estampe::frame::sheet_of(tables).read_toml_text(text, "fuzz.toml", resolve_presets);
+            estampe::features::sheet_of(tables).read_toml_text(text, "fuzz.toml", resolve_presets);
         }
     } catch (const estampe::Error&) {
     }

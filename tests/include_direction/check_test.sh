@@ -5,7 +5,7 @@ set -euo pipefail
 check="$(cd "$(dirname "$0")" && pwd)/check"
 tree="$(mktemp -d)"
 trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree"/src/{core,scene,style,gpu,frame,techniques/hatch,techniques/light,techniques/shadow} \
+mkdir -p "$tree"/src/{core,scene,style,gpu,frame,features/common,features/smoke,features/ink,techniques/hatch,techniques/light,techniques/shadow} \
     "$tree"/{app,bench,examples,tests/support,worlds/hill}
 
 # write FILE INCLUDE: one file with one include
@@ -13,6 +13,9 @@ write() { printf '#include "%s"\n' "$2" >"$tree/$1"; }
 
 write app/main.cpp frame/frame.hpp
 write src/frame/frame.cpp techniques/hatch/hatch.hpp
+write src/frame/plan.cpp features/smoke/smoke.hpp
+write src/features/smoke/smoke.cpp features/common/view.hpp
+write src/features/ink/ink.cpp techniques/hatch/hatch.hpp
 write src/techniques/hatch/hatch.cpp gpu/device.hpp
 write src/techniques/hatch/own.cpp techniques/hatch/hatch.hpp
 write src/techniques/hatch/public.cpp estampe/scene.hpp
@@ -44,6 +47,10 @@ expect_refused src/techniques/light/bad.cpp techniques/shadow/map.glsl.h
 expect_refused src/techniques/light/bad.comp techniques/shadow/map.hpp
 expect_refused src/techniques/shadow/bad.glsl techniques/light/light.glsl.h
 expect_refused src/techniques/light/bad.cpp frame/frame.hpp
+expect_refused src/features/smoke/bad.cpp features/ink/ink.hpp
+expect_refused src/features/common/bad.cpp features/ink/ink.hpp
+expect_refused src/features/smoke/bad.cpp frame/frame.hpp
+expect_refused src/techniques/hatch/bad.cpp features/common/view.hpp
 expect_refused src/frame/bad.cpp app/text.hpp
 expect_refused src/frame/bad.cpp bench/speed.hpp
 expect_refused src/frame/bad.cpp support/drawing.hpp

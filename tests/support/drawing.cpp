@@ -5,9 +5,9 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "frame/strokes.hpp"
-#include "frame/sun.hpp"
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
+#include "features/hatching/strokes.hpp"
+#include "features/shadows/sun.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
@@ -49,14 +49,14 @@ surface::TexturePlan planned(const Scene& scene)
 Drawing::Drawing(const Scene& scene, const Camera& camera, glm::uvec2 size, double time_s)
     : size_px(size), layout(pose::build_meshes(scene, static_cast<Index>(scene.materials.size()))),
       pose(pose::pose_meshes(layout, scene, pose_scene(scene, time_s))),
-      globals(frame::frame_globals(camera, layout.bounds, layout.anchor, {.size_px = size})),
-      pixel_(frame::pixel_size(camera, size.y)), meshes_(pose::upload_meshes(shared_device(), layout)),
+      globals(features::frame_globals(camera, layout.bounds, layout.anchor, {.size_px = size})),
+      pixel_(features::pixel_size(camera, size.y)), meshes_(pose::upload_meshes(shared_device(), layout)),
       materials_(surface::upload_materials(shared_device(), scene, planned(scene))),
       needs_(surface::scene_needs(scene, planned(scene))),
       frame_(gpu::upload_buffer(shared_device(), "frame", std::vector{globals}))
 {
     (void)pose::upload_pose(shared_device(), meshes_, layout, pose);
-    const frame::StrokePlan strokes = frame::plan_strokes(layout, scene.materials, {.styles = {{}}});
+    const features::StrokePlan strokes = features::plan_strokes(layout, scene.materials, {.styles = {{}}});
     strokes_present_ = strokes.present;
     stroke_kinds_ = gpu::upload_buffer(shared_device(), "stroke kinds", strokes.kind_of_draw);
     form_coordinates_ = gpu::Buffer(shared_device(), "form coordinates", 0, gpu::MemoryUse::device);
@@ -175,7 +175,7 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, Light
     const gpu::BufferId local_maps = add_local_maps(graph, stage, setup);
     const glm::dvec3 towards_sun =
         setup.directional_count > 0 ? glm::dvec3(setup.records.front().direction) : glm::dvec3(0, 1, 0);
-    const frame::SunMapPlan plan = sun_plan(towards_sun, setup);
+    const features::SunMapPlan plan = sun_plan(towards_sun, setup);
     const shared::LightGlobals lighting{.sky_ambient = setup.ambient,
                                         .ground_ambient = setup.ambient,
                                         .directional_count = setup.directional_count,
@@ -184,7 +184,7 @@ light::LitPixels Drawing::add_light(gpu::Graph& graph, const Stage& stage, Light
                                         .falloff = setup.falloff};
     light_globals_ = gpu::upload_buffer(shared_device(), "lighting", std::vector{lighting});
     sun_shadow_ = gpu::upload_buffer(shared_device(), "sun",
-                                     std::vector{frame::sun_globals(plan, pixel_, setup.shadow)});
+                                     std::vector{features::sun_globals(plan, pixel_, setup.shadow)});
     edge_look_ = gpu::upload_buffer(shared_device(), "edges",
                                     std::vector{shadow::edge_look(setup.shadow, setup.lines, 1.0F)});
     lights_ = gpu::upload_buffer(shared_device(), "lights", setup.records);

@@ -9,8 +9,8 @@
 
 #include <estampe/scene.hpp>
 
+#include "features/shadows/sun.hpp"
 #include "frame/frame.hpp"
-#include "frame/sun.hpp"
 #include "gpu/graph/graph.hpp"
 #include "shaders/frame.glsl.h"
 #include "techniques/contour/chains/chains.hpp"
@@ -61,7 +61,7 @@ struct LightSetup {
     std::optional<shadow::HatchedLines> lines; ///< what teeth follow
     std::optional<shadow::Clipmap> clipmap;    ///< about the eye, in place of a single map
     bool is_warped = false;                    ///< a single map in perspective
-    frame::SunMap* sun_memory = nullptr;       ///< keeps the map from picture to picture
+    features::SunMap* sun_memory = nullptr;    ///< keeps the map from picture to picture
 };
 
 /// Lines strung as chains, as contour/chains/chains.glsl.h has them.
@@ -140,9 +140,9 @@ private:
     Stage add_surface(gpu::Graph& graph);
     screen::Screen add_screen(gpu::Graph& graph);
     contour::ContourInputs contour_inputs(gpu::Graph& graph, const Stage& stage);
-    frame::SunMapPlan sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const;
+    features::SunMapPlan sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const;
     gpu::BufferId add_sun_map(gpu::Graph& graph, const Stage& stage, const LightSetup& setup,
-                              const frame::SunMapPlan& plan);
+                              const features::SunMapPlan& plan);
     light::LitPixels add_light(gpu::Graph& graph, const Stage& stage, LightSetup setup);
     /// Fills in the records' shadows and draws their maps.
     gpu::BufferId add_local_maps(gpu::Graph& graph, const Stage& stage, LightSetup& setup);
@@ -152,7 +152,7 @@ private:
     std::vector<raster::Batch> caster_batches(const LightSetup& setup) const;
     raster::View raster_view() const;
 
-    frame::PixelSize pixel_;
+    features::PixelSize pixel_;
     pose::MeshBuffers meshes_;
     surface::MaterialBuffers materials_;
     surface::SceneNeeds needs_;
@@ -162,7 +162,7 @@ private:
     uint32_t strokes_present_ = 0;
     gpu::Buffer light_globals_;
     gpu::Buffer lights_;
-    frame::SunMap sun_map_;
+    features::SunMap sun_map_;
     uint32_t lamps_variant_ = 0;
     gpu::Buffer local_shadows_;
     gpu::Buffer local_maps_;

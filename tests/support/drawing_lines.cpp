@@ -3,8 +3,8 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "frame/line_brushes.hpp"
-#include "frame/line_meshes.hpp"
+#include "features/lines/line_brushes.hpp"
+#include "features/lines/line_meshes.hpp"
 #include "gpu/imports.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
@@ -40,8 +40,8 @@ std::vector<float> Drawing::lines(const contour::ContourStyle& style, float pixe
     const Stage stage = add_surface(graph);
     contour::ContourInputs inputs = contour_inputs(graph, stage);
     inputs.pixels_per_mm = pixels_per_mm;
-    frame::LineMeshes meshes;
-    frame::LineBrushes brushes;
+    features::LineMeshes meshes;
+    features::LineBrushes brushes;
     inputs.brushes = brushes.provide(shared_device(), style);
     inputs.is_moving = true;
     contour::LineMesh* mesh = meshes.provide(shared_device(), layout, style);
@@ -63,7 +63,7 @@ void Drawing::begin_film_frame(contour::LineHistory& history, bool continues, bo
 ChainLists Drawing::chains(const contour::ContourStyle& style, contour::LineClass wanted)
 {
     ChainLists lists;
-    frame::LineMeshes meshes;
+    features::LineMeshes meshes;
     contour::LineMesh* mesh = meshes.provide(shared_device(), layout, style);
     const bool along_edges = style.silhouettes == contour::Silhouettes::edges;
     gpu::Graph graph;

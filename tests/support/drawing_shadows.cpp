@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "frame/local_shadows.hpp"
-#include "frame/sun.hpp"
+#include "features/shadows/local_shadows.hpp"
+#include "features/shadows/sun.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/drawing.hpp"
@@ -11,10 +11,10 @@
 
 namespace estampe::test {
 
-frame::SunMapPlan Drawing::sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const
+features::SunMapPlan Drawing::sun_plan(const glm::dvec3& towards_sun, const LightSetup& setup) const
 {
-    frame::SunMapPlan plan{.size = setup.shadow_size,
-                           .view = sun(towards_sun, std::max(setup.shadow_size, 4U))};
+    features::SunMapPlan plan{.size = setup.shadow_size,
+                              .view = sun(towards_sun, std::max(setup.shadow_size, 4U))};
     if (setup.is_warped) {
         plan.view = warped_sun(towards_sun, setup.shadow_size);
         plan.variant |= shared::light_has_sun_warp;
@@ -39,22 +39,22 @@ shadow::SunView Drawing::warped_sun(const glm::dvec3& towards_sun, uint32_t shad
 }
 
 gpu::BufferId Drawing::add_sun_map(gpu::Graph& graph, const Stage& stage, const LightSetup& setup,
-                                   const frame::SunMapPlan& plan)
+                                   const features::SunMapPlan& plan)
 {
     sun_map_ = {};
-    frame::SunMap& memory = setup.sun_memory != nullptr ? *setup.sun_memory : sun_map_;
-    const frame::SunMapWork work = memory.provide(shared_device(), plan, {});
+    features::SunMap& memory = setup.sun_memory != nullptr ? *setup.sun_memory : sun_map_;
+    const features::SunMapWork work = memory.provide(shared_device(), plan, {});
     const gpu::BufferId map = gpu::import_whole(graph, "shadow", memory.buffer());
     memory.drawn(plan);
-    return frame::add_sun_map(graph,
-                              {.raster = raster_inputs(graph, stage.posed),
-                               .casters = caster_batches(setup),
-                               .plan = plan,
-                               .work = work,
-                               .path = path,
-                               .tuning = tuning,
-                               .vertex_count = meshes_.vertex_count},
-                              {.map = map});
+    return features::add_sun_map(graph,
+                                 {.raster = raster_inputs(graph, stage.posed),
+                                  .casters = caster_batches(setup),
+                                  .plan = plan,
+                                  .work = work,
+                                  .path = path,
+                                  .tuning = tuning,
+                                  .vertex_count = meshes_.vertex_count},
+                                 {.map = map});
 }
 
 std::vector<uint32_t> Drawing::sun_piece(const shadow::Clipmap& clipmap, const shadow::Piece& piece)
@@ -80,11 +80,11 @@ gpu::BufferId Drawing::add_local_maps(gpu::Graph& graph, const Stage& stage, Lig
     std::vector<shared::RasterView> views;
     uint32_t texel_count = 0;
     for (size_t i = setup.directional_count; i < setup.records.size() && setup.local_shadow_size > 0; ++i) {
-        const shadow::LocalLight local = frame::local_light(setup.records[i]);
+        const shadow::LocalLight local = features::local_light(setup.records[i]);
         shadows.push_back(shadow::local_shadow(local, setup.local_shadow_size, texel_count,
-                                               frame::radius_of(setup.records[i], setup.shadow)));
+                                               features::radius_of(setup.records[i], setup.shadow)));
         setup.records[i].shadow = static_cast<uint32_t>(shadows.size());
-        frame::add_views(views, local, shadows.back());
+        features::add_views(views, local, shadows.back());
         texel_count = static_cast<uint32_t>(views.size()) * setup.local_shadow_size * setup.local_shadow_size;
     }
     raster::place_views(views);

@@ -2,7 +2,7 @@
 // How dark strokes have to be, from surfaces and light that the tests paint themselves.
 #include <gtest/gtest.h>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
@@ -18,7 +18,7 @@ constexpr float dark_open = 102.0F / 255.0F; // what occlusion lets by on the le
 /// Darkness of a white wall in a light of 0.8 whose left half is occluded.
 std::vector<float> darkness_of(const shared::ToneConstants& tone)
 {
-    const auto globals = frame::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = size_px});
+    const auto globals = features::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = size_px});
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
     auto draw = test::Layer::words(size_px, [](glm::uvec2) { return 1U; });
     auto depth = test::Layer::depth(size_px, [](glm::uvec2) { return 0.01F; });

@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/mesh.glsl.h"
@@ -25,7 +25,7 @@ constexpr float pixels_per_mm = 4.0F;
 std::vector<float> ink_of(const hatch::HatchStyle& style, const test::Painter<float>& dark,
                           const glm::vec2& object_px)
 {
-    shared::FrameGlobals globals = frame::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = size_px});
+    shared::FrameGlobals globals = features::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = size_px});
     globals.clip_from_anchor = glm::mat4(1.0F);
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
     const glm::vec2 ndc = 2.0F * object_px / glm::vec2(size_px) - 1.0F;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "frame/tonal_maps.hpp"
+#include "features/hatching/tonal_maps.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/hatch/hatch_test_canvas.hpp"
 
@@ -40,9 +40,9 @@ TEST_P(HatchMap, InkIsTheDarknessAtEveryDistanceAndTilt)
     style.map_texel_mm = 1.0F;
     style.black_above = 2.0F;
     style.map_contrast = GetParam() == hatch::MapTone::blend ? 2.0F : 12.0F;
-    hatch::MapImages map =
-        hatch::upload_map(test::shared_device(), frame::load_map(frame::map_choice(frame::StyleTables())),
-                          style.map_tone, style.map_contrast);
+    hatch::MapImages map = hatch::upload_map(
+        test::shared_device(), features::load_map(features::map_choice(features::StyleTables())),
+        style.map_tone, style.map_contrast);
     Canvas canvas(size_px, shared::strokes_uv);
     canvas.paint_darkness([](glm::uvec2 pixel) { return static_cast<float>(darkness_of(tone_at(pixel))); });
     double worst = 0.0;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "frame/tonal_maps.hpp"
+#include "features/hatching/tonal_maps.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/hatch/hatch_test_canvas.hpp"
 
@@ -94,9 +94,9 @@ protected:
 
     Motion of_map(const hatch::HatchStyle& style)
     {
-        const frame::StyleTables tables;
+        const features::StyleTables tables;
         hatch::MapImages map =
-            hatch::upload_map(test::shared_device(), frame::load_map(frame::map_choice(tables)),
+            hatch::upload_map(test::shared_device(), features::load_map(features::map_choice(tables)),
                               style.map_tone, style.map_contrast);
         return measure([&](double unit_per_px) {
             canvas_.paint_surface(same_points(unit_per_px));

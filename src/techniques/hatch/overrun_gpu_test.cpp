@@ -2,7 +2,7 @@
 // Strokes run over the edge of what they are drawn on, by lines and by maps alike.
 #include <gtest/gtest.h>
 
-#include "frame/tonal_maps.hpp"
+#include "features/hatching/tonal_maps.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/hatch/hatch_test_canvas.hpp"
 
@@ -35,9 +35,9 @@ TEST_P(HatchOverrun, StrokesGoOnBeyondTheEdgeAndEnd)
 {
     std::optional<hatch::MapImages> images;
     if (GetParam() == hatch::Strokes::map) {
-        images =
-            hatch::upload_map(test::shared_device(), frame::load_map(frame::map_choice(frame::StyleTables())),
-                              hatch::MapTone::order, 1.0F);
+        images = hatch::upload_map(test::shared_device(),
+                                   features::load_map(features::map_choice(features::StyleTables())),
+                                   hatch::MapTone::order, 1.0F);
     }
     hatch::MapImages* map = images ? &*images : nullptr;
     const std::vector<float> cut = ink(true, 0.0F, map);

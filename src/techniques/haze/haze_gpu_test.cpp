@@ -11,7 +11,7 @@
 #include <estampe/renderer.hpp>
 #include <estampe/terrain.hpp>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "scene/shapes.hpp"
@@ -49,7 +49,7 @@ Faded fade(const Painted& page, const HazeStyle& style, float line_half_px = 1.0
     auto sky = test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(sky_color, 1.0F); });
     auto frame = gpu::upload_buffer(
         test::shared_device(), "frame",
-        std::vector{frame::frame_globals(camera, {}, camera.eye - 1.0, {.size_px = size_px})});
+        std::vector{features::frame_globals(camera, {}, camera.eye - 1.0, {.size_px = size_px})});
     Faded faded;
     for (int wanted = 0; wanted < 4; ++wanted) {
         auto wash = test::Layer::color(size_px, [](glm::uvec2) { return glm::vec4(sand, 1.0F); });
@@ -82,7 +82,7 @@ Faded fade(const Painted& page, const HazeStyle& style, float line_half_px = 1.0
 /// How far off is what has that depth at a pixel.
 double away_m(glm::uvec2 pixel, double depth)
 {
-    const auto globals = frame::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
+    const auto globals = features::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
     const glm::dvec2 ndc = 2.0 * (glm::dvec2(pixel) + 0.5) / glm::dvec2(size_px) - 1.0;
     const glm::dvec4 p = glm::inverse(glm::dmat4(globals.clip_from_anchor)) * glm::dvec4(ndc, depth, 1.0);
     return glm::length(glm::dvec3(p) / p.w);

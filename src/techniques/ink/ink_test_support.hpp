@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
@@ -57,8 +57,8 @@ public:
         Bounds bounds;
         bounds.extend(glm::dvec3(-2.0));
         bounds.extend(glm::dvec3(2.0));
-        return frame::frame_globals(camera, bounds, glm::dvec3(0.0),
-                                    {.size_px = size, .page_height_mm = static_cast<double>(size.y)});
+        return features::frame_globals(camera, bounds, glm::dvec3(0.0),
+                                       {.size_px = size, .page_height_mm = static_cast<double>(size.y)});
     }
 
     /// Puts wet and dry ink into the cells, as it is at a moment.

@@ -12,7 +12,7 @@
 #include <estampe/layers.hpp>
 #include <estampe/renderer.hpp>
 
-#include "frame/surface_map.hpp"
+#include "features/common/surface_map.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "scene/shapes.hpp"
@@ -41,8 +41,8 @@ public:
         : drawing(scene, {.eye = {0.0, 2.0, 6.0}, .target = {0.0, 0.0, 0.0}}, {32, 32}),
           list(list_discs(drawing.layout.stroke_coordinates, static_cast<float>(drawing.layout.stroke_unit_m),
                           std::span(drawing.layout.triangles).first(drawing.layout.opaque.count))),
-          posed(drawing.posed()), data(frame::make_surface_map(drawing.layout, size)),
-          map(frame::upload_surface_map(test::shared_device(), data)), buffers(colored()),
+          posed(drawing.posed()), data(features::make_surface_map(drawing.layout, size)),
+          map(features::upload_surface_map(test::shared_device(), data)), buffers(colored()),
           found(make_disc_map(test::shared_device(), size))
     {
     }
@@ -139,8 +139,8 @@ public:
     test::Drawing drawing;
     DiscList list;
     std::vector<shared::PosedVertex> posed;
-    frame::SurfaceMapData data;
-    frame::SurfaceMap map;
+    features::SurfaceMapData data;
+    features::SurfaceMap map;
     DiscBuffers buffers;
     DiscMapBuffers found;
 };

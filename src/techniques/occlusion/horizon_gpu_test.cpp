@@ -130,7 +130,7 @@ TEST(Occlusion, IsInTilesWhatItIsOnTheWholePage)
     const uint32_t reach = reach_px(style, 1.0F);
     const glm::uvec2 part_px(80, 64);
     for (const glm::uvec2 from_px : {glm::uvec2(16, 20), glm::uvec2(33, 21), glm::uvec2(50, 31)}) {
-        const std::vector<float> part = page.open(style, 0.7F, frame::PixelRect{from_px, part_px});
+        const std::vector<float> part = page.open(style, 0.7F, features::PixelRect{from_px, part_px});
         int shaded = 0;
         for (uint32_t y = reach; y < part_px.y - reach; ++y) {
             for (uint32_t x = reach; x < part_px.x - reach; ++x) {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/drawing.hpp"
@@ -27,9 +27,9 @@ struct SeenPage {
 
     /// Of a part of the page, or of all.
     [[nodiscard]] std::vector<float> open(const OcclusionStyle& style, float radius_m,
-                                          std::optional<frame::PixelRect> part = std::nullopt) const
+                                          std::optional<features::PixelRect> part = std::nullopt) const
     {
-        const frame::PixelRect drawn = part.value_or(frame::PixelRect{.size_px = size_px});
+        const features::PixelRect drawn = part.value_or(features::PixelRect{.size_px = size_px});
         const auto at = [&](glm::uvec2 pixel) {
             const glm::uvec2 on_page = pixel + drawn.from_px;
             return size_t{on_page.y} * size_px.x + on_page.x;

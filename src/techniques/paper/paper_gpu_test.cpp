@@ -11,7 +11,7 @@
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "style/color.hpp"
@@ -38,7 +38,7 @@ auto made_of(const Layers& layers, glm::uvec2 size_px, float pixels_per_mm, cons
 {
     const double height_mm = size_px.y / static_cast<double>(pixels_per_mm);
     const auto globals =
-        frame::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = size_px, .page_height_mm = height_mm});
+        features::frame_globals({}, {}, glm::dvec3(0.0), {.size_px = size_px, .page_height_mm = height_mm});
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
     auto wash = test::Layer::color(size_px, layers.wash);
     auto hatch = test::Layer::coverage(size_px, layers.hatch);

@@ -10,7 +10,7 @@
 #include <estampe/image.hpp>
 #include <gtest/gtest.h>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/folder.hpp"
@@ -39,14 +39,14 @@ public:
     {
         gpu::Device& device = test::shared_device();
         const shared::FrameGlobals globals =
-            frame::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
+            features::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
         Sheet sheet;
         sheet.provide(device, style, [] { return SheetImage(); });
         ParticlePlan plan = plan_particles(style, particles,
                                            {.clip_from_anchor = globals.clip_from_anchor,
                                             .page_px = size_px,
                                             .pixels_per_mm = 2.0F,
-                                            .pixel_m = frame::pixel_size(camera, size_px.y).at_one_m,
+                                            .pixel_m = features::pixel_size(camera, size_px.y).at_one_m,
                                             .sheet_px = sheet.size_px(),
                                             .sheet_frames = sheet.frames()});
         plan.constants.haze_start_m = 4.0F;
@@ -148,7 +148,7 @@ TEST(Particles, ColourWhatTheyAreBeforeAndHideItsStrokes)
     const Page page;
     const Drawn drawn = page.draw(soft(), {at({0.0, 0.0, 0.0})});
     const double radius_px =
-        1.5 / (10.0 * static_cast<double>(frame::pixel_size(page.camera, size_px.y).at_one_m));
+        1.5 / (10.0 * static_cast<double>(features::pixel_size(page.camera, size_px.y).at_one_m));
     for (size_t i = 0; i < drawn.wash.size(); ++i) {
         const glm::dvec2 from_middle(static_cast<double>(i % size_px.x) + 0.5 - 64.0,
                                      static_cast<double>(i / size_px.x) + 0.5 - 48.0);
@@ -179,7 +179,7 @@ TEST(Particles, FadeBeforeASurfaceAndAreNotSeenBehindIt)
 TEST(Particles, HaveNoSeamsBetweenTilesOfThePage)
 {
     const Page page;
-    const double pixel_m = 10.0 * static_cast<double>(frame::pixel_size(page.camera, size_px.y).at_one_m);
+    const double pixel_m = 10.0 * static_cast<double>(features::pixel_size(page.camera, size_px.y).at_one_m);
     const Drawn here = page.draw(soft(), {at({-8.0 * pixel_m, 0.0, 0.0})});
     const Drawn there = page.draw(soft(), {at({3.0 * pixel_m, -5.0 * pixel_m, 0.0})});
     for (uint32_t y = 0; y + 5 < size_px.y; ++y) {

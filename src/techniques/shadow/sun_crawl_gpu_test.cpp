@@ -102,7 +102,7 @@ private:
     ShadowStyle style_;
     std::optional<HatchedLines> lines_;
     Clipmap clipmap_;
-    frame::SunMap memory_;
+    features::SunMap memory_;
 };
 
 /// The pixel of `now` that shows a pixel of `before`; none where it is not to be seen.

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 
 namespace estampe::sky {
 
@@ -34,7 +34,7 @@ struct View {
 
     [[nodiscard]] shared::FrameGlobals globals() const
     {
-        return frame::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
+        return features::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
     }
 
     /// Where a place of the page looks.

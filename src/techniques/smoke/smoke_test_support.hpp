@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
@@ -95,7 +95,7 @@ inline Drawn draw(const std::vector<Filled>& filled, const SmokeStyle& style, co
         globals_of(boxes, style, {.lamps = seen.lamps, .ambient = seen.ambient});
     auto globals = gpu::upload_buffer(device, "smoke", std::vector{around});
     const Bounds bounds{.min = glm::dvec3(-1.0), .max = glm::dvec3(1.0)};
-    Drawn drawn{.frame = frame::frame_globals(seen.camera, bounds, glm::dvec3(0.0), {.size_px = size_px})};
+    Drawn drawn{.frame = features::frame_globals(seen.camera, bounds, glm::dvec3(0.0), {.size_px = size_px})};
     auto frame = gpu::upload_buffer(device, "frame", std::vector{drawn.frame});
     auto depth = test::Layer::depth(size_px, seen.depth);
     auto lines = test::Layer::root_color(size_px, seen.lines);

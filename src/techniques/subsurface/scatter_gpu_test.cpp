@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "support/gpu_device.hpp"
@@ -54,7 +54,7 @@ std::vector<glm::vec4> spread(const Painted& page, const SubsurfaceStyle& style,
     auto light = test::Layer::color(part_px, shifted(page.light));
     auto depth = test::Layer::depth(part_px, shifted(page.depth));
     auto draw = test::Layer::words(part_px, shifted(page.draw));
-    auto globals = frame::frame_globals(camera, {}, {}, {.size_px = size_px});
+    auto globals = features::frame_globals(camera, {}, {}, {.size_px = size_px});
     globals.size_px = part_px;
     globals.tile_from_px = from_px;
     auto frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});

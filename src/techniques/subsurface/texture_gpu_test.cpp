@@ -10,7 +10,7 @@
 
 #include <estampe/renderer.hpp>
 
-#include "frame/surface_map.hpp"
+#include "features/common/surface_map.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "scene/shapes.hpp"
@@ -30,8 +30,8 @@ class Sheet {
 public:
     explicit Sheet(const Scene& scene)
         : drawing(scene, {.eye = {0.0, 3.0, 0.1}, .target = {0.0, 0.0, 0.0}}, {16, 16}),
-          data(frame::make_surface_map(drawing.layout, size)),
-          map(frame::upload_surface_map(test::shared_device(), data)), posed(drawing.posed())
+          data(features::make_surface_map(drawing.layout, size)),
+          map(features::upload_surface_map(test::shared_device(), data)), posed(drawing.posed())
     {
     }
 
@@ -79,8 +79,8 @@ public:
     }
 
     test::Drawing drawing;
-    frame::SurfaceMapData data;
-    frame::SurfaceMap map;
+    features::SurfaceMapData data;
+    features::SurfaceMap map;
     std::vector<shared::PosedVertex> posed;
 };
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "scene/shapes.hpp"
@@ -106,7 +106,7 @@ Far far_side_of(const Scene& scene, const Camera& camera, const SubsurfaceStyle&
 /// How long the eye's ray through a pixel is within a sphere about the origin.
 double chord_m(const Camera& camera, glm::uvec2 pixel, double radius_m)
 {
-    const auto globals = frame::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
+    const auto globals = features::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
     const glm::dvec2 ndc = 2.0 * (glm::dvec2(pixel) + 0.5) / glm::dvec2(size_px) - 1.0;
     const glm::dvec4 p = glm::inverse(glm::dmat4(globals.clip_from_anchor)) * glm::dvec4(ndc, 0.5, 1.0);
     const glm::dvec3 way = glm::normalize(glm::dvec3(p) / p.w);

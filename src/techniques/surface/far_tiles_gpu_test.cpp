@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/tile_list.glsl.h"
@@ -24,7 +24,7 @@ shared::FrameGlobals globals_of(bool is_parallel)
     if (is_parallel) {
         camera.orthographic_half_height_m = 5.0;
     }
-    return frame::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
+    return features::frame_globals(camera, {}, camera.eye, {.size_px = size_px});
 }
 
 /// Reversed depth of what is seen so far from the eye; any in parallel projection.

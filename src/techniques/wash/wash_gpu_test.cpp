@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/luminance.hpp"
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/material.glsl.h"
@@ -57,7 +57,7 @@ constexpr shared::ToneConstants plain_tone{
 std::vector<glm::vec4> paint(const Page& page, const WashStyle& style,
                              const shared::ToneConstants& tone = plain_tone)
 {
-    const auto globals = frame::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
+    const auto globals = features::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
     gpu::Buffer frame = gpu::upload_buffer(test::shared_device(), "frame", std::vector{globals});
     gpu::Buffer draws =
         gpu::upload_buffer(test::shared_device(), "draws", std::vector(1, shared::DrawRecord{}));
@@ -275,7 +275,7 @@ TEST(Wash, PalesWithDistance)
     style.air_color = {0.7F, 0.8F, 0.9F};
     style.air_distance_m = 30.0F;
     const auto wash = paint(page, style);
-    const auto globals = frame::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
+    const auto globals = features::frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px});
     for (uint32_t i = 0; i < wash.size(); ++i) {
         const glm::uvec2 pixel(i % size_px.x, i / size_px.x);
         const glm::vec2 ndc = 2.0F * (glm::vec2(pixel) + 0.5F) / glm::vec2(size_px) - 1.0F;

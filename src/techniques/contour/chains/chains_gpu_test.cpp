@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frame/line_meshes.hpp"
+#include "features/lines/line_meshes.hpp"
 #include "scene/pose.hpp"
 #include "scene/shapes.hpp"
 #include "scene/subdivision.hpp"
@@ -74,7 +74,7 @@ private:
 void expect_edges_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
 {
     test::Drawing drawing(scene, camera, page_px);
-    const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
+    const EdgeMesh mesh = features::edge_mesh_of(drawing.layout);
     const auto lists =
         drawing.chains({.silhouettes = Silhouettes::edges, .crease_deg = 180.0F, .intersection_mm = 0.0F});
     const Facing facing(drawing, mesh);
@@ -114,7 +114,7 @@ void expect_edges_as_searched(const Scene& scene, const Camera& camera, const st
 void expect_triangles_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
 {
     test::Drawing drawing(scene, camera, page_px);
-    const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
+    const EdgeMesh mesh = features::edge_mesh_of(drawing.layout);
     const auto lists = drawing.chains({});
     const Facing facing(drawing, mesh);
     size_t wrong = 0;
@@ -142,7 +142,7 @@ Primitive faceted_vase()
 void expect_hard_edges_as_searched(const Primitive& thing)
 {
     test::Drawing drawing(test::scene_of(thing), view_from_above(), page_px);
-    const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
+    const EdgeMesh mesh = features::edge_mesh_of(drawing.layout);
     const ContourStyle style{.crease_deg = 180.0F};
     const auto lists = drawing.chains(style);
     const Facing facing(drawing, mesh);
@@ -268,7 +268,7 @@ double longest_edge_m(const EdgeMesh& mesh, const std::vector<shared::PosedVerte
 void expect_whole_chains(const Scene& scene, const Camera& camera, const ContourStyle& style)
 {
     test::Drawing drawing(scene, camera, page_px);
-    const double longest_m = longest_edge_m(frame::edge_mesh_of(drawing.layout), drawing.posed());
+    const double longest_m = longest_edge_m(features::edge_mesh_of(drawing.layout), drawing.posed());
     const auto lists = drawing.chains(style);
     const std::vector<Chain> chains = chains_of(lists);
     size_t pieces = 0;

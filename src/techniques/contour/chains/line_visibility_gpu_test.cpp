@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frame/line_meshes.hpp"
+#include "features/lines/line_meshes.hpp"
 #include "scene/pose.hpp"
 #include "support/drawing.hpp"
 #include "support/embree_scene.hpp"
@@ -62,7 +62,7 @@ Agreements compare_with_rays(const Scene& scene, const Camera& camera, glm::uvec
 {
     test::Drawing drawing(scene, camera, size_px);
     const auto lists = drawing.chains(style);
-    const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
+    const EdgeMesh mesh = features::edge_mesh_of(drawing.layout);
     const std::vector<shared::PosedVertex> posed = drawing.posed();
     const test::EmbreeScene rays(scene, 0.0, [&](const PosedPrimitive& primitive) {
         return scene.materials[primitive.primitive->material].alpha_mode != AlphaMode::blend;

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frame/line_meshes.hpp"
+#include "features/lines/line_meshes.hpp"
 #include "scene/pose.hpp"
 #include "scene/shapes.hpp"
 #include "scene/subdivision.hpp"
@@ -42,7 +42,7 @@ float strength_between(const std::vector<glm::vec2>& bends, uint32_t i, uint32_t
 void expect_triangles_as_searched(const Scene& scene, const Camera& camera, const std::string& name)
 {
     test::Drawing drawing(scene, camera, page_px);
-    const EdgeMesh mesh = frame::edge_mesh_of(drawing.layout);
+    const EdgeMesh mesh = features::edge_mesh_of(drawing.layout);
     const auto lists = drawing.chains({.suggestive_mm = 0.3F, .intersection_mm = 0.0F});
     ASSERT_EQ(lists.view_bends.size(), drawing.layout.draw_of_vertex.size()) << name;
     const size_t triangle_words = (mesh.triangles.size() + 31) / 32;

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frame/line_meshes.hpp"
+#include "features/lines/line_meshes.hpp"
 #include "scene/pose.hpp"
 #include "scene/shapes.hpp"
 #include "support/drawing.hpp"

@@ -12,7 +12,7 @@
 
 #include <estampe/renderer.hpp>
 
-#include "frame/view.hpp"
+#include "features/common/view.hpp"
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "scene/shapes.hpp"
@@ -47,7 +47,7 @@ struct Ground {
     [[nodiscard]] shared::FrameGlobals globals() const
     {
         const Camera camera{.eye = eye, .target = eye + glm::dvec3(1.0, -0.35, 0.4)};
-        return frame::frame_globals(camera, {}, anchor, {.size_px = size_px});
+        return features::frame_globals(camera, {}, anchor, {.size_px = size_px});
     }
 
     /// Where the plane is seen, from the anchor; nothing above the horizon.

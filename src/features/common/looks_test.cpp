@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "features/common/looks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scene/shapes.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe::features {
+namespace {
+
+/// A tower of "Brick" with a "Roof" hanging on it, a "Wall" beside them of "Brick_old", and the ground.
+class Looks : public testing::Test {
+protected:
+    Looks()
+    {
+        const std::array<const char*, 3> nodes{"Tower", "Roof", "Wall"};
+        const std::array<const char*, 3> materials{"Brick", "frame::Tile", "Brick_old"};
+        for (size_t i = 0; i < nodes.size(); ++i) {
+            const Index node = test::add_object(scene_, shapes::box({1.0F, 1.0F, 1.0F}), glm::vec3(1.0F));
+            scene_.nodes[node].name = nodes.at(i);
+            scene_.materials.back().name = materials.at(i);
+        }
+        scene_.nodes[1].parent = 0;
+        scene_.nodes[0].children.push_back(1);
+        meshes_ = pose::build_meshes(scene_, static_cast<Index>(scene_.materials.size()));
+    }
+
+    void set(const std::string& assignment) { sheet_of(style_).set(assignment); }
+
+    [[nodiscard]] LookPlan plan() const { return plan_looks(meshes_, scene_, style_); }
+
+    Scene scene_;
+    pose::MeshData meshes_;
+    frame::StyleTables style_;
+};
+
+TEST_F(Looks, OneStyleIsOneLook)
+{
+    EXPECT_FALSE(plan().has_several());
+    set("material.Straw.wash.strength=0");
+    EXPECT_FALSE(plan().has_several());
+    EXPECT_EQ(
+        idle_overrides(scene_, style_),
+        std::vector<std::string>{"the style speaks of materials \"Straw\", of which the scene has none"});
+}
+
+TEST_F(Looks, PatternsNameMaterialsAndObjectsWithWhatHangsOnThem)
+{
+    set("material.Brick*.hatch.width_mm=1");
+    set("object.Tower.wash.strength=0");
+    const LookPlan looks = plan();
+    ASSERT_EQ(looks.look_of_draw.size(), 4U);
+    const auto style_of = [&](size_t draw) { return looks.styles.at(looks.look_of_draw[draw]); };
+    EXPECT_EQ(style_of(0).hatch.width_mm, 1.0F);
+    EXPECT_EQ(style_of(0).wash.strength, 0.0F);
+    EXPECT_EQ(style_of(1).hatch.width_mm, style_.hatch.width_mm);
+    EXPECT_EQ(style_of(1).wash.strength, 0.0F);
+    EXPECT_EQ(style_of(2).hatch.width_mm, 1.0F);
+    EXPECT_EQ(style_of(2).wash.strength, style_.wash.strength);
+    EXPECT_EQ(looks.look_of_draw[3], 0U) << "the ground";
+    EXPECT_TRUE(idle_overrides(scene_, style_).empty());
+}
+
+TEST_F(Looks, TheSameOverridesAreOneLook)
+{
+    set("material.*.hatch.width_mm=1");
+    const LookPlan looks = plan();
+    EXPECT_EQ(looks.styles.size(), 2U);
+    EXPECT_EQ(looks.look_of_draw, (std::vector<uint32_t>{1, 1, 1, 0}));
+}
+
+TEST_F(Looks, LaterOverridesWin)
+{
+    set("object.Tower.hatch.width_mm=1");
+    set("material.Brick.hatch.width_mm=2");
+    const LookPlan looks = plan();
+    EXPECT_EQ(looks.styles.at(looks.look_of_draw[0]).hatch.width_mm, 2.0F);
+}
+
+TEST_F(Looks, LinesAreFoundForWhicheverWantsThem)
+{
+    set("contour.drawn=false");
+    set("contour.ridge_mm=0");
+    set("object.Wall.contour.drawn=true");
+    set("object.Wall.contour.ridge_mm=0.5");
+    const LookPlan looks = plan();
+    EXPECT_TRUE(looks.lines.drawn);
+    EXPECT_EQ(looks.lines.ridge_mm, 0.5F);
+    EXPECT_FALSE(looks.styles.front().contour.drawn);
+}
+
+} // namespace
+} // namespace estampe::features

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "features/hatching/strokes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+#include "features/hatching/form_strokes.hpp"
+#include "scene/shapes.hpp"
+#include "shaders/stroke_kind.glsl.h"
+#include "support/scenes.hpp"
+
+namespace estampe::features {
+namespace {
+
+/// A ball with UVs in "Skin", a ball without in "Sea", and the ground.
+Scene two_balls()
+{
+    Scene scene;
+    for (const char* name : {"Skin", "Sea"}) {
+        Primitive ball = shapes::sphere(1.0F, 8, 6);
+        if (std::string(name) == "Sea") {
+            ball.uvs[0].clear();
+        }
+        test::add_object(scene, std::move(ball), glm::vec3(1.0F));
+        scene.materials.back().name = name;
+    }
+    return scene;
+}
+
+class Strokes : public testing::Test {
+protected:
+    [[nodiscard]] std::vector<uint32_t> kinds(hatch::Coordinates coordinates,
+                                              const std::string& materials) const
+    {
+        frame::StyleTables style;
+        style.hatch.coordinates = coordinates;
+        style.hatch.materials = materials;
+        return plan_strokes(meshes_, scene_.materials, {.styles = {style}}).kind_of_draw;
+    }
+
+    [[nodiscard]] std::string error_of(const std::string& materials) const
+    {
+        try {
+            (void)kinds(hatch::Coordinates::automatic, materials);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return {};
+    }
+
+    Scene scene_ = two_balls();
+    pose::MeshData meshes_ = pose::build_meshes(scene_, static_cast<Index>(scene_.materials.size()));
+};
+
+TEST_F(Strokes, FollowUvsOnlyWhereThereAreAny)
+{
+    using Kinds = std::vector<uint32_t>;
+    EXPECT_EQ(kinds(hatch::Coordinates::uv, ""),
+              (Kinds{shared::strokes_uv, shared::strokes_solid, shared::strokes_solid}));
+    EXPECT_EQ(kinds(hatch::Coordinates::form, ""),
+              (Kinds{shared::strokes_form, shared::strokes_form, shared::strokes_solid}));
+    EXPECT_EQ(kinds(hatch::Coordinates::light, ""),
+              (Kinds{shared::strokes_light, shared::strokes_light, shared::strokes_light}));
+}
+
+TEST_F(Strokes, OfSingleMaterialsGoTheirOwnWay)
+{
+    const auto own = kinds(hatch::Coordinates::solid, " Skin = form ,Sea=wind");
+    EXPECT_EQ(own,
+              (std::vector<uint32_t>{shared::strokes_form, shared::strokes_wind, shared::strokes_solid}));
+}
+
+TEST_F(Strokes, OfMaterialsThatAreNotThereAreAnError)
+{
+    EXPECT_NE(error_of("Skim=form").find("did you mean \"Skin\""), std::string::npos);
+    EXPECT_NE(error_of("Rock=form").find("it has Skin, Sea"), std::string::npos);
+    EXPECT_NE(error_of("Skin=fur").find("allowed: auto, uv, solid"), std::string::npos);
+    EXPECT_NE(error_of("Skin").find("material=kind"), std::string::npos);
+}
+
+TEST_F(Strokes, AlongTheFormHaveCoordinatesForTheirTrianglesAlone)
+{
+    frame::StyleTables style;
+    style.hatch.coordinates = hatch::Coordinates::solid;
+    style.hatch.materials = "Sea=form";
+    const StrokePlan plan = plan_strokes(meshes_, scene_.materials, {.styles = {style}});
+    const std::vector<glm::vec2> coordinates = form_coordinates(meshes_, plan);
+    ASSERT_EQ(coordinates.size(), 3 * meshes_.triangles.size());
+    for (size_t i = 0; i < meshes_.triangles.size(); ++i) {
+        const uint32_t draw = meshes_.triangles[i].w & shared::triangle_draw_mask;
+        const bool any = coordinates[3 * i] != glm::vec2(0.0F) || coordinates[3 * i + 1] != glm::vec2(0.0F);
+        EXPECT_EQ(any, draw == 1) << "triangle " << i;
+    }
+}
+
+} // namespace
+} // namespace estampe::features

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "features/ink/flowing_ink.hpp"
+
+#include <algorithm>
+
+#include "features/ink/ink_zones.hpp"
+
+namespace estampe::features {
+namespace {
+
+shared::FrameGlobals page_seen_by(const FlowingInkInputs& in, const Camera& camera)
+{
+    return frame_globals(
+        camera, in.layout.bounds, in.layout.anchor,
+        {.size_px = {in.settings.width, in.settings.height}, .page_height_mm = in.style.paper.height_mm});
+}
+
+ink::Page page_of(const FlowingInkInputs& in)
+{
+    const glm::uvec2 size_px(in.settings.width, in.settings.height);
+    const float px_per_mm = pixels_per_mm(size_px.y, in.style.paper.height_mm);
+    const paper::Window window = paper::window_of(in.style.paper, static_cast<float>(size_px.x) / px_per_mm);
+    const PixelSize pixel = pixel_size(in.camera, size_px.y);
+    return {.size_px = size_px,
+            .pixels_per_mm = px_per_mm,
+            .window_min_mm = window.min_mm,
+            .window_max_mm = window.max_mm,
+            .rad_per_mm = pixel.is_parallel ? 0.0F : pixel.at_one_m * px_per_mm};
+}
+
+ink::View view_of(const FlowingInkInputs& in, const MotionPlan& moved)
+{
+    const glm::mat4& now = moved.clip_from_anchor;
+    const glm::mat4& before = moved.clip_from_anchor_before;
+    const glm::dvec3 forward = glm::normalize(in.camera.target - in.camera.eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, in.camera.up));
+    const auto near_m = static_cast<float>(in.camera.near_m);
+    return {.before_from_clip = glm::mat4(glm::dmat4(before) * glm::inverse(glm::dmat4(now))),
+            .is_moved = before != now,
+            .has_motion = moved.pose_moved,
+            .plane_depth = std::min(near_m / std::max(in.nearby_m, near_m), 1.0F),
+            .forward = glm::vec3(forward),
+            .up = glm::vec3(glm::cross(right, forward))};
+}
+
+} // namespace
+
+std::optional<double> FlowingInk::before_s(const RenderSettings& settings, const ink::InkStyle& style) const
+{
+    const bool goes_on = style.drawn && settings.continuity == Continuity::follows;
+    return goes_on ? memory_.time_s() : std::nullopt;
+}
+
+std::optional<InkPlan> FlowingInk::provide(gpu::Device& device, gpu::Executor& executor,
+                                           const FlowingInkInputs& in, std::vector<std::string>& notes)
+{
+    const ink::InkStyle& style = in.style.ink;
+    if (!style.drawn) {
+        forget();
+        return std::nullopt;
+    }
+    const ink::Page page = page_of(in);
+    const bool is_there = memory_.holds(ink::grid_of(style, page));
+    const std::optional<double> before = is_there ? before_s(in.settings, style) : std::nullopt;
+    const ink::Time time = ink::time_of(style, in.settings.time_s, before);
+    const shared::FrameGlobals seen = page_seen_by(in, in.camera);
+    const std::vector<shared::InkZone> zones = ink_zones(
+        {.scene = in.scene, .pose = in.pose, .anchor = in.layout.anchor, .page = seen}, style.zones, notes);
+    const Camera& before_camera = time.is_fresh ? in.camera : camera_before_;
+    const MotionPlan moved{.clip_from_anchor = seen.clip_from_anchor,
+                           .clip_from_anchor_before = page_seen_by(in, before_camera).clip_from_anchor,
+                           .pose_moved = in.pose_moved};
+    InkPlan plan{.ink = ink::plan_of(style, page, time, view_of(in, moved), zones), .motion = {}};
+    plan.ink.variant |= device.info().software ? uint32_t{shared::ink_in_strips} : 0U;
+    if (style.solved > 0.0F && plan.ink.grid.face_side == 0) {
+        ink::add_stream(plan.ink, water_.stirred(device, executor, style, page, time, zones,
+                                                 in.settings.measure_solvers));
+    } else {
+        water_.forget();
+    }
+    if ((plan.ink.first_variant & shared::ink_has_motion) != 0) {
+        plan.motion = moved;
+    }
+    plan.ink.mask = ink_mask(in.layout, in.scene, style.objects, notes);
+    memory_.provide(device, style, plan.ink);
+    memory_.forget(); // until it has been drawn
+    return plan;
+}
+
+InkPlan FlowingInk::shown_on(gpu::Device& device, const InkPlan& drawn, const FlowingInkInputs& in)
+{
+    InkPlan shown{.ink = ink::shown_on(drawn.ink, page_of(in)), .motion = {}};
+    memory_.show(device, shown.ink);
+    return shown;
+}
+
+void FlowingInk::drawn(const InkPlan& plan, const Camera& camera)
+{
+    memory_.end_picture(plan.ink);
+    camera_before_ = camera;
+}
+
+} // namespace estampe::features

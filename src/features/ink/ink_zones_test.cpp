@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// What single objects have to do with ink, by their names.
+#include "features/ink/ink_zones.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+#include "features/common/view.hpp"
+#include "scene/shapes.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe::features {
+namespace {
+
+constexpr glm::uvec2 size_px(200, 100);
+
+/// A box that hangs on a post, and two things without a mesh: one in the middle of the page, turned to the
+/// right, and one behind the eye.
+Scene named_scene()
+{
+    Scene scene = test::scene_of(shapes::box(glm::vec3(1.0F)));
+    scene.nodes[0].name = "post";
+    const Index box = test::add_object(scene, shapes::box(glm::vec3(0.5F)), glm::vec3(1.0F));
+    scene.nodes[box].name = "box";
+    scene.nodes[box].parent = 0;
+    scene.nodes[0].children.push_back(box);
+    scene.roots.pop_back();
+    const Index other =
+        test::add_object(scene, shapes::box(glm::vec3(0.5F)), glm::vec3(1.0F), {2.0, 0.0, 0.0});
+    scene.nodes[other].name = "other";
+    for (const double z : {0.0, 20.0}) {
+        Node node{.name = "fan"};
+        node.matrix = glm::dmat4(glm::dvec4(0.0, 0.0, -0.5, 0.0), glm::dvec4(0.0, 0.5, 0.0, 0.0),
+                                 glm::dvec4(-0.5, 0.0, 0.0, 0.0), glm::dvec4(0.0, 0.0, z, 1.0));
+        scene.roots.push_back(static_cast<Index>(scene.nodes.size()));
+        scene.nodes.push_back(node);
+    }
+    return scene;
+}
+
+std::vector<shared::InkZone> zones_of(const std::string& text, std::vector<std::string>& notes)
+{
+    const Scene scene = named_scene();
+    const Camera camera{.eye = {0.0, 0.0, 10.0}, .target = {0.0, 0.0, 0.0}};
+    const auto page =
+        frame_globals(camera, {}, glm::dvec3(0.0), {.size_px = size_px, .page_height_mm = 50.0});
+    return ink_zones(
+        {.scene = scene, .pose = pose_scene(scene, 0.0), .anchor = glm::dvec3(0.0), .page = page}, text,
+        notes);
+}
+
+TEST(InkMask, NamesObjectsAndWhatHangsOnThem)
+{
+    const Scene scene = named_scene();
+    const pose::MeshData meshes = pose::build_meshes(scene, 0);
+    std::vector<std::string> notes;
+    EXPECT_TRUE(ink_mask(meshes, scene, "*", notes).empty()) << "all give ink";
+    const auto named = [&](const char* patterns) {
+        const std::vector<uint32_t> mask = ink_mask(meshes, scene, patterns, notes);
+        std::vector<std::string> names;
+        for (size_t draw = 0; draw < meshes.sources.size(); ++draw) {
+            if (mask[draw] != 0) {
+                names.push_back(scene.nodes[meshes.sources[draw].node].name);
+            }
+        }
+        EXPECT_EQ(mask.back(), 0U) << "the blank ground";
+        std::ranges::sort(names);
+        return names;
+    };
+    EXPECT_EQ(named("po*"), (std::vector<std::string>{"box", "post"}));
+    EXPECT_EQ(named("box, other"), (std::vector<std::string>{"box", "other"}));
+    EXPECT_TRUE(notes.empty());
+    EXPECT_TRUE(named("nobody").empty());
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_NE(notes[0].find("nobody"), std::string::npos);
+}
+
+TEST(InkZones, StandOnThePageWhereTheirObjectsAre)
+{
+    std::vector<std::string> notes;
+    const auto zones = zones_of("fan=blow:20 turn:90 give:0.5 amount:0.25", notes);
+    ASSERT_EQ(zones.size(), 1U) << "one of the two is behind the eye";
+    EXPECT_NEAR(zones[0].middle_mm.x, 50.0F, 1e-3F);
+    EXPECT_NEAR(zones[0].middle_mm.y, 25.0F, 1e-3F);
+    const double mm_per_m = 25.0 / (10.0 * std::tan(0.5 * Camera().vertical_fov_rad));
+    EXPECT_NEAR(zones[0].radius_mm, 0.5 * mm_per_m, 0.05);
+    EXPECT_NEAR(zones[0].velocity_mm_s.x, 20.0F, 1e-2F) << "along its -z";
+    EXPECT_NEAR(zones[0].velocity_mm_s.y, 0.0F, 1e-2F);
+    EXPECT_NEAR(zones[0].turn_rad_s, 1.5708F, 1e-3F);
+    EXPECT_EQ(zones[0].gives, 0.5F);
+    EXPECT_EQ(zones[0].amount, 0.25F);
+    EXPECT_TRUE(notes.empty());
+    EXPECT_TRUE(zones_of("nothing=give:1", notes).empty());
+    EXPECT_EQ(notes.size(), 1U);
+}
+
+TEST(InkZones, RefusesWordsThatMeanNothing)
+{
+    std::vector<std::string> notes;
+    for (const char* text : {"fan", "fan=blow", "fan=blow:", "fan=blow:x", "fan=blow:1e9", "fan=blow:nan",
+                             "fan=shine:1", "fan=give:1 2"}) {
+        EXPECT_THROW(static_cast<void>(zones_of(text, notes)), Error) << text;
+    }
+}
+
+} // namespace
+} // namespace estampe::features

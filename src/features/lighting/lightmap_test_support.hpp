@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What tests of lightmaps draw with.
+
+#include <string>
+#include <vector>
+
+#include <estampe/lightmap.hpp>
+#include <estampe/style.hpp>
+
+namespace estampe::features {
+
+/// Light that is the same everywhere.
+inline LightImage even(float level)
+{
+    return {.width = 4, .height = 4, .texels = std::vector<glm::vec3>(16, glm::vec3(level))};
+}
+
+/// Light alone, as grey: no strokes, lines, shadow or paper, and a tone that is the light.
+inline Style bare(float ambient)
+{
+    Style style;
+    for (const char* const assignment :
+         {"light.source=scene", "picture.ground=none", "light.falloff=1", "lightmap.balance=false"}) {
+        style.set(assignment);
+    }
+    style.set("light.ambient=" + std::to_string(ambient));
+    return style;
+}
+
+} // namespace estampe::features

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "features/particles/particles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <functional>
+
+#include "features/common/looks.hpp"
+#include "features/common/view.hpp"
+#include "features/particles/smoke_sheet.hpp"
+#include "gpu/mapped_buffer.hpp"
+#include "scene/static_triangles.hpp"
+#include "style/name_lists.hpp"
+#include "style/surfaces.hpp"
+
+namespace estampe::features {
+namespace {
+
+particles::Emitter emitter_at(const glm::dmat4& world_from_node)
+{
+    const glm::dvec3 up(world_from_node[1]);
+    return {.place = glm::dvec3(world_from_node[3]),
+            .direction = glm::length(up) > 0.0 ? glm::normalize(up) : glm::dvec3(0.0),
+            .size = glm::length(up)};
+}
+
+/// How the scene stood a while ago, worked out once for all that ask.
+class Past {
+public:
+    static constexpr double step_s = 0.15;
+
+    explicit Past(const ParticlePlanInputs& in) : in_(in) {}
+
+    [[nodiscard]] const ScenePose& before(size_t steps)
+    {
+        while (poses_.size() < steps) {
+            // Before the beginning an animation would be at its end; what is placed has been told of before.
+            const double then_s = in_.settings.time_s - static_cast<double>(poses_.size() + 1) * step_s;
+            poses_.push_back(in_.pose_at(!in_.are_nodes_placed ? std::max(then_s, 0.0) : then_s));
+        }
+        return poses_[steps - 1];
+    }
+
+private:
+    const ParticlePlanInputs& in_;
+    std::deque<ScenePose> poses_;
+};
+
+/// Tells of emitters that move how they stood in the time that their particles live.
+void look_back(std::vector<particles::Emitter>& emitters, const std::vector<size_t>& nodes, Past& past,
+               double life_s)
+{
+    const auto steps = static_cast<size_t>(std::ceil(life_s / Past::step_s));
+    for (size_t i = 1; i <= steps; ++i) {
+        const ScenePose& then = past.before(i);
+        for (size_t k = 0; k < emitters.size(); ++k) {
+            emitters[k].before.push_back(emitter_at(then.world_from_node[nodes[k]]));
+        }
+    }
+    for (particles::Emitter& emitter : emitters) {
+        emitter.step_s = Past::step_s;
+        const auto stands = [&](const particles::Emitter& then) {
+            return then.place == emitter.place && then.direction == emitter.direction &&
+                   then.size == emitter.size;
+        };
+        if (std::ranges::all_of(emitter.before, stands)) {
+            emitter.before.clear();
+        }
+    }
+}
+
+/// Those of one look, and what they look like.
+struct EmitterGroup {
+    const particles::ParticleStyle* style = nullptr;
+    std::vector<size_t> nodes;
+    std::vector<particles::Emitter> emitters;
+};
+
+std::vector<EmitterGroup> groups_of(const std::vector<size_t>& nodes, const ScenePose& pose,
+                                    const LookPlan& looks)
+{
+    std::vector<EmitterGroup> groups(looks.styles.size());
+    for (const size_t node : nodes) {
+        EmitterGroup& group = groups[looks.look_of_draw[node]];
+        group.nodes.push_back(node);
+        group.emitters.push_back(emitter_at(pose.world_from_node[node]));
+    }
+    for (size_t i = 0; i < groups.size(); ++i) {
+        groups[i].style = &looks.styles[i].particles;
+    }
+    std::erase_if(groups, [](const EmitterGroup& group) {
+        return group.emitters.empty() || group.style->per_s <= 0.0F;
+    });
+    return groups;
+}
+
+double mean_distance_m(const EmitterGroup& group, const glm::dvec3& eye)
+{
+    double sum = 0.0;
+    for (const particles::Emitter& emitter : group.emitters) {
+        sum += glm::distance(emitter.place, eye);
+    }
+    return sum / static_cast<double>(group.emitters.size());
+}
+
+} // namespace
+
+std::vector<size_t> emitting_nodes(const Scene& scene, const std::string& patterns)
+{
+    const std::vector<std::string> parts = style::between_commas(patterns);
+    std::vector<size_t> nodes;
+    for (size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        if (node.visible && node.mesh == no_index &&
+            std::ranges::any_of(
+                parts, [&](const std::string& pattern) { return style::matches(pattern, node.name); })) {
+            nodes.push_back(i);
+        }
+    }
+    return nodes;
+}
+
+std::vector<particles::ParticlePlan> provide_particles(gpu::Device& device, gpu::Executor& executor,
+                                                       std::vector<ParticleBuffers>& buffers,
+                                                       const ParticlePlanInputs& in)
+{
+    EmittingNodes& emitting = in.emitting;
+    if (emitting.patterns != in.style.particles.emitters) {
+        emitting = {in.style.particles.emitters, emitting_nodes(in.scene, in.style.particles.emitters)};
+    }
+    const std::vector<size_t>& nodes = emitting.nodes;
+    if (nodes.empty()) {
+        return {};
+    }
+    const LookPlan looks = looks_of_nodes(in.scene, in.style);
+    std::vector<EmitterGroup> groups = groups_of(nodes, in.pose, looks);
+    const std::vector<bool> moves = moving_nodes(in.scene);
+    Past past(in);
+    std::ranges::stable_sort(groups, std::greater(), [&](const EmitterGroup& group) {
+        return mean_distance_m(group, in.camera.eye);
+    });
+    const glm::uvec2 page_px(in.settings.width, in.settings.height);
+    const shared::FrameGlobals page =
+        frame_globals(in.camera, in.layout.bounds, in.layout.anchor,
+                      {.size_px = page_px, .page_height_mm = in.style.paper.height_mm});
+    const PixelSize pixel = pixel_size(in.camera, page_px.y);
+    std::vector<particles::ParticlePlan> plans;
+    buffers.resize(std::max(buffers.size(), groups.size()));
+    for (EmitterGroup& group : groups) {
+        const particles::ParticleStyle& style = *group.style;
+        if (std::ranges::any_of(group.nodes, [&](size_t node) { return moves[node]; })) {
+            look_back(group.emitters, group.nodes, past, static_cast<double>(style.life_s));
+        }
+        const auto alive = particles::particles_at(style, group.emitters, in.settings.time_s);
+        ParticleBuffers& room = buffers[plans.size()];
+        room.sheet.provide(device, style, [&] { return smoke_sheet(device, executor); });
+        const particles::ParticlePlan& plan =
+            plans.emplace_back(particles::plan_particles(style, alive,
+                                                         {.clip_from_anchor = page.clip_from_anchor,
+                                                          .anchor = in.layout.anchor,
+                                                          .page_px = page_px,
+                                                          .pixels_per_mm = page.pixels_per_mm,
+                                                          .pixel_m = pixel.at_one_m,
+                                                          .is_parallel = pixel.is_parallel,
+                                                          .sheet_px = room.sheet.size_px(),
+                                                          .sheet_frames = room.sheet.frames()}));
+        if (plan.sprites.empty()) {
+            plans.pop_back();
+            continue;
+        }
+        room.sprites = gpu::mapped_buffer(device, "sprites", plan.sprites);
+        room.starts = gpu::mapped_buffer(device, "sprite tiles", plan.starts);
+        room.listed = gpu::mapped_buffer(device, "listed sprites", plan.listed);
+    }
+    return plans;
+}
+
+} // namespace estampe::features

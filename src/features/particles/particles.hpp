@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Which nodes of a scene give particles, and where those are on the page.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+
+#include "features/common/style_tables.hpp"
+#include "techniques/pose/mesh_data.hpp"
+#include "gpu/graph/execute.hpp"
+#include "techniques/particles/particles.hpp"
+
+namespace estampe::features {
+
+/// The nodes that the patterns between commas name, in their order; those with a mesh give no particles.
+[[nodiscard]] std::vector<size_t> emitting_nodes(const Scene& scene, const std::string& patterns);
+
+/// What particles are drawn from.
+struct ParticleBuffers {
+    gpu::Buffer sprites;
+    gpu::Buffer starts;
+    gpu::Buffer listed;
+    particles::Sheet sheet;
+};
+
+/// The nodes that give particles, and the style's words that they were found by.
+struct EmittingNodes {
+    std::string patterns;
+    std::vector<size_t> nodes;
+};
+
+struct ParticlePlanInputs {
+    const Scene& scene;
+    const pose::MeshData& layout;
+    EmittingNodes& emitting;       ///< found again where the style names others
+    bool are_nodes_placed = false; ///< a program moves some
+    const ScenePose& pose;
+    std::function<ScenePose(double time_s)> pose_at; ///< at other moments
+    const Camera& camera;
+    const RenderSettings& settings;
+    const StyleTables& style;
+};
+
+/// Plans the particles of a picture, for each look of theirs by itself, and makes room for them; none where
+/// no node gives any. Throws Error for a sheet that cannot be read.
+[[nodiscard]] std::vector<particles::ParticlePlan> provide_particles(gpu::Device& device,
+                                                                     gpu::Executor& executor,
+                                                                     std::vector<ParticleBuffers>& buffers,
+                                                                     const ParticlePlanInputs& in);
+
+} // namespace estampe::features

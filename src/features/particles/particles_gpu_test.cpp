@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Particles and clouds in whole pictures.
+#include "features/particles/particles.hpp"
+#include "features/particles/smoke_sheet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <estampe/error.hpp>
+
+#include "scene/shapes.hpp"
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe::features {
+namespace {
+
+const Camera camera{.eye = {2.0, 1.5, 7.0}, .target = {0.0, 1.5, 0.0}, .vertical_fov_rad = 0.7};
+constexpr RenderSettings small{.width = 120, .height = 80};
+
+Scene with_empty(const std::string& name)
+{
+    Scene scene = test::scene_of(shapes::box({1.0F, 1.0F, 1.0F}));
+    Node node{.name = name};
+    node.transform.translation = {0.0, 1.2, 0.0};
+    scene.nodes.push_back(node);
+    scene.roots.push_back(static_cast<Index>(scene.nodes.size() - 1));
+    return scene;
+}
+
+RenderSettings moment(double time_s)
+{
+    RenderSettings settings = small;
+    settings.time_s = time_s;
+    return settings;
+}
+
+bool has_pass(const std::string& name)
+{
+    return test::shared_renderer().graph_dot().find(name) != std::string::npos;
+}
+
+TEST(ParticlesInFrame, ComeFromNodesThatArePatternsSay)
+{
+    const Scene scene = with_empty("emitter of steam");
+    const std::vector<size_t> empty{1};
+    const std::vector<size_t> none;
+    EXPECT_EQ(emitting_nodes(scene, "emitter*"), empty);
+    EXPECT_EQ(emitting_nodes(scene, "lamp, *steam"), empty);
+    EXPECT_EQ(emitting_nodes(scene, "steam"), none);
+    EXPECT_EQ(emitting_nodes(scene, ""), none);
+    EXPECT_EQ(emitting_nodes(scene, "*"), empty) << "what has a mesh gives none";
+}
+
+TEST(ParticlesInFrame, AreTheSameWhateverWasDrawnBefore)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(with_empty("stand"));
+    const Image bare = renderer.render(camera, {}, moment(2.0));
+    EXPECT_FALSE(has_pass("particles"));
+    renderer.set_scene(with_empty("emitter"));
+    const Image first = renderer.render(camera, {}, moment(2.0));
+    EXPECT_TRUE(has_pass("particles"));
+    EXPECT_NE(first.rgba, bare.rgba);
+    EXPECT_NE(renderer.render(camera, {}, moment(9.0)).rgba, first.rgba);
+    EXPECT_EQ(renderer.render(camera, {}, moment(2.0)).rgba, first.rgba);
+}
+
+TEST(ParticlesInFrame, SmokeRisesAndThinsFromFrameToFrame)
+{
+    gpu::Device& device = test::shared_device();
+    gpu::Executor executor(device);
+    const particles::SheetImage sheet = smoke_sheet(device, executor);
+    EXPECT_EQ(smoke_sheet(device, executor).brightness, sheet.brightness);
+    const glm::uvec2 cell_px = sheet.size_px / sheet.frames;
+    const auto amount_and_height = [&](uint32_t frame) {
+        const glm::uvec2 from = cell_px * glm::uvec2(frame % sheet.frames.x, frame / sheet.frames.x);
+        glm::dvec2 sums(0.0);
+        for (uint32_t y = 0; y < cell_px.y; ++y) {
+            for (uint32_t x = 0; x < cell_px.x; ++x) {
+                const float value = sheet.brightness[size_t{from.y + y} * sheet.size_px.x + from.x + x];
+                EXPECT_GE(value, 0.0F);
+                EXPECT_LE(value, 1.0F);
+                sums += static_cast<double>(value) * glm::dvec2(1.0, cell_px.y - y);
+            }
+        }
+        return glm::dvec2(sums.x, sums.y / sums.x / cell_px.y);
+    };
+    glm::dvec2 before = amount_and_height(0);
+    EXPECT_NEAR(before.y, 0.36, 0.03);
+    for (const uint32_t frame : {9U, 18U, 27U}) {
+        const glm::dvec2 now = amount_and_height(frame);
+        EXPECT_GT(now.y, before.y + 0.01) << frame;
+        EXPECT_LT(now.x, before.x) << frame;
+        EXPECT_GT(now.x, 0.75 * before.x) << frame;
+        before = now;
+    }
+}
+
+TEST(ParticlesInFrame, DifferByTheObjectThatGivesThem)
+{
+    Renderer& renderer = test::shared_renderer();
+    Scene scene = with_empty("emitter of smoke");
+    Node other{.name = "emitter of ink"};
+    other.transform.translation = {2.2, 1.2, 0.0};
+    scene.nodes.push_back(other);
+    scene.roots.push_back(static_cast<Index>(scene.nodes.size() - 1));
+    renderer.set_scene(scene);
+    Style style;
+    style.set("particles.wind_mps=0");
+    style.set("particles.swirl_mps=0");
+    const Image alike = renderer.render(camera, style, moment(3.0));
+    style.set("object.emitter of ink.particles.look=blots");
+    style.set("object.emitter of ink.particles.ink=#c00000");
+    const Image apart = renderer.render(camera, style, moment(3.0));
+    const auto red_in = [](const Image& image, uint32_t from, uint32_t to) {
+        size_t red = 0;
+        for (uint32_t y = 0; y < image.height; ++y) {
+            for (uint32_t x = from; x < to; ++x) {
+                const uint8_t* const pixel = &image.rgba[4 * (size_t{y} * image.width + x)];
+                red += pixel[0] > pixel[1] + 60 && pixel[0] > pixel[2] + 60 ? 1 : 0;
+            }
+        }
+        return red;
+    };
+    EXPECT_EQ(red_in(alike, 0, alike.width), 0U);
+    EXPECT_EQ(red_in(apart, 0, apart.width / 2), 0U) << "the other's smoke is as it was";
+    EXPECT_GT(red_in(apart, apart.width / 2, apart.width), 40U);
+}
+
+TEST(PlacedNodesInFrame, AreDrawnAsIfTheSceneHadThemThere)
+{
+    Renderer& renderer = test::shared_renderer();
+    Scene scene = test::scene_of(shapes::box({1.0F, 1.0F, 1.0F}));
+    test::add_sun(scene, {1.0, 2.0, 1.5}, 3.0F);
+    const NodePlace place{0, {.translation = {1.1, 0.4, -0.5}}};
+    Scene moved = scene;
+    moved.nodes[0].transform = place.transform;
+    renderer.set_scene(moved);
+    const Image wanted = renderer.render(camera, {}, moment(2.0));
+    renderer.set_scene(scene);
+    const Image before = renderer.render(camera, {}, moment(1.0));
+    renderer.place(std::span(&place, 1), 2.0);
+    const Image after = renderer.render(camera, {}, moment(2.0));
+    EXPECT_NE(before.rgba, after.rgba);
+    size_t different = 0; // bounds, by which depths are rounded, may differ
+    for (size_t i = 0; i < wanted.rgba.size(); ++i) {
+        different += std::abs(wanted.rgba[i] - after.rgba[i]) > 12 ? 1 : 0;
+    }
+    EXPECT_LT(different, wanted.rgba.size() / 100);
+    const NodePlace none{77, {}};
+    EXPECT_THROW(renderer.place(std::span(&none, 1), 3.0), Error);
+}
+
+TEST(CloudsInFrame, AreTheSameInTilesAndCostNothingUnasked)
+{
+    Renderer& renderer = test::shared_renderer();
+    renderer.set_scene(with_empty("emitter"));
+    Style style;
+    style.set("sky.mode=drawn");
+    style.set("hatch.width_mm=0.5");
+    std::ignore = renderer.render(camera, style, moment(2.0));
+    EXPECT_FALSE(has_pass("clouds"));
+    style.set("clouds.coverage=0.5");
+    const Camera up{.eye = camera.eye, .target = {0.0, 3.5, 0.0}, .vertical_fov_rad = 0.9};
+    RenderSettings settings = moment(2.0);
+    settings.width = 320;
+    settings.height = 220;
+    const Image whole = renderer.render(up, style, settings);
+    EXPECT_TRUE(has_pass("clouds"));
+    settings.tile_px = 200;
+    const Image tiled = renderer.render(up, style, settings);
+    ASSERT_EQ(whole.rgba.size(), tiled.rgba.size());
+    size_t different = 0;
+    for (size_t i = 0; i < whole.rgba.size(); ++i) {
+        different += std::abs(whole.rgba[i] - tiled.rgba[i]) > 8 ? 1 : 0;
+    }
+    EXPECT_LT(different, whole.rgba.size() / 200);
+}
+
+} // namespace
+} // namespace estampe::features

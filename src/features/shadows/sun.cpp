@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+#include "features/shadows/sun.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "gpu/mapped_buffer.hpp"
+#include "shaders/light_variant.glsl.h"
+#include "shaders/square_tile.glsl.h"
+#include "techniques/raster/views.hpp"
+#include "techniques/shadow/warp.hpp"
+
+namespace estampe::features {
+namespace {
+
+// From how many pixels a texel on, near the eye, a single map gives way to a clipmap.
+constexpr double coarse_texel_px = 48.0;
+
+uint32_t whole_size(const StyleTables& style, glm::uvec2 size_px)
+{
+    return style.light.shadow_size > 0
+               ? static_cast<uint32_t>(style.light.shadow_size)
+               : std::clamp(std::bit_ceil(std::max(size_px.x, size_px.y)), 512U, 4096U);
+}
+
+/// About how far the eye is from the nearest of what throws shadows: beside it, or below where it stands.
+double nearest_m(const Bounds& casters, const glm::dvec3& eye)
+{
+    const double beside = glm::distance(glm::clamp(eye, casters.min, casters.max), eye);
+    const double above = std::max(eye.y - casters.min.y, 0.0);
+    return std::clamp(std::max(beside, above), 1e-3 * casters.radius(), 2.0 * casters.radius());
+}
+
+/// A box on a coarse lattice about what stands still and a good deal around it: what moves there does not
+/// change it, and with it all of a map, and what moves beyond seldom does.
+Bounds roomy(const SunScene& scene)
+{
+    const Bounds& middle = scene.still.empty() ? scene.casters : scene.still;
+    const double pitch_m = std::exp2(std::floor(std::log2(std::max(middle.radius(), 1e-6))) - 2.0);
+    const double about_m = scene.still.empty() ? 0.0 : 0.5 * pitch_m;
+    return {.min = glm::floor(glm::min(scene.casters.min, middle.min - about_m) / pitch_m) * pitch_m,
+            .max = glm::ceil(glm::max(scene.casters.max, middle.max + about_m) / pitch_m) * pitch_m};
+}
+
+/// Size of a level: a power of two, of which the device can hold `levels`.
+uint32_t level_size(uint32_t wanted, uint32_t levels, uint64_t most_bytes)
+{
+    uint32_t size = std::clamp(std::bit_ceil(wanted), 64U, 4096U);
+    while (size > 64U && 4ULL * size * size * levels > most_bytes) {
+        size /= 2;
+    }
+    return size;
+}
+
+} // namespace
+
+namespace {
+
+/// A view of each square, for raster::add_depth_views(). One of a whole level has its texels where the level
+/// has them.
+std::vector<shared::RasterView> views_of(std::span<const shadow::Piece> squares,
+                                         const shadow::Clipmap& clipmap, Groups groups)
+{
+    std::vector<shared::RasterView> views;
+    uint32_t first_texel = 0;
+    for (const shadow::Piece& square : squares) {
+        views.push_back({.clip_from_anchor = shadow::clip_from_sun(square),
+                         .eye_anchor = glm::vec3(0.0F),
+                         .reach_m = std::numeric_limits<float>::infinity(),
+                         .first_texel = first_texel,
+                         .size_px = square.size.x,
+                         .origin_px = glm::uvec2(0),
+                         .groups = groups,
+                         .turn_px = glm::uvec2(square.low) & (square.size - 1U) &
+                                    (square.size.x == clipmap.size ? ~0U : 0U)});
+        first_texel += square.size.x * square.size.x;
+    }
+    raster::place_views(views);
+    return views;
+}
+
+uint64_t texels_of(std::span<const shared::RasterView> views)
+{
+    return views.empty() ? 4
+                         : views.back().first_texel + uint64_t{views.back().size_px} * views.back().size_px;
+}
+
+} // namespace
+
+SunMapPlan plan_sun_map(const SunScene& scene, const Camera& camera, glm::uvec2 size_px,
+                        const PixelSize& pixel, const StyleTables& style)
+{
+    SunMapPlan plan;
+    plan.size = scene.throws_shadow ? whole_size(style, size_px) : 0U;
+    plan.view = shadow::sun_view(scene.casters, scene.anchor, scene.towards_sun, std::max(plan.size, 4U));
+    const shadow::SunMapKind kind = style.shadow.sun_map;
+    if (!scene.throws_shadow || scene.casters.empty() || kind == shadow::SunMapKind::whole) {
+        return plan;
+    }
+    if (kind == shadow::SunMapKind::warped) {
+        plan.view = shadow::warped_view(
+            {.casters = scene.casters,
+             .anchor = scene.anchor,
+             .towards_sun = scene.towards_sun,
+             .floor_m = scene.floor_m,
+             .nearest_m = nearest_m(scene.casters, camera.eye)},
+            frame_globals(camera, scene.casters, scene.anchor, {.size_px = size_px}), plan.size);
+        plan.variant = plan.view.warp.y > 0.0F ? shared::light_has_sun_warp : 0U;
+        return plan;
+    }
+    const double pixel_m = pixel.at(nearest_m(scene.casters, camera.eye));
+    if (kind == shadow::SunMapKind::automatic &&
+        static_cast<double>(plan.view.texel_m) < coarse_texel_px * pixel_m) {
+        return plan;
+    }
+    plan.view = shadow::sun_view(roomy(scene), scene.anchor, scene.towards_sun, plan.size);
+    if (kind == shadow::SunMapKind::faded) {
+        const auto reach_m = static_cast<double>(style.shadow.faded_reach_m);
+        const uint32_t size = level_size(plan.size, 1, scene.most_bytes);
+        plan.clipmap = shadow::Clipmap{
+            .view = plan.view, .finest_m = 2.0 * reach_m / size, .size = size, .level_count = 1};
+    } else {
+        const uint32_t size = level_size(2 * plan.size, shadow::most_levels, scene.most_bytes);
+        plan.clipmap = shadow::fit_clipmap(plan.view, size, pixel_m, scene.casters.radius());
+    }
+    plan.size = plan.clipmap->size;
+    plan.variant = shared::light_has_sun_levels;
+    plan.windows = shadow::windows_about(*plan.clipmap, camera.eye - scene.anchor);
+    return plan;
+}
+
+shared::SunShadow sun_globals(const SunMapPlan& plan, const PixelSize& pixel,
+                              const shadow::ShadowStyle& style)
+{
+    return plan.clipmap ? shadow::sun_shadow(*plan.clipmap, plan.windows, pixel.at_one_m,
+                                             style.sun_map == shadow::SunMapKind::faded, style)
+                        : shadow::sun_shadow(plan.view, plan.size, style);
+}
+
+SunMapWork SunMap::provide(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters)
+{
+    const uint64_t levels = plan.clipmap ? plan.clipmap->level_count : 1;
+    const uint64_t size_bytes = std::max<uint64_t>(sizeof(float) * plan.size * plan.size * levels, 16);
+    if (map_.empty() || map_.size_bytes() != size_bytes) {
+        map_ = gpu::Buffer(device, "shadow map", size_bytes, gpu::MemoryUse::device);
+        view_.reset();
+    }
+    if (clipmap_ != plan.clipmap || layout_ != casters.layout) {
+        view_.reset();
+    }
+    layout_ = casters.layout;
+    const bool stands = plan.size > 0 && view_ == plan.view.clip_from_anchor;
+    // Under a sun that goes on with every picture it would be kept in vain.
+    const bool had_still = has_still_ && (stands || stood_);
+    stood_ = stands;
+    has_still_ = plan.clipmap && casters.are_parted && (had_still || (stands && !moved_.empty()));
+    SunMapWork work{.redraws_whole = plan.size > 0 && !has_still_ && (!stands || !moved_.empty())};
+    if (plan.clipmap) {
+        const bool starts = has_still_ ? !had_still || !stands : work.redraws_whole;
+        work.pieces = shadow::uncovered(*plan.clipmap, starts ? shadow::Windows() : windows_, plan.windows);
+        work.draws_levels = starts && casters.by_compute;
+    }
+    if (work.draws_levels) {
+        work.views = views_of(work.pieces, *plan.clipmap, casters.groups);
+    }
+    if (has_still_) {
+        if (still_.empty() || still_.size_bytes() != size_bytes) {
+            still_ = gpu::Buffer(device, "shadow map of what stands", size_bytes, gpu::MemoryUse::device);
+        }
+        work.has_still = true;
+        provide_moving(device, plan, casters.groups, work);
+    }
+    if (!work.views.empty()) {
+        gpu::refill(device, "sun views", work.views, views_);
+    }
+    return work;
+}
+
+void SunMap::provide_moving(gpu::Device& device, const SunMapPlan& plan, Groups groups, SunMapWork& work)
+{
+    const shadow::Clipmap& clipmap = *plan.clipmap;
+    work.squares = shadow::squares_about(clipmap, plan.windows, moved_, work.pieces);
+    work.views = views_of(work.squares, clipmap, groups);
+    const uint64_t pictures_bytes = sizeof(float) * texels_of(work.views);
+    if (pictures_.empty() || pictures_.size_bytes() < pictures_bytes) {
+        pictures_ = gpu::Buffer(device, "shadows of what moves", pictures_bytes, gpu::MemoryUse::device);
+    }
+    shadow::list_tiles(clipmap, work.squares, moved_, work.pieces, tile_list_);
+    work.tile_count = static_cast<uint32_t>(tile_list_.size());
+    // Room for all that there may be, since it is another number in each frame.
+    const uint64_t side_tiles = clipmap.size / shared::square_tile_texels;
+    const uint64_t tiles_bytes = sizeof(uint32_t) * clipmap.level_count * side_tiles * side_tiles;
+    if (tiles_.empty() || tiles_.size_bytes() != tiles_bytes) {
+        tiles_ = gpu::Buffer(device, "tiles that change", tiles_bytes, gpu::MemoryUse::upload);
+    }
+    std::ranges::copy(std::as_bytes(std::span(tile_list_)), tiles_.mapped().begin());
+}
+
+void SunMap::drawn(const SunMapPlan& plan)
+{
+    if (plan.size > 0) {
+        view_ = plan.view.clip_from_anchor;
+        clipmap_ = plan.clipmap;
+        windows_ = plan.windows;
+    }
+    moved_.clear();
+}
+
+namespace {
+
+std::vector<raster::Batch> casters_of(const SunMapInputs& in, const shadow::Piece& piece)
+{
+    // A batch costs a GPU several dispatches, and a processor next to nothing.
+    const size_t most = in.path == RasterPath::compute ? 6 : 24;
+    std::vector<raster::Batch> casters;
+    if (!in.work.has_still) {
+        casters.assign(in.casters.begin(), in.casters.end());
+    }
+    add_casters_within(piece, *in.plan.clipmap, in.anchor, in.still, in.groups, most, casters);
+    return casters;
+}
+
+gpu::BufferId add_pieces(gpu::Graph& graph, const SunMapInputs& in, const raster::RasterInputs& by_sun,
+                         raster::View view, gpu::BufferId map)
+{
+    for (const shadow::Piece& piece : in.work.pieces) {
+        view.clip_from_anchor = shadow::clip_from_sun(piece);
+        view.size_px = piece.size;
+        std::vector<raster::DepthPart> parts;
+        for (const shadow::PieceHome& home : shadow::homes(*in.plan.clipmap, piece)) {
+            parts.push_back({.from_px = home.from, .size_px = home.size, .first_texel = home.texel});
+        }
+        map = raster::add_depth_parts(graph, "shadow", by_sun, casters_of(in, piece), view, parts,
+                                      in.plan.clipmap->size, map);
+    }
+    return map;
+}
+
+/// Draws what moves, over what stands still.
+gpu::BufferId add_moving(gpu::Graph& graph, const SunMapInputs& in, const raster::RasterInputs& by_sun,
+                         raster::DepthViews views, const SunMaps& maps, gpu::BufferId still)
+{
+    views.tiles = raster::ViewTiles{.list = *maps.tiles, .count = in.work.tile_count};
+    const gpu::BufferId pictures =
+        raster::add_depth_views(graph, "shadow/moving", by_sun, in.casters, views, *maps.pictures);
+    return shadow::add_mixed_levels(graph, *in.plan.clipmap,
+                                    {.squares = in.work.squares,
+                                     .pictures = pictures,
+                                     .still = still,
+                                     .tiles = *maps.tiles,
+                                     .tile_count = in.work.tile_count},
+                                    maps.map);
+}
+
+/// What of a clipmap is to be drawn. All of its levels together are views of one drawing: none of them is
+/// begun, divided into batches and copied by itself.
+gpu::BufferId add_levels(gpu::Graph& graph, const SunMapInputs& in, const raster::View& view,
+                         const SunMaps& maps)
+{
+    raster::RasterInputs by_sun = in.raster;
+    by_sun.posed_vertices =
+        shadow::add_sun_vertices(graph, in.raster.posed_vertices, in.vertex_count, *in.plan.clipmap);
+    const gpu::BufferId drawn_into = in.work.has_still ? *maps.still : maps.map;
+    if (in.work.views.empty()) {
+        return add_pieces(graph, in, by_sun, view, drawn_into);
+    }
+    const gpu::BufferId bounds = raster::add_cluster_bounds(
+        graph, by_sun, in.triangle_count,
+        graph.buffer("sun cluster bounds", {.size_bytes = raster::cluster_bounds_bytes(in.triangle_count)}),
+        in.tuning);
+    const raster::DepthViews views{.list = in.work.views,
+                                   .records = *maps.views,
+                                   .bounds = bounds,
+                                   .path = in.path,
+                                   .tuning = in.tuning};
+    // The last is the coarsest, whose window holds all others.
+    const gpu::BufferId drawn =
+        in.work.draws_levels
+            ? raster::add_depth_views(graph, "shadow", by_sun, casters_of(in, in.work.pieces.back()), views,
+                                      drawn_into)
+            : add_pieces(graph, in, by_sun, view, drawn_into);
+    return in.work.has_still ? add_moving(graph, in, by_sun, views, maps, drawn) : drawn;
+}
+
+} // namespace
+
+gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, const SunMaps& maps)
+{
+    const SunMapPlan& plan = in.plan;
+    const raster::View view{.clip_from_anchor = plan.view.clip_from_anchor,
+                            .size_px = glm::uvec2(plan.size),
+                            .cull_back_faces = false,
+                            .path = in.path,
+                            .tuning = in.tuning};
+    if (!plan.clipmap) {
+        return in.work.redraws_whole
+                   ? raster::add_depth(graph, "shadow", in.raster, in.casters, view, maps.map)
+                   : maps.map;
+    }
+    if (in.work.pieces.empty() && in.work.squares.empty()) {
+        return maps.map;
+    }
+    const gpu::BufferId drawn = add_levels(graph, in, view, maps);
+    return in.work.has_still && in.work.squares.empty() ? maps.map : drawn;
+}
+
+} // namespace estampe::features

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The shadow map of the sun: what it is to be, what it holds, and how it is drawn.
+
+#include <optional>
+#include <vector>
+
+#include <estampe/renderer.hpp>
+
+#include "features/common/style_tables.hpp"
+#include "features/common/view.hpp"
+#include "features/shadows/sun_casters.hpp"
+#include "gpu/graph/graph.hpp"
+#include "gpu/resources.hpp"
+#include "techniques/raster/raster.glsl.h"
+#include "techniques/raster/raster.hpp"
+#include "techniques/shadow/clipmap.hpp"
+#include "techniques/shadow/sun_view.hpp"
+
+namespace estampe::features {
+
+/// What decides how the sun's shadow is kept.
+struct SunScene {
+    Bounds casters;       ///< world space
+    Bounds still;         ///< those of them that stand still for ever
+    double floor_m = 0.0; ///< nothing that is lit lies lower, world space
+    glm::dvec3 anchor{0.0};
+    glm::dvec3 towards_sun{0.0, 1.0, 0.0};
+    bool throws_shadow = false;
+    uint64_t most_bytes = 1ULL << 27U; ///< of a buffer on the device
+};
+
+/// What the map is to be.
+struct SunMapPlan {
+    uint32_t size = 0; ///< texels a side; 0 for no shadow
+    shadow::SunView view;
+    std::optional<shadow::Clipmap> clipmap; ///< in place of a single map of the view
+    shadow::Windows windows;                ///< of the clipmap
+    uint32_t variant = 0;                   ///< how it is looked up, see shaders/light_variant.glsl.h
+};
+
+/// What of the map is to be drawn now.
+struct SunMapWork {
+    bool redraws_whole = false;
+    std::vector<shadow::Piece> pieces; ///< of a clipmap, not drawn yet
+    bool draws_levels = false;         ///< these are its levels, all of them, drawn together
+    /// What stands still has a map of its own, and the pieces are of that.
+    bool has_still = false;
+    std::vector<shadow::Piece> squares;    ///< then those of the map where something else may be seen now
+    std::vector<shared::RasterView> views; ///< of them, or of the levels, which are the same where both are
+    uint32_t tile_count = 0;               ///< of the squares, in which that is so
+};
+
+/// What throws shadows, as far as it decides how the map is kept.
+struct SunCasters {
+    uint32_t layout = 0; ///< another number where what stands still may be other triangles
+    Groups groups = all_groups;
+    bool by_compute = false;
+    bool are_parted = false; ///< what moves is to be drawn apart from what stands still
+};
+
+/// Plans the map: its view, its size, and the windows of a clipmap where the style or, by itself, a scene
+/// that is far larger than what is near the eye wants one.
+[[nodiscard]] SunMapPlan plan_sun_map(const SunScene& scene, const Camera& camera, glm::uvec2 size_px,
+                                      const PixelSize& pixel, const StyleTables& style);
+
+/// The map as the light's shader looks it up.
+[[nodiscard]] shared::SunShadow sun_globals(const SunMapPlan& plan, const PixelSize& pixel,
+                                            const shadow::ShadowStyle& style);
+
+/// The map between pictures: what it holds, and what of it has to be drawn.
+class SunMap {
+public:
+    /// What threw the shadow has changed.
+    void forget() { view_.reset(); }
+
+    /// What moves has moved, from and to these places (anchor space).
+    void move(std::span<const Bounds> places) { moved_.insert(moved_.end(), places.begin(), places.end()); }
+
+    /// Makes room for the map that `plan` wants, and says what to draw into it. From the second time on that
+    /// something has moved under the same sun, what stands still is kept, and drawn anew by itself when the
+    /// sun goes on after it has stood.
+    [[nodiscard]] SunMapWork provide(gpu::Device& device, const SunMapPlan& plan, const SunCasters& casters);
+    /// That has been drawn.
+    void drawn(const SunMapPlan& plan);
+
+    [[nodiscard]] gpu::Buffer& buffer() { return map_; }
+
+    /// What stands still alone, where that is kept.
+    [[nodiscard]] gpu::Buffer& still() { return still_; }
+
+    /// The views of the work, and room for what is drawn of them.
+    [[nodiscard]] gpu::Buffer& views() { return views_; }
+
+    [[nodiscard]] gpu::Buffer& pictures() { return pictures_; }
+
+    /// Of the pictures, those in which the map changes; beside them pictures hold whatever was drawn before.
+    [[nodiscard]] gpu::Buffer& tiles() { return tiles_; }
+
+private:
+    /// Of what moves, drawn over what stands still.
+    void provide_moving(gpu::Device& device, const SunMapPlan& plan, Groups groups, SunMapWork& work);
+
+    gpu::Buffer map_;
+    gpu::Buffer still_;
+    gpu::Buffer views_;
+    gpu::Buffer pictures_;
+    gpu::Buffer tiles_;
+    std::vector<uint32_t> tile_list_;
+    bool has_still_ = false; ///< it is up to date wherever the map is
+    bool stood_ = false;     ///< the sun, when the map was last provided
+    std::vector<Bounds> moved_;
+    uint32_t layout_ = 0;
+    std::optional<glm::mat4> view_; ///< of what the map holds; none when it is out of date
+    std::optional<shadow::Clipmap> clipmap_;
+    shadow::Windows windows_;
+};
+
+struct SunMapInputs {
+    const raster::RasterInputs& raster;
+    std::span<const raster::Batch> casters; ///< for a clipmap those that move alone
+    std::span<const StillCaster> still;     ///< and the others
+    Groups groups = all_groups;             ///< of those that the sun shadows
+    glm::dvec3 anchor{0.0};
+    const SunMapPlan& plan;
+    const SunMapWork& work;
+    RasterPath path = RasterPath::compute; ///< never automatic
+    raster::Tuning tuning;
+    uint32_t vertex_count = 0;   ///< of the posed vertices
+    uint32_t triangle_count = 0; ///< of all
+};
+
+struct SunMaps {
+    gpu::BufferId map;
+    std::optional<gpu::BufferId> still = std::nullopt; ///< where the work has any
+    std::optional<gpu::BufferId> views = std::nullopt; ///< where it has any
+    std::optional<gpu::BufferId> pictures = std::nullopt;
+    std::optional<gpu::BufferId> tiles = std::nullopt;
+};
+
+/// Draws what is to be drawn of the maps, and hands the map back.
+///
+/// Cost    nothing where nothing is to be drawn; else that of raster::add_depth(), of a clipmap for each
+/// piece, of what stands still only what is seen there; of all its levels, in compute, that of
+/// raster::add_depth_views(). Where what stands still is kept, so is what moves drawn, and mixed in where it
+/// was and is
+[[nodiscard]] gpu::BufferId add_sun_map(gpu::Graph& graph, const SunMapInputs& in, const SunMaps& maps);
+
+} // namespace estampe::features

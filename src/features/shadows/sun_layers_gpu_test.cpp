@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Shadows of what moves, over a map of what stands still: the pictures are those of a map drawn afresh.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <estampe/renderer.hpp>
+
+#include "scene/shapes.hpp"
+#include "support/gpu_device.hpp"
+#include "support/image_compare.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe::features {
+namespace {
+
+constexpr RenderSettings settings{.width = 160, .height = 90};
+constexpr Index rider = 6; ///< the node that moves
+constexpr Index bird = 7;  ///< another, far away and small
+
+/// Pillars on a long plane under a low sun; two far away hold all that moves between them.
+Scene pillars()
+{
+    Scene scene = test::scene_of(shapes::plane(120.0F, 120.0F));
+    for (const double x : {-45.0, -6.0, 0.0, 7.0, 45.0}) {
+        test::add_object(scene, shapes::box({1.0F, 12.0F, 1.0F}), glm::vec3(0.7F), {x, 6.0, -0.8 * x});
+    }
+    test::add_object(scene, shapes::sphere(0.8F), {0.7F, 0.1F, 0.1F}, {-3.0, 1.5, 3.0});
+    test::add_object(scene, shapes::sphere(0.3F), {0.1F, 0.1F, 0.7F}, {30.0, 9.0, -20.0});
+    test::add_sun(scene, {-1.0, 0.7, 0.6});
+    return scene;
+}
+
+struct Moment {
+    double eye_x = 0.0;
+    glm::dvec3 rider{-3.0, 1.5, 3.0};
+    glm::dvec3 bird{30.0, 9.0, -20.0};
+    double hour = 16.0; ///< of the sun
+};
+
+Style clipmapped(double hour)
+{
+    Style style;
+    style.set("shadow.sun_map=clipmap");
+    style.set("sun.by=place");
+    style.set("sun.hour=" + std::to_string(hour));
+    return style;
+}
+
+Image draw(Renderer& renderer, const Moment& moment)
+{
+    const std::vector<NodePlace> places{{rider, {.translation = moment.rider}},
+                                        {bird, {.translation = moment.bird}}};
+    renderer.place(places, 0.0);
+    return renderer.render({.eye = {moment.eye_x, 3.0, 16.0}, .target = {moment.eye_x, 1.0, 0.0}},
+                           clipmapped(moment.hour), settings);
+}
+
+bool has_pass(const Renderer& renderer, const std::string& name)
+{
+    return std::ranges::any_of(renderer.timings(),
+                               [&](const PassTiming& timing) { return timing.name.starts_with(name); });
+}
+
+RendererOptions by_compute()
+{
+    RendererOptions options = test::validated();
+    options.raster = RasterPath::compute;
+    return options;
+}
+
+/// The rider goes to and fro and stands still in between; the eye goes along, turns back and jumps.
+std::vector<Moment> moments()
+{
+    return {{0.0},
+            {0.0, {-2.5, 1.5, 3.0}},
+            {0.0, {-2.0, 1.5, 2.0}, {29.0, 9.0, -21.0}},
+            {0.0, {2.0, 0.9, 2.0}, {29.0, 9.0, -21.0}},
+            {1.5, {2.0, 0.9, 2.0}, {29.0, 9.0, -21.0}},
+            {3.0, {2.2, 0.9, 2.5}, {12.0, 9.0, -3.0}},
+            {3.0, {2.2, 0.9, 2.5}, {12.0, 9.0, -3.0}},
+            {40.0, {2.3, 0.9, 2.5}, {28.0, 9.0, -3.0}},
+            {2.0, {2.4, 0.9, 2.5}, {27.0, 9.0, -3.0}},
+            {2.0, {-3.0, 1.5, 3.0}, {26.0, 8.0, -3.0}}};
+}
+
+TEST(SunLayers, GiveThePicturesOfAMapDrawnAfresh)
+{
+    Renderer kept(by_compute());
+    Renderer fresh(by_compute());
+    const Scene scene = pillars();
+    kept.set_scene(scene);
+    size_t mixed = 0;
+    size_t at = 0;
+    for (const Moment& moment : moments()) {
+        fresh.set_scene(scene);
+        const Image wanted = draw(fresh, moment);
+        EXPECT_FALSE(has_pass(fresh, "shadow/mix")) << at;
+        EXPECT_EQ(test::compare_images(draw(kept, moment), wanted).failing_fraction, 0.0) << at;
+        mixed += has_pass(kept, "shadow/mix") ? 1 : 0;
+        ++at;
+    }
+    EXPECT_EQ(mixed, 8U); // but for the first, and the one before which nothing moved
+}
+
+TEST(SunLayers, WhatStandsStillIsNotDrawnAgain)
+{
+    Renderer renderer(by_compute());
+    renderer.set_scene(pillars());
+    const auto draws_still = [&](const Moment& moment) {
+        (void)draw(renderer, moment);
+        return has_pass(renderer, "shadow/small") || has_pass(renderer, "shadow/draw");
+    };
+    EXPECT_TRUE(draws_still({0.0}));
+    EXPECT_TRUE(draws_still({0.0, {-2.5, 1.5, 3.0}})); // into a map of its own
+    EXPECT_FALSE(draws_still({0.0, {-2.0, 1.5, 3.0}}));
+    EXPECT_FALSE(draws_still({0.0, {-1.5, 1.5, 3.0}}));
+    EXPECT_FALSE(has_pass((draw(renderer, {0.0, {-1.5, 1.5, 3.0}}), renderer), "shadow/"));
+}
+
+/// The rider goes on all the while; the sun stands, goes on, and stands again.
+std::vector<Moment> evening()
+{
+    std::vector<Moment> moments;
+    for (const double hour : {16.0, 16.0, 16.0, 16.004, 16.004, 16.004, 16.3, 16.3, 16.31, 16.32, 16.32}) {
+        const double x = -3.0 + 0.3 * static_cast<double>(moments.size());
+        moments.push_back({.rider = {x, 1.5, 3.0}, .hour = hour});
+    }
+    return moments;
+}
+
+TEST(SunLayers, FollowASunThatGoesOnInSteps)
+{
+    Renderer kept(by_compute());
+    Renderer fresh(by_compute());
+    const Scene scene = pillars();
+    kept.set_scene(scene);
+    std::vector<size_t> still_drawn; // moments
+    size_t at = 0;
+    for (const Moment& moment : evening()) {
+        fresh.set_scene(scene);
+        const Image wanted = draw(fresh, moment);
+        EXPECT_EQ(test::compare_images(draw(kept, moment), wanted).failing_fraction, 0.0) << at;
+        if (has_pass(kept, "shadow/small")) {
+            still_drawn.push_back(at);
+        }
+        ++at;
+    }
+    // Of all together; into a map of its own; and once for each step that comes after the sun has stood. Of
+    // two steps one after the other the second one begins again.
+    EXPECT_EQ(still_drawn, (std::vector<size_t>{0, 1, 3, 6, 8, 9, 10}));
+}
+
+TEST(SunLayers, AllLevelsAreDrawnTogether)
+{
+    Renderer renderer(by_compute());
+    renderer.set_scene(pillars());
+    (void)draw(renderer, {});
+    const auto timings = renderer.timings();
+    const auto count = [&](const std::string& name) {
+        return std::ranges::count(timings, name, &PassTiming::name);
+    };
+    EXPECT_EQ(count("shadow/clear"), 1);
+    EXPECT_LE(count("shadow/small"), 7); // batches, of what moves and what stands
+    EXPECT_EQ(count("shadow/part"), 0);
+}
+
+} // namespace
+} // namespace estampe::features

@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: MIT
+#include "features/smoke/rising_smoke.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include <estampe/error.hpp>
+#include <fmt/format.h>
+
+#include "core/luminance.hpp"
+#include "features/common/solver_meter.hpp"
+#include "features/smoke/smoke_air.hpp"
+#include "features/smoke/smoke_obstacles.hpp"
+#include "gpu/imports.hpp"
+#include "gpu/upload.hpp"
+#include "style/raw.hpp"
+#include "style/surfaces.hpp"
+#include "techniques/fluid/read_fields.hpp"
+
+namespace estampe::features {
+namespace {
+
+constexpr double longest_gap_s = 1.0;
+constexpr double caught_up_s = 0.25; // by a picture, of what smoke is behind that is begun in a film
+
+/// Sides in cells, powers of two nearest to the proportions.
+glm::uvec3 sides_of(const glm::dvec3& size_m, uint32_t longest)
+{
+    constexpr double fewest = 8.0;
+    const double whole_m = std::max({size_m.x, size_m.y, size_m.z});
+    glm::uvec3 sides(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double wanted = std::max(longest * size_m[axis] / whole_m, fewest);
+        sides[axis] = std::min(1U << static_cast<uint32_t>(std::lround(std::log2(wanted))), longest);
+    }
+    return sides;
+}
+
+/// None for a node that is scaled to nothing.
+std::optional<smoke::Box> box_about(const glm::dmat4& world_from_node, const glm::dvec3& anchor,
+                                    uint32_t cells)
+{
+    const auto column = [&](int axis) { return glm::dvec3(world_from_node[axis]); };
+    glm::dvec3 size_m(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        size_m[axis] = 2.0 * glm::length(column(axis));
+    }
+    if (!(std::min({size_m.x, size_m.y, size_m.z}) > 1e-4)) {
+        return std::nullopt;
+    }
+    const glm::dvec3 up = 2.0 * column(1) / size_m.y;
+    const glm::dvec3 across = glm::cross(up, 2.0 * column(2) / size_m.z);
+    const glm::dvec3 right =
+        glm::length(across) > 1e-6 ? glm::normalize(across) : glm::normalize(glm::cross(up, {0.3, 0.1, 1.0}));
+    const glm::uvec3 sides = sides_of(size_m, cells);
+    const double cell_m = std::max({size_m.x, size_m.y, size_m.z}) / cells;
+    const glm::dvec3 middle = column(3) - anchor;
+    glm::dmat4 anchor_from_grid(1.0);
+    anchor_from_grid[0] = glm::dvec4(cell_m * right, 0.0);
+    anchor_from_grid[1] = glm::dvec4(cell_m * up, 0.0);
+    anchor_from_grid[2] = glm::dvec4(cell_m * glm::cross(right, up), 0.0);
+    const glm::dvec3 low =
+        middle - glm::dmat3(anchor_from_grid) * (0.5 * glm::dvec3(sides) * glm::dvec3(1.0, 0.0, 1.0));
+    anchor_from_grid[3] = glm::dvec4(low, 1.0);
+    return smoke::Box{.cells = sides,
+                      .cell_m = static_cast<float>(cell_m),
+                      .grid_from_anchor = glm::mat4(glm::inverse(anchor_from_grid))};
+}
+
+/// Steps that a fluid has yet to take.
+struct StepsLeft {
+    fluid::FluidStyle style;
+    uint32_t count = 0;
+};
+
+/// How a box's smoke rises to a moment.
+struct Rise {
+    const smoke::Box& box;
+    const smoke::SmokeStyle& style;
+    double gap_s = 0.0;
+    uint32_t boxes = 1; ///< that rise together
+    bool is_measured = false;
+};
+
+/// What a graph of steps took, and what is left.
+struct Risen {
+    std::optional<SolverReport> report; ///< nothing where no step was taken
+    StepsLeft left;
+};
+
+/// Takes all steps but those that the picture's own graph has room for; all, where they are measured.
+Risen let_rise(fluid::Fluid& fluid, SolverMeter meter, const Rise& rise)
+{
+    const auto count =
+        static_cast<uint32_t>(std::ceil(rise.gap_s * steps_per_s(rise.box, rise.style) - 1e-6));
+    fluid.set_shapes({}, std::vector{source_of(rise.box, rise.style)});
+    if (count == 0) {
+        return {};
+    }
+    const fluid::FluidStyle solver = solving(rise.box, rise.style, rise.gap_s / count);
+    const uint32_t most = fluid.most_steps(solver);
+    const uint32_t room = rise.is_measured ? 0 : most / rise.boxes;
+    uint32_t left = count;
+    while (left > room) {
+        const uint32_t now = std::min(left - room, most);
+        gpu::Graph graph;
+        const fluid::FluidFields fields = fluid.add_steps(graph, solver, now);
+        left -= now;
+        meter.run(graph, fluid, solver, fields, now, left == 0);
+    }
+    return {.report = meter.report(), .left = {solver, left}};
+}
+
+/// Puffs and strokes go with the draught.
+void carry_along(smoke::Box& box, const smoke::SmokeStyle& style, double time_s)
+{
+    const Draught draught = draught_of(box, style);
+    const glm::dvec3 drift_m_s(draught.wind_m_s + glm::vec3(0.0F, draught.speed_m_s, 0.0F));
+    box.puffs_risen_m = glm::vec3(time_s * drift_m_s);
+    box.strokes_risen_m = static_cast<float>(std::fmod(time_s * static_cast<double>(draught.speed_m_s), 1e3));
+}
+
+} // namespace
+
+struct RisingSmoke::Column {
+    uint32_t number = 0;
+    glm::uvec3 cells{0};
+    float cell_m = 1.0F;
+    double time_s = 0.0;
+    double behind_s = 0.0;               ///< the last picture
+    KeptSmoke recalled;                  ///< until it is asked for
+    std::unique_ptr<fluid::Fluid> fluid; ///< none until then
+    std::optional<SolverReport> solver_report = {};
+    StepsLeft left = {}; ///< for the next graph that asks for the fluid
+
+    /// The fluid at its time_s; once a graph.
+    [[nodiscard]] fluid::FluidFields add(gpu::Graph& graph)
+    {
+        const StepsLeft now = std::exchange(left, {});
+        return fluid->add_steps(graph, now.style, now.count);
+    }
+
+    /// Takes steps that no picture asked for.
+    void catch_up(gpu::Executor& executor)
+    {
+        if (left.count > 0) {
+            gpu::Graph graph;
+            static_cast<void>(add(graph));
+            executor.run(graph);
+        }
+    }
+
+    [[nodiscard]] bool is_of(const smoke::Box& box, uint32_t wanted_channels) const
+    {
+        return number == box.number && cells == box.cells && cell_m == box.cell_m &&
+               (fluid ? fluid->channels() : recalled.channels) == wanted_channels;
+    }
+};
+
+std::vector<smoke::Lamp> smoke_lamps(const light::Lighting& lighting, bool has_sun_map)
+{
+    std::vector<smoke::Lamp> lamps;
+    for (const shared::LightRecord& record : lighting.records) {
+        const uint32_t type = record.type & shared::light_type_mask;
+        const bool is_sun = type == shared::light_directional;
+        const bool has_cone = type == shared::light_spot || type == shared::light_pyramid;
+        const uint32_t of_sun =
+            has_sun_map && lamps.empty() ? shared::smoke_sun_shadow : shared::smoke_no_shadow;
+        const uint32_t of_lamp =
+            record.shadow > 0 ? shared::smoke_local_shadow + record.shadow - 1 : shared::smoke_no_shadow;
+        lamps.push_back({.place = is_sun ? record.direction : record.position,
+                         .beam = record.direction,
+                         .luminance = luminance(record.color),
+                         .range_m = is_sun ? 0.0F : record.range_m,
+                         .cone_scale = has_cone ? record.cone_scale : 0.0F,
+                         .cone_offset = has_cone ? record.cone_offset : 1.0F,
+                         .shadow = is_sun ? of_sun : of_lamp});
+    }
+    return lamps;
+}
+
+void add_fires(light::Lighting& lighting, const std::vector<smoke::Box>& boxes,
+               const smoke::SmokeStyle& style, double time_s)
+{
+    if (style.glow <= 0.0F) {
+        return;
+    }
+    for (const smoke::Box& box : boxes) {
+        const fluid::Source source = source_of(box, style);
+        const glm::mat4 anchor_from_grid = glm::inverse(box.grid_from_anchor);
+        const float half_m = 0.5F * box.width_m();
+        // Two waves whose lengths have no common measure.
+        const auto flicker = static_cast<float>(1.0 + 0.12 * std::sin(17.3 * time_s + box.number) +
+                                                0.08 * std::sin(41.7 * time_s + 2.0 * box.number));
+        shared::LightRecord record{};
+        record.type = shared::light_point;
+        record.position = glm::vec3(anchor_from_grid * glm::vec4(source.shape.centre_m / box.cell_m, 1.0F));
+        record.range_m = 20.0F * half_m;
+        record.color = style.glow_color * (style.glow * flicker * half_m * half_m);
+        record.groups = 0xffffffffU;
+        record.radius_m = -1.0F;
+        lighting.records.push_back(record);
+    }
+}
+
+std::vector<smoke::Box> smoke_boxes(const Scene& scene, const ScenePose& pose, const glm::dvec3& anchor,
+                                    const std::string& pattern, uint32_t cells)
+{
+    std::vector<smoke::Box> boxes;
+    uint32_t number = 0;
+    for (size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        if (!node.visible || node.mesh != no_index || !style::matches(pattern, node.name)) {
+            continue;
+        }
+        if (auto box = box_about(pose.world_from_node[i], anchor, cells)) {
+            box->number = number;
+            boxes.push_back(*box);
+        }
+        ++number;
+    }
+    return boxes;
+}
+
+RisingSmoke::RisingSmoke() = default;
+RisingSmoke::~RisingSmoke() = default;
+
+uint64_t kept_cell_count(const KeptSmoke& kept)
+{
+    const auto is_side = [](uint32_t cells) {
+        return cells >= 8 && cells <= 256 && std::has_single_bit(cells);
+    };
+    const bool are_channels = kept.channels == shared::fluid_temperature + 1 ||
+                              kept.channels == shared::fluid_fuel + 1 ||
+                              kept.channels == shared::fluid_cloud + 1;
+    if (!are_channels || !is_side(kept.cells.x) || !is_side(kept.cells.y) || !is_side(kept.cells.z) ||
+        !(kept.cell_m > 0.0F)) {
+        throw Error("this is not the memory of a film's frame");
+    }
+    return uint64_t{kept.cells.x} * kept.cells.y * kept.cells.z;
+}
+
+std::vector<SolverReport> RisingSmoke::solver_reports() const
+{
+    std::vector<SolverReport> reports;
+    for (size_t i = 0; i < columns_.size(); ++i) {
+        if (const auto& report = columns_[i]->solver_report) {
+            reports.push_back(*report);
+            reports.back().fluid = columns_.size() > 1 ? fmt::format("smoke {}", i + 1) : "smoke";
+        }
+    }
+    return reports;
+}
+
+void RisingSmoke::forget()
+{
+    columns_.clear();
+}
+
+std::vector<KeptSmoke> RisingSmoke::kept(gpu::Device& device, gpu::Executor& executor)
+{
+    std::vector<KeptSmoke> kept;
+    for (const auto& column : columns_) {
+        if (!column->fluid) {
+            kept.push_back(column->recalled);
+            continue;
+        }
+        const auto numbers = [&](bool are_quantities) {
+            gpu::Graph graph;
+            const fluid::FluidFields fields = column->add(graph);
+            return fluid::run_and_read(device, executor, graph,
+                                       are_quantities ? fields.quantities.value() : fields.velocity);
+        };
+        kept.push_back({.number = column->number,
+                        .cells = column->cells,
+                        .cell_m = column->cell_m,
+                        .time_s = column->time_s,
+                        .behind_s = column->behind_s,
+                        .channels = column->fluid->channels(),
+                        .velocity = numbers(false),
+                        .quantities = numbers(true)});
+    }
+    return kept;
+}
+
+void RisingSmoke::recall(std::vector<KeptSmoke> kept)
+{
+    forget();
+    for (KeptSmoke& box : kept) {
+        auto column = std::make_unique<Column>(Column{.number = box.number,
+                                                      .cells = box.cells,
+                                                      .cell_m = box.cell_m,
+                                                      .time_s = box.time_s,
+                                                      .behind_s = box.behind_s,
+                                                      .fluid = nullptr});
+        column->recalled = std::move(box);
+        columns_.push_back(std::move(column));
+    }
+}
+
+std::unique_ptr<RisingSmoke::Column> RisingSmoke::started(gpu::Device& device, gpu::Executor& executor,
+                                                          const smoke::Box& box, const SmokeInputs& in)
+{
+    const smoke::SmokeStyle& style = in.style.smoke;
+    const uint32_t channels = smoke_channels(style);
+    const auto found = std::ranges::find_if(
+        columns_, [&](const auto& column) { return column && column->is_of(box, channels); });
+    const bool goes_on = in.settings.continuity == Continuity::follows;
+    const auto age_s = static_cast<double>(style.age_s);
+    std::unique_ptr<Column> column =
+        found != columns_.end()
+            ? std::move(*found)
+            : std::make_unique<Column>(Column{.number = box.number,
+                                              .cells = box.cells,
+                                              .cell_m = box.cell_m,
+                                              .time_s = in.settings.time_s - age_s,
+                                              .behind_s = goes_on ? age_s : 0.0,
+                                              .recalled = {.channels = channels,
+                                                           .velocity = stirred_air(box, style),
+                                                           .quantities = clean_air(box, style)},
+                                              .fluid = nullptr});
+    if (!column->fluid) {
+        const KeptSmoke start = std::exchange(column->recalled, {});
+        column->fluid =
+            std::make_unique<fluid::Fluid>(device, grid_of(box), channels, start.velocity, start.quantities);
+        if (style.obstacles) {
+            column->fluid->set_standing(device, standing_cells(in.scene, in.pose, in.layout.anchor, box));
+        }
+        static_cast<void>(column->fluid->check_spectral(device, executor));
+    }
+    return column;
+}
+
+std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& executor, const SmokeInputs& in,
+                                          std::vector<std::string>& notes)
+{
+    const smoke::SmokeStyle& style = in.style.smoke;
+    std::vector<smoke::Box> boxes;
+    if (style.drawn) {
+        boxes = smoke_boxes(in.scene, in.pose, in.layout.anchor, style.objects, std::bit_floor(style.cells));
+    }
+    if (style.drawn && boxes.empty()) {
+        notes.push_back(
+            fmt::format("smoke.objects speaks of objects without a mesh {}, of which the scene has none",
+                        style::in_quotes(style.objects)));
+    }
+    if (boxes.empty()) {
+        forget();
+        return {};
+    }
+    if (boxes.size() > shared::smoke_most_boxes) {
+        notes.push_back(fmt::format("smoke rises from the first {} of {} objects", shared::smoke_most_boxes,
+                                    boxes.size()));
+        boxes.resize(shared::smoke_most_boxes);
+    }
+    const double time_s = in.settings.time_s;
+    std::erase_if(columns_, [&](const auto& column) {
+        const double before_s = column->time_s + column->behind_s;
+        return in.settings.continuity != Continuity::follows || time_s < before_s - 1e-6 ||
+               time_s - before_s > longest_gap_s;
+    });
+    std::vector<std::unique_ptr<Column>> columns;
+    for (smoke::Box& box : boxes) {
+        columns.push_back(started(device, executor, box, in));
+        Column& column = *columns.back();
+        column.catch_up(executor);
+        column.behind_s = std::max(column.behind_s - caught_up_s, 0.0);
+        const double risen_s = time_s - column.behind_s;
+        Risen risen = let_rise(*column.fluid, SolverMeter(device, executor, in.settings.measure_solvers),
+                               {.box = box,
+                                .style = style,
+                                .gap_s = risen_s - column.time_s,
+                                .boxes = static_cast<uint32_t>(boxes.size()),
+                                .is_measured = in.settings.measure_solvers});
+        column.left = risen.left;
+        if (risen.report || !in.settings.measure_solvers) {
+            column.solver_report = std::move(risen.report);
+        }
+        column.time_s = risen_s;
+        carry_along(box, style, time_s);
+    }
+    columns_ = std::move(columns);
+    return boxes;
+}
+
+gpu::ImageId RisingSmoke::velocity(gpu::Graph& graph, size_t box)
+{
+    return columns_.at(box)->add(graph).velocity;
+}
+
+std::optional<SmokePlan> RisingSmoke::provide(gpu::Device& device, gpu::Executor& executor,
+                                              const SmokeInputs& in, std::vector<std::string>& notes)
+{
+    const smoke::SmokeStyle& style = in.style.smoke;
+    SmokePlan plan{.boxes = in.risen ? *in.risen : rise(device, executor, in, notes)};
+    if (plan.boxes.empty()) {
+        return std::nullopt;
+    }
+    const shared::SmokeGlobals globals =
+        smoke::globals_of(plan.boxes, style, {.lamps = in.lamps, .ambient = in.ambient});
+    globals_ = gpu::upload_buffer(device, "smoke globals", std::vector{globals});
+    volume_.provide(device, globals);
+    return plan;
+}
+
+smoke::Fields RisingSmoke::fields(gpu::Graph& graph)
+{
+    smoke::Fields fields{
+        .globals = gpu::import_whole(graph, "smoke", globals_), .densities = {}, .ignition = smoke_ignition};
+    for (const auto& column : columns_) {
+        fields.densities.push_back(column->add(graph).quantities.value());
+    }
+    return fields;
+}
+
+} // namespace estampe::features

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "features/smoke/smoke_air.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace estampe::features {
+namespace {
+
+constexpr float held_s = 0.2F; ///< that air has been in a source at least, going by its density
+/// Of the logarithm of what air holds, over the height of a box: as if it were some kilometres high.
+constexpr float holds_less_above = 2.0F;
+
+fluid::Solver solver_of(const smoke::SmokeStyle& style)
+{
+    switch (style.solver) {
+    case smoke::Solver::spectral:
+        // Which knows of nothing in its way.
+        return style.obstacles ? fluid::Solver::automatic : fluid::Solver::spectral;
+    case smoke::Solver::multigrid:
+        return fluid::Solver::multigrid;
+    case smoke::Solver::jacobi:
+        return fluid::Solver::jacobi;
+    case smoke::Solver::automatic:
+        break;
+    }
+    return fluid::Solver::automatic;
+}
+
+fluid::Advection advection_of(const smoke::SmokeStyle& style)
+{
+    switch (style.advection) {
+    case smoke::Advection::linear:
+        return fluid::Advection::linear;
+    case smoke::Advection::cubic:
+        return fluid::Advection::cubic;
+    case smoke::Advection::maccormack:
+        return fluid::Advection::maccormack;
+    case smoke::Advection::automatic:
+        break;
+    }
+    return fluid::Advection::automatic;
+}
+
+/// How far in the open ends are felt.
+float rim_m(const Draught& draught)
+{
+    return 0.15F * draught.width_m;
+}
+
+float water_held_at_floor(const smoke::SmokeStyle& style)
+{
+    return style.humidity * std::exp(holds_less_above * style.cloud_base);
+}
+
+float outside_vapour(const smoke::SmokeStyle& style)
+{
+    return style.humidity_outside * style.humidity;
+}
+
+/// Of the quantities, besides being carried.
+fluid::MatterStyle changing(const Draught& draught, const smoke::SmokeStyle& style)
+{
+    return {.fading_per_s = 1.0F / style.life_s,
+            .cooling_per_s = 1.2F / style.rise_s,
+            .burning_per_s = smoke::is_burning(style) ? 1.0F / style.burn_s : 0.0F,
+            .ignition = smoke_ignition,
+            .heat_of_fuel = style.burn_heat,
+            .smoke_of_fuel = style.soot,
+            .condensing_per_s = smoke::is_moist(style) ? 30.0F / style.rise_s : 0.0F,
+            .saturation = water_held_at_floor(style),
+            .saturation_growth = 0.25F,
+            .saturation_fall_per_m = holds_less_above / draught.height_m,
+            .latent_heat = style.latent_heat,
+            .rim = {},
+            .outside_vapour = outside_vapour(style)};
+}
+
+} // namespace
+
+Draught draught_of(const smoke::Box& box, const smoke::SmokeStyle& style)
+{
+    const float height_m = box.cell_m * static_cast<float>(box.cells.y);
+    const float angle = glm::radians(style.wind_deg);
+    const glm::vec3 wind = style.wind_m_s * glm::vec3(std::sin(angle), 0.0F, std::cos(angle));
+    return {.speed_m_s = height_m / style.rise_s,
+            .width_m = box.width_m(),
+            .height_m = height_m,
+            .wind_m_s = box.cell_m * glm::mat3(box.grid_from_anchor) * wind};
+}
+
+uint32_t smoke_channels(const smoke::SmokeStyle& style)
+{
+    if (smoke::is_moist(style)) {
+        return shared::fluid_cloud + 1;
+    }
+    return smoke::is_burning(style) ? shared::fluid_fuel + 1 : shared::fluid_temperature + 1;
+}
+
+double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style)
+{
+    const Draught draught = draught_of(box, style);
+    return static_cast<double>(
+        std::clamp(2.0F * glm::length(draught.wind_m_s) / rim_m(draught), 24.0F, 480.0F));
+}
+
+fluid::Grid grid_of(const smoke::Box& box)
+{
+    // What leaves at one face would come back at the other, if the rim did not take it.
+    constexpr fluid::Edge open = fluid::Edge::periodic;
+    return {.cells = box.cells, .cell_m = box.cell_m, .edges = {open, open, open}};
+}
+
+fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style, double step_s)
+{
+    const Draught draught = draught_of(box, style);
+    const float crossing_per_s = (draught.speed_m_s + glm::length(draught.wind_m_s)) / rim_m(draught);
+    const fluid::Rim calming{.breadth_m = rim_m(draught), .share_per_s = crossing_per_s};
+    const fluid::Rim clearing{.breadth_m = rim_m(draught), .share_per_s = 8.0F * crossing_per_s};
+    fluid::MatterStyle matter = changing(draught, style);
+    matter.rim = clearing;
+    return {.step_s = static_cast<float>(step_s),
+            .stepping = style.stepping == smoke::Stepping::reflect ? fluid::Stepping::reflect
+                                                                   : fluid::Stepping::project,
+            .velocity_advection = advection_of(style),
+            .quantity_advection = advection_of(style),
+            .projection = {.solver = solver_of(style)},
+            .forces = {.lift_m_s2 = 5.0F * draught.speed_m_s * draught.speed_m_s / draught.height_m,
+                       .confinement_per_s = 4.0F * style.curl / style.rise_s,
+                       .rim = calming,
+                       .outside_m_s = draught.wind_m_s},
+            .matter = matter};
+}
+
+fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style)
+{
+    const float radius_m = 0.5F * style.source * box.width_m();
+    const glm::vec3 floor = 0.5F * box.cell_m * glm::vec3(box.cells) * glm::vec3(1.0F, 0.0F, 1.0F);
+    fluid::Source source{.shape = fluid::disc(floor + glm::vec3(0.0F, 0.6F * radius_m, 0.0F), radius_m)};
+    source.gain_per_s[shared::fluid_density] = style.amount_per_s;
+    // Or air that comes in by the floor would be a way above it before it is seen, the longer the quicker.
+    source.least_density = std::min(held_s * style.amount_per_s, 1.0F);
+    source.gain_per_s[shared::fluid_temperature] = 6.0F / style.rise_s;
+    source.gain_per_s[shared::fluid_fuel] = style.fuel_per_s;
+    source.least_vapour = style.humidity;
+    return source;
+}
+
+std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& style)
+{
+    constexpr int wave_count = 10;
+    constexpr double most_waves = 3.0; // along a side
+    const Draught draught = draught_of(box, style);
+    std::mt19937 random(static_cast<uint32_t>(style.seed) + 7919U * box.number);
+    const auto number = [&] { return 2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0; };
+
+    struct Wave {
+        glm::dvec3 turns; ///< over the box: whole numbers
+        glm::dvec3 swing;
+        double phase = 0.0;
+    };
+
+    std::vector<Wave> waves;
+    for (int i = 0; i < wave_count; ++i) {
+        const glm::dvec3 turns = glm::round(most_waves * glm::dvec3(number(), number(), number()));
+        const glm::dvec3 any(number(), number(), number());
+        const double size = glm::length(turns);
+        const glm::dvec3 along = size > 0.0 ? turns / size : glm::dvec3(0.0);
+        waves.push_back({turns,
+                         0.25 * static_cast<double>(draught.speed_m_s) * (any - along * glm::dot(any, along)),
+                         number()});
+    }
+    std::vector<float> speeds;
+    speeds.reserve(size_t{3} * box.cells.x * box.cells.y * box.cells.z);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (uint32_t z = 0; z < box.cells.z; ++z) {
+            for (uint32_t y = 0; y < box.cells.y; ++y) {
+                for (uint32_t x = 0; x < box.cells.x; ++x) {
+                    const glm::dvec3 place = (glm::dvec3(x, y, z) + 0.5) / glm::dvec3(box.cells);
+                    auto speed = static_cast<double>(draught.wind_m_s[axis]);
+                    for (const Wave& wave : waves) {
+                        speed += wave.swing[axis] * std::sin(2.0 * std::numbers::pi *
+                                                             (glm::dot(wave.turns, place) + wave.phase));
+                    }
+                    speeds.push_back(static_cast<float>(speed));
+                }
+            }
+        }
+    }
+    return speeds;
+}
+
+std::vector<float> clean_air(const smoke::Box& box, const smoke::SmokeStyle& style)
+{
+    if (!(outside_vapour(style) > 0.0F)) {
+        return {};
+    }
+    const fluid::Grid grid = grid_of(box);
+    std::vector<float> quantities(smoke_channels(style) * grid.cell_count(), 0.0F);
+    for (uint64_t i = 0; i < grid.cell_count(); ++i) {
+        const auto height =
+            (static_cast<float>(i / box.cells.x % box.cells.y) + 0.5F) / static_cast<float>(box.cells.y);
+        quantities[shared::fluid_vapour * grid.cell_count() + i] = std::min(
+            outside_vapour(style), water_held_at_floor(style) * std::exp(-holds_less_above * height));
+    }
+    return quantities;
+}
+
+} // namespace estampe::features

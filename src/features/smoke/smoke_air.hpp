@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The air in a box of smoke: what a style asks of the fluid there.
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "techniques/fluid/fluid.hpp"
+#include "techniques/smoke/smoke.hpp"
+
+namespace estampe::features {
+
+/// How fast smoke goes through a box.
+struct Draught {
+    float speed_m_s = 1.0F;
+    float width_m = 1.0F;
+    float height_m = 1.0F;
+    glm::vec3 wind_m_s{0.0F}; ///< in the grid's axes
+};
+
+[[nodiscard]] Draught draught_of(const smoke::Box& box, const smoke::SmokeStyle& style);
+
+/// Temperature from which on fuel burns; a source makes it in less than its own height.
+inline constexpr float smoke_ignition = 0.2F;
+
+/// What that air carries: density and heat; fuel, where there is some; and water, where there is some.
+[[nodiscard]] uint32_t smoke_channels(const smoke::SmokeStyle& style);
+
+/// How many steps the air takes at least: 24, or so many that wind carries nothing in one of them farther
+/// than half the rim at the open ends, which would not notice it; but no more than 480.
+[[nodiscard]] double steps_per_s(const smoke::Box& box, const smoke::SmokeStyle& style);
+
+/// Open on all sides.
+[[nodiscard]] fluid::Grid grid_of(const smoke::Box& box);
+
+/// For steps of that length.
+[[nodiscard]] fluid::FluidStyle solving(const smoke::Box& box, const smoke::SmokeStyle& style, double step_s);
+
+[[nodiscard]] fluid::Source source_of(const smoke::Box& box, const smoke::SmokeStyle& style);
+
+/// At the start: air that stirs a little, or smoke would rise as straight as a column.
+[[nodiscard]] std::vector<float> stirred_air(const smoke::Box& box, const smoke::SmokeStyle& style);
+
+/// What air carries at the start, as fluid::Fluid takes it: no more than the air outside. Empty where that is
+/// nothing.
+[[nodiscard]] std::vector<float> clean_air(const smoke::Box& box, const smoke::SmokeStyle& style);
+
+} // namespace estampe::features
