@@ -67,7 +67,7 @@ void set_light(bake::BakeSettings& settings, const Scene& scene, const features:
     settings.lamps.clear();
     for (const shared::LightRecord& record : lighting.records) {
         settings.lamps.push_back(lamp_of(record));
-        settings.lamps.back().baked = (kind_of(record) & wanted.direct) != 0;
+        settings.lamps.back().baked = (features::kind_of(record) & wanted.direct) != 0;
     }
     settings.exposure = lighting.exposure;
     const light::SkyAndGround ambient = light::sky_and_ground(lighting.ambient, wanted.sky);

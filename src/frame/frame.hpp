@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "features/cloth/moving_cloth.hpp"
-#include "features/clouds/clouds.hpp"
 #include "features/common/style_tables.hpp"
-#include "features/common/surface_map.hpp"
-#include "features/hatching/tonal_maps.hpp"
-#include "features/particles/particles.hpp"
-#include "features/shadows/local_maps.hpp"
-#include "features/shadows/sun_casters.hpp"
 #include "frame/deep_page.hpp"
+#include "frame/features.hpp"
+#include "frame/page.hpp"
 #include "frame/plan.hpp"
 #include "frame/vectors.hpp"
 #include "gpu/graph/graph.hpp"
-#include "techniques/contour/chains/brushes.hpp"
-#include "techniques/contour/chains/line_history.hpp"
-#include "techniques/contour/chains/line_mesh.hpp"
 #include "techniques/contour/chains/strung_lines.hpp"
-#include "techniques/ink/ink.hpp"
-#include "techniques/lightmap/lightmap.hpp"
-#include "techniques/motion_blur/smear.hpp"
-#include "techniques/motion_blur/stretch.hpp"
-#include "techniques/occlusion/disc_map.hpp"
-#include "techniques/pose/pose.hpp"
-#include "techniques/raster/clusters.hpp"
-#include "techniques/surface/materials.hpp"
-#include "techniques/terrain/terrain_buffers.hpp"
-#include "techniques/terrain/trails/trodden.hpp"
 
 namespace estampe::frame {
 
@@ -48,68 +30,45 @@ struct FrameLists {
     std::vector<wash::LookWash> wash_looks;
 };
 
-/// The buffers of the outside world that a frame reads and writes.
-struct FrameResources {
-    gpu::Device& device;
-    FrameLists& frame_lists;
-    pose::MeshBuffers& meshes;
-    raster::ClusterBoxes& cluster_boxes;
-    const pose::PoseData& pose; ///< of this moment
-    surface::MaterialBuffers& materials;
-    gpu::Buffer& frame_globals;
-    gpu::Buffer& light_globals;
-    gpu::Buffer& lights;
-    gpu::Buffer& exposure; ///< light's ExposureState, kept from frame to frame
-    gpu::Buffer& shadow_map;
-    gpu::Buffer& still_shadow_map; ///< see SunMap
-    gpu::Buffer& sun_views;
-    gpu::Buffer& sun_pictures;
-    gpu::Buffer& sun_tiles;
-    gpu::Buffer& edge_look;  ///< EdgeLook, see shadow/edge.glsl.h
-    gpu::Buffer& sun_shadow; ///< SunShadow, see shadow/sun.glsl.h
-    features::LocalShadowBuffers& local_shadows;
-    gpu::Buffer& stroke_kinds;                     ///< one a draw
-    gpu::Buffer& form_coordinates;                 ///< three a triangle, where strokes follow the form
-    lightmap::MapBuffers* lightmaps;               ///< where the scene has any
-    features::TonalMaps& maps;                     ///< one a look
-    gpu::Buffer& look_of_draw;                     ///< where surfaces differ, as LookPlan has it
-    gpu::Buffer& line_looks;                       ///< then, contour's LineLook of each look
-    gpu::Buffer& subsurface_looks;                 ///< where light goes into things
-    occlusion::DiscBuffers& discs;                 ///< where occlusion is found between them
-    occlusion::DiscMapBuffers& disc_map;           ///< then, in a map
-    features::SurfaceMap* occlusion_map = nullptr; ///< then
-    features::SurfaceMap* scatter_map = nullptr;   ///< that light spreads in
-    gpu::Buffer& map_frame;                        ///< then: FrameGlobals, of a page as large as the map
-    gpu::Buffer& half_frame;                       ///< FrameGlobals of every second pixel each way
-    motion_blur::TogetherBuffers& together;        ///< where meshes are drawn out
-    motion_blur::SmearSeeds& smear_seeds;          ///< where strokes begin
-    std::span<const features::StillCaster> still_casters;
-    features::GroundShadow& ground_shadow;
-    features::MovingCloth* cloth;            ///< where the scene has any
-    const features::ClothSteps* cloth_steps; ///< that it has yet to take
-    terrain::TerrainBuffers* terrain;        ///< where the scene has one
-    terrain::TroddenSand* trodden;           ///< then
-    contour::LineMesh* line_mesh;            ///< where lines are chains
-    contour::LineHistory& line_history;
-    gpu::Buffer& focus_lines;                          ///< of the plan
-    features::CloudBuffers& clouds;                    ///< where the plan has any
-    std::vector<features::ParticleBuffers>& particles; ///< as many as the plan has looks of them
-    contour::BrushImages* brushes;                     ///< where lines have others than the pen
-    gpu::Image& sums;                                  ///< of a picture of several samples
-    gpu::Buffer& pixels;                               ///< the picture, four bytes a pixel, for reading back
-    gpu::Buffer& motion;                               ///< read back where the plan asks for it
-    ink::Memory& ink;                                  ///< that flows, where the plan has any
-    features::RisingSmoke& smoke;                      ///< risen, where the plan has any
-    StrokeLists* lists = nullptr;                      ///< where strokes are wanted in place of a picture
-    DeepPage* deep = nullptr;                          ///< where the picture is wanted in floats too
-    std::optional<StrungPart> strung = {};             ///< where lines are strung already
-    /// Where what tiles share is wanted in place of a picture: lines, and how bright the page is.
-    contour::StrungLines* strung_into = nullptr;
-    const VulkanPicture* target = nullptr; ///< of the host's, where the picture goes in place of `pixels`
+/// What is uploaded for each frame, or read back from it, beside the features' own.
+struct FrameBuffers {
+    gpu::Buffer frame_globals;      ///< FrameGlobals
+    gpu::Buffer map_frame_globals;  ///< FrameGlobals of a page as large as the map that light spreads in
+    gpu::Buffer half_frame_globals; ///< FrameGlobals of every second pixel each way
+    gpu::Buffer look_of_draw;       ///< one per draw, where the plan has several style variants
+    gpu::Buffer subsurface_looks;   ///< SubsurfaceLook, where light goes into things
+    gpu::Buffer motion_pixels;      ///< read back where the plan asks for motion
+    Page page;
 };
 
-/// Declares one sample of a picture, top to bottom; or where there are lists, what fills those in its place.
-void declare_frame(gpu::Graph& graph, const pose::MeshData& layout, FrameResources& resources,
-                   const FramePlan& plan, const SamplePlan& sample, const features::StyleTables& style);
+/// One frame of a picture: which sample, of which part of the page, and what is wanted of it.
+struct FrameJob {
+    paper::Accumulation accumulation;
+    bool is_first = true;                        ///< of the picture's frames
+    std::optional<features::PixelRect> tile;     ///< part of the page to draw; otherwise all of it
+    std::optional<features::Survey> survey;      ///< the page in fewer pixels
+    StrokeLists* lists = nullptr;                ///< strokes as paths in place of pixels
+    DeepPage* deep = nullptr;                    ///< floats beside bytes
+    std::optional<StrungPart> strung = {};       ///< lines that were found for the whole page
+    contour::StrungLines* strung_into = nullptr; ///< what tiles share, in place of a picture
+    const VulkanPicture* target = nullptr;       ///< the host's, in place of bytes
+};
+
+/// What the steps of a frame are declared from.
+struct FrameContext {
+    gpu::Graph& graph;
+    gpu::Device& device;
+    LoadedScene& loaded; ///< posed
+    Features& features;
+    FrameBuffers& buffers;
+    const FrameJob& job;
+    const FramePlan& plan;
+    const SamplePlan& sample;
+    const features::StyleTables& style;
+    FrameLists& lists;
+};
+
+/// Declares one sample of a picture, top to bottom; or, where the job has lists, what fills those instead.
+void declare_frame(const FrameContext& context);
 
 } // namespace estampe::frame

@@ -9,6 +9,8 @@
 #include <estampe/error.hpp>
 
 #include "core/at_once.hpp"
+#include "features/cloth/moving_cloth.hpp"
+#include "features/common/view.hpp"
 #include "features/terrain/ground_mesh.hpp"
 #include "scene/drawn_size.hpp"
 #include "scene/visibility.hpp"
@@ -118,8 +120,6 @@ pose::MeshData layout_of(const Scene& scene)
 /// Brings a layout of the loaded scene to the device, and forgets what was made of the one before.
 void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout)
 {
-    const glm::dvec3 anchor_before = loaded.layout.anchor;
-    const std::unique_ptr<features::MovingCloth> cloth_before = std::move(loaded.cloth);
     loaded.layout = std::move(layout);
     ++loaded.layout_number;
     if (loaded.scene.terrain) {
@@ -135,17 +135,9 @@ void take_layout(gpu::Device& device, LoadedScene& loaded, pose::MeshData layout
     }
     loaded.meshes = pose::upload_meshes(device, loaded.layout);
     loaded.cluster_boxes.forget();
-    loaded.cloth = features::MovingCloth::is_in(loaded.scene)
-                       ? std::make_unique<features::MovingCloth>(device, loaded.scene, loaded.layout)
-                       : nullptr;
-    if (loaded.cloth && cloth_before && loaded.layout.anchor == anchor_before) {
-        loaded.cloth->go_on_from(*cloth_before);
-    }
     loaded.baked = features::upload_baked(device, loaded.lightmap ? &*loaded.lightmap : nullptr, loaded.scene,
                                           loaded.layout);
     loaded.has_plain_links = pose::has_plain_links(loaded.layout);
-    loaded.stroke_kinds.clear();
-    loaded.line_meshes.forget();
     loaded.still_casters = features::still_casters(loaded.layout, loaded.scene);
     loaded.still_room = {};
     for (const features::StillCaster& caster : loaded.still_casters) {
@@ -317,6 +309,20 @@ bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::Light
         lay_out(device, loaded);
     }
     return !is_brightness_alone;
+}
+
+float nearby_m(const pose::MeshData& layout, const glm::dvec3& eye)
+{
+    constexpr float near_ground_m = 20.0F;
+    const auto unit_m = static_cast<float>(layout.stroke_unit_m);
+    const glm::vec3 eye_rest(eye - layout.rest_anchor);
+    const std::span places(layout.stroke_coordinates);
+    if (!layout.foreign_vertex) {
+        return unit_m * features::nearby(places, eye_rest / unit_m);
+    }
+    const float objects_m =
+        unit_m * features::nearby(places.first(*layout.foreign_vertex), eye_rest / unit_m);
+    return objects_m > 0.0F ? std::min(objects_m, near_ground_m) : near_ground_m;
 }
 
 } // namespace estampe::frame

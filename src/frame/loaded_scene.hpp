@@ -10,14 +10,11 @@
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 
-#include "features/cloth/moving_cloth.hpp"
 #include "features/common/placed_nodes.hpp"
 #include "features/common/surface_map.hpp"
 #include "features/lighting/house_light.hpp"
 #include "features/lighting/light_links.hpp"
 #include "features/lighting/lightmaps.hpp"
-#include "features/lines/line_meshes.hpp"
-#include "features/particles/particles.hpp"
 #include "features/shadows/sun_casters.hpp"
 #include "techniques/light/light.hpp"
 #include "techniques/motion_blur/smear.hpp"
@@ -46,12 +43,10 @@ struct LoadedScene {
     raster::ClusterBoxes cluster_boxes; ///< of these
     surface::MaterialBuffers materials;
     surface::SceneNeeds needs;
-    std::vector<std::string> notes;           ///< what became of textures
-    std::optional<Lightmap> lightmap;         ///< where one was given
-    std::optional<features::WornLight> baked; ///< the same as the meshes wear it
-    std::vector<uint32_t> stroke_kinds;       ///< what the strokes of each draw follow, on the device
-    std::optional<pose::PoseData> pose;       ///< what the device holds now
-    features::LineMeshes line_meshes;
+    std::vector<std::string> notes;                        ///< what became of textures
+    std::optional<Lightmap> lightmap;                      ///< where one was given
+    std::optional<features::WornLight> baked;              ///< the same as the meshes wear it
+    std::optional<pose::PoseData> pose;                    ///< what the device holds now
     occlusion::DiscBuffers discs;                          ///< made when a style first asks for them
     occlusion::DiscMapBuffers disc_map;                    ///< then, where they are summed in a map
     std::map<uint32_t, features::SurfaceMap> surface_maps; ///< that styles ask for, by their side in texels
@@ -59,9 +54,7 @@ struct LoadedScene {
     motion_blur::SmearSeeds smear_seeds;                   ///< and these
     features::HouseLight house_light;
     light::KeyLightMemory key_light;
-    features::EmittingNodes emitting;
     features::PlacedNodes placed;                     ///< what a program moves
-    std::unique_ptr<features::MovingCloth> cloth;     ///< where the scene has any
     std::unique_ptr<terrain::TerrainBuffers> terrain; ///< where the scene has one
     std::unique_ptr<terrain::TroddenSand> trodden;    ///< then
     bool terrain_moved = false;                       ///< the device has yet to pose its vertices
@@ -103,5 +96,8 @@ void lay_out(gpu::Device& device, LoadedScene& loaded);
 /// otherwise to the lights than before. Returns whether shadows may fall otherwise, which they do not where
 /// lights are brighter or lower. Throws Error as styled_lighting() does.
 [[nodiscard]] bool style_lighting(gpu::Device& device, LoadedScene& loaded, const light::LightStyle& style);
+
+/// How far from the eye what stands in front is; a terrain, which is everywhere, keeps it near.
+[[nodiscard]] float nearby_m(const pose::MeshData& layout, const glm::dvec3& eye);
 
 } // namespace estampe::frame

@@ -9,35 +9,15 @@
 
 #include <estampe/renderer.hpp>
 
-#include "features/hatching/tonal_maps.hpp"
-#include "features/ink/flowing_ink.hpp"
-#include "features/lines/line_brushes.hpp"
-#include "features/shadows/local_shadows.hpp"
-#include "features/shadows/sun.hpp"
-#include "features/smoke/rising_smoke.hpp"
 #include "frame/frame.hpp"
 #include "frame/loaded_scene.hpp"
-#include "frame/page.hpp"
-#include "frame/vectors.hpp"
 #include "gpu/graph/compile_ahead.hpp"
 #include "gpu/graph/execute.hpp"
-#include "techniques/light/exposure.hpp"
 #include "techniques/raster/choose_path.hpp"
 
 namespace estampe {
 
-/// One frame of a picture: which sample, of which part of the page, and what is wanted of it.
-struct FrameJob {
-    paper::Accumulation accumulation;
-    bool is_first = true;                    ///< of the picture's frames
-    std::optional<features::PixelRect> tile; ///< of the page; else all of it
-    std::optional<features::Survey> survey;  ///< the page in fewer pixels
-    frame::StrokeLists* lists = nullptr;     ///< strokes as paths in place of pixels
-    frame::DeepPage* deep = nullptr;         ///< floats beside bytes
-    std::optional<frame::StrungPart> strung = {};
-    contour::StrungLines* strung_into = nullptr; ///< what tiles share in place of pixels
-    const VulkanPicture* target = nullptr;       ///< of the host's, in place of bytes
-};
+using frame::FrameJob;
 
 /// The scene as it stood when it was asked for last.
 struct PosedScene {
@@ -81,27 +61,14 @@ struct Renderer::Impl {
     /// Brings the ground to where the eye is.
     void update_terrain(const Camera& camera, const RenderSettings& settings,
                         const features::StyleTables& style);
-    /// Tells cloth how the air of smoke moves, where the style has it blow; which lets that rise.
+    /// To be called when the scene may have been laid out afresh: tells the features, and cuts its cloth.
+    void note_layout();
+    /// Passes the velocity of smoke to cloth as wind, if the style asks for it: simulates that smoke first,
+    /// and returns its boxes.
     [[nodiscard]] std::optional<std::vector<smoke::Box>>
     blow_cloth(const ScenePose& pose, const features::StyleTables& style, const RenderSettings& settings);
-    /// Brings cloth to where the picture wants it, but for `last_of_cloth`. Returns whether the scene was
-    /// posed on the way, as it was somewhere there.
-    [[nodiscard]] bool update_cloth(const RenderSettings& settings, const features::StyleTables& style);
-    /// Tells cloth that moves where solids are, and maps of shadows where it is; when the scene has been
-    /// posed as it is now.
-    void place_cloth(const ScenePose& pose, const RenderSettings& settings,
-                     const features::StyleTables& style);
-    void start_cloth(const features::ClothRun& run, const RenderSettings& settings,
-                     const features::StyleTables& style);
-    void step_cloth(const features::ClothSteps& steps, const RenderSettings& settings,
-                    const features::StyleTables& style);
-    /// Leaves out what is torn of sheets, and draws again what is whole. Cost: where any may tear, their torn
-    /// links are read back, and where others are torn than before, triangles are uploaded and lines found
-    /// anew.
-    void tear_cloth();
-    /// Poses what moved, and tells cloth where solids are.
-    [[nodiscard]] gpu::BufferId pose_for_cloth(gpu::Graph& graph, double time_s, Index animation,
-                                               const features::StyleTables& style);
+    [[nodiscard]] features::ClothInputs cloth_inputs(const RenderSettings& settings,
+                                                     const features::StyleTables& style);
     /// What the ink of a picture that has been prepared is planned from.
     [[nodiscard]] features::FlowingInkInputs
     ink_inputs(const Camera& camera, const features::StyleTables& tables, const RenderSettings& settings);
@@ -123,18 +90,14 @@ struct Renderer::Impl {
     [[nodiscard]] features::MotionPlan motion_between(const Camera& before, const Camera& now,
                                                       const RenderSettings& settings) const;
     [[nodiscard]] features::MotionPlan plan_motion(const Camera& camera, const RenderSettings& settings);
-    /// Plans the maps of local lights, makes room for them, and says who goes without. Fills in the records'
-    /// `shadow`.
-    [[nodiscard]] features::LocalMapPlan provide_local_shadows(const frame::PagePlan& page_plan,
-                                                               light::Lighting& lighting,
-                                                               const Camera& camera,
-                                                               const features::StyleTables& tables);
+    [[nodiscard]] features::LocalMapScene local_map_scene(const frame::PagePlan& page_plan,
+                                                          const Camera& camera,
+                                                          const features::StyleTables& tables) const;
     /// Hands the device what the light's shaders read.
     void provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
                           const features::StyleTables& tables);
     /// What of that, and of lines, hangs on how large a pixel is.
     void provide_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables);
-    void provide_strokes(const features::StrokePlan& strokes);
     void provide_looks(const frame::FramePlan& plan);
     /// Maps that lie on all surfaces, where the style wants any.
     void provide_surface_maps(const frame::FramePlan& plan);
@@ -170,40 +133,13 @@ struct Renderer::Impl {
     RasterPath raster_path;                   ///< chosen as the device was opened
     std::optional<RasterPath> page_path;      ///< of the last page
     std::optional<frame::LoadedScene> loaded;
+    uint32_t known_layout = 0; ///< LoadedScene::layout_number that note_layout() has told of
     PosedScene posed_scene;
-    std::optional<features::ClothSteps> last_of_cloth; ///< which the picture's first graph takes
-    gpu::Buffer frame_globals;
-    gpu::Buffer light_globals;
-    gpu::Buffer lights;
-    light::ExposureMemory exposure;
-    features::SunMap sun_map;
-    features::GroundShadow ground_shadow;
-    gpu::Buffer edge_look;
-    gpu::Buffer sun_shadow;
-    features::LocalShadows local_shadows;
-    features::LocalShadowBuffers local_shadow_buffers;
-    bool poses_anyway = false; ///< where nothing has moved, too
-    std::vector<Bounds> moved; ///< since the local shadows were planned last
-    gpu::Buffer stroke_kinds;
-    gpu::Buffer form_coordinates;
-    features::TonalMaps tonal_maps;
-    gpu::Buffer look_of_draw;
-    gpu::Buffer line_looks;
-    gpu::Buffer subsurface_looks;
-    gpu::Buffer map_frame_globals;
-    gpu::Buffer half_frame_globals;
-    gpu::Buffer focus_lines;
-    features::CloudBuffers clouds;
-    std::vector<features::ParticleBuffers> particles;
-    contour::LineHistory line_history;
-    bool is_of_film = false; ///< the last frame
-    features::LineBrushes line_brushes;
-    features::FlowingInk flowing_ink;
-    features::RisingSmoke rising_smoke;
-    frame::Page page;
-    gpu::Buffer motion_pixels;
+    bool force_repose = false; ///< the scene is posed again even if no node moved
+    bool is_of_film = false;   ///< the last frame
+    frame::Features features;
+    frame::FrameBuffers buffers;
     Motion motion;
-    sky::CloudMemory cloud_memory;
     frame::PlanLists plan_lists; ///< of the picture before
     frame::FrameLists frame_lists;
     gpu::Graph declared; ///< room for the next frame's

@@ -19,13 +19,13 @@ void Renderer::place(std::span<const NodePlace> places, double time_s)
     }
     impl_->posed_scene = {};
     frame::place_nodes(impl_->device, *impl_->loaded, places, time_s);
+    impl_->note_layout();
 }
 
 gpu::BufferId Renderer::Impl::add_moved(gpu::Graph& graph)
 {
     pose::MeshBuffers& meshes = loaded->meshes;
-    return pose::add_pose_of_moved(graph, meshes, loaded->layout, *loaded->pose,
-                                   loaded->cloth ? loaded->cloth->draws() : std::span<const uint32_t>(),
+    return pose::add_pose_of_moved(graph, meshes, loaded->layout, *loaded->pose, features.cloth.draws(),
                                    gpu::import_whole(graph, "draws", meshes.draws),
                                    gpu::import_whole(graph, "rest vertices", meshes.rest_vertices));
 }
@@ -49,7 +49,7 @@ std::optional<double> Renderer::Impl::moment_before(const RenderSettings& settin
     if (settings.motion_since) {
         return settings.motion_since->time_s;
     }
-    const std::optional<double> of_ink = flowing_ink.before_s(settings, style.ink);
+    const std::optional<double> of_ink = features.ink.before_s(settings, style.ink);
     if (of_ink || !motion_blur::is_wanted(style.motion_blur)) {
         return of_ink;
     }
@@ -116,7 +116,7 @@ features::MotionPlan Renderer::Impl::motion_between(const Camera& before, const 
 
 features::MotionPlan Renderer::Impl::plan_motion(const Camera& camera, const RenderSettings& settings)
 {
-    features::provide_motion(device, motion_pixels, settings);
+    features::provide_motion(device, buffers.motion_pixels, settings);
     return motion_between(settings.motion_since->camera, camera, settings);
 }
 

@@ -30,8 +30,8 @@ const std::vector<PassTiming>& Renderer::timings() const
 
 std::vector<SolverReport> Renderer::solver_reports() const
 {
-    std::vector<SolverReport> reports = impl_->rising_smoke.solver_reports();
-    if (const std::optional<SolverReport>& of_ink = impl_->flowing_ink.water().solver_report()) {
+    std::vector<SolverReport> reports = impl_->features.smoke.solver_reports();
+    if (const std::optional<SolverReport>& of_ink = impl_->features.ink.solver_report()) {
         reports.push_back(*of_ink);
     }
     return reports;

@@ -27,9 +27,10 @@ void Renderer::set_terrain(const Terrain& terrain, bool at_once)
     if (!impl_->loaded || !impl_->loaded->terrain) {
         throw Error("the scene has no terrain", "", "give it one before set_scene");
     }
-    if (frame::swap_terrain(impl_->device, *impl_->loaded, terrain)) {
-        impl_->local_shadows.forget();
-        impl_->line_history.forget();
+    const bool is_cut_otherwise = frame::swap_terrain(impl_->device, *impl_->loaded, terrain);
+    impl_->note_layout();
+    if (is_cut_otherwise) {
+        impl_->features.invalidate(features::Event::ground_replaced);
     }
     impl_->loaded->terrain->set_source(at_once ? terrain::HeightSource::compiled_meanwhile
                                                : terrain::HeightSource::compiled);
@@ -59,11 +60,7 @@ void Renderer::Impl::follow_eye(const Camera& camera)
     loaded->layout.anchor.x = nearest.x;
     loaded->layout.anchor.z = nearest.z;
     loaded->pose.reset();
-    sun_map.forget();
-    ground_shadow.forget();
-    local_shadows.forget();
-    line_history.forget();
-    flowing_ink.forget();
+    features.invalidate(features::Event::anchor_moved);
 }
 
 void Renderer::Impl::update_terrain(const Camera& camera, const RenderSettings& settings,

@@ -67,7 +67,8 @@ std::vector<contour::StrungLines>
 Renderer::Impl::survey_page(const Camera& camera, const features::StyleTables& style,
                             const frame::FramePlan& plan, const features::Survey& survey, uint32_t samples)
 {
-    const bool has_chains = loaded->line_meshes.provide(device, loaded->layout, plan.looks.lines) != nullptr;
+    const bool has_chains =
+        features.lines.meshes().provide(device, loaded->layout, plan.looks.lines) != nullptr;
     const uint32_t survey_count = has_chains ? samples : plan.light.meters_page ? 1 : 0;
     const frame::FramePlan survey_plan = frame::shrunk_plan(plan, survey.shrink, survey.size_px(), style);
     provide_pixel_sizes(survey_plan, style);
@@ -91,11 +92,11 @@ features::InkPlan Renderer::Impl::let_ink_flow(const Camera& camera, const featu
                                                const RenderSettings& settings)
 {
     frame::FramePlan plan = prepare(camera, tables, settings);
-    plan.ink = flowing_ink.provide(device, executor, ink_inputs(camera, tables, settings), notes);
+    plan.ink = features.ink.provide(device, executor, ink_inputs(camera, tables, settings), notes);
     plan.smoke = plan_smoke(plan, tables, settings);
-    frame::provide_page(device, page, plan.page_px, settings.samples);
+    frame::provide_page(device, buffers.page, plan.page_px, settings.samples);
     draw_frame(camera, tables, plan, {.accumulation = {.sample_index = 0, .sample_count = settings.samples}});
-    flowing_ink.drawn(*plan.ink, camera);
+    features.ink.drawn(*plan.ink, camera);
     return *plan.ink;
 }
 
@@ -119,7 +120,7 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
     frame::FramePlan plan = prepare(seen_by, tables, settings);
     plan.smoke = plan_smoke(plan, tables, settings);
     if (flowed) {
-        plan.ink = flowing_ink.shown_on(device, *flowed, ink_inputs(seen_by, tables, settings));
+        plan.ink = features.ink.shown_on(device, *flowed, ink_inputs(seen_by, tables, settings));
         notes = std::move(notes_of_ink);
     }
     if (plan.motion_blur) {
@@ -135,7 +136,7 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
     const std::vector<frame::Tile> tiles = frame::tiles_of(plan.page_px, tile_px, overlap);
     std::vector<contour::StrungLines> lines = survey_page(seen_by, tables, plan, survey, settings.samples);
     bool is_first = lines.empty() && !plan.light.meters_page;
-    frame::provide_page(device, page, tiles.front().drawn.size_px, settings.samples);
+    frame::provide_page(device, buffers.page, tiles.front().drawn.size_px, settings.samples);
     Image band{.width = settings.width};
     double drawn_pixels = 0.0;
     for (const frame::Tile& tile : tiles) {
@@ -156,7 +157,7 @@ void Renderer::Impl::draw_tiles(const Camera& camera, const Style& style, const 
         }
         band.height = tile.kept.size_px.y;
         band.rgba.resize(size_t{4} * band.width * band.height);
-        copy_kept(page.pixels, tile, band);
+        copy_kept(buffers.page.pixels, tile, band);
         drawn_pixels += static_cast<double>(tile.kept.size_px.x) * tile.kept.size_px.y;
         if (tile.kept.from_px.x + tile.kept.size_px.x == settings.width) {
             sink.take(band);

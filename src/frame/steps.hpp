@@ -3,7 +3,7 @@
 
 // The steps of a frame: what each technique takes from the ones before it, and what it hands on. A step
 // declares passes and draws nothing yet. Handles go in and come out by name; what was known before the frame
-// was begun lies in Making.
+// was begun lies in FrameContext.
 
 #include <optional>
 
@@ -19,16 +19,6 @@
 #include "techniques/surface/surface.hpp"
 
 namespace estampe::frame {
-
-/// A frame in the making.
-struct Making {
-    gpu::Graph& graph;
-    const pose::MeshData& layout;
-    FrameResources& resources;
-    const FramePlan& plan;
-    const SamplePlan& sample;
-    const features::StyleTables& style;
-};
 
 /// The camera, and the scene as it stands at this moment.
 struct PosedScene {
@@ -74,47 +64,49 @@ struct MovingLayers {
 };
 
 /// Whatever moves writes vertices. In a scene that stands as it stood they are there already.
-[[nodiscard]] PosedScene add_posed_scene(const Making& making);
+[[nodiscard]] PosedScene add_posed_scene(const FrameContext& context);
 
 /// What hides what is behind it.
 [[nodiscard]] Few<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground);
 
 /// All that the camera sees.
-[[nodiscard]] raster::View eye_view(const Making& making);
+[[nodiscard]] raster::View eye_view(const FrameContext& context);
 
 /// Rasterisation only writes identities: depth and triangle, 64 bits a pixel.
-[[nodiscard]] gpu::BufferId add_visibility(const Making& making, const PosedScene& scene,
+[[nodiscard]] gpu::BufferId add_visibility(const FrameContext& context, const PosedScene& scene,
                                            const char* name = "visibility");
 
 /// What is seen at each pixel.
-[[nodiscard]] surface::Surface add_surface(const Making& making, const PosedScene& scene,
+[[nodiscard]] surface::Surface add_surface(const FrameContext& context, const PosedScene& scene,
                                            gpu::BufferId visibility);
 
 /// Where that stood at another moment, for the processor, in the first sample of a picture that asks for it.
-void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId visibility);
+void add_motion(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility);
 
 /// What see-through surfaces are made out from.
-[[nodiscard]] screen::ScreenInputs screen_inputs(const Making& making, const PosedScene& scene,
+[[nodiscard]] screen::ScreenInputs screen_inputs(const FrameContext& context, const PosedScene& scene,
                                                  gpu::BufferId visibility,
                                                  const std::vector<gpu::BufferId>& layers);
 
-[[nodiscard]] SeenThrough add_screen(const Making& making, const PosedScene& scene, gpu::BufferId visibility);
+[[nodiscard]] SeenThrough add_screen(const FrameContext& context, const PosedScene& scene,
+                                     gpu::BufferId visibility);
 
 /// How far sun, lamps and spots see. Maps are kept, and drawn only where they are out of date.
-[[nodiscard]] ShadowMaps add_shadow_maps(const Making& making, const PosedScene& scene);
+[[nodiscard]] ShadowMaps add_shadow_maps(const FrameContext& context, const PosedScene& scene);
 
 /// Light that is known ahead; none in a scene without lightmaps.
-[[nodiscard]] std::optional<gpu::ImageId> add_known_light(const Making& making, const PosedScene& scene,
-                                                          gpu::BufferId visibility);
+[[nodiscard]] std::optional<gpu::ImageId> add_known_light(const FrameContext& context,
+                                                          const PosedScene& scene, gpu::BufferId visibility);
 
 /// How much of the light from everywhere arrives there, where the style wants it.
-[[nodiscard]] std::optional<occlusion::OpenPage> add_occlusion(const Making& making, const PosedScene& scene,
+[[nodiscard]] std::optional<occlusion::OpenPage> add_occlusion(const FrameContext& context,
+                                                               const PosedScene& scene,
                                                                gpu::BufferId visibility,
                                                                const surface::Surface& surface);
 
 /// Smoke, shaped and lit in the first sample, where there is any.
-[[nodiscard]] std::optional<smoke::Volume> add_smoke_volume(const Making& making, const PosedScene& scene,
-                                                            const ShadowMaps& maps);
+[[nodiscard]] std::optional<smoke::Volume> add_smoke_volume(const FrameContext& context,
+                                                            const PosedScene& scene, const ShadowMaps& maps);
 
 /// What keeps light from what is seen, or is known of it.
 struct LightBefore {
@@ -125,127 +117,127 @@ struct LightBefore {
 };
 
 /// The light that arrives there and goes into things, exposed for the page where the style meters that.
-[[nodiscard]] light::LitPixels add_light(const Making& making, const PosedScene& scene,
+[[nodiscard]] light::LitPixels add_light(const FrameContext& context, const PosedScene& scene,
                                          gpu::BufferId visibility, const surface::Surface& surface,
                                          const LightBefore& before);
 
 /// What light needs wherever it falls in the scene, set up for what is seen.
-[[nodiscard]] light::LightInputs light_inputs(const Making& making, const PosedScene& scene,
+[[nodiscard]] light::LightInputs light_inputs(const FrameContext& context, const PosedScene& scene,
                                               const surface::Surface& surface, const ShadowMaps& maps);
 
 /// What is known of things that light goes into.
-[[nodiscard]] subsurface::SubsurfaceInputs subsurface_inputs(const Making& making, const PosedScene& scene,
-                                                             const surface::Surface& surface);
+[[nodiscard]] subsurface::SubsurfaceInputs
+subsurface_inputs(const FrameContext& context, const PosedScene& scene, const surface::Surface& surface);
 
 /// The number of each draw's look, where surfaces differ.
-[[nodiscard]] std::optional<gpu::BufferId> look_of_draw(const Making& making);
+[[nodiscard]] std::optional<gpu::BufferId> look_of_draw(const FrameContext& context);
 
 /// What strokes are drawn from.
-[[nodiscard]] const std::vector<hatch::LookHatch>& hatch_looks(const Making& making);
+[[nodiscard]] const std::vector<hatch::LookHatch>& hatch_looks(const FrameContext& context);
 
-[[nodiscard]] hatch::HatchInputs hatch_inputs(const Making& making, const PosedScene& scene,
+[[nodiscard]] hatch::HatchInputs hatch_inputs(const FrameContext& context, const PosedScene& scene,
                                               const surface::Surface& surface, const light::LitPixels& lit,
                                               const SeenThrough& screen);
 
 /// What lines are found in.
-[[nodiscard]] contour::ContourInputs contour_inputs(const Making& making, const PosedScene& scene,
+[[nodiscard]] contour::ContourInputs contour_inputs(const FrameContext& context, const PosedScene& scene,
                                                     gpu::BufferId visibility, const surface::Surface& surface,
                                                     const light::LitPixels& lit, const SeenThrough& screen);
 
 /// Lines where surfaces end, meet or fold: strung as chains, or found between pixels, which is also how what
 /// a texture cuts gets its own.
-[[nodiscard]] gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in);
+[[nodiscard]] gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in);
 
 /// Strings the lines of the whole page, for its tiles.
-void add_strung_lines(const Making& making, const contour::ContourInputs& in);
+void add_strung_lines(const FrameContext& context, const contour::ContourInputs& in);
 
 /// Sand in the air over the lines of the scene.
-[[nodiscard]] gpu::ImageId add_drift(const Making& making, const PosedScene& scene,
+[[nodiscard]] gpu::ImageId add_drift(const FrameContext& context, const PosedScene& scene,
                                      const surface::Surface& surface, gpu::ImageId lines);
 
 /// Particles over colour and ink.
-[[nodiscard]] haze::HazeLayers add_particles(const Making& making, const PosedScene& scene,
+[[nodiscard]] haze::HazeLayers add_particles(const FrameContext& context, const PosedScene& scene,
                                              const surface::Surface& surface, gpu::ImageId sky_wash,
                                              const haze::HazeLayers& layers);
 
 /// What the lens makes of the layers, where there is one.
-[[nodiscard]] lens::LensLayers add_lens(const Making& making, const surface::Surface& surface,
+[[nodiscard]] lens::LensLayers add_lens(const FrameContext& context, const surface::Surface& surface,
                                         const haze::HazeLayers& layers, const Colors& colors);
 
 /// What moves while the shutter is open, where any is wanted.
 [[nodiscard]] motion_blur::MotionBlurLayers
-add_motion_blur(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+add_motion_blur(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                 const surface::Surface& surface, const haze::HazeLayers& layers, const Colors& colors);
 
 /// How much of each pixel things cover as lens and shutter see them, for a transparent background; nothing
 /// where neither blurs anything, as the wash's alpha says it then. `layers` and `colors` are those that lens
 /// and shutter are given; must be declared before these are drawn in place.
-[[nodiscard]] std::optional<gpu::ImageId> add_cover(const Making& making, const PosedScene& scene,
+[[nodiscard]] std::optional<gpu::ImageId> add_cover(const FrameContext& context, const PosedScene& scene,
                                                     gpu::BufferId visibility, const surface::Surface& surface,
                                                     const haze::HazeLayers& layers, const Colors& colors);
 
 /// Focus lines over those of the scene.
-[[nodiscard]] gpu::ImageId add_focus_lines(const Making& making, gpu::ImageId lines);
+[[nodiscard]] gpu::ImageId add_focus_lines(const FrameContext& context, gpu::ImageId lines);
 
 /// The tiles where sky shows, or haze lets it through; nothing where nobody asks, and on a GPU, which leaves
 /// out the rest for less than the list takes.
-[[nodiscard]] std::optional<gpu::BufferId> add_far_tiles(const Making& making, const PosedScene& scene,
+[[nodiscard]] std::optional<gpu::BufferId> add_far_tiles(const FrameContext& context, const PosedScene& scene,
                                                          const surface::Surface& surface);
 
 /// Colour, flat, and the sky behind it.
-[[nodiscard]] Colors add_colors(const Making& making, const PosedScene& scene,
+[[nodiscard]] Colors add_colors(const FrameContext& context, const PosedScene& scene,
                                 const surface::Surface& surface, gpu::ImageId light,
                                 const SeenThrough& screen, const std::optional<gpu::BufferId>& far_tiles);
 
 /// Paints a surface of this light in its looks' colours, with `background` where there is none.
-[[nodiscard]] gpu::ImageId add_paint(const Making& making, const PosedScene& scene,
+[[nodiscard]] gpu::ImageId add_paint(const FrameContext& context, const PosedScene& scene,
                                      const surface::Surface& surface, gpu::ImageId light,
                                      const std::optional<gpu::ImageId>& background,
                                      const SeenThrough* screen = nullptr);
 
 /// `colors` with what is seen through thick bodies, and with see-through surfaces painted one by one over
 /// what lies behind them, where the style wants either.
-[[nodiscard]] Colors add_seen_through(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
-                                      const surface::Surface& surface, const ShadowMaps& maps,
-                                      const SeenThrough& screen, Colors colors);
+[[nodiscard]] Colors add_seen_through(const FrameContext& context, const PosedScene& scene,
+                                      gpu::BufferId visibility, const surface::Surface& surface,
+                                      const ShadowMaps& maps, const SeenThrough& screen, Colors colors);
 
 /// What haze is worked out from.
-[[nodiscard]] haze::HazeInputs haze_inputs(const Making& making, const PosedScene& scene,
+[[nodiscard]] haze::HazeInputs haze_inputs(const FrameContext& context, const PosedScene& scene,
                                            const surface::Surface& surface);
 
 /// The same for strokes as paths, where there is any.
-[[nodiscard]] std::optional<StrokeHaze> stroke_haze(const Making& making, const PosedScene& scene,
+[[nodiscard]] std::optional<StrokeHaze> stroke_haze(const FrameContext& context, const PosedScene& scene,
                                                     const surface::Surface& surface);
 
 /// Colour and ink with what distance leaves of them.
-[[nodiscard]] haze::HazeLayers add_haze(const Making& making, const PosedScene& scene,
+[[nodiscard]] haze::HazeLayers add_haze(const FrameContext& context, const PosedScene& scene,
                                         const surface::Surface& surface, gpu::ImageId sky_wash,
                                         const std::optional<gpu::BufferId>& far_tiles,
                                         const haze::HazeLayers& layers);
 
 /// Ink that flows out of these layers, where there is any.
-[[nodiscard]] std::optional<gpu::ImageId> add_flowing_ink(const Making& making, const PosedScene& scene,
-                                                          gpu::BufferId visibility,
+[[nodiscard]] std::optional<gpu::ImageId> add_flowing_ink(const FrameContext& context,
+                                                          const PosedScene& scene, gpu::BufferId visibility,
                                                           const surface::Surface& surface, gpu::ImageId light,
                                                           const haze::HazeLayers& layers);
 
 /// Smoke before the scene, where there is any.
-[[nodiscard]] std::optional<smoke::Layer> add_smoke(const Making& making, const PosedScene& scene,
+[[nodiscard]] std::optional<smoke::Layer> add_smoke(const FrameContext& context, const PosedScene& scene,
                                                     const surface::Surface& surface,
                                                     const std::optional<smoke::Volume>& volume,
                                                     gpu::ImageId sky_wash, gpu::ImageId lines);
 
 /// What is laid on the paper.
-[[nodiscard]] paper::ComposeInputs page_layers(const Making& making, const PosedScene& scene,
+[[nodiscard]] paper::ComposeInputs page_layers(const FrameContext& context, const PosedScene& scene,
                                                const haze::HazeLayers& layers, const Colors& colors,
                                                const MovingLayers& moving,
                                                const std::optional<gpu::ImageId>& cover, gpu::ImageId light);
 
 /// The layers on paper, added to those of the samples before, and read back.
-void add_picture(const Making& making, const paper::ComposeInputs& layers);
+void add_picture(const FrameContext& context, const paper::ComposeInputs& layers);
 
 /// The same in floats, whole or layer by layer, where it is asked for.
-void add_deep_picture(const Making& making, const paper::ComposeInputs& layers,
+void add_deep_picture(const FrameContext& context, const paper::ComposeInputs& layers,
                       const surface::Surface& surface, const light::LitPixels& lit, const MaskInputs& masks);
 
 } // namespace estampe::frame

@@ -12,65 +12,66 @@
 namespace estampe::frame {
 namespace {
 
-gpu::BufferId sun_map_of(const Making& making, const PosedScene& scene)
+gpu::BufferId sun_map_of(const FrameContext& context, const PosedScene& scene)
 {
-    const FramePlan& plan = making.plan;
+    const FramePlan& plan = context.plan;
     // The ground receives but does not throw.
-    std::vector<raster::Batch>& casters = making.resources.frame_lists.casters;
-    features::list_casters(making.layout, plan.sun.casters,
+    std::vector<raster::Batch>& casters = context.lists.casters;
+    features::list_casters(context.loaded.layout, plan.sun.casters,
                            plan.sun.map.clipmap ? features::Casters::moving : features::Casters::all,
                            casters);
-    const features::SunMapWork& work = making.sample.sun_map;
+    const features::SunMapWork& work = context.sample.sun_map;
     const auto import = [&](bool is_there, const char* name, gpu::Buffer& buffer) {
-        return is_there ? std::optional(gpu::import_whole(making.graph, name, buffer)) : std::nullopt;
+        return is_there ? std::optional(gpu::import_whole(context.graph, name, buffer)) : std::nullopt;
     };
     const features::SunMaps maps{
-        .map = gpu::import_whole(making.graph, "shadow", making.resources.shadow_map),
-        .still = import(work.has_still, "shadow of what stands", making.resources.still_shadow_map),
-        .views = import(!work.views.empty(), "sun views", making.resources.sun_views),
-        .pictures = import(work.has_still, "shadow of what moves", making.resources.sun_pictures),
-        .tiles = import(work.has_still, "tiles that change", making.resources.sun_tiles)};
-    return features::add_sun_map(making.graph,
-                                 {.raster = scene.meshes,
-                                  .casters = casters,
-                                  .still = making.resources.still_casters,
-                                  .groups = plan.sun.casters,
-                                  .anchor = making.layout.anchor,
-                                  .plan = plan.sun.map,
-                                  .work = work,
-                                  .path = plan.raster.paths.maps,
-                                  .tuning = plan.raster.tuning,
-                                  .vertex_count = making.resources.meshes.vertex_count,
-                                  .triangle_count = static_cast<uint32_t>(making.layout.triangles.size())},
-                                 maps);
+        .map = gpu::import_whole(context.graph, "shadow", context.features.shadows.sun().buffer()),
+        .still = import(work.has_still, "shadow of what stands", context.features.shadows.sun().still()),
+        .views = import(!work.views.empty(), "sun views", context.features.shadows.sun().views()),
+        .pictures = import(work.has_still, "shadow of what moves", context.features.shadows.sun().pictures()),
+        .tiles = import(work.has_still, "tiles that change", context.features.shadows.sun().tiles())};
+    return features::add_sun_map(
+        context.graph,
+        {.raster = scene.meshes,
+         .casters = casters,
+         .still = context.loaded.still_casters,
+         .groups = plan.sun.casters,
+         .anchor = context.loaded.layout.anchor,
+         .plan = plan.sun.map,
+         .work = work,
+         .path = plan.raster.paths.maps,
+         .tuning = plan.raster.tuning,
+         .vertex_count = context.loaded.meshes.vertex_count,
+         .triangle_count = static_cast<uint32_t>(context.loaded.layout.triangles.size())},
+        maps);
 }
 
-gpu::BufferId local_maps_of(const Making& making, const PosedScene& scene)
+gpu::BufferId local_maps_of(const FrameContext& context, const PosedScene& scene)
 {
-    const FramePlan& plan = making.plan;
+    const FramePlan& plan = context.plan;
     const features::LocalMapViews none;
-    return features::add_local_maps(making.graph,
+    return features::add_local_maps(context.graph,
                                     {.raster = scene.meshes,
-                                     .layout = making.layout,
-                                     .views = making.sample.is_first ? plan.local_shadows.views : none,
+                                     .layout = context.loaded.layout,
+                                     .views = context.sample.is_first ? plan.local_shadows.views : none,
                                      .cluster_bounds = scene.cluster_bounds,
                                      .path = plan.raster.paths.maps,
                                      .tuning = plan.raster.tuning},
-                                    making.resources.local_shadows);
+                                    context.features.shadows.local());
 }
 
-std::optional<gpu::ImageId> add_ground_shadow(const Making& making, const PosedScene& scene,
+std::optional<gpu::ImageId> add_ground_shadow(const FrameContext& context, const PosedScene& scene,
                                               const surface::Surface& surface)
 {
-    if (making.resources.terrain == nullptr || !making.plan.sun.ground.is_thrown) {
+    if (!context.loaded.terrain || !context.plan.sun.ground.is_thrown) {
         return std::nullopt;
     }
     // Of a picture of several samples or tiles what one has found serves the others.
-    const SamplePlan& sample = making.sample;
-    const bool is_picture = sample.accumulation.sample_count == 1 && sample.size_px == making.plan.page_px;
-    return making.resources.ground_shadow.add_share(
-        making.graph, *making.resources.terrain,
-        {.plan = making.plan.sun.ground,
+    const SamplePlan& sample = context.sample;
+    const bool is_picture = sample.accumulation.sample_count == 1 && sample.size_px == context.plan.page_px;
+    return context.features.shadows.ground().add_share(
+        context.graph, *context.loaded.terrain,
+        {.plan = context.plan.sun.ground,
          .texels = *scene.terrain_texels,
          .frame = scene.frame,
          .depth = surface.depth,
@@ -79,150 +80,151 @@ std::optional<gpu::ImageId> add_ground_shadow(const Making& making, const PosedS
 }
 
 /// How much of the sun is left where that is not known by its map: by terrain, clouds and smoke.
-std::optional<gpu::ImageId> add_sun_share(const Making& making, const PosedScene& scene,
+std::optional<gpu::ImageId> add_sun_share(const FrameContext& context, const PosedScene& scene,
                                           const surface::Surface& surface,
                                           const std::optional<smoke::Volume>& volume)
 {
-    gpu::Graph& graph = making.graph;
-    const FramePlan& plan = making.plan;
-    std::optional<gpu::ImageId> share = add_ground_shadow(making, scene, surface);
+    gpu::Graph& graph = context.graph;
+    const FramePlan& plan = context.plan;
+    std::optional<gpu::ImageId> share = add_ground_shadow(context, scene, surface);
     if (!plan.sun.shines) {
         return share;
     }
-    const float of_clouds = making.style.clouds.shadow;
+    const float of_clouds = context.style.clouds.shadow;
     if (plan.clouds && plan.clouds->globals.puff_layer_count > 0 && of_clouds > 0.0F) {
-        features::CloudBuffers& buffers = making.resources.clouds;
+        features::Clouds& clouds = context.features.clouds;
         share = sky::add_cloud_shadow(graph,
                                       {.frame = scene.frame,
-                                       .globals = gpu::import_whole(graph, "clouds", buffers.globals),
-                                       .starts = gpu::import_whole(graph, "cloud cells", buffers.starts),
-                                       .puffs = gpu::import_whole(graph, "puffs", buffers.puffs),
+                                       .globals = gpu::import_whole(graph, "clouds", clouds.globals()),
+                                       .starts = gpu::import_whole(graph, "cloud cells", clouds.starts()),
+                                       .puffs = gpu::import_whole(graph, "puffs", clouds.puffs()),
                                        .depth = surface.depth,
                                        .share = share,
-                                       .size_px = making.sample.size_px},
+                                       .size_px = context.sample.size_px},
                                       of_clouds);
     }
-    if (volume && making.style.smoke.shadow > 0.0F) {
+    if (volume && context.style.smoke.shadow > 0.0F) {
         share = smoke::add_thrown(
-            graph, *volume, making.style.smoke,
+            graph, *volume, context.style.smoke,
             {.view = {.frame = scene.frame,
-                      .globals = gpu::import_whole(graph, "smoke", making.resources.smoke.globals()),
+                      .globals = gpu::import_whole(graph, "smoke", context.features.smoke.globals()),
                       .depth = surface.depth,
-                      .size_px = making.sample.size_px},
+                      .size_px = context.sample.size_px},
              .share = share,
              .towards_sun = plan.sun.towards});
     }
     return share;
 }
 
-gpu::ImageId add_exposed(const Making& making, gpu::ImageId light, gpu::ImageId draw)
+gpu::ImageId add_exposed(const FrameContext& context, gpu::ImageId light, gpu::ImageId draw)
 {
-    return light::add_exposure(
-               making.graph, {.light = light,
-                              .draw = draw,
-                              .state = gpu::import_whole(making.graph, "exposure", making.resources.exposure),
-                              .adapts = making.sample.is_first,
-                              .compensation_stops = making.style.light.exposure_stops,
-                              .most_change_stops = making.plan.light.adapt_stops,
-                              .size_px = making.sample.size_px})
+    return light::add_exposure(context.graph,
+                               {.light = light,
+                                .draw = draw,
+                                .state = gpu::import_whole(context.graph, "exposure",
+                                                           context.features.lighting.exposure().buffer()),
+                                .adapts = context.sample.is_first,
+                                .compensation_stops = context.style.light.exposure_stops,
+                                .most_change_stops = context.plan.light.adapt_stops,
+                                .size_px = context.sample.size_px})
         .light;
 }
 
 } // namespace
 
-light::LightInputs light_inputs(const Making& making, const PosedScene& scene,
+light::LightInputs light_inputs(const FrameContext& context, const PosedScene& scene,
                                 const surface::Surface& surface, const ShadowMaps& maps)
 {
-    gpu::Graph& graph = making.graph;
-    FrameResources& resources = making.resources;
-    const FramePlan& plan = making.plan;
+    gpu::Graph& graph = context.graph;
+    const FramePlan& plan = context.plan;
     return {.frame = scene.frame,
-            .lighting = gpu::import_whole(graph, "lighting", resources.light_globals),
-            .lights = gpu::import_whole(graph, "lights", resources.lights),
+            .lighting = gpu::import_whole(graph, "lighting", context.features.lighting.globals()),
+            .lights = gpu::import_whole(graph, "lights", context.features.lighting.lights()),
             .draw = surface.draw,
             .depth = surface.depth,
             .normal = surface.normal,
             .draws = scene.meshes.draws,
             .materials = scene.meshes.materials,
             .sun_map = maps.sun,
-            .sun_shadow = gpu::import_whole(graph, "sun", resources.sun_shadow),
+            .sun_shadow = gpu::import_whole(graph, "sun", context.features.shadows.sun_globals()),
             .coordinate = surface.coordinate,
             .footprint = surface.footprint,
-            .edge_look = gpu::import_whole(graph, "edges", resources.edge_look),
+            .edge_look = gpu::import_whole(graph, "edges", context.features.shadows.edge_look()),
             .shadow_variant = plan.sun.map.variant | plan.local_shadows.variant,
-            .local_shadows = gpu::import_whole(graph, "lights' shadows", resources.local_shadows.shadows),
+            .local_shadows =
+                gpu::import_whole(graph, "lights' shadows", context.features.shadows.local().shadows),
             .local_maps = maps.local,
             .has_local_shadows = plan.local_shadows.is_there,
             .has_shadow = plan.sun.map.size > 0,
             .local_count = plan.light.local_count,
             .has_links = plan.light.has_links,
-            .size_px = making.sample.size_px};
+            .size_px = context.sample.size_px};
 }
 
 namespace {
 
-occlusion::OpenPage add_disc_map_occlusion(const Making& making, const PosedScene& scene,
+occlusion::OpenPage add_disc_map_occlusion(const FrameContext& context, const PosedScene& scene,
                                            gpu::BufferId visibility, const occlusion::DiscSettings& settings)
 {
-    features::SurfaceMap& map = *making.resources.occlusion_map;
+    features::SurfaceMap& map = context.loaded.surface_maps.at(*context.plan.occlusion_texels);
     const gpu::BufferId found = occlusion::add_disc_map(
-        making.graph, making.resources.discs, making.resources.disc_map,
-        {.map_texels = gpu::import_whole(making.graph, "texels of surfaces", map.texels),
+        context.graph, context.loaded.discs, context.loaded.disc_map,
+        {.map_texels = gpu::import_whole(context.graph, "texels of surfaces", map.texels),
          .triangles = scene.meshes.triangles,
          .posed_vertices = scene.meshes.posed_vertices},
         settings);
     return occlusion::add_disc_map_page(
-        making.graph,
+        context.graph,
         {.frame = scene.frame,
          .visibility = visibility,
          .triangles = scene.meshes.triangles,
          .posed_vertices = scene.meshes.posed_vertices,
-         .map_corners = gpu::import_whole(making.graph, "corners in the map", map.corners),
+         .map_corners = gpu::import_whole(context.graph, "corners in the map", map.corners),
          .found = found,
          .map_size = map.size,
          .throws = settings.throws,
-         .size_px = making.sample.size_px},
-        making.style.occlusion);
+         .size_px = context.sample.size_px},
+        context.style.occlusion);
 }
 
-std::optional<occlusion::OpenPage> add_disc_occlusion(const Making& making, const PosedScene& scene,
+std::optional<occlusion::OpenPage> add_disc_occlusion(const FrameContext& context, const PosedScene& scene,
                                                       gpu::BufferId visibility,
                                                       const occlusion::OcclusionInputs& inputs)
 {
-    const occlusion::OcclusionStyle& style = making.style.occlusion;
-    occlusion::DiscBuffers& discs = making.resources.discs;
+    const occlusion::OcclusionStyle& style = context.style.occlusion;
+    occlusion::DiscBuffers& discs = context.loaded.discs;
     if (discs.empty()) {
         return std::nullopt;
     }
     if (style.method == occlusion::Method::splats) {
-        return occlusion::add_disc_splats(making.graph, discs, scene.meshes.posed_vertices, inputs, style);
+        return occlusion::add_disc_splats(context.graph, discs, scene.meshes.posed_vertices, inputs, style);
     }
-    const occlusion::DiscSettings settings{.radius_m = making.plan.occlusion_radius_m,
+    const occlusion::DiscSettings settings{.radius_m = context.plan.occlusion_radius_m,
                                            .throws = style.bleeding > 0.0F};
     if (style.method == occlusion::Method::uv) {
-        return add_disc_map_occlusion(making, scene, visibility, settings);
+        return add_disc_map_occlusion(context, scene, visibility, settings);
     }
     const occlusion::OpenVertices found =
-        occlusion::add_discs(making.graph, discs, scene.meshes.posed_vertices, settings);
-    return occlusion::add_disc_page(making.graph,
+        occlusion::add_discs(context.graph, discs, scene.meshes.posed_vertices, settings);
+    return occlusion::add_disc_page(context.graph,
                                     {.frame = scene.frame,
                                      .visibility = visibility,
                                      .triangles = scene.meshes.triangles,
                                      .posed_vertices = scene.meshes.posed_vertices,
                                      .found = found,
                                      .vertex_count = discs.vertex_count,
-                                     .size_px = making.sample.size_px},
+                                     .size_px = context.sample.size_px},
                                     style);
 }
 
 /// `light`, the page's, spread in a map that lies on all surfaces; `to_light` is how that is lit.
-gpu::ImageId spread_in_map(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+gpu::ImageId spread_in_map(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                            light::LightInputs to_light, gpu::ImageId light)
 {
-    gpu::Graph& graph = making.graph;
-    features::SurfaceMap& map = *making.resources.scatter_map;
+    gpu::Graph& graph = context.graph;
+    features::SurfaceMap& map = context.loaded.surface_maps.at(*context.plan.scatter_texels);
     float most_m = 0.0F;
-    for (const shared::SubsurfaceLook& look : making.plan.subsurface->looks) {
+    for (const shared::SubsurfaceLook& look : context.plan.subsurface->looks) {
         most_m = std::max({most_m, look.scatter_m.x, look.scatter_m.y, look.scatter_m.z});
     }
     const subsurface::TextureInputs in{
@@ -232,53 +234,54 @@ gpu::ImageId spread_in_map(const Making& making, const PosedScene& scene, gpu::B
         .posed_vertices = scene.meshes.posed_vertices,
         .draws = scene.meshes.draws,
         .materials = scene.meshes.materials,
-        .looks = gpu::import_whole(graph, "subsurface looks", making.resources.subsurface_looks),
-        .look_of_draw = look_of_draw(making),
+        .looks = gpu::import_whole(graph, "subsurface looks", context.buffers.subsurface_looks),
+        .look_of_draw = look_of_draw(context),
         .size = map.size,
         .most_spread_tx = most_m * map.texels_per_m};
     const subsurface::TextureSurface surface = subsurface::add_texture_surface(graph, in);
-    to_light.frame = gpu::import_whole(graph, "frame of the map", making.resources.map_frame);
+    to_light.frame = gpu::import_whole(graph, "frame of the map", context.buffers.map_frame_globals);
     to_light.draw = surface.draw;
     to_light.depth = surface.points;
     to_light.normal = surface.normal;
     to_light.points = surface.points;
-    to_light.has_emissive = making.plan.needs.emissive;
+    to_light.has_emissive = context.plan.needs.emissive;
     to_light.size_px = glm::uvec2(map.size);
     const subsurface::TextureLight spread =
         subsurface::add_texture_scatter(graph, in, surface, light::add_light(graph, to_light).light);
     return subsurface::add_texture_page(graph, in, spread, scene.frame, visibility, light,
-                                        making.sample.size_px);
+                                        context.sample.size_px);
 }
 
 /// `light` with what of it goes into things and comes out elsewhere.
-gpu::ImageId add_subsurface(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+gpu::ImageId add_subsurface(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                             const surface::Surface& surface, const ShadowMaps& maps, gpu::ImageId light)
 {
-    if (!making.plan.subsurface) {
+    if (!context.plan.subsurface) {
         return light;
     }
-    gpu::Graph& graph = making.graph;
-    const SubsurfacePlan& plan = *making.plan.subsurface;
-    const subsurface::SubsurfaceInputs inputs = subsurface_inputs(making, scene, surface);
-    const bool has_map = making.resources.scatter_map != nullptr;
+    gpu::Graph& graph = context.graph;
+    const SubsurfacePlan& plan = *context.plan.subsurface;
+    const subsurface::SubsurfaceInputs inputs = subsurface_inputs(context, scene, surface);
+    const bool has_map = context.plan.scatter_texels.has_value();
     if (has_map) {
-        light = spread_in_map(making, scene, visibility, light_inputs(making, scene, surface, maps), light);
+        light = spread_in_map(context, scene, visibility, light_inputs(context, scene, surface, maps), light);
     }
     std::optional<subsurface::Through> through;
     if (!plan.bodies.empty()) {
         const gpu::BufferId behind =
             raster::add_visibility(graph, "subsurface/behind", scene.meshes, plan.bodies,
-                                   {.clip_from_anchor = making.sample.clip_from_anchor,
-                                    .size_px = making.sample.size_px,
+                                   {.clip_from_anchor = context.sample.clip_from_anchor,
+                                    .size_px = context.sample.size_px,
                                     .cull_back_faces = false,
-                                    .path = making.plan.raster.paths.maps,
-                                    .tuning = making.plan.raster.tuning,
+                                    .path = context.plan.raster.paths.maps,
+                                    .tuning = context.plan.raster.tuning,
                                     .behind = visibility,
                                     .second_from = inputs.second_from()});
         const subsurface::FarSide far_side = subsurface::add_far_side(
             graph, inputs, behind, scene.meshes.triangles, scene.meshes.posed_vertices);
-        light::LightInputs far_inputs = light_inputs(making, scene, surface, maps);
-        far_inputs.frame = gpu::import_whole(graph, "frame of the half page", making.resources.half_frame);
+        light::LightInputs far_inputs = light_inputs(context, scene, surface, maps);
+        far_inputs.frame =
+            gpu::import_whole(graph, "frame of the half page", context.buffers.half_frame_globals);
         far_inputs.size_px = inputs.half_px();
         far_inputs.draw = far_side.draw;
         far_inputs.depth = far_side.depth;
@@ -292,103 +295,103 @@ gpu::ImageId add_subsurface(const Making& making, const PosedScene& scene, gpu::
 
 } // namespace
 
-subsurface::SubsurfaceInputs subsurface_inputs(const Making& making, const PosedScene& scene,
+subsurface::SubsurfaceInputs subsurface_inputs(const FrameContext& context, const PosedScene& scene,
                                                const surface::Surface& surface)
 {
     return {.frame = scene.frame,
             .draw = surface.draw,
             .depth = surface.depth,
             .normal = surface.normal,
-            .looks = gpu::import_whole(making.graph, "subsurface looks", making.resources.subsurface_looks),
-            .look_of_draw = look_of_draw(making),
-            .reach_mm = making.style.subsurface.reach_mm,
-            .pixels_per_mm = making.plan.page.pixels_per_mm,
-            .size_px = making.sample.size_px,
-            .from_px = glm::uvec2(making.sample.from_px),
-            .on_processor = making.plan.raster.on_processor,
-            .in_perspective = !making.plan.page.pixel.is_parallel};
+            .looks = gpu::import_whole(context.graph, "subsurface looks", context.buffers.subsurface_looks),
+            .look_of_draw = look_of_draw(context),
+            .reach_mm = context.style.subsurface.reach_mm,
+            .pixels_per_mm = context.plan.page.pixels_per_mm,
+            .size_px = context.sample.size_px,
+            .from_px = glm::uvec2(context.sample.from_px),
+            .on_processor = context.plan.raster.on_processor,
+            .in_perspective = !context.plan.page.pixel.is_parallel};
 }
 
-ShadowMaps add_shadow_maps(const Making& making, const PosedScene& scene)
+ShadowMaps add_shadow_maps(const FrameContext& context, const PosedScene& scene)
 {
-    const gpu::BufferId sun = sun_map_of(making, scene);
-    return {.sun = sun, .local = local_maps_of(making, scene)};
+    const gpu::BufferId sun = sun_map_of(context, scene);
+    return {.sun = sun, .local = local_maps_of(context, scene)};
 }
 
-std::optional<gpu::ImageId> add_known_light(const Making& making, const PosedScene& scene,
+std::optional<gpu::ImageId> add_known_light(const FrameContext& context, const PosedScene& scene,
                                             gpu::BufferId visibility)
 {
-    if (making.resources.lightmaps == nullptr) {
+    if (!context.loaded.baked) {
         return std::nullopt;
     }
-    return lightmap::add_lightmap(making.graph,
+    return lightmap::add_lightmap(context.graph,
                                   {.frame = scene.frame,
                                    .visibility = visibility,
                                    .triangles = scene.meshes.triangles,
                                    .posed_vertices = scene.meshes.posed_vertices,
-                                   .scale = making.plan.light.lightmap_scale,
-                                   .size_px = making.sample.size_px},
-                                  *making.resources.lightmaps);
+                                   .scale = context.plan.light.lightmap_scale,
+                                   .size_px = context.sample.size_px},
+                                  context.loaded.baked->maps);
 }
 
-std::optional<occlusion::OpenPage> add_occlusion(const Making& making, const PosedScene& scene,
+std::optional<occlusion::OpenPage> add_occlusion(const FrameContext& context, const PosedScene& scene,
                                                  gpu::BufferId visibility, const surface::Surface& surface)
 {
-    const occlusion::OcclusionStyle& style = making.style.occlusion;
+    const occlusion::OcclusionStyle& style = context.style.occlusion;
     const bool is_layer_alone = style.feeds == occlusion::Feeds::layer;
-    const bool has_layers = making.resources.deep != nullptr && making.resources.deep->has_layers();
+    const bool has_layers = context.job.deep != nullptr && context.job.deep->has_layers();
     if (!style.drawn || (is_layer_alone && !has_layers)) {
         return std::nullopt;
     }
     const occlusion::OcclusionInputs inputs{.frame = scene.frame,
                                             .depth = surface.depth,
                                             .normal = surface.normal,
-                                            .radius_m = making.plan.occlusion_radius_m,
-                                            .pixels_per_mm = making.plan.page.pixels_per_mm,
-                                            .size_px = making.sample.size_px,
-                                            .from_px = glm::uvec2(making.sample.from_px)};
+                                            .radius_m = context.plan.occlusion_radius_m,
+                                            .pixels_per_mm = context.plan.page.pixels_per_mm,
+                                            .size_px = context.sample.size_px,
+                                            .from_px = glm::uvec2(context.sample.from_px)};
     if (occlusion::has_discs(style.method)) {
-        return add_disc_occlusion(making, scene, visibility, inputs);
+        return add_disc_occlusion(context, scene, visibility, inputs);
     }
     return occlusion::OpenPage{.open = style.method == occlusion::Method::unsharp
-                                           ? occlusion::add_unsharp(making.graph, inputs, style)
-                                           : occlusion::add_horizon(making.graph, inputs, style),
+                                           ? occlusion::add_unsharp(context.graph, inputs, style)
+                                           : occlusion::add_horizon(context.graph, inputs, style),
                                .thrown = std::nullopt};
 }
 
-std::optional<smoke::Volume> add_smoke_volume(const Making& making, const PosedScene& scene,
+std::optional<smoke::Volume> add_smoke_volume(const FrameContext& context, const PosedScene& scene,
                                               const ShadowMaps& maps)
 {
-    if (!making.plan.smoke) {
+    if (!context.plan.smoke) {
         return std::nullopt;
     }
-    gpu::Graph& graph = making.graph;
-    FrameResources& resources = making.resources;
-    if (!making.sample.is_first) {
-        return resources.smoke.volume().import(graph);
+    gpu::Graph& graph = context.graph;
+    if (!context.sample.is_first) {
+        return context.features.smoke.volume().import(graph);
     }
-    smoke::Fields fields = resources.smoke.fields(graph);
-    if (making.style.smoke.shaded) {
-        fields.shadows = {.frame = scene.frame,
-                          .sun_map = maps.sun,
-                          .sun_shadow = gpu::import_whole(graph, "sun", resources.sun_shadow),
-                          .local_shadows =
-                              gpu::import_whole(graph, "lights' shadows", resources.local_shadows.shadows),
-                          .local_maps = maps.local,
-                          .variant = making.plan.sun.map.variant};
+    smoke::Fields fields = context.features.smoke.fields(graph);
+    if (context.style.smoke.shaded) {
+        fields.shadows = {
+            .frame = scene.frame,
+            .sun_map = maps.sun,
+            .sun_shadow = gpu::import_whole(graph, "sun", context.features.shadows.sun_globals()),
+            .local_shadows =
+                gpu::import_whole(graph, "lights' shadows", context.features.shadows.local().shadows),
+            .local_maps = maps.local,
+            .variant = context.plan.sun.map.variant};
     }
-    return smoke::add_volume(graph, resources.smoke.volume(), making.style.smoke, fields);
+    return smoke::add_volume(graph, context.features.smoke.volume(), context.style.smoke, fields);
 }
 
-light::LitPixels add_light(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+light::LitPixels add_light(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                            const surface::Surface& surface, const LightBefore& before)
 {
-    const FramePlan& plan = making.plan;
-    const occlusion::Feeds feeds = making.style.occlusion.feeds;
-    light::LightInputs inputs = light_inputs(making, scene, surface, before.maps);
+    const FramePlan& plan = context.plan;
+    const occlusion::Feeds feeds = context.style.occlusion.feeds;
+    light::LightInputs inputs = light_inputs(context, scene, surface, before.maps);
     inputs.shadow_variant |= plan.shadow_edges.variant;
     inputs.lightmap = before.known;
-    inputs.sun_share = add_sun_share(making, scene, surface, before.smoke);
+    inputs.sun_share = add_sun_share(context, scene, surface, before.smoke);
     if (before.open && feeds != occlusion::Feeds::layer) {
         inputs.occlusion = before.open->open;
         inputs.thrown = before.open->thrown;
@@ -397,11 +400,11 @@ light::LitPixels add_light(const Making& making, const PosedScene& scene, gpu::B
     inputs.has_emissive = plan.needs.emissive;
     inputs.keeps_strongest = plan.light.leads_strokes;
     inputs.keeps_sun =
-        plan.lines.of_shadows || (making.resources.deep != nullptr && making.resources.deep->has_layers());
-    light::LitPixels lit = light::add_light(making.graph, inputs);
-    lit.light = add_subsurface(making, scene, visibility, surface, before.maps, lit.light);
+        plan.lines.of_shadows || (context.job.deep != nullptr && context.job.deep->has_layers());
+    light::LitPixels lit = light::add_light(context.graph, inputs);
+    lit.light = add_subsurface(context, scene, visibility, surface, before.maps, lit.light);
     if (plan.light.meters_page) {
-        lit.light = add_exposed(making, lit.light, surface.draw);
+        lit.light = add_exposed(context, lit.light, surface.draw);
     }
     return lit;
 }

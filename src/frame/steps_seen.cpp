@@ -14,12 +14,12 @@ raster::Batch batch(const pose::Range& range, bool masked = false)
         .first_triangle = range.first, .triangle_count = range.count, .masked = masked, .plain = range.plain};
 }
 
-bool wants_cluster_bounds(const Making& making)
+bool wants_cluster_bounds(const FrameContext& context)
 {
-    const RasterPlan& plan = making.plan.raster;
-    return (making.sample.is_first && !making.plan.local_shadows.views.empty()) ||
+    const RasterPlan& plan = context.plan.raster;
+    return (context.sample.is_first && !context.plan.local_shadows.views.empty()) ||
            (plan.paths.page == RasterPath::compute &&
-            making.layout.opaque.count >= plan.tuning.clusters_from);
+            context.loaded.layout.opaque.count >= plan.tuning.clusters_from);
 }
 
 } // namespace
@@ -35,48 +35,40 @@ Few<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_grou
     return batches;
 }
 
-raster::View eye_view(const Making& making)
+raster::View eye_view(const FrameContext& context)
 {
-    return {.clip_from_anchor = making.sample.clip_from_anchor,
-            .size_px = making.sample.size_px,
-            .path = making.plan.raster.paths.page,
-            .tuning = making.plan.raster.tuning};
+    return {.clip_from_anchor = context.sample.clip_from_anchor,
+            .size_px = context.sample.size_px,
+            .path = context.plan.raster.paths.page,
+            .tuning = context.plan.raster.tuning};
 }
 
-PosedScene add_posed_scene(const Making& making)
+PosedScene add_posed_scene(const FrameContext& context)
 {
-    gpu::Graph& graph = making.graph;
-    pose::MeshBuffers& meshes = making.resources.meshes;
+    gpu::Graph& graph = context.graph;
+    pose::MeshBuffers& meshes = context.loaded.meshes;
     const auto draws = gpu::import_whole(graph, "draws", meshes.draws);
     const auto rest_vertices = gpu::import_whole(graph, "rest vertices", meshes.rest_vertices);
-    const std::span<const uint32_t> sheets_drawn =
-        making.resources.cloth != nullptr ? making.resources.cloth->draws() : std::span<const uint32_t>();
     terrain::TerrainBuffers::Posed posed{
-        .vertices = making.sample.pose_moved
-                        ? pose::add_pose_of_moved(graph, meshes, making.layout, making.resources.pose,
-                                                  sheets_drawn, draws, rest_vertices)
+        .vertices = context.sample.pose_moved
+                        ? pose::add_pose_of_moved(graph, meshes, context.loaded.layout, *context.loaded.pose,
+                                                  context.features.cloth.draws(), draws, rest_vertices)
                         : gpu::import_whole(graph, "posed vertices", meshes.posed_vertices[0]),
         .before = gpu::import_whole(graph, "vertices before", meshes.posed_vertices[1]),
         .stroke_coordinates = gpu::import_whole(graph, "stroke coordinates", meshes.stroke_coordinates)};
-    if (making.resources.cloth != nullptr && making.sample.pose_moved) {
-        cloth::Cloths& sheets = making.resources.cloth->sheets();
-        cloth::Cloths::Handles handles = sheets.import(graph);
-        if (making.resources.cloth_steps != nullptr) {
-            making.resources.cloth->add_steps(graph, handles, *making.resources.cloth_steps,
-                                              making.resources.pose, making.layout.anchor, posed.vertices);
-        }
-        posed.vertices = sheets.add_vertices(graph, handles, posed.vertices);
-        posed.before = sheets.add_vertices_before(graph, handles, posed.before);
+    if (context.sample.pose_moved) {
+        context.features.cloth.record(graph, *context.loaded.pose, context.loaded.layout.anchor,
+                                      posed.vertices, posed.before);
     }
     std::optional<gpu::BufferId> terrain_texels;
-    if (making.resources.terrain != nullptr) {
-        terrain_texels = making.resources.terrain->add_texels(graph);
+    if (context.loaded.terrain != nullptr) {
+        terrain_texels = context.loaded.terrain->add_texels(graph);
     }
-    if (making.sample.terrain_moved) {
-        posed = making.resources.terrain->add_vertices(graph, posed, *terrain_texels);
+    if (context.sample.terrain_moved) {
+        posed = context.loaded.terrain->add_vertices(graph, posed, *terrain_texels);
     }
     PosedScene scene{
-        .frame = gpu::import_whole(graph, "frame", making.resources.frame_globals),
+        .frame = gpu::import_whole(graph, "frame", context.buffers.frame_globals),
         .stroke_coordinates = posed.stroke_coordinates,
         .vertices_before = posed.before,
         .terrain_texels = terrain_texels,
@@ -84,29 +76,28 @@ PosedScene add_posed_scene(const Making& making)
                    .posed_vertices = posed.vertices,
                    .draws = draws,
                    .rest_vertices = rest_vertices,
-                   .materials = gpu::import_whole(graph, "materials", making.resources.materials.materials),
-                   .textures = surface::import_textures(graph, making.resources.materials),
-                   .texture_classes = making.plan.needs.texture_classes}};
-    if (wants_cluster_bounds(making)) {
-        scene.cluster_bounds = making.resources.cluster_boxes.add(
-            graph, making.resources.device, scene.meshes,
-            static_cast<uint32_t>(making.layout.triangles.size()), making.plan.raster.tuning);
+                   .materials = gpu::import_whole(graph, "materials", context.loaded.materials.materials),
+                   .textures = surface::import_textures(graph, context.loaded.materials),
+                   .texture_classes = context.plan.needs.texture_classes}};
+    if (wants_cluster_bounds(context)) {
+        scene.cluster_bounds = context.loaded.cluster_boxes.add(
+            graph, context.device, scene.meshes,
+            static_cast<uint32_t>(context.loaded.layout.triangles.size()), context.plan.raster.tuning);
     }
     return scene;
 }
 
-gpu::BufferId add_visibility(const Making& making, const PosedScene& scene, const char* name)
+gpu::BufferId add_visibility(const FrameContext& context, const PosedScene& scene, const char* name)
 {
-    raster::View view = eye_view(making);
+    raster::View view = eye_view(context);
     view.cluster_bounds = scene.cluster_bounds;
-    return raster::add_visibility(making.graph, name, scene.meshes,
-                                  solid_batches(making.layout, making.plan.page.has_ground), view);
+    return raster::add_visibility(context.graph, name, scene.meshes,
+                                  solid_batches(context.loaded.layout, context.plan.page.has_ground), view);
 }
 
-surface::Surface add_surface(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
+surface::Surface add_surface(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility)
 {
-    gpu::Graph& graph = making.graph;
-    FrameResources& resources = making.resources;
+    gpu::Graph& graph = context.graph;
     surface::Surface surface = surface::add_resolve(
         graph, {.frame = scene.frame,
                 .visibility = visibility,
@@ -115,16 +106,17 @@ surface::Surface add_surface(const Making& making, const PosedScene& scene, gpu:
                 .draws = scene.meshes.draws,
                 .rest_vertices = scene.meshes.rest_vertices,
                 .stroke_coordinates = scene.stroke_coordinates,
-                .stroke_kinds = gpu::import_whole(graph, "stroke kinds", resources.stroke_kinds),
-                .form_coordinates = gpu::import_whole(graph, "form coordinates", resources.form_coordinates),
+                .stroke_kinds = gpu::import_whole(graph, "stroke kinds", context.features.hatching.kinds()),
+                .form_coordinates = gpu::import_whole(graph, "form coordinates",
+                                                      context.features.hatching.form_coordinates()),
                 .materials = scene.meshes.materials,
                 .textures = scene.meshes.textures,
-                .needs = making.plan.needs,
-                .strokes_present = making.plan.strokes.present,
-                .strokes_per_m = static_cast<float>(1.0 / making.layout.stroke_unit_m),
-                .size_px = making.sample.size_px});
+                .needs = context.plan.needs,
+                .strokes_present = context.plan.strokes.present,
+                .strokes_per_m = static_cast<float>(1.0 / context.loaded.layout.stroke_unit_m),
+                .size_px = context.sample.size_px});
     const std::optional<terrain::TrailImage> trails =
-        making.resources.trodden != nullptr ? making.resources.trodden->add_image(graph) : std::nullopt;
+        context.loaded.trodden != nullptr ? context.loaded.trodden->add_image(graph) : std::nullopt;
     if (trails) {
         surface.normal = terrain::add_trail_relief(
             graph,
@@ -132,33 +124,33 @@ surface::Surface add_surface(const Making& making, const PosedScene& scene, gpu:
              .draw = surface.draw,
              .depth = surface.depth,
              .normal = surface.normal,
-             .size_px = making.sample.size_px,
-             .terrain_draw = making.layout.draw_of_vertex.at(*making.layout.foreign_vertex),
-             .anchor_m = {making.layout.anchor.x, making.layout.anchor.z},
-             .towards_sun = making.plan.sun.towards},
+             .size_px = context.sample.size_px,
+             .terrain_draw = context.loaded.layout.draw_of_vertex.at(*context.loaded.layout.foreign_vertex),
+             .anchor_m = {context.loaded.layout.anchor.x, context.loaded.layout.anchor.z},
+             .towards_sun = context.plan.sun.towards},
             *trails);
     }
-    if (making.plan.ripples) {
+    if (context.plan.ripples) {
         surface.normal = terrain::add_ripples(graph,
                                               {.frame = scene.frame,
                                                .draw = surface.draw,
                                                .depth = surface.depth,
                                                .normal = surface.normal,
-                                               .size_px = making.sample.size_px},
-                                              *making.plan.ripples);
+                                               .size_px = context.sample.size_px},
+                                              *context.plan.ripples);
     }
     return surface;
 }
 
-void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
+void add_motion(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility)
 {
-    const std::optional<features::MotionPlan>& motion = making.plan.motion;
-    if (!motion || !making.sample.is_first) {
+    const std::optional<features::MotionPlan>& motion = context.plan.motion;
+    if (!motion || !context.sample.is_first) {
         return;
     }
-    const bool has_moved = motion->pose_moved || making.resources.terrain != nullptr;
+    const bool has_moved = motion->pose_moved || context.loaded.terrain != nullptr;
     const auto vertices_before = has_moved ? scene.vertices_before : scene.meshes.posed_vertices;
-    features::declare_motion(making.graph,
+    features::declare_motion(context.graph,
                              {.frame = scene.frame,
                               .visibility = visibility,
                               .triangles = scene.meshes.triangles,
@@ -166,12 +158,12 @@ void add_motion(const Making& making, const PosedScene& scene, gpu::BufferId vis
                               .posed_vertices_before = vertices_before,
                               .clip_from_anchor = motion->clip_from_anchor,
                               .clip_from_anchor_before = motion->clip_from_anchor_before,
-                              .size_px = making.sample.size_px},
-                             making.resources.motion);
+                              .size_px = context.sample.size_px},
+                             context.buffers.motion_pixels);
 }
 
-screen::ScreenInputs screen_inputs(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
-                                   const std::vector<gpu::BufferId>& layers)
+screen::ScreenInputs screen_inputs(const FrameContext& context, const PosedScene& scene,
+                                   gpu::BufferId visibility, const std::vector<gpu::BufferId>& layers)
 {
     return {.frame = scene.frame,
             .solid_visibility = visibility,
@@ -183,27 +175,28 @@ screen::ScreenInputs screen_inputs(const Making& making, const PosedScene& scene
             .materials = scene.meshes.materials,
             .textures = scene.meshes.textures,
             .texture_classes = scene.meshes.texture_classes,
-            .size_px = making.sample.size_px};
+            .size_px = context.sample.size_px};
 }
 
-SeenThrough add_screen(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
+SeenThrough add_screen(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility)
 {
-    const pose::MeshData& layout = making.layout;
+    const pose::MeshData& layout = context.loaded.layout;
     if (layout.blended.count == 0) {
-        return {.images = screen::add_no_screen(making.graph), .layers = {}};
+        return {.images = screen::add_no_screen(context.graph), .layers = {}};
     }
-    const screen::ScreenStyle& style = making.style.screen;
+    const screen::ScreenStyle& style = context.style.screen;
     const uint32_t most =
         style.mode == screen::Mode::sorted ? screen::most_sorted_layers : screen::most_layers;
     const uint32_t wanted = std::min({layout.blended_sheets, static_cast<uint32_t>(style.layers), most});
     const raster::Batch blended = batch(layout.blended, true);
     const auto layers =
-        raster::add_layers(making.graph, "screen", scene.meshes, {&blended, 1}, eye_view(making), wanted);
-    screen::ScreenInputs inputs = screen_inputs(making, scene, visibility, layers);
-    if (making.plan.raster.on_processor) {
-        inputs.tiles = raster::add_seen_tiles(making.graph, "screen", layers.front(), making.sample.size_px);
+        raster::add_layers(context.graph, "screen", scene.meshes, {&blended, 1}, eye_view(context), wanted);
+    screen::ScreenInputs inputs = screen_inputs(context, scene, visibility, layers);
+    if (context.plan.raster.on_processor) {
+        inputs.tiles =
+            raster::add_seen_tiles(context.graph, "screen", layers.front(), context.sample.size_px);
     }
-    return {.images = screen::add_screen(making.graph, inputs), .layers = layers, .is_there = true};
+    return {.images = screen::add_screen(context.graph, inputs), .layers = layers, .is_there = true};
 }
 
 } // namespace estampe::frame

@@ -11,26 +11,26 @@ namespace estampe::frame {
 namespace {
 
 /// A visibility lit and painted as what is seen first is, without what lies in things.
-gpu::ImageId add_painted(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+gpu::ImageId add_painted(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                          const ShadowMaps& maps, const std::optional<gpu::ImageId>& background)
 {
-    const surface::Surface surface = add_surface(making, scene, visibility);
-    light::LightInputs inputs = light_inputs(making, scene, surface, maps);
-    inputs.has_emissive = making.plan.needs.emissive;
-    return add_paint(making, scene, surface, light::add_light(making.graph, inputs).light, background);
+    const surface::Surface surface = add_surface(context, scene, visibility);
+    light::LightInputs inputs = light_inputs(context, scene, surface, maps);
+    inputs.has_emissive = context.plan.needs.emissive;
+    return add_paint(context, scene, surface, light::add_light(context.graph, inputs).light, background);
 }
 
-gpu::ImageId add_behind(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+gpu::ImageId add_behind(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                         const surface::Surface& surface, const ShadowMaps& maps, const Colors& colors)
 {
-    gpu::Graph& graph = making.graph;
-    const SubsurfacePlan& plan = *making.plan.subsurface;
+    gpu::Graph& graph = context.graph;
+    const SubsurfacePlan& plan = *context.plan.subsurface;
     const gpu::BufferId background =
-        raster::add_visibility(graph, "subsurface/background", scene.meshes, plan.others, eye_view(making));
-    raster::View view = eye_view(making);
+        raster::add_visibility(graph, "subsurface/background", scene.meshes, plan.others, eye_view(context));
+    raster::View view = eye_view(context);
     view.cull_back_faces = false;
     const subsurface::BehindInputs inputs{
-        .common = subsurface_inputs(making, scene, surface),
+        .common = subsurface_inputs(context, scene, surface),
         .visibility = visibility,
         .inside = raster::add_layers(graph, "subsurface/inside", scene.meshes, plan.clear, view,
                                      subsurface::inside_layers),
@@ -38,28 +38,28 @@ gpu::ImageId add_behind(const Making& making, const PosedScene& scene, gpu::Buff
         .triangles = scene.meshes.triangles,
         .posed_vertices = scene.meshes.posed_vertices,
         .color = surface.color,
-        .painted = add_painted(making, scene, background, maps,
-                               making.plan.page.shows_sky ? std::optional(colors.sky_wash) : std::nullopt)};
+        .painted = add_painted(context, scene, background, maps,
+                               context.plan.page.shows_sky ? std::optional(colors.sky_wash) : std::nullopt)};
     return subsurface::add_behind(graph, inputs, colors.wash);
 }
 
 } // namespace
 
-Colors add_seen_through(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
+Colors add_seen_through(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
                         const surface::Surface& surface, const ShadowMaps& maps, const SeenThrough& screen,
                         Colors colors)
 {
-    if (making.plan.subsurface && !making.plan.subsurface->clear.empty()) {
-        colors.wash = add_behind(making, scene, visibility, surface, maps, colors);
+    if (context.plan.subsurface && !context.plan.subsurface->clear.empty()) {
+        colors.wash = add_behind(context, scene, visibility, surface, maps, colors);
     }
-    if (!screen.is_there || making.style.screen.mode != screen::Mode::sorted) {
+    if (!screen.is_there || context.style.screen.mode != screen::Mode::sorted) {
         return colors;
     }
-    const screen::ScreenInputs inputs = screen_inputs(making, scene, visibility, screen.layers);
+    const screen::ScreenInputs inputs = screen_inputs(context, scene, visibility, screen.layers);
     const std::vector<gpu::BufferId> farthest_first(screen.layers.rbegin(), screen.layers.rend());
     for (const gpu::BufferId& layer : farthest_first) {
-        const gpu::ImageId painted = add_painted(making, scene, layer, maps, std::nullopt);
-        colors.wash = screen::add_sheet(making.graph, inputs, layer, painted, colors.wash);
+        const gpu::ImageId painted = add_painted(context, scene, layer, maps, std::nullopt);
+        colors.wash = screen::add_sheet(context.graph, inputs, layer, painted, colors.wash);
     }
     return colors;
 }

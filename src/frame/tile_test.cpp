@@ -14,14 +14,14 @@
 namespace estampe::frame {
 namespace {
 
-bool holds(const PixelRect& outer, const PixelRect& inner)
+bool holds(const features::PixelRect& outer, const features::PixelRect& inner)
 {
     return glm::all(glm::lessThanEqual(outer.from_px, inner.from_px)) &&
            glm::all(glm::greaterThanEqual(outer.from_px + outer.size_px, inner.from_px + inner.size_px));
 }
 
 /// `rect` and as much around it as the page has.
-PixelRect with_overlap(const PixelRect& rect, uint32_t overlap, glm::uvec2 page_px)
+features::PixelRect with_overlap(const features::PixelRect& rect, uint32_t overlap, glm::uvec2 page_px)
 {
     const glm::uvec2 from = rect.from_px - glm::min(rect.from_px, glm::uvec2(overlap));
     return {from, glm::min(rect.from_px + rect.size_px + overlap, page_px) - from};
@@ -63,21 +63,21 @@ TEST(Tiles, AreNotMadeWhereNothingOfThemWouldBeLeft)
 TEST(Tiles, ACropPutsPlacesOfThePageWhereTheTileHasThem)
 {
     const glm::uvec2 page(640, 480);
-    const PixelRect part{.from_px = {96, 300}, .size_px = {128, 64}};
+    const features::PixelRect part{.from_px = {96, 300}, .size_px = {128, 64}};
     for (const glm::dvec2 place_px : {glm::dvec2(96.0, 300.0), glm::dvec2(150.25, 320.5)}) {
         const glm::dvec2 ndc = 2.0 * place_px / glm::dvec2(page) - 1.0;
-        const glm::dvec4 clip = crop_of(part, page) * glm::dvec4(3.0 * ndc, 1.0, 3.0);
+        const glm::dvec4 clip = features::crop_of(part, page) * glm::dvec4(3.0 * ndc, 1.0, 3.0);
         const glm::dvec2 in_tile_px = 0.5 * (glm::dvec2(clip) / clip.w + 1.0) * glm::dvec2(part.size_px);
         EXPECT_NEAR(in_tile_px.x, place_px.x - 96.0, 1e-9);
         EXPECT_NEAR(in_tile_px.y, place_px.y - 300.0, 1e-9);
     }
-    EXPECT_EQ(crop_of({.size_px = page}, page), glm::dmat4(1.0));
+    EXPECT_EQ(features::crop_of({.size_px = page}, page), glm::dmat4(1.0));
 }
 
 TEST(Tiles, ASurveyIsAsFineAsItMayBeAndHoldsThePage)
 {
     EXPECT_EQ(survey_of({640, 480}, 16384, 1U << 24U).shrink, 1U);
-    const Survey survey = survey_of({12000, 17001}, 16384, 1U << 24U);
+    const features::Survey survey = survey_of({12000, 17001}, 16384, 1U << 24U);
     EXPECT_EQ(survey.shrink, 4U);
     EXPECT_EQ(survey.size_px(), glm::uvec2(3000, 4251));
     EXPECT_EQ(survey.part.size_px, glm::uvec2(12000, 17004));

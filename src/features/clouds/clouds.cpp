@@ -5,16 +5,16 @@
 
 namespace estampe::features {
 
-void refill_clouds(gpu::Device& device, const sky::CloudPlan& plan, CloudBuffers& buffers)
+void Clouds::upload(gpu::Device& device, const sky::CloudPlan& plan)
 {
-    gpu::refill(device, "clouds", std::span(&plan.globals, 1), buffers.globals);
-    if (buffers.shapes == plan.shapes) {
+    gpu::refill(device, "clouds", std::span(&plan.globals, 1), globals_);
+    if (shapes_ == plan.shapes) {
         return;
     }
-    buffers.shapes = plan.shapes;
-    gpu::refill(device, "cloud cells", plan.shapes->starts, buffers.starts);
-    gpu::refill(device, "puffs", plan.shapes->puffs, buffers.puffs);
-    gpu::refill(device, "streaks", plan.shapes->streaks, buffers.streaks);
+    shapes_ = plan.shapes;
+    gpu::refill(device, "cloud cells", shapes_->starts, starts_);
+    gpu::refill(device, "puffs", shapes_->puffs, puffs_);
+    gpu::refill(device, "streaks", shapes_->streaks, streaks_);
 }
 
 } // namespace estampe::features

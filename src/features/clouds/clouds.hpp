@@ -3,21 +3,38 @@
 
 // What the clouds of a picture are drawn from.
 
+#include "features/common/feature.hpp"
 #include "gpu/resources.hpp"
 #include "techniques/sky/clouds/clouds.hpp"
 
 namespace estampe::features {
 
-/// The clouds of a plan.
-struct CloudBuffers {
-    std::shared_ptr<const sky::CloudShapes> shapes; ///< what starts, puffs and streaks hold
-    gpu::Buffer globals;
-    gpu::Buffer starts;
-    gpu::Buffer puffs;
-    gpu::Buffer streaks;
-};
+class Clouds final : public Feature {
+public:
+    /// Clouds are of the style and its time alone: nothing that happens to a scene outdates them.
+    void invalidate(Event /*event*/) override {}
 
-/// Brings the clouds of a plan to the device; shapes only where they are others than before.
-void refill_clouds(gpu::Device& device, const sky::CloudPlan& plan, CloudBuffers& buffers);
+    /// Uploads the clouds of a plan; their shapes only where they are others than before.
+    void upload(gpu::Device& device, const sky::CloudPlan& plan);
+
+    /// The shapes that were planned last, for sky::plan_clouds().
+    [[nodiscard]] sky::CloudMemory& memory() { return memory_; }
+
+    [[nodiscard]] gpu::Buffer& globals() { return globals_; }
+
+    [[nodiscard]] gpu::Buffer& starts() { return starts_; }
+
+    [[nodiscard]] gpu::Buffer& puffs() { return puffs_; }
+
+    [[nodiscard]] gpu::Buffer& streaks() { return streaks_; }
+
+private:
+    sky::CloudMemory memory_;
+    std::shared_ptr<const sky::CloudShapes> shapes_; ///< what starts, puffs and streaks hold
+    gpu::Buffer globals_;
+    gpu::Buffer starts_;
+    gpu::Buffer puffs_;
+    gpu::Buffer streaks_;
+};
 
 } // namespace estampe::features

@@ -32,7 +32,7 @@ protected:
 
     Scene scene_;
     pose::MeshData meshes_;
-    frame::StyleTables style_;
+    StyleTables style_;
 };
 
 TEST_F(Looks, OneStyleIsOneLook)

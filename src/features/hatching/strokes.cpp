@@ -15,7 +15,7 @@
 namespace estampe::features {
 namespace {
 
-constexpr const char* key = "hatch.materials";
+constexpr const char* materials_key = "hatch.materials";
 
 /// The kind that `hatch.coordinates` calls `name`.
 uint32_t kind_named(const std::string& name)
@@ -24,7 +24,7 @@ uint32_t kind_named(const std::string& name)
     const auto wanted = std::find_if(parameters.begin(), parameters.end(),
                                      [](const auto& parameter) { return parameter.key == "coordinates"; });
     if (std::find(wanted->choices.begin(), wanted->choices.end(), name) == wanted->choices.end()) {
-        throw Error(fmt::format("strokes cannot follow {}", style::in_quotes(name)), key,
+        throw Error(fmt::format("strokes cannot follow {}", style::in_quotes(name)), materials_key,
                     fmt::format("allowed: {}", style::allowed(*wanted)));
     }
     hatch::HatchStyle style;
@@ -40,7 +40,7 @@ std::map<Index, uint32_t> kinds_of_materials(const std::vector<Material>& materi
         return kinds;
     }
     for (const style::Assignment& part :
-         style::assignments(text, key, "material=kind", "Skin=form, Sea=wind")) {
+         style::assignments(text, materials_key, "material=kind", "Skin=form, Sea=wind")) {
         const uint32_t kind = kind_named(part.value);
         std::vector<std::string> names;
         bool is_known = false;
@@ -52,7 +52,7 @@ std::map<Index, uint32_t> kinds_of_materials(const std::vector<Material>& materi
             }
         }
         if (!is_known) {
-            style::fail_unknown("the scene has no material", part.name, key, names);
+            style::fail_unknown("the scene has no material", part.name, materials_key, names);
         }
     }
     return kinds;

@@ -33,7 +33,7 @@ protected:
     [[nodiscard]] std::vector<uint32_t> kinds(hatch::Coordinates coordinates,
                                               const std::string& materials) const
     {
-        frame::StyleTables style;
+        StyleTables style;
         style.hatch.coordinates = coordinates;
         style.hatch.materials = materials;
         return plan_strokes(meshes_, scene_.materials, {.styles = {style}}).kind_of_draw;
@@ -81,7 +81,7 @@ TEST_F(Strokes, OfMaterialsThatAreNotThereAreAnError)
 
 TEST_F(Strokes, AlongTheFormHaveCoordinatesForTheirTrianglesAlone)
 {
-    frame::StyleTables style;
+    StyleTables style;
     style.hatch.coordinates = hatch::Coordinates::solid;
     style.hatch.materials = "Sea=form";
     const StrokePlan plan = plan_strokes(meshes_, scene_.materials, {.styles = {style}});

@@ -2,6 +2,7 @@
 #include "features/ink/flowing_ink.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "features/ink/ink_zones.hpp"
 
@@ -43,7 +44,97 @@ ink::View view_of(const FlowingInkInputs& in, const MotionPlan& moved)
             .up = glm::vec3(glm::cross(right, forward))};
 }
 
+void save_camera(FilmWriter& writer, const Camera& camera)
+{
+    writer.value(camera.eye);
+    writer.value(camera.target);
+    writer.value(camera.up);
+    writer.value(camera.vertical_fov_rad);
+    writer.value(camera.near_m);
+    writer.value(camera.orthographic_half_height_m.value_or(-1.0)); // negative: in perspective
+}
+
+Camera load_camera(FilmReader& reader)
+{
+    Camera camera{.eye = reader.value<glm::dvec3>(),
+                  .target = reader.value<glm::dvec3>(),
+                  .up = reader.value<glm::dvec3>()};
+    camera.vertical_fov_rad = reader.value<double>();
+    camera.near_m = reader.value<double>();
+    const auto half_height_m = reader.value<double>();
+    if (half_height_m >= 0.0) {
+        camera.orthographic_half_height_m = half_height_m;
+    }
+    return camera;
+}
+
 } // namespace
+
+void FlowingInk::invalidate(Event event)
+{
+    if (event == Event::scene_replaced || event == Event::anchor_moved || event == Event::film_recalled) {
+        forget();
+    }
+}
+
+void FlowingInk::forget()
+{
+    memory_.forget();
+    water_.forget();
+}
+
+void FlowingInk::save(FilmWriter& writer)
+{
+    const std::optional<ink::Memory::Kept> kept = memory_.kept();
+    const std::optional<KeptWater> water = water_.kept(writer.device(), writer.executor());
+    if (!kept && !water) {
+        return;
+    }
+    writer.flag(kept.has_value());
+    if (kept) {
+        writer.value(kept->grid.size);
+        writer.value(kept->grid.margin_cells);
+        writer.value(kept->grid.cells_per_px);
+        writer.value(kept->grid.mm_per_cell);
+        writer.value(kept->grid.face_side);
+        writer.value(kept->time_s);
+        writer.value(kept->sum_now);
+        save_camera(writer, camera_before_);
+        writer.buffers(memory_.kept_buffers());
+    }
+    writer.flag(water.has_value());
+    if (water) {
+        writer.value(water->time_s);
+        writer.value(uint64_t{water->velocity.size()});
+        writer.floats(water->velocity);
+    }
+}
+
+void FlowingInk::load(FilmReader& reader)
+{
+    forget();
+    if (reader.flag()) {
+        ink::Memory::Kept kept;
+        kept.grid.size = reader.value<glm::uvec2>();
+        kept.grid.margin_cells = reader.value<glm::vec2>();
+        kept.grid.cells_per_px = reader.value<float>();
+        kept.grid.mm_per_cell = reader.value<float>();
+        kept.grid.face_side = reader.value<uint32_t>();
+        kept.time_s = reader.value<double>();
+        kept.sum_now = reader.value<uint32_t>() & 1U;
+        camera_before_ = load_camera(reader);
+        const std::array<uint64_t, 3> bytes = ink::Memory::kept_bytes(kept.grid);
+        std::array<gpu::Buffer, 3> buffers;
+        for (size_t i = 0; i < bytes.size(); ++i) {
+            buffers.at(i) = reader.buffer("ink", bytes.at(i));
+        }
+        memory_.recall(reader.device(), kept, std::move(buffers));
+    }
+    if (reader.flag()) {
+        const auto time_s = reader.value<double>();
+        water_.recall({.time_s = time_s, .velocity = reader.floats(reader.value<uint64_t>())});
+    }
+}
 
 std::optional<double> FlowingInk::before_s(const RenderSettings& settings, const ink::InkStyle& style) const
 {

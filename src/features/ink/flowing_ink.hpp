@@ -9,11 +9,12 @@
 
 #include <estampe/renderer.hpp>
 
+#include "features/common/feature.hpp"
 #include "features/common/style_tables.hpp"
-#include "techniques/pose/mesh_data.hpp"
 #include "features/common/view.hpp"
 #include "features/ink/ink_water.hpp"
 #include "techniques/ink/ink.hpp"
+#include "techniques/pose/mesh_data.hpp"
 
 namespace estampe::features {
 
@@ -34,7 +35,7 @@ struct InkPlan {
     std::optional<MotionPlan> motion; ///< where it follows what moves by itself
 };
 
-class FlowingInk {
+class FlowingInk final : public Feature {
 public:
     /// When the ink was that the next picture goes on from; nothing where that starts afresh.
     [[nodiscard]] std::optional<double> before_s(const RenderSettings& settings,
@@ -51,24 +52,23 @@ public:
     /// To be called when the first sample of that picture has been drawn.
     void drawn(const InkPlan& plan, const Camera& camera);
 
-    /// The next picture is of something else.
-    void forget()
-    {
-        memory_.forget();
-        water_.forget();
-    }
+    /// Ink lies on the page: it is let go where what is under it is something else, or is found relative to
+    /// another origin.
+    void invalidate(Event event) override;
+
+    [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"ink", 1}; }
+
+    void save(FilmWriter& writer) override;
+    void load(FilmReader& reader) override;
 
     [[nodiscard]] ink::Memory& memory() { return memory_; }
 
-    [[nodiscard]] const ink::Memory& memory() const { return memory_; }
-
-    [[nodiscard]] const Camera& camera_before() const { return camera_before_; }
-
-    void recall_camera(const Camera& camera) { camera_before_ = camera; }
-
-    [[nodiscard]] InkWater& water() { return water_; }
+    /// Of the water that ink stirs, when it last measured steps.
+    [[nodiscard]] const std::optional<SolverReport>& solver_report() const { return water_.solver_report(); }
 
 private:
+    void forget();
+
     ink::Memory memory_;
     InkWater water_;
     Camera camera_before_;

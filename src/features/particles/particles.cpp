@@ -121,15 +121,22 @@ std::vector<size_t> emitting_nodes(const Scene& scene, const std::string& patter
     return nodes;
 }
 
-std::vector<particles::ParticlePlan> provide_particles(gpu::Device& device, gpu::Executor& executor,
-                                                       std::vector<ParticleBuffers>& buffers,
-                                                       const ParticlePlanInputs& in)
+void Particles::invalidate(Event event)
 {
-    EmittingNodes& emitting = in.emitting;
-    if (emitting.patterns != in.style.particles.emitters) {
-        emitting = {in.style.particles.emitters, emitting_nodes(in.scene, in.style.particles.emitters)};
+    if (event == Event::scene_replaced) {
+        patterns_.clear();
+        emitting_.clear();
     }
-    const std::vector<size_t>& nodes = emitting.nodes;
+}
+
+std::vector<particles::ParticlePlan> Particles::plan(gpu::Device& device, gpu::Executor& executor,
+                                                     const ParticlePlanInputs& in)
+{
+    if (patterns_ != in.style.particles.emitters) {
+        patterns_ = in.style.particles.emitters;
+        emitting_ = emitting_nodes(in.scene, patterns_);
+    }
+    const std::vector<size_t>& nodes = emitting_;
     if (nodes.empty()) {
         return {};
     }
@@ -146,14 +153,14 @@ std::vector<particles::ParticlePlan> provide_particles(gpu::Device& device, gpu:
                       {.size_px = page_px, .page_height_mm = in.style.paper.height_mm});
     const PixelSize pixel = pixel_size(in.camera, page_px.y);
     std::vector<particles::ParticlePlan> plans;
-    buffers.resize(std::max(buffers.size(), groups.size()));
+    buffers_.resize(std::max(buffers_.size(), groups.size()));
     for (EmitterGroup& group : groups) {
         const particles::ParticleStyle& style = *group.style;
         if (std::ranges::any_of(group.nodes, [&](size_t node) { return moves[node]; })) {
             look_back(group.emitters, group.nodes, past, static_cast<double>(style.life_s));
         }
         const auto alive = particles::particles_at(style, group.emitters, in.settings.time_s);
-        ParticleBuffers& room = buffers[plans.size()];
+        ParticleBuffers& room = buffers_[plans.size()];
         room.sheet.provide(device, style, [&] { return smoke_sheet(device, executor); });
         const particles::ParticlePlan& plan =
             plans.emplace_back(particles::plan_particles(style, alive,

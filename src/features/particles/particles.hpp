@@ -9,10 +9,11 @@
 
 #include <estampe/renderer.hpp>
 
+#include "features/common/feature.hpp"
 #include "features/common/style_tables.hpp"
-#include "techniques/pose/mesh_data.hpp"
 #include "gpu/graph/execute.hpp"
 #include "techniques/particles/particles.hpp"
+#include "techniques/pose/mesh_data.hpp"
 
 namespace estampe::features {
 
@@ -27,16 +28,9 @@ struct ParticleBuffers {
     particles::Sheet sheet;
 };
 
-/// The nodes that give particles, and the style's words that they were found by.
-struct EmittingNodes {
-    std::string patterns;
-    std::vector<size_t> nodes;
-};
-
 struct ParticlePlanInputs {
     const Scene& scene;
     const pose::MeshData& layout;
-    EmittingNodes& emitting;       ///< found again where the style names others
     bool are_nodes_placed = false; ///< a program moves some
     const ScenePose& pose;
     std::function<ScenePose(double time_s)> pose_at; ///< at other moments
@@ -45,11 +39,22 @@ struct ParticlePlanInputs {
     const StyleTables& style;
 };
 
-/// Plans the particles of a picture, for each look of theirs by itself, and makes room for them; none where
-/// no node gives any. Throws Error for a sheet that cannot be read.
-[[nodiscard]] std::vector<particles::ParticlePlan> provide_particles(gpu::Device& device,
-                                                                     gpu::Executor& executor,
-                                                                     std::vector<ParticleBuffers>& buffers,
-                                                                     const ParticlePlanInputs& in);
+class Particles final : public Feature {
+public:
+    void invalidate(Event event) override;
+
+    /// Plans the particles of a picture, for each look of theirs by itself, and makes room for them; none
+    /// where no node gives any. Throws Error for a sheet that cannot be read.
+    [[nodiscard]] std::vector<particles::ParticlePlan> plan(gpu::Device& device, gpu::Executor& executor,
+                                                            const ParticlePlanInputs& in);
+
+    /// As many as there are plans, in their order.
+    [[nodiscard]] std::vector<ParticleBuffers>& buffers() { return buffers_; }
+
+private:
+    std::vector<ParticleBuffers> buffers_;
+    std::string patterns_; ///< of the style, that `emitting_` was found by
+    std::vector<size_t> emitting_;
+};
 
 } // namespace estampe::features

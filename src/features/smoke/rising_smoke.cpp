@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include <estampe/error.hpp>
 #include <fmt/format.h>
 
 #include "core/luminance.hpp"
@@ -122,7 +121,32 @@ void carry_along(smoke::Box& box, const smoke::SmokeStyle& style, double time_s)
     box.strokes_risen_m = static_cast<float>(std::fmod(time_s * static_cast<double>(draught.speed_m_s), 1e3));
 }
 
+/// Throws Error for what no smoke has.
+uint64_t checked_cell_count(const glm::uvec3& cells, float cell_m, uint32_t channels)
+{
+    const auto is_count = [](uint32_t count) {
+        return count >= 8 && count <= 256 && std::has_single_bit(count);
+    };
+    const bool are_channels = channels == shared::fluid_temperature + 1 ||
+                              channels == shared::fluid_fuel + 1 || channels == shared::fluid_cloud + 1;
+    if (!are_channels || !is_count(cells.x) || !is_count(cells.y) || !is_count(cells.z) || !(cell_m > 0.0F)) {
+        fail_damaged();
+    }
+    return uint64_t{cells.x} * cells.y * cells.z;
+}
+
 } // namespace
+
+struct RisingSmoke::Kept {
+    uint32_t number = 0;
+    glm::uvec3 cells{0};
+    float cell_m = 1.0F;
+    double time_s = 0.0;
+    double behind_s = 0.0; ///< the picture's time
+    uint32_t channels = 2;
+    std::vector<float> velocity;   ///< three numbers a cell
+    std::vector<float> quantities; ///< one a channel
+};
 
 struct RisingSmoke::Column {
     uint32_t number = 0;
@@ -130,7 +154,7 @@ struct RisingSmoke::Column {
     float cell_m = 1.0F;
     double time_s = 0.0;
     double behind_s = 0.0;               ///< the last picture
-    KeptSmoke recalled;                  ///< until it is asked for
+    Kept recalled;                       ///< until it is asked for
     std::unique_ptr<fluid::Fluid> fluid; ///< none until then
     std::optional<SolverReport> solver_report = {};
     StepsLeft left = {}; ///< for the next graph that asks for the fluid
@@ -227,21 +251,6 @@ std::vector<smoke::Box> smoke_boxes(const Scene& scene, const ScenePose& pose, c
 RisingSmoke::RisingSmoke() = default;
 RisingSmoke::~RisingSmoke() = default;
 
-uint64_t kept_cell_count(const KeptSmoke& kept)
-{
-    const auto is_side = [](uint32_t cells) {
-        return cells >= 8 && cells <= 256 && std::has_single_bit(cells);
-    };
-    const bool are_channels = kept.channels == shared::fluid_temperature + 1 ||
-                              kept.channels == shared::fluid_fuel + 1 ||
-                              kept.channels == shared::fluid_cloud + 1;
-    if (!are_channels || !is_side(kept.cells.x) || !is_side(kept.cells.y) || !is_side(kept.cells.z) ||
-        !(kept.cell_m > 0.0F)) {
-        throw Error("this is not the memory of a film's frame");
-    }
-    return uint64_t{kept.cells.x} * kept.cells.y * kept.cells.z;
-}
-
 std::vector<SolverReport> RisingSmoke::solver_reports() const
 {
     std::vector<SolverReport> reports;
@@ -254,48 +263,57 @@ std::vector<SolverReport> RisingSmoke::solver_reports() const
     return reports;
 }
 
-void RisingSmoke::forget()
+void RisingSmoke::invalidate(Event event)
 {
-    columns_.clear();
+    if (event == Event::scene_replaced || event == Event::film_recalled) {
+        columns_.clear();
+    }
 }
 
-std::vector<KeptSmoke> RisingSmoke::kept(gpu::Device& device, gpu::Executor& executor)
+void RisingSmoke::save(FilmWriter& writer)
 {
-    std::vector<KeptSmoke> kept;
     for (const auto& column : columns_) {
-        if (!column->fluid) {
-            kept.push_back(column->recalled);
-            continue;
-        }
         const auto numbers = [&](bool are_quantities) {
+            if (!column->fluid) {
+                return are_quantities ? column->recalled.quantities : column->recalled.velocity;
+            }
             gpu::Graph graph;
             const fluid::FluidFields fields = column->add(graph);
-            return fluid::run_and_read(device, executor, graph,
+            return fluid::run_and_read(writer.device(), writer.executor(), graph,
                                        are_quantities ? fields.quantities.value() : fields.velocity);
         };
-        kept.push_back({.number = column->number,
-                        .cells = column->cells,
-                        .cell_m = column->cell_m,
-                        .time_s = column->time_s,
-                        .behind_s = column->behind_s,
-                        .channels = column->fluid->channels(),
-                        .velocity = numbers(false),
-                        .quantities = numbers(true)});
+        writer.value(column->number);
+        writer.value(column->cells);
+        writer.value(column->cell_m);
+        writer.value(column->fluid ? column->fluid->channels() : column->recalled.channels);
+        writer.value(column->time_s);
+        writer.value(column->behind_s);
+        writer.floats(numbers(false));
+        writer.floats(numbers(true));
     }
-    return kept;
 }
 
-void RisingSmoke::recall(std::vector<KeptSmoke> kept)
+void RisingSmoke::load(FilmReader& reader)
 {
-    forget();
-    for (KeptSmoke& box : kept) {
-        auto column = std::make_unique<Column>(Column{.number = box.number,
-                                                      .cells = box.cells,
-                                                      .cell_m = box.cell_m,
-                                                      .time_s = box.time_s,
-                                                      .behind_s = box.behind_s,
+    columns_.clear();
+    while (!reader.is_at_end()) {
+        Kept kept{.number = reader.value<uint32_t>(),
+                  .cells = reader.value<glm::uvec3>(),
+                  .cell_m = reader.value<float>()};
+        kept.channels = reader.value<uint32_t>();
+        kept.time_s = reader.value<double>();
+        kept.behind_s = reader.value<double>();
+        const uint64_t cells = checked_cell_count(kept.cells, kept.cell_m, kept.channels);
+        kept.velocity = reader.floats(3 * cells);
+        kept.quantities = reader.floats(kept.channels * cells);
+        auto column = std::make_unique<Column>(Column{.number = kept.number,
+                                                      .cells = kept.cells,
+                                                      .cell_m = kept.cell_m,
+                                                      .time_s = kept.time_s,
+                                                      .behind_s = kept.behind_s,
+                                                      .recalled = {},
                                                       .fluid = nullptr});
-        column->recalled = std::move(box);
+        column->recalled = std::move(kept);
         columns_.push_back(std::move(column));
     }
 }
@@ -322,7 +340,7 @@ std::unique_ptr<RisingSmoke::Column> RisingSmoke::started(gpu::Device& device, g
                                                            .quantities = clean_air(box, style)},
                                               .fluid = nullptr});
     if (!column->fluid) {
-        const KeptSmoke start = std::exchange(column->recalled, {});
+        const Kept start = std::exchange(column->recalled, {});
         column->fluid =
             std::make_unique<fluid::Fluid>(device, grid_of(box), channels, start.velocity, start.quantities);
         if (style.obstacles) {
@@ -347,7 +365,7 @@ std::vector<smoke::Box> RisingSmoke::rise(gpu::Device& device, gpu::Executor& ex
                         style::in_quotes(style.objects)));
     }
     if (boxes.empty()) {
-        forget();
+        columns_.clear();
         return {};
     }
     if (boxes.size() > shared::smoke_most_boxes) {

@@ -10,9 +10,11 @@
 
 #include <estampe/renderer.hpp>
 
+#include "features/common/feature.hpp"
 #include "features/common/style_tables.hpp"
 #include "gpu/graph/execute.hpp"
 #include "techniques/light/light.hpp"
+#include "techniques/pose/mesh_data.hpp"
 #include "techniques/smoke/smoke.hpp"
 
 namespace estampe::fluid {
@@ -52,27 +54,10 @@ struct SmokePlan {
                                                   const glm::dvec3& anchor, const std::string& pattern,
                                                   uint32_t cells);
 
-/// What a film's next frame takes from this one, of a box.
-struct KeptSmoke {
-    uint32_t number = 0;
-    glm::uvec3 cells{0};
-    float cell_m = 1.0F;
-    double time_s = 0.0;
-    double behind_s = 0.0; ///< the picture's time
-    uint32_t channels = 2;
-    std::vector<float> velocity;   ///< three numbers a cell
-    std::vector<float> quantities; ///< one a channel
-};
-
-/// Throws Error for what no smoke has.
-[[nodiscard]] uint64_t kept_cell_count(const KeptSmoke& kept);
-
-class RisingSmoke {
+class RisingSmoke final : public Feature {
 public:
     RisingSmoke();
-    ~RisingSmoke();
-    RisingSmoke(const RisingSmoke&) = delete;
-    RisingSmoke& operator=(const RisingSmoke&) = delete;
+    ~RisingSmoke() override;
 
     /// Lets the smoke rise to the moment of a picture, and returns its boxes; none where the style or the
     /// scene has none. The last steps are for the graph that next asks for velocity() or fields(), in which
@@ -93,13 +78,13 @@ public:
     /// Of the boxes that were measured when they took their last steps, numbered where there are several.
     [[nodiscard]] std::vector<SolverReport> solver_reports() const;
 
-    /// The next picture is of something else.
-    void forget();
+    /// Smoke of another scene is let go. What rises in the world stays where the anchor moves.
+    void invalidate(Event event) override;
 
-    [[nodiscard]] std::vector<KeptSmoke> kept(gpu::Device& device, gpu::Executor& executor);
+    [[nodiscard]] std::optional<FilmSection> film_section() const override { return FilmSection{"smoke", 1}; }
 
-    /// The next picture may go on from that.
-    void recall(std::vector<KeptSmoke> kept);
+    void save(FilmWriter& writer) override;
+    void load(FilmReader& reader) override;
 
     [[nodiscard]] gpu::Buffer& globals() { return globals_; }
 
@@ -111,6 +96,8 @@ public:
 private:
     /// The smoke of a box.
     struct Column;
+    /// What a film's next frame takes from this one, of a box.
+    struct Kept;
 
     [[nodiscard]] std::unique_ptr<Column> started(gpu::Device& device, gpu::Executor& executor,
                                                   const smoke::Box& box, const SmokeInputs& in);

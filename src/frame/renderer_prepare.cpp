@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+// All that comes before the first sample of a picture: features are brought to its moment, the frame is
+// planned, and what it reads beside the scene goes to the device.
+#include "frame/renderer_impl.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <future>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+#include "core/luminance.hpp"
+#include "features/lighting/baked_lights.hpp"
+#include "frame/depth_of_field.hpp"
+#include "gpu/mapped_buffer.hpp"
+#include "gpu/upload.hpp"
+#include "scene/extent.hpp"
+#include "techniques/light/daylight.hpp"
+
+namespace estampe {
+
+std::optional<std::vector<smoke::Box>> Renderer::Impl::blow_cloth(const ScenePose& pose,
+                                                                  const features::StyleTables& style,
+                                                                  const RenderSettings& settings)
+{
+    if (features.cloth.sheets() == nullptr) {
+        return std::nullopt;
+    }
+    cloth::Cloths& sheets = features.cloth.sheets()->sheets();
+    if (style.wind.from != cloth::WindSource::smoke) {
+        sheets.set_flows(device, {});
+        return std::nullopt;
+    }
+    const std::vector<smoke::Lamp> none;
+    auto boxes = features.smoke.rise(device, executor,
+                                     {.scene = loaded->scene,
+                                      .layout = loaded->layout,
+                                      .pose = pose,
+                                      .settings = settings,
+                                      .style = style,
+                                      .lamps = none},
+                                     notes);
+    if (boxes.empty()) {
+        notes.emplace_back("wind.from is smoke, of which there is none");
+    }
+    std::vector<cloth::Flow> flows;
+    flows.reserve(boxes.size());
+    for (const smoke::Box& box : boxes) {
+        flows.push_back({.cells = box.cells, .cells_from_place = box.grid_from_anchor});
+    }
+    sheets.set_flows(device, flows);
+    for (size_t i = 0; i < flows.size(); ++i) {
+        gpu::Graph graph;
+        sheets.add_flow(graph, i, features.smoke.velocity(graph, i));
+        executor.run(graph);
+    }
+    return boxes;
+}
+
+features::ClothInputs Renderer::Impl::cloth_inputs(const RenderSettings& settings,
+                                                   const features::StyleTables& style)
+{
+    return {.scene = loaded->scene,
+            .layout = loaded->layout,
+            .meshes = loaded->meshes,
+            .posed = loaded->pose,
+            .pose_at =
+                [this, animation = settings.animation](double time_s) {
+                    ScenePose pose = frame::pose_at(*loaded, time_s, animation);
+                    update_pose(pose);
+                    return pose;
+                },
+            .add_posed = [this](gpu::Graph& graph) { return add_moved(graph); },
+            .settings = settings,
+            .style = style,
+            .before_s = moment_before(settings, style)};
+}
+
+light::Lighting Renderer::Impl::gather_lights(const Camera& camera, const ScenePose& scene_pose,
+                                              const features::StyleTables& tables)
+{
+    // What lines will want is found in the meantime.
+    const std::future<void> edges = features.lines.meshes().find_edges(loaded->layout, tables.contour);
+    return light::gather_lights(
+        loaded->scene, scene_pose, loaded->layout.bounds, loaded->layout.anchor, tables.light,
+        loaded->house_light.outlook(loaded->scene, tables.light, camera.eye), &loaded->key_light);
+}
+
+frame::FramePlan Renderer::Impl::prepare(const Camera& camera, const features::StyleTables& tables,
+                                         const RenderSettings& settings)
+{
+    if (!loaded) {
+        throw Error("there is no scene to draw", "", "call set_scene first");
+    }
+    frame::check_page(settings);
+    if (frame::style_lighting(device, *loaded, tables.light)) {
+        posed_scene = {};
+        features.invalidate(features::Event::lights_changed);
+    }
+    note_layout();
+    motion = {};
+    is_of_film = settings.continuity != Continuity::still;
+    executor.add_timings();
+    executor.time_passes(settings.time_passes || settings.measure_solvers);
+    follow_eye(camera);
+    const pose::MeshData& layout = loaded->layout;
+    const ScenePose& scene_pose = pose_at(settings);
+    check_places(loaded->scene, scene_pose);
+    notes = loaded->notes;
+    const auto risen = blow_cloth(scene_pose, tables, settings);
+    const features::ClothAdvance advance =
+        features.cloth.advance(device, executor, cloth_inputs(settings, tables));
+    if (advance.tore) {
+        features.invalidate(features::Event::triangles_changed);
+    }
+    const bool has_cloth_moved = features.cloth.has_moved();
+    const std::optional<double> before_s = moment_before(settings, tables);
+    // Of the picture before, which ink goes on from, the device has it.
+    const bool is_there = before_s && !settings.motion_since && loaded->pose && !advance.posed_scene &&
+                          before_s == features.ink.before_s(settings, tables.ink);
+    // Both moments are posed, though nothing but cloth may differ.
+    force_repose = before_s && has_cloth_moved;
+    if (before_s && !is_there) {
+        pose_before(frame::pose_at(*loaded, *before_s, settings.animation));
+        force_repose = has_cloth_moved;
+    }
+    update_pose(scene_pose);
+    if (has_cloth_moved) {
+        loaded->pose_moved = true;
+        features.shadows.move(features.cloth.place(device, cloth_inputs(settings, tables), scene_pose));
+    }
+    update_terrain(camera, settings, tables);
+    light::Lighting lighting = gather_lights(camera, scene_pose, tables);
+    const std::optional<light::Daylight> daylight = light::daylight_of(tables.sun);
+    if (daylight) {
+        light::set_daylight(lighting, *daylight, tables.light);
+    }
+    if (tables.smoke.drawn && tables.smoke.glow > 0.0F) {
+        features::add_fires(lighting,
+                            features::smoke_boxes(loaded->scene, scene_pose, layout.anchor,
+                                                  tables.smoke.objects, std::bit_floor(tables.smoke.cells)),
+                            tables.smoke, settings.time_s);
+    }
+    const float lightmap_scale = features::make_room(lighting, loaded->baked, tables.lightmap);
+    if (loaded->terrain && !loaded->terrain->problem().empty()) {
+        notes.push_back(fmt::format("the ground is drawn slowly: {}", loaded->terrain->problem()));
+    }
+    std::ranges::copy(features::idle_overrides(loaded->scene, tables), std::back_inserter(notes));
+    if (lighting.indoors) {
+        notes.emplace_back("the scene has no light and the sun does not reach it: a lamp hangs in the room");
+    }
+    frame::FramePlan plan = frame::plan_frame({.loaded = *loaded,
+                                               .lighting = lighting,
+                                               .daylight = daylight,
+                                               .camera = camera,
+                                               .settings = settings,
+                                               .style = tables,
+                                               .device = device,
+                                               .raster_path = raster_path,
+                                               .wanted_path = options.raster,
+                                               .clouds = features.clouds.memory()},
+                                              std::exchange(plan_lists, {}));
+    page_path = plan.raster.paths.page;
+    plan.light.lightmap_scale = lightmap_scale;
+    plan.risen = risen;
+    plan.particles = features.particles.plan(
+        device, executor,
+        {.scene = loaded->scene,
+         .layout = loaded->layout,
+         .are_nodes_placed = !loaded->placed.empty(),
+         .pose = scene_pose,
+         .pose_at = [&](double time_s) { return frame::pose_at(*loaded, time_s, settings.animation); },
+         .camera = camera,
+         .settings = settings,
+         .style = tables});
+    if (settings.motion_since) {
+        plan.motion = plan_motion(camera, settings);
+    }
+    plan.motion_blur = plan_motion_blur(camera, plan.page, plan.lines.half_px, tables, settings);
+    plan.lens = frame::plan_lens({.loaded = *loaded,
+                                  .pose = scene_pose,
+                                  .camera = camera,
+                                  .style = tables,
+                                  .page = plan.page,
+                                  .line_half_px = plan.lines.half_px},
+                                 notes);
+    features.hatching.ensure_strokes(device, loaded->layout, plan.strokes);
+    provide_looks(plan);
+    plan.local_shadows = features.shadows.ensure_local_maps(
+        device, lighting, local_map_scene(plan.page, camera, tables), notes);
+    provide_lighting(plan, lighting, tables);
+    if (tables.smoke.drawn) {
+        plan.lamps = features::smoke_lamps(lighting, plan.sun.map.size > 0);
+        plan.light.ambient = luminance(lighting.ambient);
+    }
+    plan.light.adapt_stops = features.lighting.exposure().prepare(device, tables.light, settings.time_s);
+    loaded->key_light.room = std::move(lighting.records);
+    return plan;
+}
+
+features::FlowingInkInputs Renderer::Impl::ink_inputs(const Camera& camera,
+                                                      const features::StyleTables& tables,
+                                                      const RenderSettings& settings)
+{
+    const ScenePose& pose = pose_at(settings);
+    return {.scene = loaded->scene,
+            .layout = loaded->layout,
+            .pose = pose,
+            .camera = camera,
+            .settings = settings,
+            .style = tables,
+            .nearby_m = tables.ink.drawn ? frame::nearby_m(loaded->layout, camera.eye) : 0.0F,
+            .pose_moved = loaded->pose_moved};
+}
+
+std::optional<features::SmokePlan> Renderer::Impl::plan_smoke(const frame::FramePlan& plan,
+                                                              const features::StyleTables& tables,
+                                                              const RenderSettings& settings)
+{
+    return features.smoke.provide(device, executor,
+                                  {.scene = loaded->scene,
+                                   .layout = loaded->layout,
+                                   .pose = pose_at(settings),
+                                   .settings = settings,
+                                   .style = tables,
+                                   .lamps = plan.lamps,
+                                   .ambient = plan.light.ambient,
+                                   .risen = plan.risen ? &*plan.risen : nullptr},
+                                  notes);
+}
+
+features::LocalMapScene Renderer::Impl::local_map_scene(const frame::PagePlan& page_plan,
+                                                        const Camera& camera,
+                                                        const features::StyleTables& tables) const
+{
+    shadow::ShadowStyle style = tables.shadow;
+    style.local_lights = tables.light.shadows ? style.local_lights : 0;
+    return {.page = {.eye_anchor = glm::vec3(camera.eye - loaded->layout.anchor),
+                     .pixel = page_plan.pixel,
+                     .scene_radius_m = static_cast<float>(loaded->layout.bounds.radius()),
+                     .longer_side_px = std::max(page_plan.size_px.x, page_plan.size_px.y)},
+            .style = style,
+            .casters = features::caster_kinds(loaded->layout)};
+}
+
+void Renderer::Impl::provide_looks(const frame::FramePlan& plan)
+{
+    features.hatching.maps().provide(device, plan.looks.styles);
+    if (!plan.focus.lines.empty()) {
+        gpu::refill(device, "focus lines", plan.focus.lines, features.lines.focus_lines());
+    }
+    if (plan.clouds) {
+        features.clouds.upload(device, *plan.clouds);
+    }
+    if (const occlusion::OcclusionStyle& style = plan.looks.styles.front().occlusion;
+        style.drawn && occlusion::has_discs(style.method) && loaded->discs.empty()) {
+        loaded->discs = frame::discs_of(device, *loaded);
+    }
+    provide_surface_maps(plan);
+    if (plan.motion_blur && plan.looks.styles.front().motion_blur.mode == motion_blur::Mode::stretched &&
+        loaded->together.empty()) {
+        loaded->together =
+            motion_blur::upload_together(device, motion_blur::list_together(loaded->layout.stroke_coordinates,
+                                                                            loaded->layout.draw_of_vertex));
+    }
+    if (plan.motion_blur && plan.looks.styles.front().motion_blur.smear && !loaded->smear_seeds.is_made) {
+        loaded->smear_seeds = frame::smear_seeds_of(device, loaded->layout);
+    }
+    if (plan.subsurface) {
+        gpu::refill(device, "subsurface looks", plan.subsurface->looks, buffers.subsurface_looks);
+    }
+    if (plan.looks.has_several()) {
+        const std::vector<uint32_t>& looks = plan.looks.look_of_draw;
+        gpu::refill(device, "looks", looks, buffers.look_of_draw);
+    }
+}
+
+void Renderer::Impl::provide_surface_maps(const frame::FramePlan& plan)
+{
+    const std::array<std::optional<uint32_t>, 2> wanted{plan.occlusion_texels, plan.scatter_texels};
+    std::erase_if(loaded->surface_maps, [&](const auto& map) {
+        return std::ranges::find(wanted, std::optional(map.first)) == wanted.end();
+    });
+    for (const std::optional<uint32_t>& size : wanted) {
+        if (size && !loaded->surface_maps.contains(*size)) {
+            loaded->surface_maps.emplace(
+                *size,
+                features::upload_surface_map(device, features::make_surface_map(loaded->layout, *size)));
+        }
+        if (size && loaded->surface_maps.at(*size).cut_draws > 0) {
+            const std::string note = fmt::format("{} of the scene's objects have no coordinates of their own "
+                                                 "that lay each place by itself: for "
+                                                 "maps of surfaces they were cut into charts",
+                                                 loaded->surface_maps.at(*size).cut_draws);
+            if (std::ranges::find(notes, note) == notes.end()) {
+                notes.push_back(note);
+            }
+        }
+    }
+    if (plan.occlusion_texels && loaded->disc_map.size != *plan.occlusion_texels) {
+        loaded->disc_map = occlusion::make_disc_map(device, *plan.occlusion_texels);
+    }
+}
+
+void Renderer::Impl::provide_pixel_sizes(const frame::FramePlan& plan, const features::StyleTables& tables)
+{
+    const shared::SunShadow sun = features::sun_globals(plan.sun.map, plan.page.pixel, tables.shadow);
+    features.shadows.upload(device, plan.shadow_edges.look, sun);
+    if (plan.looks.has_several()) {
+        std::vector<shared::LineLook> lines;
+        for (const features::StyleTables& style : plan.looks.styles) {
+            lines.push_back(contour::line_look(style.contour, plan.page.pixels_per_mm));
+        }
+        gpu::refill(device, "line looks", lines, features.lines.looks());
+    }
+}
+
+void Renderer::Impl::provide_lighting(const frame::FramePlan& plan, const light::Lighting& lighting,
+                                      const features::StyleTables& tables)
+{
+    const pose::MeshData& layout = loaded->layout;
+    const light::Paling paling =
+        light::ground_paling(layout.bounds, layout.anchor, lighting.towards_sun, tables.light.paling);
+    const light::SkyAndGround ambient = light::sky_and_ground(lighting.ambient);
+    const shared::LightGlobals globals{.sky_ambient = ambient.sky,
+                                       .ground_ambient = ambient.ground,
+                                       .directional_count = lighting.directional_count,
+                                       .local_count = plan.light.local_count,
+                                       .falloff = tables.light.falloff,
+                                       .paling = paling.share_per_m,
+                                       .paling_at_anchor = paling.share_at_anchor};
+    features.lighting.upload(device, globals, lighting.records);
+    provide_pixel_sizes(plan, tables);
+}
+
+} // namespace estampe
