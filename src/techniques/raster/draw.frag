@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Writes which triangle was drawn and how far it is, in the form of a visibility buffer, unless the triangle
 // is turned away or a mask leaves a hole.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
 
 #include "techniques/raster/draw.glsl"
 

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
 // One thread draws one small triangle whole, and puts a large one on the list.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+#extension GL_EXT_shader_atomic_int64 : require
 
 #include "shaders/items.glsl"
 #include "techniques/raster/raster.glsl"

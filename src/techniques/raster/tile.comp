@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // One workgroup draws one triangle in one tile of the picture after another; each thread takes a column,
 // or a share of it where the triangle is narrow.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+#extension GL_EXT_shader_atomic_int64 : require
 
 #include "techniques/raster/raster.glsl"
 

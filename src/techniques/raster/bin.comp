@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // One workgroup takes large triangles in turn, and its threads list the tiles that each one touches. When the
 // list is full a thread draws the tile itself: slow, but whole.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+#extension GL_EXT_shader_atomic_int64 : require
 
 #include "techniques/raster/raster.glsl"
 
