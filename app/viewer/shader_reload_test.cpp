@@ -55,7 +55,7 @@ TEST(ShaderReload, CompilesWithItsIncludesAndSaysWhatIsWrong)
 TEST(ShaderReload, AFileOfVariantsIsCompiledToEachWithItsMacros)
 {
     const std::filesystem::path root = "/sources/src";
-    const std::filesystem::path corner = root / "techniques/raster/corner.vert";
+    const std::filesystem::path corner = root / "techniques/raster/hardware/corner.vert";
     const std::vector<ShaderBuild> builds = builds_of(corner, root);
     EXPECT_EQ(builds,
               (std::vector<ShaderBuild>{

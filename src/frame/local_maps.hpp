@@ -5,7 +5,7 @@
 
 #include "frame/local_shadows.hpp"
 #include "techniques/pose/mesh_data.hpp"
-#include "techniques/raster/views.hpp"
+#include "techniques/raster/views/views.hpp"
 
 namespace estampe::frame {
 

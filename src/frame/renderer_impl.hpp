@@ -21,7 +21,7 @@
 #include "frame/vectors.hpp"
 #include "gpu/graph/compile_ahead.hpp"
 #include "gpu/graph/execute.hpp"
-#include "techniques/light/exposure.hpp"
+#include "techniques/light/exposure/exposure.hpp"
 #include "techniques/raster/choose_path.hpp"
 
 namespace estampe {

@@ -8,8 +8,8 @@
 
 #include "frame/mapped_buffer.hpp"
 #include "shaders/square_tile.glsl.h"
-#include "techniques/raster/views.hpp"
-#include "techniques/shadow/warp.hpp"
+#include "techniques/raster/views/views.hpp"
+#include "techniques/shadow/sun/warp.hpp"
 
 namespace estampe::frame {
 namespace {

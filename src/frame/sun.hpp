@@ -17,9 +17,9 @@
 #include "techniques/hatch/hatch.hpp"
 #include "techniques/raster/raster.glsl.h"
 #include "techniques/raster/raster.hpp"
-#include "techniques/shadow/clipmap.hpp"
-#include "techniques/shadow/edge_look.hpp"
-#include "techniques/shadow/sun_view.hpp"
+#include "techniques/shadow/local/edge_look.hpp"
+#include "techniques/shadow/sun/clipmap.hpp"
+#include "techniques/shadow/sun/sun_view.hpp"
 
 namespace estampe::frame {
 

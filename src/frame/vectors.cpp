@@ -16,9 +16,9 @@
 #include "gpu/read_back.hpp"
 #include "style/color.hpp"
 #include "techniques/contour/chains/chains.hpp"
-#include "techniques/contour/chains/join_paths.hpp"
-#include "techniques/contour/chains/line_paths.hpp"
-#include "techniques/hatch/trace.hpp"
+#include "techniques/contour/chains/mesh/join_paths.hpp"
+#include "techniques/contour/chains/mesh/line_paths.hpp"
+#include "techniques/hatch/trace/trace.hpp"
 
 namespace estampe::frame {
 namespace {

@@ -7,7 +7,7 @@
 // of features, then one for each segment found, of which only the one that stands for its whole chain is not
 // empty.
 #include "techniques/contour/chains/line_kinds.glsl.h"
-#include "techniques/contour/chains/neighbors.glsl.h"
+#include "techniques/contour/chains/mesh/neighbors.glsl.h"
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
