@@ -16,8 +16,7 @@
 #include "gpu/read_back.hpp"
 #include "style/color.hpp"
 #include "techniques/contour/chains/chains.hpp"
-#include "techniques/contour/chains/mesh/join_paths.hpp"
-#include "techniques/contour/chains/mesh/line_paths.hpp"
+#include "techniques/contour/chains/stroke/line_paths.hpp"
 #include "techniques/hatch/trace/trace.hpp"
 
 namespace estampe::frame {

@@ -4,11 +4,30 @@
 
 // A small step of one particle: what links, tethers, hands and solids leave of where it wanted to go.
 //
-// Wanted before: vec4 own_predicted(uint local), as predicted_at() that cloth_links.glsl wants.
+// Wanted before: vec4 own_predicted(uint local), as predicted_at() that cloth_links.glsl wants; uvec4
+// near_of(uint local).
 
 #include "techniques/cloth/solids/cloth_contact.glsl"
 #include "techniques/cloth/solver/cloth_links.glsl"
-#include "techniques/cloth/solver/cloth_self.glsl"
+
+// How a sheet keeps from itself: from the nearest four of those that are not near at rest, a particle goes
+// half of what is missing.
+vec3 kept_from_self(uint local, vec3 place)
+{
+    uvec4 others = near_of(local);
+    vec3 sum = vec3(0.0);
+    float count = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        bool is_there = others[i] != cloth_no_vertex;
+        vec3 off = place - predicted_at(is_there ? others[i] : local).xyz;
+        float away_m = length(off);
+        if (is_there && away_m > 1e-9 && away_m < sheet.self_m) {
+            sum += off * (0.5 * (sheet.self_m - away_m) / away_m);
+            count += 1.0;
+        }
+    }
+    return place + sum / max(count, 1.0);
+}
 
 // Those that are held a little come so much nearer in a sixtieth of a second.
 vec3 held_a_little(uint local, vec3 place, float part)

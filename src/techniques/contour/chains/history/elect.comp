@@ -17,8 +17,7 @@ layout(scalar, binding = 0) readonly buffer Sizes
 #define SAMPLES_BINDING 1
 #define STROKES_BEFORE_BINDING 2
 #include "techniques/contour/chains/lists.glsl"
-#include "techniques/contour/chains/stroke/stroke_lengths.glsl"
-#include "techniques/contour/chains/history/stroke_past.glsl"
+#include "techniques/contour/chains/stroke/stroke_places.glsl"
 
 layout(scalar, binding = 3) readonly buffer Recalls
 {

@@ -44,8 +44,7 @@ layout(push_constant, scalar) uniform Constants
     BrushConstants constants;
 };
 
-#include "techniques/contour/chains/ink/line_coverage.glsl"
-#include "techniques/contour/chains/ink/list_tiles.glsl"
+#include "techniques/contour/chains/ink/inked_pieces.glsl"
 
 const float most_taps = 4.0;
 const vec2 repeated_pace = vec2(0.5, 1.5); // of one brush along a piece, as a share of the even one

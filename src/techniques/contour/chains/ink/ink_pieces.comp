@@ -37,8 +37,7 @@ layout(push_constant, scalar) uniform Constants
     InkConstants constants;
 };
 
-#include "techniques/contour/chains/ink/line_coverage.glsl"
-#include "techniques/contour/chains/ink/list_tiles.glsl"
+#include "techniques/contour/chains/ink/inked_pieces.glsl"
 
 void main()
 {

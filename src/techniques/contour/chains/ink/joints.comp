@@ -55,8 +55,7 @@ layout(push_constant, scalar) uniform Constants
 layout(constant_id = 0) const uint variant = 0u;
 const bool has_brushes = (variant & joints_has_brushes) != 0u;
 
-#include "techniques/contour/chains/ink/line_coverage.glsl"
-#include "techniques/contour/chains/ink/list_tiles.glsl"
+#include "techniques/contour/chains/ink/inked_pieces.glsl"
 
 const float one_place_px = 1.5;
 const float least_half_angle_sine = 0.25; // sharper corners are round

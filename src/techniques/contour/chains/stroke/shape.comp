@@ -95,8 +95,7 @@ const bool is_hidden = (variant & shape_is_hidden) != 0u;
 const bool stretches = (variant & shape_stretches) != 0u;
 const bool has_looks = (variant & shape_has_looks) != 0u;
 
-#include "techniques/contour/chains/stroke/stroke_lengths.glsl"
-#include "techniques/contour/chains/history/stroke_past.glsl"
+#include "techniques/contour/chains/stroke/stroke_places.glsl"
 #include "techniques/contour/chains/stroke/line_width.glsl"
 
 const float new_half_width_px = 0.15;
@@ -106,7 +105,6 @@ const float most_past = 0.12;    // share of itself that a stroke runs beyond it
 
 #include "techniques/contour/chains/stroke/line_phase.glsl"
 #include "techniques/contour/chains/stroke/line_sway.glsl"
-#include "techniques/contour/chains/stroke/line_jitter.glsl"
 
 // Share of its width that a stroke has at a sample: it runs out where an end is free, over at most a third of
 // itself.

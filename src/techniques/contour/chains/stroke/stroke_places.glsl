@@ -1,12 +1,29 @@
 // SPDX-License-Identifier: MIT
-#ifndef ESTAMPE_STROKE_PAST
-#define ESTAMPE_STROKE_PAST
+#ifndef ESTAMPE_STROKE_PLACES
+#define ESTAMPE_STROKE_PLACES
 
-// Which stroke of the frame before a stroke goes on: that which its middle recalls, as near its ends others
-// may lie closer.
+// Where a sample is along its stroke. Wanted before: SAMPLES_BINDING.
 
 #include "techniques/contour/chains/chains.glsl.h"
 
+// Lengths on the page, in pixels.
+float spacing_px(uint index)
+{
+    return unpackHalf2x16(sample_at(index).state).y;
+}
+
+float arc_from_start(uint index, Stroke stroke)
+{
+    return spacing_px(index) * float(index - stroke.first);
+}
+
+float whole_length(uint index, Stroke stroke)
+{
+    return spacing_px(index) * float(stroke.last - stroke.first);
+}
+
+// A stroke goes on that stroke of the frame before which its middle recalls, as near its ends others may lie
+// closer.
 uint middle_of(Stroke stroke)
 {
     return (stroke.first + stroke.last) / 2u;

@@ -1,8 +1,17 @@
 // SPDX-License-Identifier: MIT
-#ifndef ESTAMPE_LIST_TILES
-#define ESTAMPE_LIST_TILES
+#ifndef ESTAMPE_INKED_PIECES
+#define ESTAMPE_INKED_PIECES
 
-// Wanted before: ink_tiles.glsl, and `constants` with the page's width.
+// What all shaders that draw pieces of lines share. Wanted before: ink_tiles.glsl, and `constants` with the
+// page's width.
+
+const float widest_px = 96.0; // half width
+
+// A line thinner than a pixel keeps its width and loses darkness.
+float coverage(float half_width, float distance)
+{
+    return clamp(max(half_width, 0.5) + 0.5 - distance, 0.0, 1.0) * min(half_width / 0.5, 1.0);
+}
 
 // Lists the tiles of a rectangle of pixels.
 void list_tiles(ivec2 low, ivec2 high)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/contour/chains/mesh/join_paths.hpp"
+#include "techniques/contour/chains/stroke/line_paths.hpp"
 
 #include <gtest/gtest.h>
 
