@@ -4,7 +4,7 @@
 
 #include <estampe/image.hpp>
 
-#include "techniques/ink/flow.hpp"
+#include "techniques/ink/flow/flow.hpp"
 
 namespace estampe::ink {
 

@@ -5,7 +5,7 @@
 // The stream function of a picture of flow, whose nodes are spread over the page. Wanted before: flow.glsl,
 // `globals`, and `map_texels`.
 
-#include "techniques/ink/spline.glsl"
+#include "techniques/ink/flow/spline.glsl"
 
 float flow_map_stream(vec2 place_mm)
 {

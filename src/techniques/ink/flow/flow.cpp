@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/ink/flow.hpp"
+#include "techniques/ink/flow/flow.hpp"
 
 #include <cmath>
 #include <numbers>

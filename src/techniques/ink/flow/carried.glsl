@@ -4,7 +4,7 @@
 
 // How far a stream function that is kept at nodes carries ink. Wanted before: `globals`, and `stream_texels`.
 
-#include "techniques/ink/spline.glsl"
+#include "techniques/ink/flow/spline.glsl"
 
 uint nodes_across(uint cells)
 {

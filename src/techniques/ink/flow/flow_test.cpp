@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where ink flows, by the shader's own functions.
-#include "techniques/ink/flow.hpp"
+#include "techniques/ink/flow/flow.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,10 +37,10 @@ vec4 texelFetch(const std::vector<float>& texels, int i)
 
 static std::vector<float> map_texels;
 static std::vector<float> stream_texels;
-#include "techniques/ink/carried.glsl"
 #include "techniques/ink/cube.glsl"
-#include "techniques/ink/flow.glsl"
-#include "techniques/ink/flow_map.glsl"
+#include "techniques/ink/flow/carried.glsl"
+#include "techniques/ink/flow/flow.glsl"
+#include "techniques/ink/flow/flow_map.glsl"
 #pragma GCC diagnostic pop
 
 } // namespace ink_flow
