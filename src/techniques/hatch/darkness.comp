@@ -29,7 +29,6 @@ layout(binding = 5) uniform sampler2D screen_image;
 layout(binding = 6, r16f) writeonly uniform image2D out_darkness;
 layout(binding = 7, r16f) writeonly uniform image2D out_ink;
 
-
 // The tiles of 8 x 8 pixels that are not wholly blank, in no order, behind the arguments of a dispatch that
 // gives each a workgroup.
 struct DarkTile {
