@@ -4,28 +4,77 @@
 
 find_program(GLSLC glslc REQUIRED)
 
+# Compiles `source` with the macros that follow `file`, which names the result as if the shader were a file of that name.
+function(estampe_compile_shader name source file)
+  string(REPLACE "." "_" symbol ${file})
+  get_property(namesake GLOBAL PROPERTY estampe_shader_${symbol})
+  if(namesake)
+    message(FATAL_ERROR "Two shaders are named ${file}, and would be one symbol: ${namesake} and ${source}")
+  endif()
+  set_property(GLOBAL PROPERTY estampe_shader_${symbol} ${source})
+  set(words ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.words)
+  set(header ${CMAKE_CURRENT_BINARY_DIR}/shaders/${symbol}.hpp)
+  list(TRANSFORM ARGN PREPEND -D OUTPUT_VARIABLE defines)
+  add_custom_command(
+    OUTPUT ${words}
+    COMMAND ${GLSLC} --target-env=vulkan1.3 -O -Werror -I ${PROJECT_SOURCE_DIR}/src ${defines} -mfmt=num
+            -MD -MF ${words}.d -MT ${words} -o ${words} ${source}
+    DEPENDS ${source}
+    DEPFILE ${words}.d
+    COMMENT "Compiling ${file}")
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/shader.hpp.in ${header} @ONLY)
+  target_sources(estampe_${name} PRIVATE ${words})
+endfunction()
+
 function(estampe_shaders name)
   foreach(shader ${ARGN})
     get_filename_component(file ${shader} NAME)
-    string(REPLACE "." "_" symbol ${file})
-    set(source ${CMAKE_CURRENT_SOURCE_DIR}/${shader})
-    get_property(namesake GLOBAL PROPERTY estampe_shader_${symbol})
-    if(namesake)
-      message(FATAL_ERROR "Two shaders are named ${file}, and would be one symbol: ${namesake} and ${source}")
-    endif()
-    set_property(GLOBAL PROPERTY estampe_shader_${symbol} ${source})
-    set(words ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.words)
-    set(header ${CMAKE_CURRENT_BINARY_DIR}/shaders/${symbol}.hpp)
-    add_custom_command(
-      OUTPUT ${words}
-      COMMAND ${GLSLC} --target-env=vulkan1.3 -O -Werror -I ${PROJECT_SOURCE_DIR}/src -mfmt=num -MD -MF ${words}.d -MT ${words}
-              -o ${words} ${source}
-      DEPENDS ${source}
-      DEPFILE ${words}.d
-      COMMENT "Compiling ${shader}")
-    configure_file(${PROJECT_SOURCE_DIR}/cmake/shader.hpp.in ${header} @ONLY)
-    target_sources(estampe_${name} PRIVATE ${words})
+    estampe_compile_shader(${name} ${CMAKE_CURRENT_SOURCE_DIR}/${shader} ${file})
   endforeach()
+  target_include_directories(estampe_${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+endfunction()
+
+# estampe_shader_variants(raster compute/bin.comp
+#   VARIANT bin_ids
+#   VARIANT bin_depth RASTER_DEPTH_ONLY)
+# compiles one source several times. Each variant has a name and the macros that are defined in it (NAME or NAME=VALUE).
+# Each becomes a shader as if it were a file of that name: "shaders/bin_ids_comp.hpp" with
+# `estampe::shaders::bin_ids_comp`. The source by itself is none.
+function(estampe_shader_variants name shader)
+  set(variant "")
+  foreach(word ${ARGN})
+    if(word STREQUAL VARIANT)
+      estampe_shader_variant(${name} ${shader} ${variant})
+      set(variant "")
+    else()
+      list(APPEND variant ${word})
+    endif()
+  endforeach()
+  estampe_shader_variant(${name} ${shader} ${variant})
+  target_include_directories(estampe_${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+endfunction()
+
+# One of them: its name, then its macros. None where nothing is named.
+function(estampe_shader_variant name shader)
+  set(macros ${ARGN})
+  list(POP_FRONT macros variant)
+  if(NOT variant)
+    return()
+  endif()
+  set(source ${CMAKE_CURRENT_SOURCE_DIR}/${shader})
+  get_filename_component(stage ${shader} LAST_EXT)
+  estampe_compile_shader(${name} ${source} ${variant}${stage} ${macros})
+  file(RELATIVE_PATH path ${PROJECT_SOURCE_DIR}/src ${source})
+  string(REPLACE "." "_" symbol ${variant}${stage})
+  set_property(GLOBAL APPEND_STRING PROPERTY estampe_shader_variants "    {\"${symbol}\", \"${path}\", \"${macros}\"},\n")
+endfunction()
+
+# estampe_shader_variant_table(program) gives the target estampe_program a header "shaders/variant_table.hpp" of all
+# variants that were declared before, for what compiles shaders while the program runs.
+function(estampe_shader_variant_table name)
+  get_property(variants GLOBAL PROPERTY estampe_shader_variants)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/shader_variant_table.hpp.in
+    ${CMAKE_CURRENT_BINARY_DIR}/shaders/variant_table.hpp @ONLY)
   target_include_directories(estampe_${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cstring>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "core/file.hpp"
 #include "core/pending.hpp"
 #include "output/child.hpp"
+#include "shaders/variant_table.hpp"
 
 namespace estampe::viewer {
 namespace {
@@ -74,14 +76,37 @@ std::string first_problem(const std::string& messages, const fs::path& root)
 
 } // namespace
 
-ShaderNews compile_shader(const fs::path& file, const fs::path& root)
+std::vector<ShaderBuild> builds_of(const fs::path& file, const fs::path& root)
 {
-    ShaderNews news{.name = name_of(file)};
+    std::vector<ShaderBuild> builds;
+    const std::string source = file.lexically_relative(root).generic_string();
+    for (const shaders::Variant& variant : shaders::variants) {
+        if (source == variant.source) {
+            builds.push_back({.file = file, .name = variant.name, .macros = {}});
+            std::istringstream macros(variant.macros);
+            for (std::string macro; std::getline(macros, macro, ';');) {
+                builds.back().macros.push_back(macro);
+            }
+        }
+    }
+    if (builds.empty()) {
+        builds.push_back({.file = file, .name = name_of(file), .macros = {}});
+    }
+    return builds;
+}
+
+ShaderNews compile_shader(const ShaderBuild& build, const fs::path& root)
+{
+    ShaderNews news{.name = build.name};
     try {
         const Pending words = Pending::file(fs::temp_directory_path() / ("estampe-" + news.name + ".spv"));
-        output::Child compiler({"glslc", "--target-env=vulkan1.3", "-O0", "-Werror", "-I", root.string(),
-                                "-o", words.path().string(), file.string()},
-                               "install glslc");
+        std::vector<std::string> command{"glslc",      "--target-env=vulkan1.3", "-O0", "-Werror", "-I",
+                                         root.string()};
+        for (const std::string& macro : build.macros) {
+            command.push_back("-D" + macro);
+        }
+        command.insert(command.end(), {"-o", words.path().string(), build.file.string()});
+        output::Child compiler(command, "install glslc");
         if (compiler.finish()) {
             const std::vector<std::byte> bytes = read_file(words.path());
             news.spirv.resize(bytes.size() / sizeof(uint32_t));
@@ -146,15 +171,15 @@ void ShaderReload::find_files()
         if (is_shader_text(entry->path())) {
             all_.push_back(entry->path());
             if (has_entry_point(entry->path())) {
-                shaders_.push_back(entry->path());
+                std::ranges::move(builds_of(entry->path(), root_), std::back_inserter(shaders_));
             }
         }
     }
 }
 
-void ShaderReload::compile(const fs::path& file)
+void ShaderReload::compile(const ShaderBuild& build)
 {
-    ShaderNews news = compile_shader(file, root_);
+    ShaderNews news = compile_shader(build, root_);
     {
         const std::lock_guard lock(guard_);
         news_.push_back(std::move(news));
@@ -171,14 +196,14 @@ void ShaderReload::work()
         if (changed.empty()) {
             continue;
         }
-        for (const fs::path& shader : shaders_) {
+        for (const ShaderBuild& shader : shaders_) {
             std::set<fs::path> parts;
             try {
-                parts = includes_of(shader, root_);
+                parts = includes_of(shader.file, root_);
             } catch (const Error&) {
                 continue; // it is just being replaced; its own save comes
             }
-            parts.insert(shader);
+            parts.insert(shader.file);
             const bool is_touched =
                 std::ranges::any_of(changed, [&](const fs::path& file) { return parts.contains(file); });
             if (is_touched && !is_closing_) {

@@ -15,9 +15,23 @@
 
 namespace estampe::viewer {
 
-/// A shader that was compiled anew, or why it could not be.
+/// One shader of the program, and what it is compiled from.
+struct ShaderBuild {
+    std::filesystem::path file;
+    std::string name;                ///< as the program names it: hatch/lines.comp is lines_comp
+    std::vector<std::string> macros; ///< that are defined: NAME or NAME=VALUE
+
+    bool operator==(const ShaderBuild&) const = default;
+};
+
+/// The shaders that the build compiles from a file with an entry point: one of the file's name, or the
+/// variants that CMake declares. `root` is the folder that includes start from.
+[[nodiscard]] std::vector<ShaderBuild> builds_of(const std::filesystem::path& file,
+                                                 const std::filesystem::path& root);
+
+/// A shader that was compiled again, or why it could not be.
 struct ShaderNews {
-    std::string name; ///< as the program names it: hatch/lines.comp is lines_comp
+    std::string name; ///< as in ShaderBuild
     std::vector<uint32_t> spirv;
     std::string problem; ///< empty: it is right
 };
@@ -25,7 +39,7 @@ struct ShaderNews {
 /// Compiles one by the program glslc, as the build does but for what that optimises, which takes up to ten
 /// times as long as the rest and which drivers do again. The picture is the same. `root` is the folder that
 /// includes start from.
-[[nodiscard]] ShaderNews compile_shader(const std::filesystem::path& file, const std::filesystem::path& root);
+[[nodiscard]] ShaderNews compile_shader(const ShaderBuild& build, const std::filesystem::path& root);
 
 /// Watches the shaders of a source tree in a thread of its own, and compiles those that are saved, and all
 /// that include what is saved.
@@ -42,12 +56,12 @@ public:
 private:
     void work();
     void find_files();
-    void compile(const std::filesystem::path& file);
+    void compile(const ShaderBuild& build);
 
     std::filesystem::path root_;
     std::function<void()> wake_;
-    std::vector<std::filesystem::path> shaders_; ///< with an entry point
-    std::vector<std::filesystem::path> all_;     ///< and what they include
+    std::vector<ShaderBuild> shaders_;
+    std::vector<std::filesystem::path> all_; ///< their files and what these include
     FileWatch watch_;
     std::mutex guard_;
     std::vector<ShaderNews> news_;

@@ -8,7 +8,7 @@
 #include "frame/plan.hpp"
 #include "frame/vectors.hpp"
 #include "gpu/graph/graph.hpp"
-#include "techniques/contour/chains/strung_lines.hpp"
+#include "techniques/contour/chains/stroke/strung_lines.hpp"
 
 namespace estampe::frame {
 

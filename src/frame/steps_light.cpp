@@ -4,10 +4,10 @@
 
 #include "frame/steps.hpp"
 #include "gpu/imports.hpp"
-#include "techniques/light/exposure.hpp"
-#include "techniques/occlusion/disc_map.hpp"
+#include "techniques/light/exposure/exposure.hpp"
+#include "techniques/occlusion/discs/disc_map.hpp"
 #include "techniques/occlusion/occlusion.hpp"
-#include "techniques/subsurface/texture.hpp"
+#include "techniques/subsurface/texture/texture.hpp"
 
 namespace estampe::frame {
 namespace {

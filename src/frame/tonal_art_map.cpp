@@ -3,7 +3,7 @@
 #include <estampe/tonal_art_map.hpp>
 
 #include "features/common/style_tables.hpp"
-#include "techniques/tam/folder.hpp"
+#include "techniques/tam/files/folder.hpp"
 #include "techniques/tam/maker.hpp"
 #include "techniques/tam/preview.hpp"
 

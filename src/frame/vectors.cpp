@@ -16,9 +16,8 @@
 #include "gpu/read_back.hpp"
 #include "style/color.hpp"
 #include "techniques/contour/chains/chains.hpp"
-#include "techniques/contour/chains/join_paths.hpp"
-#include "techniques/contour/chains/line_paths.hpp"
-#include "techniques/hatch/trace.hpp"
+#include "techniques/contour/chains/stroke/line_paths.hpp"
+#include "techniques/hatch/trace/trace.hpp"
 
 namespace estampe::frame {
 namespace {

@@ -21,7 +21,7 @@
 #include "scene/gltf/gltf_import.hpp"
 #include "scene/outlook/outlook.hpp"
 #include "scene/static_triangles.hpp"
-#include "techniques/contour/chains/ridge_chains.hpp"
+#include "techniques/contour/chains/mesh/ridge_chains.hpp"
 #include "techniques/form/form.hpp"
 #include "techniques/pose/mesh_data.hpp"
 

@@ -11,10 +11,10 @@
 
 #include <estampe/error.hpp>
 
-#include "techniques/tam/dds.hpp"
-#include "techniques/tam/folder.hpp"
-#include "techniques/tam/images.hpp"
-#include "techniques/tam/tam_file.hpp"
+#include "techniques/tam/files/dds.hpp"
+#include "techniques/tam/files/folder.hpp"
+#include "techniques/tam/files/images.hpp"
+#include "techniques/tam/files/tam_file.hpp"
 
 namespace {
 

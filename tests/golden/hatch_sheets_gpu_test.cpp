@@ -18,8 +18,8 @@
 #include "support/folder.hpp"
 #include "support/gpu_device.hpp"
 #include "support/scenes.hpp"
+#include "techniques/tam/files/tam_file.hpp"
 #include "techniques/tam/maker.hpp"
-#include "techniques/tam/tam_file.hpp"
 
 namespace estampe {
 namespace {

@@ -17,11 +17,11 @@
 #include "techniques/light/light.hpp"
 #include "techniques/pose/pose.hpp"
 #include "techniques/raster/raster.hpp"
-#include "techniques/raster/views.hpp"
+#include "techniques/raster/views/views.hpp"
 #include "techniques/screen/screen.hpp"
-#include "techniques/shadow/clipmap.hpp"
-#include "techniques/shadow/edge_look.hpp"
-#include "techniques/shadow/sun_view.hpp"
+#include "techniques/shadow/local/edge_look.hpp"
+#include "techniques/shadow/sun/clipmap.hpp"
+#include "techniques/shadow/sun/sun_view.hpp"
 #include "techniques/surface/materials.hpp"
 
 namespace estampe::test {

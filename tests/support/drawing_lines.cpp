@@ -8,7 +8,7 @@
 #include "gpu/imports.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
-#include "techniques/contour/chains/scan.hpp"
+#include "techniques/contour/chains/scan/scan.hpp"
 
 namespace estampe::test {
 

@@ -7,7 +7,7 @@
 #include "gpu/upload.hpp"
 #include "support/drawing.hpp"
 #include "support/gpu_device.hpp"
-#include "techniques/shadow/warp.hpp"
+#include "techniques/shadow/sun/warp.hpp"
 
 namespace estampe::test {
 

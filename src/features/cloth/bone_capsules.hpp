@@ -7,7 +7,7 @@
 
 #include <estampe/scene.hpp>
 
-#include "techniques/cloth/colliders.hpp"
+#include "techniques/cloth/solids/colliders.hpp"
 
 namespace estampe::features {
 

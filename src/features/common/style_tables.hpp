@@ -5,7 +5,7 @@
 
 #include "style/sheet.hpp"
 #include "techniques/bleed/bleed.hpp"
-#include "techniques/cloth/wind_style.hpp"
+#include "techniques/cloth/air/wind_style.hpp"
 #include "techniques/contour/contour.hpp"
 #include "techniques/focus/focus.hpp"
 #include "techniques/hatch/hatch.hpp"

@@ -12,7 +12,7 @@
 #include "features/common/looks.hpp"
 #include "shaders/stroke_kind.glsl.h"
 #include "techniques/hatch/hatch.hpp"
-#include "techniques/shadow/edge_look.hpp"
+#include "techniques/shadow/local/edge_look.hpp"
 
 namespace estampe::features {
 

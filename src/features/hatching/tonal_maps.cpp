@@ -10,9 +10,9 @@
 
 #include "core/hash.hpp"
 #include "style/sheet.hpp"
-#include "techniques/tam/folder.hpp"
+#include "techniques/tam/files/folder.hpp"
+#include "techniques/tam/files/tam_file.hpp"
 #include "techniques/tam/maker.hpp"
-#include "techniques/tam/tam_file.hpp"
 
 namespace estampe::features {
 namespace {

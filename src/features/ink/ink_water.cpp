@@ -7,7 +7,7 @@
 #include "features/common/solver_meter.hpp"
 #include "techniques/fluid/fluid.hpp"
 #include "techniques/fluid/read_fields.hpp"
-#include "techniques/ink/flow.hpp"
+#include "techniques/ink/flow/flow.hpp"
 
 namespace estampe::features {
 namespace {

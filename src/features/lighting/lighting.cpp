@@ -4,7 +4,7 @@
 #include <array>
 
 #include "gpu/mapped_buffer.hpp"
-#include "techniques/light/exposure.glsl.h"
+#include "techniques/light/exposure/exposure.glsl.h"
 
 namespace estampe::features {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "features/common/feature.hpp"
-#include "techniques/light/exposure.hpp"
+#include "techniques/light/exposure/exposure.hpp"
 #include "techniques/light/light.glsl.h"
 
 namespace estampe::features {

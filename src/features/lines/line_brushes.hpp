@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "techniques/contour/chains/brushes.hpp"
+#include "techniques/contour/chains/ink/brushes.hpp"
 #include "techniques/contour/contour.hpp"
 
 namespace estampe::features {

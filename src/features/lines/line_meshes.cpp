@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/at_once.hpp"
-#include "techniques/contour/chains/suggestive.hpp"
+#include "techniques/contour/chains/extract/suggestive.hpp"
 
 namespace estampe::features {
 namespace {

@@ -4,8 +4,8 @@
 #include <future>
 #include <optional>
 
-#include "techniques/contour/chains/line_mesh.hpp"
-#include "techniques/contour/chains/ridge_chains.hpp"
+#include "techniques/contour/chains/mesh/line_mesh.hpp"
+#include "techniques/contour/chains/mesh/ridge_chains.hpp"
 #include "techniques/contour/contour.hpp"
 #include "techniques/pose/mesh_data.hpp"
 

@@ -7,7 +7,7 @@
 #include "features/common/feature.hpp"
 #include "features/lines/line_brushes.hpp"
 #include "features/lines/line_meshes.hpp"
-#include "techniques/contour/chains/line_history.hpp"
+#include "techniques/contour/chains/history/line_history.hpp"
 #include "techniques/focus/focus.glsl.h"
 
 namespace estampe::features {

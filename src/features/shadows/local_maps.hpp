@@ -5,7 +5,7 @@
 
 #include "features/shadows/local_shadows.hpp"
 #include "techniques/pose/mesh_data.hpp"
-#include "techniques/raster/views.hpp"
+#include "techniques/raster/views/views.hpp"
 
 namespace estampe::features {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/luminance.hpp"
-#include "techniques/raster/views.hpp"
+#include "techniques/raster/views/views.hpp"
 
 namespace estampe::features {
 namespace {

@@ -11,7 +11,7 @@
 #include "techniques/light/light.hpp"
 #include "techniques/raster/raster.glsl.h"
 #include "techniques/shadow/atlas.hpp"
-#include "techniques/shadow/local_view.hpp"
+#include "techniques/shadow/local/local_view.hpp"
 #include "techniques/shadow/shadow_style.hpp"
 
 namespace estampe::features {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "gpu/mapped_buffer.hpp"
-#include "techniques/shadow/edge_look.hpp"
+#include "techniques/shadow/local/edge_look.hpp"
 
 namespace estampe::features {
 

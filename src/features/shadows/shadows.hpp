@@ -13,7 +13,7 @@
 #include "features/shadows/local_maps.hpp"
 #include "features/shadows/local_shadows.hpp"
 #include "features/shadows/sun.hpp"
-#include "techniques/shadow/edge.glsl.h"
+#include "techniques/shadow/local/edge.glsl.h"
 
 namespace estampe::features {
 

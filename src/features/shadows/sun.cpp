@@ -9,8 +9,8 @@
 #include "gpu/mapped_buffer.hpp"
 #include "shaders/light_variant.glsl.h"
 #include "shaders/square_tile.glsl.h"
-#include "techniques/raster/views.hpp"
-#include "techniques/shadow/warp.hpp"
+#include "techniques/raster/views/views.hpp"
+#include "techniques/shadow/sun/warp.hpp"
 
 namespace estampe::features {
 namespace {

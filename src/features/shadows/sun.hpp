@@ -15,8 +15,8 @@
 #include "gpu/resources.hpp"
 #include "techniques/raster/raster.glsl.h"
 #include "techniques/raster/raster.hpp"
-#include "techniques/shadow/clipmap.hpp"
-#include "techniques/shadow/sun_view.hpp"
+#include "techniques/shadow/sun/clipmap.hpp"
+#include "techniques/shadow/sun/sun_view.hpp"
 
 namespace estampe::features {
 

@@ -10,7 +10,7 @@
 
 #include "techniques/pose/mesh_data.hpp"
 #include "techniques/raster/raster.hpp"
-#include "techniques/shadow/clipmap.hpp"
+#include "techniques/shadow/sun/clipmap.hpp"
 
 namespace estampe::features {
 

@@ -34,7 +34,7 @@ uvec2 torn_of(uint local)
     return texelFetch(torn_texels, int(sheet.first + local)).xy;
 }
 
-#include "techniques/cloth/cloth_torn.glsl"
+#include "techniques/cloth/solver/cloth_torn.glsl"
 
 vec3 place_at(uint local)
 {

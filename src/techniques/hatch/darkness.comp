@@ -29,9 +29,18 @@ layout(binding = 5) uniform sampler2D screen_image;
 layout(binding = 6, r16f) writeonly uniform image2D out_darkness;
 layout(binding = 7, r16f) writeonly uniform image2D out_ink;
 
-#define TILES_BINDING 8
-#define TILES_ACCESS
-#include "techniques/hatch/dark_tiles.glsl"
+// The tiles of 8 x 8 pixels that are not wholly blank, in no order, behind the arguments of a dispatch that
+// gives each a workgroup.
+struct DarkTile {
+    uint place;     // of the n-th in the list: column in the lower half, row in the upper
+    uint is_listed; // the n-th tile of the page, row by row
+};
+
+layout(scalar, binding = 8) buffer DarkTiles
+{
+    uvec4 tile_groups;
+    DarkTile dark_tiles[];
+};
 
 layout(binding = 9) uniform usamplerBuffer look_texels; // one a draw
 

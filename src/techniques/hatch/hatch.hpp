@@ -126,7 +126,7 @@ struct LookHatch {
 struct Darkness {
     gpu::ImageId image;  ///< r16f: 0 paper to 1 ink
     gpu::ImageId blank;  ///< ink before any stroke of the look is drawn
-    gpu::BufferId tiles; ///< those that are not blank, see dark_tiles.glsl
+    gpu::BufferId tiles; ///< those that are not blank, see darkness.comp
 };
 
 /// Darkness from light by the tone curve, paler with distance and behind screens. Cost: one full-screen

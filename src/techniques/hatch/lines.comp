@@ -22,7 +22,7 @@ layout(binding = 4) uniform usampler2D footprint_image;
 layout(binding = 5) uniform usampler2D source_image;    // see overrun.comp
 layout(binding = 6) uniform usampler2D strongest_image; // directions towards local lights, 0 for none
 
-layout(binding = 7) uniform usamplerBuffer dark_tile_texels; // as in dark_tiles.glsl, two words a texel
+layout(binding = 7) uniform usamplerBuffer dark_tile_texels; // as in darkness.comp, two words a texel
 
 layout(binding = 8, r16f) uniform image2D out_ink;
 

@@ -7,7 +7,7 @@
 
 #include "shaders/camera.glsl"
 #include "shaders/draw_word.glsl"
-#include "techniques/ink/flow.glsl"
+#include "techniques/ink/flow/flow.glsl"
 #include "techniques/ink/ink.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

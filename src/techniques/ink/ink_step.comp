@@ -6,7 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shaders/rounds.glsl"
-#include "techniques/ink/flow.glsl"
+#include "techniques/ink/flow/flow.glsl"
 #include "techniques/ink/ink.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -52,7 +52,7 @@ const bool is_on_surface = (variant & ink_on_surface) != 0u;
 const bool has_motion = (variant & ink_has_motion) != 0u;
 const bool keeps_depth = (variant & ink_keeps_depth) != 0u;
 
-#include "techniques/ink/carried.glsl"
+#include "techniques/ink/flow/carried.glsl"
 #include "techniques/ink/front.glsl"
 #include "techniques/ink/grid.glsl"
 #include "techniques/ink/look.glsl"

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
-#include "techniques/ink/flow.glsl"
+#include "techniques/ink/flow/flow.glsl"
 #include "techniques/ink/ink.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -31,8 +31,8 @@ layout(constant_id = 0) const uint variant = 0u;
 const bool has_map = (variant & ink_has_map) != 0u;
 const bool has_zones = (variant & ink_has_zones) != 0u;
 
-#include "techniques/ink/carried.glsl"
-#include "techniques/ink/flow_map.glsl"
+#include "techniques/ink/flow/carried.glsl"
+#include "techniques/ink/flow/flow_map.glsl"
 
 void main()
 {

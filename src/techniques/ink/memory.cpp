@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "gpu/upload.hpp"
-#include "techniques/ink/flow.hpp"
+#include "techniques/ink/flow/flow.hpp"
 #include "techniques/ink/ink.hpp"
 
 namespace estampe::ink {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "techniques/ink/flow.hpp"
+#include "techniques/ink/flow/flow.hpp"
 #include "techniques/ink/ink.hpp"
 
 namespace estampe::ink {

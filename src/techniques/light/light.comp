@@ -14,9 +14,9 @@
 #include "shaders/octahedral.glsl"
 #include "techniques/light/light.glsl.h"
 #include "techniques/light/local_light.glsl"
-#include "techniques/shadow/edge.glsl.h"
-#include "techniques/shadow/local.glsl.h"
-#include "techniques/shadow/sun.glsl.h"
+#include "techniques/shadow/local/edge.glsl.h"
+#include "techniques/shadow/local/local.glsl.h"
+#include "techniques/shadow/sun/sun.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

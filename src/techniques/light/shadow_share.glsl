@@ -6,9 +6,9 @@
 // shadow's lookups need, `EdgeLook edge_look`, `coordinate_image` and `footprint_image`, and which of
 // has_edges, has_stroke_edges, has_wave_edges, has_soft_sun and has_soft_lamps hold.
 
-#include "techniques/shadow/edge.glsl"
-#include "techniques/shadow/local_shadow.glsl"
-#include "techniques/shadow/sun_shadow.glsl"
+#include "techniques/shadow/local/edge.glsl"
+#include "techniques/shadow/local/local_shadow.glsl"
+#include "techniques/shadow/sun/sun_shadow.glsl"
 
 Edge edge_at(ivec2 pixel, uint word, float depth, vec3 point, vec3 normal)
 {

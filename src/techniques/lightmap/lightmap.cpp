@@ -11,6 +11,7 @@
 #include "gpu/imports.hpp"
 #include "gpu/upload.hpp"
 #include "shaders/lightmap_comp.hpp"
+#include "style/parameter.hpp"
 
 namespace estampe::lightmap {
 namespace {
@@ -107,6 +108,18 @@ gpu::ImageId add_lightmap(gpu::Graph& graph, const LightmapInputs& in, MapBuffer
         "lightmap", {.width = in.size_px.x, .height = in.size_px.y, .format = gpu::Format::rgba16f}));
     pass.push(in.scale).dispatch_over(in.size_px.x, in.size_px.y);
     return light;
+}
+
+const style::Table<LightmapStyle>& lightmap_table()
+{
+    static const auto table =
+        style::Table<LightmapStyle>("lightmap", "Light worked out ahead, in scenes that have any")
+            .number("strength", &LightmapStyle::strength, {0.0F, 10.0F}, "",
+                    "Light of lightmaps is multiplied by this")
+            .toggle("balance", &LightmapStyle::balance,
+                    "Whether all light is dimmed by as much as lightmaps brighten what lights and ambient "
+                    "light show");
+    return table;
 }
 
 } // namespace estampe::lightmap

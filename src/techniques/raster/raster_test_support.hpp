@@ -17,7 +17,7 @@
 #include "shaders/mesh.glsl.h"
 #include "support/gpu_device.hpp"
 #include "support/page_raster.hpp"
-#include "techniques/raster/clusters.hpp"
+#include "techniques/raster/clusters/clusters.hpp"
 #include "techniques/raster/raster.hpp"
 
 namespace estampe::raster {

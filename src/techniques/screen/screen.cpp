@@ -6,6 +6,7 @@
 #include "gpu/fills.hpp"
 #include "shaders/screen_comp.hpp"
 #include "shaders/sheet_comp.hpp"
+#include "style/parameter.hpp"
 #include "techniques/screen/screen_variant.glsl.h"
 
 namespace estampe::screen {
@@ -78,6 +79,19 @@ Screen add_no_screen(gpu::Graph& graph)
 {
     return {gpu::add_filled_image(graph, "screen/no draw", draw_image(glm::uvec2(1)), glm::vec4(0.0F)),
             gpu::add_filled_image(graph, "screen/no color", color_image(glm::uvec2(1)), glm::vec4(0.0F))};
+}
+
+const style::Table<ScreenStyle>& screen_table()
+{
+    static const auto table =
+        style::Table<ScreenStyle>("screen", "What is looked through")
+            .choice("mode", &ScreenStyle::mode, {{"ink", Mode::ink}, {"sorted", Mode::sorted}},
+                    "As screened ink that tints what is behind (ink); or each see-through surface lit and "
+                    "painted by itself, over what is behind it (sorted)")
+            .integer("layers", &ScreenStyle::layers, {1, most_sorted_layers}, "",
+                     "See-through surfaces of a pixel that count, the nearest first, 4 at most in ink; each "
+                     "one costs a pass, where the scene has as many, and sorted ones are lit one by one");
+    return table;
 }
 
 } // namespace estampe::screen

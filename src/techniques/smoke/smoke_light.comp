@@ -8,8 +8,8 @@
 
 #include "shaders/frame.glsl.h"
 #include "shaders/light_variant.glsl.h"
-#include "techniques/shadow/local.glsl.h"
-#include "techniques/shadow/sun.glsl.h"
+#include "techniques/shadow/local/local.glsl.h"
+#include "techniques/shadow/sun/sun.glsl.h"
 #include "techniques/smoke/smoke.glsl.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -55,8 +55,8 @@ layout(push_constant, scalar) uniform Constants
     SmokeTurn turn;
 };
 
-#include "techniques/shadow/local_shadow.glsl"
-#include "techniques/shadow/sun_shadow.glsl"
+#include "techniques/shadow/local/local_shadow.glsl"
+#include "techniques/shadow/sun/sun_shadow.glsl"
 #include "techniques/smoke/smoke_grid.glsl"
 
 const float stride = 1.5;    // cells

@@ -14,7 +14,7 @@
 #include "shaders/terrain_vertices_comp.hpp"
 #include "shaders/terrain_vertices_text.hpp"
 #include "techniques/terrain/graph/glsl.hpp"
-#include "techniques/terrain/graph/program_words.hpp"
+#include "techniques/terrain/graph/program.hpp"
 
 namespace estampe::terrain {
 namespace {

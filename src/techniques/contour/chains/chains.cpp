@@ -15,9 +15,9 @@
 #include "shaders/order_segments_comp.hpp"
 #include "shaders/rank_comp.hpp"
 #include "shaders/string_comp.hpp"
-#include "techniques/contour/chains/line_history.hpp"
-#include "techniques/contour/chains/page_cells.hpp"
-#include "techniques/contour/chains/scan.hpp"
+#include "techniques/contour/chains/extract/page_cells.hpp"
+#include "techniques/contour/chains/history/line_history.hpp"
+#include "techniques/contour/chains/scan/scan.hpp"
 #include "techniques/contour/chains/variants.glsl.h"
 
 namespace estampe::contour {

@@ -7,7 +7,7 @@
 // of features, then one for each segment found, of which only the one that stands for its whole chain is not
 // empty.
 #include "techniques/contour/chains/line_kinds.glsl.h"
-#include "techniques/contour/chains/neighbors.glsl.h"
+#include "techniques/contour/chains/mesh/neighbors.glsl.h"
 #ifdef __cplusplus
 #include "shaders/shared.hpp"
 namespace estampe::shared {
@@ -126,7 +126,7 @@ struct Stroke {
     uint first; // samples
     uint last;
     uint ends;      // whether they meet other lines, and whether it is drawn at all: see the bits above
-    uint recalled;  // the sample nearest its middle with a past, see stroke_past.glsl, or no_sample
+    uint recalled;  // the sample nearest its middle with a past, see stroke_places.glsl, or no_sample
     int offset_sum; // of the place on its brush there less the arc length here, in sixteenths of a pixel
     uint offset_count;
 };

@@ -7,9 +7,9 @@
 
 #include "core/few.hpp"
 #include "gpu/graph/graph.hpp"
-#include "techniques/contour/chains/line_history.hpp"
-#include "techniques/contour/chains/line_mesh.hpp"
-#include "techniques/contour/chains/suggestive.hpp"
+#include "techniques/contour/chains/extract/suggestive.hpp"
+#include "techniques/contour/chains/history/line_history.hpp"
+#include "techniques/contour/chains/mesh/line_mesh.hpp"
 #include "techniques/contour/contour.hpp"
 
 namespace estampe::contour {

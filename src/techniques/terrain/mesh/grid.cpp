@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/terrain/mesh/grid.hpp"
+#include "techniques/terrain/mesh/mesh_methods.hpp"
 
 #include <cmath>
 #include <limits>
-
-#include "techniques/terrain/mesh/cell_size.hpp"
 
 namespace estampe::terrain {
 

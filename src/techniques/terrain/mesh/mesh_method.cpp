@@ -3,10 +3,7 @@
 
 #include <cmath>
 
-#include "techniques/terrain/mesh/cell_size.hpp"
-#include "techniques/terrain/mesh/grid.hpp"
-#include "techniques/terrain/mesh/raised.hpp"
-#include "techniques/terrain/mesh/rings.hpp"
+#include "techniques/terrain/mesh/mesh_methods.hpp"
 
 namespace estampe::terrain {
 

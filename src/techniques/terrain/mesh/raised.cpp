@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/terrain/mesh/raised.hpp"
+#include "techniques/terrain/mesh/mesh_methods.hpp"
 
 #include <algorithm>
 #include <cmath>

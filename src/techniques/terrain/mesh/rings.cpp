@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/terrain/mesh/rings.hpp"
+#include "techniques/terrain/mesh/mesh_methods.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "techniques/terrain/mesh/cell_size.hpp"
 
 namespace estampe::terrain {
 namespace {

@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: MIT
+// Bending: Bergou, Wardetzky, Harmon, Zorin and Grinspun, "A Quadratic Bending Model for Inextensible
+// Surfaces", SGP 2006.
+#include "techniques/cloth/sheet/structure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <estampe/error.hpp>
+
+namespace estampe::cloth {
+namespace {
+
+constexpr size_t most_edges = 64;        // that meet at a particle
+constexpr float tether_slack = 1.003F;   // so that tethers and links do not fight
+constexpr float mean_of_fourth = 0.375F; // of a cosine, over all directions
+
+struct Pair {
+    bool is_far = false;
+    float rest_m = 0.0F;
+    float bending = 0.0F;
+    std::optional<float> compliance_m_n; ///< else by the cloth
+};
+
+using Pairs = std::map<std::pair<uint32_t, uint32_t>, Pair>;
+
+std::pair<uint32_t, uint32_t> ordered(uint32_t a, uint32_t b)
+{
+    return {std::min(a, b), std::max(a, b)};
+}
+
+void check(const Sheet& sheet)
+{
+    const size_t count = sheet.rest_m.size();
+    const auto fits = [&](const auto& list) { return list.empty() || list.size() == count; };
+    if (count == 0 || !fits(sheet.held) || !fits(sheet.masses_kg)) {
+        throw Error("a sheet of cloth has a mass and a hold for each of its particles");
+    }
+    if (sheet.cloth.tear != 0.0F && !(sheet.cloth.tear > 1.0F)) {
+        throw Error("a sheet of cloth tears before it is stretched", "",
+                    "tear is a length as a share of that at rest: 0, or more than 1");
+    }
+    for (const glm::uvec3& triangle : sheet.triangles) {
+        if (std::max({triangle.x, triangle.y, triangle.z}) >= count) {
+            throw Error("a triangle of a sheet of cloth names a particle that it does not have");
+        }
+    }
+    for (const Thread& thread : sheet.threads) {
+        if (std::max(thread.from, thread.to) >= count) {
+            throw Error("a thread of a sheet of cloth names a particle that it does not have");
+        }
+    }
+    for (const glm::vec3& place : sheet.rest_m) {
+        if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z)) {
+            throw Error("a particle of a sheet of cloth is nowhere");
+        }
+    }
+}
+
+float area_of(const Sheet& sheet, const glm::uvec3& triangle)
+{
+    const glm::vec3& a = sheet.rest_m[triangle.x];
+    return 0.5F * glm::length(glm::cross(sheet.rest_m[triangle.y] - a, sheet.rest_m[triangle.z] - a));
+}
+
+std::vector<float> areas_of_particles(const Sheet& sheet)
+{
+    std::vector<float> areas(sheet.rest_m.size(), 0.0F);
+    for (const glm::uvec3& triangle : sheet.triangles) {
+        const float third = area_of(sheet, triangle) / 3.0F;
+        for (int k = 0; k < 3; ++k) {
+            areas[triangle[k]] += third;
+        }
+    }
+    return areas;
+}
+
+std::vector<float> masses_of(const Sheet& sheet, const std::vector<float>& areas)
+{
+    std::vector<float> masses = sheet.masses_kg;
+    if (masses.empty()) {
+        for (const float area : areas) {
+            masses.push_back(sheet.cloth.density_kg_m2 * area);
+        }
+        // What belongs to no face still has to have some.
+        const float most = *std::ranges::max_element(masses);
+        for (float& mass : masses) {
+            mass = std::max(mass, 1e-3F * most);
+        }
+    }
+    for (const float mass : masses) {
+        if (!(mass > 0.0F) || !std::isfinite(mass)) {
+            throw Error("a sheet of cloth has a particle without mass", "",
+                        "give it triangles that have an area, and a density");
+        }
+    }
+    return masses;
+}
+
+float cotangent(const glm::vec3& a, const glm::vec3& b)
+{
+    return glm::dot(a, b) / std::max(glm::length(glm::cross(a, b)), 1e-12F);
+}
+
+/// Two triangles that meet at the edge from 0 to 1, with the corners 2 and 3 beside it.
+void add_hinge(Pairs& pairs, const Sheet& sheet, const std::array<uint32_t, 4>& corners)
+{
+    const auto place = [&](size_t i) { return sheet.rest_m[corners.at(i)]; };
+    const glm::vec3 edge = place(1) - place(0);
+    const float c01 = cotangent(edge, place(2) - place(0));
+    const float c02 = cotangent(edge, place(3) - place(0));
+    const float c03 = cotangent(-edge, place(2) - place(1));
+    const float c04 = cotangent(-edge, place(3) - place(1));
+    const float area = 0.5F * (glm::length(glm::cross(edge, place(2) - place(0))) +
+                               glm::length(glm::cross(edge, place(3) - place(0))));
+    const std::array<float, 4> k{c03 + c04, c01 + c02, -c01 - c03, -c02 - c04};
+    pairs.try_emplace(ordered(corners[2], corners[3]),
+                      Pair{.is_far = true, .rest_m = glm::distance(place(2), place(3))});
+    for (size_t i = 0; i < 4; ++i) {
+        for (size_t j = i + 1; j < 4; ++j) {
+            pairs.at(ordered(corners.at(i), corners.at(j))).bending -=
+                k.at(i) * k.at(j) / std::max(area, 1e-12F);
+        }
+    }
+}
+
+void add_edges(Pairs& pairs, const Sheet& sheet)
+{
+    std::map<std::pair<uint32_t, uint32_t>, std::array<uint32_t, 2>> beside; // an edge
+    const auto join = [&](uint32_t a, uint32_t b) {
+        pairs.try_emplace(ordered(a, b), Pair{.rest_m = glm::distance(sheet.rest_m[a], sheet.rest_m[b])});
+    };
+    std::vector<std::array<uint32_t, 4>> hinges;
+    for (const glm::uvec3& triangle : sheet.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const uint32_t a = triangle[k];
+            const uint32_t b = triangle[(k + 1) % 3];
+            const uint32_t opposite = triangle[(k + 2) % 3];
+            join(a, b);
+            const auto [found, is_new] = beside.try_emplace(ordered(a, b), std::array{opposite, opposite});
+            if (!is_new && found->second[0] == found->second[1] && found->second[0] != opposite) {
+                found->second[1] = opposite;
+                hinges.push_back({found->first.first, found->first.second, found->second[0], opposite});
+            }
+        }
+    }
+    for (const auto& hinge : hinges) {
+        add_hinge(pairs, sheet, hinge);
+    }
+    for (const Thread& thread : sheet.threads) {
+        join(thread.from, thread.to);
+        pairs.at(ordered(thread.from, thread.to)).compliance_m_n = thread.compliance_m_n;
+    }
+}
+
+std::vector<std::vector<uint32_t>> neighbours_of(size_t count, const Pairs& pairs)
+{
+    std::vector<std::vector<uint32_t>> neighbours(count);
+    for (const auto& [ends, pair] : pairs) {
+        if (!pair.is_far) {
+            neighbours[ends.first].push_back(ends.second);
+            neighbours[ends.second].push_back(ends.first);
+        }
+    }
+    for (const auto& list : neighbours) {
+        if (list.size() > most_edges) {
+            throw Error(fmt::format("{} edges of a sheet of cloth meet at one particle", list.size()), "",
+                        fmt::format("cut it into triangles of which {} meet at most", most_edges));
+        }
+    }
+    return neighbours;
+}
+
+/// Those that lie straight behind a neighbour.
+void add_straight_on(Pairs& pairs, const Sheet& sheet, const std::vector<std::vector<uint32_t>>& neighbours)
+{
+    constexpr float straight = 0.85F; // cosine
+    for (uint32_t i = 0; i < neighbours.size(); ++i) {
+        for (const uint32_t j : neighbours[i]) {
+            const glm::vec3 way = sheet.rest_m[j] - sheet.rest_m[i];
+            float best = straight;
+            uint32_t best_k = i;
+            for (const uint32_t k : neighbours[j]) {
+                const glm::vec3 on = sheet.rest_m[k] - sheet.rest_m[j];
+                const float cosine = glm::dot(way, on) / std::max(glm::length(way) * glm::length(on), 1e-12F);
+                if (k != i && cosine > best) {
+                    best = cosine;
+                    best_k = k;
+                }
+            }
+            if (best_k != i) {
+                pairs.try_emplace(
+                    ordered(i, best_k),
+                    Pair{.is_far = true, .rest_m = glm::distance(sheet.rest_m[i], sheet.rest_m[best_k])});
+            }
+        }
+    }
+}
+
+template <class Item>
+Lists<Item> as_lists(const std::vector<std::vector<Item>>& of_particles,
+                     const std::function<Item(uint32_t)>& none)
+{
+    Lists<Item> lists;
+    for (const auto& list : of_particles) {
+        lists.width = std::max(lists.width, static_cast<uint32_t>(list.size()));
+    }
+    for (uint32_t k = 0; k < lists.width; ++k) {
+        for (uint32_t i = 0; i < of_particles.size(); ++i) {
+            lists.items.push_back(k < of_particles[i].size() ? of_particles[i][k] : none(i));
+        }
+    }
+    return lists;
+}
+
+/// Compliance times force by all links about a particle of so large an area gives the cloth's stretch.
+float softness_of(const Cloth& cloth, float area_m2, uint32_t link_count)
+{
+    return mean_of_fourth * static_cast<float>(link_count) / (2.0F * area_m2 * cloth.stretch_n_m);
+}
+
+void fill_lists(Structure& structure, const Sheet& sheet, const Pairs& pairs, const std::vector<float>& areas)
+{
+    const size_t count = sheet.rest_m.size();
+    structure.link_shares.assign(count, 0.0F);
+    std::vector<uint32_t> link_counts(count, 0);
+    for (const auto& [ends, pair] : pairs) {
+        for (const uint32_t end : {ends.first, ends.second}) {
+            structure.link_shares[end] += pair.is_far ? 1.0F : shared::cloth_near_share;
+            ++link_counts[end];
+        }
+    }
+    std::vector<std::vector<shared::ClothLink>> links(count);
+    std::vector<float> rates(count, 0.0F);
+    for (const auto& [ends, pair] : pairs) {
+        const auto [a, b] = ends;
+        const float area = std::max(0.5F * (areas[a] + areas[b]), 1e-12F);
+        const uint32_t link_count = (link_counts[a] + link_counts[b] + 1) / 2;
+        const float compliance = pair.compliance_m_n.value_or(softness_of(sheet.cloth, area, link_count) *
+                                                              pair.rest_m * pair.rest_m);
+        const float rest_m = std::max(pair.rest_m, 1e-6F);
+        shared::ClothLink link{.other = b,
+                               .rest_m = pair.is_far ? -rest_m : rest_m,
+                               .compliance_m_n = compliance,
+                               .bending = pair.bending};
+        links[a].push_back(link);
+        link.other = a;
+        links[b].push_back(link);
+        rates[a] += 2.0F * std::abs(pair.bending) / structure.masses_kg[a];
+        rates[b] += 2.0F * std::abs(pair.bending) / structure.masses_kg[b];
+    }
+    structure.bending_rate_s2 = *std::ranges::max_element(rates);
+    structure.links = as_lists<shared::ClothLink>(links, [](uint32_t) { return shared::ClothLink{}; });
+    std::vector<std::vector<glm::uvec2>> faces(count);
+    for (const glm::uvec3& triangle : sheet.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            faces[triangle[k]].emplace_back(triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
+        }
+    }
+    structure.faces = as_lists<glm::uvec2>(faces, [](uint32_t i) { return glm::uvec2(i); });
+}
+
+void fill_grid(Structure& structure, const Sheet& sheet)
+{
+    const GridForm& grid = *structure.grid;
+    const auto links = [&](uint32_t i, uint32_t reach) { // straight and aslant, so many apart
+        const auto along = [&](uint32_t at, uint32_t size) {
+            return (at >= reach ? 1U : 0U) + (at + reach < size ? 1U : 0U);
+        };
+        return static_cast<float>(
+            (1 + along(i % grid.columns, grid.columns)) * (1 + along(i / grid.columns, grid.rows)) - 1);
+    };
+    for (uint32_t i = 0; i < sheet.rest_m.size(); ++i) {
+        structure.link_shares.push_back(shared::cloth_near_share * links(i, 1) + links(i, 2));
+    }
+    constexpr uint32_t all_links = 16;
+    const glm::vec2 s = grid.spacing_m;
+    structure.softness = softness_of(sheet.cloth, s.x * s.y, all_links);
+    const float stencil = 16.0F * (s.x / (s.y * s.y * s.y) + s.y / (s.x * s.x * s.x)) + 32.0F / (s.x * s.y);
+    structure.bending_rate_s2 = stencil / *std::ranges::min_element(structure.masses_kg);
+}
+
+std::vector<std::vector<uint32_t>> neighbours_on_grid(const GridForm& grid)
+{
+    std::vector<std::vector<uint32_t>> neighbours(size_t{grid.columns} * grid.rows);
+    for (uint32_t i = 0; i < neighbours.size(); ++i) {
+        const glm::ivec2 at(i % grid.columns, i / grid.columns);
+        for (int k = 0; k < 9; ++k) {
+            const glm::ivec2 there = at + glm::ivec2(k % 3 - 1, k / 3 - 1);
+            if (k != 4 && there.x >= 0 && there.y >= 0 && there.x < static_cast<int>(grid.columns) &&
+                there.y < static_cast<int>(grid.rows)) {
+                neighbours[i].push_back(static_cast<uint32_t>(there.y) * grid.columns +
+                                        static_cast<uint32_t>(there.x));
+            }
+        }
+    }
+    return neighbours;
+}
+
+/// Of a grid those three apart each way, as links reach two.
+std::vector<std::vector<uint32_t>> colours_of_grid(const GridForm& grid)
+{
+    constexpr uint32_t apart = 3;
+    std::vector<std::vector<uint32_t>> colours(size_t{apart} * apart);
+    for (uint32_t i = 0; i < grid.columns * grid.rows; ++i) {
+        const uint32_t colour = i % grid.columns % apart + apart * (i / grid.columns % apart);
+        colours[colour].push_back(i);
+    }
+    return colours;
+}
+
+/// Each gets the first that none of those it is linked to has.
+std::vector<std::vector<uint32_t>> colours_of_lists(const Lists<shared::ClothLink>& links, size_t count)
+{
+    std::vector<std::vector<uint32_t>> colours;
+    std::vector<size_t> colour_of(count, count);
+    for (uint32_t i = 0; i < count; ++i) {
+        std::vector<bool> is_taken(colours.size() + 1, false);
+        for (uint32_t k = 0; k < links.width; ++k) {
+            const shared::ClothLink& link = links.items[k * count + i];
+            if (link.rest_m != 0.0F && colour_of[link.other] < count) {
+                is_taken[colour_of[link.other]] = true;
+            }
+        }
+        const auto free = static_cast<size_t>(std::ranges::find(is_taken, false) - is_taken.begin());
+        if (free == colours.size()) {
+            colours.emplace_back();
+        }
+        colours[free].push_back(i);
+        colour_of[i] = free;
+    }
+    return colours;
+}
+
+void check_torn_bits(const Structure& structure)
+{
+    if (structure.links.width > shared::cloth_torn_bits) {
+        throw Error(fmt::format("{} links of a sheet of cloth that may tear meet at one particle",
+                                structure.links.width),
+                    "", fmt::format("cut it into finer triangles: {} are kept", shared::cloth_torn_bits));
+    }
+}
+
+} // namespace
+
+uint32_t link_bit(const Structure& structure, uint32_t from, uint32_t to)
+{
+    if (structure.grid) {
+        const auto columns = static_cast<int>(structure.grid->columns);
+        const auto i = static_cast<int>(from);
+        const auto j = static_cast<int>(to);
+        return static_cast<uint32_t>(5 * (j / columns - i / columns + 2) + j % columns - i % columns + 2);
+    }
+    const size_t count = structure.masses_kg.size();
+    for (uint32_t k = 0; k < structure.links.width; ++k) {
+        const shared::ClothLink& link = structure.links.items[k * count + from];
+        if (link.rest_m > 0.0F && link.other == to) {
+            return k;
+        }
+    }
+    throw std::logic_error("two particles of a sheet of cloth are not next to each other");
+}
+
+Structure build_structure(const Sheet& sheet)
+{
+    check(sheet);
+    Structure structure{.grid = grid_form(sheet)};
+    const std::vector<float> areas = areas_of_particles(sheet);
+    structure.masses_kg = masses_of(sheet, areas);
+    std::vector<std::vector<uint32_t>> neighbours;
+    if (structure.grid) {
+        fill_grid(structure, sheet);
+        neighbours = neighbours_on_grid(*structure.grid);
+        structure.colours = colours_of_grid(*structure.grid);
+    } else {
+        Pairs pairs;
+        add_edges(pairs, sheet);
+        neighbours = neighbours_of(sheet.rest_m.size(), pairs);
+        if (!sheet.triangles.empty()) {
+            add_straight_on(pairs, sheet, neighbours);
+        }
+        fill_lists(structure, sheet, pairs, areas);
+        structure.colours = colours_of_lists(structure.links, sheet.rest_m.size());
+    }
+    if (sheet.cloth.tear > 0.0F) {
+        check_torn_bits(structure);
+        return structure;
+    }
+    structure.tethers = build_tethers(sheet, structure.grid, neighbours);
+    for (Tether& tether : structure.tethers.items) {
+        tether.most_m *= tether_slack;
+    }
+    return structure;
+}
+
+} // namespace estampe::cloth

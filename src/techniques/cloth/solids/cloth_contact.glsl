@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CLOTH_CONTACT
+#define ESTAMPE_CLOTH_CONTACT
+
+// What particles run into.
+//
+// Wanted before: vec4 met_ball(), a ball that a particle will hardly leave in this step, and uint
+// met_solids(uint word), which of 32 solids come near it meanwhile, a bit each.
+
+#include "techniques/cloth/cloth_data.glsl"
+#include "techniques/cloth/solids/cloth_met.glsl"
+#include "techniques/cloth/solids/cloth_solids.glsl"
+
+vec3 pushed_out(uint kind, vec3 half_m, vec3 place)
+{
+    float depth_m = 1.0;
+    for (int i = 0; i < 3; ++i) {
+        if (depth_m > 0.0) {
+            vec4 solid = solid_at(kind, half_m, place);
+            depth_m = max(sheet.thickness_m - solid.w, 0.0);
+            place += depth_m * solid.xyz;
+        }
+    }
+    return place;
+}
+
+// The way from `from` to `to` ends, or goes on along the surface, where it meets what is solid. All in the
+// collider's own space, so that it may move meanwhile. `is_stopped` tells whether it is not as it was.
+vec3 stopped(uint kind, vec3 half_m, vec3 from, vec3 to, out bool is_stopped)
+{
+    float way_m = distance(from, to);
+    vec3 hit = from;
+    vec4 solid = solid_at(kind, half_m, from);
+    float gone_m = 0.0;
+    bool meets = true;
+    for (int i = 0; i < 12 && solid.w > sheet.thickness_m + 1e-6 && meets; ++i) {
+        gone_m += solid.w - sheet.thickness_m;
+        meets = gone_m < way_m;
+        if (meets) {
+            hit = mix(from, to, gone_m / way_m);
+            solid = solid_at(kind, half_m, hit);
+        }
+    }
+    float depth_m = max(sheet.thickness_m - solid.w - dot(to - hit, solid.xyz), 0.0);
+    vec3 way = to + depth_m * solid.xyz - from;
+    vec3 along = way - dot(way, solid.xyz) * solid.xyz;
+    float along_m = length(along);
+    float kept = along_m > 0.0 ? max(1.0 - sheet.friction * depth_m / along_m, 0.0) : 1.0;
+    vec3 end = meets ? from + way + (kept - 1.0) * along : to;
+    // Of heights, distances and bodies it is not known exactly how far the surface is.
+    bool is_pushed = meets || (variant & (cloth_bit_grids | cloth_bit_seen)) != 0u;
+    vec3 beside = is_pushed ? pushed_out(kind, half_m, end) : end;
+    is_stopped = meets || beside != end;
+    return beside;
+}
+
+vec4 turn_between(vec4 before, vec4 after, float part)
+{
+    return normalize(before + part * (after - before));
+}
+
+// Where a particle comes to that moves from `from` to `to` between two parts of a run, beside one solid.
+vec3 beside_collider(uint i, vec3 from, vec3 to, float begin, float end)
+{
+    int before = 3 * int(i);
+    int after = before + 3 * int(run.collider_stride);
+    vec3 centre_before = uintBitsToFloat(texelFetch(collider_texels, before).xyz);
+    uvec4 place_after = texelFetch(collider_texels, after);
+    vec3 centre_after = uintBitsToFloat(place_after.xyz);
+    vec4 size = uintBitsToFloat(texelFetch(collider_texels, after + 2)); // and reach
+    vec3 centre_way = centre_after - centre_before;                      // 0 of what stands still, to the bit
+    vec3 from_there = from - (centre_before + begin * centre_way);
+    vec3 centre_m = centre_before + end * centre_way;
+    vec3 way = to - centre_m - from_there;
+    float nearest = clamp(-dot(from_there, way) / max(dot(way, way), 1e-20), 0.0, 1.0);
+    if (length(from_there + nearest * way) > size.w + sheet.thickness_m) {
+        return to;
+    }
+    vec4 rotation_before = uintBitsToFloat(texelFetch(collider_texels, before + 1));
+    vec4 rotation = rotation_before;
+    if (run.collider_stride != 0u) {
+        vec4 rotation_after = uintBitsToFloat(texelFetch(collider_texels, after + 1));
+        rotation = turn_between(rotation_before, rotation_after, end);
+        rotation_before = turn_between(rotation_before, rotation_after, begin);
+    }
+    vec3 own_from = turned_back(rotation_before, from_there);
+    vec3 own_to = turned_back(rotation, to - centre_m);
+    if ((variant & cloth_bit_seen) != 0u && (place_after.w & ((1u << cloth_kind_bits) - 1u)) == cloth_seen) {
+        look_at_body(int(place_after.w >> cloth_kind_bits),
+                     uintBitsToFloat(texelFetch(collider_texels, before + 2).xyz), end);
+        own_from.z += surface_way_m(size.xyz, own_from, begin, end);
+    }
+    bool is_stopped;
+    vec3 own_end = stopped(place_after.w, size.xyz, own_from, own_to, is_stopped);
+    return is_stopped ? centre_m + turned(rotation, own_end) : to;
+}
+
+// Beside all, one after the other. As long as it keeps within the ball those that do not come near that are
+// left out; from where it leaves it on, none is.
+vec3 beside_colliders(vec3 from, vec3 to, float begin, float end)
+{
+    vec4 ball = met_ball();
+    bool strays = !(distance(from, ball.xyz) <= ball.w);
+    uint first = 0u;
+    do {
+        uint left = run.collider_count - first;
+        uint all = left < 32u ? (1u << left) - 1u : ~0u;
+        strays = strays || !(distance(to, ball.xyz) <= ball.w);
+        uint met = strays || first >= 32u * cloth_met_words ? all : all & met_solids(first / 32u);
+        do {
+            if (met != 0u) {
+                uint i = uint(findLSB(met));
+                to = beside_collider(first + i, from, to, begin, end);
+                strays = strays || !(distance(to, ball.xyz) <= ball.w);
+                met = (strays ? all : met) & ~((2u << i) - 1u);
+            }
+        } while (met != 0u);
+        first += 32u;
+    } while (first < run.collider_count);
+    return to;
+}
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CLOTH_LINKS
+#define ESTAMPE_CLOTH_LINKS
+
+// What its neighbours move a particle by. Each link is solved by itself as if the mass at either end were
+// shared among all links there, those to direct neighbours having more, and what all of them want is added:
+// momentum is kept, and no order matters. A link that is softer than that can be solved is a spring, of
+// exactly its compliance. Macklin et al., "Small Steps in Physics Simulation", SCA 2019; Tonge et al., "Mass
+// Splitting for Jitter-Free Parallel Rigid Body Simulation", SIGGRAPH 2012.
+//
+// Wanted before: vec4 predicted_at(uint local), a place and the inverse mass times the shares of the links
+// there, and vec4 predicted_beside(uint local, ivec2 way, bool is_there), the same of another of its grid if
+// that is there; and what cloth_tethers.glsl wants.
+
+#extension GL_EXT_control_flow_attributes : require
+
+#include "techniques/cloth/solver/cloth_tethers.glsl"
+
+// Of 4 / 3 no sheet, and not even a thread, shakes; grids, which no wave moves all links of at once, bear
+// more.
+const float over_relaxation = (variant & cloth_bit_grid) != 0u ? 1.6 : 4.0 / 3.0;
+
+// By how much of the way to the other end, times the inverse mass. `split_masses` is of a far link;
+// `softness` is the compliance by the square of the step.
+float link_pull(vec3 towards, float split_masses, float rest_m, bool is_far, float softness)
+{
+    float length_m = length(towards);
+    float excess_m = length_m - rest_m;
+    if (is_far && !is_relaxing) {
+        excess_m = max(excess_m, 0.0) + min(length_m - sheet.fold * rest_m, 0.0);
+    }
+    float share = is_far ? 1.0 : cloth_near_share;
+    share *= is_relaxing ? cloth_knights_share : 1.0;
+    float give = max(split_masses * (1.0 / (over_relaxation * share)), is_relaxing ? 0.0 : softness);
+    return excess_m / (max(length_m, 1e-9) * give);
+}
+
+// Without branches: those that are not there weigh nothing.
+vec3 pull_of_grid(uint local, vec4 own, float inverse_mass, float time_s)
+{
+    ivec2 size = ivec2(sheet.columns, sheet.rows);
+    ivec2 at = ivec2(local % sheet.columns, local / sheet.columns);
+    float columns[5] = there_about(at.x, size.x);
+    float rows[5] = there_about(at.y, size.y);
+    float softness = sheet.softness / (time_s * time_s);
+    float bending = time_s * time_s * sheet.bending_n_m;
+    uvec2 torn = may_tear ? torn_of(local) : uvec2(0u);
+    vec3 pull = vec3(0.0);
+    [[unroll]] for (int y = -2; y <= 2; ++y)
+    {
+        [[unroll]] for (int x = -2; x <= 2; ++x)
+        {
+            // Those a knight's move away only relaxation is better for.
+            if ((is_relaxing || abs(x) * abs(y) != 2) && (x != 0 || y != 0)) {
+                float there = columns[2 + x] * rows[2 + y];
+                vec4 other = predicted_beside(local, ivec2(x, y), there > 0.0);
+                there *= whole_link(torn, x, y);
+                vec3 to_other = other.xyz - own.xyz;
+                vec2 rest = vec2(abs(x) * sheet.spacing_x_m, abs(y) * sheet.spacing_y_m);
+                float share = there * link_pull(to_other, own.w + other.w, length(rest),
+                                                max(abs(x), abs(y)) > 1, softness * dot(rest, rest));
+                if (!is_relaxing) {
+                    share += bending * (may_tear ? torn_bend_share(x, y, columns, rows, torn)
+                                                 : grid_bend_share(x, y, columns, rows));
+                }
+                pull += share * to_other;
+            }
+        }
+    }
+    return inverse_mass * pull;
+}
+
+vec3 pull_of_lists(uint local, vec4 own, float inverse_mass, float time_s)
+{
+    vec3 stretch = vec3(0.0);
+    vec3 bend = vec3(0.0);
+    uvec2 torn = may_tear ? torn_of(local) : uvec2(0u);
+    for (uint k = 0u; k < sheet.link_width; ++k) {
+        uvec4 words = link_at(local, k);
+        vec3 link = uintBitsToFloat(words.yzw); // rest length, compliance, bending
+        if (link.x != 0.0 && !(may_tear && has_bit(torn, k))) {
+            vec4 other = predicted_at(words.x);
+            vec3 to_other = other.xyz - own.xyz;
+            stretch += to_other * link_pull(to_other, own.w + other.w, abs(link.x), link.x < 0.0,
+                                            link.y / (time_s * time_s));
+            bend += torn_bending(link.z, torn, words.x) * to_other;
+        }
+    }
+    bend = is_relaxing ? vec3(0.0) : bend;
+    return inverse_mass * (stretch + time_s * time_s * sheet.bending_n_m * bend);
+}
+
+vec3 pull_of(uint local, vec4 own, float inverse_mass)
+{
+    float time_s = small_step_s();
+    return (variant & cloth_bit_grid) != 0u ? pull_of_grid(local, own, inverse_mass, time_s)
+                                            : pull_of_lists(local, own, inverse_mass, time_s);
+}
+
+#endif

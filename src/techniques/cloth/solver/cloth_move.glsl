@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CLOTH_MOVE
+#define ESTAMPE_CLOTH_MOVE
+
+// A small step of one particle: what links, tethers, hands and solids leave of where it wanted to go.
+//
+// Wanted before: vec4 own_predicted(uint local), as predicted_at() that cloth_links.glsl wants; uvec4
+// near_of(uint local).
+
+#include "techniques/cloth/solids/cloth_contact.glsl"
+#include "techniques/cloth/solver/cloth_links.glsl"
+
+// How a sheet keeps from itself: from the nearest four of those that are not near at rest, a particle goes
+// half of what is missing.
+vec3 kept_from_self(uint local, vec3 place)
+{
+    uvec4 others = near_of(local);
+    vec3 sum = vec3(0.0);
+    float count = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        bool is_there = others[i] != cloth_no_vertex;
+        vec3 off = place - predicted_at(is_there ? others[i] : local).xyz;
+        float away_m = length(off);
+        if (is_there && away_m > 1e-9 && away_m < sheet.self_m) {
+            sum += off * (0.5 * (sheet.self_m - away_m) / away_m);
+            count += 1.0;
+        }
+    }
+    return place + sum / max(count, 1.0);
+}
+
+// Those that are held a little come so much nearer in a sixtieth of a second.
+vec3 held_a_little(uint local, vec3 place, float part)
+{
+    vec4 target = target_of(local, part);
+    float left = pow(1.0 - target.w, 60.0 * small_step_s());
+    return target.w > 0.0 ? mix(target.xyz, place, left) : place;
+}
+
+vec3 moved(uint local, vec3 from, float inverse_mass, uint step, uint small_step)
+{
+    float part = part_of_run(step, float(small_step + 1u));
+    vec4 own = own_predicted(local);
+    vec3 place = own.xyz;
+    if (inverse_mass == 0.0) { // is held, and was foreseen there
+        return place;
+    }
+    if ((variant & cloth_bit_descent) == 0u) {
+        place += pull_of(local, own, inverse_mass);
+    }
+    place = tethered(local, place);
+    if ((variant & cloth_bit_self) != 0u) {
+        place = kept_from_self(local, place);
+    }
+    if ((variant & cloth_bit_half_held) != 0u) {
+        place = held_a_little(local, place, part);
+    }
+    if ((variant & cloth_bit_colliders) != 0u) {
+        place = beside_colliders(from, place, part_of_run(step, float(small_step)), part);
+    }
+    return place;
+}
+
+vec3 speed_after(vec3 from, vec3 to)
+{
+    float time_s = small_step_s();
+    vec3 speed = (to - from) * (exp(-sheet.damping_per_s * time_s) / time_s);
+    float speed_m_s = length(speed);
+    return speed_m_s > run.most_speed_m_s ? speed * (run.most_speed_m_s / speed_m_s) : speed;
+}
+
+// How long a particle has been calm, at the end of a step: a small one's way is too short
+// to be told from rounding.
+float calm_after(float calm_s, vec3 began, vec3 ended)
+{
+    bool is_calm = distance(began, ended) <= run.rest_m_s * run.step_s;
+    return is_calm ? min(calm_s + run.step_s, cloth_rest_s) : 0.0;
+}
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_CLOTH_TETHERS
+#define ESTAMPE_CLOTH_TETHERS
+
+// What all solvers share: bending on a grid, and tethers.
+//
+// Wanted before: vec4 predicted_at(uint local), a place and whatever else, and what cloth_torn.glsl wants.
+
+#extension GL_EXT_control_flow_attributes : require
+
+#include "techniques/cloth/solver/cloth_torn.glsl"
+
+const bool is_relaxing = (variant & cloth_bit_relax) != 0u;
+
+// Whether there are particles so many places from one of a row of a grid, from two before to two after: 1, or
+// 0.
+float[5] there_about(int at, int size)
+{
+    float there[5];
+    [[unroll]] for (int i = 0; i < 5; ++i)
+    {
+        there[i] = uint(at + i - 2) < uint(size) ? 1.0 : 0.0;
+    }
+    return there;
+}
+
+// Bending of a grid: that of a thin plate in finite differences, of which those are left out that reach
+// beyond the edge. By how much of a force of rigidity 1 the way to the particle so many places on takes part
+// in it. Summed up way by way it takes less room than all ways at once.
+float grid_bend_share(int x, int y, float columns[5], float rows[5])
+{
+    vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
+    float twist = 2.0 / (spacing.x * spacing.y);
+    if (x != 0 && y != 0) {
+        return abs(x) == 1 && abs(y) == 1 ? -twist * columns[2 + x] * rows[2 + y] : 0.0;
+    }
+    int way = x + y;
+    float along[5] = y == 0 ? columns : rows;
+    float across[5] = y == 0 ? rows : columns;
+    float by_side = y == 0 ? spacing.y / (spacing.x * spacing.x * spacing.x)
+                           : spacing.x / (spacing.y * spacing.y * spacing.y);
+    if (abs(way) == 2) {
+        return -by_side * along[2 + way];
+    }
+    return 2.0 * by_side * (along[1] * along[3] + along[2 + 2 * way]) +
+           twist * along[2 + way] * (across[1] + across[3]);
+}
+
+// The same of a sheet that may tear: what is torn is left out as what lies beyond the edge.
+float torn_bend_share(int x, int y, float columns[5], float rows[5], uvec2 torn)
+{
+    vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
+    float twist = 2.0 / (spacing.x * spacing.y);
+    if (x != 0 && y != 0) {
+        bool is_cell = abs(x) == 1 && abs(y) == 1;
+        return is_cell ? -twist * columns[2 + x] * rows[2 + y] * whole_cell(torn, x, y) : 0.0;
+    }
+    int way = x + y;
+    float along[5] = y == 0 ? columns : rows;
+    float across[5] = y == 0 ? rows : columns;
+    float by_side = y == 0 ? spacing.y / (spacing.x * spacing.x * spacing.x)
+                           : spacing.x / (spacing.y * spacing.y * spacing.y);
+    if (abs(way) == 2) {
+        return -by_side * along[2 + way] * whole_link(torn, x, y);
+    }
+    float here = along[1] * along[3] * whole_link(torn, x, y) * whole_link(torn, -x, -y);
+    float there = along[2 + 2 * way] * whole_link(torn, 2 * x, 2 * y);
+    float cells = across[1] * (y == 0 ? whole_cell(torn, x, -1) : whole_cell(torn, -1, y)) +
+                  across[3] * (y == 0 ? whole_cell(torn, x, 1) : whole_cell(torn, 1, y));
+    return 2.0 * by_side * (here + there) + twist * along[2 + way] * cells;
+}
+
+// Bending in lists is a sum over hinges: about a tear it is left out, as the rest of a hinge may be gone, and
+// what is left of one has energy of its own.
+float torn_bending(float bending, uvec2 torn, uint other)
+{
+    return may_tear && (torn != uvec2(0u) || torn_of(other) != uvec2(0u)) ? 0.0 : bending;
+}
+
+// By how much of that force a particle's own place takes part in it.
+float grid_bend_own(ivec2 at, ivec2 size)
+{
+    vec2 spacing = vec2(sheet.spacing_x_m, sheet.spacing_y_m);
+    float sum = 0.0;
+    [[unroll]] for (int axis = 0; axis < 2; ++axis)
+    {
+        float along = at[axis] >= 1 && at[axis] + 1 < size[axis] ? 4.0 : 0.0;
+        along += at[axis] >= 2 ? 1.0 : 0.0;
+        along += at[axis] + 2 < size[axis] ? 1.0 : 0.0;
+        sum += along * spacing[1 - axis] / (spacing[axis] * spacing[axis] * spacing[axis]);
+    }
+    vec2 sides = vec2(at.x >= 1 ? 1.0 : 0.0, at.y >= 1 ? 1.0 : 0.0) +
+                 vec2(at.x + 1 < size.x ? 1.0 : 0.0, at.y + 1 < size.y ? 1.0 : 0.0);
+    return sum + sides.x * sides.y * 2.0 / (spacing.x * spacing.y);
+}
+
+// No farther from particles that are held than the sheet reaches: Kim, Chentanez and Müller, "Long Range
+// Attachments", SCA 2012.
+vec3 tethered(uint local, vec3 place)
+{
+    uint width = is_relaxing ? 0u : sheet.tether_width;
+    uint k = 0u;
+    do { // processors run a loop whose condition comes first once more than it says
+        if (k < width) {
+            uvec2 tether = texelFetch(tether_texels, int(sheet.first_tether + k * sheet.stride + local)).xy;
+            vec3 held = predicted_at(tether.x).xyz;
+            float length_m = distance(place, held);
+            float most_m = uintBitsToFloat(tether.y);
+            if (length_m > most_m) {
+                place = held + (place - held) * (most_m / length_m);
+            }
+        }
+        ++k;
+    } while (k < width);
+    return place;
+}
+
+#endif

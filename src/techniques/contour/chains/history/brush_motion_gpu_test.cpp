@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+// Brushes of lines from frame to frame: that their pictures stay where they were.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/gtc/packing.hpp>
+#include <gtest/gtest.h>
+
+#include "gpu/imports.hpp"
+#include "scene/shapes.hpp"
+#include "support/drawing.hpp"
+#include "support/gpu_device.hpp"
+#include "techniques/contour/chains/chains_test_scene.hpp"
+#include "techniques/contour/chains/history/line_history.hpp"
+
+namespace estampe::contour {
+namespace {
+
+using shared::DrawnSample;
+using shared::LineSample;
+using shared::Stroke;
+
+constexpr glm::uvec2 page_px{480, 360};
+constexpr double most_slip_px = 8.0;    // what moved farther did not slip
+constexpr float least_whole_px = 24.0F; // of strokes whose picture is looked at
+
+/// What a film leaves of one frame.
+struct FilmFrame {
+    std::vector<LineSample> samples;
+    std::vector<DrawnSample> drawn;
+    glm::dmat4 clip_from_anchor{1.0};
+    std::vector<Stroke> strokes;
+};
+
+/// Adds a frame to a film.
+void shoot(std::vector<FilmFrame>& frames, const Scene& scene, const Camera& camera,
+           const ContourStyle& style, LineHistory& history, LineClass lines = LineClass::seen)
+{
+    test::Drawing drawing(scene, camera, page_px);
+    drawing.begin_film_frame(history, !frames.empty(), lines == LineClass::hidden);
+    static_cast<void>(drawing.lines(style, 1.0F, &history));
+    history.end_frame(drawing.globals.clip_from_anchor);
+    FilmFrame& frame = frames.emplace_back();
+    const test::ChainLists lists = drawing.chains(style, lines);
+    frame.samples = lists.samples;
+    frame.strokes = lists.strokes;
+    frame.clip_from_anchor = glm::dmat4(drawing.globals.clip_from_anchor);
+    gpu::Graph graph;
+    frame.drawn = test::run_and_read_as<DrawnSample>(
+        graph, gpu::import_whole(graph, "drawn samples", history.before(lines).samples));
+    frame.drawn.resize(frame.samples.size());
+}
+
+/// What a camera sees that goes around `scene`, 0.25 degrees a frame.
+std::vector<FilmFrame> orbit(const Scene& scene, const ContourStyle& style, int frame_count,
+                             LineClass lines = LineClass::seen)
+{
+    LineHistory history;
+    std::vector<FilmFrame> frames;
+    for (int i = 0; i < frame_count; ++i) {
+        const double angle = glm::radians(0.25) * i;
+        Camera camera = view_from_above();
+        camera.eye = {camera.eye.x * std::cos(angle) + camera.eye.z * std::sin(angle), camera.eye.y,
+                      camera.eye.z * std::cos(angle) - camera.eye.x * std::sin(angle)};
+        shoot(frames, scene, camera, style, history, lines);
+    }
+    return frames;
+}
+
+bool is_drawn(const FilmFrame& frame, size_t i)
+{
+    return (frame.samples[i].state & shared::piece_is_there) != 0 && frame.drawn[i].half_width_px > 0.0F;
+}
+
+/// What was drawn in the frame before where a sample of now lies on its surface.
+struct Match {
+    const DrawnSample* before;
+    const DrawnSample* now;
+    double along_px; ///< from the one to the other, on the page
+};
+
+std::vector<Match> matches(const FilmFrame& before, const FilmFrame& now)
+{
+    std::vector<Match> found;
+    for (size_t i = 0; i < now.samples.size(); i += 4) {
+        if (!is_drawn(now, i)) {
+            continue;
+        }
+        const glm::dvec4 clip = before.clip_from_anchor * glm::dvec4(now.samples[i].anchor, 1.0);
+        const glm::vec2 page((0.5 * glm::dvec2(clip) / clip.w + 0.5) * glm::dvec2(page_px));
+        const glm::vec2 way =
+            glm::normalize(now.samples[i + 1].page_px - now.samples[i].page_px + glm::vec2(1e-6F));
+        float nearest_px = 2.5F;
+        const DrawnSample* same = nullptr;
+        for (size_t k = 0; k < before.drawn.size(); ++k) {
+            const float away = glm::distance(before.drawn[k].page_px, page);
+            if (is_drawn(before, k) && away < nearest_px &&
+                glm::dot(glm::unpackHalf2x16(before.drawn[k].direction), way) > 0.9F) {
+                nearest_px = away;
+                same = &before.drawn[k];
+            }
+        }
+        if (same != nullptr) {
+            found.push_back({same, &now.drawn[i], static_cast<double>(glm::dot(page - same->page_px, way))});
+        }
+    }
+    return found;
+}
+
+/// How far along its brush each sample has slid since the frame before, at the place of the surface that it
+/// lies on.
+std::vector<double> slips_px(const FilmFrame& before, const FilmFrame& now)
+{
+    std::vector<double> slips;
+    for (const Match& match : matches(before, now)) {
+        if (match.before->seed == match.now->seed) {
+            const double there = static_cast<double>(match.before->arc_px) + match.along_px;
+            slips.push_back(static_cast<double>(match.now->arc_px) - there);
+        }
+    }
+    return slips;
+}
+
+struct Steadiness {
+    double slip_px = 0.0; ///< root of the mean square
+    size_t compared = 0;
+    size_t begun_anew = 0;    ///< samples whose brush jumped to another place of itself
+    double most_change = 0.0; ///< of the number of strokes from frame to frame, as a share
+};
+
+Steadiness steadiness_of(const std::vector<FilmFrame>& frames)
+{
+    Steadiness result;
+    double sum_of_squares = 0.0;
+    for (size_t i = 1; i < frames.size(); ++i) {
+        for (const double slip : slips_px(frames[i - 1], frames[i])) {
+            ++result.compared;
+            const bool begins_anew = std::abs(slip) > most_slip_px;
+            result.begun_anew += begins_anew ? 1U : 0U;
+            sum_of_squares += begins_anew ? 0.0 : slip * slip;
+        }
+        const auto strokes_before = static_cast<double>(frames[i - 1].strokes.size());
+        const double change = std::abs(static_cast<double>(frames[i].strokes.size()) - strokes_before);
+        result.most_change = std::max(result.most_change, change / strokes_before);
+    }
+    result.slip_px = std::sqrt(sum_of_squares / static_cast<double>(result.compared - result.begun_anew));
+    return result;
+}
+
+TEST(LineBrush, ARepeatedBrushHoldsToTheSurfaceInMotion)
+{
+    ContourStyle style = even_lines(4.0F);
+    style.brush = "charcoal";
+    const Steadiness film_of_lines = steadiness_of(orbit(shapes_scene(), style, 10));
+    EXPECT_GT(film_of_lines.compared, 1500U);
+    EXPECT_LT(film_of_lines.slip_px, 0.06)
+        << film_of_lines.begun_anew << " of " << film_of_lines.compared << " begun anew";
+    EXPECT_LT(static_cast<double>(film_of_lines.begun_anew),
+              0.005 * static_cast<double>(film_of_lines.compared));
+    EXPECT_LT(film_of_lines.most_change, 0.1);
+}
+
+TEST(LineBrush, DashesOfHiddenLinesHoldToo)
+{
+    ContourStyle style = even_lines(2.0F);
+    style.hidden = Hidden::dashed;
+    const Steadiness film_of_dashes = steadiness_of(orbit(shapes_scene(), style, 6, LineClass::hidden));
+    EXPECT_GT(film_of_dashes.compared, 300U);
+    EXPECT_LT(film_of_dashes.slip_px, 0.15)
+        << film_of_dashes.begun_anew << " of " << film_of_dashes.compared << " begun anew";
+    EXPECT_LT(static_cast<double>(film_of_dashes.begun_anew),
+              0.01 * static_cast<double>(film_of_dashes.compared));
+}
+
+/// A stretched charcoal.
+ContourStyle stretched_style()
+{
+    ContourStyle style = even_lines(4.0F);
+    style.brush = "charcoal";
+    style.brush_fit = BrushFit::stretch;
+    return style;
+}
+
+double share_of_brush(const DrawnSample& drawn, double along_px = 0.0)
+{
+    return (static_cast<double>(drawn.arc_px) + along_px) / static_cast<double>(drawn.whole_px);
+}
+
+/// Of samples that were drawn in the frame before too.
+struct Slides {
+    size_t compared = 0;
+    size_t jumped = 0;     ///< by more than 0.035 of their brush
+    double most_off = 0.0; ///< from the even place, in shares of the brush, in the last frame
+};
+
+Slides slides_of(const std::vector<FilmFrame>& frames)
+{
+    Slides slides;
+    for (size_t i = 1; i < frames.size(); ++i) {
+        for (const Match& match : matches(frames[i - 1], frames[i])) {
+            if (match.now->whole_px < least_whole_px) {
+                continue;
+            }
+            const double slide = share_of_brush(*match.now) - share_of_brush(*match.before, match.along_px);
+            ++slides.compared;
+            slides.jumped += std::abs(slide - std::round(slide)) > 0.035 ? 1U : 0U;
+        }
+    }
+    for (const Stroke& stroke : frames.back().strokes) {
+        for (uint32_t at = stroke.first; at < stroke.last && is_drawn(frames.back(), at); ++at) {
+            const double even =
+                static_cast<double>(at - stroke.first) / static_cast<double>(stroke.last - stroke.first);
+            const double off = share_of_brush(frames.back().drawn[at]) - even;
+            slides.most_off = std::max(slides.most_off, std::abs(off));
+        }
+    }
+    return slides;
+}
+
+TEST(LineBrush, AStretchedOneSlidesToItsNewEndsWhereAStrokeIsSplitOrJoined)
+{
+    // A post beside the plane, and before it. Both scenes have one size, and so one anchor.
+    const auto with_post_at = [](double x_m) {
+        Scene scene = test::scene_of(shapes::plane(4.0F, 3.0F, 1));
+        test::add_object(scene, shapes::box({0.3F, 2.0F, 0.3F}), glm::vec3(0.5F), {x_m, 0.5, 2.5});
+        return scene;
+    };
+    const Scene whole = with_post_at(-1.85);
+    const Scene split = with_post_at(0.4);
+    const Camera camera{.eye = {0.0, 4.0, 6.0}, .target = {0.0, 0.0, 0.0}};
+    LineHistory history;
+    std::vector<FilmFrame> frames;
+    shoot(frames, whole, camera, stretched_style(), history);
+    for (const Scene* scene : std::array{&split, &whole}) {
+        std::vector<FilmFrame> shots{frames.back()};
+        for (int i = 0; i < 40; ++i) {
+            shoot(shots, *scene, camera, stretched_style(), history);
+        }
+        // The edges before and behind are there on both sides of the change.
+        EXPECT_GT(matches(shots[0], shots[1]).size(), 60U);
+        const Slides slides = slides_of(shots);
+        EXPECT_GT(slides.compared, 2500U);
+        EXPECT_LT(slides.jumped, 8U);
+        EXPECT_LT(slides.most_off, 0.01);
+        frames = std::move(shots);
+    }
+}
+
+TEST(LineBrush, AStretchedOneHoldsInMotion)
+{
+    const Slides slides = slides_of(orbit(shapes_scene(), stretched_style(), 10));
+    EXPECT_GT(slides.compared, 1500U);
+    EXPECT_LT(static_cast<double>(slides.jumped), 0.01 * static_cast<double>(slides.compared));
+}
+
+TEST(LineBrush, AStretchedOneOfARingBeginsWhereItDid)
+{
+    const Slides slides =
+        slides_of(orbit(test::scene_of(shapes::sphere(1.0F, 48, 24)), stretched_style(), 10));
+    EXPECT_GT(slides.compared, 200U);
+    EXPECT_EQ(slides.jumped, 0U);
+}
+
+} // namespace
+} // namespace estampe::contour

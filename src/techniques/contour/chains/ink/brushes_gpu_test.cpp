@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Brushes of lines: that their pictures lie where they should.
+#include "techniques/contour/chains/ink/brushes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <estampe/image.hpp>
+#include <gtest/gtest.h>
+
+#include "scene/shapes.hpp"
+#include "support/drawing.hpp"
+#include "support/folder.hpp"
+#include "support/gpu_device.hpp"
+#include "techniques/contour/chains/chains_test_scene.hpp"
+
+namespace estampe::contour {
+namespace {
+
+using shared::LineSample;
+using shared::Stroke;
+
+constexpr glm::uvec2 page_px{480, 360};
+
+/// A stroke that is inked from a quarter to a half of its length, on its left.
+Image marked_picture()
+{
+    Image image{.width = 256, .height = 32};
+    for (uint32_t y = 0; y < image.height; ++y) {
+        for (uint32_t x = 0; x < image.width; ++x) {
+            const bool is_ink = x >= image.width / 4 && x < image.width / 2 && y < image.height / 2;
+            image.rgba.insert(image.rgba.end(), {0, 0, 0, static_cast<uint8_t>(is_ink ? 255 : 0)});
+        }
+    }
+    return image;
+}
+
+float at(const std::vector<float>& ink, const glm::vec2& place_px)
+{
+    const glm::ivec2 pixel(glm::floor(place_px));
+    return ink[static_cast<size_t>(pixel.y) * page_px.x + static_cast<size_t>(pixel.x)];
+}
+
+/// Of places along a straight stroke those where ink or paper is not as marked_picture() has it.
+size_t places_off(const test::ChainLists& lists, const Stroke& stroke, const std::vector<float>& ink)
+{
+    const uint32_t steps = stroke.last - stroke.first;
+    const glm::vec2 way =
+        glm::normalize(lists.samples[stroke.last].page_px - lists.samples[stroke.first].page_px);
+    const glm::vec2 left(way.y, -way.x); // the page's y points down
+    size_t off = 0;
+    for (uint32_t i = steps / 8; i <= steps - steps / 8; ++i) {
+        const LineSample& sample = lists.samples[stroke.first + i];
+        const float along = static_cast<float>(i) / static_cast<float>(steps);
+        const bool is_inked = along > 0.27F && along < 0.48F;
+        const bool is_blank = along < 0.23F || along > 0.52F;
+        const float on_left = at(ink, sample.page_px + 3.0F * left);
+        off += (is_inked && on_left < 0.95F) || (is_blank && on_left > 0.05F) ? 1U : 0U;
+        off += (is_inked || is_blank) && at(ink, sample.page_px - 3.0F * left) > 0.05F ? 1U : 0U;
+    }
+    return off;
+}
+
+/// Strokes of some length, and those of them that are drawn with marked_picture().
+struct StrokeCount {
+    size_t all = 0;
+    size_t of_picture = 0;
+};
+
+StrokeCount count_pictured(test::Drawing& drawing, const ContourStyle& style)
+{
+    const std::vector<float> ink = drawing.lines(style, 1.0F);
+    const test::ChainLists lists = drawing.chains(style);
+    StrokeCount count;
+    for (const Stroke& stroke : lists.strokes) {
+        if (stroke.last - stroke.first >= 16) {
+            ++count.all;
+            count.of_picture += places_off(lists, stroke, ink) == 0 ? 1U : 0U;
+        }
+    }
+    return count;
+}
+
+Primitive large_box()
+{
+    return shapes::box({1.6F, 1.6F, 1.6F});
+}
+
+Camera view_of_box()
+{
+    return {.eye = {2.2, 2.7, 3.1}, .target = {0.0, 0.75, 0.0}};
+}
+
+TEST(LineBrush, APictureLiesWhereItShouldAlongAndAcrossAStretchedStroke)
+{
+    const test::Folder folder;
+    save_png(marked_picture(), folder / "stroke.png");
+    ContourStyle style = even_lines(12.0F);
+    style.brush = (folder / "stroke.png").string();
+    style.brush_fit = BrushFit::stretch;
+    test::Drawing drawing(test::scene_of(large_box()), view_of_box(), page_px);
+    const StrokeCount strokes = count_pictured(drawing, style);
+    EXPECT_EQ(strokes.all, 9U);
+    EXPECT_EQ(strokes.of_picture, 9U);
+}
+
+TEST(LineBrush, AMarkedEdgeHasItsOwnAndNotThatOfCreases)
+{
+    const test::Folder folder;
+    save_png(marked_picture(), folder / "stroke.png");
+    Primitive marked_box = large_box();
+    marked_box.edge_marks.assign(marked_box.indices.size() / 3, 0);
+    marked_box.edge_marks[0] = 2; // the upright edge between two seen sides
+    test::Drawing marked(test::scene_of(marked_box), view_of_box(), page_px);
+    test::Drawing creased(test::scene_of(large_box()), view_of_box(), page_px);
+    ContourStyle style = even_lines(12.0F);
+    style.marked_mm = 12.0F;
+    style.brush_fit = BrushFit::stretch;
+    style.marked_brush = (folder / "stroke.png").string();
+    EXPECT_EQ(count_pictured(marked, style).of_picture, 1U);
+    EXPECT_EQ(count_pictured(creased, style).of_picture, 0U);
+    std::swap(style.marked_brush, style.crease_brush);
+    EXPECT_EQ(count_pictured(marked, style).of_picture, 0U);
+    EXPECT_EQ(count_pictured(creased, style).of_picture, 3U);
+}
+
+TEST(LineBrush, APenBesideOtherBrushesDrawsAsItDoesAlone)
+{
+    ContourStyle style = even_lines(6.0F);
+    style.crease_deg = 180.0F;
+    test::Drawing drawing(shapes_scene(), view_from_above(), page_px);
+    const std::vector<float> alone = drawing.lines(style, 1.0F);
+    style.crease_brush = "pencil";
+    const std::vector<float> beside = drawing.lines(style, 1.0F);
+    double sum = 0.0;
+    double off = 0.0;
+    for (size_t i = 0; i < alone.size(); ++i) {
+        sum += static_cast<double>(alone[i]);
+        off += static_cast<double>(std::abs(alone[i] - beside[i]));
+    }
+    EXPECT_GT(sum, 1000.0);
+    EXPECT_LT(off, 0.005 * sum);
+}
+
+} // namespace
+} // namespace estampe::contour

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "gpu/fills.hpp"
+#include "gpu/imports.hpp"
+#include "shaders/blank_layer_comp.hpp"
+#include "shaders/ink_brush_comp.hpp"
+#include "shaders/ink_layer_comp.hpp"
+#include "shaders/ink_pieces_comp.hpp"
+#include "shaders/joints_comp.hpp"
+#include "techniques/contour/chains/chains.hpp"
+#include "techniques/contour/chains/ink/brushes.hpp"
+#include "techniques/contour/chains/scan/scan.hpp"
+#include "techniques/contour/chains/stroke/strung_lines.hpp"
+#include "techniques/contour/chains/variants.glsl.h"
+
+namespace estampe::contour {
+namespace {
+
+/// What lines have inked.
+struct Inked {
+    gpu::BufferId pixels; ///< a word each
+    gpu::BufferId tiles;  ///< see ink_tiles.glsl
+};
+
+/// How long each brush is along the line before it repeats; nothing where it goes from end to end.
+float period_mm(const BrushImages& brushes, uint32_t use, const ContourStyle& style)
+{
+    if (use == shared::brush_hidden) {
+        return style.hidden_dash_mm + style.hidden_gap_mm;
+    }
+    if (style.brush_fit == BrushFit::stretch) {
+        return 0.0F;
+    }
+    const float own_mm = brushes.widths_of_use.at(use) * width_on_page_mm(style, use);
+    return style.brush_mm > 0.0F ? style.brush_mm : std::max(own_mm, 0.1F);
+}
+
+/// Of samples that lie in a grid of `grid_page_px`.
+shared::BrushConstants brush_constants(const ContourInputs& in, const ContourStyle& style,
+                                       glm::uvec2 grid_page_px)
+{
+    shared::BrushConstants constants{
+        .width = in.size_px.x, .height = in.size_px.y, .grid_page_px = grid_page_px};
+    for (uint32_t use = 0; use < shared::brush_use_count; ++use) {
+        const bool has_brushes = in.brushes != nullptr;
+        constants.period_px[use] = has_brushes ? in.pixels_per_mm * period_mm(*in.brushes, use, style) : 0.0F;
+        constants.layer_of_use[use] =
+            has_brushes ? in.brushes->layer_of_use.at(use).value_or(shared::no_brush) : shared::no_brush;
+    }
+    return constants;
+}
+
+/// Inks pieces of line into what is inked already.
+void add_pieces(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& strokes,
+                const HandDrawn& hand, const ContourStyle& style, Inked& inked)
+{
+    const bool has_brushes = in.brushes != nullptr;
+    auto ink = has_brushes ? graph.compute("contour/ink brush", shaders::ink_brush_comp)
+                           : graph.compute("contour/ink pieces", shaders::ink_pieces_comp);
+    ink.read(strokes.sizes).sample(strokes.samples).read(hand.line_points);
+    if (has_brushes) {
+        ink.read(hand.touches);
+        ink.sample(gpu::import_uploaded(graph, "brushes of lines", in.brushes->strips),
+                   gpu::Sampling::linear_repeat);
+    }
+    inked.pixels = ink.modify(inked.pixels);
+    inked.tiles = ink.modify(inked.tiles);
+    if (has_brushes) {
+        ink.push(brush_constants(in, style, in.size_px));
+    } else {
+        ink.push(shared::InkConstants{.width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink});
+    }
+    ink.dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
+}
+
+/// Fills the outer sides of corners.
+void add_joints(gpu::Graph& graph, const ContourInputs& in, const ChainStrokes& strokes,
+                const HandDrawn& hand, const ContourStyle& style, glm::uvec2 grid_page_px, Inked& inked)
+{
+    auto joints = graph.compute("contour/joints", shaders::joints_comp);
+    joints.read(strokes.sizes).sample(strokes.samples);
+    joints.sample(strokes.strokes_before, gpu::Format::r32ui).read(strokes.strokes);
+    joints.read(hand.line_points).read(hand.touches).read(strokes.grid);
+    inked.pixels = joints.modify(inked.pixels);
+    inked.tiles = joints.modify(inked.tiles);
+    joints.variant(in.brushes != nullptr ? shared::joints_has_brushes : 0U)
+        .push(brush_constants(in, style, grid_page_px));
+    joints.dispatch_indirect(strokes.sizes, indirect_offset(shared::list_samples));
+}
+
+Inked add_ink(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& shaped,
+              const ContourStyle& style, glm::uvec2 grid_page_px)
+{
+    const uint64_t tiles = uint64_t{(in.size_px.x + 7) / 8} * ((in.size_px.y + 7) / 8);
+    Inked inked{gpu::add_zeros(graph, "contour/inked", sizeof(uint32_t) * in.size_px.x * in.size_px.y + 16),
+                gpu::add_empty_list(graph, "contour/ink tiles", 16 + 8 * tiles)};
+    ContourInputs seen = in;
+    seen.brushes = brushes_of_seen_lines(in.brushes);
+    for (const HandDrawn& hand : shaped.hands) {
+        add_pieces(graph, seen, shaped.strokes, hand, style, inked);
+        if (style.joints == Joints::mitre) {
+            add_joints(graph, seen, shaped.strokes, hand, style, grid_page_px, inked);
+        }
+    }
+    if (shaped.hidden) {
+        add_pieces(graph, in, shaped.hidden->first, shaped.hidden->second, style, inked);
+    }
+    return inked;
+}
+
+/// A processor fills an image quicker by itself than by threads; a GPU is the other way round.
+gpu::ImageId add_blank_layer(gpu::Graph& graph, const shared::InkConstants& constants, bool on_processor)
+{
+    const gpu::ImageDesc layer{
+        .width = constants.width, .height = constants.height, .format = gpu::Format::rgba8};
+    if (!on_processor) {
+        auto pass = graph.compute("contour/blank layer", shaders::blank_layer_comp);
+        const gpu::ImageId blank = pass.write(graph.image("contour/ink", layer));
+        pass.push(constants).dispatch_over_page(constants.width, constants.height);
+        return blank;
+    }
+    return gpu::add_filled_image(graph, "contour/blank layer", layer,
+                                 glm::vec4(glm::sqrt(constants.ink_color), 0.0F));
+}
+
+/// Inks strokes whose samples lie in a grid of `grid_page_px`.
+gpu::ImageId add_ink_layer(gpu::Graph& graph, const ContourInputs& in, const ShapedStrokes& shaped,
+                           const ContourStyle& style, glm::uvec2 grid_page_px,
+                           const std::optional<gpu::ImageId>& under)
+{
+    const shared::InkConstants constants{
+        .width = in.size_px.x, .height = in.size_px.y, .ink_color = style.ink};
+    const Inked inked = add_ink(graph, in, shaped, style, grid_page_px);
+    const gpu::ImageId below = under ? *under : add_blank_layer(graph, constants, in.on_processor);
+    auto layer = graph.compute("contour/ink layer", shaders::ink_layer_comp);
+    layer.read(inked.pixels)
+        .sample(in.materials)
+        .read(inked.tiles)
+        .variant((in.own_outlines ? shared::ink_layer_has_own_outlines : 0U) |
+                 (in.line_looks ? shared::ink_layer_has_looks : 0U));
+    const gpu::ImageId ink = layer.modify(below);
+    layer.sample(in.line_looks.value_or(in.materials), gpu::Format::r32ui);
+    layer.push(constants).dispatch_indirect(inked.tiles);
+    return ink;
+}
+
+} // namespace
+
+gpu::ImageId add_chain_contours(gpu::Graph& graph, const ContourInputs& in, LineMesh& mesh,
+                                LineHistory* history, const ContourStyle& style,
+                                std::optional<gpu::ImageId> under)
+{
+    const ShapedStrokes shaped = add_shaped_strokes(graph, in, mesh, history, style);
+    return add_ink_layer(graph, in, shaped, style, in.size_px, under);
+}
+
+gpu::ImageId add_strung_contours(gpu::Graph& graph, const ContourInputs& in, StrungLines& lines,
+                                 const PartOfPage& part, const ContourStyle& style,
+                                 std::optional<gpu::ImageId> under)
+{
+    return add_ink_layer(graph, in, take_part(graph, lines, part), style, lines.page_px, under);
+}
+
+} // namespace estampe::contour

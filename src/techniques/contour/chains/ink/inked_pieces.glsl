@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_INKED_PIECES
+#define ESTAMPE_INKED_PIECES
+
+// What all shaders that draw pieces of lines share. Wanted before: ink_tiles.glsl, and `constants` with the
+// page's width.
+
+const float widest_px = 96.0; // half width
+
+// A line thinner than a pixel keeps its width and loses darkness.
+float coverage(float half_width, float distance)
+{
+    return clamp(max(half_width, 0.5) + 0.5 - distance, 0.0, 1.0) * min(half_width / 0.5, 1.0);
+}
+
+// Lists the tiles of a rectangle of pixels.
+void list_tiles(ivec2 low, ivec2 high)
+{
+    uint columns = (constants.width + 7u) / 8u;
+    if (any(greaterThanEqual(low, high))) {
+        return;
+    }
+    for (int y = low.y / 8; y <= (high.y - 1) / 8; ++y) {
+        for (int x = low.x / 8; x <= (high.x - 1) / 8; ++x) {
+            uint tile = uint(y) * columns + uint(x);
+            if (atomicExchange(ink_tiles[tile].is_listed, 1u) == 0u) {
+                ink_tiles[atomicAdd(tile_count, 1u)].tile = tile;
+            }
+        }
+    }
+}
+
+#endif

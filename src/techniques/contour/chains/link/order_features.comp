@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// One thread puts one point of a feature where it comes in its chain.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/camera.glsl"
+#include "shaders/items.glsl"
+#include "shaders/octahedral.glsl"
+#include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/variants.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+#include "techniques/contour/chains/link/page_piece.glsl"
+
+#define MESH_TEXELS_BINDING 1
+#include "shaders/mesh_texels.glsl"
+
+layout(binding = 3) uniform usamplerBuffer neighbor_texels;
+
+layout(scalar, binding = 4) readonly buffer FeaturePoints
+{
+    FeaturePoint feature_points[];
+};
+
+layout(scalar, binding = 5) readonly buffer FeatureChains
+{
+    FeatureChain feature_chains[];
+};
+
+#define POINTS_BEFORE_BINDING 6
+#include "techniques/contour/chains/lists.glsl"
+
+layout(scalar, binding = 7) buffer Points
+{
+    ChainPoint points[];
+};
+
+layout(scalar, binding = 8) buffer Lengths
+{
+    uint lengths[]; // of the piece from each point to the next
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    ChainConstants constants;
+};
+
+layout(constant_id = 0) const uint variant = 0u;
+const bool leave_edges = (variant & order_features_leave_edges) != 0u;
+
+// Of a triangle, in its own winding, of no particular length.
+vec3 triangle_normal(uint triangle)
+{
+    uvec4 corners = triangle_at(triangle);
+    vec3 a = posed_vertex_at(corners.x).position;
+    vec3 n = cross(posed_vertex_at(corners.y).position - a, posed_vertex_at(corners.z).position - a);
+    return (corners.w & triangle_mirrored) != 0u ? -n : n;
+}
+
+bool is_turned(uint triangle)
+{
+    return (texelFetch(neighbor_texels, int(triangle)).w & neighbor_is_turned) != 0u;
+}
+
+// Out of the surface at an edge: of what of its two sides faces the eye, or of both where nothing does. So a
+// box on the ground is not looked for beneath that.
+vec3 edge_normal(uint side, vec3 place)
+{
+    uint beyond = texelFetch(neighbor_texels, int(side >> 2))[side & 3u];
+    bool has_other = beyond != no_side;
+    uint other_triangle = (has_other ? beyond : side) >> 2;
+    vec3 way = towards_eye(frame, place);
+    vec3 normal = triangle_normal(side >> 2);
+    normal /= max(size_of(normal), 1e-30);
+    vec3 other =
+        triangle_normal(other_triangle) * (is_turned(side >> 2) != is_turned(other_triangle) ? -1.0 : 1.0);
+    other /= max(size_of(other), 1e-30);
+    bool is_front = dot(normal, way) > 0.0;
+    bool is_other_front = dot(other, way) > 0.0;
+    vec3 ruling = is_front == is_other_front ? normal + other : is_front ? normal : other;
+    normal = has_other ? ruling : normal;
+    return size_of(normal) > 1e-6 ? unit(normal) : vec3(0.0, 1.0, 0.0);
+}
+
+vec3 place_of(FeaturePoint point)
+{
+    vec3 place = posed_vertex_at(point.vertex).position;
+    return leave_edges ? mix(place, posed_vertex_at(point.other_vertex).position, point.share) : place;
+}
+
+// Out of the surface at a point: that of an edge, or of the smooth surface within a triangle.
+vec3 normal_at(FeaturePoint point, vec3 place)
+{
+    if (leave_edges && (point.side & 3u) == 3u) {
+        vec3 a = unpack_normal(posed_vertex_at(point.vertex).normal);
+        vec3 b = unpack_normal(posed_vertex_at(point.other_vertex).normal);
+        return unit(mix(a, b, point.share) + 1e-6 * towards_eye(frame, place));
+    }
+    return edge_normal(point.side, place);
+}
+
+void main()
+{
+    uint index = item_index();
+    if (index >= constants.feature_point_count) {
+        return;
+    }
+    FeaturePoint point = feature_points[index];
+    FeatureChain chain = feature_chains[point.chain];
+    uint place = index - chain.first_point;
+    uint at = points_before(point.chain) + place;
+    if (at >= constants.point_capacity) {
+        return;
+    }
+    vec3 place_here = place_of(point);
+    points[at] = ChainPoint(place_here, pack_normal(normal_at(point, place_here)), 0.0,
+                            point.kind << 28 | point.side, uvec2(0u));
+    bool is_last = place + 1u == chain.point_count;
+    vec3 onwards = place_of(feature_points[is_last ? index : index + 1u]);
+    lengths[at] = is_last ? 0u : uint(length_unit_px * piece_on_page(place_here, onwards).length_px + 0.5);
+}

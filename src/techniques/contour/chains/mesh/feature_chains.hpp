@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Borders, boundaries and creases as whole lines: they hold to the surface, so they are strung once.
+
+#include <vector>
+
+#include "techniques/contour/chains/chains.glsl.h"
+#include "techniques/contour/chains/mesh/edge_mesh.hpp"
+
+namespace estampe::contour {
+
+/// Which edges have lines of their own.
+struct FeatureChoice {
+    float crease_deg = 34.0F; ///< where shading breaks; where it goes on, 60 degrees at the least
+    bool borders = true;
+    bool boundaries = true;
+    bool creases = true;
+    bool marked =
+        true; ///< what the file marks; where it does, folds and borders that it leaves out have none
+    bool operator==(const FeatureChoice&) const = default;
+};
+
+/// Lines over the vertices of an edge mesh, and what is left for outlines to find from view to view.
+struct FeatureChains {
+    std::vector<shared::FeaturePoint>
+        points; ///< chain after chain; the first again at the end of a closed one
+    std::vector<shared::FeatureChain> chains;
+    std::vector<glm::uvec2> loose_edges; ///< hard edges that have no line of their own
+    bool leave_edges = false;            ///< some points lie between vertices, some pieces within triangles
+};
+
+/// Strings the edges of one kind together where they meet and bend by no more than 60 degrees, the
+/// straightest first. Cost: linear in features and hard edges.
+[[nodiscard]] FeatureChains string_features(const EdgeMesh& mesh, std::span<const glm::vec3> positions,
+                                            const FeatureChoice& choice);
+
+} // namespace estampe::contour

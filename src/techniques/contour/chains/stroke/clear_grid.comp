@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// One thread empties one cell of the grid of samples.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/items.glsl"
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 64) in;
+
+#define GRID_BINDING 0
+#define GRID_ACCESS writeonly
+#include "techniques/contour/chains/stroke/sample_grid.glsl"
+
+layout(push_constant, scalar) uniform Constants
+{
+    uint cell_count;
+};
+
+void main()
+{
+    uint index = item_index();
+    if (index < cell_count) {
+        grid[index] = uvec2(no_sample, 0u);
+    }
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Four threads ask of one short stroke whether it runs beside a longer one, as the far side of a cusp does:
+// it is not drawn then. Nor is a stroke that was found on the page, of any length, if it runs beside one of
+// the mesh: where a box stands on the ground its edge is there already. No stroke has a past yet.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/unit.glsl"
+#include "techniques/contour/chains/chains.glsl.h"
+
+const uint threads = 4u;       // a stroke
+layout(local_size_x = 256) in; // of 64 strokes
+
+layout(scalar, binding = 0) readonly buffer Sizes
+{
+    ListSize sizes[];
+};
+
+#define GRID_BINDING 2
+#define GRID_ACCESS readonly
+#include "techniques/contour/chains/stroke/sample_grid.glsl"
+
+#define SAMPLES_BINDING 1
+#define STROKES_BEFORE_BINDING 3
+#include "techniques/contour/chains/lists.glsl"
+
+layout(scalar, binding = 4) buffer Strokes
+{
+    Stroke strokes[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    uvec2 size_px;
+};
+
+const float beside_px = 4.0;
+const float foot_px = 2.0;         // along a line, from the sample nearest to a place beside it
+const float least_inside_px = 0.5; // from its ends
+const uint most_steps = 10u;
+const uint least_page_steps = 3u; // of what is found on the page; less is a speck
+const float most_share = 0.5;     // of its samples may lie beside another
+
+// Whether a place lies to one side of a sample's stroke, not before its start or past its end.
+bool is_beside(vec2 here, uint other, Stroke stroke)
+{
+    uint previous = max(other, stroke.first + 1u) - 1u;
+    uint next = min(other + 1u, stroke.last);
+    vec2 way = sample_at(next).page_px - sample_at(previous).page_px;
+    vec2 away = here - sample_at(other).page_px;
+    float along = dot(away, way) * inversesqrt(max(dot(way, way), 1e-12));
+    bool is_ring = (sample_at(other).state & sample_in_ring) != 0u;
+    bool is_outside = !is_ring && ((other == stroke.first && along < least_inside_px) ||
+                                   (other == stroke.last && along > -least_inside_px));
+    return size_of(away) < beside_px && abs(along) < foot_px && !is_outside;
+}
+
+bool is_beside_longer(uint index, uint own, uint own_steps, bool is_own_of_page)
+{
+    vec2 here = sample_at(index).page_px;
+    bool is_there = false;
+    Cells around = cells_around(here, size_px);
+    for (ivec2 cell = around.low; !is_there && cell.y <= around.high.y; cell = next_cell(cell, around)) {
+        uvec2 found = grid[cell_index(cell, size_px)];
+        for (int k = 0; k < 2; ++k) {
+            uint other = found.y == 0u ? index : k == 0 ? found.x : found.y - 1u;
+            uint stroke = strokes_before(other + 1u) - 1u;
+            Stroke line = strokes[stroke];
+            uint steps = line.last - line.first;
+            bool is_longer = steps > own_steps || (steps == own_steps && stroke < own);
+            bool counts =
+                stroke != own && (is_longer || (is_own_of_page && !is_of_page(sample_at(other).source)));
+            is_there = is_there || (found.y != 0u && counts && is_beside(here, other, line));
+        }
+    }
+    return is_there;
+}
+
+shared uint beside[64]; // by stroke: how many of its samples lie beside another
+
+void main()
+{
+    uint lane = gl_LocalInvocationID.x / threads;
+    uint own = 64u * gl_WorkGroupID.x + lane;
+    bool is_stroke = own < sizes[list_strokes].count;
+    uint first = is_stroke ? strokes[own].first : 0u;
+    uint steps = is_stroke ? strokes[own].last - first : 0u;
+    bool of_page = is_stroke && is_of_page(sample_at(first).source);
+    uint looks = min(steps, most_steps);
+    uint turn = gl_LocalInvocationID.x % threads;
+    if (turn == 0u) {
+        beside[lane] = 0u;
+    }
+    barrier();
+    uint found = 0u;
+    for (uint i = turn; is_stroke && i <= looks; i += threads) {
+        uint at = first + (of_page ? steps * i / max(looks, 1u) : i);
+        found += is_beside_longer(at, own, steps, of_page) ? 1u : 0u;
+    }
+    if (found > 0u) {
+        atomicAdd(beside[lane], found);
+    }
+    barrier();
+    if (!is_stroke || turn != 0u) {
+        return;
+    }
+    bool is_dropped =
+        (steps <= most_steps || of_page) && float(beside[lane]) > most_share * float(looks + 1u);
+    is_dropped = is_dropped || (of_page && steps < least_page_steps);
+    strokes[own].ends = is_dropped ? stroke_is_dropped : 0u;
+    strokes[own].recalled = no_sample;
+    strokes[own].offset_sum = 0;
+    strokes[own].offset_count = 0u;
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// One thread takes one step along a chain: where that is, and whether it is seen. What may hide it is the
+// triangle seen there, as a plane: the sample is hidden when the eye and it are on two sides of that plane.
+// It is asked a little outside of its own surface, which so never hides it.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shaders/camera.glsl"
+#include "shaders/cells.glsl"
+#include "shaders/octahedral.glsl"
+#include "shaders/visibility.glsl"
+#include "techniques/contour/chains/chains.glsl.h"
+
+layout(local_size_x = 64) in;
+
+layout(scalar, binding = 0) uniform Frame
+{
+    FrameGlobals frame;
+};
+
+#include "techniques/contour/chains/link/page_piece.glsl"
+
+#define MESH_TEXELS_BINDING 1
+#include "shaders/mesh_texels.glsl"
+
+layout(scalar, binding = 3) readonly buffer Visibility
+{
+    uvec2 visibility[];
+};
+
+layout(scalar, binding = 4) readonly buffer Sizes
+{
+    ListSize sizes[];
+};
+
+#define SAMPLES_BEFORE_BINDING 5
+#define POINTS_BEFORE_BINDING 6
+#define LENGTHS_BEFORE_BINDING 7
+#define POINTS_BINDING 8
+#include "techniques/contour/chains/lists.glsl"
+
+layout(scalar, binding = 9) writeonly buffer Samples
+{
+    LineSample samples[];
+};
+
+layout(push_constant, scalar) uniform Constants
+{
+    ChainConstants constants;
+};
+
+const float outside_px = 0.75;
+const float tolerance_px = 0.05;
+
+// The last point of a chain, but not the very last, that lies no farther than `length` along.
+uint piece_at(uint first, uint end, uint length)
+{
+    uint low = first;
+    uint high = end - 1u;
+    while (high - low > 1u) {
+        uint middle = (low + high) / 2u;
+        if (lengths_before(middle) <= length) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+struct Cover {
+    bool is_over; // the point lies within the triangle as seen from the eye
+    bool hides;   // the triangle's plane, no farther away than the triangle itself, comes before the point
+};
+
+Cover cover_of(uint triangle, vec3 point, float tolerance_m)
+{
+    uvec4 corners = triangle_at(triangle);
+    bool is_parallel = frame.is_orthographic != 0u;
+    // Everything from an origin before the point, all as seen along the way to it.
+    vec3 origin = is_parallel ? point - frame.view_forward : frame.eye_anchor;
+    vec3 way = point - origin;
+    vec3 a = posed_vertex_at(corners.x).position - origin;
+    vec3 b = posed_vertex_at(corners.y).position - origin;
+    vec3 c = posed_vertex_at(corners.z).position - origin;
+    vec3 plane = cross(b - a, c - a);
+    vec3 sides = vec3(dot(cross(a, b), way), dot(cross(b, c), way), dot(cross(c, a), way));
+    bool is_over = all(greaterThanEqual(sides, vec3(0.0))) || all(lessThanEqual(sides, vec3(0.0)));
+    float scale = dot(way, frame.view_forward);
+    float crossing = dot(a, plane) / dot(way, plane) * scale;
+    vec3 depths = vec3(dot(a, frame.view_forward), dot(b, frame.view_forward), dot(c, frame.view_forward));
+    float nearest = min(depths.x, min(depths.y, depths.z));
+    float farthest = max(depths.x, max(depths.y, depths.z));
+    bool is_beside = !is_parallel && crossing < 0.0;
+    return Cover(is_over, !is_beside && clamp(crossing, nearest, farthest) < scale - tolerance_m);
+}
+
+// Of the triangles seen about the point, one that lies over it decides; where none does, as all are smaller
+// than a pixel, most of them.
+bool is_visible(vec3 anchor, vec3 normal, float bulge_m, uint own)
+{
+    float pixel_m = pixel_size_m(frame, anchor);
+    vec3 outside = anchor + normal * (bulge_m + outside_px * pixel_m);
+    vec2 place = page_position(frame.clip_from_anchor * vec4(outside, 1.0));
+    ivec2 last = ivec2(frame.size_px) - 1;
+    ivec2 corner = ivec2(floor(place - 0.5));
+    Cells around = Cells(clamp(corner, ivec2(0), last), clamp(corner + 1, ivec2(0), last));
+    bool is_covered = false;
+    bool is_free = false;
+    int hiding = 0;
+    ivec2 pixel = around.low;
+    do {
+        uvec2 word = visibility[uint(pixel.y) * frame.size_px.x + uint(pixel.x)];
+        bool may_hide = sees_triangle(word) && seen_triangle(word) != own;
+        Cover cover = cover_of(may_hide ? seen_triangle(word) : own, outside, tolerance_px * pixel_m);
+        is_covered = is_covered || (may_hide && cover.is_over && cover.hides);
+        is_free = is_free || (may_hide && cover.is_over && !cover.hides);
+        hiding += may_hide && cover.hides ? 1 : -3; // most hide
+        pixel = next_cell(pixel, around);
+    } while (pixel.y <= around.high.y);
+    return !is_covered && (is_free || hiding < 0);
+}
+
+void main()
+{
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= sizes[list_samples].count) {
+        return;
+    }
+    uint slot = slot_of_sample(index, sizes[list_slots].count);
+    uint first = points_before(slot);
+    uint end = points_before(slot + 1u);
+    uint steps = samples_before(slot + 1u) - samples_before(slot) - 1u;
+    uint step = index - samples_before(slot);
+    uint whole = lengths_before(end - 1u) - lengths_before(first);
+    uint length = lengths_before(first) + uint(float(whole) * (float(step) / float(steps)));
+    uint at = piece_at(first, end, length);
+    ChainPoint from = point_at(at);
+    ChainPoint to = point_at(at + 1u);
+    PagePiece piece = piece_on_page(from.anchor, to.anchor);
+    float along = float(length - lengths_before(at)) / max(length_unit_px * piece.length_px, 1e-6);
+    float share = share_at(piece, clamp(along, 0.0, 1.0));
+    vec3 anchor = mix(from.anchor, to.anchor, share);
+    // Through triangles normals run on from piece to piece; edges have one each.
+    bool is_smooth = (from.source & 3u) == 3u;
+    vec3 normal = unit(mix(unpack_normal(from.normal), unpack_normal(to.normal), is_smooth ? share : 0.0) +
+                       1e-6 * towards_eye(frame, anchor));
+    vec2 page_px = page_position(frame.clip_from_anchor * vec4(anchor, 1.0));
+    bool is_on_page = all(greaterThan(page_px, vec2(-0.5 * page_margin_px))) &&
+                      all(lessThan(page_px, vec2(frame.size_px) + 0.5 * page_margin_px));
+    uint own = (from.source & 0x0fffffffu) >> 2;
+    uint state = is_on_page && (is_of_page(from.source) ||
+                                (from.bulge_m >= 0.0 && is_visible(anchor, normal, from.bulge_m, own)))
+                     ? sample_is_visible
+                     : 0u;
+    state |= is_on_page ? 0u : sample_is_off_page;
+    float spacing_px = float(whole) / (length_unit_px * float(steps));
+    samples[index] = LineSample(anchor, pack_normal(normal), page_px, from.source,
+                                state | packHalf2x16(vec2(0.0, spacing_px)));
+}

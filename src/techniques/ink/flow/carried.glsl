@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_INK_CARRIED
+#define ESTAMPE_INK_CARRIED
+
+// How far a stream function that is kept at nodes carries ink. Wanted before: `globals`, and `stream_texels`.
+
+#include "techniques/ink/flow/spline.glsl"
+
+uint nodes_across(uint cells)
+{
+    return cells / ink_node_cells + 4u;
+}
+
+// Of what is at a place of the grid, in cells, how far it has come in so many seconds: along its path to
+// second order. The texels are in units of the nodes' distance, squared, a second.
+vec2 carried_cells(vec2 grid, float seconds)
+{
+    vec2 at = grid / float(ink_node_cells) + 1.0f; // a node lies beyond the edge
+    vec2 node = floor(at + 0.5f);
+    vec2 f = at - node;
+    int across = int(nodes_across(globals.grid_size.x));
+    int first = (int(node.y) - 1) * across + int(node.x) - 1;
+    vec3 slope = vec3(0.0f); // along x, y; and of one along the other
+    vec2 bend = vec2(0.0f);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            float psi = texelFetch(stream_texels, first + row * across + column).x;
+            float value_x = spline_values(f.x)[column];
+            float value_y = spline_values(f.y)[row];
+            float slope_x = spline_slopes(f.x)[column];
+            float slope_y = spline_slopes(f.y)[row];
+            slope += psi * vec3(slope_x * value_y, value_x * slope_y, slope_x * slope_y);
+            bend += psi * vec2(spline_bends()[column] * value_y, value_x * spline_bends()[row]);
+        }
+    }
+    vec2 velocity = vec2(slope.y, -slope.x);
+    vec2 acceleration = vec2(slope.y * slope.z - slope.x * bend.y, slope.x * slope.z - slope.y * bend.x);
+    return float(ink_node_cells) * seconds * (velocity - 0.5f * seconds * acceleration);
+}
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Occlusion between discs, one a vertex: what is not seen occludes too.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gpu/graph/graph.hpp"
+#include "gpu/resources.hpp"
+#include "techniques/occlusion/discs/discs.glsl.h"
+#include "techniques/occlusion/occlusion.hpp"
+
+namespace estampe::occlusion {
+
+/// The discs of a scene in an order in which eight after another, and eight times so many, lie together.
+struct DiscList {
+    std::vector<uint32_t> vertices; ///< posed ones, those of triangles alone
+    std::vector<float> areas_m2;    ///< a third of each triangle about it, at rest, and kept when it moves
+    std::vector<glm::vec4> colors;  ///< of all nodes of the tree, linear; empty where none are known
+};
+
+/// Discs of `triangles`, whose first three numbers are vertices; `places` are theirs, times `unit_m`.
+/// Cost: n log n.
+[[nodiscard]] DiscList list_discs(std::span<const glm::vec3> places, float unit_m,
+                                  std::span<const glm::uvec4> triangles);
+
+/// Colours the discs by their vertices' colours, and each node by the mean of what lies below it, by area.
+void color_discs(DiscList& list, std::span<const glm::vec3> color_of_vertex);
+
+/// What outlives a frame: the list, and what was found last.
+struct DiscBuffers {
+    gpu::Buffer vertices;
+    gpu::Buffer colors; ///< of all nodes
+    gpu::Buffer open;   ///< a float a posed vertex
+    gpu::Buffer thrown; ///< four floats a posed vertex
+    uint32_t disc_count = 0;
+    uint32_t vertex_count = 0;
+    bool is_found = false;   ///< for the pose and the style in hand
+    float radius_m = 0.0F;   ///< of that
+    bool has_thrown = false; ///< what is thrown was found with it
+
+    [[nodiscard]] bool empty() const { return disc_count == 0; }
+};
+
+[[nodiscard]] DiscBuffers upload_discs(gpu::Device& device, const DiscList& list, uint32_t vertex_count);
+
+/// A node of the tree counts as a whole where its radius is less than this of its distance.
+inline constexpr float usual_apart = 0.35F;
+
+/// How the sum over discs is made.
+struct DiscSettings {
+    float radius_m = 1.0F; ///< discs farther off count for nothing
+    float apart = usual_apart;
+    bool throws = false; ///< light that they throw is wanted too
+};
+
+/// What was found for posed vertices.
+struct OpenVertices {
+    gpu::BufferId open;                  ///< a float each
+    std::optional<gpu::BufferId> thrown; ///< four floats each
+};
+
+/// Finds how much of the light from everywhere each vertex gets: 1 less the sum of A cos cos / (pi r^2 + A)
+/// over all discs that face it, less with distance up to the radius; and what they throw of it, which is the
+/// same sum, each disc in its colour. Of a list without colours nothing may be thrown.
+///
+/// Returns a float a posed vertex; 1 for those without a disc
+/// Cost    about n log n, and a small dispatch for each level of the tree; n^2 where `apart` is 0, which
+///         looks at each disc by itself
+/// Source  Zanuttini, "Recherches en rendu non réaliste temps réel", Université Paris 8, 2008, section 8.4;
+///         Bunnell, "Dynamic Ambient Occlusion and Indirect Lighting", GPU Gems 2, 2005
+[[nodiscard]] OpenVertices add_discs(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
+                                     const DiscSettings& settings);
+
+struct DiscPageInputs {
+    gpu::BufferId frame; ///< FrameGlobals
+    gpu::BufferId visibility;
+    gpu::BufferId triangles;
+    gpu::BufferId posed_vertices;
+    OpenVertices found; ///< by add_discs()
+    uint32_t vertex_count = 0;
+    glm::uvec2 size_px{0};
+};
+
+/// The same for each pixel, as add_horizon() gives it, between what its triangle's corners have. Cost: one
+/// full-screen dispatch.
+[[nodiscard]] OpenPage add_disc_page(gpu::Graph& graph, const DiscPageInputs& in,
+                                     const OcclusionStyle& style);
+
+/// The sum at each pixel itself: what splatting every disc over all that it reaches would add up there.
+///
+/// Cost    one full-screen dispatch that goes with the logarithm of the discs: 40 ms and more on a processor
+/// Source  as add_discs()
+[[nodiscard]] OpenPage add_disc_splats(gpu::Graph& graph, DiscBuffers& buffers, gpu::BufferId posed_vertices,
+                                       const OcclusionInputs& in, const OcclusionStyle& style,
+                                       float apart = usual_apart);
+
+} // namespace estampe::occlusion

@@ -1,5 +1,0 @@
-// SPDX-License-Identifier: MIT
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_scalar_block_layout : require
-#include "techniques/raster/draw_fragment.glsl"

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#ifndef ESTAMPE_LOCAL_SHADOW
+#define ESTAMPE_LOCAL_SHADOW
+
+// Looks a local light up in its maps. Who includes this declares `LocalShadow local_shadows[]` and the texels
+// of all maps, `samplerBuffer local_maps`.
+
+#include "shaders/spiral.glsl"
+#include "techniques/shadow/local/local.glsl.h"
+
+// A point as a map sees it.
+struct MapPlace {
+    vec3 right; // axes of the map
+    vec3 down;
+    vec2 texel;    // centres of texels lie on whole numbers
+    float along_m; // distance from the light along the map's axis
+    uint first_texel;
+};
+
+// The map that looks `from_light`, and where it sees that point.
+MapPlace map_place(LocalShadow shadow, vec3 from_light)
+{
+    MapPlace place;
+    place.first_texel = shadow.first_texel;
+    if (shadow.is_cube != 0u) {
+        vec3 size = abs(from_light);
+        bool x_first = size.x >= size.y && size.x >= size.z;
+        bool y_first = !x_first && size.y >= size.z;
+        float along = x_first ? from_light.x : y_first ? from_light.y : from_light.z;
+        uint face = (x_first ? 0u : y_first ? 2u : 4u) + (along < 0.0 ? 1u : 0u);
+        place.right = x_first ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+        place.down = y_first ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0);
+        place.along_m = abs(along);
+        place.first_texel += face * shadow.size * shadow.size;
+    } else {
+        place.right = shadow.right;
+        place.down = shadow.down;
+        place.along_m = dot(from_light, shadow.along);
+    }
+    vec2 side = vec2(dot(from_light, place.right), dot(from_light, place.down));
+    place.texel = (0.5 * shadow.scale / max(place.along_m, 1e-9) * side + 0.5) * float(shadow.size) - 0.5;
+    return place;
+}
+
+// Size of a texel at a distance of 1 from the light.
+float texel_width(LocalShadow shadow)
+{
+    return 2.0 / (shadow.scale * float(shadow.size));
+}
+
+float local_depth_at(LocalShadow shadow, uint first_texel, ivec2 texel)
+{
+    ivec2 inside = clamp(texel, ivec2(0), ivec2(shadow.size) - 1);
+    return texelFetch(local_maps, int(first_texel + uint(inside.y) * shadow.size + uint(inside.x))).x;
+}
+
+// How far a receiver is lifted along its normal. All texels that a lookup compares with lie within one texel
+// of it, in either direction; over them the distance of its own plane from the light, along the axis of the
+// map, varies by just as much as a lift of texel * (|n.right| + |n.down|) makes up for. The rest is for
+// rounding and for normals that are smoother than the surface.
+float lift_m(MapPlace place, LocalShadow shadow, vec3 normal)
+{
+    float texel_m = texel_width(shadow) * max(place.along_m, 0.0);
+    return texel_m * (0.3 + 1.25 * (abs(dot(normal, place.right)) + abs(dot(normal, place.down))));
+}
+
+// Four comparisons about a place in a map, blended as a bilinear lookup would (Reeves et al. 1987). 1 where
+// the map does not look.
+float compare_at(LocalShadow shadow, MapPlace place)
+{
+    float last = float(shadow.size - 1u);
+    if (place.along_m <= shadow.near_m || any(lessThan(place.texel, vec2(0.0))) ||
+        any(greaterThan(place.texel, vec2(last)))) {
+        return 1.0;
+    }
+    ivec2 corner = ivec2(floor(place.texel));
+    vec2 f = place.texel - vec2(corner);
+    float nearer_m = max(place.along_m * (1.0 - 0.5 * texel_width(shadow)), shadow.near_m);
+    float receiver = shadow.near_m / nearer_m;
+    vec4 blocker = vec4(local_depth_at(shadow, place.first_texel, corner),
+                        local_depth_at(shadow, place.first_texel, corner + ivec2(1, 0)),
+                        local_depth_at(shadow, place.first_texel, corner + ivec2(0, 1)),
+                        local_depth_at(shadow, place.first_texel, corner + ivec2(1, 1)));
+    vec4 lit = vec4(greaterThanEqual(vec4(receiver), blocker));
+    return mix(mix(lit.x, lit.y, f.x), mix(lit.z, lit.w, f.x), f.y);
+}
+
+// The map's place of a point that is lifted off its plane: on the way to the light, which leaves it its texel
+// and its shadow their place; but by no more than a fifth of that way, and the rest along the normal.
+MapPlace lifted_place(LocalShadow shadow, vec3 from_light, vec3 normal)
+{
+    float lift = lift_m(map_place(shadow, from_light), shadow, normal);
+    float height_m = max(-dot(normal, from_light), 1e-9);
+    float on_the_way_m = min(lift, 0.2 * height_m);
+    MapPlace place = map_place(shadow, from_light + normal * (lift - on_the_way_m));
+    place.along_m *= 1.0 - on_the_way_m / height_m;
+    return place;
+}
+
+// Share of a local light at `light_position` that arrives at a point of anchor space.
+float local_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
+{
+    return compare_at(shadow, lifted_place(shadow, point - light_position, normal));
+}
+
+// A disc about a receiver, square to the way from the light. What a tap of it compares with is the receiver's
+// plane, but nothing farther away than the disc: what lies behind cannot stand before the light.
+struct LampDisc {
+    vec3 from_light;
+    vec3 right;
+    vec3 down;
+    vec3 normal;
+};
+
+LampDisc lamp_disc(vec3 from_light, vec3 normal)
+{
+    vec3 along = normalize(from_light);
+    vec3 right = normalize(abs(along.y) < 0.9 ? vec3(along.z, 0.0, -along.x) : vec3(0.0, along.z, -along.y));
+    return LampDisc(from_light, right, cross(along, right), normal);
+}
+
+// How much nearer to the light, as a factor, the receiver's plane is there than the disc.
+float nearer_by(LampDisc disc, vec3 on_disc)
+{
+    float height = min(dot(disc.normal, disc.from_light), -1e-9);
+    return height / min(dot(disc.normal, on_disc), height);
+}
+
+// What a point of the disc sees of the map: how far along the way to it something stands, as a share of that
+// way, and whether that stands before the receiver's plane.
+struct Blocker {
+    float share;
+    bool blocks;
+};
+
+// `aside` is a place on the disc; the texel is the one next to `shift` texels beside it.
+Blocker blocker_at(LocalShadow shadow, LampDisc disc, vec2 aside, vec2 shift)
+{
+    vec3 on_disc = disc.from_light + disc.right * aside.x + disc.down * aside.y;
+    float factor = nearer_by(disc, on_disc);
+    vec3 receiver = on_disc * factor;
+    MapPlace place = map_place(shadow, receiver);
+    vec2 texel = floor(place.texel + shift + 0.5);
+    bool inside = place.along_m > shadow.near_m && all(greaterThanEqual(texel, vec2(0.0))) &&
+                  all(lessThan(texel, vec2(shadow.size)));
+    float depth = local_depth_at(shadow, place.first_texel, ivec2(texel));
+    float blocker_m = shadow.near_m / max(depth, 1e-9);
+    // Lifted on the way to the light, as in lifted_place().
+    float height_m = max(-dot(disc.normal, receiver), max(-dot(disc.normal, disc.from_light), 1e-9));
+    float lifted_m = place.along_m * (1.0 - lift_m(place, shadow, disc.normal) / height_m);
+    return Blocker(clamp(blocker_m / max(place.along_m, 1e-9) * factor, 1e-6, 0.99999),
+                   inside && depth > 0.0 && blocker_m < lifted_m * (1.0 - 0.5 * texel_width(shadow)));
+}
+
+// Half the breadth in metres, on the disc, of the penumbrae that a point lies in or next to; 0 where there
+// are none.
+struct Penumbra {
+    float mean_m;
+    float widest_m;
+};
+
+// Looks about for what stands before some part of the light (Fernando, "Percentage-Closer Soft Shadows",
+// 2005). What is nearer to its middle than twice its radius is overlooked.
+Penumbra local_penumbra(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal)
+{
+    const uint most_taps = 40u;
+    LampDisc disc = lamp_disc(point - light_position, normal);
+    float distance_m = length(disc.from_light);
+    float reach_m = max(0.5 * distance_m - shadow.radius_m, 0.0);
+    float texel_m = texel_width(shadow) * distance_m;
+    uint count = shadow.radius_m > 0.0 ? most_taps : 0u;
+    float sum = 0.0;
+    float found = 0.0;
+    float widest_m = 0.0;
+    for (uint i = 0u; i < count; ++i) {
+        // Dense about the middle, where far blockers show.
+        vec2 aside = reach_m * spiral(i, most_taps, 4.0);
+        Blocker blocker = blocker_at(shadow, disc, aside, vec2(0.0));
+        float half_breadth_m = shadow.radius_m * (1.0 / blocker.share - 1.0);
+        bool counts = blocker.blocks && length(aside) <= half_breadth_m + texel_m;
+        sum += counts ? half_breadth_m : 0.0;
+        found += counts ? 1.0 : 0.0;
+        // Between taps there may be some of what stands farther aside.
+        bool is_near = blocker.blocks && length(aside) <= 2.0 * half_breadth_m + texel_m;
+        widest_m = is_near ? max(widest_m, half_breadth_m) : widest_m;
+    }
+    return Penumbra(sum / max(found, 1.0), widest_m);
+}
+
+// The bits of the rings of the light, all of one area, that lie within a radius; 1 is that of the light.
+uint rings_within(float radius)
+{
+    uint count = uint(32.0 * min(radius * radius, 1.0) + 0.5);
+    return count >= 32u ? ~0u : (1u << count) - 1u;
+}
+
+const uint lamp_directions = 24u;
+
+// The rings of the light that are hidden along one direction from its middle. Seen from the receiver through
+// a place on the disc, a blocker at a share s of the way hides the light at s / (1 - s) of that place's
+// distance from the middle, on the other side; what hangs together between two places hides all between the
+// two. After Guennebaud, Barthe and Paulin, "Real-Time Soft Shadow Mapping by Backprojection", 2006, and for
+// the bits Schwarz and Stamminger, "Bitmask Soft Shadows", 2007.
+uint hidden_rings(LocalShadow shadow, LampDisc disc, float radius_m, float widest_m, uint direction)
+{
+    const uint count = 6u;
+    float k = float(direction);
+    float angle = 6.2831853 / float(lamp_directions) * (k + 0.5);
+    vec2 way = vec2(cos(angle), sin(angle));
+    // Other places and other texels in each direction.
+    float first = fract(0.61803399 * k);
+    vec2 shift = fract(k * vec2(0.7548777, 0.5698403)) - 0.5;
+    float inner_m = 0.0;
+    float last = 0.0;
+    bool blocked = false;
+    uint rings = 0u;
+    for (uint i = 0u; i < count; ++i) {
+        vec2 part = (vec2(float(i), float(i) + 0.5) + first) / float(count);
+        vec2 away_m = widest_m * part * sqrt(part);
+        Blocker blocker = blocker_at(shadow, disc, way * away_m.x, shift);
+        // What begins to hide may stand lower by a texel.
+        float height = 1.0 - blocker.share;
+        float least_height = max(height - texel_width(shadow), 1e-6);
+        float inner = blocker.share * inner_m / (least_height * radius_m);
+        float outer = max(blocker.share * away_m.y / (height * radius_m), inner);
+        uint hidden = rings_within(blocked ? max(outer, last) : outer) &
+                      ~rings_within(blocked ? min(inner, last) : inner);
+        rings |= blocker.blocks ? hidden : 0u;
+        blocked = blocker.blocks;
+        last = outer;
+        inner_m = away_m.y;
+    }
+    return rings;
+}
+
+// Share that arrives of a light, of `radius_m`, where penumbrae are `widest_m` to either side on the disc.
+float local_soft_visibility(LocalShadow shadow, vec3 light_position, vec3 point, vec3 normal, float radius_m,
+                            float widest_m)
+{
+    LampDisc disc = lamp_disc(point - light_position, normal);
+    // Somewhat more than was found, as taps may have missed the widest; and a texel at least.
+    float reach_m = max(1.1 * widest_m, texel_width(shadow) * length(disc.from_light));
+    uint directions = widest_m > 0.0 ? lamp_directions : 0u;
+    uint hidden = 0u;
+    for (uint k = 0u; k < directions; ++k) {
+        hidden += uint(bitCount(hidden_rings(shadow, disc, radius_m, reach_m, k)));
+    }
+    return directions > 0u ? 1.0 - float(hidden) / float(32u * lamp_directions)
+                           : compare_at(shadow, lifted_place(shadow, disc.from_light, normal));
+}
+
+#endif
