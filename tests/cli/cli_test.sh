@@ -209,7 +209,9 @@ expect_printed 'bounds  *(-\{0,1\}0, -1, 0) to (2, -\{0,1\}0, 3) m'
 # Through a pipe
 expect_success info - --input-format obj <z.obj
 expect_printed '(0, 0, 0) to (1, 2, 3)'
-expect_error 1 'standard input: does not tell its format; give --input-format' info - <z.obj
+expect_success info - <z.obj
+expect_printed '(0, 0, 0) to (1, 2, 3)'
+expect_error 1 'standard input: does not tell its format; give --input-format' info - <<<'OFF'
 expect_error 1 'standard input: is empty' info - </dev/null
 expect_error 1 '--input-format is for scenes that come through a pipe' info z.obj --input-format obj
 expect_success info - <scene.glb
