@@ -173,7 +173,8 @@ contour::ContourInputs contour_inputs(const Making& making, const PosedScene& sc
             .line_looks = plan.looks.has_several()
                               ? std::optional(gpu::import_whole(making.graph, "line looks",
                                                                 making.resources.line_looks))
-                              : std::nullopt};
+                              : std::nullopt,
+            .line_hiders = screen.line_hiders};
 }
 
 gpu::ImageId add_lines(const Making& making, const contour::ContourInputs& in)

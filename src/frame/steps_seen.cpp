@@ -22,6 +22,24 @@ bool wants_cluster_bounds(const Making& making)
             making.layout.opaque.count >= plan.tuning.clusters_from);
 }
 
+/// What lies behind thick clear bodies, where there are such, for colour and for lines.
+void add_backgrounds(const Making& making, const PosedScene& scene, SeenThrough& screen)
+{
+    const std::optional<SubsurfacePlan>& plan = making.plan.subsurface;
+    if (!plan || plan->clear.empty()) {
+        return;
+    }
+    const raster::View view = eye_view(making);
+    screen.background =
+        raster::add_visibility(making.graph, "subsurface/background", scene.meshes, plan->others, view);
+    if (plan->lines_show) {
+        screen.line_hiders = screen.background;
+    } else if (!plan->line_hiders.empty()) {
+        screen.line_hiders =
+            raster::add_visibility(making.graph, "contour/hiders", scene.meshes, plan->line_hiders, view);
+    }
+}
+
 } // namespace
 
 Few<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground)
@@ -189,8 +207,12 @@ screen::ScreenInputs screen_inputs(const Making& making, const PosedScene& scene
 SeenThrough add_screen(const Making& making, const PosedScene& scene, gpu::BufferId visibility)
 {
     const pose::MeshData& layout = making.layout;
+    const auto with_backgrounds = [&](SeenThrough seen) {
+        add_backgrounds(making, scene, seen);
+        return seen;
+    };
     if (layout.blended.count == 0) {
-        return {.images = screen::add_no_screen(making.graph), .layers = {}};
+        return with_backgrounds({.images = screen::add_no_screen(making.graph), .layers = {}});
     }
     const screen::ScreenStyle& style = making.style.screen;
     const uint32_t most =
@@ -203,7 +225,8 @@ SeenThrough add_screen(const Making& making, const PosedScene& scene, gpu::Buffe
     if (making.plan.raster.on_processor) {
         inputs.tiles = raster::add_seen_tiles(making.graph, "screen", layers.front(), making.sample.size_px);
     }
-    return {.images = screen::add_screen(making.graph, inputs), .layers = layers, .is_there = true};
+    return with_backgrounds(
+        {.images = screen::add_screen(making.graph, inputs), .layers = layers, .is_there = true});
 }
 
 } // namespace estampe::frame

@@ -21,12 +21,11 @@ gpu::ImageId add_painted(const Making& making, const PosedScene& scene, gpu::Buf
 }
 
 gpu::ImageId add_behind(const Making& making, const PosedScene& scene, gpu::BufferId visibility,
-                        const surface::Surface& surface, const ShadowMaps& maps, const Colors& colors)
+                        const surface::Surface& surface, const ShadowMaps& maps, gpu::BufferId background,
+                        const Colors& colors)
 {
     gpu::Graph& graph = making.graph;
     const SubsurfacePlan& plan = *making.plan.subsurface;
-    const gpu::BufferId background =
-        raster::add_visibility(graph, "subsurface/background", scene.meshes, plan.others, eye_view(making));
     raster::View view = eye_view(making);
     view.cull_back_faces = false;
     const subsurface::BehindInputs inputs{
@@ -49,8 +48,8 @@ Colors add_seen_through(const Making& making, const PosedScene& scene, gpu::Buff
                         const surface::Surface& surface, const ShadowMaps& maps, const SeenThrough& screen,
                         Colors colors)
 {
-    if (making.plan.subsurface && !making.plan.subsurface->clear.empty()) {
-        colors.wash = add_behind(making, scene, visibility, surface, maps, colors);
+    if (screen.background) {
+        colors.wash = add_behind(making, scene, visibility, surface, maps, *screen.background, colors);
     }
     if (!screen.is_there || making.style.screen.mode != screen::Mode::sorted) {
         return colors;
