@@ -71,6 +71,9 @@ Scene load_file_of(const DrawOptions& draw)
     try {
         Scene scene = load_scene(file, draw.load);
         std::ranges::transform(scene.warnings, scene.warnings.begin(), typed);
+        if (file != draw.scene && !scene.missing_files.empty()) {
+            scene.warnings.push_back(missing_beside_pipe(scene.missing_files, draw.scene));
+        }
         return scene;
     } catch (const Error& problem) {
         if (file == draw.scene) {

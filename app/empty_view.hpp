@@ -9,8 +9,9 @@
 
 namespace estampe::app {
 
-/// Warns when nothing of the scene can be in the picture that `camera` takes of it, unless the program placed
-/// the camera.
+/// Warns when nothing of the scene can be in the picture that `camera` takes of it: nothing is in view, or
+/// only backs of one-sided surfaces are, as from inside a solid. Does nothing when the program placed the
+/// camera.
 void warn_of_empty_view(const DrawOptions& draw, const Scene& scene, Index animation, const Camera& camera);
 
 /// Warns when that is so at all of these moments of a film.

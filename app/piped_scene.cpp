@@ -21,6 +21,7 @@
 #include <fmt/ranges.h>
 
 #include "core/file.hpp"
+#include "sniffed_format.hpp"
 #include "text.hpp"
 
 namespace estampe::app {
@@ -162,7 +163,6 @@ struct Beginning {
 
 Beginning copy_to(int from, const fs::path& file, const std::string& scene, uint64_t most_bytes)
 {
-    constexpr size_t beginning_bytes = 4096;
     constexpr mode_t for_owner = 0600;
     const Descriptor to(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, for_owner));
     std::vector<char> buffer(size_t{1} << 20U);
@@ -174,7 +174,7 @@ Beginning copy_to(int from, const fs::path& file, const std::string& scene, uint
                  "save the scene as a file, and give its name");
         }
         const std::string_view bytes(buffer.data(), count);
-        beginning.text += bytes.substr(0, beginning_bytes - std::min(beginning_bytes, beginning.text.size()));
+        beginning.text += bytes.substr(0, sniffed_bytes - std::min(sniffed_bytes, beginning.text.size()));
         write_all(to.number(), bytes, file);
     }
     return beginning;
@@ -218,6 +218,13 @@ std::unique_ptr<Received> receive(const std::string& scene, const std::string& f
     return received;
 }
 
+void replace_all(std::string& text, const std::string& from, const std::string& to)
+{
+    for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+        text.replace(at, from.size(), to);
+    }
+}
+
 /// All that was received in this run, by the name that was typed.
 struct Memory {
     std::mutex guard;
@@ -248,38 +255,6 @@ bool is_piped(const std::string& scene)
            (S_ISFIFO(facts.st_mode) || S_ISCHR(facts.st_mode) || S_ISSOCK(facts.st_mode));
 }
 
-std::string_view sniffed_format(std::string_view beginning, uint64_t size_bytes)
-{
-    const auto holds = [&](std::string_view word) { return beginning.find(word) != std::string_view::npos; };
-    if (beginning.starts_with("glTF")) {
-        return "glb";
-    }
-    if (beginning.starts_with("ply\n") || beginning.starts_with("ply\r")) {
-        return "ply";
-    }
-    if (beginning.starts_with("Kaydara FBX Binary") || beginning.starts_with("; FBX")) {
-        return "fbx";
-    }
-    constexpr size_t stl_head_bytes = 84;
-    if (beginning.size() >= stl_head_bytes) {
-        uint32_t triangles = 0;
-        std::memcpy(&triangles, beginning.data() + stl_head_bytes - sizeof(triangles), sizeof(triangles));
-        constexpr uint64_t triangle_bytes = 50;
-        if (size_bytes == stl_head_bytes + triangle_bytes * triangles) {
-            return "stl";
-        }
-    }
-    if (beginning.starts_with("solid") && holds("facet")) {
-        return "stl";
-    }
-    const size_t first = beginning.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-    const std::string_view text = first == std::string_view::npos ? "" : beginning.substr(first);
-    if (text.starts_with('{')) {
-        return "gltf";
-    }
-    return text.starts_with('<') && holds("<COLLADA") ? "dae" : "";
-}
-
 fs::path scene_file(const std::string& scene, const std::string& format, uint64_t most_bytes)
 {
     if (!is_piped(scene)) {
@@ -299,12 +274,21 @@ fs::path scene_file(const std::string& scene, const std::string& format, uint64_
 
 std::string with_typed_name(std::string text, const std::string& scene, const fs::path& file)
 {
-    const std::string path = file.string();
-    for (size_t at = text.find(path); !path.empty() && path != scene && at != std::string::npos;
-         at = text.find(path, at + 1)) {
-        text.replace(at, path.size(), name_of(scene));
+    if (file.empty() || file == scene) {
+        return text;
     }
+    replace_all(text, file.string(), name_of(scene));
+    replace_all(text, file.parent_path().string() + '/', ""); // what the scene names, as the scene names it
+    replace_all(text, "beside the scene's file", "into the current folder");
     return text;
+}
+
+std::string missing_beside_pipe(const std::vector<std::string>& files, const std::string& scene)
+{
+    return fmt::format(
+        "{}: a scene from a pipe has no folder of its own: {}{} looked for in the current folder",
+        name_of(scene), shortened(files.front()),
+        files.size() == 1 ? " was" : fmt::format(" and {} more were", files.size() - 1));
 }
 
 void remove_piped_scenes()

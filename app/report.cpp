@@ -2,6 +2,8 @@
 #include "report.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -77,6 +79,26 @@ Json scene_json(const SceneSummary& summary, const Scene& scene, const std::stri
     return json;
 }
 
+/// Four digits of the longest side's length, and as many more as its place takes to the same step: far from
+/// the origin four digits of a place would swallow the box.
+std::string in_words(const Bounds& bounds)
+{
+    constexpr int digits_of_side = 4;
+    const glm::dvec3 sides = bounds.max - bounds.min;
+    const double longest = std::max({sides.x, sides.y, sides.z});
+    const auto in_digits = [longest](double place) {
+        const bool is_far = longest > 0.0 && std::abs(place) > longest;
+        const double more =
+            is_far ? std::floor(std::log10(std::abs(place))) - std::floor(std::log10(longest)) : 0.0;
+        const int digits = digits_of_side + static_cast<int>(more);
+        return fmt::format("{:.{}g}", place, std::min(digits, std::numeric_limits<double>::max_digits10));
+    };
+    const auto place = [&](const glm::dvec3& corner) {
+        return fmt::format("({}, {}, {})", in_digits(corner.x), in_digits(corner.y), in_digits(corner.z));
+    };
+    return fmt::format("{} to {}", place(bounds.min), place(bounds.max));
+}
+
 std::string listed(const std::vector<std::string>& names)
 {
     return names.empty() ? "none" : one_line(fmt::format("{}", fmt::join(names, ", ")));
@@ -97,10 +119,7 @@ std::string scene_text(const SceneSummary& summary, const Scene& scene, const st
     if (summary.bounds.empty()) {
         return text + fmt::format("  {:<18} empty\n", "bounds");
     }
-    const glm::dvec3& low = summary.bounds.min;
-    const glm::dvec3& high = summary.bounds.max;
-    return text + fmt::format("  {:<18} ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) m\n", "bounds",
-                              low.x, low.y, low.z, high.x, high.y, high.z);
+    return text + fmt::format("  {:<18} {} m\n", "bounds", in_words(summary.bounds));
 }
 
 std::string timings_json(const TimingReport& report, double passes_ms)

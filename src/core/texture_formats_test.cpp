@@ -304,6 +304,61 @@ TEST(TextureFormats, TiffAlphaStaysStraight)
     EXPECT_EQ(at(multiplied, 0, 1), (Pixel{1, 2, 3, 255}));
 }
 
+/// The rows of floating-point numbers as a TIFF.
+template <class Number>
+std::string float_tiff(const std::vector<Number>& numbers, int photometric, int compression,
+                       const char* mode = "wl", int extra_kind = -1)
+{
+    return tiff(
+        [&](TIFF* file) {
+            set_samples(file, static_cast<int>(numbers.size() / 4), 8 * sizeof(Number), photometric,
+                        compression);
+            TIFFSetField(file, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
+            const auto kind = static_cast<uint16_t>(std::max(extra_kind, 0));
+            if (extra_kind >= 0)
+                TIFFSetField(file, TIFFTAG_EXTRASAMPLES, 1, &kind);
+            write_rows(file,
+                       {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)});
+        },
+        mode);
+}
+
+TEST(TextureFormats, FloatTiffIsLinearAndClamped)
+{
+    const std::vector<double> corners{1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
+    const std::vector<float> singles(corners.begin(), corners.end());
+    std::vector<uint16_t> halves;
+    for (const double value : corners)
+        halves.push_back(value > 0.0 ? 0x3c00 : 0);
+    for (const char* const mode : {"wl", "wb"})
+        for (const int compression : {COMPRESSION_NONE, COMPRESSION_LZW, COMPRESSION_ADOBE_DEFLATE}) {
+            expect_four(decode(float_tiff(corners, PHOTOMETRIC_RGB, compression, mode)));
+            expect_four(decode(float_tiff(singles, PHOTOMETRIC_RGB, compression, mode)));
+            expect_four(decode(float_tiff(halves, PHOTOMETRIC_RGB, compression, mode)));
+        }
+    const float not_a_number = std::numeric_limits<float>::quiet_NaN();
+    const Image grey = decode(
+        float_tiff<float>({0.2158605F, 7.0F, -1.0F, not_a_number}, PHOTOMETRIC_MINISBLACK, COMPRESSION_NONE));
+    EXPECT_EQ(at(grey, 0, 0), (Pixel{128, 128, 128, 255})) << "the linear value of 128";
+    EXPECT_EQ(at(grey, 1, 0), (Pixel{255, 255, 255, 255}));
+    EXPECT_EQ(at(grey, 0, 1), (Pixel{0, 0, 0, 255}));
+    EXPECT_EQ(at(grey, 1, 1), (Pixel{0, 0, 0, 255}));
+    expect_refused_when_cut(float_tiff(singles, PHOTOMETRIC_RGB, COMPRESSION_NONE));
+}
+
+TEST(TextureFormats, FloatTiffHasStraightAlpha)
+{
+    const std::vector<float> pixels{1, 1, 1, 0.5F, 0, 0, 0, 0, 0.2158605F, 0, 1, 1, 0.1079302F, 0, 0, 0.5F};
+    const Image straight =
+        decode(float_tiff(pixels, PHOTOMETRIC_RGB, COMPRESSION_NONE, "wl", EXTRASAMPLE_UNASSALPHA));
+    EXPECT_EQ(at(straight, 0, 0), (Pixel{255, 255, 255, 128}));
+    EXPECT_EQ(at(straight, 1, 0), (Pixel{0, 0, 0, 0}));
+    EXPECT_EQ(at(straight, 0, 1), (Pixel{128, 0, 255, 255}));
+    const Image multiplied =
+        decode(float_tiff(pixels, PHOTOMETRIC_RGB, COMPRESSION_NONE, "wl", EXTRASAMPLE_ASSOCALPHA));
+    EXPECT_EQ(at(multiplied, 1, 1), (Pixel{128, 0, 0, 128})) << "divided by its alpha";
+}
+
 TEST(TextureFormats, CutAndAbsurdTiffIsRefused)
 {
     const std::string whole = tiff([](TIFF* file) {

@@ -16,6 +16,7 @@
 #include <estampe/error.hpp>
 
 #include "core/new_image.hpp"
+#include "core/tiff_floats.hpp"
 
 namespace estampe {
 namespace {
@@ -179,6 +180,8 @@ Image decode_tiff(std::span<const std::byte> data, const std::string& name)
         throw Error(
             fmt::format("corrupt TIFF: {} x {} pixels cannot come from {} bytes", width, height, data.size()),
             name);
+    if (has_float_samples(tiff.get()))
+        return decode_float_tiff(tiff.get(), width, height, name);
     const Alpha alpha = take_alpha(tiff.get());
     if (TIFFRGBAImageOK(tiff.get(), source.message) == 0)
         refuse("TIFF cannot be read");

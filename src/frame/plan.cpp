@@ -199,12 +199,24 @@ std::optional<SubsurfacePlan> plan_subsurface(const pose::MeshData& layout, cons
     }
     plan.bodies = runs_of(layout, looks, subsurface::shines);
     plan.clear = runs_of(layout, looks, subsurface::is_clear);
-    if (!plan.clear.empty()) {
-        plan.others = runs_of(layout, looks, std::not_fn(subsurface::is_clear));
+    const auto all_but = [&](bool (*is_left_out)(const subsurface::SubsurfaceStyle&)) {
+        std::vector<raster::Batch> runs = runs_of(layout, looks, std::not_fn(is_left_out));
         if (has_ground) {
-            plan.others.push_back({.first_triangle = layout.ground.first,
-                                   .triangle_count = layout.ground.count,
-                                   .plain = layout.ground.plain});
+            runs.push_back({.first_triangle = layout.ground.first,
+                            .triangle_count = layout.ground.count,
+                            .plain = layout.ground.plain});
+        }
+        return runs;
+    };
+    if (!plan.clear.empty()) {
+        plan.others = all_but(subsurface::is_clear);
+        const bool any_shows = std::ranges::any_of(
+            looks.styles, [](const StyleTables& style) { return subsurface::shows_lines(style.subsurface); });
+        plan.lines_show = std::ranges::all_of(looks.styles, [](const StyleTables& style) {
+            return subsurface::shows_lines(style.subsurface) || !subsurface::is_clear(style.subsurface);
+        });
+        if (any_shows && !plan.lines_show) {
+            plan.line_hiders = all_but(subsurface::shows_lines);
         }
     }
     return plan;

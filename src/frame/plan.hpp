@@ -78,6 +78,9 @@ struct SubsurfacePlan {
     std::vector<raster::Batch> bodies;         ///< that light comes through
     std::vector<raster::Batch> clear;          ///< that what lies behind is seen through
     std::vector<raster::Batch> others;         ///< where there are such, all else that is solid
+    std::vector<raster::Batch> line_hiders;    ///< where some clear bodies show lines behind them and some do
+                                               ///< not, all that is solid but the former
+    bool lines_show = false;                   ///< behind all clear bodies
     bool scatters = false;
 };
 

@@ -35,6 +35,8 @@ struct SeenThrough {
     screen::Screen images;             ///< one texel each where there is none
     std::vector<gpu::BufferId> layers; ///< visibility, the nearest first
     bool is_there = false;
+    std::optional<gpu::BufferId> background = {};  ///< visibility of what is solid but thick clear bodies
+    std::optional<gpu::BufferId> line_hiders = {}; ///< the same but for those that show lines behind them
 };
 
 struct ShadowMaps {
@@ -88,6 +90,7 @@ void add_motion(const FrameContext& context, const PosedScene& scene, gpu::Buffe
                                                  gpu::BufferId visibility,
                                                  const std::vector<gpu::BufferId>& layers);
 
+/// What see-through surfaces show, and what lies behind thick clear bodies.
 [[nodiscard]] SeenThrough add_screen(const FrameContext& context, const PosedScene& scene,
                                      gpu::BufferId visibility);
 

@@ -175,7 +175,8 @@ contour::ContourInputs contour_inputs(const FrameContext& context, const PosedSc
             .line_looks = plan.looks.has_several()
                               ? std::optional(gpu::import_whole(context.graph, "line looks",
                                                                 context.features.lines.looks()))
-                              : std::nullopt};
+                              : std::nullopt,
+            .line_hiders = screen.line_hiders};
 }
 
 gpu::ImageId add_lines(const FrameContext& context, const contour::ContourInputs& in)

@@ -22,6 +22,24 @@ bool wants_cluster_bounds(const FrameContext& context)
             context.loaded.layout.opaque.count >= plan.tuning.clusters_from);
 }
 
+/// What lies behind thick clear bodies, where there are such, for colour and for lines.
+void add_backgrounds(const FrameContext& context, const PosedScene& scene, SeenThrough& screen)
+{
+    const std::optional<SubsurfacePlan>& plan = context.plan.subsurface;
+    if (!plan || plan->clear.empty()) {
+        return;
+    }
+    const raster::View view = eye_view(context);
+    screen.background =
+        raster::add_visibility(context.graph, "subsurface/background", scene.meshes, plan->others, view);
+    if (plan->lines_show) {
+        screen.line_hiders = screen.background;
+    } else if (!plan->line_hiders.empty()) {
+        screen.line_hiders =
+            raster::add_visibility(context.graph, "contour/hiders", scene.meshes, plan->line_hiders, view);
+    }
+}
+
 } // namespace
 
 Few<raster::Batch, 3> solid_batches(const pose::MeshData& layout, bool with_ground)
@@ -181,8 +199,12 @@ screen::ScreenInputs screen_inputs(const FrameContext& context, const PosedScene
 SeenThrough add_screen(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility)
 {
     const pose::MeshData& layout = context.loaded.layout;
+    const auto with_backgrounds = [&](SeenThrough seen) {
+        add_backgrounds(context, scene, seen);
+        return seen;
+    };
     if (layout.blended.count == 0) {
-        return {.images = screen::add_no_screen(context.graph), .layers = {}};
+        return with_backgrounds({.images = screen::add_no_screen(context.graph), .layers = {}});
     }
     const screen::ScreenStyle& style = context.style.screen;
     const uint32_t most =
@@ -196,7 +218,8 @@ SeenThrough add_screen(const FrameContext& context, const PosedScene& scene, gpu
         inputs.tiles =
             raster::add_seen_tiles(context.graph, "screen", layers.front(), context.sample.size_px);
     }
-    return {.images = screen::add_screen(context.graph, inputs), .layers = layers, .is_there = true};
+    return with_backgrounds(
+        {.images = screen::add_screen(context.graph, inputs), .layers = layers, .is_there = true});
 }
 
 } // namespace estampe::frame

@@ -21,12 +21,11 @@ gpu::ImageId add_painted(const FrameContext& context, const PosedScene& scene, g
 }
 
 gpu::ImageId add_behind(const FrameContext& context, const PosedScene& scene, gpu::BufferId visibility,
-                        const surface::Surface& surface, const ShadowMaps& maps, const Colors& colors)
+                        const surface::Surface& surface, const ShadowMaps& maps, gpu::BufferId background,
+                        const Colors& colors)
 {
     gpu::Graph& graph = context.graph;
     const SubsurfacePlan& plan = *context.plan.subsurface;
-    const gpu::BufferId background =
-        raster::add_visibility(graph, "subsurface/background", scene.meshes, plan.others, eye_view(context));
     raster::View view = eye_view(context);
     view.cull_back_faces = false;
     const subsurface::BehindInputs inputs{
@@ -49,8 +48,8 @@ Colors add_seen_through(const FrameContext& context, const PosedScene& scene, gp
                         const surface::Surface& surface, const ShadowMaps& maps, const SeenThrough& screen,
                         Colors colors)
 {
-    if (context.plan.subsurface && !context.plan.subsurface->clear.empty()) {
-        colors.wash = add_behind(context, scene, visibility, surface, maps, colors);
+    if (screen.background) {
+        colors.wash = add_behind(context, scene, visibility, surface, maps, *screen.background, colors);
     }
     if (!screen.is_there || context.style.screen.mode != screen::Mode::sorted) {
         return colors;

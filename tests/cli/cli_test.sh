@@ -209,7 +209,9 @@ expect_printed 'bounds  *(-\{0,1\}0, -1, 0) to (2, -\{0,1\}0, 3) m'
 # Through a pipe
 expect_success info - --input-format obj <z.obj
 expect_printed '(0, 0, 0) to (1, 2, 3)'
-expect_error 1 'standard input: does not tell its format; give --input-format' info - <z.obj
+expect_success info - <z.obj
+expect_printed '(0, 0, 0) to (1, 2, 3)'
+expect_error 1 'standard input: does not tell its format; give --input-format' info - <<<'OFF'
 expect_error 1 'standard input: is empty' info - </dev/null
 expect_error 1 '--input-format is for scenes that come through a pipe' info z.obj --input-format obj
 expect_success info - <scene.glb
@@ -329,6 +331,8 @@ expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=0,50,0 targ
 ! grep -q 'sees nothing' ../"$name".err || wrong "a camera above the scene sees it: $(cat ../"$name".err)"
 expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=0,50,0 target=0,90,0 fov=40'
 grep -q '^estampe: warning: .*sees nothing of the scene; --camera auto' ../"$name".err || wrong "nothing said of an empty view"
+expect_success render scene.glb -o b.png "${small[@]}" --camera 'eye=-1.6,0.3,-11.5 target=-1.2,9,-10.5 fov=10'
+grep -q '^estampe: warning: .*stands inside "drum", whose one-sided' ../"$name".err || wrong "nothing said of a view from inside"
 expect_success graph scene.glb -o frame.dot "${small[@]}"
 grep -q digraph frame.dot || wrong "frame.dot is no graph"
 "$estampe" styles | while read -r preset _; do

@@ -308,5 +308,28 @@ TEST_F(FbxScene, HiddenModelsAreHidden)
     EXPECT_FALSE(shown(whole("Show", 0)));
 }
 
+TEST_F(FbxScene, VisibilityIsInheritedAndShowIsNot)
+{
+    // The child stands 100 m aside: its bounds tell whether it is shown.
+    const auto child_is_shown = [this](const std::string& parent, const std::string& child,
+                                       const std::string& between = "") {
+        File file = tetrahedron(number("UnitScaleFactor", 100.0), parent);
+        file.add_model(20, "between", "Null", between, 10);
+        file.add_model(30, "child", "Mesh", vector("Lcl Translation", 100, 0, 0) + child, 20);
+        file.add_tetrahedron(31, 30);
+        const Scene scene = load(file);
+        const Bounds bounds = scene_bounds(scene, pose_scene(scene, 0.0));
+        return !bounds.empty() && bounds.max.x > 100.0;
+    };
+    EXPECT_TRUE(child_is_shown("", ""));
+    EXPECT_FALSE(child_is_shown(number("Visibility", 0), ""));
+    EXPECT_FALSE(child_is_shown(number("Visibility", 0), number("Visibility", 1)));
+    EXPECT_TRUE(child_is_shown(number("Visibility", 0), whole("VisibilityInheritance", 0)));
+    EXPECT_TRUE(child_is_shown(number("Visibility", 0), "", whole("VisibilityInheritance", 0)));
+    EXPECT_FALSE(child_is_shown("", "", number("Visibility", 0)));
+    EXPECT_TRUE(child_is_shown(whole("Show", 0), "")) << "Show hides the model alone";
+    EXPECT_TRUE(child_is_shown("", "", whole("Show", 0)));
+}
+
 } // namespace
 } // namespace estampe

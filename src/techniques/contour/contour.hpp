@@ -45,6 +45,8 @@ struct ContourInputs {
     glm::uvec2 size_px{0};
     std::optional<gpu::BufferId> look_of_draw; ///< where surfaces differ: r32ui texels
     std::optional<gpu::BufferId> line_looks;   ///< then, LineLook of each look; chains alone heed them
+    /// Visibility of what hides lines of chains, where that is not all that is solid: clear glass does not.
+    std::optional<gpu::BufferId> line_hiders;
 };
 
 /// How far off the seeds lie that the lines at a pixel hang on, where lines are found between pixels.

@@ -168,6 +168,12 @@ bool is_clear(const SubsurfaceStyle& style)
     return style.drawn && style.behind > 0.0F;
 }
 
+bool shows_lines(const SubsurfaceStyle& style)
+{
+    constexpr float least_behind = 0.5F;
+    return is_clear(style) && style.behind >= least_behind;
+}
+
 uint32_t reach_px(const SubsurfaceStyle& style, float pixels_per_mm)
 {
     const bool has_reach = (scatters(style) && style.space == Space::page) || is_clear(style);

@@ -143,7 +143,7 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
 {
     ChainInputs inputs{.frame = in.frame,
                        .posed_vertices = in.posed_vertices,
-                       .visibility = in.visibility,
+                       .visibility = in.line_hiders.value_or(in.visibility),
                        .neighbors = gpu::import_whole(graph, "line neighbors", mesh.neighbors),
                        .line_triangles = gpu::import_whole(graph, "line triangles", mesh.triangles),
                        .suggestive_cut = {style.suggestive_growth, style.suggestive_deg},
@@ -155,7 +155,11 @@ ChainInputs chain_inputs(gpu::Graph& graph, const ContourInputs& in, LineMesh& m
                        .size_px = in.size_px,
                        .on_processor = in.on_processor};
     if (in.sun) {
-        inputs.sun = SunPixels{.share = *in.sun, .draw = in.draw, .depth = in.depth, .normal = in.normal};
+        inputs.sun = SunPixels{.share = *in.sun,
+                               .visibility = in.visibility,
+                               .draw = in.draw,
+                               .depth = in.depth,
+                               .normal = in.normal};
     }
     return inputs;
 }

@@ -68,7 +68,8 @@ struct ShapedStrokes {
 
 /// What edges of the sun's shadow are found by.
 struct SunPixels {
-    gpu::ImageId share; ///< of the sun that is seen; negative where none can be
+    gpu::ImageId share;       ///< of the sun that is seen; negative where none can be
+    gpu::BufferId visibility; ///< of all that is solid: shadows fall on clear glass too
     gpu::ImageId draw;
     gpu::ImageId depth;
     gpu::ImageId normal;
@@ -78,8 +79,8 @@ struct SunPixels {
 struct ChainInputs {
     gpu::BufferId frame;
     gpu::BufferId posed_vertices;
-    gpu::BufferId visibility;
-    gpu::BufferId neighbors; ///< of the line mesh, as its triangles
+    gpu::BufferId visibility; ///< of what hides lines
+    gpu::BufferId neighbors;  ///< of the line mesh, as its triangles
     gpu::BufferId line_triangles;
     SuggestiveCut suggestive_cut;    ///< of no use where the line mesh has no bendings
     std::optional<CrestMesh> crests; ///< lines are wanted along them

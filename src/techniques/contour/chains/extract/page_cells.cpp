@@ -104,7 +104,9 @@ void add_cell_segments(gpu::Graph& graph, const ChainInputs& in, const PageLines
 {
     auto emit = graph.compute("contour/emit cells", shaders::emit_cells_comp);
     emit.uniform(in.frame).sample(in.line_triangles).sample(in.posed_vertices);
-    emit.sample(in.visibility, gpu::Format::rg32ui).sample(lines.crossings, gpu::Format::rg32ui);
+    const bool of_shadows = lines.kind == shared::line_shadow;
+    emit.sample(of_shadows ? in.sun->visibility : in.visibility, gpu::Format::rg32ui);
+    emit.sample(lines.crossings, gpu::Format::rg32ui);
     emit.sample(list.marks, gpu::Format::r32ui).sample(list.marks_before, gpu::Format::r32ui);
     emit.read(list.sizes);
     list.segments = emit.modify(list.segments);

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Lines of what stands behind glass that a file calls transmissive.
+#include <gtest/gtest.h>
+
+#include "scene/shapes.hpp"
+#include "support/gpu_device.hpp"
+#include "support/scenes.hpp"
+
+namespace estampe {
+namespace {
+
+constexpr RenderSettings settings{.width = 240, .height = 120};
+const Camera camera{.eye = {0.0, 0.0, 8.0}, .target = {0.0, 0.0, 0.0}, .vertical_fov_rad = 0.5};
+
+/// What one pane is made of.
+struct Pane {
+    float share = 0.0F; ///< of what lies behind
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    float alpha = 1.0F;
+};
+
+/// Two balls side by side, and one pane before each.
+Scene balls_behind(const Pane& left, const Pane& right)
+{
+    Scene scene = test::scene_of(shapes::sphere(0.7F));
+    scene.nodes[0].transform.translation = {-1.6, 0.0, 0.0};
+    test::add_object(scene, shapes::sphere(0.7F), glm::vec3(1.0F), {1.6, 0.0, 0.0});
+    for (const auto& [pane, x] : {std::pair(left, -1.6), std::pair(right, 1.6)}) {
+        const Index node =
+            test::add_object(scene, shapes::box({2.4F, 2.4F, 0.1F}), glm::vec3(1.0F), {x, -1.2, 1.5});
+        Material& material = scene.materials[scene.meshes[scene.nodes[node].mesh].primitives[0].material];
+        material.metallic = 0.0F;
+        material.roughness = 0.0F;
+        material.alpha_mode = pane.alpha_mode;
+        material.base_color.w = pane.alpha;
+        if (pane.share > 0.0F) {
+            material.transmission = Transmission{.share = pane.share};
+        }
+    }
+    test::add_sun(scene, {1.0, 2.0, 1.5});
+    return scene;
+}
+
+Style lines_alone()
+{
+    Style style;
+    for (const char* const assignment :
+         {"paper.grain=0", "hatch.drawn=false", "wash.strength=0", "picture.ground=none",
+          "contour.outline_mm=1", "contour.pressure=0", "contour.taper_mm=0"}) {
+        style.set(assignment);
+    }
+    return style;
+}
+
+/// Dark pixels where the left and the right ball are, away from the edges of the panes.
+struct Ink {
+    int left = 0;
+    int right = 0;
+};
+
+Ink ink_of(const Scene& scene, const char* raster)
+{
+    RendererOptions options = test::validated();
+    options.raster = std::string(raster) == "compute" ? RasterPath::compute : RasterPath::hardware;
+    Renderer renderer(options);
+    renderer.set_scene(scene);
+    const Image image = renderer.render(camera, lines_alone(), settings);
+    Ink ink;
+    for (uint32_t y = 30; y < 90; ++y) {
+        for (uint32_t x = 0; x < settings.width; ++x) {
+            const bool is_dark = image.rgba[4 * (size_t{y} * settings.width + x)] < 200;
+            ink.left += is_dark && x > 45 && x < 100 ? 1 : 0;
+            ink.right += is_dark && x > 140 && x < 195 ? 1 : 0;
+        }
+    }
+    return ink;
+}
+
+TEST(GlassLines, WhatStandsBehindClearGlassHasItsLines)
+{
+    const Pane blended{.alpha_mode = AlphaMode::blend, .alpha = 0.1F};
+    const Pane clear{.share = 1.0F};
+    const Pane nearly_solid{.share = 0.3F};
+    for (const char* const raster : {"hardware", "compute"}) {
+        const Ink soft = ink_of(balls_behind(blended, blended), raster);
+        ASSERT_GT(soft.left, 60) << raster;
+        const double bound = 0.15 * soft.left; // each stroke strays by its own number
+        const Ink glass = ink_of(balls_behind(clear, clear), raster);
+        EXPECT_NEAR(glass.left, soft.left, bound) << raster;
+        EXPECT_NEAR(glass.right, soft.right, bound) << raster;
+        const Ink solid = ink_of(balls_behind({}, {}), raster);
+        EXPECT_EQ(solid.left + solid.right, 0) << raster;
+        const Ink mixed = ink_of(balls_behind(clear, nearly_solid), raster);
+        EXPECT_NEAR(mixed.left, soft.left, bound) << raster;
+        EXPECT_EQ(mixed.right, 0) << raster << ": little is seen of what lies behind";
+    }
+}
+
+TEST(GlassLines, StrokesAsPathsGoOnBehindGlass)
+{
+    const auto length_mm = [](const Pane& pane) {
+        Renderer& renderer = test::shared_renderer();
+        renderer.set_scene(balls_behind(pane, pane));
+        const VectorDrawing drawing =
+            renderer.draw_strokes(camera, lines_alone(), settings, HiddenLines::left_out);
+        double length = 0.0;
+        for (const VectorStroke& stroke : drawing.strokes) {
+            for (size_t i = 1; i < stroke.points.size(); ++i) {
+                length += glm::length(stroke.points[i].page_mm - stroke.points[i - 1].page_mm);
+            }
+        }
+        return length;
+    };
+    const double solid = length_mm({});
+    EXPECT_GT(length_mm({.share = 1.0F}), 1.2 * solid);
+    EXPECT_NEAR(length_mm({.share = 0.3F}), solid, 1e-3 * solid);
+}
+
+} // namespace
+} // namespace estampe
