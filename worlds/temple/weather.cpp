@@ -50,6 +50,7 @@ std::optional<WeatherKind> weather_named(std::string_view name)
 std::vector<std::string> weather_names()
 {
     std::vector<std::string> names;
+    names.reserve(kinds.size());
     for (const auto& [name, kind] : kinds) {
         names.emplace_back(name);
     }
