@@ -47,6 +47,7 @@ void run(const BakeCommand& command)
     draw.scene = command.scene;
     draw.input_format = command.input_format;
     draw.load.up = command.up;
+    draw.world = command.world;
     Scene scene = load_scene_of(draw);
     print_warnings(scene.warnings);
     LightmapBake bake(std::move(scene), command.style, command.settings);

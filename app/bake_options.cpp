@@ -55,10 +55,14 @@ void BakeOptions::add_to(CLI::App& app)
     CLI::App& command =
         *app.add_subcommand("bake", "Work out the light on what stands still, as a lightmap for render");
     command.footer(bake_examples);
-    command.add_option("SCENE", scene_, "Scene: .gltf .glb .obj .ply .stl .fbx .dae; - reads standard input")
+    command
+        .add_option(
+            "SCENE", scene_,
+            "Scene: .gltf .glb .obj .ply .stl .fbx .dae, or the name of a world;\n- reads standard input")
         ->required()
         ->type_name("FILE");
     input_.add_to(command);
+    world_.add_to(command, WorldOptions::Seed::is_left_out); // --seed is that of the noise
     command.add_option("-o,--output", output_, "NAME.exr")->required()->type_name("FILE");
     command.add_option("--size", settings_.size, "Side of the map in texels")
         ->type_name("N")
@@ -118,6 +122,7 @@ BakeCommand BakeOptions::read() const
     BakeCommand command{.scene = scene_,
                         .input_format = input_.format(),
                         .up = input_.up(),
+                        .world = world_.read(scene_),
                         .output = output_,
                         .style = read_style(style_, assignments_),
                         .settings = settings_,

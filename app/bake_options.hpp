@@ -6,6 +6,7 @@
 
 #include "options.hpp"
 #include "scene_options.hpp"
+#include "world_options.hpp"
 
 namespace CLI {
 class App;
@@ -26,6 +27,7 @@ public:
 private:
     std::string scene_;
     SceneOptions input_;
+    WorldOptions world_;
     std::string output_;
     std::string style_;
     std::vector<std::string> assignments_;

@@ -14,6 +14,7 @@
 #include "style/toml_words.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
+#include "world_options.hpp"
 
 namespace estampe::app {
 namespace {
@@ -25,11 +26,11 @@ using style::WordTable;
 const std::vector<std::string>& job_keys()
 {
     static const std::vector<std::string> keys{
-        "scene",     "output", "size",         "page",    "dpi",        "landscape", "camera",  "time",
-        "animation", "style",  "set",          "samples", "lightmap",   "tile",      "quality", "depth",
-        "layers",    "layer",  "motion",       "since",   "hidden",     "plotter",   "seed",    "terrain",
-        "frames",    "fps",    "turntable",    "resume",  "weather",    "hour",      "film",    "view",
-        "ortho",     "up",     "input-format", "variant", "transparent"};
+        "scene",     "output",       "size",      "page",       "dpi",      "landscape", "camera",  "time",
+        "animation", "style",        "set",       "samples",    "lightmap", "tile",      "quality", "depth",
+        "layers",    "layer",        "motion",    "since",      "hidden",   "plotter",   "seed",    "terrain",
+        "frames",    "fps",          "turntable", "resume",     "world",    "film",      "view",    "ortho",
+        "up",        "input-format", "variant",   "transparent"};
     return keys;
 }
 
@@ -45,12 +46,17 @@ void check_entry(const WordEntry& entry)
 {
     const std::vector<std::string>& keys = job_keys();
     if (std::ranges::find(keys, entry.key) == keys.end()) {
+        if (!world_option_as_typed(entry.key, "").empty()) {
+            throw Error(fmt::format("{} is an option of a world", in_quotes(entry.key)), entry.where,
+                        fmt::format("write world = \"{}=VALUE\"", entry.key));
+        }
         const std::string meant = style::nearest(entry.key, keys);
         throw Error(fmt::format("unknown key {}", in_quotes(entry.key)), entry.where,
                     meant.empty() ? "a job has the options of estampe render as keys"
                                   : fmt::format("did you mean {}?", in_quotes(meant)));
     }
-    if (entry.words.empty() || (entry.is_list && entry.key != "set" && !is_varied(entry.key))) {
+    if (entry.words.empty() ||
+        (entry.is_list && entry.key != "set" && entry.key != "world" && !is_varied(entry.key))) {
         throw Error(fmt::format("{} takes {}", in_quotes(entry.key),
                                 entry.words.empty() ? "at least one word" : "no list"),
                     entry.where);

@@ -34,7 +34,7 @@ A file of jobs has a table [[job]] for each picture, with the options of estampe
   set = ["hatch.width_mm=0.5", "paper.seed=7"]
 
   [[job]]                                  # 2 x 2 x 3 pictures
-  scene = ["fox.glb", "temple.glb"]
+  scene = ["fox.glb", "chapel.glb"]
   camera = ["auto", "eye=2,1,3 target=0,0.5,0"]
   style = ["comic", "engraving", "wash"]
   output = "out/{scene}-{camera}-{style}.png"

@@ -10,26 +10,27 @@ inline constexpr const char* examples = R"(Examples:
   estampe render helmet.gltf -o helmet.png --size 1920x1080 --samples 16
   estampe render fox.glb -o fox.png --animation Run --time 0.4
   estampe render bunny.obj -o bunny.png --camera "eye=2,1,3 target=0,0.5,0 fov=35"
-  estampe render temple.glb -o temple.png --style pencil --set hatch.width_mm=0.5
-  estampe render temple.glb -o temple.svg --plotter
+  estampe render chapel.glb -o chapel.png --style pencil --set hatch.width_mm=0.5
+  estampe render chapel.glb -o chapel.svg --plotter
   estampe render fox.glb -o fox.mp4 --animation Run --fps 30
   estampe render helmet.gltf -o 'frames/%04d.png' --turntable --frames 96
-  estampe render temple.glb -o temple.ora                          (layers, for Krita and GIMP)
-  estampe render temple.glb -o temple.exr --depth 32 --layers layers.exr
-  estampe render temple.glb -o - --format jpg --quality 85 | lp
-  estampe render temple.glb -o temple.png --page A4 --dpi 600
+  estampe render chapel.glb -o chapel.ora                          (layers, for Krita and GIMP)
+  estampe render chapel.glb -o chapel.exr --depth 32 --layers layers.exr
+  estampe render chapel.glb -o - --format jpg --quality 85 | lp
+  estampe render chapel.glb -o chapel.png --page A4 --dpi 600
   estampe render part.stl -o part.svg --up z --view isometric
   estampe render house.glb -o plan.svg --view top --ortho --page A3
   curl -s https://example.org/helmet.glb | estampe render - -o helmet.png
   estampe render fox.glb -o fox.png --time 0.4 --motion fox.exr --since 0.36
   estampe view helmet.gltf
   estampe info helmet.gltf --json
-  estampe render temple -o temple.png --camera court --style temple-day --seed 7
-  estampe render temple -o temple.mp4 --film --style temple-day
   estampe tam -o pen.tam --preview pen.png
   estampe bake room.glb -o room.exr
+)";
 
-Exit status: 0 done, 1 the job failed, 2 the command line is wrong.)";
+/// Below the examples of `render`.
+inline constexpr const char* exit_status =
+    "\nExit status: 0 done, 1 the job failed, 2 the command line is wrong.";
 
 inline constexpr const char* tam_examples = R"(Examples:
   estampe tam -o pen.tam --preview pen.png

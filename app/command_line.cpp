@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,11 +20,12 @@
 #include "options.hpp"
 #include "picture_options.hpp"
 #include "scene_options.hpp"
-#include "temple/weather.hpp"
 #include "text.hpp"
 #include "transparent_option.hpp"
 #include "usage_error.hpp"
 #include "viewer/keys.hpp"
+#include "world_options.hpp"
+#include "world_report.hpp"
 
 namespace estampe::app {
 namespace {
@@ -33,6 +36,7 @@ struct Typed {
     std::string output;
     PageOptions page;
     SceneOptions input;
+    WorldOptions world;
     TransparentOption transparent;
     std::string camera;
     std::string view;
@@ -59,9 +63,6 @@ struct Typed {
     bool schema = false;
     bool manual_page = false;
     bool completion = false;
-    uint64_t seed = 1;
-    std::string weather;
-    std::optional<float> hour;
     std::string terrain;
     std::string lightmap;
     std::string motion;
@@ -113,18 +114,7 @@ void add_look_options(CLI::App& command, Typed& typed)
     command.add_flag("--draft", typed.draft,
                      "Quicker and coarser: one layer of strokes, wide cells of ink and\nsmoke, small shadow "
                      "maps, fewer kinds of lines");
-    command
-        .add_option("--seed", typed.seed, "Of a scene that is made by chance: another number, another temple")
-        ->type_name("N")
-        ->capture_default_str();
-    command
-        .add_option("--weather", typed.weather,
-                    "Of the temple: calm, gusts, storm or tornado [it changes with\nthe time]")
-        ->type_name("NAME");
-    command
-        .add_option("--hour", typed.hour,
-                    "Of the temple's sun, 0 to 24 [that of its pictures; in a film it\ngoes on]")
-        ->type_name("H");
+    typed.world.add_to(command);
     command
         .add_option("--terrain", typed.terrain,
                     "Ground without an end that the scene is put on, as a terrain's\nTOML describes it")
@@ -150,8 +140,9 @@ CLI::Option& add_scene(CLI::App& command, Typed& typed)
 {
     return *command
                 .add_option("SCENE", typed.scene,
-                            "Scene: .gltf .glb .obj .ply .stl .fbx .dae, a terrain's .toml, or\n"
-                            "temple, a world that the program makes; - reads standard input")
+                            "Scene: .gltf .glb .obj .ply .stl .fbx .dae, a terrain's .toml, or the\n"
+                            "name of a world, which code makes (estampe info lists them); - reads\n"
+                            "standard input")
                 ->type_name("FILE");
 }
 
@@ -186,7 +177,7 @@ void add_render(CLI::App& app, Typed& typed, PictureOptions& picture, FilmOption
 {
     CLI::App& command =
         *app.add_subcommand("render", "Draw a scene and write it as a picture, or as SVG strokes");
-    command.footer(examples);
+    command.footer(examples + world_examples() + exit_status);
     add_draw_options(command, typed);
     picture.add_to(command);
     command.add_option("--samples", typed.samples, "Jittered frames to accumulate, for smooth edges")
@@ -268,11 +259,13 @@ void add_commands(CLI::App& app, Typed& typed, OwnOptions& own)
     add_tam(app, typed);
     own.bake.add_to(app);
     own.batch.add_to(app);
-    CLI::App& info = *app.add_subcommand("info", "Tell what a scene file holds");
-    info.add_option("SCENE", typed.scene, "Scene file; - reads standard input")
-        ->required()
+    CLI::App& info = *app.add_subcommand("info", "Tell what a scene holds, or list the worlds");
+    info.footer("Worlds, scenes that code makes:\n" + report_worlds(false) + exit_status);
+    info.add_option("SCENE", typed.scene,
+                    "Scene file, or the name of a world; - reads standard input\n[list all worlds]")
         ->type_name("FILE");
     typed.input.add_to(info);
+    typed.world.add_to(info);
     info.add_flag("--json", typed.json, "Print JSON");
     CLI::App& devices = *app.add_subcommand("devices", "List the devices that can draw");
     devices.add_flag("--json", typed.json, "Print JSON");
@@ -296,36 +289,17 @@ void check_page_is_free(const std::vector<std::string>& assignments)
     }
 }
 
-void check_weather(const Typed& typed)
-{
-    if (!typed.weather.empty() && !temple::weather_named(typed.weather)) {
-        throw UsageError(fmt::format("there is no weather {}", in_quotes(typed.weather)), "--weather",
-                         "allowed: calm, gusts, storm, tornado");
-    }
-    if (typed.hour && !(*typed.hour >= 0.0F && *typed.hour <= 24.0F)) {
-        throw UsageError(fmt::format("{} is out of range", *typed.hour), "--hour", "allowed: 0 to 24");
-    }
-    if ((typed.hour || !typed.weather.empty()) && !is_temple(typed.scene)) {
-        throw UsageError("goes with the temple alone", typed.hour ? "--hour" : "--weather",
-                         "a style sets the sun of other scenes, by sun.hour");
-    }
-}
-
 DrawOptions read_draw_options(const Typed& typed)
 {
     DrawOptions draw;
     draw.scene = typed.scene;
     draw.input_format = typed.input.format();
     draw.load.up = typed.input.up();
-    if (draw.load.up && (is_temple(typed.scene) || lower_extension(typed.scene) == ".toml")) {
-        throw UsageError("is for files of scenes; a terrain and the temple have y up", "--up",
-                         "leave it out");
+    if (draw.load.up && (world_of(typed.scene) != nullptr || lower_extension(typed.scene) == ".toml")) {
+        throw UsageError("is for files of scenes; terrains and worlds have y up", "--up", "leave it out");
     }
     draw.output = typed.output;
-    draw.seed = typed.seed;
-    check_weather(typed);
-    draw.weather = typed.weather;
-    draw.hour = typed.hour;
+    draw.world = typed.world.read(typed.scene);
     draw.terrain = typed.terrain;
     draw.lightmap = typed.lightmap;
     draw.page = typed.page.read();
@@ -417,6 +391,9 @@ void read_motion(const Typed& typed, RenderCommand& render)
 /// Some options go with single pictures alone.
 void check_film(const Typed& typed, const RenderCommand& command)
 {
+    if (command.film && command.film->flies) {
+        check_has_film(typed.scene);
+    }
     if (command.film && (typed.repeat > 1 || typed.json || typed.tile_px > 0 || !typed.motion.empty())) {
         throw UsageError("does not go with films",
                          typed.repeat > 1    ? "--repeat"
@@ -457,6 +434,7 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
         return InfoCommand{.scene = typed.scene,
                            .input_format = typed.input.format(),
                            .up = typed.input.up(),
+                           .world = typed.world.read(typed.scene),
                            .json = typed.json};
     }
     if (app.got_subcommand("devices")) {
@@ -521,6 +499,34 @@ Command to_command(const CLI::App& app, const Typed& typed, const OwnOptions& ow
     return GraphCommand{std::move(draw)};
 }
 
+/// What to do about a command line that cannot be parsed.
+std::string remedy_of(const CLI::ParseError& problem, const CLI::App& app, std::span<const char* const> words)
+{
+    if (app.get_subcommands().empty()) {
+        return "see estampe --help";
+    }
+    const CLI::App& command = *app.get_subcommands().front();
+    const bool is_unknown_word = problem.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+    const bool takes_worlds = command.get_option_no_throw("--world") != nullptr;
+    const std::vector<std::string> unknown = app.remaining(true);
+    for (size_t i = 0; i < words.size() && is_unknown_word && takes_worlds; ++i) {
+        const std::string word = words[i];
+        if (!word.starts_with("--") || std::ranges::find(unknown, word) == unknown.end()) {
+            continue;
+        }
+        const size_t sign = std::min(word.find('='), word.size());
+        const bool is_value_next = i + 1 < words.size() && *words[i + 1] != '-';
+        const std::string value = sign < word.size() ? word.substr(sign + 1)
+                                  : is_value_next    ? words[i + 1]
+                                                     : "";
+        const std::string written = world_option_as_typed(word.substr(2, sign - 2), value);
+        if (!written.empty()) {
+            return "write " + written;
+        }
+    }
+    return fmt::format("see estampe {} --help", command.get_name());
+}
+
 } // namespace
 
 std::optional<Command> read_command_line(int argc, const char* const* argv)
@@ -531,7 +537,7 @@ std::optional<Command> read_command_line(int argc, const char* const* argv)
     app.set_version_flag("--version", "estampe " ESTAMPE_VERSION);
     app.require_subcommand(0, 1);
     app.get_formatter()->column_width(34);
-    app.footer(examples);
+    app.footer(examples + world_examples() + exit_status);
     add_commands(app, typed, own);
     refuse_empty_values(app);
     try {
@@ -541,10 +547,8 @@ std::optional<Command> read_command_line(int argc, const char* const* argv)
             app.exit(problem);
             return std::nullopt;
         }
-        const bool command = !app.get_subcommands().empty();
         throw UsageError(one_line(problem.what()), {},
-                         fmt::format("see estampe {}--help",
-                                     command ? app.get_subcommands().front()->get_name() + " " : ""));
+                         remedy_of(problem, app, {argv, static_cast<size_t>(argc)}));
     }
     if (typed.manual_page || typed.completion) {
         fmt::print("{}", typed.manual_page ? manual_page(app) : bash_completion(app));

@@ -2,6 +2,7 @@
 #include "completion.hpp"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -12,6 +13,7 @@
 
 #include "features/common/style_tables.hpp"
 #include "piped_scene.hpp"
+#include "world/registry.hpp"
 
 namespace estampe::app {
 namespace {
@@ -87,6 +89,27 @@ std::vector<std::string> style_keys()
     return keys;
 }
 
+std::vector<std::string> world_names()
+{
+    std::vector<std::string> names;
+    for (const worlds::Description& world : worlds::registry().all()) {
+        names.push_back(world.name);
+    }
+    return names;
+}
+
+/// The options of all worlds, as "seed=".
+std::vector<std::string> world_keys()
+{
+    std::set<std::string> keys;
+    for (const worlds::Description& world : worlds::registry().all()) {
+        for (const worlds::Option& option : world.options) {
+            keys.insert(option.key + "=");
+        }
+    }
+    return {keys.begin(), keys.end()};
+}
+
 /// The endings that a description lists: "Scene: .gltf .glb" has "gltf" and "glb".
 std::vector<std::string> endings_in(const std::string& description)
 {
@@ -106,6 +129,9 @@ std::string completer(const CLI::Option& option)
     const std::string type = option.get_type_name();
     if (type == "STYLE") {
         return fmt::format("_estampe_files toml; _estampe_words {}", joined(Style::presets()));
+    }
+    if (option.check_lname("world")) {
+        return fmt::format("compopt -o nospace; _estampe_words {}", joined(world_keys()));
     }
     if (type == "KEY=VALUE") {
         return fmt::format("compopt -o nospace; _estampe_words {}", joined(style_keys()));
@@ -132,7 +158,8 @@ std::string completer(const CLI::Option& option)
         return type == "EXR" ? "_estampe_files exr" : "_estampe_files png";
     }
     if (type == "FILE" || type == "PATH" || type == "DIR") {
-        return "_estampe_files " + joined(endings_in(option.get_description()));
+        const std::string files = "_estampe_files " + joined(endings_in(option.get_description()));
+        return option.check_name("SCENE") ? files + "; _estampe_words " + joined(world_names()) : files;
     }
     return {};
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -12,8 +14,9 @@
 #include "core/file.hpp"
 #include "piped_scene.hpp"
 #include "scene/outlook/outlook.hpp"
-#include "temple/world.hpp"
+#include "style/suggest.hpp"
 #include "text.hpp"
+#include "world_options.hpp"
 
 namespace estampe::app {
 namespace {
@@ -63,9 +66,27 @@ void refuse_variant(const DrawOptions& draw)
     }
 }
 
+/// Throws Error for a name that is neither a file's nor a world's, and cannot have been meant as a file's.
+void check_is_known(const std::string& scene)
+{
+    std::error_code problem;
+    if (!lower_extension(scene).empty() || scene.find('/') != std::string::npos ||
+        std::filesystem::exists(scene, problem)) {
+        return;
+    }
+    std::vector<std::string> names;
+    std::ranges::transform(worlds::registry().all(), std::back_inserter(names), &worlds::Description::name);
+    const std::string meant = style::nearest(scene, names);
+    throw Error("is neither a file nor a world", scene,
+                meant.empty() ? known_worlds() : fmt::format("did you mean the world {}?", meant));
+}
+
 /// The scene of the file or pipe, whose messages name it as it was typed.
 Scene load_file_of(const DrawOptions& draw)
 {
+    if (!is_piped(draw.scene)) {
+        check_is_known(draw.scene);
+    }
     const std::filesystem::path file = scene_file(draw.scene, draw.input_format);
     const auto typed = [&](const std::string& text) { return with_typed_name(text, draw.scene, file); };
     try {
@@ -95,9 +116,9 @@ ViewDirection direction_of_camera(const Camera& camera)
 
 Scene load_scene_of(const DrawOptions& draw)
 {
-    if (is_temple(draw.scene)) {
+    if (const std::unique_ptr<worlds::World> world = make_world(draw)) {
         refuse_variant(draw);
-        return temple::World(draw.seed).scene();
+        return world->scene();
     }
     if (lower_extension(draw.scene) == ".toml") {
         refuse_variant(draw);
@@ -118,13 +139,14 @@ Scene load_scene_of(const DrawOptions& draw)
 
 bool load_the_same(const DrawOptions& a, const DrawOptions& b)
 {
-    return a.scene == b.scene && a.input_format == b.input_format && a.load == b.load && a.seed == b.seed &&
-           a.terrain == b.terrain && (a.animation == all_animations) == (b.animation == all_animations);
-}
-
-bool is_temple(const std::string& scene)
-{
-    return scene == "temple" && !std::filesystem::is_regular_file(scene);
+    const auto make_same_world = [&] {
+        const worlds::Description* const world = world_of(a.scene);
+        return world == nullptr || worlds::Values(world->options, a.world)
+                                       .make_same_scene(worlds::Values(world->options, b.world));
+    };
+    return a.scene == b.scene && a.input_format == b.input_format && a.load == b.load &&
+           a.terrain == b.terrain && (a.animation == all_animations) == (b.animation == all_animations) &&
+           make_same_world();
 }
 
 bool has_camera_of_file(const DrawOptions& draw, const Scene& scene)

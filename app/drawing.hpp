@@ -6,9 +6,6 @@
 
 namespace estampe::app {
 
-/// Whether this names the temple, the world that the program makes, and no file.
-[[nodiscard]] bool is_temple(const std::string& scene);
-
 /// The scene that `draw` names, on its terrain where it names one; a terrain's own file is a scene of nothing
 /// else. Throws Error as load_scene() and load_terrain() do.
 [[nodiscard]] Scene load_scene_of(const DrawOptions& draw);

@@ -23,16 +23,15 @@
 #include "film_camera.hpp"
 #include "film_frames.hpp"
 #include "film_queue.hpp"
-#include "living.hpp"
 #include "piped_scene.hpp"
 #include "progress.hpp"
 #include "scene_details.hpp"
 #include "signals.hpp"
 #include "techniques/motion_blur/motion_blur.hpp"
-#include "temple/flight.hpp"
-#include "temple/world.hpp"
 #include "text.hpp"
 #include "transparent_option.hpp"
+#include "world_animator.hpp"
+#include "world_options.hpp"
 
 namespace estampe::app {
 namespace {
@@ -53,35 +52,36 @@ RenderCommand with_begin(RenderCommand command, const Scene& scene, Index animat
     return command;
 }
 
+/// How long a film of all that moves lasts. Throws Error if nothing does.
+double moving_s(const DrawOptions& draw, bool is_own_film, const Scene& scene, Index animation)
+{
+    if (const worlds::Description* const world = world_of(draw.scene)) {
+        const std::optional<double>& length_s = is_own_film ? world->film_s : world->show_s;
+        if (length_s) {
+            return *length_s;
+        }
+    }
+    if (scene.animations.empty()) {
+        throw Error("nothing in the scene moves, so a film of it has no length", draw.scene,
+                    "give --frames, or --turntable to go around it");
+    }
+    return playing_s(scene.animations.at(animation));
+}
+
 /// The choice, with a last frame and the rate of the file.
 FilmChoice with_end(FilmChoice film, const DrawOptions& draw, const Scene& scene, Index animation)
 {
     constexpr double least_rate = 1.0; // beyond these a file is not believed
     constexpr double most_rate = 240.0;
     constexpr double turn_s = 5.0;
-    constexpr double world_s = 60.0; // of the temple's weather, in which all of it comes once
     if (!film.has_rate && scene.frames_per_s && *scene.frames_per_s >= least_rate &&
         *scene.frames_per_s <= most_rate) {
         film.frames_per_s = *scene.frames_per_s;
     }
-    if (film.flies && !is_temple(draw.scene)) {
-        throw Error("there is no film to be taken of it", draw.scene, "--film goes with the temple alone");
-    }
     if (film.last > 0) {
         return film;
     }
-    if (film.flies) {
-        film.last = static_cast<uint32_t>(std::lround(temple::Flight::length_s * film.frames_per_s));
-        return film;
-    }
-    if (scene.animations.empty() && !film.turntable && !is_temple(draw.scene)) {
-        throw Error("nothing in the scene moves, so a film of it has no length", draw.scene,
-                    "give --frames, or --turntable to go around it");
-    }
-    const double length_s = film.turntable             ? turn_s
-                            : is_temple(draw.scene)    ? world_s
-                            : scene.animations.empty() ? turn_s
-                                                       : playing_s(scene.animations.at(animation));
+    const double length_s = film.turntable ? turn_s : moving_s(draw, film.flies, scene, animation);
     film.last = std::max(1U, static_cast<uint32_t>(std::lround(length_s * film.frames_per_s)));
     return film;
 }
@@ -95,19 +95,19 @@ uint64_t fingerprint(const DrawOptions& draw, const FilmChoice& film, const Scen
     hash.add_text(draw.style.to_toml());
     hash.add_text(renderer.device().name + renderer.device().driver + name_of(renderer.raster_path()));
     hash.add_text(draw.scene);
-    hash.add(draw.seed);
     const std::string scene_path = scene_file(draw.scene, draw.input_format).string();
     for (const std::string& file : {scene_path, draw.terrain, draw.lightmap}) {
-        if (!file.empty() && !(file == draw.scene && is_temple(file))) {
+        if (!file.empty() && !(file == draw.scene && world_of(file) != nullptr)) {
             hash.add(std::filesystem::file_size(file));
             hash.add(std::filesystem::last_write_time(file).time_since_epoch().count());
         }
     }
     hash.add(draw.page.width);
     hash.add(draw.page.height);
-    hash.add(draw.seed);
-    hash.add_text(draw.weather);
-    hash.add(draw.hour.value_or(-1.0F));
+    for (const std::string& assignment : draw.world) {
+        hash.add_text(assignment);
+    }
+    hash.add(draw.world.size());
     hash.add(draw.samples);
     hash.add(draw.is_draft);
     hash.add(draw.time_s);
@@ -148,13 +148,13 @@ public:
     FilmJob(const RenderCommand& command, const FilmChoice& film, const Scene& scene, Index animation,
             Renderer& renderer)
         : draw_(command.draw), film_(film), animation_(animation), renderer_(renderer),
-          flight_(film.flies ? std::make_shared<const temple::Flight>(scene, draw_.seed) : nullptr),
-          camera_(draw_, scene, animation, time_s(film.first), time_s(film.last), film.turntable, flight_),
-          frames_(draw_.output, fingerprint(draw_, film, scene, renderer)),
-          living_(draw_, scene, Occasion::film), times_passes_(command.timings)
+          animator_(draw_, scene, worlds::Occasion::film),
+          path_(film.flies ? animator_.film_camera(scene) : nullptr),
+          camera_(draw_, scene, animation, time_s(film.first), time_s(film.last), film.turntable, path_),
+          frames_(draw_.output, fingerprint(draw_, film, scene, renderer)), times_passes_(command.timings)
     {
-        if (film.flies) { // who has flown to the last hall has reached it
-            living_.world()->end_at(draw_.time_s + flight_->arrives_s());
+        if (path_ && path_->end_s()) {
+            animator_.end_at(draw_.time_s + *path_->end_s());
         }
         if (is_film(draw_.output)) {
             writer_.emplace(draw_.output, draw_.page.width, draw_.page.height, film.frames_per_s,
@@ -181,7 +181,7 @@ public:
             writer_->add(load_image(frames_.path_of(number)));
         }
         for (uint32_t number = film_.first; number < next; ++number) {
-            living_.go_to(time_s(number), camera_.at(time_s(number), turn_at(number)));
+            animator_.go_to(time_s(number), camera_.at(time_s(number), turn_at(number)));
         }
         renderer_.recall_film(state->memory);
         return next;
@@ -252,7 +252,7 @@ private:
         constexpr uint32_t parts = 8;
         std::vector<Moment> moments;
         const uint64_t length = std::max(film_.last, film_.first) - film_.first;
-        for (uint32_t part = 0; part <= parts && !flight_; ++part) {
+        for (uint32_t part = 0; part <= parts && !path_; ++part) {
             const auto number = static_cast<uint32_t>(film_.first + length * part / parts);
             moments.push_back({camera_.at(time_s(number), turn_at(number)), time_s(number)});
         }
@@ -293,7 +293,7 @@ private:
         settings.continuity = number == film_.first ? Continuity::starts : Continuity::follows;
         settings.time_passes = times_passes(number);
         const Camera camera = camera_.at(settings.time_s, turn_at(number));
-        const Style style = living_.show(renderer_, settings.time_s, camera);
+        const Style style = animator_.show(renderer_, settings.time_s, camera);
         settings.exposure_end = exposure_end(number, style.tables().motion_blur);
         Image image = renderer_.render(camera, style, settings);
         if (!has_noted_) {
@@ -307,10 +307,10 @@ private:
     const FilmChoice& film_;
     Index animation_;
     Renderer& renderer_;
-    std::shared_ptr<const temple::Flight> flight_;
+    WorldAnimator animator_;
+    std::shared_ptr<const worlds::CameraPath> path_; ///< of the world's own film; null for another
     FilmCamera camera_;
     FilmFrames frames_;
-    Living living_;
     std::optional<FilmWriter> writer_;
     bool times_passes_;
     FilmCost cost_;

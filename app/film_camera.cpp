@@ -71,10 +71,10 @@ Camera far_enough(const Camera& camera, const std::vector<Bounds>& boxes, int si
 } // namespace
 
 FilmCamera::FilmCamera(const DrawOptions& draw, const Scene& scene, Index animation, double begin_s,
-                       double end_s, bool turntable, std::shared_ptr<const temple::Flight> flight)
-    : draw_(draw), scene_(scene), animation_(animation), flight_(std::move(flight))
+                       double end_s, bool turntable, std::shared_ptr<const worlds::CameraPath> path)
+    : draw_(draw), scene_(scene), animation_(animation), path_(std::move(path))
 {
-    if (flight_ || has_camera_of_file(draw, scene)) {
+    if (path_ || has_camera_of_file(draw, scene)) {
         return;
     }
     DrawOptions first = draw;
@@ -101,8 +101,8 @@ FilmCamera::FilmCamera(const DrawOptions& draw, const Scene& scene, Index animat
 
 Camera FilmCamera::at(double time_s, double turn) const
 {
-    if (flight_) {
-        return flight_->camera(time_s - draw_.time_s);
+    if (path_) {
+        return path_->camera(time_s - draw_.time_s);
     }
     if (still_) {
         return turned(*still_, turn);

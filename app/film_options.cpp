@@ -54,7 +54,9 @@ void FilmOptions::add_to(CLI::App& command)
     command.add_option("--fps", frames_per_s_, "Film: frames a second [what the file was made for, else 24]")
         ->type_name("F");
     command.add_flag("--turntable", turntable_, "Film: go once around what is seen [in 5 s]");
-    command.add_flag("--film", flies_, "Film of the temple: a minute's way from the dunes to its last hall");
+    command.add_flag(
+        "--film", flies_,
+        "Film: the own film of a world, along the camera path that it has\n[a camera that stands]");
     command.add_flag("--resume", resume_, "Film: go on where an earlier run stopped");
 }
 

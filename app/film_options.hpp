@@ -15,11 +15,11 @@ namespace estampe::app {
 struct FilmChoice {
     uint32_t first = 1;
     uint32_t last = 0; ///< with the first; 0: to the end of the animation, of a turn of five seconds, or of
-                       ///< the flight
+                       ///< the world's own film
     double frames_per_s = 24.0; ///< without --fps that of the scene's file, where it says one
     bool has_rate = false;      ///< --fps was given
     bool turntable = false;     ///< the eye goes once around from the first frame to the last
-    bool flies = false;         ///< along the way that the temple has for films
+    bool flies = false;         ///< --film: along the camera path of the world's own film
     bool resume = false;        ///< go on where an earlier run stopped
 };
 

@@ -38,12 +38,10 @@ struct DrawOptions {
     std::string scene;
     std::string input_format; ///< of a scene that comes through a pipe; empty: recognised by its content
     std::string output;
-    uint64_t seed = 1;         ///< of a scene that is made by chance
-    std::string weather;       ///< of such a scene, by its name; empty: it changes
-    std::optional<float> hour; ///< of its sun; nothing: as it has it
-    std::string terrain;       ///< a terrain's file, that the scene is put on; empty: none
-    LoadOptions load;          ///< how the scene's file is read
-    std::string lightmap;      ///< what `estampe bake` wrote; empty: what the scene's file names
+    std::vector<std::string> world; ///< options of the world that `scene` names, as KEY=VALUE
+    std::string terrain;            ///< a terrain's file, that the scene is put on; empty: none
+    LoadOptions load;               ///< how the scene's file is read
+    std::string lightmap;           ///< what `estampe bake` wrote; empty: what the scene's file names
     PageSize page;
     CameraChoice camera;
     double time_s = 0.0;
@@ -99,9 +97,10 @@ struct GraphCommand {
 };
 
 struct InfoCommand {
-    std::string scene;
+    std::string scene;        ///< empty: list the worlds
     std::string input_format; ///< as in DrawOptions
     std::optional<UpAxis> up;
+    std::vector<std::string> world; ///< as in DrawOptions
     bool json = false;
 };
 
@@ -180,7 +179,8 @@ struct BakeCommand {
     std::string scene;
     std::string input_format; ///< as in DrawOptions
     std::optional<UpAxis> up;
-    std::string output; ///< .exr
+    std::vector<std::string> world; ///< as in DrawOptions
+    std::string output;             ///< .exr
     Style style;
     BakeSettings settings;
     bool resume = true;

@@ -14,7 +14,6 @@
 #include "empty_view.hpp"
 #include "features/particles/particles.hpp"
 #include "film.hpp"
-#include "living.hpp"
 #include "output/svg.hpp"
 #include "pass_history.hpp"
 #include "picture_output.hpp"
@@ -24,6 +23,7 @@
 #include "single_picture.hpp"
 #include "text.hpp"
 #include "usage_error.hpp"
+#include "world_animator.hpp"
 
 namespace estampe::app {
 namespace {
@@ -162,8 +162,8 @@ void draw_and_write(Renderer& renderer, const Scene& scene, const RenderCommand&
     const Index animation = choose_animation(command.draw, scene);
     const Camera camera = choose_camera(command.draw, scene, animation);
     warn_of_empty_view(command.draw, scene, animation, camera);
-    const Style style =
-        Living(command.draw, scene, Occasion::picture).show(renderer, command.draw.time_s, camera);
+    const Style style = WorldAnimator(command.draw, scene, worlds::Occasion::picture)
+                            .show(renderer, command.draw.time_s, camera);
     if (command.picture.format == PictureFormat::svg) {
         write_strokes(renderer, camera, style, animation, command);
         return;
@@ -202,7 +202,8 @@ void run(const RenderCommand& command)
     set_scene(renderer, scene, draw);
     const Camera camera = choosing.get();
     warn_of_empty_view(draw, scene, animation, camera);
-    const Style style = Living(draw, scene, Occasion::picture).show(renderer, draw.time_s, camera);
+    const Style style =
+        WorldAnimator(draw, scene, worlds::Occasion::picture).show(renderer, draw.time_s, camera);
     clock.finish("upload");
     if (command.picture.format == PictureFormat::svg) {
         write_strokes(renderer, camera, style, animation, command);

@@ -12,6 +12,7 @@
 #include "scene_details.hpp"
 #include "scene_summary.hpp"
 #include "text.hpp"
+#include "world_report.hpp"
 
 namespace estampe::app {
 namespace {
@@ -104,9 +105,15 @@ std::string listed(const std::vector<std::string>& names)
     return names.empty() ? "none" : one_line(fmt::format("{}", fmt::join(names, ", ")));
 }
 
-std::string scene_text(const SceneSummary& summary, const Scene& scene, const std::string& path)
+std::string scene_text(const SceneSummary& summary, const Scene& scene, const std::string& path,
+                       const worlds::Description* world)
 {
     std::string text = one_line(path) + "\n";
+    if (world != nullptr) {
+        for (const auto& [label, words] : world_rows(*world)) {
+            text += fmt::format("  {:<18} {}\n", label, words);
+        }
+    }
     for (const auto& [name, count] : summary.counts) {
         text += fmt::format("  {:<18} {}\n", name, count);
     }
@@ -189,10 +196,16 @@ std::string timings_text(const TimingReport& report, double passes_ms)
 
 } // namespace
 
-std::string report_scene(const Scene& scene, const std::string& path, bool json)
+std::string report_scene(const Scene& scene, const std::string& path, bool json,
+                         const worlds::Description* world)
 {
     const SceneSummary summary = summarize(scene);
-    return json ? to_text(scene_json(summary, scene, path)) : scene_text(summary, scene, path);
+    if (json) {
+        Json all = scene_json(summary, scene, path);
+        all["world"] = world != nullptr ? world_json(*world) : Json();
+        return to_text(all);
+    }
+    return scene_text(summary, scene, path, world);
 }
 
 std::string report_devices(const std::vector<DeviceInfo>& devices, bool json)

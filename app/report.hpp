@@ -8,11 +8,17 @@
 #include <estampe/renderer.hpp>
 #include <estampe/scene.hpp>
 
+namespace worlds {
+struct Description;
+}
+
 namespace estampe::app {
 
 // What the program prints, as text for people (`json` false) or as JSON for programs.
 
-[[nodiscard]] std::string report_scene(const Scene& scene, const std::string& path, bool json);
+/// `world` is the one that made the scene; null for a file.
+[[nodiscard]] std::string report_scene(const Scene& scene, const std::string& path, bool json,
+                                       const worlds::Description* world = nullptr);
 
 [[nodiscard]] std::string report_devices(const std::vector<DeviceInfo>& devices, bool json);
 

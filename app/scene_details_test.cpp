@@ -45,7 +45,7 @@ TEST(SceneDetails, SaysWhichAxisLooksUpWhereTheFormatDoesNot)
     EXPECT_NE(notes[0].find("a.ply: its box looks z-up"), std::string::npos);
     EXPECT_TRUE(up_axis_notes(standing, "a.ply").empty());
     EXPECT_TRUE(up_axis_notes(lying, "a.glb").empty());
-    EXPECT_TRUE(up_axis_notes(lying, "temple").empty());
+    EXPECT_TRUE(up_axis_notes(lying, "world").empty());
 }
 
 TEST(SceneDetails, ListsWhatTheSceneHolds)

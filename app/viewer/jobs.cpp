@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "clock.hpp"
-#include "temple/world.hpp"
 
 namespace estampe::viewer {
 namespace {
@@ -29,10 +28,10 @@ std::string free_name(const std::string& scene, const std::string& extension)
     }
 }
 
-bool ScreenshotJob::step(Renderer& renderer, app::Living& living,
+bool ScreenshotJob::step(Renderer& renderer, app::WorldAnimator& animator,
                          const std::function<void(PictureNews)>& tell)
 {
-    const Style style = living.show(renderer, request_.style, request_.settings.time_s, request_.camera);
+    const Style style = animator.show(renderer, request_.style, request_.settings.time_s, request_.camera);
     const Image image = renderer.render(request_.camera, style, request_.settings);
     save_png(image, path_);
     tell(JobNews{fmt::format("wrote {}, {} x {}", path_, image.width, image.height)});
@@ -47,30 +46,31 @@ FilmJob::FilmJob(Take take, std::shared_ptr<const LoadedFile> file, std::optiona
 {
 }
 
-void FilmJob::begin(const app::Living& seen)
+void FilmJob::begin(const app::WorldAnimator& seen)
 {
     writer_.emplace(path_, settings_.width, settings_.height, frames_per_s,
                     std::filesystem::path(path_).extension() == ".webm");
-    living_ = std::make_unique<app::Living>(file_->draw, file_->scene, app::Occasion::walk);
-    if (end_s_ && living_->world() != nullptr) {
-        living_->world()->end_at(*end_s_);
+    animator_ = std::make_unique<app::WorldAnimator>(file_->draw, file_->scene, worlds::Occasion::walk);
+    if (end_s_) {
+        animator_->end_at(*end_s_);
     }
     if (seen.has_left_ground()) {
-        living_->leave_ground();
+        animator_->leave_ground();
     }
 }
 
-bool FilmJob::step(Renderer& renderer, app::Living& living, const std::function<void(PictureNews)>& tell)
+bool FilmJob::step(Renderer& renderer, app::WorldAnimator& animator,
+                   const std::function<void(PictureNews)>& tell)
 {
     if (!writer_) {
-        begin(living);
+        begin(animator);
     }
     const Take::Sample sample = take_.at(next_ / frames_per_s);
     settings_.time_s = sample.time_s;
     settings_.animation = sample.animation;
     settings_.continuity = next_ == 0 ? Continuity::starts : Continuity::follows;
     const app::Clock::time_point start = app::Clock::now();
-    const Style style = living_->show(renderer, *sample.style, settings_.time_s, sample.camera);
+    const Style style = animator_->show(renderer, *sample.style, settings_.time_s, sample.camera);
     Image image = renderer.render(sample.camera, style, settings_);
     const double drawn_s = app::seconds_since(start);
     writer_->add(image);

@@ -22,7 +22,8 @@ public:
     {
     }
 
-    bool step(Renderer& renderer, app::Living& living, const std::function<void(PictureNews)>& tell) override;
+    bool step(Renderer& renderer, app::WorldAnimator& animator,
+              const std::function<void(PictureNews)>& tell) override;
 
 private:
     PictureRequest request_;
@@ -32,19 +33,20 @@ private:
 /// Draws a take as a film, a frame a step.
 class FilmJob : public PictureJob {
 public:
-    /// What lives in the file's scene does so anew for it; `end_s` is when the walker came to its end.
+    /// A world is animated from its beginning again; `end_s` is when the walker reached the end of the world.
     FilmJob(Take take, std::shared_ptr<const LoadedFile> file, std::optional<double> end_s,
             RenderSettings settings, std::string path);
 
-    bool step(Renderer& renderer, app::Living& living, const std::function<void(PictureNews)>& tell) override;
+    bool step(Renderer& renderer, app::WorldAnimator& animator,
+              const std::function<void(PictureNews)>& tell) override;
 
 private:
-    void begin(const app::Living& seen);
+    void begin(const app::WorldAnimator& seen);
 
     Take take_;
     std::shared_ptr<const LoadedFile> file_;
     std::optional<double> end_s_;
-    std::unique_ptr<app::Living> living_; ///< since the first step
+    std::unique_ptr<app::WorldAnimator> animator_; ///< since the first step
     RenderSettings settings_;
     std::string path_;
     uint32_t next_ = 0;

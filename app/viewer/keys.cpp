@@ -23,7 +23,7 @@ constexpr std::array camera_keys{
     KeyHelp{Action::orbit, 'o', as_typed, "O", "orbit: go around the model"},
     KeyHelp{Action::fly, 'f', as_typed, "F", "fly: W A S D, E up, C down, Shift faster"},
     KeyHelp{Action::walk, 'g', as_typed, "G", "walk on the ground: W A S D, Shift faster"},
-    KeyHelp{Action::none, 0, 0, "In the temple",
+    KeyHelp{Action::none, 0, 0, "On foot in a world",
             "arrows too, or a gamepad; Space jumps; a click takes the pointer"},
     KeyHelp{Action::home, GLFW_KEY_ENTER, 0, "Enter", "the view it began with"},
     KeyHelp{Action::front, '1', as_typed, "1", "from the front"},

@@ -9,7 +9,6 @@
 #include "clock.hpp"
 #include "core/progress_watch.hpp"
 #include "drawing.hpp"
-#include "temple/world.hpp"
 
 namespace estampe::viewer {
 
@@ -154,7 +153,7 @@ void PictureThread::take_scene(Renderer& renderer, const std::shared_ptr<const L
     film_size_px_ = glm::uvec2(0);
     try {
         app::set_scene(renderer, file->scene, file->draw);
-        living_ = std::make_unique<app::Living>(file->draw, file->scene, app::Occasion::walk);
+        animator_ = std::make_unique<app::WorldAnimator>(file->draw, file->scene, worlds::Occasion::walk);
         scene_ = file;
         terrain_.reset();
         is_compiling_ = false;
@@ -175,7 +174,7 @@ void PictureThread::take_terrain(Renderer& renderer, const Terrain& terrain)
     try {
         renderer.set_terrain(terrain, true);
         terrain_ = terrain;
-        living_->leave_ground();
+        animator_->leave_ground();
         is_compiling_ = renderer.is_terrain_compiling();
         tell(TerrainTaken{});
     } catch (const std::exception& problem) {
@@ -195,8 +194,8 @@ void PictureThread::apply(Renderer& renderer, const SceneChange& change)
         if (!change.prints.empty()) {
             renderer.press(change.prints);
         }
-        if (change.end_s && living_ && living_->world() != nullptr) {
-            living_->world()->end_at(*change.end_s);
+        if (change.end_s && animator_) {
+            animator_->end_at(*change.end_s);
         }
     } catch (const std::exception& problem) {
         tell(Failure{Failure::Of::picture, problem.what()});
@@ -220,7 +219,7 @@ void PictureThread::draw_picture(Renderer& renderer, size_t slot, const PictureR
             settings.continuity = Continuity::starts;
         }
         film_size_px_ = glm::uvec2(0);
-        const Style style = living_->show(renderer, request.style, settings.time_s, request.camera);
+        const Style style = animator_->show(renderer, request.style, settings.time_s, request.camera);
         Picture picture{.slot = slot,
                         .image = renderer.render(request.camera, style, settings),
                         .scale = request.scale,
@@ -248,7 +247,7 @@ void PictureThread::do_step(Renderer& renderer)
             renderer.set_terrain(*terrain_); // waits for its shader
             tell(TerrainTaken{.is_compiled = true});
         }
-        goes_on = job_->step(renderer, *living_, [this](PictureNews news) { tell(std::move(news)); });
+        goes_on = job_->step(renderer, *animator_, [this](PictureNews news) { tell(std::move(news)); });
     } catch (const std::exception& problem) {
         tell(Failure{Failure::Of::job, problem.what()});
     }
@@ -257,8 +256,8 @@ void PictureThread::do_step(Renderer& renderer)
         const bool was_cancelled = goes_on;
         const std::unique_ptr<PictureJob> ended = std::move(job_);
         lock.unlock();
-        if (living_ && living_->world() != nullptr) {
-            living_->world()->forget_pressed();
+        if (animator_) {
+            animator_->forget_pressed();
         }
         if (was_cancelled) {
             tell(JobNews{"cancelled, nothing was written"});

@@ -16,8 +16,8 @@
 
 #include <estampe/renderer.hpp>
 
-#include "living.hpp"
 #include "viewer/scene_loader.hpp"
+#include "world_animator.hpp"
 
 namespace estampe::viewer {
 
@@ -88,8 +88,8 @@ public:
     virtual ~PictureJob() = default;
     PictureJob(const PictureJob&) = delete;
     PictureJob& operator=(const PictureJob&) = delete;
-    /// Does a part, of what lives in the scene that is in hand. Returns whether there is more.
-    virtual bool step(Renderer& renderer, app::Living& living,
+    /// Does a part; `animator` is that of the scene on the renderer. Returns whether there is more.
+    virtual bool step(Renderer& renderer, app::WorldAnimator& animator,
                       const std::function<void(PictureNews)>& tell) = 0;
 };
 
@@ -146,10 +146,10 @@ private:
     bool is_job_cancelled_ = false;
     bool is_closing_ = false;
     std::vector<PictureNews> news_;
-    std::shared_ptr<const LoadedFile> scene_; ///< that the renderer holds; the thread's own
-    std::unique_ptr<app::Living> living_;     ///< in it; the thread's own
-    std::optional<Terrain> terrain_;          ///< in place of the scene's; the thread's own
-    bool is_compiling_ = false;               ///< its shader; the thread's own
+    std::shared_ptr<const LoadedFile> scene_;      ///< that the renderer holds; the thread's own
+    std::unique_ptr<app::WorldAnimator> animator_; ///< of `scene_`; the thread's own
+    std::optional<Terrain> terrain_;               ///< in place of the scene's; the thread's own
+    bool is_compiling_ = false;                    ///< its shader; the thread's own
     std::thread thread_;
 };
 

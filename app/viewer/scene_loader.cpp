@@ -6,6 +6,7 @@
 
 #include "core/progress_watch.hpp"
 #include "drawing.hpp"
+#include "world_options.hpp"
 
 namespace estampe::viewer {
 namespace {
@@ -31,8 +32,8 @@ std::shared_ptr<const LoadedFile> load_file(const app::DrawOptions& draw)
     if (file->scene.terrain) {
         file->ground_m = file->scene.terrain->sample(0.0, 0.0, draw.time_s).height_m;
     }
-    if (app::is_temple(draw.scene)) {
-        file->visit = std::make_shared<temple::Visit>(file->scene, draw.seed);
+    if (const std::unique_ptr<worlds::World> world = app::make_world(draw)) {
+        file->visit = world->visit(file->scene);
     }
     if (file->scene.terrain && file->bounds.empty()) {
         constexpr glm::dvec3 near_m(20.0, 5.0, 20.0);

@@ -12,7 +12,7 @@
 #include <variant>
 
 #include "options.hpp"
-#include "temple/visit.hpp"
+#include "world/world.hpp"
 
 namespace estampe::viewer {
 
@@ -24,7 +24,7 @@ struct LoadedFile {
     Camera home;
     Bounds bounds;
     double ground_m = 0.0;                ///< what the scene was lifted by, to stand on its terrain
-    std::shared_ptr<temple::Visit> visit; ///< of a world that can be walked through
+    std::shared_ptr<worlds::Visit> visit; ///< who walks through a world; null for other scenes
 };
 
 /// Reads scenes while the viewer goes on.

@@ -7,7 +7,7 @@
 #include <estampe/scene.hpp>
 #include <estampe/style.hpp>
 
-#include "living.hpp"
+#include "world_animator.hpp"
 
 namespace estampe::viewer {
 

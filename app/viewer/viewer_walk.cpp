@@ -35,7 +35,7 @@ void Viewer::take_pointer(bool is_taken)
 
 void Viewer::go_on_foot(double seconds)
 {
-    temple::Visit& visit = *studio_.file->visit;
+    worlds::Visit& visit = *studio_.file->visit;
     walk::Walker& walker = visit.walker();
     Camera camera = studio_.rig.camera();
     if (camera.eye != walked_to_) { // somebody was put elsewhere
@@ -68,7 +68,7 @@ void Viewer::go_on_foot(double seconds)
     studio_.rig.place(camera);
     walked_to_ = camera.eye;
     SceneChange change{.prints = walker.take_prints()};
-    if (visit.since_arrival_s() && !end_s_) {
+    if (visit.has_arrived() && !end_s_) {
         end_s_ = studio_.time.time_s;
         change.end_s = end_s_;
     }

@@ -17,8 +17,8 @@
 #include "core/file.hpp"
 #include "core/hash.hpp"
 #include "drawing.hpp"
-#include "living.hpp"
 #include "quick_compile.hpp"
+#include "world_animator.hpp"
 
 namespace estampe::viewer {
 namespace {
@@ -123,7 +123,8 @@ void warm_up(const app::ViewCommand& command)
     const Camera camera = app::choose_camera(draw, scene, animation);
     Renderer renderer(draw.device);
     app::set_scene(renderer, scene, draw);
-    const Style style = app::Living(draw, scene, app::Occasion::walk).show(renderer, draw.time_s, camera);
+    const Style style =
+        app::WorldAnimator(draw, scene, worlds::Occasion::walk).show(renderer, draw.time_s, camera);
     RenderSettings settings = app::settings_of(draw, animation);
     for (const Continuity continuity : {Continuity::still, Continuity::starts, Continuity::follows}) {
         settings.continuity = continuity;

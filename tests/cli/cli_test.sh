@@ -59,7 +59,16 @@ expect_success devices --json
 expect_printed '"compute_raster": true'
 expect_success info temple
 expect_printed 'camera  *"last hall"'
+expect_printed 'world  *A half-buried temple'
+expect_printed '--world  *weather=calm|gusts|storm|tornado'
 expect_error 1 'no camera "nowhere"; .*"court"' render temple -o out.png --camera nowhere --seed 3 "${small[@]}"
+expect_success info
+expect_printed '^temple$'
+expect_printed '--world  *hour=0..24'
+expect_success info --json
+expect_printed '"key": "weather"'
+expect_success info temple --world seed=3 --json
+expect_printed '"name": "temple"'
 expect_success info scene.glb
 expect_printed 'triangles  *[1-9]'
 expect_printed '  light  *its own'
@@ -148,6 +157,15 @@ expect_error 2 '--view: there is no view "side"; allowed: front, back, left' ren
 expect_error 2 '--view: takes the place of --camera' render scene.glb -o a.png --view front --camera auto
 expect_error 2 '--up: "w" is no axis; write x, y, z, -x, -y or -z' render scene.glb -o a.png --up w
 expect_error 2 '--up: is for files of scenes' render temple -o a.png --up z
+expect_error 2 '--world: the world has no option "wether"; its options: seed, weather, hour' render temple -o a.png --world wether=calm
+expect_error 2 '--world: there is no weather "rain"; allowed: calm, gusts, storm, tornado' render temple -o a.png --world weather=rain
+expect_error 2 '--world: hour=25: 25 is out of range; allowed: 0 to 24' view temple --world hour=25
+expect_error 2 '--world: works only with a world; "scene.glb" is not one; the worlds: temple' render scene.glb -o a.png --world hour=9
+expect_error 2 '--seed: works only with a world' render scene.glb -o a.png --seed 2
+expect_error 2 'not expected: .*--weather; write --world weather=storm' render temple -o a.png --weather storm
+expect_error 2 'not expected: --hour=18; write --world hour=18' render temple -o a.png --hour=18
+expect_error 2 '--film: works only with a world .*worlds with a film: temple' render scene.glb -o a.mp4 --film
+expect_error 1 'tempel: is neither a file nor a world; did you mean the world temple' render tempel -o a.png
 expect_error 2 '--input-format: "blend" is no format' render - -o a.png --input-format blend
 expect_error 2 '--set: unknown key .*--help-style' render scene.glb -o a.png --set nosuch.key=1
 expect_error 2 '--set: .* is not an assignment' render scene.glb -o a.png --set nothing

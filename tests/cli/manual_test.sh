@@ -69,6 +69,10 @@ offers -z info --up ""
 offers three-quarter render --view t
 offers obj bake --input-format o
 offers light.exr render --lightmap ""
+offers temple render te
+offers temple info te
+offers_not temple render -o te
+offers weather= view temple --world we
 offers lights bench ""
 offers_not lights ""
 offers_not --samples info --

@@ -27,6 +27,8 @@ write src/scene/scene_test_support.hpp support/drawing.hpp
 write bench/speed.cpp scene/pose.hpp
 write tests/support/drawing.cpp frame/frame.hpp
 write worlds/hill/hill.cpp estampe/scene.hpp
+write app/options.cpp world/registry.hpp
+write app/options_test.cpp hill/hill.hpp
 bash "$check" "$tree" || { echo "right includes were refused"; exit 1; }
 
 failures=0
@@ -56,6 +58,7 @@ expect_refused src/frame/bad.cpp bench/speed.hpp
 expect_refused src/frame/bad.cpp support/drawing.hpp
 expect_refused src/frame/bad.cpp scene/scene_test_support.hpp
 expect_refused worlds/hill/bad.cpp scene/shapes.hpp
+expect_refused app/bad.cpp hill/hill.hpp
 expect_refused bench/bad.cpp app/text.hpp
 expect_refused bench/bad.cpp support/drawing.hpp
 expect_refused tests/support/bad.cpp app/text.hpp

@@ -5,6 +5,7 @@
 // last hall.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -12,10 +13,11 @@
 #include <estampe/scene.hpp>
 
 #include "walk/chart.hpp"
+#include "world/world.hpp"
 
 namespace temple {
 
-class Flight {
+class Flight final : public worlds::CameraPath {
 public:
     static constexpr double length_s = 60.0;
 
@@ -23,10 +25,13 @@ public:
     Flight(const estampe::Scene& scene, uint64_t seed);
 
     /// Where it is seen from at a moment of the minute; before and after it as at its ends.
-    [[nodiscard]] estampe::Camera camera(double time_s) const;
+    [[nodiscard]] estampe::Camera camera(double time_s) const override;
 
     /// When it comes to a stand, in the last hall.
     [[nodiscard]] double arrives_s() const { return arrives_s_; }
+
+    /// Who has flown to the last hall has reached it.
+    [[nodiscard]] std::optional<double> end_s() const override { return arrives_s_; }
 
 private:
     struct Key {

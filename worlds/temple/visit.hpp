@@ -12,6 +12,7 @@
 #include "ending.hpp"
 #include "walk/chart.hpp"
 #include "walk/walker.hpp"
+#include "world/world.hpp"
 
 namespace temple {
 
@@ -21,17 +22,15 @@ namespace temple {
 /// The sand at a moment that may go on; both are to outlive it.
 [[nodiscard]] walk::SandAt sand_of(const estampe::Terrain& desert, const double& time_s);
 
-class Visit {
+class Visit final : public worlds::Visit {
 public:
     /// Of a scene that build_temple() made from that seed; begins where the avenue does. Cost: 0.2 s.
     Visit(const estampe::Scene& scene, uint64_t seed);
-    Visit(const Visit&) = delete; // its parts refer to each other
-    Visit& operator=(const Visit&) = delete;
 
     /// For so long, at a moment of the scene.
-    void go(const walk::Intent& intent, double seconds, double time_s);
+    void go(const walk::Intent& intent, double seconds, double time_s) override;
 
-    [[nodiscard]] walk::Walker& walker() { return *walker_; }
+    [[nodiscard]] walk::Walker& walker() override { return *walker_; }
 
     [[nodiscard]] const walk::Walker& walker() const { return *walker_; }
 
@@ -39,6 +38,8 @@ public:
 
     /// How long ago the last hall was reached; nothing before.
     [[nodiscard]] std::optional<double> since_arrival_s() const { return since_arrival_s_; }
+
+    [[nodiscard]] bool has_arrived() const override { return since_arrival_s_.has_value(); }
 
     [[nodiscard]] const Ending& ending() const { return ending_; }
 

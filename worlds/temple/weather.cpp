@@ -13,6 +13,10 @@ namespace {
 
 constexpr double first_storm_s = 38.0;
 constexpr float usual_hour = 16.67F; ///< when the sun stands as the scene has it
+constexpr std::array<std::pair<std::string_view, WeatherKind>, 4> kinds{{{"calm", WeatherKind::calm},
+                                                                         {"gusts", WeatherKind::gusts},
+                                                                         {"storm", WeatherKind::storm},
+                                                                         {"tornado", WeatherKind::tornado}}};
 
 double smooth(double low, double high, double x)
 {
@@ -35,17 +39,22 @@ double noise(uint64_t seed, double x)
 
 std::optional<WeatherKind> weather_named(std::string_view name)
 {
-    constexpr std::array<std::pair<std::string_view, WeatherKind>, 4> names{
-        {{"calm", WeatherKind::calm},
-         {"gusts", WeatherKind::gusts},
-         {"storm", WeatherKind::storm},
-         {"tornado", WeatherKind::tornado}}};
-    for (const auto& [known, kind] : names) {
+    for (const auto& [known, kind] : kinds) {
         if (known == name) {
             return kind;
         }
     }
     return std::nullopt;
+}
+
+std::vector<std::string> weather_names()
+{
+    std::vector<std::string> names;
+    names.reserve(kinds.size());
+    for (const auto& [name, kind] : kinds) {
+        names.emplace_back(name);
+    }
+    return names;
 }
 
 glm::vec2 wind_way()

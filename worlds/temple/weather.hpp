@@ -7,7 +7,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -18,6 +20,9 @@ enum class WeatherKind : uint8_t { calm, gusts, storm, tornado };
 
 /// The kind of that name; nothing for another.
 [[nodiscard]] std::optional<WeatherKind> weather_named(std::string_view name);
+
+/// All names that weather_named() takes.
+[[nodiscard]] std::vector<std::string> weather_names();
 
 /// A tornado on its way.
 struct Tornado {

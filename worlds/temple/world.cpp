@@ -11,8 +11,10 @@
 
 #include "air.hpp"
 #include "dress.hpp"
+#include "flight.hpp"
 #include "sight.hpp"
 #include "temple.hpp"
+#include "visit.hpp"
 
 namespace temple {
 namespace {
@@ -46,6 +48,15 @@ float shelter_at(const Plan& plan, const glm::vec2& place)
     return glm::smoothstep(0.0F, within_m, inside_m);
 }
 
+float hours_a_minute(worlds::Occasion occasion)
+{
+    constexpr float of_films = 1.2F;
+    constexpr float of_walks = 0.04F; // half an hour from where it stands until it sets
+    return occasion == worlds::Occasion::film   ? of_films
+           : occasion == worlds::Occasion::walk ? of_walks
+                                                : 0.0F;
+}
+
 /// Towards `to` by a share, in equal parts of its size.
 double mixed_size(double from, double to, double share)
 {
@@ -55,7 +66,7 @@ double mixed_size(double from, double to, double share)
 } // namespace
 
 World::World(uint64_t seed, const WeatherChoice& weather)
-    : seed_(seed), plan_(make_plan(seed)), site_(make_site(seed)), desert_(plan_, seed),
+    : seed_(seed), choice_(weather), plan_(make_plan(seed)), site_(make_site(seed)), desert_(plan_, seed),
       still_(desert_.with({})), demons_(plan_, site_, still_, seed), timeline_(seed, weather),
       weather_(timeline_.at(0.0)), plumes_(find_plumes(plan_, seed))
 {
@@ -121,6 +132,20 @@ void World::go_to(double time_s, const estampe::Camera& walker)
     }
 }
 
+void World::begin(const estampe::Scene& scene, const worlds::Purpose& purpose)
+{
+    if (choice_.hours_a_minute == 0.0F) {
+        WeatherChoice choice = choice_;
+        choice.hours_a_minute = hours_a_minute(purpose.occasion);
+        timeline_ = WeatherTimeline(seed_, choice);
+        weather_ = timeline_.at(0.0);
+    }
+    meet(scene);
+    if (purpose.occasion == worlds::Occasion::film && !purpose.is_draft) {
+        film();
+    }
+}
+
 void World::meet(const estampe::Scene& scene)
 {
     const auto first = [&](const char* name) {
@@ -158,6 +183,16 @@ void World::press(estampe::Renderer& renderer)
         renderer.set_terrain(desert_.with(hollows, is_filmed_));
         pressed_ = std::move(hollows);
     }
+}
+
+std::unique_ptr<worlds::CameraPath> World::film_camera(const estampe::Scene& scene) const
+{
+    return std::make_unique<Flight>(scene, seed_);
+}
+
+std::unique_ptr<worlds::Visit> World::visit(const estampe::Scene& scene) const
+{
+    return std::make_unique<Visit>(scene, seed_);
 }
 
 estampe::Style World::style(const estampe::Style& base, const estampe::Camera& camera) const

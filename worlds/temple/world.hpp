@@ -4,6 +4,7 @@
 // The temple alive: its demons, its weather and its light, brought to a moment and shown.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@
 #include "site.hpp"
 #include "smoke.hpp"
 #include "weather.hpp"
+#include "world/registry.hpp"
+#include "world/world.hpp"
 
 namespace temple {
 
@@ -32,12 +35,16 @@ namespace temple {
 ///     world.show(renderer);
 ///     world.press(renderer);
 ///     renderer.render(camera, world.style(Style::load("temple-day"), camera), {.time_s = time_s});
-class World {
+class World final : public worlds::World {
 public:
     explicit World(uint64_t seed, const WeatherChoice& weather = {});
 
     /// All of it as it stands at the beginning. Cost: a fifth of a second.
-    [[nodiscard]] estampe::Scene scene() const;
+    [[nodiscard]] estampe::Scene scene() const override;
+
+    /// As meet(). In a film the sun goes on, on a walk slowly, unless WeatherChoice says how fast; a film
+    /// that is no draft is a film() of it.
+    void begin(const estampe::Scene& scene, const worlds::Purpose& purpose) override;
 
     /// Learns which nodes of its scene() are what. Throws Error for a scene that has no demons.
     void meet(const estampe::Scene& scene);
@@ -46,10 +53,10 @@ public:
     /// one after the other; one long before the last, or more than 10 s after it, begins anew, 8 s before
     /// time does or a minute before itself. One up to half a second before it leaves all as it is. Cost: a
     /// millisecond a tenth of a second.
-    void go_to(double time_s, const estampe::Camera& walker);
+    void go_to(double time_s, const estampe::Camera& walker) override;
 
     /// Somebody comes to the middle of the last hall at that moment, from which on its Ending takes its way.
-    void end_at(double time_s) { end_s_ = time_s; }
+    void end_at(double time_s) override { end_s_ = time_s; }
 
     /// A film is taken of it: smoke rises from the great halls' fires, one who came before has left prints in
     /// the sand, and style() has a lens, and a shutter that is open.
@@ -57,18 +64,25 @@ public:
 
     /// Moves it on the renderer that has the scene. Cost: linear in the nodes that move; where the ending
     /// begins, once that of laying out anew what stood still.
-    void show(estampe::Renderer& renderer);
+    void show(estampe::Renderer& renderer) override;
 
     /// Pushes the renderer's sand back where demons are. Cost: where one has moved on sand, a copy of the
     /// heights of its mask.
-    void press(estampe::Renderer& renderer);
+    void press(estampe::Renderer& renderer) override;
 
     /// Another world, or nobody, has pressed the renderer's sand since.
-    void forget_pressed() { pressed_.reset(); }
+    void forget_pressed() override { pressed_.reset(); }
 
     /// `base` with the weather and the light of the moment that was shown: wind for cloth, sand and ink, air,
     /// sky, clouds and the sun; and how demons and what flies are drawn.
-    [[nodiscard]] estampe::Style style(const estampe::Style& base, const estampe::Camera& camera) const;
+    [[nodiscard]] estampe::Style style(const estampe::Style& base,
+                                       const estampe::Camera& camera) const override;
+
+    /// A Flight.
+    [[nodiscard]] std::unique_ptr<worlds::CameraPath> film_camera(const estampe::Scene& scene) const override;
+
+    /// A Visit.
+    [[nodiscard]] std::unique_ptr<worlds::Visit> visit(const estampe::Scene& scene) const override;
 
     [[nodiscard]] Demons& demons() { return demons_; }
 
@@ -91,6 +105,7 @@ private:
     };
 
     uint64_t seed_;
+    WeatherChoice choice_;
     Plan plan_;
     Site site_;
     Desert desert_;
@@ -110,5 +125,8 @@ private:
     bool has_begun_to_end_ = false;
     bool is_filmed_ = false;
 };
+
+/// The temple among the worlds that the program knows by name.
+[[nodiscard]] worlds::Description description();
 
 } // namespace temple

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "living.hpp"
+#include "world_animator.hpp"
 
-#include "drawing.hpp"
 #include "features/common/style_tables.hpp"
-#include "temple/world.hpp"
+#include "world_options.hpp"
 
 namespace estampe::app {
 namespace {
 
-float hours_a_minute(Occasion occasion)
-{
-    constexpr float of_films = 1.2F;
-    constexpr float of_walks = 0.04F; // half an hour from where it stands until it sets
-    return occasion == Occasion::film ? of_films : occasion == Occasion::walk ? of_walks : 0.0F;
-}
-
-/// Gives `style` what `chosen` has otherwise than its base.
+/// Sets in `style` each parameter that differs between `chosen.style` and its base.
 void keep_choices(Style& style, const ChosenStyle& chosen)
 {
     features::StyleTables changed = chosen.style.tables();
@@ -31,7 +23,7 @@ void keep_choices(Style& style, const ChosenStyle& chosen)
             }
         }
     }
-    // Who turns the sun has it where it was turned to.
+    // A sun that the user has turned stays there.
     const light::LightStyle& light = changed.light;
     if (light.sun_azimuth_deg != base.light.sun_azimuth_deg ||
         light.sun_elevation_deg != base.light.sun_elevation_deg) {
@@ -41,30 +33,24 @@ void keep_choices(Style& style, const ChosenStyle& chosen)
 
 } // namespace
 
-Living::Living(const DrawOptions& draw, const Scene& scene, Occasion occasion) : draw_(draw)
+WorldAnimator::WorldAnimator(const DrawOptions& draw, const Scene& scene, worlds::Occasion occasion)
+    : draw_(draw), world_(make_world(draw))
 {
-    if (is_temple(draw.scene)) {
-        const temple::WeatherChoice weather{.kind = temple::weather_named(draw.weather),
-                                            .hour = draw.hour,
-                                            .hours_a_minute = hours_a_minute(occasion)};
-        world_ = std::make_unique<temple::World>(draw.seed, weather);
-        world_->meet(scene);
-        if (occasion == Occasion::film && !draw.is_draft) {
-            world_->film();
-        }
+    if (world_) {
+        world_->begin(scene, {.occasion = occasion, .is_draft = draw.is_draft});
     }
 }
 
-Living::~Living() = default;
+WorldAnimator::~WorldAnimator() = default;
 
-void Living::go_to(double time_s, const Camera& camera)
+void WorldAnimator::go_to(double time_s, const Camera& camera)
 {
     if (world_) {
         world_->go_to(time_s, camera);
     }
 }
 
-void Living::show_world(Renderer& renderer, double time_s, const Camera& camera)
+void WorldAnimator::show_world(Renderer& renderer, double time_s, const Camera& camera)
 {
     world_->go_to(time_s, camera);
     world_->show(renderer);
@@ -73,7 +59,7 @@ void Living::show_world(Renderer& renderer, double time_s, const Camera& camera)
     }
 }
 
-Style Living::show(Renderer& renderer, double time_s, const Camera& camera)
+Style WorldAnimator::show(Renderer& renderer, double time_s, const Camera& camera)
 {
     if (!world_) {
         return draw_.style;
@@ -86,7 +72,7 @@ Style Living::show(Renderer& renderer, double time_s, const Camera& camera)
     return style;
 }
 
-Style Living::show(Renderer& renderer, const ChosenStyle& chosen, double time_s, const Camera& camera)
+Style WorldAnimator::show(Renderer& renderer, const ChosenStyle& chosen, double time_s, const Camera& camera)
 {
     if (!world_) {
         return chosen.style;
@@ -95,6 +81,25 @@ Style Living::show(Renderer& renderer, const ChosenStyle& chosen, double time_s,
     Style style = world_->style(chosen.style, camera);
     keep_choices(style, chosen);
     return style;
+}
+
+void WorldAnimator::end_at(double time_s)
+{
+    if (world_) {
+        world_->end_at(time_s);
+    }
+}
+
+void WorldAnimator::forget_pressed()
+{
+    if (world_) {
+        world_->forget_pressed();
+    }
+}
+
+std::shared_ptr<const worlds::CameraPath> WorldAnimator::film_camera(const Scene& scene) const
+{
+    return world_ ? world_->film_camera(scene) : nullptr;
 }
 
 } // namespace estampe::app

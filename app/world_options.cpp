@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "world_options.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <estampe/error.hpp>
+
+#include "options.hpp"
+#include "text.hpp"
+#include "usage_error.hpp"
+
+namespace estampe::app {
+namespace {
+
+std::string names_of(bool (*is_listed)(const worlds::Description&))
+{
+    std::vector<std::string> names;
+    for (const worlds::Description& world : worlds::registry().all()) {
+        if (is_listed(world)) {
+            names.push_back(world.name);
+        }
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+bool has_option(const worlds::Description& world, const std::string& key)
+{
+    return std::ranges::find(world.options, key, &worlds::Option::key) != world.options.end();
+}
+
+} // namespace
+
+const worlds::Description* world_of(const std::string& scene)
+{
+    const worlds::Description* const world = worlds::registry().find(scene);
+    std::error_code problem;
+    const std::filesystem::file_status status = std::filesystem::status(scene, problem);
+    return std::filesystem::exists(status) && !std::filesystem::is_directory(status) ? nullptr : world;
+}
+
+std::unique_ptr<worlds::World> make_world(const DrawOptions& draw)
+{
+    const worlds::Description* const world = world_of(draw.scene);
+    return world != nullptr ? world->make(worlds::Values(world->options, draw.world)) : nullptr;
+}
+
+void WorldOptions::add_to(CLI::App& command, Seed seed)
+{
+    command
+        .add_option("--world", assignments_,
+                    "An option of a world, such as seed=7; may be repeated (estampe info\n"
+                    "lists all worlds and their options)")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    if (seed == Seed::is_an_option) {
+        command.add_option("--seed", seed_, "Random seed of a world: short for --world seed=N")
+            ->type_name("N");
+    }
+}
+
+std::vector<std::string> WorldOptions::read(const std::string& scene) const
+{
+    if (assignments_.empty() && !seed_) {
+        return {};
+    }
+    const char* const option = seed_ ? "--seed" : "--world";
+    const worlds::Description* const world = world_of(scene);
+    if (world == nullptr) {
+        throw UsageError(scene.empty()
+                             ? "works only with a world"
+                             : fmt::format("works only with a world; {} is not one", in_quotes(scene)),
+                         option, known_worlds());
+    }
+    std::vector<std::string> all = assignments_;
+    if (seed_) {
+        if (!has_option(*world, "seed")) {
+            throw UsageError(fmt::format("the world {} has no option \"seed\"", world->name), option,
+                             world->options.empty() ? "it has no options"
+                                                    : "its options: " + keys_of(world->options));
+        }
+        if (std::ranges::any_of(all, [](const std::string& word) { return word.starts_with("seed="); })) {
+            throw UsageError("is short for --world seed=N, which is given too", option,
+                             "leave one of the two out");
+        }
+        all.push_back(fmt::format("seed={}", *seed_));
+    }
+    try {
+        const worlds::Values checked(world->options, all);
+    } catch (const Error& problem) {
+        throw UsageError(problem.what(), "--world");
+    }
+    return all;
+}
+
+void check_has_film(const std::string& scene)
+{
+    const worlds::Description* const world = world_of(scene);
+    if (world == nullptr || !world->film_s) {
+        const auto has_film = [](const worlds::Description& other) { return other.film_s.has_value(); };
+        throw UsageError(
+            fmt::format("works only with a world that has a film of its own; {} has none", in_quotes(scene)),
+            "--film", "worlds with a film: " + names_of(has_film));
+    }
+}
+
+std::string world_option_as_typed(const std::string& key, const std::string& value)
+{
+    const auto& all = worlds::registry().all();
+    const bool is_known =
+        std::ranges::any_of(all, [&](const worlds::Description& world) { return has_option(world, key); });
+    return is_known ? fmt::format("--world {}={}", key, value.empty() ? "VALUE" : value) : std::string();
+}
+
+std::string known_worlds()
+{
+    return "the worlds: " + names_of([](const worlds::Description& /*world*/) { return true; });
+}
+
+} // namespace estampe::app

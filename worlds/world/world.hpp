@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A world: a scene that code makes, with what moves in it. docs/worlds.md tells how to add one.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include <estampe/renderer.hpp>
+#include <estampe/scene.hpp>
+#include <estampe/style.hpp>
+
+#include "walk/walker.hpp"
+
+namespace worlds {
+
+enum class Occasion : uint8_t { picture, film, walk };
+
+/// What a world is drawn for.
+struct Purpose {
+    Occasion occasion = Occasion::picture;
+    bool is_draft = false; ///< The user wants it quickly: what only makes a film finer can be left out.
+};
+
+/// The way of the camera in a world's own film.
+class CameraPath {
+public:
+    CameraPath() = default;
+    virtual ~CameraPath() = default;
+    CameraPath(const CameraPath&) = delete;
+    CameraPath& operator=(const CameraPath&) = delete;
+
+    /// The camera so many seconds after the film's beginning; before and after the film, that at its ends.
+    [[nodiscard]] virtual estampe::Camera camera(double time_s) const = 0;
+
+    /// When the camera reaches the place that makes the world end, see World::end_at(); nothing if it does
+    /// not.
+    [[nodiscard]] virtual std::optional<double> end_s() const { return std::nullopt; }
+};
+
+/// Somebody who walks through a world.
+class Visit {
+public:
+    Visit() = default;
+    virtual ~Visit() = default;
+    Visit(const Visit&) = delete;
+    Visit& operator=(const Visit&) = delete;
+
+    /// Walks for so long; `time_s` is the scene's time.
+    virtual void go(const walk::Intent& intent, double seconds, double time_s) = 0;
+
+    [[nodiscard]] virtual walk::Walker& walker() = 0;
+
+    /// Whether the visitor has reached the place that makes the world end, see World::end_at().
+    [[nodiscard]] virtual bool has_arrived() const { return false; }
+};
+
+/// One world, made with one set of option values. A world in which nothing moves implements scene() alone.
+///
+/// The program calls scene() on one object and gives the result to a renderer. To draw it, it makes another
+/// object with the same values, calls begin() once, and then for each picture go_to(), show(), press() and
+/// style(), in this order.
+class World {
+public:
+    World() = default;
+    virtual ~World() = default;
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    /// The whole scene at the beginning of time. The same option values give the same scene.
+    [[nodiscard]] virtual estampe::Scene scene() const = 0;
+
+    /// Prepares to animate `scene`, which scene() of a world with the same values made.
+    virtual void begin(const estampe::Scene& /*scene*/, const Purpose& /*purpose*/) {}
+
+    /// Simulates up to a moment, seen by `camera`. Moments of a film or a walk follow each other; the program
+    /// may also jump to any moment.
+    virtual void go_to(double /*time_s*/, const estampe::Camera& /*camera*/) {}
+
+    /// Places the nodes and sets the lights of the moment that go_to() reached, on the renderer that has the
+    /// scene.
+    virtual void show(estampe::Renderer& /*renderer*/) {}
+
+    /// Deforms the renderer's terrain as that moment needs it. The program leaves this call out once a user
+    /// has edited the terrain.
+    virtual void press(estampe::Renderer& /*renderer*/) {}
+
+    /// The renderer's terrain has been changed since the last press(), which must set it again.
+    virtual void forget_pressed() {}
+
+    /// `base` with the weather and the light of that moment. What the user sets overrides the result.
+    [[nodiscard]] virtual estampe::Style style(const estampe::Style& base,
+                                               const estampe::Camera& /*camera*/) const
+    {
+        return base;
+    }
+
+    /// Somebody reaches the end of the world at `time_s`: from then on the world changes, if it has an end.
+    virtual void end_at(double /*time_s*/) {}
+
+    /// The camera of the world's own film; null if it has none. Only called where Description::film_s is set.
+    [[nodiscard]] virtual std::unique_ptr<CameraPath> film_camera(const estampe::Scene& /*scene*/) const
+    {
+        return nullptr;
+    }
+
+    /// Somebody who walks through `scene`; null if the world is not made for walking. The viewer then walks
+    /// over its ground without collisions.
+    [[nodiscard]] virtual std::unique_ptr<Visit> visit(const estampe::Scene& /*scene*/) const
+    {
+        return nullptr;
+    }
+};
+
+} // namespace worlds
